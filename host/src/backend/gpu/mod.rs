@@ -1,0 +1,201 @@
+//! The GPU backend: wgpu buffers, and dispatches queued into command buffers.
+
+mod adapter;
+mod pipeline;
+mod recorder;
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use organza_kernels::KernelInfo;
+
+use super::buffer::{Memory, RawBuffer};
+use super::open::{DeviceOptions, SpirvPath};
+use crate::error::{Error, Result};
+use pipeline::Pipelines;
+use recorder::Recorder;
+
+/// A GPU as a device.
+#[derive(Debug)]
+pub struct Gpu {
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    info: wgpu::AdapterInfo,
+    limits: wgpu::Limits,
+    spirv: SpirvPath,
+    pipelines: Pipelines,
+    recorder: Mutex<Recorder>,
+    failure: Arc<Mutex<Option<Error>>>,
+}
+
+impl Gpu {
+    /// Takes the adapter that `options` name, else the most capable one.
+    pub fn open(options: &DeviceOptions) -> Result<Self> {
+        let (adapter, spirv) = adapter::choose(options)?;
+        let (device, queue) = adapter::request(&adapter, spirv)?;
+        let limits = device.limits();
+        let failure = Arc::new(Mutex::new(None));
+        record_failures(&device, &failure);
+        Ok(Self {
+            recorder: Mutex::new(Recorder::new(&device)),
+            pipelines: Pipelines::new(spirv),
+            info: adapter.get_info(),
+            device,
+            queue,
+            limits,
+            spirv,
+            failure,
+        })
+    }
+
+    pub fn name(&self) -> &str {
+        &self.info.name
+    }
+
+    pub fn description(&self) -> String {
+        format!(
+            "{}, {}, SPIR-V {}",
+            self.info.name,
+            self.info.backend,
+            match self.spirv {
+                SpirvPath::Passthrough => "passed through",
+                SpirvPath::Naga => "through naga",
+            }
+        )
+    }
+
+    pub fn is_software(&self) -> bool {
+        self.info.device_type == wgpu::DeviceType::Cpu
+    }
+
+    pub fn max_buffer_bytes(&self) -> u64 {
+        self.limits.max_buffer_size.min(self.limits.max_storage_buffer_binding_size)
+    }
+
+    pub fn allocate(&self, label: &'static str, bytes: u64) -> Result<wgpu::Buffer> {
+        self.check()?;
+        let what = || format!("the buffer `{label}` on {}", self.info.name);
+        // nothing can be bound that has no bytes, and a copy takes a multiple of four
+        let size = bytes.max(16).next_multiple_of(4);
+        if size > self.max_buffer_bytes() {
+            return Err(Error::OutOfMemory {
+                needed: bytes,
+                available: Some(self.max_buffer_bytes()),
+                what: what(),
+            });
+        }
+        let scope = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
+        let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(label),
+            size,
+            usage: wgpu::BufferUsages::STORAGE
+                | wgpu::BufferUsages::COPY_SRC
+                | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        match pollster::block_on(scope.pop()) {
+            Some(_) => Err(Error::OutOfMemory { needed: bytes, available: None, what: what() }),
+            None => Ok(buffer),
+        }
+    }
+
+    pub fn write(&self, buffer: &wgpu::Buffer, bytes: &[u8]) {
+        if !bytes.is_empty() {
+            self.queue.write_buffer(buffer, 0, bytes);
+        }
+    }
+
+    /// Waits for everything queued and copies bytes from `begin` on.
+    pub fn read(&self, buffer: &wgpu::Buffer, begin: u64, target: &mut [u8]) -> Result<()> {
+        let size = target.len() as u64;
+        let staging = self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("read back"),
+            size,
+            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        self.recorder().copy(&self.device, &self.queue, buffer, begin, &staging);
+        let (sender, receiver) = std::sync::mpsc::channel();
+        staging.slice(..).map_async(wgpu::MapMode::Read, move |result| {
+            // the receiver is gone only if this function has returned an error
+            let _ = sender.send(result);
+        });
+        let polled = self.device.poll(wgpu::PollType::wait_indefinitely());
+        self.check()?;
+        polled.map_err(|error| Error::DeviceLost { reason: error.to_string() })?;
+        let mapped = receiver
+            .recv()
+            .map_err(|_| Error::DeviceLost { reason: "it did not answer".into() })?;
+        mapped.map_err(|error| Error::DeviceLost { reason: error.to_string() })?;
+        let range = staging.slice(..).get_mapped_range();
+        target.copy_from_slice(
+            &range.map_err(|error| Error::DeviceLost { reason: error.to_string() })?,
+        );
+        Ok(())
+    }
+
+    pub fn dispatch(
+        &self,
+        kernel: &'static KernelInfo,
+        uniform: &[u8],
+        buffers: &[&RawBuffer],
+        workgroups: [u32; 3],
+    ) -> Result<()> {
+        self.check()?;
+        let pipeline = self.pipelines.get(&self.device, kernel)?;
+        let buffers: Vec<_> = buffers
+            .iter()
+            .map(|buffer| match &buffer.memory {
+                Memory::Gpu(memory) => memory,
+                Memory::Cpu(_) => panic!("the buffer `{}` belongs to the CPU", buffer.label),
+            })
+            .collect();
+        self.recorder().dispatch(
+            &self.device,
+            &self.queue,
+            kernel,
+            &pipeline,
+            uniform,
+            &buffers,
+            workgroups,
+        );
+        Ok(())
+    }
+
+    pub fn lose(&self) {
+        self.device.destroy();
+    }
+
+    fn recorder(&self) -> std::sync::MutexGuard<'_, Recorder> {
+        self.recorder.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The first failure that the device reported since the last call.
+    fn check(&self) -> Result<()> {
+        let failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner).take();
+        failure.map_or(Ok(()), Err)
+    }
+}
+
+/// Keeps the first failure of a device until someone asks: wgpu reports them from callbacks.
+fn record_failures(device: &wgpu::Device, failure: &Arc<Mutex<Option<Error>>>) {
+    let keep = |failure: &Mutex<Option<Error>>, error: Error| {
+        failure.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+    };
+    let lost = failure.clone();
+    device.set_device_lost_callback(move |reason, message| {
+        // a device that is dropped in good order is reported too
+        if !(reason == wgpu::DeviceLostReason::Destroyed && message.contains("Device dropped")) {
+            keep(&lost, Error::DeviceLost { reason: message });
+        }
+    });
+    let uncaptured = failure.clone();
+    device.on_uncaptured_error(Arc::new(move |error| {
+        let error = match error {
+            wgpu::Error::OutOfMemory { source } => {
+                Error::OutOfMemory { needed: 0, available: None, what: source.to_string() }
+            }
+            other => Error::DeviceLost { reason: other.to_string() },
+        };
+        keep(&uncaptured, error);
+    }));
+}

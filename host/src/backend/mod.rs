@@ -1,0 +1,198 @@
+//! Two backends, one source: buffers and dispatches on a GPU through wgpu, or on the CPU.
+//!
+//! A kernel runs on whichever [`Device`] its buffers belong to; nothing above this module knows which.
+
+mod buffer;
+mod coroutine;
+mod cpu;
+mod gpu;
+mod open;
+
+use bytemuck::Pod;
+use organza_kernels::kernel::{Dispatch, KernelInfo};
+
+pub use buffer::{Buffer, Host};
+pub use open::{BackendChoice, DeviceOptions, SpirvPath};
+
+use crate::error::Result;
+use buffer::{Memory, RawBuffer};
+
+/// Where kernels run.
+#[derive(Debug)]
+pub struct Device {
+    kind: Kind,
+    choice: String,
+}
+
+#[derive(Debug)]
+enum Kind {
+    Cpu(cpu::Cpu),
+    Gpu(Box<gpu::Gpu>),
+}
+
+impl Device {
+    /// Opens the device that `options` ask for.
+    ///
+    /// # Errors
+    /// [`Error::NoGpu`](crate::Error::NoGpu) where a GPU was demanded and none can be used.
+    pub fn open(options: &DeviceOptions) -> Result<Self> {
+        open::open(options)
+    }
+
+    /// Which device it is, and why it was taken.
+    #[must_use]
+    pub fn choice(&self) -> &str {
+        &self.choice
+    }
+
+    /// `cpu` or `gpu`.
+    #[must_use]
+    pub fn backend(&self) -> &'static str {
+        match self.kind {
+            Kind::Cpu(_) => "cpu",
+            Kind::Gpu(_) => "gpu",
+        }
+    }
+
+    /// Whether this is a software device, or the CPU: small chunks that stay in its caches suit it.
+    pub(crate) fn is_cpu_like(&self) -> bool {
+        match &self.kind {
+            Kind::Cpu(_) => true,
+            Kind::Gpu(gpu) => gpu.is_software(),
+        }
+    }
+
+    /// Largest size of one buffer, in bytes.
+    #[must_use]
+    pub fn max_buffer_bytes(&self) -> u64 {
+        match &self.kind {
+            Kind::Cpu(_) => u64::MAX,
+            Kind::Gpu(gpu) => gpu.max_buffer_bytes(),
+        }
+    }
+
+    /// A buffer of `len` zeros.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), with what was needed.
+    pub fn zeros<T: Pod>(&self, label: &'static str, len: usize) -> Result<Buffer<T>> {
+        let bytes = len as u64 * size_of::<T>() as u64;
+        let memory = match &self.kind {
+            Kind::Cpu(cpu) => Memory::Cpu(cpu.allocate(label, bytes)?),
+            Kind::Gpu(gpu) => Memory::Gpu(gpu.allocate(label, bytes)?),
+        };
+        Ok(Buffer::new(RawBuffer { memory, label, bytes }))
+    }
+
+    /// A buffer that holds `values`.
+    ///
+    /// # Errors
+    /// As [`Device::zeros`].
+    pub fn upload<T: Pod>(&self, label: &'static str, values: &[T]) -> Result<Buffer<T>> {
+        let mut buffer = self.zeros(label, values.len())?;
+        match (&self.kind, &mut buffer.raw_mut().memory) {
+            (Kind::Cpu(_), Memory::Cpu(memory)) => memory.bytes_mut()[..size_of_val(values)]
+                .copy_from_slice(bytemuck::cast_slice(values)),
+            (Kind::Gpu(gpu), Memory::Gpu(memory)) => {
+                gpu.write(memory, bytemuck::cast_slice(values))
+            }
+            _ => unreachable!("the buffer was made by this device"),
+        }
+        Ok(buffer)
+    }
+
+    /// What a buffer holds, after everything that was dispatched before.
+    ///
+    /// # Errors
+    /// [`Error::DeviceLost`](crate::Error::DeviceLost), or what an earlier dispatch ran into.
+    pub fn read<T: Pod>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
+        self.read_range(buffer, 0, buffer.len())
+    }
+
+    /// `len` elements from `first` on; as [`Device::read`].
+    ///
+    /// # Errors
+    /// As [`Device::read`].
+    pub fn read_range<T: Pod>(
+        &self,
+        buffer: &Buffer<T>,
+        first: usize,
+        len: usize,
+    ) -> Result<Vec<T>> {
+        assert!(first + len <= buffer.len(), "read past the end of `{}`", buffer.raw().label);
+        if len == 0 {
+            return Ok(Vec::new());
+        }
+        let (begin, bytes) = (first * size_of::<T>(), len * size_of::<T>());
+        let mut values = vec![T::zeroed(); len];
+        let target: &mut [u8] = bytemuck::cast_slice_mut(&mut values);
+        match (&self.kind, &buffer.raw().memory) {
+            (Kind::Cpu(_), Memory::Cpu(memory)) => {
+                target.copy_from_slice(&memory.bytes()[begin..begin + bytes])
+            }
+            (Kind::Gpu(gpu), Memory::Gpu(memory)) => gpu.read(memory, begin as u64, target)?,
+            _ => panic!("the buffer `{}` belongs to another device", buffer.raw().label),
+        }
+        Ok(values)
+    }
+
+    /// Runs a kernel over `workgroups`; on the GPU it is queued.  None of the sizes may pass 65,535.
+    ///
+    /// # Errors
+    /// [`Error::Kernel`](crate::Error::Kernel) where the kernel fails,
+    /// [`Error::StaleKernels`](crate::Error::StaleKernels) where its SPIR-V is not there.
+    pub fn dispatch<'a>(
+        &self,
+        kernel: &impl Dispatch<'a, Host>,
+        workgroups: [u32; 3],
+    ) -> Result<()> {
+        if workgroups.contains(&0) {
+            return Ok(());
+        }
+        let mut buffers = Vec::with_capacity(kernel.info().bindings.len());
+        kernel.bind(&mut |buffer| buffers.push(buffer));
+        match &self.kind {
+            Kind::Cpu(cpu) => cpu.dispatch(kernel.info(), kernel.uniform(), &buffers, workgroups),
+            Kind::Gpu(gpu) => gpu.dispatch(kernel.info(), kernel.uniform(), &buffers, workgroups),
+        }
+    }
+
+    /// Runs a kernel with at least `items` invocations along x and y, and `layers` workgroups along z.
+    ///
+    /// # Errors
+    /// As [`Device::dispatch`].
+    pub fn run<'a>(&self, kernel: &impl Dispatch<'a, Host>, items: u32, layers: u32) -> Result<()> {
+        let workgroups = workgroups_for(kernel.info(), items);
+        self.dispatch(kernel, [workgroups[0], workgroups[1], layers])
+    }
+
+    /// Makes the device fail as a lost one does: for tests of what happens then.
+    #[doc(hidden)]
+    pub fn lose(&self) {
+        if let Kind::Gpu(gpu) = &self.kind {
+            gpu.lose();
+        }
+    }
+}
+
+/// Workgroups along x and y that hold `items` invocations; an axis ends at 65,535.
+fn workgroups_for(info: &KernelInfo, items: u32) -> [u32; 2] {
+    const MAX: u32 = 65_535;
+    let groups = items.div_ceil(info.workgroup_size[0]);
+    if groups <= MAX { [groups, u32::from(groups > 0)] } else { [MAX, groups.div_ceil(MAX)] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn workgroups_hold_all_items() {
+        let info = organza_kernels::kernels().find(|k| k.name == "segment").expect("a kernel");
+        for items in [0, 1, 63, 64, 65, 65_535 * 64, 65_535 * 64 + 1, 1 << 31, u32::MAX] {
+            let [x, y] = workgroups_for(info, items);
+            assert!(x <= 65_535 && y <= 65_535);
+            assert!(u64::from(x) * u64::from(y) * 64 >= u64::from(items), "{items}: {x} x {y}");
+        }
+    }
+}

@@ -1,0 +1,252 @@
+//! Pinhole cameras from nerfstudio's `transforms.json`.
+
+mod parse;
+#[cfg(test)]
+mod tests;
+
+use std::path::Path;
+
+use serde_json::{Map, Value, json};
+
+use crate::atomic_file::write_atomic;
+use crate::error::{Error, IN_MEMORY, Result};
+use crate::input::read_json;
+
+/// The widest and highest an image may be, in pixels.
+pub const MAX_IMAGE_SIDE: u32 = 65536;
+/// How far `R^T R` may be from the identity. Poses are written with six or more digits, so an
+/// honest one is far closer; a scaled or sheared one is far from it.
+const ORTHONORMAL_TOLERANCE: f64 = 1e-3;
+
+/// A camera: where it stands and how it projects.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Camera {
+    /// Camera-to-world matrix as in the file, row by row: OpenGL axes (x right, y up, looking along
+    /// -z), translation in the last column, in world units.
+    pub camera_to_world: [[f64; 4]; 4],
+    /// Focal length in x, in pixels.
+    pub fl_x: f64,
+    /// Focal length in y, in pixels.
+    pub fl_y: f64,
+    /// Principal point in x, in pixels from the image's left edge.
+    pub cx: f64,
+    /// Principal point in y, in pixels from the image's upper edge.
+    pub cy: f64,
+    /// Image width in pixels.
+    pub width: u32,
+    /// Image height in pixels.
+    pub height: u32,
+    /// The frame's image, relative to the file, where it names one.
+    pub file_path: Option<String>,
+    /// Whether the file describes a lens other than a pinhole. What is rendered is the undistorted
+    /// pinhole image all the same.
+    pub distorted: bool,
+}
+
+impl Camera {
+    /// Reads the cameras of a `transforms.json`, in the order of its `frames`.
+    ///
+    /// Intrinsics of a frame go before those of the file. `camera_angle_x` (and `camera_angle_y`),
+    /// in radians as Blender's data sets have them, stand in for focal lengths, and the image
+    /// center stands in for the principal point beside them.
+    ///
+    /// # Errors
+    /// [`Error::ReadFile`], [`Error::BadJson`], [`Error::Invalid`] where there are no frames,
+    /// [`Error::Camera`] for the first frame that describes no camera.
+    pub fn load_all(path: impl AsRef<Path>) -> Result<Vec<Self>> {
+        let path = path.as_ref();
+        parse::cameras(&read_json(path)?, path)
+    }
+
+    /// Writes a `transforms.json` that [`Self::load_all`] reads, atomically. It describes the
+    /// pinhole images that are rendered, so `distorted` is not kept.
+    ///
+    /// # Errors
+    /// [`Error::WriteFile`]; [`Error::Invalid`] without cameras; [`Error::Camera`] for the first
+    /// camera that is not valid.
+    pub fn save_all(path: impl AsRef<Path>, cameras: &[Self]) -> Result<()> {
+        let Some(first) = cameras.first() else {
+            let reason = "there are no cameras to write".to_owned();
+            return Err(Error::Invalid { origin: IN_MEMORY.into(), reason });
+        };
+        for (frame, camera) in cameras.iter().enumerate() {
+            camera.validate(frame)?;
+        }
+        let shared = first.intrinsics();
+        let same = cameras.iter().all(|camera| camera.intrinsics() == shared);
+        let frame = |camera: &Self| {
+            let mut frame = if same { Map::new() } else { camera.intrinsics() };
+            if let Some(path) = &camera.file_path {
+                frame.insert("file_path".to_owned(), json!(path));
+            }
+            frame.insert("transform_matrix".to_owned(), json!(camera.camera_to_world));
+            Value::Object(frame)
+        };
+        let mut file = if same { shared.clone() } else { Map::new() };
+        file.insert("camera_model".to_owned(), json!("PINHOLE"));
+        file.insert("frames".to_owned(), cameras.iter().map(frame).collect());
+        write_atomic(path, |writer| {
+            serde_json::to_writer_pretty(&mut *writer, &file)?;
+            writer.write_all(b"\n")
+        })
+    }
+
+    /// A camera at `eye` that looks at `target` and sees `angle_x` radians from left to right, with
+    /// `up` upwards in its image and square pixels.
+    ///
+    /// # Errors
+    /// [`Error::Camera`] where `eye` is `target`, `up` lies along the line of sight, or the angle
+    /// or the image size is out of range.
+    pub fn look_at(
+        eye: [f64; 3],
+        target: [f64; 3],
+        up: [f64; 3],
+        angle_x: f64,
+        [width, height]: [u32; 2],
+    ) -> Result<Self> {
+        let back = normalized(std::array::from_fn(|axis| eye[axis] - target[axis]));
+        let right = normalized(cross(up, back));
+        let up = cross(back, right);
+        let row = |axis: usize| [right[axis], up[axis], back[axis], eye[axis]];
+        let focal = parse::focal_length(f64::from(width), angle_x)
+            .map_err(|reason| camera_error(Path::new(IN_MEMORY), 0, reason))?;
+        let camera = Self {
+            camera_to_world: [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]],
+            fl_x: focal,
+            fl_y: focal,
+            cx: 0.5 * f64::from(width),
+            cy: 0.5 * f64::from(height),
+            width,
+            height,
+            file_path: None,
+            distorted: false,
+        };
+        camera.validate(0)?;
+        Ok(camera)
+    }
+
+    /// The rotation from world axes to OpenCV camera axes (x right, y down, z forward), row by row.
+    #[must_use]
+    pub fn world_to_camera_opencv(&self) -> [[f64; 3]; 3] {
+        let column = |axis: usize, sign: f64| {
+            std::array::from_fn(|row| sign * self.camera_to_world[row][axis])
+        };
+        // The pose is orthonormal, so its transpose is its inverse: columns become rows.
+        [column(0, 1.0), column(1, -1.0), column(2, -1.0)]
+    }
+
+    /// The camera's center in world space.
+    #[must_use]
+    pub fn eye(&self) -> [f64; 3] {
+        std::array::from_fn(|row| self.camera_to_world[row][3])
+    }
+
+    /// Checks the pose and the intrinsics; `frame` is the index errors give the camera.
+    ///
+    /// # Errors
+    /// [`Error::Camera`] for the first thing that is wrong.
+    pub fn validate(&self, frame: usize) -> Result<()> {
+        self.validate_at(frame, Path::new(IN_MEMORY))
+    }
+
+    fn validate_at(&self, frame: usize, origin: &Path) -> Result<()> {
+        self.check_intrinsics()
+            .and_then(|()| self.check_pose())
+            .map_err(|reason| camera_error(origin, frame, reason))
+    }
+
+    fn check_intrinsics(&self) -> Result<(), String> {
+        for (name, value) in [("fl_x", self.fl_x), ("fl_y", self.fl_y)] {
+            // In f32, as the kernels see it.
+            if !(value > 0.0 && (value as f32).is_normal()) {
+                return Err(format!("`{name}` is {value}, expected a positive number of pixels"));
+            }
+        }
+        for (name, value) in [("cx", self.cx), ("cy", self.cy)] {
+            if !(value as f32).is_finite() {
+                return Err(format!("`{name}` is {value}, expected a finite number of pixels"));
+            }
+        }
+        for (name, value) in [("w", self.width), ("h", self.height)] {
+            if !(1..=MAX_IMAGE_SIDE).contains(&value) {
+                return Err(format!("`{name}` is {value}, expected 1 to {MAX_IMAGE_SIDE} pixels"));
+            }
+        }
+        Ok(())
+    }
+
+    fn check_pose(&self) -> Result<(), String> {
+        let pose = &self.camera_to_world;
+        if let Some(value) = pose.iter().flatten().find(|value| !(**value as f32).is_finite()) {
+            return Err(format!("`transform_matrix` holds {value}, expected finite numbers"));
+        }
+        let last = pose[3].iter().zip([0.0, 0.0, 0.0, 1.0]);
+        if last.map(|(found, expected)| (found - expected).abs()).any(|off| off > 1e-6) {
+            return Err(format!(
+                "the last row of `transform_matrix` is {:?}, expected [0, 0, 0, 1]: is it \
+                 transposed?",
+                pose[3]
+            ));
+        }
+        let axis = |column: usize| -> [f64; 3] { std::array::from_fn(|row| pose[row][column]) };
+        let axes = [axis(0), axis(1), axis(2)];
+        let determinant = dot(cross(axes[0], axes[1]), axes[2]);
+        if determinant.abs() < 1e-9 {
+            return Err(
+                "`transform_matrix` is a singular pose: its 3x3 block has determinant 0".into()
+            );
+        }
+        let mut off = 0.0_f64;
+        for (i, a) in axes.iter().enumerate() {
+            for (j, b) in axes.iter().enumerate() {
+                off = off.max((dot(*a, *b) - f64::from(u8::from(i == j))).abs());
+            }
+        }
+        if off > ORTHONORMAL_TOLERANCE {
+            return Err(format!(
+                "the 3x3 block of `transform_matrix` is no rotation: its columns are {off:.3e} \
+                 from orthonormal (limit {ORTHONORMAL_TOLERANCE:e}); take scale and shear out of it"
+            ));
+        }
+        if determinant < 0.0 {
+            return Err(
+                "the 3x3 block of `transform_matrix` mirrors space (determinant -1); expected \
+                        OpenGL axes: x right, y up, looking along -z"
+                    .into(),
+            );
+        }
+        Ok(())
+    }
+
+    fn intrinsics(&self) -> Map<String, Value> {
+        let values = [
+            ("fl_x", json!(self.fl_x)),
+            ("fl_y", json!(self.fl_y)),
+            ("cx", json!(self.cx)),
+            ("cy", json!(self.cy)),
+            ("w", json!(self.width)),
+            ("h", json!(self.height)),
+        ];
+        values.into_iter().map(|(key, value)| (key.to_owned(), value)).collect()
+    }
+}
+
+fn camera_error(origin: &Path, frame: usize, reason: String) -> Error {
+    Error::Camera { origin: origin.to_owned(), frame, reason }
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        a[j] * b[k] - a[k] * b[j]
+    })
+}
+
+fn normalized(vector: [f64; 3]) -> [f64; 3] {
+    let length = dot(vector, vector).sqrt();
+    vector.map(|value| value / length)
+}

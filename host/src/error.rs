@@ -1,0 +1,374 @@
+//! What can go wrong, in words that say what happened, where, and what to do about it.
+//!
+//! The `Display` text of an [`Error`] is complete: it already contains the text of its source.
+
+#[cfg(test)]
+mod tests;
+
+use std::fmt::Write as _;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// The result of every fallible operation of this crate.
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+/// The `origin` of an error about a value that did not come from a file.
+pub(crate) const IN_MEMORY: &str = "";
+
+/// Why an operation failed.
+///
+/// `origin` is the file a value came from; it is empty for a value that a caller built.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A file could not be opened or read.
+    #[error("cannot read {path}: {}", describe_read(source))]
+    ReadFile {
+        /// The file.
+        path: PathBuf,
+        /// What the operating system said.
+        source: io::Error,
+    },
+
+    /// A file could not be written. Whatever stood under its name before is untouched.
+    #[error("cannot write {path}: {}", describe_write(path, source))]
+    WriteFile {
+        /// The file.
+        path: PathBuf,
+        /// What the operating system said.
+        source: io::Error,
+    },
+
+    /// A file is not safetensors, or was cut short or damaged.
+    #[error("{origin} is not a whole safetensors file: {reason}")]
+    BadSafetensors {
+        /// The file.
+        origin: PathBuf,
+        /// What does not fit.
+        reason: String,
+    },
+
+    /// A safetensors file holds something other than a scene.
+    #[error(
+        "{origin} is not a scene: its metadata `format` is {found}, expected \"organza.scene\"; \
+         was another file meant?"
+    )]
+    WrongFormat {
+        /// The file.
+        origin: PathBuf,
+        /// The `format` it has, quoted, or `missing`.
+        found: String,
+    },
+
+    /// A scene was written by a version this one does not know.
+    #[error(
+        "{origin} has scene version {found}; this program reads version \"1\": use a program that \
+         matches the file, or write the scene again"
+    )]
+    UnknownVersion {
+        /// The file.
+        origin: PathBuf,
+        /// The `version` it has, quoted, or `missing`.
+        found: String,
+    },
+
+    /// A tensor that the configuration asks for is absent.
+    #[error("{}tensor `{tensor}` is missing; it should be F32 {expected:?} ({why})", place(origin))]
+    MissingTensor {
+        /// The file.
+        origin: PathBuf,
+        /// The tensor's name.
+        tensor: String,
+        /// The shape it should have.
+        expected: Vec<usize>,
+        /// Where that shape comes from.
+        why: &'static str,
+    },
+
+    /// A tensor has the wrong element type.
+    #[error(
+        "{}tensor `{tensor}` is {found}, expected F32; convert it and save again",
+        place(origin)
+    )]
+    WrongDtype {
+        /// The file.
+        origin: PathBuf,
+        /// The tensor's name.
+        tensor: String,
+        /// The element type it has.
+        found: String,
+    },
+
+    /// A tensor's shape and the configuration disagree.
+    #[error(
+        "{}tensor `{tensor}` has shape {found:?}, expected {expected:?} ({why}); make the \
+         tensor and the config agree",
+        place(origin)
+    )]
+    WrongShape {
+        /// The file.
+        origin: PathBuf,
+        /// The tensor's name.
+        tensor: String,
+        /// The shape it has; a flat vector in memory counts as `[length]`.
+        found: Vec<usize>,
+        /// The shape it should have.
+        expected: Vec<usize>,
+        /// Where that shape comes from.
+        why: &'static str,
+    },
+
+    /// A tensor holds more values than the kernels can address.
+    #[error(
+        "{}tensor `{tensor}` would hold {values} values; the kernels address fewer than \
+         2^31 = 2147483648: use fewer Gaussians or smaller tables",
+        place(origin)
+    )]
+    TooManyValues {
+        /// The file.
+        origin: PathBuf,
+        /// The tensor's name.
+        tensor: String,
+        /// How many values it has.
+        values: usize,
+    },
+
+    /// A tensor holds a NaN or an infinity.
+    #[error(
+        "{}tensor `{tensor}` holds {value} at flat index {index}; every value must be \
+         finite (did the training diverge?)",
+        place(origin)
+    )]
+    NotFinite {
+        /// The file.
+        origin: PathBuf,
+        /// The tensor's name.
+        tensor: String,
+        /// The position of the first such value in row-major order.
+        index: usize,
+        /// The value.
+        value: f32,
+    },
+
+    /// A scene without Gaussians.
+    #[error("{}the scene holds no Gaussians; there is nothing to render", place(origin))]
+    EmptyScene {
+        /// The file.
+        origin: PathBuf,
+    },
+
+    /// A value of the scene's configuration is out of range.
+    #[error("{}config field `{field}`: {reason}", place(origin))]
+    BadConfig {
+        /// The file.
+        origin: PathBuf,
+        /// The field's path in the JSON, such as `color_grid.levels`.
+        field: String,
+        /// The value found, the values allowed, and why.
+        reason: String,
+    },
+
+    /// Text that is not JSON, or not of the expected structure.
+    #[error("{}{what}, line {line} column {column}: {reason}", place(origin))]
+    BadJson {
+        /// The file.
+        origin: PathBuf,
+        /// Which JSON of the file: the file itself or its `config` metadata.
+        what: &'static str,
+        /// 1-based line.
+        line: usize,
+        /// 1-based column, in bytes.
+        column: usize,
+        /// What the parser said, and the text in front of which it stopped.
+        reason: String,
+    },
+
+    /// A file or value that is wrong as a whole; `reason` says how.
+    #[error("{}{reason}", place(origin))]
+    Invalid {
+        /// The file.
+        origin: PathBuf,
+        /// What is wrong and what is allowed.
+        reason: String,
+    },
+
+    /// A frame of a cameras file does not describe a camera.
+    #[error("{}camera frame {frame}: {reason}", place(origin))]
+    Camera {
+        /// The file.
+        origin: PathBuf,
+        /// 0-based index into `frames`.
+        frame: usize,
+        /// What is wrong and what is allowed.
+        reason: String,
+    },
+
+    /// An element of a tiles file does not describe a tile.
+    #[error("{}tile {tile}: {reason}", place(origin))]
+    Tile {
+        /// The file.
+        origin: PathBuf,
+        /// 0-based index into `tiles`.
+        tile: usize,
+        /// What is wrong and what is allowed.
+        reason: String,
+    },
+
+    /// An argument of a call or of the command line makes no sense.
+    #[error("unexpected argument: {reason}")]
+    Argument {
+        /// What is wrong and what is allowed.
+        reason: String,
+    },
+
+    /// No usable GPU.
+    #[error("no usable GPU: {reason}; the CPU backend needs none")]
+    NoGpu {
+        /// What was looked for and what was found.
+        reason: String,
+    },
+
+    /// Memory, on the host or on the device, does not suffice.
+    #[error("{}", describe_memory(*needed, *available, what))]
+    OutOfMemory {
+        /// Bytes asked for; 0 where the driver did not say.
+        needed: u64,
+        /// Bytes there are, where that is known.
+        available: Option<u64>,
+        /// What the memory was for.
+        what: String,
+    },
+
+    /// The GPU stopped answering.
+    #[error(
+        "the GPU was lost: {reason}; the work in flight is gone, so start again (a smaller tile \
+         batch helps where a watchdog ended it)"
+    )]
+    DeviceLost {
+        /// What the driver said.
+        reason: String,
+    },
+
+    /// A kernel could not be loaded or launched.
+    #[error("kernel `{kernel}`: {reason}")]
+    Kernel {
+        /// The kernel's entry point.
+        kernel: String,
+        /// What went wrong.
+        reason: String,
+    },
+
+    /// The compiled kernels do not belong to this program.
+    #[error(
+        "the compiled kernels are stale: {reason}; build them again with `cargo xtask kernels`"
+    )]
+    StaleKernels {
+        /// Which kernels, and what differs.
+        reason: String,
+    },
+}
+
+impl Error {
+    /// Wraps a failure to read `path`.
+    pub(crate) fn read(path: &Path, source: io::Error) -> Self {
+        Self::ReadFile { path: path.to_owned(), source }
+    }
+
+    /// Wraps a failure to write `path`.
+    pub(crate) fn write(path: &Path, source: io::Error) -> Self {
+        Self::WriteFile { path: path.to_owned(), source }
+    }
+
+    /// Wraps what `serde_json` said about `text`, which is `what` of `origin`.
+    pub(crate) fn json(
+        origin: &Path,
+        what: &'static str,
+        text: &[u8],
+        error: &serde_json::Error,
+    ) -> Self {
+        let (line, column) = (error.line(), error.column());
+        let suffix = format!(" at line {line} column {column}");
+        let mut reason = error.to_string();
+        if let Some(bare) = reason.strip_suffix(&suffix) {
+            reason.truncate(bare.len());
+        }
+        if let Some(before) = text_before(text, line, column) {
+            // Writing to a String does not fail.
+            let _ = write!(reason, ", after `{before}`");
+        }
+        Self::BadJson { origin: origin.to_owned(), what, line, column, reason }
+    }
+}
+
+/// The end of the text up to a parser's position: serde names no field, so this is what tells
+/// which.
+fn text_before(text: &[u8], line: usize, column: usize) -> Option<String> {
+    const LENGTH: usize = 48;
+    let bytes = text.split(|&byte| byte == b'\n').nth(line.checked_sub(1)?)?;
+    let bytes = bytes.get(..column.min(bytes.len()))?;
+    let bytes = &bytes[bytes.len().saturating_sub(LENGTH)..];
+    let before = String::from_utf8_lossy(bytes).trim().to_owned();
+    (!before.is_empty()).then_some(before)
+}
+
+/// A size in the largest binary unit that keeps it at least 1, such as `1.50 GiB`.
+#[must_use]
+pub fn format_bytes(bytes: u64) -> String {
+    const UNITS: [(u64, &str); 3] = [(1 << 30, "GiB"), (1 << 20, "MiB"), (1 << 10, "KiB")];
+    match UNITS.iter().find(|(unit, _)| bytes >= *unit) {
+        Some((unit, name)) => format!("{:.2} {name}", bytes as f64 / *unit as f64),
+        None => format!("{bytes} bytes"),
+    }
+}
+
+/// The start of a message: the file, where there is one.
+fn place(origin: &Path) -> String {
+    if origin == Path::new(IN_MEMORY) {
+        return String::new();
+    }
+    format!("{}: ", origin.display())
+}
+
+fn describe_read(source: &io::Error) -> String {
+    match source.kind() {
+        io::ErrorKind::NotFound => "there is no such file; check the path".to_owned(),
+        io::ErrorKind::PermissionDenied => "permission denied; check the file's mode".to_owned(),
+        _ => source.to_string(),
+    }
+}
+
+fn describe_write(path: &Path, source: &io::Error) -> String {
+    match source.kind() {
+        io::ErrorKind::StorageFull => {
+            "the disk is full; free some space and run again (nothing was left behind)".to_owned()
+        }
+        io::ErrorKind::QuotaExceeded => {
+            "the disk quota is used up; free some space and run again (nothing was left behind)"
+                .to_owned()
+        }
+        io::ErrorKind::NotFound => match path.parent() {
+            Some(folder) => format!("folder {} does not exist; create it first", folder.display()),
+            None => source.to_string(),
+        },
+        io::ErrorKind::PermissionDenied => {
+            "permission denied; check the mode of the folder".to_owned()
+        }
+        _ => source.to_string(),
+    }
+}
+
+fn describe_memory(needed: u64, available: Option<u64>, what: &str) -> String {
+    // A driver may run out without saying over what.
+    let needed = match needed {
+        0 => String::new(),
+        bytes => format!(" needs {}", format_bytes(bytes)),
+    };
+    let available = match available {
+        Some(bytes) => format!(" but {} are available", format_bytes(bytes)),
+        None => String::new(),
+    };
+    format!(
+        "out of memory: {what}{needed}{available}; render fewer or smaller tiles at once, \
+         or use a smaller scene"
+    )
+}

@@ -1,0 +1,182 @@
+//! Opening what a user names, without trusting it.
+
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::error::{Error, Result, format_bytes};
+
+/// More JSON than any camera or tile list has; what is larger was named by mistake.
+const MAX_JSON_BYTES: u64 = 256 << 20;
+
+/// Opens a regular file and returns it with its length in bytes.
+///
+/// Anything else is refused before it is opened: a pipe may block and a device may never end.
+pub(crate) fn open_regular(path: &Path) -> Result<(File, u64)> {
+    let open = || {
+        let metadata = fs::metadata(path)?;
+        if metadata.is_dir() {
+            return Err(io::Error::other("it is a folder, expected a file"));
+        }
+        if !metadata.is_file() {
+            return Err(io::Error::other("it is a device or a pipe, expected a regular file"));
+        }
+        let file = File::open(path)?;
+        let length = file.metadata()?.len();
+        Ok((file, length))
+    };
+    open().map_err(|source| Error::read(path, source))
+}
+
+/// Reads and parses a JSON file. A byte order mark, which some editors leave, is skipped.
+pub(crate) fn read_json(path: &Path) -> Result<Value> {
+    let (file, length) = open_regular(path)?;
+    if length > MAX_JSON_BYTES {
+        let (length, limit) = (format_bytes(length), format_bytes(MAX_JSON_BYTES));
+        let reason = format!(
+            "the file has {length}, too large for JSON (limit {limit}): is it the right file?"
+        );
+        return Err(Error::Invalid { origin: path.to_owned(), reason });
+    }
+    let mut text = Vec::new();
+    file.take(MAX_JSON_BYTES).read_to_end(&mut text).map_err(|source| Error::read(path, source))?;
+    let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&text);
+    serde_json::from_slice(text).map_err(|error| Error::json(path, "JSON", text, &error))
+}
+
+/// What a JSON value is, for messages.
+pub(crate) fn kind(value: &Value) -> &'static str {
+    match value {
+        Value::Null => "null",
+        Value::Bool(_) => "a boolean",
+        Value::Number(_) => "a number",
+        Value::String(_) => "a string",
+        Value::Array(_) => "an array",
+        Value::Object(_) => "an object",
+    }
+}
+
+/// A JSON number without a fraction, whether written `3` or `3.0`.
+pub(crate) fn integer(value: &Value) -> Option<i64> {
+    /// Up to here every integer is an f64.
+    const EXACT: f64 = 9_007_199_254_740_992.0;
+    value.as_i64().or_else(|| {
+        let number = value.as_f64()?;
+        (number.fract() == 0.0 && number.abs() <= EXACT).then_some(number as i64)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn only_regular_files_are_opened() {
+        let folder = tempfile::tempdir().unwrap();
+        let text = open_regular(folder.path()).unwrap_err().to_string();
+        assert!(text.contains("folder"), "{text}");
+        let text = open_regular(&folder.path().join("absent")).unwrap_err().to_string();
+        assert!(text.contains("absent") && text.contains("no such file"), "{text}");
+        if cfg!(unix) {
+            let text = open_regular(Path::new("/dev/zero")).unwrap_err().to_string();
+            assert!(text.contains("device"), "{text}");
+        }
+    }
+
+    #[test]
+    fn json_is_read_with_and_without_a_mark() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.json");
+        for text in ["{\"a\": 1}", "\u{feff}{\"a\": 1}"] {
+            fs::write(&path, text).unwrap();
+            assert_eq!(read_json(&path).unwrap(), json!({"a": 1}));
+        }
+        fs::write(&path, "{\"a\": 1").unwrap();
+        assert!(matches!(read_json(&path), Err(Error::BadJson { line: 1, .. })));
+    }
+
+    #[test]
+    fn deep_nesting_is_an_error() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("deep.json");
+        fs::write(&path, "[".repeat(1 << 20)).unwrap();
+        assert!(matches!(read_json(&path), Err(Error::BadJson { .. })));
+    }
+
+    #[test]
+    fn integers_may_be_written_as_floats() {
+        assert_eq!(integer(&json!(-3)), Some(-3));
+        assert_eq!(integer(&json!(3.0)), Some(3));
+        assert_eq!(integer(&json!(3.5)), None);
+        assert_eq!(integer(&json!(1e300)), None);
+        assert_eq!(integer(&json!("3")), None);
+    }
+}
+
+/// JSON values that parsers trip over, and a way to put them anywhere.
+#[cfg(test)]
+pub(crate) mod nasty {
+    use proptest::prelude::*;
+    use proptest::sample::Index;
+    use serde_json::{Value, json};
+
+    /// Wrong types, and numbers at the edges of every range.
+    pub fn nasty_value() -> impl Strategy<Value = Value> {
+        let edges = vec![
+            json!(null),
+            json!(true),
+            json!("text"),
+            json!([]),
+            json!({}),
+            json!([[1e300]]),
+            json!(0),
+            json!(-1),
+            json!(1),
+            json!(0.5),
+            json!(-0.0),
+            json!(f64::MIN_POSITIVE),
+            json!(f64::MAX),
+            json!(1e39),
+            json!(u32::MAX),
+            json!(u64::MAX),
+            json!(i64::MIN),
+            json!(i64::MAX / 12),
+        ];
+        prop_oneof![
+            prop::sample::select(edges),
+            any::<f64>().prop_map(|number| json!(number)),
+            any::<i64>().prop_map(|number| json!(number)),
+            (0..40).prop_map(|number| json!(number)),
+        ]
+    }
+
+    /// Replaces one value at any depth.
+    pub fn replace_value(root: &mut Value, place: Index, with: Value) {
+        let mut pointers = Vec::new();
+        collect(root, String::new(), &mut pointers);
+        let pointer = &pointers[place.index(pointers.len())];
+        if let Some(value) = root.pointer_mut(pointer) {
+            *value = with;
+        }
+    }
+
+    fn collect(value: &Value, pointer: String, pointers: &mut Vec<String>) {
+        match value {
+            Value::Object(object) => {
+                for (key, value) in object {
+                    collect(value, format!("{pointer}/{key}"), pointers);
+                }
+            }
+            Value::Array(array) => {
+                for (index, value) in array.iter().enumerate() {
+                    collect(value, format!("{pointer}/{index}"), pointers);
+                }
+            }
+            _ => {}
+        }
+        pointers.push(pointer);
+    }
+}

@@ -1,0 +1,25 @@
+//! Sort-free Gaussian rendering in single-source Rust.
+//!
+//! A scene is a set of 3D Gaussians whose color and visibility come from small neural fields.  Tiles of any number
+//! of views are rendered as one tensor `[K, 3, S, S]`; nothing is ever sorted.  The kernels are written once, in
+//! Rust: they run on every GPU that wgpu reaches, and as the same functions on the CPU.
+//!
+//! Start at [`Renderer`].
+
+mod atomic_file;
+pub mod backend;
+pub mod camera;
+pub mod error;
+mod input;
+pub mod kernels;
+pub mod render;
+pub mod scene;
+pub mod tile;
+
+pub use atomic_file::write_atomic;
+pub use backend::{BackendChoice, Device, DeviceOptions, SpirvPath};
+pub use camera::Camera;
+pub use error::{Error, Result};
+pub use render::{DeviceScene, Inspection, RenderReport, RenderedTiles, Renderer, Stages};
+pub use scene::Scene;
+pub use tile::{Tile, TileBatch};

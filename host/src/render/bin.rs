@@ -1,0 +1,170 @@
+//! Projection and binning: which Gaussians each tile needs, in ascending order, and which pairs that makes.
+
+use glam::{Vec2, Vec3, Vec4};
+use organza_kernels::camera::Camera as KernelCamera;
+use organza_kernels::pair::{PairFillKernel, PairFillParams, PairMaskKernel, PairMaskParams};
+use organza_kernels::project::{ProjectKernel, ProjectParams};
+use organza_kernels::tile::{
+    TileFillKernel, TileFillParams, TileMaskKernel, TileMaskParams, TileRangeKernel,
+    TileRangeParams,
+};
+
+use super::DeviceScene;
+use super::plan::{Plan, words};
+use super::scan::exclusive_scan;
+use crate::backend::{Buffer, Device};
+use crate::camera::Camera;
+use crate::error::Result;
+
+/// The (Gaussian, camera) pairs to evaluate.
+#[derive(Debug)]
+pub struct Pairs {
+    pub count: u32,
+    /// `camera slot * gaussians + gaussian`, ascending.
+    pub pair: Buffer<u32>,
+    /// Packed cameras.
+    pub camera: Buffer<f32>,
+    /// `[cameras, gaussians, 2]`
+    pub projection: Buffer<Vec4>,
+}
+
+/// Which pairs each tile sums up.
+#[derive(Debug)]
+pub struct Bins {
+    pub pairs: Pairs,
+    pub tile: Buffer<i32>,
+    /// Where each tile's members begin; on the device and here.
+    pub tile_first: Buffer<u32>,
+    pub first: Vec<u32>,
+    /// Indices of pairs.
+    pub member: Buffer<u32>,
+    /// Gaussians that could not be projected.
+    pub degenerate: Buffer<u32>,
+}
+
+/// A camera as kernels see it: OpenCV axes, f32.
+pub fn kernel_camera(camera: &Camera) -> KernelCamera {
+    let vector = |v: [f64; 3]| Vec3::new(v[0] as f32, v[1] as f32, v[2] as f32);
+    KernelCamera {
+        rotation: camera.world_to_camera_opencv().map(vector),
+        eye: vector(camera.eye()),
+        focal: Vec2::new(camera.fl_x as f32, camera.fl_y as f32),
+        center: Vec2::new(camera.cx as f32, camera.cy as f32),
+        size: Vec2::new(camera.width as f32, camera.height as f32),
+    }
+}
+
+/// Projects every Gaussian into every camera: packed cameras, projections, and the count of degenerate ones.
+pub fn project(
+    device: &Device,
+    scene: &DeviceScene,
+    cameras: &[&Camera],
+) -> Result<(Buffer<f32>, Buffer<Vec4>, Buffer<u32>)> {
+    let packed: Vec<_> = cameras.iter().flat_map(|camera| kernel_camera(camera).pack()).collect();
+    let camera = device.upload("cameras", &packed)?;
+    let projection = device.zeros("projection", cameras.len() * scene.len() * 2)?;
+    let degenerate = device.zeros("degenerate", 1)?;
+    let kernel = ProjectKernel {
+        params: ProjectParams { gaussians: scene.gaussians, blur: scene.config.blur as f32 },
+        camera: &camera,
+        position: &scene.position,
+        rotation: &scene.rotation,
+        log_scale: &scene.log_scale,
+        projection: &projection,
+        degenerate: &degenerate,
+    };
+    device.run(&kernel, scene.gaussians, cameras.len() as u32)?;
+    Ok((camera, projection, degenerate))
+}
+
+impl Bins {
+    pub fn new(
+        device: &Device,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        plan: &Plan,
+    ) -> Result<Self> {
+        let used: Vec<_> = plan.cameras().iter().map(|&index| &cameras[index]).collect();
+        let (camera, projection, degenerate) = project(device, scene, &used)?;
+        let (packed, first_tile) = plan.pack();
+        let tile = device.upload("tiles", &packed)?;
+        let first_tile = device.upload("first tiles", &first_tile)?;
+        let (tiles, slots) = (plan.tiles.len() as u32, used.len() as u32);
+        let (gaussians, words) = (scene.gaussians, words(scene.gaussians));
+
+        let tile_words = (tiles * words) as usize;
+        let tile_mask = device.zeros("tile masks", tile_words)?;
+        let count = device.zeros("member counts", tile_words)?;
+        let params = TileMaskParams { gaussians, words, side: plan.side };
+        let kernel = TileMaskKernel {
+            params,
+            tile: &tile,
+            projection: &projection,
+            mask: &tile_mask,
+            count: &count,
+        };
+        device.run(&kernel, words, tiles)?;
+        let first_member = exclusive_scan(device, &count, tiles * words)?;
+
+        let camera_words = (slots * words) as usize;
+        let pair_mask = device.zeros("pair masks", camera_words)?;
+        let count = device.zeros("pair counts", camera_words)?;
+        let kernel = PairMaskKernel {
+            params: PairMaskParams { words },
+            first_tile: &first_tile,
+            tile_mask: &tile_mask,
+            mask: &pair_mask,
+            count: &count,
+        };
+        device.run(&kernel, words, slots)?;
+        let first_pair = exclusive_scan(device, &count, slots * words)?;
+
+        // what sizes the buffers to come: a number for each tile, and one
+        let tile_first = device.zeros("tile members", tiles as usize + 1)?;
+        let params = TileRangeParams { tiles, words };
+        device.run(
+            &TileRangeKernel { params, first_member: &first_member, tile_first: &tile_first },
+            tiles + 1,
+            1,
+        )?;
+        let first = device.read(&tile_first)?;
+        let pairs = device.read_range(&first_pair, camera_words, 1)?[0];
+
+        let pair = device.zeros("pairs", pairs as usize)?;
+        let params = PairFillParams { words, gaussians };
+        device.run(
+            &PairFillKernel { params, mask: &pair_mask, first_pair: &first_pair, pair: &pair },
+            words,
+            slots,
+        )?;
+        let member = device.zeros("members", first[tiles as usize] as usize)?;
+        let kernel = TileFillKernel {
+            params: TileFillParams { words },
+            tile: &tile,
+            tile_mask: &tile_mask,
+            first_member: &first_member,
+            pair_mask: &pair_mask,
+            first_pair: &first_pair,
+            member: &member,
+        };
+        device.run(&kernel, words, tiles)?;
+        Ok(Self {
+            pairs: Pairs { count: pairs, pair, camera, projection },
+            tile,
+            tile_first,
+            first,
+            member,
+            degenerate,
+        })
+    }
+
+    /// Memberships of all tiles.
+    pub fn members(&self) -> u32 {
+        self.first[self.first.len() - 1]
+    }
+
+    /// Members of the fullest tile.
+    pub fn largest(&self) -> u32 {
+        self.first.windows(2).map(|range| range[1] - range[0]).max().unwrap_or(0)
+    }
+}

@@ -1,0 +1,186 @@
+//! Looks into the stages: each on its own for every Gaussian, or all of them for one pixel.
+
+use glam::{Vec2, Vec3, Vec4};
+use organza_kernels::composite::{alpha, pixel_center, resolve_pixel};
+use organza_kernels::project::{falloff, mahalanobis};
+use organza_kernels::splat::VECTORS;
+use organza_kernels::tile::Tile as KernelTile;
+
+use super::bin::{Pairs, project};
+use super::part::Part;
+use super::plan::Plan;
+use super::transmittance::Transmittance;
+use super::{DeviceScene, Renderer, color};
+use crate::camera::Camera;
+use crate::error::Result;
+use crate::tile::{Tile, TileBatch};
+
+/// What each stage gives for every Gaussian in one camera, N Gaussians.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stages {
+    /// Spherical harmonics of the view direction, `[N, (degree + 1)^2]`.
+    pub sh: Vec<f32>,
+    /// Color hash grid at the Gaussian's position, `[N, levels * features]`.
+    pub color_encoding: Vec<f32>,
+    /// `[N, 3]`
+    pub color: Vec<f32>,
+    /// K of Eq. 8, `[N]`.
+    pub sample_count: Vec<u32>,
+    /// T of Eq. 11, `[N]`.
+    pub transmittance: Vec<f32>,
+    /// Projected center in pixels, `[N]`.
+    pub mean2d: Vec<[f32; 2]>,
+    /// Inverse of the projected covariance: xx, xy, yy, `[N]`.
+    pub conic: Vec<[f32; 3]>,
+    /// Support radius in pixels, `[N]`; negative where the Gaussian is culled.
+    pub radius: Vec<f32>,
+}
+
+/// One Gaussian's part in a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contribution {
+    /// Index of the Gaussian.
+    pub gaussian: usize,
+    /// Distance from the projected center, in pixels.
+    pub distance: f32,
+    /// `exp(-q/2)`, 0 past its end.
+    pub falloff: f32,
+    /// `sigmoid` of the opacity logit.
+    pub opacity: f32,
+    /// Samples of the segment, K of Eq. 8.
+    pub samples: u32,
+    /// T of Eq. 11.
+    pub transmittance: f32,
+    /// `opacity * falloff * T` (Eq. 12).
+    pub alpha: f32,
+    /// c of Eq. 3.
+    pub color: [f32; 3],
+    /// C of Eq. 12 up to and including this Gaussian.
+    pub color_sum: [f32; 3],
+    /// S of Eq. 12 up to and including this Gaussian.
+    pub alpha_sum: f32,
+}
+
+/// How a pixel came about.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inspection {
+    /// The Gaussians whose support reaches the pixel's square, ascending.
+    pub contributions: Vec<Contribution>,
+    /// C of Eq. 12.
+    pub color_sum: [f32; 3],
+    /// S of Eq. 12.
+    pub alpha_sum: f32,
+    /// Background b.
+    pub background: [f32; 3],
+    /// I of Eq. 13.
+    pub pixel: [f32; 3],
+}
+
+impl Inspection {
+    /// Whether Eq. 13 divided: S > 1.
+    #[must_use]
+    pub fn is_divided(&self) -> bool {
+        self.alpha_sum > 1.0
+    }
+}
+
+impl Renderer {
+    /// Evaluates every stage for every Gaussian in `camera`, needed by a tile or not.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`].
+    pub fn stages(&self, scene: &DeviceScene, camera: &Camera) -> Result<Stages> {
+        let device = self.device();
+        let (camera, projection, _) = project(device, scene, &[camera])?;
+        let every: Vec<u32> = (0..scene.gaussians).collect();
+        let pairs = Pairs {
+            count: scene.gaussians,
+            pair: device.upload("pairs", &every)?,
+            camera,
+            projection,
+        };
+        let transmittance = Transmittance::evaluate(device, scene, &pairs)?;
+
+        let (sh_width, grid_width) = (scene.config.sh_width(), scene.config.color_grid.width());
+        let (mut sh, mut color_encoding) = (Vec::new(), Vec::new());
+        let color = color::evaluate_with(device, scene, &pairs, &mut |_, count, scratch| {
+            let rows = device.read(&scratch.input)?;
+            for sample in 0..count as usize {
+                let column = |row: usize| rows[row * scratch.stride as usize + sample];
+                sh.extend((0..sh_width).map(column));
+                color_encoding.extend((sh_width..sh_width + grid_width).map(column));
+            }
+            Ok(())
+        })?;
+
+        let projection = device.read(&pairs.projection)?;
+        let first = device.read(&transmittance.first_sample)?;
+        Ok(Stages {
+            sh,
+            color_encoding,
+            color: device.read(&color)?,
+            sample_count: first.windows(2).map(|range| range[1] - range[0]).collect(),
+            transmittance: device.read(&transmittance.transmittance)?,
+            mean2d: projection.iter().step_by(2).map(|p| [p.x, p.y]).collect(),
+            radius: projection.iter().step_by(2).map(|p| p.z).collect(),
+            conic: projection.iter().skip(1).step_by(2).map(|c| [c.x, c.y, c.z]).collect(),
+        })
+    }
+
+    /// Renders one pixel of `cameras[camera]` and tells how it came about, Gaussian by Gaussian.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`].
+    pub fn inspect(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        camera: usize,
+        pixel: [i32; 2],
+    ) -> Result<Inspection> {
+        let device = self.device();
+        let batch = TileBatch { side: 1, tiles: vec![Tile { camera, origin: pixel }] };
+        batch.validate(cameras)?;
+        let plans = Plan::split(device, scene, &batch)?;
+        let part = Part::evaluate(device, scene, cameras, &plans[0])?;
+
+        let pair = device.read(&part.bins.pairs.pair)?;
+        let first = device.read(&part.transmittance.first_sample)?;
+        let transmittance = device.read(&part.transmittance.transmittance)?;
+        let splat = device.read(&part.composite.splat)?;
+        let opacity = device.read(&scene.opacity)?;
+        let center = pixel_center(&KernelTile { camera: 0, origin: pixel, output: 0 }, 0, 0);
+
+        let mut sum = Vec4::ZERO;
+        let mut contributions = Vec::new();
+        for member in device.read(&part.bins.member)? {
+            let index = member as usize;
+            let [placed, conic, color] =
+                std::array::from_fn(|v| splat[index * VECTORS as usize + v]);
+            let d = center - Vec2::new(placed.x, placed.y);
+            let alpha = alpha(placed, conic, center);
+            sum += Vec4::new(alpha * color.x, alpha * color.y, alpha * color.z, alpha);
+            let gaussian = (pair[index] % scene.gaussians) as usize;
+            contributions.push(Contribution {
+                gaussian,
+                distance: d.length(),
+                falloff: falloff(mahalanobis(conic.truncate(), d)),
+                opacity: organza_kernels::math::sigmoid(opacity[gaussian]),
+                samples: first[index + 1] - first[index],
+                transmittance: transmittance[index],
+                alpha,
+                color: color.truncate().to_array(),
+                color_sum: sum.truncate().to_array(),
+                alpha_sum: sum.w,
+            });
+        }
+        let background = scene.config.background.map(|channel| channel as f32);
+        Ok(Inspection {
+            contributions,
+            color_sum: sum.truncate().to_array(),
+            alpha_sum: sum.w,
+            background,
+            pixel: resolve_pixel(sum, Vec3::from_array(background)).to_array(),
+        })
+    }
+}

@@ -1,0 +1,142 @@
+//! From a scene, cameras and tiles to a rendered batch: one file for each stage.
+
+mod bin;
+mod color;
+mod composite;
+mod field;
+mod inspect;
+mod part;
+mod plan;
+mod scan;
+mod scene;
+mod transmittance;
+
+use std::sync::Arc;
+
+use crate::backend::Device;
+use crate::camera::Camera;
+use crate::error::{Error, Result};
+use crate::tile::TileBatch;
+
+pub use inspect::{Contribution, Inspection, Stages};
+pub use scene::DeviceScene;
+
+use plan::Plan;
+
+/// Renders scenes on a device.
+///
+/// ```no_run
+/// use organza::{Camera, Device, DeviceOptions, Renderer, Scene, TileBatch};
+///
+/// let renderer = Renderer::new(Device::open(&DeviceOptions::default())?);
+/// let scene = renderer.upload(&Scene::load("scene.safetensors")?)?;
+/// let cameras = Camera::load_all("cameras.json")?;
+/// let tiles = renderer.render(&scene, &cameras, &TileBatch::load("tiles.json")?)?;
+/// assert_eq!(tiles.data.len(), tiles.count * 3 * (tiles.side * tiles.side) as usize);
+/// # Ok::<(), organza::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Renderer {
+    device: Arc<Device>,
+}
+
+/// A rendered batch, the tensor Y of Eq. 16.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RenderedTiles {
+    /// S, in pixels.
+    pub side: u32,
+    /// K
+    pub count: usize,
+    /// `[K, 3, S, S]`: tile, channel (RGB), row, column.
+    pub data: Vec<f32>,
+    /// What was done to render it.
+    pub report: RenderReport,
+}
+
+/// What rendering a batch took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct RenderReport {
+    /// Parts that the batch was rendered in.
+    pub parts: usize,
+    /// (Gaussian, camera) pairs whose color and transmittance were evaluated.
+    pub pairs: u64,
+    /// (Gaussian, tile) memberships.
+    pub members: u64,
+    /// Samples of the transmittance network.
+    pub samples: u64,
+    /// (Gaussian, camera) pairs that were culled because they cannot be projected.
+    pub degenerate: u64,
+}
+
+impl Renderer {
+    /// A renderer on `device`.
+    #[must_use]
+    pub fn new(device: Device) -> Self {
+        Self { device: Arc::new(device) }
+    }
+
+    /// The device it renders on.
+    #[must_use]
+    pub fn device(&self) -> &Device {
+        &self.device
+    }
+
+    /// Renders a batch of tiles.  A batch that does not fit into the device's memory is rendered in parts; a part does
+    /// not change the image.
+    ///
+    /// # Errors
+    /// [`Error::Tile`] where a tile has no camera or an impossible place, [`Error::OutOfMemory`] where a single tile
+    /// does not fit, [`Error::DeviceLost`].
+    pub fn render(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        batch: &TileBatch,
+    ) -> Result<RenderedTiles> {
+        self.render_with_progress(scene, cameras, batch, &mut |_| {})
+    }
+
+    /// As [`Renderer::render`]; calls `progress` with the number of tiles that each part has finished.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`].
+    pub fn render_with_progress(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        batch: &TileBatch,
+        progress: &mut dyn FnMut(usize),
+    ) -> Result<RenderedTiles> {
+        batch.validate(cameras)?;
+        let area = 3 * (batch.side * batch.side) as usize;
+        let mut data = vec![0.0; batch.tiles.len() * area];
+        let mut report = RenderReport::default();
+        let mut plans = Plan::split(&self.device, scene, batch)?;
+        while let Some(plan) = plans.pop() {
+            match part::render(&self.device, scene, cameras, &plan) {
+                Ok((pixels, part)) => {
+                    for (place, tile) in pixels.chunks_exact(area).zip(&plan.tiles) {
+                        data[tile.place * area..][..area].copy_from_slice(place);
+                    }
+                    report.add(&part);
+                    progress(plan.tiles.len());
+                }
+                Err(Error::OutOfMemory { .. }) if plan.tiles.len() > 1 => {
+                    plans.extend(plan.halves())
+                }
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(RenderedTiles { side: batch.side, count: batch.tiles.len(), data, report })
+    }
+}
+
+impl RenderReport {
+    fn add(&mut self, part: &Self) {
+        self.parts += part.parts;
+        self.pairs += part.pairs;
+        self.members += part.members;
+        self.samples += part.samples;
+        self.degenerate += part.degenerate;
+    }
+}

@@ -1,0 +1,56 @@
+//! Renders one part of a batch, stage by stage.
+
+use super::bin::Bins;
+use super::composite::Composite;
+use super::plan::Plan;
+use super::transmittance::Transmittance;
+use super::{DeviceScene, RenderReport, color};
+use crate::backend::{Buffer, Device};
+use crate::camera::Camera;
+use crate::error::Result;
+
+/// Everything that the stages leave on the device.
+#[derive(Debug)]
+pub struct Part {
+    pub bins: Bins,
+    pub transmittance: Transmittance,
+    pub color: Buffer<f32>,
+    pub composite: Composite,
+}
+
+impl Part {
+    pub fn evaluate(
+        device: &Device,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        plan: &Plan,
+    ) -> Result<Self> {
+        let bins = Bins::new(device, scene, cameras, plan)?;
+        let transmittance = Transmittance::evaluate(device, scene, &bins.pairs)?;
+        let color = color::evaluate(device, scene, &bins.pairs)?;
+        let composite =
+            Composite::new(device, scene, plan.side, &bins, &transmittance.transmittance, &color)?;
+        Ok(Self { bins, transmittance, color, composite })
+    }
+
+    pub fn report(&self, device: &Device) -> Result<RenderReport> {
+        Ok(RenderReport {
+            parts: 1,
+            pairs: u64::from(self.bins.pairs.count),
+            members: u64::from(self.bins.members()),
+            samples: u64::from(self.transmittance.samples),
+            degenerate: u64::from(device.read(&self.bins.degenerate)?[0]),
+        })
+    }
+}
+
+/// The pixels of a part, `[tiles, 3, S, S]`, and what it took.
+pub fn render(
+    device: &Device,
+    scene: &DeviceScene,
+    cameras: &[Camera],
+    plan: &Plan,
+) -> Result<(Vec<f32>, RenderReport)> {
+    let part = Part::evaluate(device, scene, cameras, plan)?;
+    Ok((device.read(&part.composite.image)?, part.report(device)?))
+}

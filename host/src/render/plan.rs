@@ -1,0 +1,133 @@
+//! Cuts a batch into parts that fit the device.
+
+use organza_kernels::tile::Tile as KernelTile;
+
+use super::DeviceScene;
+use crate::backend::Device;
+use crate::error::{Error, Result};
+use crate::tile::{Tile, TileBatch};
+
+/// What one part's tables may take.  Parts of this size keep every device busy.
+const PART_BYTES: u64 = 512 << 20;
+
+/// Tiles of one part: an axis of a dispatch ends at 65,535, and
+/// [`pair_mask`](organza_kernels::pair::pair_mask) loops over the tiles of a camera.
+const MAX_TILES: usize = 16_384;
+
+/// One part of a batch: tiles ordered by camera.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    pub side: u32,
+    pub tiles: Vec<PlannedTile>,
+}
+
+/// A tile and its place in the batch.
+#[derive(Clone, Copy, Debug)]
+pub struct PlannedTile {
+    pub tile: Tile,
+    pub place: usize,
+}
+
+impl Plan {
+    /// The parts of a batch, last first.
+    pub fn split(device: &Device, scene: &DeviceScene, batch: &TileBatch) -> Result<Vec<Self>> {
+        let limits = Limits::of(device, scene, batch.side)?;
+        let mut tiles: Vec<_> = batch
+            .tiles
+            .iter()
+            .enumerate()
+            .map(|(place, &tile)| PlannedTile { tile, place })
+            .collect();
+        tiles.sort_by_key(|tile| tile.tile.camera);
+        let mut parts: Vec<Self> = Vec::new();
+        let (mut cameras, mut last) = (0, None);
+        for tile in tiles {
+            let is_new = last != Some(tile.tile.camera);
+            let fits = parts.last().is_some_and(|part| {
+                part.tiles.len() < limits.tiles && cameras + u64::from(is_new) <= limits.cameras
+            });
+            if fits {
+                cameras += u64::from(is_new);
+            } else {
+                parts.push(Self { side: batch.side, tiles: Vec::new() });
+                cameras = 1;
+            }
+            last = Some(tile.tile.camera);
+            parts.last_mut().expect("pushed above").tiles.push(tile);
+        }
+        parts.reverse();
+        Ok(parts)
+    }
+
+    /// Two parts of half the size, last first.
+    pub fn halves(mut self) -> [Self; 2] {
+        let second = self.tiles.split_off(self.tiles.len() / 2);
+        [Self { side: self.side, tiles: second }, self]
+    }
+
+    /// The cameras of the part, ascending: their places are the kernels' camera slots.
+    pub fn cameras(&self) -> Vec<usize> {
+        let mut cameras: Vec<_> = self.tiles.iter().map(|tile| tile.tile.camera).collect();
+        cameras.dedup();
+        cameras
+    }
+
+    /// The tiles as kernels see them, and where each camera's begin.
+    pub fn pack(&self) -> (Vec<i32>, Vec<u32>) {
+        let cameras = self.cameras();
+        let mut packed = Vec::with_capacity(self.tiles.len() * KernelTile::INTEGERS);
+        let mut first_tile = vec![0; cameras.len() + 1];
+        let mut slot = 0;
+        for (index, planned) in self.tiles.iter().enumerate() {
+            if cameras[slot] != planned.tile.camera {
+                slot += 1;
+                first_tile[slot] = index as u32;
+            }
+            let tile = KernelTile {
+                camera: slot as u32,
+                origin: planned.tile.origin,
+                output: index as u32,
+            };
+            packed.extend(tile.pack());
+        }
+        first_tile[cameras.len()] = self.tiles.len() as u32;
+        (packed, first_tile)
+    }
+}
+
+/// Words of a tile's mask, a bit for each Gaussian.
+pub fn words(gaussians: u32) -> u32 {
+    gaussians.div_ceil(32)
+}
+
+struct Limits {
+    tiles: usize,
+    cameras: u64,
+}
+
+impl Limits {
+    fn of(device: &Device, scene: &DeviceScene, side: u32) -> Result<Self> {
+        let buffer = device.max_buffer_bytes();
+        let gaussians = u64::from(scene.gaussians);
+        // projection: two vectors for each Gaussian and camera; pairs are numbered in 31 bits
+        let camera_bytes = gaussians * 32;
+        let cameras = (PART_BYTES / camera_bytes)
+            .clamp(1, (buffer / camera_bytes).min((1 << 31) / gaussians));
+        // sums: a vector for each pixel; masks: a word for every 32 Gaussians, at most 2^26 of them; memberships: 31 bits
+        let tile_bytes = u64::from(side * side) * 16;
+        let mask_words = u64::from(words(scene.gaussians));
+        let per_part = PART_BYTES / (tile_bytes + mask_words * 12);
+        let bound = (buffer / tile_bytes)
+            .min((1 << 26) / mask_words)
+            .min((1 << 31) / gaussians)
+            .min(MAX_TILES as u64);
+        if cameras == 0 || bound == 0 {
+            return Err(Error::OutOfMemory {
+                needed: camera_bytes.max(tile_bytes),
+                available: Some(buffer),
+                what: format!("a buffer for one tile of side {side} and {gaussians} Gaussians"),
+            });
+        }
+        Ok(Self { tiles: per_part.clamp(1, bound) as usize, cameras })
+    }
+}

@@ -1,0 +1,104 @@
+//! A scene on a device.
+
+use glam::Vec3;
+use organza_kernels::camera::SceneBox;
+
+use super::Renderer;
+use super::field::DeviceField;
+use crate::backend::Buffer;
+use crate::error::Result;
+use crate::scene::{Scene, SceneConfig};
+
+/// A scene whose tensors lie on a device.
+#[derive(Debug)]
+pub struct DeviceScene {
+    pub(super) config: SceneConfig,
+    pub(super) gaussians: u32,
+    pub(super) scene_box: Buffer<f32>,
+    pub(super) position: Buffer<f32>,
+    pub(super) rotation: Buffer<f32>,
+    pub(super) log_scale: Buffer<f32>,
+    pub(super) opacity: Buffer<f32>,
+    pub(super) material: Buffer<f32>,
+    pub(super) extra: Buffer<f32>,
+    pub(super) color: DeviceField,
+    pub(super) transmittance: DeviceField,
+}
+
+impl Renderer {
+    /// Copies a scene to the device.
+    ///
+    /// # Errors
+    /// What [`Scene::validate`] finds, and [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn upload(&self, scene: &Scene) -> Result<DeviceScene> {
+        scene.validate()?;
+        let device = self.device();
+        let config = &scene.config;
+        let gaussians = &scene.gaussians;
+        Ok(DeviceScene {
+            gaussians: gaussians.len() as u32,
+            scene_box: device.upload("scene box", &scene_box(config).pack())?,
+            position: device.upload("gaussians.position", gaussians.position.as_flattened())?,
+            rotation: device.upload("gaussians.rotation", gaussians.rotation.as_flattened())?,
+            log_scale: device.upload("gaussians.log_scale", gaussians.log_scale.as_flattened())?,
+            opacity: device.upload("gaussians.opacity", &gaussians.opacity)?,
+            material: device.upload("gaussians.material", &gaussians.material)?,
+            extra: device.upload("gaussians.extra", &gaussians.extra)?,
+            color: DeviceField::upload(device, &config.color_grid, &scene.color)?,
+            transmittance: DeviceField::upload(
+                device,
+                &config.transmittance_grid,
+                &scene.transmittance,
+            )?,
+            config: config.clone(),
+        })
+    }
+}
+
+impl DeviceScene {
+    /// The scene's configuration.
+    #[must_use]
+    pub fn config(&self) -> &SceneConfig {
+        &self.config
+    }
+
+    /// Number of Gaussians.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.gaussians as usize
+    }
+
+    /// Whether there are no Gaussians; an empty scene is not uploaded.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.gaussians == 0
+    }
+
+    /// Bytes that the scene takes on the device.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        [
+            &self.position,
+            &self.rotation,
+            &self.log_scale,
+            &self.opacity,
+            &self.material,
+            &self.extra,
+        ]
+        .iter()
+        .map(|buffer| buffer.bytes())
+        .sum::<u64>()
+            + self.color.bytes()
+            + self.transmittance.bytes()
+    }
+}
+
+/// `x' = 0.05 + 0.9 (x - lo) / (hi - lo)`, with the factor computed in f64.
+fn scene_box(config: &SceneConfig) -> SceneBox {
+    let [low, high] = config.aabb;
+    let scale = |axis: usize| (0.9 / (high[axis] - low[axis])) as f32;
+    SceneBox {
+        low: Vec3::new(low[0] as f32, low[1] as f32, low[2] as f32),
+        scale: Vec3::new(scale(0), scale(1), scale(2)),
+    }
+}

@@ -1,0 +1,68 @@
+//! Dense networks and the fields they form with a hash grid.
+
+/// A hash grid and the network that reads it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Field {
+    /// The grid's table, `[entries, features]`, row-major; levels follow each other.
+    pub grid: Vec<f32>,
+    /// The network.
+    pub network: Network,
+}
+
+/// Dense layers: ReLU after every one but the last, which is linear.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Network {
+    /// The layers, first to last.
+    pub layers: Vec<Layer>,
+}
+
+/// One dense layer, `W x + b`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Layer {
+    /// W, `[outputs, inputs]`, row-major, as PyTorch stores it.
+    pub weight: Vec<f32>,
+    /// b, `[outputs]`.
+    pub bias: Vec<f32>,
+    /// Width of x.
+    pub inputs: usize,
+    /// Width of the result.
+    pub outputs: usize,
+}
+
+impl Network {
+    /// A network of zeros; `widths` are those [`Self::widths`] returns, such as
+    /// [`SceneConfig::color_widths`](super::SceneConfig::color_widths).
+    #[must_use]
+    pub fn zeros(widths: &[usize]) -> Self {
+        Self { layers: widths.windows(2).map(|pair| Layer::zeros(pair[0], pair[1])).collect() }
+    }
+
+    /// The width of each layer's input, then of the last layer's output.
+    #[must_use]
+    pub fn widths(&self) -> Vec<usize> {
+        let inputs = self.layers.iter().map(|layer| layer.inputs);
+        inputs.chain(self.layers.last().map(|layer| layer.outputs)).collect()
+    }
+}
+
+impl Layer {
+    /// A layer of zeros.
+    #[must_use]
+    pub fn zeros(inputs: usize, outputs: usize) -> Self {
+        Self { weight: vec![0.0; inputs * outputs], bias: vec![0.0; outputs], inputs, outputs }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zeros_have_the_given_widths() {
+        let network = Network::zeros(&[5, 16, 8, 3]);
+        assert_eq!(network.widths(), [5, 16, 8, 3]);
+        let sizes: Vec<_> =
+            network.layers.iter().map(|layer| (layer.weight.len(), layer.bias.len())).collect();
+        assert_eq!(sizes, [(80, 16), (128, 8), (24, 3)]);
+    }
+}

@@ -1,0 +1,70 @@
+//! What is legal in a scene but probably not meant.
+
+use super::Scene;
+
+/// From here on an f32 position keeps fewer than 11 bits of its fraction inside a cell.
+const FINE_RESOLUTION: u32 = 8192;
+
+impl Scene {
+    /// What is legal but suspicious, one sentence each, with counts; empty for an ordinary scene.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<String> {
+        let mut warnings = self.gaussian_warnings();
+        for (name, grid) in [
+            ("color_grid", &self.config.color_grid),
+            ("transmittance_grid", &self.config.transmittance_grid),
+        ] {
+            let finest = grid.finest_resolution();
+            if finest > FINE_RESOLUTION {
+                warnings.push(format!(
+                    "the finest level of {name} has resolution {finest}: above {FINE_RESOLUTION} \
+                     f32 positions lose the fraction that interpolation needs"
+                ));
+            }
+        }
+        if self.config.blur == 0.0 {
+            warnings.push(
+                "blur is 0: Gaussians much smaller than a pixel vanish between pixel centers or \
+                 are culled"
+                    .to_owned(),
+            );
+        }
+        warnings
+    }
+
+    fn gaussian_warnings(&self) -> Vec<String> {
+        let gaussians = &self.gaussians;
+        let [lo, hi] = self.config.aabb;
+        let outside = |position: &&[f32; 3]| {
+            let mut axes = position.iter().zip(lo).zip(hi);
+            axes.any(|((&value, lo), hi)| !(lo..=hi).contains(&f64::from(value)))
+        };
+        let extents = lo.iter().zip(hi).map(|(lo, hi)| hi - lo);
+        let diagonal = extents.map(|extent| extent * extent).sum::<f64>().sqrt();
+        let huge = |log_scale: &&[f32; 3]| {
+            log_scale.iter().any(|&value| f64::from(value).exp() > diagonal)
+        };
+        // In f32, as the kernels do it: small components may square to zero.
+        let no_rotation = |rotation: &&[f32; 4]| {
+            let squared: f32 = rotation.iter().map(|value| value * value).sum();
+            !squared.is_normal()
+        };
+        let counts = [
+            (
+                gaussians.position.iter().filter(outside).count(),
+                "have their center outside the scene's aabb, where the grids repeat the border",
+            ),
+            (
+                gaussians.rotation.iter().filter(no_rotation).count(),
+                "have a rotation of zero or overflowing norm and are culled",
+            ),
+            (
+                gaussians.log_scale.iter().filter(huge).count(),
+                "have a scale larger than the diagonal of the scene's aabb",
+            ),
+        ];
+        let total = gaussians.len();
+        let counted = counts.into_iter().filter(|(count, _)| *count > 0);
+        counted.map(|(count, text)| format!("{count} of {total} Gaussians {text}")).collect()
+    }
+}

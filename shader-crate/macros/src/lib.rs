@@ -1,0 +1,39 @@
+//! The `#[kernel]` attribute.
+//!
+//! A kernel is an ordinary function whose parameters are its bindings:
+//!
+//! ```ignore
+//! #[kernel(threads(64))]
+//! pub fn square(id: Invocation, params: &SquareParams, input: Read<f32>, output: Write<f32>) {
+//!     let index = id.index();
+//!     if index < params.count {
+//!         output.write(index, input.read(index) * input.read(index));
+//!     }
+//! }
+//! ```
+//!
+//! | parameter          | becomes                                                     |
+//! |--------------------|-------------------------------------------------------------|
+//! | `id: Invocation`   | the built-ins of the invocation; always the first parameter |
+//! | `name: &P`         | a uniform buffer holding one `P`; at most one               |
+//! | `name: Read<T>`    | a storage buffer of `T` that is only read                   |
+//! | `name: Write<T>`   | a storage buffer of `T` that is read and written            |
+//! | `name: Shared<T, N>` | `N` values of `T` in workgroup memory                     |
+//!
+//! Binding numbers are positions in the parameter list, in descriptor set 0.  From this one
+//! declaration follow the SPIR-V entry point, the typed dispatch of the host (`SquareKernel`), the CPU
+//! execution and the entry in the manifest.
+
+mod expand;
+mod parse;
+
+use proc_macro::TokenStream;
+
+/// Declares a kernel; see the page of this crate.
+#[proc_macro_attribute]
+pub fn kernel(attribute: TokenStream, item: TokenStream) -> TokenStream {
+    parse::Kernel::parse(attribute.into(), item.into())
+        .map(|kernel| expand::expand(&kernel))
+        .unwrap_or_else(syn::Error::into_compile_error)
+        .into()
+}

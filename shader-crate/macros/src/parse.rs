@@ -1,0 +1,136 @@
+//! Reads a kernel's declaration.
+
+use proc_macro2::TokenStream;
+use syn::parse::Parser;
+use syn::spanned::Spanned;
+use syn::{Error, FnArg, GenericArgument, Ident, ItemFn, LitInt, Pat, PathArguments, Result, Type};
+
+/// What a parameter of a kernel stands for.
+pub enum Role {
+    /// `&P`
+    Uniform,
+    /// `Read<T>`
+    Read,
+    /// `Write<T>`
+    Write,
+    /// `Shared<T, N>`, with its length
+    Shared(GenericArgument),
+}
+
+/// One parameter after the invocation.
+pub struct Parameter {
+    pub name: Ident,
+    pub role: Role,
+    /// `P` or `T` of [`Role`].
+    pub element: Type,
+}
+
+/// A kernel's declaration.
+pub struct Kernel {
+    pub function: ItemFn,
+    pub threads: [u32; 3],
+    pub parameters: Vec<Parameter>,
+}
+
+impl Kernel {
+    pub fn parse(attribute: TokenStream, item: TokenStream) -> Result<Self> {
+        let function: ItemFn = syn::parse2(item)?;
+        let threads = parse_threads(attribute)?;
+        let mut inputs = function.sig.inputs.iter();
+        match inputs.next() {
+            Some(FnArg::Typed(first))
+                if last_segment(&first.ty).is_some_and(|s| s.ident == "Invocation") => {}
+            _ => {
+                return Err(Error::new(
+                    function.sig.span(),
+                    "the first parameter of a kernel is `id: Invocation`",
+                ));
+            }
+        }
+        let parameters = inputs.map(parse_parameter).collect::<Result<Vec<_>>>()?;
+        if parameters.iter().filter(|p| matches!(p.role, Role::Uniform)).count() > 1 {
+            return Err(Error::new(function.sig.span(), "a kernel has at most one `&Params`"));
+        }
+        if !function.sig.generics.params.is_empty() {
+            return Err(Error::new(function.sig.generics.span(), "an entry point has no generics"));
+        }
+        Ok(Self { function, threads, parameters })
+    }
+
+    pub fn has_shared(&self) -> bool {
+        self.parameters.iter().any(|p| matches!(p.role, Role::Shared(_)))
+    }
+}
+
+/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`
+fn parse_threads(attribute: TokenStream) -> Result<[u32; 3]> {
+    let mut threads = None;
+    let parser = syn::meta::parser(|meta| {
+        if !meta.path.is_ident("threads") {
+            return Err(meta.error("expected `threads(x, y, z)`"));
+        }
+        let content;
+        syn::parenthesized!(content in meta.input);
+        let sizes =
+            content.parse_terminated(<LitInt as syn::parse::Parse>::parse, syn::Token![,])?;
+        let mut size = [1; 3];
+        if sizes.is_empty() || sizes.len() > 3 {
+            return Err(meta.error("expected one to three sizes"));
+        }
+        for (axis, value) in sizes.iter().enumerate() {
+            size[axis] = value.base10_parse()?;
+        }
+        // what every implementation of WebGPU offers
+        if size.iter().product::<u32>() > 256 || size[2] > 64 || size.contains(&0) {
+            return Err(meta.error("a workgroup has 1 to 256 invocations"));
+        }
+        threads = Some(size);
+        Ok(())
+    });
+    parser.parse2(attribute.clone())?;
+    threads.ok_or_else(|| Error::new(attribute.span(), "expected `#[kernel(threads(x, y, z))]`"))
+}
+
+fn last_segment(ty: &Type) -> Option<&syn::PathSegment> {
+    match ty {
+        Type::Path(path) => path.path.segments.last(),
+        _ => None,
+    }
+}
+
+fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
+    let FnArg::Typed(argument) = argument else {
+        return Err(Error::new(argument.span(), "a kernel is a free function"));
+    };
+    let Pat::Ident(pattern) = &*argument.pat else {
+        return Err(Error::new(argument.pat.span(), "a binding is a plain name"));
+    };
+    let name = pattern.ident.clone();
+    let unexpected = || {
+        Error::new(
+            argument.ty.span(),
+            "a binding is `&Params`, `Read<T>`, `Write<T>` or `Shared<T, N>`",
+        )
+    };
+    if let Type::Reference(reference) = &*argument.ty {
+        if reference.mutability.is_some() {
+            return Err(unexpected());
+        }
+        return Ok(Parameter { name, role: Role::Uniform, element: (*reference.elem).clone() });
+    }
+    let segment = last_segment(&argument.ty).ok_or_else(unexpected)?;
+    let PathArguments::AngleBracketed(generics) = &segment.arguments else {
+        return Err(unexpected());
+    };
+    let mut generics = generics.args.iter().filter(|a| !matches!(a, GenericArgument::Lifetime(_)));
+    let Some(GenericArgument::Type(element)) = generics.next() else {
+        return Err(unexpected());
+    };
+    let role = match segment.ident.to_string().as_str() {
+        "Read" => Role::Read,
+        "Write" => Role::Write,
+        "Shared" => Role::Shared(generics.next().ok_or_else(unexpected)?.clone()),
+        _ => return Err(unexpected()),
+    };
+    Ok(Parameter { name, role, element: element.clone() })
+}

@@ -1,0 +1,100 @@
+//! Cameras as kernels see them.
+
+use glam::{Vec2, Vec3};
+
+use crate::prelude::*;
+
+/// A pinhole camera, with OpenCV axes: x right, y down, z forward.
+#[derive(Clone, Copy)]
+pub struct Camera {
+    /// Rows of the rotation from world to camera.
+    pub rotation: [Vec3; 3],
+    /// Center, in world space.
+    pub eye: Vec3,
+    /// Focal lengths, in pixels.
+    pub focal: Vec2,
+    /// Principal point, in pixels.
+    pub center: Vec2,
+    /// Width and height, in pixels.
+    pub size: Vec2,
+}
+
+impl Camera {
+    /// Floats that a camera takes in a buffer.
+    pub const FLOATS: usize = 18;
+
+    /// The camera as it lies in a buffer; [`Camera::read`] is its counterpart.
+    pub fn pack(&self) -> [f32; Self::FLOATS] {
+        let [x, y, z] = self.rotation;
+        [
+            x.x,
+            x.y,
+            x.z,
+            y.x,
+            y.y,
+            y.z,
+            z.x,
+            z.y,
+            z.z,
+            self.eye.x,
+            self.eye.y,
+            self.eye.z,
+            self.focal.x,
+            self.focal.y,
+            self.center.x,
+            self.center.y,
+            self.size.x,
+            self.size.y,
+        ]
+    }
+
+    /// The camera at `index` of a buffer of packed cameras.
+    #[inline(always)]
+    pub fn read(cameras: Read<f32>, index: u32) -> Self {
+        let first = index * Self::FLOATS as u32;
+        Self {
+            rotation: [read3(cameras, first), read3(cameras, first + 3), read3(cameras, first + 6)],
+            eye: read3(cameras, first + 9),
+            focal: Vec2::new(cameras.read(first + 12), cameras.read(first + 13)),
+            center: Vec2::new(cameras.read(first + 14), cameras.read(first + 15)),
+            size: Vec2::new(cameras.read(first + 16), cameras.read(first + 17)),
+        }
+    }
+}
+
+/// Three values from `first` on.
+#[inline(always)]
+pub fn read3(buffer: Read<f32>, first: u32) -> Vec3 {
+    Vec3::new(buffer.read(first), buffer.read(first + 1), buffer.read(first + 2))
+}
+
+/// World space -> the unit cube's space: `x' = 0.05 + 0.9 (x - lo) / (hi - lo)`, per axis.
+#[derive(Clone, Copy)]
+pub struct SceneBox {
+    /// `lo`
+    pub low: Vec3,
+    /// `0.9 / (hi - lo)`
+    pub scale: Vec3,
+}
+
+impl SceneBox {
+    /// Floats that a box takes in a buffer.
+    pub const FLOATS: usize = 6;
+
+    /// The box as it lies in a buffer; [`SceneBox::read`] is its counterpart.
+    pub fn pack(&self) -> [f32; Self::FLOATS] {
+        [self.low.x, self.low.y, self.low.z, self.scale.x, self.scale.y, self.scale.z]
+    }
+
+    /// The box that a buffer holds.
+    #[inline(always)]
+    pub fn read(buffer: Read<f32>) -> Self {
+        Self { low: read3(buffer, 0), scale: read3(buffer, 3) }
+    }
+
+    /// A position in the unit cube's space.
+    #[inline(always)]
+    pub fn normalize(&self, position: Vec3) -> Vec3 {
+        (position - self.low) * self.scale + Vec3::splat(0.05)
+    }
+}

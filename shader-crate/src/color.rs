@@ -1,0 +1,119 @@
+//! A. Color: the input of the color network (Eq. 1) and its head (Eq. 3).
+
+use glam::Vec4;
+
+use crate::camera::{Camera, SceneBox, read3};
+use crate::dense::{DenseParams, column};
+use crate::math::{normalize, sigmoid};
+use crate::prelude::*;
+use crate::spherical_harmonics::spherical_harmonics;
+
+/// Parameters of [`color_inputs`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct ColorInputsParams {
+    /// Pairs in this chunk.
+    pub pairs: u32,
+    /// First pair of this chunk.
+    pub first_pair: u32,
+    /// Distance of two rows in `point` and `input`.
+    pub stride: u32,
+    /// Gaussians of the scene.
+    pub gaussians: u32,
+    /// Degree of the harmonics.
+    pub sh_degree: u32,
+    /// Values of a Gaussian's material.
+    pub material: u32,
+    /// Row of the material in `input`.
+    pub material_row: u32,
+}
+
+/// Writes what does not come from the hash grid: the point to encode, the harmonics of the view direction and
+/// the material (Eq. 1).  `point [3, stride]`, `input [rows, stride]`.
+#[kernel(threads(64))]
+pub fn color_inputs(
+    id: Invocation,
+    params: &ColorInputsParams,
+    pair: Read<u32>,
+    camera: Read<f32>,
+    scene_box: Read<f32>,
+    position: Read<f32>,
+    material: Read<f32>,
+    point: Write<f32>,
+    input: Write<f32>,
+) {
+    let index = id.index();
+    if index < params.pairs {
+        let slot = pair.read(params.first_pair + index);
+        let gaussian = slot % params.gaussians;
+        let eye = Camera::read(camera, slot / params.gaussians).eye;
+        let center = read3(position, gaussian * 3);
+        let stride = params.stride;
+
+        let x = SceneBox::read(scene_box).normalize(center);
+        point.write(index, x.x);
+        point.write(stride + index, x.y);
+        point.write(2 * stride + index, x.z);
+
+        // v points from the camera to the Gaussian
+        spherical_harmonics(normalize(center - eye), params.sh_degree, input, index, stride);
+
+        let mut m = 0;
+        while m < params.material {
+            let value = material.read(gaussian * params.material + m);
+            input.write((params.material_row + m) * stride + index, value);
+            m += 1;
+        }
+    }
+}
+
+/// The last layer of the color network and its sigmoid (Eq. 3): `color [pairs, 3]`.
+#[kernel(threads(64))]
+pub fn color_head(
+    id: Invocation,
+    params: &ColorHeadParams,
+    parameters: Read<Vec4>,
+    input: Read<f32>,
+    color: Write<f32>,
+) {
+    let sample = id.index();
+    if sample < params.samples {
+        let logits = column(&params.layer(), parameters, input, sample, 0);
+        let first = (params.first_pair + sample) * 3;
+        color.write(first, sigmoid(logits.x));
+        color.write(first + 1, sigmoid(logits.y));
+        color.write(first + 2, sigmoid(logits.z));
+    }
+}
+
+/// Parameters of [`color_head`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct ColorHeadParams {
+    /// Pairs in this chunk.
+    pub samples: u32,
+    /// First pair of this chunk.
+    pub first_pair: u32,
+    /// See [`DenseParams::stride`].
+    pub stride: u32,
+    /// See [`DenseParams::inputs`].
+    pub inputs: u32,
+    /// See [`DenseParams::weight`].
+    pub weight: u32,
+    /// See [`DenseParams::bias`].
+    pub bias: u32,
+}
+
+impl ColorHeadParams {
+    #[inline(always)]
+    fn layer(&self) -> DenseParams {
+        DenseParams {
+            samples: self.samples,
+            stride: self.stride,
+            inputs: self.inputs,
+            columns: 1,
+            weight: self.weight,
+            bias: self.bias,
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! What a kernel knows of its place in the dispatch.
+
+use glam::UVec3;
+
+/// One invocation of a kernel.
+#[derive(Clone, Copy)]
+pub struct Invocation {
+    /// Place in the workgroup.
+    pub local: UVec3,
+    /// Place of the workgroup in the dispatch.
+    pub workgroup: UVec3,
+    /// Workgroups in the dispatch.
+    pub workgroups: UVec3,
+    /// Invocations in a workgroup.
+    pub size: UVec3,
+    /// What [`Invocation::barrier`] calls: the executor sets it.
+    #[cfg(not(target_arch = "spirv"))]
+    pub wait: fn(),
+}
+
+impl Invocation {
+    /// An invocation that has no barriers to wait at.
+    #[inline(always)]
+    pub fn new(local: UVec3, workgroup: UVec3, workgroups: UVec3, size: UVec3) -> Self {
+        Self {
+            local,
+            workgroup,
+            workgroups,
+            size,
+            #[cfg(not(target_arch = "spirv"))]
+            wait: no_barrier,
+        }
+    }
+
+    /// Place in the dispatch, per axis.
+    #[inline(always)]
+    pub fn global(&self) -> UVec3 {
+        self.workgroup * self.size + self.local
+    }
+
+    /// Number of the workgroup.  A dispatch along x and y counts through: an axis alone ends at 65,535.
+    #[inline(always)]
+    pub fn workgroup_index(&self) -> u32 {
+        self.workgroup.x + self.workgroup.y * self.workgroups.x
+    }
+
+    /// Number of the invocation in a dispatch of one-dimensional workgroups.
+    #[inline(always)]
+    pub fn index(&self) -> u32 {
+        self.workgroup_index() * self.size.x + self.local.x
+    }
+
+    /// Waits for the whole workgroup; what it wrote to workgroup memory is visible afterwards.
+    #[inline(always)]
+    pub fn barrier(&self) {
+        #[cfg(target_arch = "spirv")]
+        spirv_std::arch::workgroup_memory_barrier_with_group_sync();
+        #[cfg(not(target_arch = "spirv"))]
+        (self.wait)();
+    }
+}
+
+#[cfg(not(target_arch = "spirv"))]
+fn no_barrier() {
+    panic!("a barrier in a kernel without workgroup memory");
+}

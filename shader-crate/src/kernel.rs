@@ -1,0 +1,161 @@
+//! The registry of kernels, and what the host needs to run one.
+
+use bytemuck::Pod;
+use core::slice;
+use glam::UVec3;
+
+use crate::invocation::Invocation;
+use crate::memory::{Read, Shared, Write};
+
+/// How a kernel uses a binding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Access {
+    /// A uniform buffer.
+    Uniform,
+    /// A storage buffer that is only read.
+    Read,
+    /// A storage buffer that is read and written.
+    Write,
+}
+
+impl Access {
+    /// `uniform`, `read` or `write`.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Uniform => "uniform",
+            Self::Read => "read",
+            Self::Write => "write",
+        }
+    }
+}
+
+/// One binding of a kernel; its number is its place in [`KernelInfo::bindings`], in descriptor set 0.
+#[derive(Clone, Copy, Debug)]
+pub struct BindingInfo {
+    /// Name of the parameter.
+    pub name: &'static str,
+    /// How it is used.
+    pub access: Access,
+    /// The element's type.
+    pub element: &'static str,
+    /// The element's size.
+    pub element_bytes: u32,
+}
+
+/// Workgroup memory of a kernel.
+#[derive(Clone, Copy, Debug)]
+pub struct SharedInfo {
+    /// Name of the parameter.
+    pub name: &'static str,
+    /// The element's type.
+    pub element: &'static str,
+    /// Elements.
+    pub len: u32,
+    /// Bytes in all.
+    pub bytes: u32,
+}
+
+/// Everything about a kernel that its declaration says.
+pub struct KernelInfo {
+    /// Name of the function and of the SPIR-V entry point.
+    pub name: &'static str,
+    /// The source file.
+    pub file: &'static str,
+    /// Invocations of a workgroup.
+    pub workgroup_size: [u32; 3],
+    /// Bindings, by number.
+    pub bindings: &'static [BindingInfo],
+    /// Workgroup memory.
+    pub shared: &'static [SharedInfo],
+    /// The CPU execution.
+    pub run: CpuRun,
+}
+
+/// How the CPU runs a kernel.
+///
+/// # Safety
+/// Both functions take the bindings in the order of [`KernelInfo::bindings`], then those of
+/// [`KernelInfo::shared`], each holding values of the declared type, aligned for it.  A binding that is
+/// written is not written by others meanwhile.
+#[derive(Clone, Copy)]
+pub enum CpuRun {
+    /// Runs a whole workgroup: bindings, workgroup, workgroups.
+    Workgroup(unsafe fn(&[CpuBinding], UVec3, UVec3)),
+    /// Runs one invocation, which may wait at barriers.
+    Invocation(unsafe fn(&[CpuBinding], Invocation)),
+}
+
+/// Memory of one binding.
+#[derive(Clone, Copy)]
+pub struct CpuBinding {
+    /// First byte.
+    pub data: *mut u8,
+    /// Size.
+    pub bytes: usize,
+}
+
+// SAFETY: a pointer and a size; what is done with them is the business of `CpuRun`'s contract
+unsafe impl Send for CpuBinding {}
+// SAFETY: as above
+unsafe impl Sync for CpuBinding {}
+
+impl CpuBinding {
+    /// # Safety
+    /// Holds a `T`.
+    pub unsafe fn uniform<'a, T: Pod>(self) -> &'a T {
+        // SAFETY: the caller's
+        let bytes = unsafe { slice::from_raw_parts(self.data, self.bytes) };
+        bytemuck::from_bytes(bytes)
+    }
+
+    /// # Safety
+    /// As [`Read::from_raw`].
+    pub unsafe fn read<'a, T: Pod>(self) -> Read<'a, T> {
+        // SAFETY: the caller's
+        unsafe { Read::from_raw(self.data.cast(), self.bytes / size_of::<T>()) }
+    }
+
+    /// # Safety
+    /// As [`Write::from_raw`].
+    pub unsafe fn write<'a, T: Pod>(self) -> Write<'a, T> {
+        // SAFETY: the caller's
+        unsafe { Write::from_raw(self.data.cast(), self.bytes / size_of::<T>()) }
+    }
+
+    /// # Safety
+    /// As [`Shared::from_raw`].
+    pub unsafe fn shared<'a, T: Pod, const N: usize>(self) -> Shared<'a, T, N> {
+        debug_assert_eq!(self.bytes, size_of::<[T; N]>());
+        // SAFETY: the caller's
+        unsafe { Shared::from_raw(self.data.cast()) }
+    }
+}
+
+/// Where buffers live: the host implements it once for all its backends.
+pub trait Storage {
+    /// A buffer of `T`.
+    type Buffer<T: Pod>;
+    /// A buffer whose element type is forgotten.
+    type Binding<'a>;
+    /// Forgets the element type.
+    fn bind<T: Pod>(buffer: &Self::Buffer<T>) -> Self::Binding<'_>;
+}
+
+/// A kernel with all its bindings, ready to run.  `#[kernel]` implements it.
+pub trait Dispatch<'a, S: Storage> {
+    /// The kernel.
+    fn info(&self) -> &'static KernelInfo;
+    /// The uniform buffer's bytes; empty where the kernel has none.
+    fn uniform(&self) -> &[u8];
+    /// Visits the storage buffers in order.
+    fn bind(&self, visit: &mut dyn FnMut(S::Binding<'a>));
+}
+
+/// Every kernel; `#[kernel]` adds to it.
+#[linkme::distributed_slice]
+pub static KERNELS: [KernelInfo];
+
+/// Every kernel.
+pub fn kernels() -> impl Iterator<Item = &'static KernelInfo> {
+    KERNELS.iter()
+}

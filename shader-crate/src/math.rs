@@ -1,0 +1,141 @@
+//! Elementary functions, the same for every kernel.
+//!
+//! On the GPU they are the instructions of GLSL.std.450; on the CPU those of the crate `libm`, so that the
+//! CPU's results do not depend on the system's C library.
+
+#[cfg(target_arch = "spirv")]
+use spirv_std::num_traits::Float;
+
+use glam::Vec3;
+
+/// Largest finite `f32`: stands for infinity, which naga does not accept as a literal.
+pub const HUGE: f32 = 3.402_823_5e38;
+
+/// Smallest normal `f32`: what lies below may be flushed to zero by a GPU.
+pub const TINY: f32 = 1.175_494_4e-38;
+
+macro_rules! elementary {
+    ($($(#[$doc:meta])* $name:ident => $libm:ident;)*) => {$(
+        $(#[$doc])*
+        #[inline(always)]
+        pub fn $name(x: f32) -> f32 {
+            #[cfg(target_arch = "spirv")]
+            {
+                Float::$name(x)
+            }
+            #[cfg(not(target_arch = "spirv"))]
+            {
+                libm::$libm(x)
+            }
+        }
+    )*};
+}
+
+elementary! {
+    /// e^x
+    exp => expf;
+    /// Natural logarithm.
+    ln => logf;
+    /// Square root.
+    sqrt => sqrtf;
+    /// Smallest integer that is not less than x.
+    ceil => ceilf;
+}
+
+/// |x|
+#[inline(always)]
+pub fn abs(x: f32) -> f32 {
+    if x < 0.0 { -x } else { x }
+}
+
+/// The smaller of two numbers.
+#[inline(always)]
+pub fn min(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+/// The larger of two numbers.
+#[inline(always)]
+pub fn max(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+/// x, limited to `[low, high]`.
+#[inline(always)]
+pub fn clamp(x: f32, low: f32, high: f32) -> f32 {
+    min(max(x, low), high)
+}
+
+/// Whether x is neither infinite nor NaN.
+#[inline(always)]
+pub fn is_finite(x: f32) -> bool {
+    abs(x) <= HUGE
+}
+
+/// 1 / (1 + e^-x), without overflow for any x.
+#[inline(always)]
+pub fn sigmoid(x: f32) -> f32 {
+    let e = exp(-abs(x));
+    let smaller = e / (1.0 + e);
+    if x < 0.0 { smaller } else { 1.0 / (1.0 + e) }
+}
+
+/// ln(sigmoid(x)) = min(x, 0) - ln(1 + e^-|x|), without overflow and without loss for large x.
+#[inline(always)]
+pub fn log_sigmoid(x: f32) -> f32 {
+    min(x, 0.0) - ln_1p(exp(-abs(x)))
+}
+
+/// ln(1 + x) for x in [0, 1].  Where 1 + x would lose x's digits, the series does not (error below x^4 / 4).
+#[inline(always)]
+fn ln_1p(x: f32) -> f32 {
+    let series = x * (1.0 - x * (0.5 - x * (1.0 / 3.0)));
+    if x < 0.02 { series } else { ln(1.0 + x) }
+}
+
+/// Dot product.
+#[inline(always)]
+pub fn dot(a: Vec3, b: Vec3) -> f32 {
+    a.x * b.x + a.y * b.y + a.z * b.z
+}
+
+/// Euclidean length.
+#[inline(always)]
+pub fn length(v: Vec3) -> f32 {
+    sqrt(dot(v, v))
+}
+
+/// v / |v|, and zero for zero.
+#[inline(always)]
+pub fn normalize(v: Vec3) -> Vec3 {
+    v * (1.0 / max(length(v), TINY))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sigmoids_match_f64_from_end_to_end() {
+        for step in -2000..=2000 {
+            let x = step as f32 * 0.05;
+            let exact = 1.0 / (1.0 + libm::exp(-f64::from(x)));
+            let exact_log = if x < 0.0 { f64::from(x) } else { 0.0 }
+                - libm::log1p(libm::exp(-f64::from(x).abs()));
+            assert!((f64::from(sigmoid(x)) - exact).abs() <= 2e-7 * exact, "sigmoid({x})");
+            assert!(
+                (f64::from(log_sigmoid(x)) - exact_log).abs() <= 4e-7 * exact_log.abs() + 1e-44,
+                "log_sigmoid({x})"
+            );
+        }
+        assert_eq!(sigmoid(-HUGE), 0.0);
+        assert_eq!(sigmoid(HUGE), 1.0);
+        assert_eq!(log_sigmoid(HUGE), 0.0);
+    }
+
+    #[test]
+    fn finite_is_neither_infinite_nor_nan() {
+        assert!(is_finite(HUGE) && is_finite(-HUGE) && is_finite(0.0));
+        assert!(!is_finite(f32::INFINITY) && !is_finite(f32::NEG_INFINITY) && !is_finite(f32::NAN));
+    }
+}

@@ -1,0 +1,72 @@
+//! The (Gaussian, camera) pairs that some tile needs: color and transmittance are evaluated for these alone.
+
+use crate::prelude::*;
+
+/// Parameters of [`pair_mask`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PairMaskParams {
+    /// Words of a mask.
+    pub words: u32,
+}
+
+/// The union of the masks of a camera's tiles, `mask [cameras, words]`, and its bits' number: words along x and y,
+/// cameras along z.  The tiles of camera c are `first_tile[c] .. first_tile[c + 1]`.
+#[kernel(threads(64))]
+pub fn pair_mask(
+    id: Invocation,
+    params: &PairMaskParams,
+    first_tile: Read<u32>,
+    tile_mask: Read<u32>,
+    mask: Write<u32>,
+    count: Write<u32>,
+) {
+    let word = id.index();
+    if word < params.words {
+        let camera = id.workgroup.z;
+        let end = first_tile.read(camera + 1);
+        let mut tile = first_tile.read(camera);
+        let mut bits = 0;
+        while tile < end {
+            bits |= tile_mask.read(tile * params.words + word);
+            tile += 1;
+        }
+        mask.write(camera * params.words + word, bits);
+        count.write(camera * params.words + word, bits.count_ones());
+    }
+}
+
+/// Parameters of [`pair_fill`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PairFillParams {
+    /// Words of a mask.
+    pub words: u32,
+    /// Gaussians of the scene.
+    pub gaussians: u32,
+}
+
+/// Writes the pairs, by camera and Gaussian ascending: `pair = camera * gaussians + gaussian`.
+#[kernel(threads(64))]
+pub fn pair_fill(
+    id: Invocation,
+    params: &PairFillParams,
+    mask: Read<u32>,
+    first_pair: Read<u32>,
+    pair: Write<u32>,
+) {
+    let word = id.index();
+    if word < params.words {
+        let camera = id.workgroup.z;
+        let bits = mask.read(camera * params.words + word);
+        let mut next = first_pair.read(camera * params.words + word);
+        let mut bit = 0;
+        while bit < 32 {
+            if (bits >> bit) & 1 != 0 {
+                pair.write(next, camera * params.gaussians + word * 32 + bit);
+                next += 1;
+            }
+            bit += 1;
+        }
+    }
+}

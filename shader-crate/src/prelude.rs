@@ -1,0 +1,7 @@
+//! What every kernel needs.
+
+pub use bytemuck::{Pod, Zeroable};
+pub use organza_kernel_macros::kernel;
+
+pub use crate::invocation::Invocation;
+pub use crate::memory::*;

@@ -1,0 +1,173 @@
+//! C. Which Gaussians reach which tiles (Eq. 14-15).
+//!
+//! Memberships are bits: word w of a tile holds the Gaussians 32 w .. 32 w + 31.  Counting the bits, scanning
+//! the counts and writing out the bits gives every tile's members in ascending order by construction, with
+//! no atomics and no sorting.
+
+use glam::{Vec2, Vec4};
+
+use crate::math::clamp;
+use crate::prelude::*;
+
+/// A tile as kernels see it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tile {
+    /// Slot of the camera among those of the batch.
+    pub camera: u32,
+    /// `o_t`, in pixels.
+    pub origin: [i32; 2],
+    /// Place in the rendered batch: kernels see tiles ordered by camera.
+    pub output: u32,
+}
+
+impl Tile {
+    /// Integers that a tile takes in a buffer.
+    pub const INTEGERS: usize = 4;
+
+    /// The tile as it lies in a buffer; [`Tile::read`] is its counterpart.
+    pub fn pack(&self) -> [i32; Self::INTEGERS] {
+        [self.camera as i32, self.origin[0], self.origin[1], self.output as i32]
+    }
+
+    /// The tile at `index` of a buffer of packed tiles.
+    #[inline(always)]
+    pub fn read(tiles: Read<i32>, index: u32) -> Self {
+        let first = index * Self::INTEGERS as u32;
+        Self {
+            camera: tiles.read(first) as u32,
+            origin: [tiles.read(first + 1), tiles.read(first + 2)],
+            output: tiles.read(first + 3) as u32,
+        }
+    }
+}
+
+/// `dist(x, B_t)` squared, to the closed box `[low, low + side]`.
+#[inline(always)]
+pub fn distance_squared(x: Vec2, low: Vec2, side: f32) -> f32 {
+    let d = Vec2::new(x.x - clamp(x.x, low.x, low.x + side), x.y - clamp(x.y, low.y, low.y + side));
+    d.x * d.x + d.y * d.y
+}
+
+/// Eq. 15, with a margin for the rounding of f32.
+///
+/// Where q is at most the cutoff the falloff is not zero, and such a pixel must find the Gaussian among its tile's
+/// members whatever the tiling.  A member too many adds exact zeros.
+#[inline(always)]
+pub fn reaches(mean2d: Vec2, radius: f32, low: Vec2, side: f32) -> bool {
+    let r = radius * 1.001 + 0.01;
+    radius >= 0.0 && distance_squared(mean2d, low, side) <= r * r
+}
+
+/// Parameters of [`tile_mask`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct TileMaskParams {
+    /// Gaussians of the scene.
+    pub gaussians: u32,
+    /// Words of a tile's mask: a bit for each Gaussian.
+    pub words: u32,
+    /// S, in pixels.
+    pub side: u32,
+}
+
+/// `mask [tiles, words]` and the number of bits in each of its words, `count [tiles, words]`: words along x and y,
+/// tiles along z.
+#[kernel(threads(64))]
+pub fn tile_mask(
+    id: Invocation,
+    params: &TileMaskParams,
+    tile: Read<i32>,
+    projection: Read<Vec4>,
+    mask: Write<u32>,
+    count: Write<u32>,
+) {
+    let word = id.index();
+    if word < params.words {
+        let t = id.workgroup.z;
+        let tile = Tile::read(tile, t);
+        let low = Vec2::new(tile.origin[0] as f32, tile.origin[1] as f32);
+        let side = params.side as f32;
+        let slot = tile.camera * params.gaussians;
+        let mut bits = 0;
+        let mut bit = 0;
+        while bit < 32 {
+            let gaussian = word * 32 + bit;
+            if gaussian < params.gaussians {
+                let p = projection.read(2 * (slot + gaussian));
+                if reaches(Vec2::new(p.x, p.y), p.z, low, side) {
+                    bits |= 1 << bit;
+                }
+            }
+            bit += 1;
+        }
+        mask.write(t * params.words + word, bits);
+        count.write(t * params.words + word, bits.count_ones());
+    }
+}
+
+/// Parameters of [`tile_fill`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct TileFillParams {
+    /// Words of a tile's mask.
+    pub words: u32,
+}
+
+/// Writes the members of every tile, as indices of pairs: words along x and y, tiles along z.
+///
+/// `first_member [tiles, words]` and `first_pair [cameras, words]` are the scans of the counts.
+#[kernel(threads(64))]
+pub fn tile_fill(
+    id: Invocation,
+    params: &TileFillParams,
+    tile: Read<i32>,
+    tile_mask: Read<u32>,
+    first_member: Read<u32>,
+    pair_mask: Read<u32>,
+    first_pair: Read<u32>,
+    member: Write<u32>,
+) {
+    let word = id.index();
+    if word < params.words {
+        let t = id.workgroup.z;
+        let bits = tile_mask.read(t * params.words + word);
+        let camera_word = Tile::read(tile, t).camera * params.words + word;
+        let camera_bits = pair_mask.read(camera_word);
+        let pair = first_pair.read(camera_word);
+        let mut next = first_member.read(t * params.words + word);
+        let mut bit = 0;
+        while bit < 32 {
+            if (bits >> bit) & 1 != 0 {
+                let below = camera_bits & ((1 << bit) - 1);
+                member.write(next, pair + below.count_ones());
+                next += 1;
+            }
+            bit += 1;
+        }
+    }
+}
+
+/// Parameters of [`tile_range`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct TileRangeParams {
+    /// Tiles of the batch.
+    pub tiles: u32,
+    /// Words of a tile's mask.
+    pub words: u32,
+}
+
+/// Where the members of every tile begin: `tile_first [tiles + 1]`, of `first_member [tiles, words]` and the total
+/// behind it.
+#[kernel(threads(64))]
+pub fn tile_range(
+    id: Invocation,
+    params: &TileRangeParams,
+    first_member: Read<u32>,
+    tile_first: Write<u32>,
+) {
+    let tile = id.index();
+    if tile <= params.tiles {
+        tile_first.write(tile, first_member.read(tile * params.words));
+    }
+}

@@ -1,0 +1,153 @@
+//! B2. Midpoint samples of all segments as one flat list (Eq. 9), and their product (Eq. 10-11).
+
+use glam::Vec4;
+
+use crate::dense::{DenseParams, column};
+use crate::math::{exp, log_sigmoid};
+use crate::prelude::*;
+
+/// Parameters of [`transmittance_inputs`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct TransmittanceInputsParams {
+    /// Samples in this chunk.
+    pub samples: u32,
+    /// First sample of this chunk.
+    pub first_sample: u32,
+    /// Distance of two rows in `point` and `input`.
+    pub stride: u32,
+    /// Pairs in the batch.
+    pub pairs: u32,
+    /// Gaussians of the scene.
+    pub gaussians: u32,
+    /// Values of a Gaussian's extra vector.
+    pub extra: u32,
+    /// Row of the extra vector in `input`.
+    pub extra_row: u32,
+}
+
+/// The pair that owns a sample: the last one whose samples do not begin after it.
+#[inline(always)]
+pub fn owner(first_sample: Read<u32>, pairs: u32, sample: u32) -> u32 {
+    let (mut low, mut high) = (0, pairs);
+    while low + 1 < high {
+        let middle = (low + high) / 2;
+        let begins_before = first_sample.read(middle) <= sample;
+        low = if begins_before { middle } else { low };
+        high = if begins_before { high } else { middle };
+    }
+    low
+}
+
+/// Writes what does not come from the hash grid: the midpoint x_k (Eq. 9), its segment's `s_factor` and u.
+///
+/// `first_sample [pairs + 1]`; `point [4, stride]` is x_k and `s_factor`; `input [rows, stride]`.
+#[kernel(threads(64))]
+pub fn transmittance_inputs(
+    id: Invocation,
+    params: &TransmittanceInputsParams,
+    pair: Read<u32>,
+    first_sample: Read<u32>,
+    segment: Read<Vec4>,
+    extra: Read<f32>,
+    point: Write<f32>,
+    input: Write<f32>,
+) {
+    let index = id.index();
+    if index < params.samples {
+        let sample = params.first_sample + index;
+        let owner = owner(first_sample, params.pairs, sample);
+        let begin = first_sample.read(owner);
+        let count = first_sample.read(owner + 1) - begin;
+        let (start, w) = (segment.read(2 * owner), segment.read(2 * owner + 1));
+        let t = ((sample - begin) as f32 + 0.5) / count as f32;
+        let stride = params.stride;
+        point.write(index, start.x + t * w.x);
+        point.write(stride + index, start.y + t * w.y);
+        point.write(2 * stride + index, start.z + t * w.z);
+        point.write(3 * stride + index, start.w);
+
+        let gaussian = pair.read(owner) % params.gaussians;
+        let mut u = 0;
+        while u < params.extra {
+            let value = extra.read(gaussian * params.extra + u);
+            input.write((params.extra_row + u) * stride + index, value);
+            u += 1;
+        }
+    }
+}
+
+/// Parameters of [`transmittance_head`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct TransmittanceHeadParams {
+    /// Samples in this chunk.
+    pub samples: u32,
+    /// First sample of this chunk.
+    pub first_sample: u32,
+    /// See [`DenseParams::stride`].
+    pub stride: u32,
+    /// See [`DenseParams::inputs`].
+    pub inputs: u32,
+    /// See [`DenseParams::weight`].
+    pub weight: u32,
+    /// See [`DenseParams::bias`].
+    pub bias: u32,
+}
+
+/// The last layer of the scalar network and the logarithm of Eq. 11's factor:
+/// `log_rho [samples] = s_factor * log_sigmoid(a_k)`.
+#[kernel(threads(64))]
+pub fn transmittance_head(
+    id: Invocation,
+    params: &TransmittanceHeadParams,
+    parameters: Read<Vec4>,
+    point: Read<f32>,
+    input: Read<f32>,
+    log_rho: Write<f32>,
+) {
+    let sample = id.index();
+    if sample < params.samples {
+        let layer = DenseParams {
+            samples: params.samples,
+            stride: params.stride,
+            inputs: params.inputs,
+            columns: 1,
+            weight: params.weight,
+            bias: params.bias,
+        };
+        let a = column(&layer, parameters, input, sample, 0).x;
+        let factor = point.read(3 * params.stride + sample);
+        log_rho.write(params.first_sample + sample, factor * log_sigmoid(a));
+    }
+}
+
+/// Parameters of [`segment_product`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct SegmentProductParams {
+    /// Pairs in the batch.
+    pub pairs: u32,
+}
+
+/// Eq. 11: `transmittance [pairs]`, the product over a segment's samples; 1 where there are none.
+#[kernel(threads(64))]
+pub fn segment_product(
+    id: Invocation,
+    params: &SegmentProductParams,
+    first_sample: Read<u32>,
+    log_rho: Read<f32>,
+    transmittance: Write<f32>,
+) {
+    let index = id.index();
+    if index < params.pairs {
+        let end = first_sample.read(index + 1);
+        let mut sample = first_sample.read(index);
+        let mut sum = 0.0;
+        while sample < end {
+            sum += log_rho.read(sample);
+            sample += 1;
+        }
+        transmittance.write(index, exp(sum));
+    }
+}

@@ -1,0 +1,75 @@
+//! Every case of the float64 reference, on every backend: the tiles and each stage on its own.
+
+use organza::{DeviceScene, Renderer};
+use organza_tests::cases::{self, Case};
+use organza_tests::compare::{assert_close, assert_close_relative};
+use organza_tests::devices;
+
+/// Absolute, on the tiles.
+const TILES: f64 = 2e-4;
+/// Relative, on each stage.
+const STAGE: f64 = 1e-4;
+
+#[test]
+fn tiles_are_those_of_the_reference() {
+    for (backend, device) in devices::all() {
+        let renderer = Renderer::new(device);
+        for case in cases::all() {
+            let scene = renderer.upload(&case.scene).expect("the scene fits");
+            let tiles = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
+            let what = format!("{}, tiles on {backend}", case.name);
+            assert_close(&what, &tiles.data, case.expected("tiles"), TILES);
+        }
+    }
+}
+
+#[test]
+fn stages_are_those_of_the_reference() {
+    for (backend, device) in devices::all() {
+        let renderer = Renderer::new(device);
+        for case in cases::all() {
+            let scene = renderer.upload(&case.scene).expect("the scene fits");
+            for camera in 0..case.cameras.len() {
+                compare_stages(&renderer, backend, &case, &scene, camera);
+            }
+        }
+    }
+}
+
+fn compare_stages(
+    renderer: &Renderer,
+    backend: &str,
+    case: &Case,
+    scene: &DeviceScene,
+    camera: usize,
+) {
+    let stages = renderer.stages(scene, &case.cameras[camera]).expect("the stages run");
+    let expected = |stage: &str| case.expected(&format!("stage.{camera}.{stage}"));
+    let compare = |stage: &str, actual: &[f32], expected: &[f32]| {
+        assert_close_relative(
+            &format!("{}, {stage} of camera {camera} on {backend}", case.name),
+            actual,
+            expected,
+            STAGE,
+        );
+    };
+    compare("color_encoding", &stages.color_encoding, case.expected("stage.color_encoding"));
+    compare("sh", &stages.sh, expected("sh"));
+    compare("color", &stages.color, expected("color"));
+    compare("transmittance", &stages.transmittance, expected("transmittance"));
+    let counts: Vec<f32> = stages.sample_count.iter().map(|&count| count as f32).collect();
+    assert_eq!(counts, expected("sample_count"), "{}: sample counts on {backend}", case.name);
+
+    // what is behind the camera has no projection to compare
+    let visible: Vec<bool> = expected("visible").iter().map(|&v| v != 0.0).collect();
+    let found: Vec<bool> = stages.radius.iter().map(|&radius| radius >= 0.0).collect();
+    assert_eq!(found, visible, "{}: visibility on {backend}", case.name);
+    let keep = |values: &[f32], width: usize| -> Vec<f32> {
+        let rows = values.chunks_exact(width).zip(&visible);
+        rows.filter(|(_, visible)| **visible).flat_map(|(row, _)| row.to_vec()).collect()
+    };
+    compare("mean2d", &keep(stages.mean2d.as_flattened(), 2), &keep(expected("mean2d"), 2));
+    compare("radius", &keep(&stages.radius, 1), &keep(expected("radius"), 1));
+    let conic: Vec<f32> = stages.conic.iter().flat_map(|&[xx, xy, yy]| [xx, xy, xy, yy]).collect();
+    compare("conic", &keep(&conic, 4), &keep(expected("conic"), 4));
+}

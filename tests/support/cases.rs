@@ -1,0 +1,81 @@
+//! The cases that the float64 reference computed: `tests/cases`, and a folder of further ones named by the
+//! environment variable `ORGANZA_CASES`.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use organza::scene::{Tensor, read_tensors};
+use organza::{Camera, Scene, TileBatch};
+
+/// One case.
+#[derive(Debug)]
+pub struct Case {
+    /// Name of its folder.
+    pub name: String,
+    /// The scene.
+    pub scene: Scene,
+    /// Its cameras.
+    pub cameras: Vec<Camera>,
+    /// Its tiles.
+    pub tiles: TileBatch,
+    /// What the reference computed, by name.
+    pub expected: BTreeMap<String, Tensor>,
+}
+
+impl Case {
+    /// Loads the case in a folder.
+    ///
+    /// # Panics
+    /// Where a file cannot be read.
+    #[must_use]
+    pub fn load(folder: &Path) -> Self {
+        let file = |name: &str| folder.join(name);
+        Self {
+            name: folder.file_name().expect("a folder has a name").to_string_lossy().into_owned(),
+            scene: Scene::load(file("scene.safetensors")).expect("a scene"),
+            cameras: Camera::load_all(file("cameras.json")).expect("cameras"),
+            tiles: TileBatch::load(file("tiles.json")).expect("tiles"),
+            expected: read_tensors(file("expected.safetensors")).expect("expected tensors"),
+        }
+    }
+
+    /// A tensor of the reference.
+    ///
+    /// # Panics
+    /// Where there is none of that name.
+    #[must_use]
+    pub fn expected(&self, name: &str) -> &[f32] {
+        &self.expected.get(name).unwrap_or_else(|| panic!("{}: no tensor `{name}`", self.name)).data
+    }
+}
+
+/// The folder of the cases in the repository.
+#[must_use]
+pub fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("cases")
+}
+
+/// Every case, by name.
+///
+/// # Panics
+/// Where a folder cannot be read or holds no case.
+#[must_use]
+pub fn all() -> Vec<Case> {
+    let mut folders = subfolders(&folder());
+    assert!(!folders.is_empty(), "no cases in {}", folder().display());
+    if let Some(more) = std::env::var_os("ORGANZA_CASES") {
+        folders.extend(subfolders(Path::new(&more)));
+    }
+    folders.iter().map(|folder| Case::load(folder)).collect()
+}
+
+fn subfolders(folder: &Path) -> Vec<PathBuf> {
+    let entries =
+        std::fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let mut folders: Vec<_> = entries
+        .map(|entry| entry.expect("a folder's entry").path())
+        .filter(|path| path.join("expected.safetensors").exists())
+        .collect();
+    folders.sort();
+    folders
+}

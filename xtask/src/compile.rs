@@ -1,0 +1,84 @@
+//! Compiles the shader crate and describes what came out.
+
+use std::collections::BTreeMap;
+use std::fs;
+
+use anyhow::{Context, Result, bail};
+use organza_kernels::KernelInfo;
+use organza_manifest as manifest;
+use organza_manifest::{Interface, KernelEntry, Manifest};
+use spirv_builder::{ModuleResult, SpirvBuilder, SpirvMetadata};
+
+use crate::Workspace;
+use crate::artifacts::Artifacts;
+use crate::compiler::Compiler;
+use crate::memory_model;
+use crate::module;
+
+/// Vulkan 1.2's SPIR-V 1.5 is the newest that every driver we aim at reads.
+pub const TARGET: &str = "spirv-unknown-vulkan1.2";
+
+/// Compiles every kernel, to one module each.
+pub fn compile(workspace: &Workspace, compiler: &Compiler) -> Result<Artifacts> {
+    // Before the build: a file saved while it runs must leave the kernels stale.
+    let source_hash = manifest::source_hash(&workspace.shader_crate)?;
+    let mut modules = build(workspace, compiler)?;
+    let mut entries = Vec::new();
+    let mut files = BTreeMap::new();
+    for kernel in organza_kernels::kernels() {
+        let name = kernel.name;
+        let Some(spirv) = modules.remove(name) else {
+            bail!("{}: the kernel `{name}` has no entry point in the SPIR-V", kernel.file);
+        };
+        let context = || format!("{}: kernel `{name}`", kernel.file);
+        let spirv = memory_model::lower(&spirv).with_context(context)?;
+        module::check(kernel, &spirv).with_context(context)?;
+        let entry = entry(kernel, &spirv)?;
+        files.insert(entry.spirv.clone(), spirv);
+        entries.push(entry);
+    }
+    if let Some(name) = modules.keys().next() {
+        bail!("the SPIR-V has an entry point `{name}` that is no kernel of the registry");
+    }
+    let lock = workspace.root.join("Cargo.lock");
+    let versions = manifest::Compiler {
+        rust_gpu: manifest::locked_version(&lock, "spirv-std")?,
+        rustc: compiler.rustc.clone(),
+        target: TARGET.to_owned(),
+    };
+    let manifest = Manifest::new(source_hash, versions, entries);
+    files.insert(manifest::FILE_NAME.to_owned(), manifest.to_json().into_bytes());
+    Ok(Artifacts::new(files))
+}
+
+/// Runs the compiler: the modules by entry point.
+fn build(workspace: &Workspace, compiler: &Compiler) -> Result<BTreeMap<String, Vec<u8>>> {
+    let mut builder = SpirvBuilder::new(&workspace.shader_crate, TARGET)
+        .release(true)
+        .multimodule(true)
+        .spirv_metadata(SpirvMetadata::None)
+        .target_dir_path(workspace.target.join("spirv"));
+    compiler.configure(&mut builder);
+    let result = builder.build().context("the kernels do not compile")?;
+    let ModuleResult::MultiModule(paths) = result.module else {
+        bail!("the compiler gave one module for all kernels, not one for each");
+    };
+    let read = |(name, path)| Ok((name, fs::read(&path)?));
+    paths.into_iter().map(read).collect()
+}
+
+fn entry(kernel: &KernelInfo, spirv: &[u8]) -> Result<KernelEntry> {
+    let file = kernel.file.replace('\\', "/");
+    // Modules and manifest are to be the same wherever the workspace lies.
+    if !file.starts_with("shader-crate/") {
+        bail!("the kernel `{}` was compiled from outside the workspace: {file}", kernel.name);
+    }
+    Ok(KernelEntry {
+        name: kernel.name.to_owned(),
+        file,
+        spirv: format!("{}.spv", kernel.name),
+        spirv_bytes: spirv.len() as u64,
+        spirv_sha256: manifest::sha256(spirv),
+        interface: Interface::of(kernel),
+    })
+}

@@ -1,0 +1,172 @@
+//! Takes the compiled modules from Vulkan's memory model, the only one that Rust-GPU knows for
+//! Vulkan, to GLSL's.
+//!
+//! A module with Vulkan's memory model asks for the device feature `vulkanMemoryModel`, which wgpu
+//! does not enable: the validation layers report every such module. And Rust-GPU never marks an
+//! access as non-private, so by the letter of that model no barrier would make a write to workgroup
+//! memory visible. Under GLSL's model, which naga and GLSL compilers use, it does.
+
+use anyhow::{Context, Result, anyhow, bail};
+use rspirv::binary::Assemble;
+use rspirv::dr::{self, Instruction, Module, Operand};
+use rspirv::spirv::{
+    AddressingModel, Capability, MemoryAccess, MemoryModel, MemorySemantics, Op, Scope, Word,
+};
+
+/// What the memory semantics and accesses of Vulkan's model may hold and GLSL's may not.
+const SEMANTICS: MemorySemantics = MemorySemantics::OUTPUT_MEMORY
+    .union(MemorySemantics::MAKE_AVAILABLE)
+    .union(MemorySemantics::MAKE_VISIBLE)
+    .union(MemorySemantics::VOLATILE);
+const ACCESSES: MemoryAccess = MemoryAccess::MAKE_POINTER_AVAILABLE
+    .union(MemoryAccess::MAKE_POINTER_VISIBLE)
+    .union(MemoryAccess::NON_PRIVATE_POINTER);
+
+/// The same module, with GLSL's memory model.
+pub fn lower(spirv: &[u8]) -> Result<Vec<u8>> {
+    let mut module = dr::load_bytes(spirv).map_err(|error| anyhow!("a broken module: {error}"))?;
+    let model = module.memory_model.as_mut().context("the module has no memory model")?;
+    model.operands = vec![
+        Operand::AddressingModel(AddressingModel::Logical),
+        Operand::MemoryModel(MemoryModel::GLSL450),
+    ];
+    module.capabilities.retain(|instruction| {
+        let [Operand::Capability(capability)] = instruction.operands[..] else {
+            return true;
+        };
+        !matches!(
+            capability,
+            Capability::VulkanMemoryModel | Capability::VulkanMemoryModelDeviceScope
+        )
+    });
+    refuse_what_has_no_equivalent(&module)?;
+    widen_scopes(&mut module)?;
+    Ok(module.assemble().into_iter().flat_map(u32::to_le_bytes).collect())
+}
+
+/// GLSL's model has no scope of a queue family: `Device`, which holds all of them, takes its place.
+fn widen_scopes(module: &mut Module) -> Result<()> {
+    // Constants of more than one type may hold the number of a scope.
+    while let Some(narrow) = find_scope(module, Scope::QueueFamily) {
+        let wide = device_scope(module, narrow)?;
+        for instruction in module.all_inst_iter_mut() {
+            for operand in &mut instruction.operands {
+                if *operand == Operand::IdScope(narrow) {
+                    *operand = Operand::IdScope(wide);
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A constant that is used as a certain scope.
+fn find_scope(module: &Module, scope: Scope) -> Option<Word> {
+    let mut operands = module.all_inst_iter().flat_map(|instruction| &instruction.operands);
+    operands.find_map(|operand| match *operand {
+        Operand::IdScope(id) if constant(module, id) == Some(scope as u32) => Some(id),
+        _ => None,
+    })
+}
+
+/// A constant `Device` of the type that another scope has.
+fn device_scope(module: &mut Module, like: Word) -> Result<Word> {
+    let at = module.types_global_values.iter().position(|i| i.result_id == Some(like));
+    let at = at.context("a scope is a constant")?;
+    let kind = module.types_global_values[at].result_type;
+    let device = vec![Operand::LiteralBit32(Scope::Device as u32)];
+    let is_device = |instruction: &&Instruction| {
+        instruction.class.opcode == Op::Constant
+            && instruction.result_type == kind
+            && instruction.operands == device
+    };
+    if let Some(found) = module.types_global_values.iter().find(is_device) {
+        return found.result_id.context("a constant has an id");
+    }
+    let header = module.header.as_mut().context("the module has no header")?;
+    let id = header.bound;
+    header.bound += 1;
+    let instruction = Instruction::new(Op::Constant, kind, Some(id), device);
+    module.types_global_values.insert(at, instruction);
+    Ok(id)
+}
+
+fn refuse_what_has_no_equivalent(module: &Module) -> Result<()> {
+    for operand in module.all_inst_iter().flat_map(|instruction| &instruction.operands) {
+        match *operand {
+            Operand::MemoryAccess(access) if access.intersects(ACCESSES) => {
+                bail!("a memory access with {access:?}, which GLSL's memory model has not");
+            }
+            Operand::IdMemorySemantics(id) => {
+                let bits = constant(module, id).context("memory semantics are a constant")?;
+                let semantics = MemorySemantics::from_bits_retain(bits);
+                if semantics.intersects(SEMANTICS) {
+                    bail!("memory semantics {semantics:?}, which GLSL's memory model has not");
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// The value of a 32-bit constant.
+fn constant(module: &Module, id: Word) -> Option<u32> {
+    let found = module.types_global_values.iter().find(|i| i.result_id == Some(id))?;
+    match (found.class.opcode, found.operands.as_slice()) {
+        (Op::Constant, &[Operand::LiteralBit32(value)]) => Some(value),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rspirv::dr::Builder;
+
+    /// A module with one atomic addition, in Rust-GPU's manner.
+    fn module(semantics: MemorySemantics) -> Vec<u8> {
+        let mut b = Builder::new();
+        b.set_version(1, 5);
+        b.capability(Capability::Shader);
+        b.capability(Capability::VulkanMemoryModel);
+        b.memory_model(AddressingModel::Logical, MemoryModel::Vulkan);
+        let (void, uint) = (b.type_void(), b.type_int(32, 0));
+        let function = b.type_function(void, []);
+        let pointer = b.type_pointer(None, rspirv::spirv::StorageClass::Workgroup, uint);
+        let counter = b.variable(pointer, None, rspirv::spirv::StorageClass::Workgroup, None);
+        let scope = b.constant_bit32(uint, Scope::QueueFamily as u32);
+        let semantics = b.constant_bit32(uint, semantics.bits());
+        b.begin_function(void, None, rspirv::spirv::FunctionControl::NONE, function).unwrap();
+        b.begin_block(None).unwrap();
+        // The number five is also added: that must stay.
+        b.atomic_i_add(uint, None, counter, scope, semantics, scope).unwrap();
+        b.ret().unwrap();
+        b.end_function().unwrap();
+        b.module().assemble().into_iter().flat_map(u32::to_le_bytes).collect()
+    }
+
+    #[test]
+    fn scopes_become_wider_and_numbers_stay() {
+        let lowered = lower(&module(MemorySemantics::RELAXED)).unwrap();
+        let module = dr::load_bytes(&lowered).unwrap();
+        let atomic = module.all_inst_iter().find(|i| i.class.opcode == Op::AtomicIAdd).unwrap();
+        let [_, Operand::IdScope(scope), _, Operand::IdRef(added)] = atomic.operands[..] else {
+            panic!("{atomic:?}");
+        };
+        assert_eq!(constant(&module, scope), Some(Scope::Device as u32));
+        assert_eq!(constant(&module, added), Some(Scope::QueueFamily as u32));
+        assert_eq!(module.capabilities.len(), 1);
+        assert_eq!(
+            module.memory_model.unwrap().operands[1],
+            Operand::MemoryModel(MemoryModel::GLSL450)
+        );
+        assert_eq!(lower(&lowered).unwrap(), lowered);
+    }
+
+    #[test]
+    fn what_cannot_be_lowered_is_refused() {
+        let error = lower(&module(MemorySemantics::MAKE_VISIBLE)).unwrap_err();
+        assert!(error.to_string().contains("MAKE_VISIBLE"), "{error}");
+    }
+}

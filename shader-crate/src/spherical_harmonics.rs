@@ -60,3 +60,79 @@ pub fn spherical_harmonics(
         m += 1;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use super::*;
+    use std::vec;
+
+    /// P_l^m(x) with the Condon-Shortley phase, by the textbook's recurrence.
+    fn associated_legendre(l: i32, m: i32, x: f64) -> f64 {
+        let mut previous = 0.0;
+        let double_factorial: f64 = (1..=m).map(|k| f64::from(2 * k - 1)).product();
+        let mut current =
+            (-1f64).powi(m) * double_factorial * (1.0 - x * x).powf(f64::from(m) / 2.0);
+        for k in m + 1..=l {
+            let next = (f64::from(2 * k - 1) * x * current - f64::from(k + m - 1) * previous)
+                / f64::from(k - m);
+            (previous, current) = (current, next);
+        }
+        current
+    }
+
+    fn factorial(n: i32) -> f64 {
+        (1..=n).map(f64::from).product()
+    }
+
+    /// `Y_lm` from angles: nothing of it is shared with the kernel.
+    fn exact(l: i32, m: i32, theta: f64, phi: f64) -> f64 {
+        let a = m.abs();
+        let norm = (f64::from(2 * l + 1) / (4.0 * std::f64::consts::PI) * factorial(l - a)
+            / factorial(l + a))
+        .sqrt();
+        let p = norm * associated_legendre(l, a, theta.cos());
+        let angle = f64::from(a) * phi;
+        match m {
+            0 => p,
+            1.. => std::f64::consts::SQRT_2 * p * angle.cos(),
+            _ => std::f64::consts::SQRT_2 * p * angle.sin(),
+        }
+    }
+
+    #[test]
+    fn harmonics_follow_the_legendre_recurrence() {
+        for degree in 0..=7 {
+            for step in 0..200 {
+                let theta = std::f64::consts::PI * (f64::from(step) + 0.37) / 200.0;
+                let phi = f64::from(step) * 2.399_963;
+                let direction = Vec3::new(
+                    (theta.sin() * phi.cos()) as f32,
+                    (theta.sin() * phi.sin()) as f32,
+                    theta.cos() as f32,
+                );
+                let mut values = vec![f32::NAN; 2 * width(degree) as usize];
+                spherical_harmonics(direction, degree, Write::from(values.as_mut_slice()), 1, 2);
+                for l in 0..=degree as i32 {
+                    for m in -l..=l {
+                        let (found, exact) =
+                            (values[1 + 2 * (l * l + l + m) as usize], exact(l, m, theta, phi));
+                        assert!(
+                            (f64::from(found) - exact).abs() < 3e-6,
+                            "Y({l},{m}) is {found}, not {exact}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn band_one_has_the_sign_of_3dgs() {
+        let mut values = [0.0; 4];
+        spherical_harmonics(Vec3::new(0.6, 0.0, 0.8), 1, Write::from(values.as_mut_slice()), 0, 1);
+        assert!((values[1] - 0.0).abs() < 1e-7);
+        assert!((values[2] - 0.488_602_5 * 0.8).abs() < 1e-6);
+        assert!((values[3] + 0.488_602_5 * 0.6).abs() < 1e-6);
+    }
+}

@@ -1,7 +1,7 @@
 //! Looks into the stages: each on its own for every Gaussian, or all of them for one pixel.
 
-use glam::{Vec2, Vec3, Vec4};
-use organza_kernels::composite::{alpha, pixel_center, resolve_pixel};
+use glam::{Vec2, Vec4};
+use organza_kernels::composite::{alpha, pixel_center};
 use organza_kernels::project::{falloff, mahalanobis};
 use organza_kernels::splat::VECTORS;
 use organza_kernels::tile::Tile as KernelTile;
@@ -141,12 +141,14 @@ impl Renderer {
         let device = self.device();
         let batch = TileBatch { side: 1, tiles: vec![Tile { camera, origin: pixel }] };
         batch.validate(cameras)?;
-        let plans = Plan::split(device, scene, &batch)?;
+        let plans = Plan::split(device, scene, &batch, self.part_bytes)?;
         let part = Part::evaluate(device, scene, cameras, &plans[0])?;
 
         let pair = device.read(&part.bins.pairs.pair)?;
         let first = device.read(&part.transmittance.first_sample)?;
         let transmittance = device.read(&part.transmittance.transmittance)?;
+        let color = device.read(&part.color)?;
+        let (color, _) = color.as_chunks::<3>();
         let splat = device.read(&part.composite.splat)?;
         let opacity = device.read(&scene.opacity)?;
         let center = pixel_center(&KernelTile { camera: 0, origin: pixel, output: 0 }, 0, 0);
@@ -155,11 +157,11 @@ impl Renderer {
         let mut contributions = Vec::new();
         for member in device.read(&part.bins.member)? {
             let index = member as usize;
-            let [placed, conic, color] =
-                std::array::from_fn(|v| splat[index * VECTORS as usize + v]);
+            let [placed, conic] = std::array::from_fn(|v| splat[index * VECTORS as usize + v]);
+            let color = color[index];
             let d = center - Vec2::new(placed.x, placed.y);
             let alpha = alpha(placed, conic, center);
-            sum += Vec4::new(alpha * color.x, alpha * color.y, alpha * color.z, alpha);
+            sum += Vec4::new(alpha * color[0], alpha * color[1], alpha * color[2], alpha);
             let gaussian = (pair[index] % scene.gaussians) as usize;
             contributions.push(Contribution {
                 gaussian,
@@ -169,18 +171,20 @@ impl Renderer {
                 samples: first[index + 1] - first[index],
                 transmittance: transmittance[index],
                 alpha,
-                color: color.truncate().to_array(),
+                color,
                 color_sum: sum.truncate().to_array(),
                 alpha_sum: sum.w,
             });
         }
-        let background = scene.config.background.map(|channel| channel as f32);
+        // the running sums were taken here, these by the kernels
+        let sum = device.read(&part.composite.sum)?[0];
+        let pixel = device.read(&part.composite.image)?;
         Ok(Inspection {
             contributions,
             color_sum: sum.truncate().to_array(),
             alpha_sum: sum.w,
-            background,
-            pixel: resolve_pixel(sum, Vec3::from_array(background)).to_array(),
+            background: scene.config.background.map(|channel| channel as f32),
+            pixel: [pixel[0], pixel[1], pixel[2]],
         })
     }
 }

@@ -38,6 +38,7 @@ use plan::Plan;
 #[derive(Clone, Debug)]
 pub struct Renderer {
     device: Arc<Device>,
+    part_bytes: u64,
 }
 
 /// A rendered batch, the tensor Y of Eq. 16.
@@ -72,7 +73,17 @@ impl Renderer {
     /// A renderer on `device`.
     #[must_use]
     pub fn new(device: Device) -> Self {
-        Self { device: Arc::new(device) }
+        Self { device: Arc::new(device), part_bytes: plan::PART_BYTES }
+    }
+
+    /// The same renderer, whose batches are cut into parts with tables of about this many bytes; 512 MiB unless set.
+    ///
+    /// A part holds at least one tile, so that it may take more; what a part takes beside its tables grows with the
+    /// pairs and samples of its tiles.
+    #[must_use]
+    pub fn with_part_bytes(mut self, bytes: u64) -> Self {
+        self.part_bytes = bytes;
+        self
     }
 
     /// The device it renders on.
@@ -111,7 +122,7 @@ impl Renderer {
         let area = 3 * (batch.side * batch.side) as usize;
         let mut data = vec![0.0; batch.tiles.len() * area];
         let mut report = RenderReport::default();
-        let mut plans = Plan::split(&self.device, scene, batch)?;
+        let mut plans = Plan::split(&self.device, scene, batch, self.part_bytes)?;
         while let Some(plan) = plans.pop() {
             match part::render(&self.device, scene, cameras, &plan) {
                 Ok((pixels, part)) => {

@@ -7,8 +7,8 @@ use crate::backend::Device;
 use crate::error::{Error, Result};
 use crate::tile::{Tile, TileBatch};
 
-/// What one part's tables may take.  Parts of this size keep every device busy.
-const PART_BYTES: u64 = 512 << 20;
+/// What one part's tables may take, unless told otherwise.  Parts of this size keep every device busy.
+pub const PART_BYTES: u64 = 512 << 20;
 
 /// Tiles of one part: an axis of a dispatch ends at 65,535, and
 /// [`pair_mask`](organza_kernels::pair::pair_mask) loops over the tiles of a camera.
@@ -30,8 +30,13 @@ pub struct PlannedTile {
 
 impl Plan {
     /// The parts of a batch, last first.
-    pub fn split(device: &Device, scene: &DeviceScene, batch: &TileBatch) -> Result<Vec<Self>> {
-        let limits = Limits::of(device, scene, batch.side)?;
+    pub fn split(
+        device: &Device,
+        scene: &DeviceScene,
+        batch: &TileBatch,
+        part_bytes: u64,
+    ) -> Result<Vec<Self>> {
+        let limits = Limits::of(device, scene, batch.side, part_bytes)?;
         let mut tiles: Vec<_> = batch
             .tiles
             .iter()
@@ -106,17 +111,17 @@ struct Limits {
 }
 
 impl Limits {
-    fn of(device: &Device, scene: &DeviceScene, side: u32) -> Result<Self> {
+    fn of(device: &Device, scene: &DeviceScene, side: u32, part_bytes: u64) -> Result<Self> {
         let buffer = device.max_buffer_bytes();
         let gaussians = u64::from(scene.gaussians);
         // projection: two vectors for each Gaussian and camera; pairs are numbered in 31 bits
         let camera_bytes = gaussians * 32;
-        let cameras = (PART_BYTES / camera_bytes)
-            .clamp(1, (buffer / camera_bytes).min((1 << 31) / gaussians));
+        let most_cameras = (buffer / camera_bytes).min((1 << 31) / gaussians);
+        let cameras = (part_bytes / camera_bytes).max(1).min(most_cameras);
         // sums: a vector for each pixel; masks: a word for every 32 Gaussians, at most 2^26 of them; memberships: 31 bits
         let tile_bytes = u64::from(side * side) * 16;
         let mask_words = u64::from(words(scene.gaussians));
-        let per_part = PART_BYTES / (tile_bytes + mask_words * 12);
+        let per_part = part_bytes / (tile_bytes + mask_words * 12);
         let bound = (buffer / tile_bytes)
             .min((1 << 26) / mask_words)
             .min((1 << 31) / gaussians)
@@ -128,6 +133,6 @@ impl Limits {
                 what: format!("a buffer for one tile of side {side} and {gaussians} Gaussians"),
             });
         }
-        Ok(Self { tiles: per_part.clamp(1, bound) as usize, cameras })
+        Ok(Self { tiles: per_part.max(1).min(bound) as usize, cameras })
     }
 }

@@ -25,6 +25,7 @@ pub use spec::{TensorId, TensorSpec};
 pub use tensor_file::{Tensor, TensorRef, read_tensors, write_tensors};
 
 use crate::error::Result;
+use crate::memory;
 
 /// A scene: its configuration and all its tensors.
 #[derive(Clone, Debug, PartialEq)]
@@ -77,25 +78,34 @@ impl Scene {
     /// # Errors
     /// [`Error::BadConfig`](crate::error::Error::BadConfig);
     /// [`Error::TooManyValues`](crate::error::Error::TooManyValues) where a tensor would be larger
-    /// than the kernels can address.
+    /// than the kernels can address; [`Error::OutOfMemory`](crate::error::Error::OutOfMemory).
     pub fn zeros(config: SceneConfig, gaussians: usize) -> Result<Self> {
         config.validate()?;
-        validate::check_sizes(&config.tensors(gaussians), crate::error::IN_MEMORY.as_ref())?;
-        let field = |grid: &GridConfig, widths: &[usize]| Field {
-            grid: vec![0.0; grid.entries() * grid.features as usize],
-            network: Network::zeros(widths),
+        let specs = config.tensors(gaussians);
+        validate::check_sizes(&specs, crate::error::IN_MEMORY.as_ref())?;
+        let values: u64 = specs.iter().map(|spec| spec.values() as u64).sum();
+        // All at once: each tensor alone may fit.
+        memory::check(values * size_of::<f32>() as u64, "the scene")?;
+        let field = |name: &str, grid: &GridConfig, widths: &[usize]| {
+            let table = memory::zeros(grid.entries() * grid.features as usize, name)?;
+            Ok(Field { grid: table, network: Network::zeros(widths) })
         };
+        let vector = |name: &str, length: u32| memory::zeros(gaussians * length as usize, name);
         Ok(Self {
             gaussians: Gaussians {
-                position: vec![[0.0; 3]; gaussians],
-                rotation: vec![[0.0; 4]; gaussians],
-                log_scale: vec![[0.0; 3]; gaussians],
-                opacity: vec![0.0; gaussians],
-                material: vec![0.0; gaussians * config.material as usize],
-                extra: vec![0.0; gaussians * config.extra as usize],
+                position: memory::zeros(gaussians, "gaussians.position")?,
+                rotation: memory::zeros(gaussians, "gaussians.rotation")?,
+                log_scale: memory::zeros(gaussians, "gaussians.log_scale")?,
+                opacity: memory::zeros(gaussians, "gaussians.opacity")?,
+                material: vector("gaussians.material", config.material)?,
+                extra: vector("gaussians.extra", config.extra)?,
             },
-            color: field(&config.color_grid, &config.color_widths()),
-            transmittance: field(&config.transmittance_grid, &config.transmittance_widths()),
+            color: field("color.grid", &config.color_grid, &config.color_widths())?,
+            transmittance: field(
+                "transmittance.grid",
+                &config.transmittance_grid,
+                &config.transmittance_widths(),
+            )?,
             config,
         })
     }

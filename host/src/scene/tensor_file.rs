@@ -10,6 +10,7 @@ use serde_json::{Map, Value, json};
 use crate::atomic_file::write_atomic;
 use crate::error::{Error, Result};
 use crate::input::open_regular;
+use crate::memory;
 
 /// Far more header than the few dozen tensors of a scene need; safetensors itself allows 100 MB.
 const MAX_HEADER_BYTES: u64 = 16 << 20;
@@ -51,7 +52,7 @@ pub fn read_tensors(path: impl AsRef<Path>) -> Result<BTreeMap<String, Tensor>> 
         header.require_f32(name, path)?;
         let shape = header.shape(name).unwrap_or_default().to_vec();
         // The header was held to the file's length, so this asks for no more than the file has.
-        let mut data = zeros(shape.iter().product(), name)?;
+        let mut data = memory::zeros(shape.iter().product(), name)?;
         read_values(&mut reader, &mut data, path)?;
         tensors.insert(name.clone(), Tensor { shape, data });
     }
@@ -175,17 +176,6 @@ impl Header {
         io::copy(&mut reader.take((end - start) as u64), &mut io::sink())?;
         Ok(())
     }
-}
-
-fn zeros(values: usize, name: &str) -> Result<Vec<f32>> {
-    let mut data = Vec::new();
-    data.try_reserve_exact(values).map_err(|_| Error::OutOfMemory {
-        needed: (values as u64).saturating_mul(4),
-        available: None,
-        what: format!("tensor `{name}`"),
-    })?;
-    data.resize(values, 0.0);
-    Ok(data)
 }
 
 fn read_values(reader: &mut impl Read, values: &mut [f32], origin: &Path) -> Result<()> {

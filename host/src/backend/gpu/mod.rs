@@ -24,7 +24,7 @@ pub struct Gpu {
     spirv: SpirvPath,
     pipelines: Pipelines,
     recorder: Mutex<Recorder>,
-    failure: Arc<Mutex<Option<Error>>>,
+    failures: Arc<Mutex<Failures>>,
 }
 
 impl Gpu {
@@ -33,8 +33,8 @@ impl Gpu {
         let (adapter, spirv) = adapter::choose(options)?;
         let (device, queue) = adapter::request(&adapter, spirv)?;
         let limits = device.limits();
-        let failure = Arc::new(Mutex::new(None));
-        record_failures(&device, &failure);
+        let failures = Arc::default();
+        record_failures(&device, &failures);
         Ok(Self {
             recorder: Mutex::new(Recorder::new(&device)),
             pipelines: Pipelines::new(spirv),
@@ -43,7 +43,7 @@ impl Gpu {
             queue,
             limits,
             spirv,
-            failure,
+            failures,
         })
     }
 
@@ -169,33 +169,48 @@ impl Gpu {
         self.recorder.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The first failure that the device reported since the last call.
+    /// The first failure that the device reported since the last call; that it was lost, once and for all.
     fn check(&self) -> Result<()> {
-        let failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner).take();
-        failure.map_or(Ok(()), Err)
+        let failures = || self.failures.lock().unwrap_or_else(PoisonError::into_inner);
+        let first = failures().first.take();
+        if first.is_some() {
+            // what is made on a lost device is invalid, and using it is what gets reported: polling tells of the loss
+            let _ = self.device.poll(wgpu::PollType::Poll);
+        }
+        match (&failures().lost, first) {
+            (Some(reason), _) => Err(Error::DeviceLost { reason: reason.clone() }),
+            (None, Some(first)) => Err(first),
+            (None, None) => Ok(()),
+        }
     }
 }
 
-/// Keeps the first failure of a device until someone asks: wgpu reports them from callbacks.
-fn record_failures(device: &wgpu::Device, failure: &Arc<Mutex<Option<Error>>>) {
-    let keep = |failure: &Mutex<Option<Error>>, error: Error| {
-        failure.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
-    };
-    let lost = failure.clone();
+/// What a device reported.
+#[derive(Debug, Default)]
+struct Failures {
+    /// Why it was lost.
+    lost: Option<String>,
+    /// The first of all other failures.
+    first: Option<Error>,
+}
+
+/// Keeps what a device reports until someone asks: wgpu does it from callbacks.
+fn record_failures(device: &wgpu::Device, failures: &Arc<Mutex<Failures>>) {
+    let lost = failures.clone();
     device.set_device_lost_callback(move |reason, message| {
         // a device that is dropped in good order is reported too
         if !(reason == wgpu::DeviceLostReason::Destroyed && message.contains("Device dropped")) {
-            keep(&lost, Error::DeviceLost { reason: message });
+            lost.lock().unwrap_or_else(PoisonError::into_inner).lost.get_or_insert(message);
         }
     });
-    let uncaptured = failure.clone();
+    let uncaptured = failures.clone();
     device.on_uncaptured_error(Arc::new(move |error| {
         let error = match error {
             wgpu::Error::OutOfMemory { source } => {
                 Error::OutOfMemory { needed: 0, available: None, what: source.to_string() }
             }
-            other => Error::DeviceLost { reason: other.to_string() },
+            other => Error::Kernel { kernel: "on the GPU".into(), reason: other.to_string() },
         };
-        keep(&uncaptured, error);
+        uncaptured.lock().unwrap_or_else(PoisonError::into_inner).first.get_or_insert(error);
     }));
 }

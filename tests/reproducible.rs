@@ -1,0 +1,87 @@
+//! One image, to the bit: however it is cut into tiles, and on however many threads.
+
+use organza::{Camera, DeviceScene, Renderer, TileBatch};
+use organza_tests::{cases, devices};
+
+/// The whole image of a camera, `[3, height, width]`, cut into tiles of a side.
+fn image(
+    renderer: &Renderer,
+    scene: &DeviceScene,
+    cameras: &[Camera],
+    camera: usize,
+    side: u32,
+) -> Vec<f32> {
+    let (width, height) = (cameras[camera].width, cameras[camera].height);
+    let batch = TileBatch::cover(camera, width, height, side).expect("a batch");
+    let tiles = renderer.render(scene, cameras, &batch).expect("it renders").data;
+    let (width, height, side) = (width as usize, height as usize, side as usize);
+    let mut image = vec![f32::NAN; 3 * width * height];
+    for (tile, pixels) in batch.tiles.iter().zip(tiles.chunks_exact(3 * side * side)) {
+        let [left, top] = tile.origin.map(|o| usize::try_from(o).expect("a tile in the image"));
+        for channel in 0..3 {
+            for (y, row) in (top..height.min(top + side)).enumerate() {
+                for (x, column) in (left..width.min(left + side)).enumerate() {
+                    image[(channel * height + row) * width + column] =
+                        pixels[(channel * side + y) * side + x];
+                }
+            }
+        }
+    }
+    assert!(image.iter().all(|value| value.is_finite()), "the tiles do not cover the image");
+    image
+}
+
+#[test]
+fn the_image_does_not_depend_on_the_tiling() {
+    for (backend, device) in devices::all() {
+        let renderer = Renderer::new(device);
+        for case in cases::all() {
+            let scene = renderer.upload(&case.scene).expect("the scene fits");
+            for camera in 0..case.cameras.len() {
+                let whole = image(&renderer, &scene, &case.cameras, camera, 16);
+                for side in [32, 50, 64] {
+                    let other = image(&renderer, &scene, &case.cameras, camera, side);
+                    let same = whole.iter().zip(&other).all(|(a, b)| a.to_bits() == b.to_bits());
+                    assert!(
+                        same,
+                        "{}, camera {camera}, tiles of 16 and of {side} differ on {backend}",
+                        case.name
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_image_does_not_depend_on_the_threads() {
+    let renderers = [1, 2, 3].map(|threads| Renderer::new(devices::cpu(Some(threads))));
+    for case in cases::all() {
+        let tiles = renderers.each_ref().map(|renderer| {
+            let scene = renderer.upload(&case.scene).expect("the scene fits");
+            renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders").data
+        });
+        let bits = tiles.map(|tiles| tiles.into_iter().map(f32::to_bits).collect::<Vec<_>>());
+        assert!(
+            bits[0] == bits[1] && bits[0] == bits[2],
+            "{}: the number of threads shows",
+            case.name
+        );
+    }
+}
+
+#[test]
+fn a_batch_in_parts_is_the_batch() {
+    for (backend, device) in devices::all() {
+        let renderer = Renderer::new(device);
+        let in_parts = renderer.clone().with_part_bytes(1);
+        for case in cases::all() {
+            let scene = renderer.upload(&case.scene).expect("the scene fits");
+            let whole = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
+            let parts = in_parts.render(&scene, &case.cameras, &case.tiles).expect("it renders");
+            assert_eq!((whole.report.parts, parts.report.parts), (1, case.tiles.tiles.len()));
+            assert_eq!(whole.report.members, parts.report.members);
+            assert!(whole.data == parts.data, "{}: the parts show on {backend}", case.name);
+        }
+    }
+}

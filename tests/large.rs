@@ -1,0 +1,115 @@
+//! Sizes past what one dispatch, one workgroup or one invocation takes.
+
+use glam::{Vec2, Vec4};
+use organza_kernels::composite::{CompositeKernel, CompositeParams, MAX_MEMBERS};
+use organza_kernels::scan::{BLOCK, ScanBlockKernel, ScanParams};
+use organza_kernels::tile::Tile;
+use organza_tests::devices;
+
+/// Numbers without a pattern, in [0, 1).
+fn noise(index: u32) -> f32 {
+    let mut x = index.wrapping_add(1).wrapping_mul(0x9e37_79b9);
+    x = (x ^ (x >> 16)).wrapping_mul(0x85eb_ca6b);
+    x = (x ^ (x >> 13)).wrapping_mul(0xc2b2_ae35);
+    ((x ^ (x >> 16)) >> 8) as f32 / (1 << 24) as f32
+}
+
+#[test]
+fn a_tile_takes_more_members_than_one_dispatch() {
+    const SIDE: u32 = 8;
+    let members = 2 * MAX_MEMBERS + 777;
+    let splats: Vec<Vec4> = (0..members)
+        .flat_map(|i| {
+            let random = |k: u32| noise(i * 8 + k);
+            let placed = Vec4::new(random(0) * 16.0 - 4.0, random(1) * 16.0 - 4.0, random(2), 0.0);
+            [
+                placed,
+                Vec4::new(0.05, 0.01, 0.04, 0.0),
+                Vec4::new(random(3), random(4), random(5), 0.0),
+            ]
+        })
+        .collect();
+    let exact = |pixel: Vec2| -> [f64; 4] {
+        let mut sum = [0.0; 4];
+        for splat in splats.chunks_exact(3) {
+            let d = (pixel - Vec2::new(splat[0].x, splat[0].y)).as_dvec2();
+            let conic = splat[1].as_dvec4();
+            let q = conic.x * d.x * d.x + 2.0 * conic.y * d.x * d.y + conic.z * d.y * d.y;
+            if q <= 2.0 * 255f64.ln() {
+                let alpha = f64::from(splat[0].z) * (-0.5 * q).exp();
+                let color = splat[2].as_dvec4();
+                for (sum, term) in sum.iter_mut().zip([color.x, color.y, color.z, 1.0]) {
+                    *sum += alpha * term;
+                }
+            }
+        }
+        sum
+    };
+    for (backend, device) in devices::all() {
+        let tile = device
+            .upload("tile", &Tile { camera: 0, origin: [0, 0], output: 0 }.pack())
+            .expect("memory");
+        let tile_first = device.upload("first", &[0, members]).expect("memory");
+        let member = device.upload("member", &(0..members).collect::<Vec<_>>()).expect("memory");
+        let splat = device.upload("splat", &splats).expect("memory");
+        let sum = device.zeros("sum", (SIDE * SIDE) as usize).expect("memory");
+        for pass in 0..members.div_ceil(MAX_MEMBERS) {
+            let params = CompositeParams { side: SIDE, skip: pass * MAX_MEMBERS };
+            let kernel = CompositeKernel {
+                params,
+                tile: &tile,
+                tile_first: &tile_first,
+                member: &member,
+                splat: &splat,
+                sum: &sum,
+            };
+            device.dispatch(&kernel, [1, 1, 1]).expect("it runs");
+        }
+        for (index, found) in device.read(&sum).expect("it ran").iter().enumerate() {
+            let pixel =
+                Vec2::new((index as u32 % SIDE) as f32 + 0.5, (index as u32 / SIDE) as f32 + 0.5);
+            for (found, exact) in found.to_array().into_iter().zip(exact(pixel)) {
+                // 33,545 terms: their rounding errors add up like a random walk
+                assert!(
+                    (f64::from(found) - exact).abs() <= 2e-5 * exact,
+                    "{found} for {exact} at {pixel} on {backend}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_block_scan_takes_every_size() {
+    for (backend, device) in devices::all() {
+        for count in
+            [0, 1, 15, 16, 17, 63, 64, 1023, 1024, 1025, 3 * BLOCK - 1, 3 * BLOCK, 3 * BLOCK + 1]
+        {
+            let values: Vec<u32> = (0..count).map(|i| (noise(i) * 1000.0) as u32).collect();
+            let value = device.upload("value", &values).expect("memory");
+            let blocks = (count + 1).div_ceil(BLOCK);
+            let prefix = device.zeros("prefix", count as usize + 1).expect("memory");
+            let block_sum = device.zeros("block sum", blocks as usize).expect("memory");
+            let params = ScanParams { count };
+            let kernel =
+                ScanBlockKernel { params, value: &value, prefix: &prefix, block_sum: &block_sum };
+            device.dispatch(&kernel, [blocks, 1, 1]).expect("it runs");
+            let (prefix, block_sum) =
+                (device.read(&prefix).expect("it ran"), device.read(&block_sum).expect("it ran"));
+            for (block, sum) in block_sum.iter().enumerate() {
+                let begin = block * BLOCK as usize;
+                let end = values.len().min(begin + BLOCK as usize);
+                let mut expected = 0;
+                for index in begin..(count as usize + 1).min(begin + BLOCK as usize) {
+                    assert_eq!(prefix[index], expected, "{count} values, at {index} on {backend}");
+                    expected += values.get(index).copied().unwrap_or(0);
+                }
+                assert_eq!(
+                    *sum,
+                    values[begin.min(end)..end].iter().sum::<u32>(),
+                    "block {block} of {count} on {backend}"
+                );
+            }
+        }
+    }
+}

@@ -178,9 +178,10 @@ edition = "2021"
 rustc_codegen_spirv = "=$BACKEND_VERSION"
 [workspace]
 TOML
-"$STAGE0/bin/cargo" fetch --manifest-path fetch/Cargo.toml
+RUSTC="$STAGE0/bin/rustc" "$STAGE0/bin/cargo" fetch --manifest-path fetch/Cargo.toml
 rm -rf backend
-cp -r "${CARGO_HOME:-$HOME/.cargo}"/registry/src/*/"rustc_codegen_spirv-$BACKEND_VERSION" backend
+sources=("${CARGO_HOME:-$HOME/.cargo}"/registry/src/*/"rustc_codegen_spirv-$BACKEND_VERSION")
+cp -r "${sources[0]}" backend
 # The release's rustc_codegen_ssa wants one feature gate that the pinned nightly did not yet need.
 (cd backend && RUSTC="$dev/bin/rustc" RUSTGPU_SKIP_TOOLCHAIN_CHECK=1 "$dev/bin/cargo" rustc --release --locked --lib \
   -- '-Zcrate-attr=feature(option_into_flat_iter)')

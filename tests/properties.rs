@@ -9,6 +9,7 @@ use organza_kernels::hash_grid::GridLevel;
 use organza_kernels::project::{falloff, mahalanobis, project_gaussian};
 use organza_kernels::segment::{clip_to_unit_cube, clipped_segment};
 use organza_kernels::tile::{Tile, distance_squared, reaches};
+use organza_kernels::unit_cube::Split;
 use organza_tests::devices;
 use proptest::prelude::*;
 
@@ -86,11 +87,8 @@ proptest! {
             levels, features: 2, log2_table, base_resolution: f64::from(base), growth, interpolation: Interpolation::Linear,
         };
         for level in grid.levels_geometry() {
-            let kernel = GridLevel {
-                scale: level.scale as f32, resolution: level.resolution, first: level.first, count: level.count,
-                hashed: u32::from(level.hashed),
-            };
-            let cell = kernel.cell(x, false);
+            let kernel = GridLevel::new(level.scale, level.resolution, level.first, level.count, level.hashed);
+            let cell = kernel.cell(x.to_array().map(|x| Split::new(x, 0.0)), false);
             prop_assert!((0.0..=1.0).contains(&cell.weight.min_element()) && cell.weight.max_element() <= 1.0);
             for corner in 0..8u32 {
                 let [x, y, z] = [0, 1, 2].map(|axis| cell.corner[axis] + (corner >> axis & 1));

@@ -67,34 +67,3 @@ impl Camera {
 pub fn read3(buffer: Read<f32>, first: u32) -> Vec3 {
     Vec3::new(buffer.read(first), buffer.read(first + 1), buffer.read(first + 2))
 }
-
-/// World space -> the unit cube's space: `x' = 0.05 + 0.9 (x - lo) / (hi - lo)`, per axis.
-#[derive(Clone, Copy)]
-pub struct SceneBox {
-    /// `lo`
-    pub low: Vec3,
-    /// `0.9 / (hi - lo)`
-    pub scale: Vec3,
-}
-
-impl SceneBox {
-    /// Floats that a box takes in a buffer.
-    pub const FLOATS: usize = 6;
-
-    /// The box as it lies in a buffer; [`SceneBox::read`] is its counterpart.
-    pub fn pack(&self) -> [f32; Self::FLOATS] {
-        [self.low.x, self.low.y, self.low.z, self.scale.x, self.scale.y, self.scale.z]
-    }
-
-    /// The box that a buffer holds.
-    #[inline(always)]
-    pub fn read(buffer: Read<f32>) -> Self {
-        Self { low: read3(buffer, 0), scale: read3(buffer, 3) }
-    }
-
-    /// A position in the unit cube's space.
-    #[inline(always)]
-    pub fn normalize(&self, position: Vec3) -> Vec3 {
-        (position - self.low) * self.scale + Vec3::splat(0.05)
-    }
-}

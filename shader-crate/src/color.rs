@@ -2,11 +2,13 @@
 
 use glam::Vec4;
 
-use crate::camera::{Camera, SceneBox, read3};
+use crate::camera::{Camera, read3};
 use crate::dense::{DenseParams, column};
+use crate::hash_grid::write_point;
 use crate::math::{normalize, sigmoid};
 use crate::prelude::*;
 use crate::spherical_harmonics::spherical_harmonics;
+use crate::unit_cube::SceneBox;
 
 /// Parameters of [`color_inputs`].
 #[repr(C)]
@@ -29,7 +31,7 @@ pub struct ColorInputsParams {
 }
 
 /// Writes what does not come from the hash grid: the point to encode, the harmonics of the view direction and
-/// the material (Eq. 1).  `point [3, stride]`, `input [rows, stride]`.
+/// the material (Eq. 1).  `point [7, stride]`, `input [rows, stride]`.
 #[kernel(threads(64))]
 pub fn color_inputs(
     id: Invocation,
@@ -50,10 +52,7 @@ pub fn color_inputs(
         let center = read3(position, gaussian * 3);
         let stride = params.stride;
 
-        let x = SceneBox::read(scene_box).normalize(center);
-        point.write(index, x.x);
-        point.write(stride + index, x.y);
-        point.write(2 * stride + index, x.z);
+        write_point(point, stride, index, SceneBox::read(scene_box).split(center));
 
         // v points from the camera to the Gaussian
         spherical_harmonics(normalize(center - eye), params.sh_degree, input, index, stride);
@@ -68,7 +67,7 @@ pub fn color_inputs(
 }
 
 /// The last layer of the color network and its sigmoid (Eq. 3): `color [pairs, 3]`.
-#[kernel(threads(64))]
+#[kernel(threads(64), fused)]
 pub fn color_head(
     id: Invocation,
     params: &ColorHeadParams,

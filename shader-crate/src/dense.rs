@@ -56,7 +56,7 @@ pub fn column(
 /// A hidden layer: `output = max(W input + b, 0)`, samples along x and y, blocks of 16 outputs along z.
 ///
 /// `input [inputs, stride]`, `output [4 columns, stride]`.
-#[kernel(threads(64))]
+#[kernel(threads(64), fused)]
 pub fn dense(
     id: Invocation,
     params: &DenseParams,

@@ -2,15 +2,20 @@
 
 use glam::Vec3;
 
-use crate::math::clamp;
+use crate::math::{floor, max};
 use crate::prelude::*;
+use crate::unit_cube::Split;
+#[cfg(not(target_arch = "spirv"))]
+use crate::unit_cube::leading_bits;
 
 /// One level of a grid; the host computes it in f64, kernels never call `pow`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct GridLevel {
-    /// `base * growth^level - 1`
+    /// `base * growth^level - 1`, its first 12 bits.
     pub scale: f32,
+    /// The rest of it.
+    pub scale_rest: f32,
     /// `ceil(scale) + 1`
     pub resolution: u32,
     /// First entry in the table.
@@ -47,21 +52,35 @@ pub struct Cell {
 }
 
 impl GridLevel {
+    /// A level of which the first entry, the entries and whether it is hashed are known.
+    #[cfg(not(target_arch = "spirv"))]
+    pub fn new(scale: f64, resolution: u32, first: u32, count: u32, hashed: bool) -> Self {
+        let leading = leading_bits(scale, 12);
+        let scale_rest = (scale - f64::from(leading)) as f32;
+        Self { scale: leading, scale_rest, resolution, first, count, hashed: u32::from(hashed) }
+    }
+
     /// The cell of a point, which is clamped to [0, 1] first.
     #[inline(always)]
-    pub fn cell(&self, x: Vec3, smoothstep: bool) -> Cell {
-        let (cell_x, weight_x) = self.axis(x.x, smoothstep);
-        let (cell_y, weight_y) = self.axis(x.y, smoothstep);
-        let (cell_z, weight_z) = self.axis(x.z, smoothstep);
+    pub fn cell(&self, [x, y, z]: [Split; 3], smoothstep: bool) -> Cell {
+        let (cell_x, weight_x) = self.axis(x, smoothstep);
+        let (cell_y, weight_y) = self.axis(y, smoothstep);
+        let (cell_z, weight_z) = self.axis(z, smoothstep);
         Cell { corner: [cell_x, cell_y, cell_z], weight: Vec3::new(weight_x, weight_y, weight_z) }
     }
 
+    /// `x' * scale + 0.5`, its floor and its fraction.  The product of the leading parts is exact, so that the
+    /// fraction keeps its digits however large the cell's number is.
     #[inline(always)]
-    fn axis(&self, x: f32, smoothstep: bool) -> (u32, f32) {
-        let position = clamp(x, 0.0, 1.0) * self.scale + 0.5;
-        let cell = position as u32; // the floor: it is not negative
-        let t = position - cell as f32;
-        (cell, if smoothstep { t * t * (3.0 - 2.0 * t) } else { t })
+    fn axis(&self, x: Split, smoothstep: bool) -> (u32, f32) {
+        let x = x.clamped();
+        let main = x.coarse * self.scale;
+        let rest = x.coarse * self.scale_rest + x.fine * (self.scale + self.scale_rest) + 0.5;
+        let whole = floor(main);
+        let t = max((main - whole) + rest, 0.0);
+        let carry = floor(t);
+        let t = t - carry;
+        ((whole + carry) as u32, if smoothstep { t * t * (3.0 - 2.0 * t) } else { t })
     }
 
     /// The entry of a grid point, counted from the table's begin.
@@ -79,9 +98,39 @@ impl GridLevel {
     }
 }
 
+/// Rows that a point takes in a buffer `[rows, stride]`.
+pub const POINT_ROWS: u32 = 6;
+
+/// Writes a point of the unit cube into its column: the coarse parts in rows 0 to 2, the fine ones in rows 3 to 5.
+#[inline(always)]
+pub fn write_point(buffer: Write<f32>, stride: u32, column: u32, [x, y, z]: [Split; 3]) {
+    buffer.write(column, x.coarse);
+    buffer.write(stride + column, y.coarse);
+    buffer.write(2 * stride + column, z.coarse);
+    buffer.write(3 * stride + column, x.fine);
+    buffer.write(4 * stride + column, y.fine);
+    buffer.write(5 * stride + column, z.fine);
+}
+
+/// What [`write_point`] wrote.
+#[inline(always)]
+fn read_point(buffer: Read<f32>, stride: u32, column: u32) -> [Split; 3] {
+    [
+        read_split(buffer, stride, column),
+        read_split(buffer, stride, stride + column),
+        read_split(buffer, stride, 2 * stride + column),
+    ]
+}
+
+/// The coordinate whose coarse part is at `coarse`.
+#[inline(always)]
+fn read_split(buffer: Read<f32>, stride: u32, coarse: u32) -> Split {
+    Split { coarse: buffer.read(coarse), fine: buffer.read(coarse + 3 * stride) }
+}
+
 /// Writes the features of every (point, level): points along x and y, levels along z.
 ///
-/// `position [3, stride]`, in the unit cube; `table [entries, features]`; `output [rows, stride]`.
+/// `position [6, stride]`, see [`write_point`]; `table [entries, features]`; `output [rows, stride]`.
 #[kernel(threads(64))]
 pub fn hash_grid(
     id: Invocation,
@@ -95,11 +144,7 @@ pub fn hash_grid(
     if point < params.points {
         let level = levels.read(id.workgroup.z);
         let stride = params.stride;
-        let x = Vec3::new(
-            position.read(point),
-            position.read(stride + point),
-            position.read(2 * stride + point),
-        );
+        let x = read_point(position, stride, point);
         let cell = level.cell(x, params.smoothstep != 0);
         let [x0, y0, z0] = cell.corner;
         let (x1, y1, z1) = (x0 + 1, y0 + 1, z0 + 1);

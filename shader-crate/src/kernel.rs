@@ -63,6 +63,8 @@ pub struct KernelInfo {
     pub file: &'static str,
     /// Invocations of a workgroup.
     pub workgroup_size: [u32; 3],
+    /// Whether drivers may fuse and regroup its arithmetic.
+    pub fused: bool,
     /// Bindings, by number.
     pub bindings: &'static [BindingInfo],
     /// Workgroup memory.

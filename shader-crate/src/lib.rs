@@ -24,6 +24,7 @@ pub mod spherical_harmonics;
 pub mod splat;
 pub mod tile;
 pub mod transmittance;
+pub mod unit_cube;
 
 #[cfg(not(target_arch = "spirv"))]
 pub use kernel::{Access, BindingInfo, KernelInfo, SharedInfo, kernels};

@@ -36,6 +36,8 @@ elementary! {
     exp => expf;
     /// Square root.
     sqrt => sqrtf;
+    /// Largest integer that is not greater than x.
+    floor => floorf;
     /// Smallest integer that is not less than x.
     ceil => ceilf;
 }

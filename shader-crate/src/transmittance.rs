@@ -3,8 +3,10 @@
 use glam::Vec4;
 
 use crate::dense::{DenseParams, column};
+use crate::hash_grid::{POINT_ROWS, write_point};
 use crate::math::{exp, log_sigmoid};
 use crate::prelude::*;
+use crate::unit_cube::Split;
 
 /// Parameters of [`transmittance_inputs`].
 #[repr(C)]
@@ -41,7 +43,7 @@ pub fn owner(first_sample: Read<u32>, pairs: u32, sample: u32) -> u32 {
 
 /// Writes what does not come from the hash grid: the midpoint x_k (Eq. 9), its segment's `s_factor` and u.
 ///
-/// `first_sample [pairs + 1]`; `point [4, stride]` is x_k and `s_factor`; `input [rows, stride]`.
+/// `first_sample [pairs + 1]`; `point [7, stride]` is x_k and `s_factor`; `input [rows, stride]`.
 #[kernel(threads(64))]
 pub fn transmittance_inputs(
     id: Invocation,
@@ -62,10 +64,11 @@ pub fn transmittance_inputs(
         let (start, w) = (segment.read(2 * owner), segment.read(2 * owner + 1));
         let t = ((sample - begin) as f32 + 0.5) / count as f32;
         let stride = params.stride;
-        point.write(index, start.x + t * w.x);
-        point.write(stride + index, start.y + t * w.y);
-        point.write(2 * stride + index, start.z + t * w.z);
-        point.write(3 * stride + index, start.w);
+        let x = Split::new(start.x + t * w.x, 0.0);
+        let y = Split::new(start.y + t * w.y, 0.0);
+        let z = Split::new(start.z + t * w.z, 0.0);
+        write_point(point, stride, index, [x, y, z]);
+        point.write(POINT_ROWS * stride + index, start.w);
 
         let gaussian = pair.read(owner) % params.gaussians;
         let mut u = 0;
@@ -97,7 +100,7 @@ pub struct TransmittanceHeadParams {
 
 /// The last layer of the scalar network and the logarithm of Eq. 11's factor:
 /// `log_rho [samples] = s_factor * log_sigmoid(a_k)`.
-#[kernel(threads(64))]
+#[kernel(threads(64), fused)]
 pub fn transmittance_head(
     id: Invocation,
     params: &TransmittanceHeadParams,
@@ -117,7 +120,7 @@ pub fn transmittance_head(
             bias: params.bias,
         };
         let a = column(&layer, parameters, input, sample, 0).x;
-        let factor = point.read(3 * params.stride + sample);
+        let factor = point.read(POINT_ROWS * params.stride + sample);
         log_rho.write(params.first_sample + sample, factor * log_sigmoid(a));
     }
 }

@@ -12,6 +12,7 @@ use spirv_builder::{ModuleResult, SpirvBuilder, SpirvMetadata};
 use crate::Workspace;
 use crate::artifacts::Artifacts;
 use crate::compiler::Compiler;
+use crate::contraction;
 use crate::memory_model;
 use crate::module;
 
@@ -32,6 +33,10 @@ pub fn compile(workspace: &Workspace, compiler: &Compiler) -> Result<Artifacts> 
         };
         let context = || format!("{}: kernel `{name}`", kernel.file);
         let spirv = memory_model::lower(&spirv).with_context(context)?;
+        let spirv = match kernel.fused {
+            true => spirv,
+            false => contraction::forbid(&spirv).with_context(context)?,
+        };
         module::check(kernel, &spirv).with_context(context)?;
         let entry = entry(kernel, &spirv)?;
         files.insert(entry.spirv.clone(), spirv);

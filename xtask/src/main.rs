@@ -4,6 +4,7 @@
 mod artifacts;
 mod compile;
 mod compiler;
+mod contraction;
 mod memory_model;
 mod module;
 mod validate;

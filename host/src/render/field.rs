@@ -2,7 +2,7 @@
 
 use glam::Vec4;
 use organza_kernels::dense::{DenseKernel, DenseParams, HIDDEN_BLOCK};
-use organza_kernels::hash_grid::{GridLevel, HashGridKernel, HashGridParams};
+use organza_kernels::hash_grid::{GridLevel, HashGridKernel, HashGridParams, POINT_ROWS};
 
 use crate::backend::{Buffer, Device};
 use crate::error::Result;
@@ -33,12 +33,14 @@ impl DeviceField {
         let levels: Vec<_> = grid
             .levels_geometry()
             .iter()
-            .map(|level| GridLevel {
-                scale: level.scale as f32,
-                resolution: level.resolution,
-                first: level.first,
-                count: level.count,
-                hashed: u32::from(level.hashed),
+            .map(|level| {
+                GridLevel::new(
+                    level.scale,
+                    level.resolution,
+                    level.first,
+                    level.count,
+                    level.hashed,
+                )
             })
             .collect();
         let (parameters, layers) = pack_network(&field.network);
@@ -117,7 +119,7 @@ impl DeviceField {
     }
 }
 
-/// Activations of one chunk, `[rows, stride]` each, and the chunk's points, `[4, stride]`.
+/// Activations of one chunk, `[rows, stride]` each, and the chunk's points and `s_factor`, `[7, stride]`.
 #[derive(Debug)]
 pub struct Scratch {
     pub point: Buffer<f32>,
@@ -138,7 +140,7 @@ impl Scratch {
         let stride = chunk.next_multiple_of(16) + 16;
         let rows = field.rows(inputs);
         Ok(Self {
-            point: device.zeros("points", 4 * stride as usize)?,
+            point: device.zeros("points", (POINT_ROWS as usize + 1) * stride as usize)?,
             input: device.zeros("network input", rows * stride as usize)?,
             output: device.zeros("network output", rows * stride as usize)?,
             stride,

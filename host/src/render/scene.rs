@@ -1,7 +1,6 @@
 //! A scene on a device.
 
-use glam::Vec3;
-use organza_kernels::camera::SceneBox;
+use organza_kernels::unit_cube::SceneBox;
 
 use super::Renderer;
 use super::field::DeviceField;
@@ -37,7 +36,7 @@ impl Renderer {
         let gaussians = &scene.gaussians;
         Ok(DeviceScene {
             gaussians: gaussians.len() as u32,
-            scene_box: device.upload("scene box", &scene_box(config).pack())?,
+            scene_box: device.upload("scene box", &SceneBox::new(config.aabb).pack())?,
             position: device.upload("gaussians.position", gaussians.position.as_flattened())?,
             rotation: device.upload("gaussians.rotation", gaussians.rotation.as_flattened())?,
             log_scale: device.upload("gaussians.log_scale", gaussians.log_scale.as_flattened())?,
@@ -90,15 +89,5 @@ impl DeviceScene {
         .sum::<u64>()
             + self.color.bytes()
             + self.transmittance.bytes()
-    }
-}
-
-/// `x' = 0.05 + 0.9 (x - lo) / (hi - lo)`, with the factor computed in f64.
-fn scene_box(config: &SceneConfig) -> SceneBox {
-    let [low, high] = config.aabb;
-    let scale = |axis: usize| (0.9 / (high[axis] - low[axis])) as f32;
-    SceneBox {
-        low: Vec3::new(low[0] as f32, low[1] as f32, low[2] as f32),
-        scale: Vec3::new(scale(0), scale(1), scale(2)),
     }
 }

@@ -109,7 +109,7 @@ fn info(kernel: &Kernel) -> TokenStream {
             }
         })
     });
-    let (count, run) = (kernel.parameters.len(), cpu_run(kernel));
+    let (count, run, fused) = (kernel.parameters.len(), cpu_run(kernel), kernel.fused);
     quote! {
         #[cfg(not(target_arch = "spirv"))]
         #[::linkme::distributed_slice(crate::kernel::KERNELS)]
@@ -119,6 +119,7 @@ fn info(kernel: &Kernel) -> TokenStream {
                 name: #name_text,
                 file: ::core::file!(),
                 workgroup_size: [#x, #y, #z],
+                fused: #fused,
                 bindings: &[#(#bindings),*],
                 shared: &[#(#shared),*],
                 run: run(),

@@ -20,6 +20,9 @@
 //! | `name: Write<T>`   | a storage buffer of `T` that is read and written            |
 //! | `name: Shared<T, N>` | `N` values of `T` in workgroup memory                     |
 //!
+//! Drivers compute what is written: they neither fuse nor regroup arithmetic, so that results agree between devices.
+//! `#[kernel(threads(64), fused)]` lets them, where speed counts for more.
+//!
 //! Binding numbers are positions in the parameter list, in descriptor set 0.  From this one
 //! declaration follow the SPIR-V entry point, the typed dispatch of the host (`SquareKernel`), the CPU
 //! execution and the entry in the manifest.

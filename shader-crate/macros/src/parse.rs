@@ -29,13 +29,14 @@ pub struct Parameter {
 pub struct Kernel {
     pub function: ItemFn,
     pub threads: [u32; 3],
+    pub fused: bool,
     pub parameters: Vec<Parameter>,
 }
 
 impl Kernel {
     pub fn parse(attribute: TokenStream, item: TokenStream) -> Result<Self> {
         let function: ItemFn = syn::parse2(item)?;
-        let threads = parse_threads(attribute)?;
+        let (threads, fused) = parse_attribute(attribute)?;
         let mut inputs = function.sig.inputs.iter();
         match inputs.next() {
             Some(FnArg::Typed(first))
@@ -54,7 +55,7 @@ impl Kernel {
         if !function.sig.generics.params.is_empty() {
             return Err(Error::new(function.sig.generics.span(), "an entry point has no generics"));
         }
-        Ok(Self { function, threads, parameters })
+        Ok(Self { function, threads, fused, parameters })
     }
 
     pub fn has_shared(&self) -> bool {
@@ -62,12 +63,17 @@ impl Kernel {
     }
 }
 
-/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`
-fn parse_threads(attribute: TokenStream) -> Result<[u32; 3]> {
+/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, and `fused`
+fn parse_attribute(attribute: TokenStream) -> Result<([u32; 3], bool)> {
     let mut threads = None;
+    let mut fused = false;
     let parser = syn::meta::parser(|meta| {
+        if meta.path.is_ident("fused") {
+            fused = true;
+            return Ok(());
+        }
         if !meta.path.is_ident("threads") {
-            return Err(meta.error("expected `threads(x, y, z)`"));
+            return Err(meta.error("expected `threads(x, y, z)` or `fused`"));
         }
         let content;
         syn::parenthesized!(content in meta.input);
@@ -88,7 +94,9 @@ fn parse_threads(attribute: TokenStream) -> Result<[u32; 3]> {
         Ok(())
     });
     parser.parse2(attribute.clone())?;
-    threads.ok_or_else(|| Error::new(attribute.span(), "expected `#[kernel(threads(x, y, z))]`"))
+    let threads = threads
+        .ok_or_else(|| Error::new(attribute.span(), "expected `#[kernel(threads(x, y, z))]`"))?;
+    Ok((threads, fused))
 }
 
 fn last_segment(ty: &Type) -> Option<&syn::PathSegment> {

@@ -1,0 +1,166 @@
+//! The unit cube, in which the networks and the rays live.
+//!
+//! An f32 near 1 has an ulp of 6e-8, and a grid of resolution 4,096 multiplies that error by 4,096.  So coordinates
+//! are kept in two parts that f32 arithmetic keeps exact; only products of numbers with few enough bits, floors and
+//! differences of neighbors are used, which no compiler may round otherwise.
+
+use glam::Vec3;
+
+use crate::camera::read3;
+use crate::math::floor;
+use crate::prelude::*;
+
+/// Parts of the cube that a coarse coordinate counts: 12 bits.
+pub const PARTS: f32 = 4096.0;
+
+/// A coordinate in two parts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Split {
+    /// A multiple of 1 / [`PARTS`].
+    pub coarse: f32,
+    /// The rest, in [0, 1 / [`PARTS`]) but for rounding.
+    pub fine: f32,
+}
+
+impl Split {
+    /// The parts of `main + rest`, of which `main` has few bits and `rest` is small.
+    #[inline(always)]
+    pub fn new(main: f32, rest: f32) -> Self {
+        let coarse = floor((main + rest) * PARTS) * (1.0 / PARTS);
+        Self { coarse, fine: (main - coarse) + rest }
+    }
+
+    /// The coordinate, limited to [0, 1].
+    #[inline(always)]
+    pub fn clamped(self) -> Self {
+        let x = self.coarse + self.fine;
+        let inside = x > 0.0 && x < 1.0;
+        let border = if x >= 1.0 { 1.0 } else { 0.0 };
+        Self {
+            coarse: if inside { self.coarse } else { border },
+            fine: if inside { self.fine } else { 0.0 },
+        }
+    }
+}
+
+/// World space -> the unit cube's space: `x' = 0.05 + 0.9 (x - lo) / (hi - lo)`, per axis, as `scale (x - low)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SceneBox {
+    /// A power of two, about the 4,096th part of the box: world space's coarse coordinates are its multiples.
+    pub part: Vec3,
+    /// `1 / part`: a GPU's division is not exact.
+    pub parts: Vec3,
+    /// `lo - 0.05 (hi - lo) / 0.9`, the multiple of `part` below it.
+    pub low: Vec3,
+    /// The rest of it.
+    pub low_rest: Vec3,
+    /// `0.9 / (hi - lo)`, its first 11 bits.
+    pub scale: Vec3,
+    /// The rest of it.
+    pub scale_rest: Vec3,
+}
+
+impl SceneBox {
+    /// Floats that a box takes in a buffer.
+    pub const FLOATS: usize = 18;
+
+    /// The box of a scene's `aabb`.
+    #[cfg(not(target_arch = "spirv"))]
+    pub fn new([low, high]: [[f64; 3]; 2]) -> Self {
+        let [mut part, mut coarse, mut low_rest, mut scale, mut scale_rest] = [Vec3::ZERO; 5];
+        for axis in 0..3 {
+            let extent = (high[axis] - low[axis]) / 0.9;
+            let begin = low[axis] - 0.05 * extent;
+            let unit = libm::exp2(libm::ceil(libm::log2(extent))) / f64::from(PARTS);
+            part[axis] = unit as f32;
+            coarse[axis] = (libm::floor(begin / unit) * unit) as f32;
+            low_rest[axis] = (begin - f64::from(coarse[axis])) as f32;
+            scale[axis] = leading_bits(1.0 / extent, 11);
+            scale_rest[axis] = (1.0 / extent - f64::from(scale[axis])) as f32;
+        }
+        Self { part, parts: part.recip(), low: coarse, low_rest, scale, scale_rest }
+    }
+
+    /// The box as it lies in a buffer; [`SceneBox::read`] is its counterpart.
+    pub fn pack(&self) -> [f32; Self::FLOATS] {
+        let rows = [self.part, self.parts, self.low, self.low_rest, self.scale, self.scale_rest];
+        core::array::from_fn(|index| rows[index / 3][index % 3])
+    }
+
+    /// The box that a buffer holds.
+    #[inline(always)]
+    pub fn read(buffer: Read<f32>) -> Self {
+        Self {
+            part: read3(buffer, 0),
+            parts: read3(buffer, 3),
+            low: read3(buffer, 6),
+            low_rest: read3(buffer, 9),
+            scale: read3(buffer, 12),
+            scale_rest: read3(buffer, 15),
+        }
+    }
+
+    /// A position in the unit cube's space, in two parts, per axis.
+    #[inline(always)]
+    pub fn split(&self, position: Vec3) -> [Split; 3] {
+        // exact, and so is the rest: `part` is a power of two
+        let parts = position * self.parts;
+        let coarse = Vec3::new(floor(parts.x), floor(parts.y), floor(parts.z)) * self.part;
+        let offset = coarse - self.low;
+        let rest = (position - coarse) - self.low_rest;
+        let main = offset * self.scale;
+        let rest = offset * self.scale_rest + rest * (self.scale + self.scale_rest);
+        [Split::new(main.x, rest.x), Split::new(main.y, rest.y), Split::new(main.z, rest.z)]
+    }
+
+    /// A position in the unit cube's space.
+    #[inline(always)]
+    pub fn normalize(&self, position: Vec3) -> Vec3 {
+        let [x, y, z] = self.split(position);
+        Vec3::new(x.coarse + x.fine, y.coarse + y.fine, z.coarse + z.fine)
+    }
+}
+
+/// The first bits of a positive number.
+#[cfg(not(target_arch = "spirv"))]
+pub fn leading_bits(x: f64, bits: u32) -> f32 {
+    f64::from_bits(x.to_bits() >> (53 - bits) << (53 - bits)) as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn positions_are_known_better_than_an_f32_tells() {
+        for (low, high) in [
+            (-1.5, 1.5),
+            (-1.2, 1.2),
+            (-1.0, 1.4),
+            (0.0, 1.0),
+            (-317.3, 511.9),
+            (10.0, 10.3),
+            (-1e-3, 2e-3),
+        ] {
+            let scene_box = SceneBox::new([[low; 3], [high; 3]]);
+            for step in 0..=1000 {
+                let x = (low + (high - low) * f64::from(step) / 1000.0) as f32;
+                let exact = 0.05 + 0.9 * (f64::from(x) - low) / (high - low);
+                let [split, ..] = scene_box.split(Vec3::splat(x));
+                let found = f64::from(split.coarse) + f64::from(split.fine);
+                assert!((found - exact).abs() < 2e-10, "{found} for {exact} in {low}..{high}");
+                assert_eq!(split.coarse * PARTS, libm::floorf(split.coarse * PARTS));
+                assert!((-1e-9..=1.0 / PARTS + 1e-9).contains(&split.fine), "{split:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_lies_outside_is_clamped() {
+        let scene_box = SceneBox::new([[-1.0; 3], [1.0; 3]]);
+        let [low, middle, high] = scene_box.split(Vec3::new(-3.0, 0.0, 1e30)).map(Split::clamped);
+        assert_eq!((low.coarse, low.fine), (0.0, 0.0));
+        assert!((middle.coarse + middle.fine - 0.5).abs() < 1e-7);
+        assert_eq!((high.coarse, high.fine), (1.0, 0.0));
+    }
+}

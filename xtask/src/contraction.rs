@@ -1,0 +1,33 @@
+//! Keeps drivers from fusing and regrouping arithmetic: every operation gets the decoration
+//! `NoContraction`, unless its kernel is declared `fused`.
+//!
+//! Rust-GPU has no way to ask for it. Without it a driver may compute `a * b + c` with one rounding, or
+//! find that `(x - a) + b` has a shorter form; results then differ between devices, and what is kept
+//! in two parts (`shader-crate/src/unit_cube.rs`) loses the second.
+
+use anyhow::{Context, Result, anyhow};
+use rspirv::binary::Assemble;
+use rspirv::dr::{self, Instruction, Operand};
+use rspirv::spirv::{Decoration, Op};
+
+/// What the decoration may stand at.
+const ARITHMETIC: [Op; 7] =
+    [Op::FAdd, Op::FSub, Op::FMul, Op::FDiv, Op::FRem, Op::FNegate, Op::VectorTimesScalar];
+
+/// The same module, computing what is written.
+pub fn forbid(spirv: &[u8]) -> Result<Vec<u8>> {
+    let mut module = dr::load_bytes(spirv).map_err(|error| anyhow!("a broken module: {error}"))?;
+    let blocks = module.functions.iter().flat_map(|function| &function.blocks);
+    let arithmetic = blocks
+        .flat_map(|block| &block.instructions)
+        .filter(|instruction| ARITHMETIC.contains(&instruction.class.opcode));
+    let decorations = arithmetic
+        .map(|instruction| {
+            let id = instruction.result_id.context("an operation has a result")?;
+            let operands = vec![Operand::IdRef(id), Operand::Decoration(Decoration::NoContraction)];
+            Ok(Instruction::new(Op::Decorate, None, None, operands))
+        })
+        .collect::<Result<Vec<_>>>()?;
+    module.annotations.extend(decorations);
+    Ok(module.assemble().into_iter().flat_map(u32::to_le_bytes).collect())
+}

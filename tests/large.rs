@@ -100,8 +100,9 @@ fn a_block_scan_takes_every_size() {
                 let begin = block * BLOCK as usize;
                 let end = values.len().min(begin + BLOCK as usize);
                 let mut expected = 0;
-                for index in begin..(count as usize + 1).min(begin + BLOCK as usize) {
-                    assert_eq!(prefix[index], expected, "{count} values, at {index} on {backend}");
+                let last = (count as usize + 1).min(begin + BLOCK as usize);
+                for (found, index) in prefix[begin..last].iter().zip(begin..) {
+                    assert_eq!(*found, expected, "{count} values, at {index} on {backend}");
                     expected += values.get(index).copied().unwrap_or(0);
                 }
                 assert_eq!(

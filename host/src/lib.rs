@@ -9,11 +9,12 @@
 mod atomic_file;
 pub mod backend;
 pub mod camera;
+pub mod demo;
 pub mod error;
 pub mod image;
 mod input;
 pub mod kernels;
-mod memory;
+pub mod memory;
 pub mod render;
 pub mod scene;
 pub mod tile;

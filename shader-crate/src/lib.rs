@@ -3,6 +3,8 @@
 //! The crate is compiled twice: to SPIR-V by Rust-GPU, where [`memory::Read`] and [`memory::Write`] are
 //! storage buffers, and for the host, where they are views of slices and every access is checked.
 #![no_std]
+// what clippy would have instead is more than the shader compiler takes
+#![allow(clippy::manual_range_contains, clippy::manual_clamp)]
 
 pub mod atomic;
 pub mod camera;

@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use super::buffer::{Memory, RawBuffer};
 use super::coroutine;
 use crate::error::{Error, Result};
+use crate::memory;
 
 /// The CPU as a device.
 #[derive(Debug)]
@@ -35,17 +36,10 @@ impl Cpu {
     }
 
     pub fn allocate(&self, label: &'static str, bytes: u64) -> Result<CpuMemory> {
-        let available = available_memory();
-        let refused = || Error::OutOfMemory {
-            needed: bytes,
-            available,
-            what: format!("the buffer `{label}`"),
-        };
-        // Linux hands out more than there is and kills the process that uses it
-        if bytes > 64 << 20 && available.is_some_and(|available| bytes > available) {
-            return Err(refused());
-        }
-        CpuMemory::zeroed(bytes).ok_or_else(refused)
+        let what = format!("the buffer `{label}`");
+        memory::check(bytes, &what)?;
+        let available = memory::available();
+        CpuMemory::zeroed(bytes).ok_or(Error::OutOfMemory { needed: bytes, available, what })
     }
 
     pub fn dispatch(
@@ -135,11 +129,4 @@ impl Drop for CpuMemory {
         // SAFETY: allocated with this layout
         unsafe { alloc::dealloc(self.data.as_ptr(), self.layout) }
     }
-}
-
-/// Bytes that the system can still give, where it says so.
-fn available_memory() -> Option<u64> {
-    let text = std::fs::read_to_string("/proc/meminfo").ok()?;
-    let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
-    Some(line.trim().trim_end_matches("kB").trim().parse::<u64>().ok()? * 1024)
 }

@@ -124,7 +124,7 @@ impl Device {
             return Ok(Vec::new());
         }
         let (begin, bytes) = (first * size_of::<T>(), len * size_of::<T>());
-        let mut values = vec![T::zeroed(); len];
+        let mut values: Vec<T> = crate::memory::zeros(len, buffer.raw().label)?;
         let target: &mut [u8] = bytemuck::cast_slice_mut(&mut values);
         match (&self.kind, &buffer.raw().memory) {
             (Kind::Cpu(_), Memory::Cpu(memory)) => {

@@ -16,6 +16,7 @@ use std::sync::Arc;
 use crate::backend::Device;
 use crate::camera::Camera;
 use crate::error::{Error, Result};
+use crate::memory;
 use crate::tile::TileBatch;
 
 pub use inspect::{Contribution, Inspection, Stages};
@@ -120,7 +121,7 @@ impl Renderer {
     ) -> Result<RenderedTiles> {
         batch.validate(cameras)?;
         let area = 3 * (batch.side * batch.side) as usize;
-        let mut data = vec![0.0; batch.tiles.len() * area];
+        let mut data = memory::zeros(batch.tiles.len() * area, "the rendered batch")?;
         let mut report = RenderReport::default();
         let mut plans = Plan::split(&self.device, scene, batch, self.part_bytes)?;
         while let Some(plan) = plans.pop() {

@@ -39,7 +39,7 @@ mod tests {
             [0, 1, 15, 16, 17, 1022, 1023, 1024, 1025, 2047, 2048, 1024 * 1024 - 1, 1024 * 1024 + 5]
         {
             let values: Vec<u32> =
-                (0..count).map(|i| i.wrapping_mul(2_654_435_761) >> 22).collect();
+                (0..count).map(|i: u32| i.wrapping_mul(2_654_435_761) >> 22).collect();
             let buffer = device.upload("values", &values).expect("memory");
             let prefix = exclusive_scan(&device, &buffer, count)
                 .and_then(|p| device.read(&p))

@@ -14,7 +14,7 @@ pub enum Role {
     /// `Write<T>`
     Write,
     /// `Shared<T, N>`, with its length
-    Shared(GenericArgument),
+    Shared(Box<GenericArgument>),
 }
 
 /// One parameter after the invocation.
@@ -137,7 +137,7 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
     let role = match segment.ident.to_string().as_str() {
         "Read" => Role::Read,
         "Write" => Role::Write,
-        "Shared" => Role::Shared(generics.next().ok_or_else(unexpected)?.clone()),
+        "Shared" => Role::Shared(Box::new(generics.next().ok_or_else(unexpected)?.clone())),
         _ => return Err(unexpected()),
     };
     Ok(Parameter { name, role, element: element.clone() })

@@ -1,0 +1,171 @@
+//! `organza demo`: a built-in scene, so that there is something to see and to try.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use organza::{Camera, Image, Renderer, Result, Scene, Tile, TileBatch, demo};
+
+use super::console::Console;
+use super::device::DeviceArgs;
+use super::output::Folder;
+use super::picture::{Pictures, warn_not_finite};
+use super::refuse;
+use super::summary::{Summary, count};
+use super::views::names;
+
+/// Side of the tiles that an image is cut into, and of those in `tiles.json`.
+const TILE_SIZE: u32 = 64;
+/// The contact sheet is shrunk until it is no wider.
+const SHEET_WIDTH: u32 = 2400;
+
+const EXAMPLES: &str = "\
+Examples:
+  organza demo -o demo
+  organza demo -o demo --views 8 --size 256 --backend cpu";
+
+/// Render a built-in scene from all sides; needs no files
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The folder for the images, the scene and the cameras; made where it does not exist
+    #[arg(short, long, value_name = "DIR")]
+    output: PathBuf,
+    /// How many views the turntable has
+    #[arg(long, value_name = "N", default_value_t = 24)]
+    #[arg(value_parser = clap::value_parser!(u16).range(1..=1000))]
+    views: u16,
+    /// Width and height of the images, in pixels
+    #[arg(long, value_name = "S", default_value_t = 384)]
+    #[arg(value_parser = clap::value_parser!(u32).range(8..=4096))]
+    size: u32,
+    #[command(flatten)]
+    device: DeviceArgs,
+}
+
+pub fn run(args: &Args) -> Result<()> {
+    let console = args.device.console();
+    let folder = Folder::make(&args.output)?;
+    let scene = console.during("building the scene", demo::scene);
+    let cameras = demo::turntable(usize::from(args.views), args.size);
+    refuse_foreign(&folder, &scene, &cameras, &args.output)?;
+    let renderer = args.device.open()?;
+    scene.save(folder.join("scene.safetensors"))?;
+    Camera::save_all(folder.join("cameras.json"), &cameras)?;
+    center_tiles(&cameras).save(folder.join("tiles.json"))?;
+    render(&renderer, &scene, &cameras, &folder, console)?;
+    console.note(&whats_next(&args.output, &cameras));
+    Ok(())
+}
+
+/// A folder that holds somebody's files is no place for others of the same names.
+fn refuse_foreign(folder: &Folder, scene: &Scene, cameras: &[Camera], path: &Path) -> Result<()> {
+    let own = fs::read(folder.join("scene.safetensors"))
+        .is_ok_and(|found| scene.to_bytes().is_ok_and(|bytes| bytes == found));
+    let fixed = ["scene.safetensors", "cameras.json", "tiles.json", "turntable.png"];
+    let views = names(cameras).into_iter().map(|name| format!("{name}.png"));
+    let mut files = fixed.map(str::to_owned).into_iter().chain(views);
+    match files.find(|name| folder.join(name).exists()) {
+        Some(name) if !own => refuse(format!(
+            "{} holds a {name} that is not of this demo; choose another folder",
+            path.display()
+        )),
+        _ => Ok(()),
+    }
+}
+
+fn render(
+    renderer: &Renderer,
+    scene: &Scene,
+    cameras: &[Camera],
+    folder: &Folder,
+    console: Console,
+) -> Result<()> {
+    let scene = renderer.upload(scene)?;
+    let pictures = Pictures { renderer, scene: &scene, cameras, tile_size: TILE_SIZE };
+    let views: Vec<_> = (0..cameras.len()).collect();
+    let names = names(cameras);
+    let mut sheet = Sheet::new(cameras)?;
+    let mut summary = Summary::start();
+    let mut not_finite = 0;
+    {
+        let progress = console.progress(pictures.tiles(&views), "tiles");
+        for view in views {
+            progress.say(&names[view]);
+            let image = pictures.render(view, &mut summary, &progress)?;
+            image.save_png(folder.join(&format!("{}.png", names[view])))?;
+            sheet.add(&image)?;
+            not_finite += image.not_finite();
+        }
+    }
+    sheet.image.save_png(folder.join("turntable.png"))?;
+    let size = cameras[0].width;
+    let number = count(cameras.len() as u64, "image");
+    console.note(&summary.line(&format!("{number} of {size} x {size}")));
+    warn_not_finite(console, not_finite);
+    Ok(())
+}
+
+/// All views side by side.
+#[derive(Debug)]
+struct Sheet {
+    image: Image,
+    columns: u32,
+    shrink: u32,
+    views: u32,
+}
+
+impl Sheet {
+    fn new(cameras: &[Camera]) -> Result<Self> {
+        let (views, side) = (cameras.len() as u32, cameras[0].width);
+        let mut columns = (f64::from(views) * 1.5).sqrt().ceil() as u32;
+        // As many rows need no more columns than this.
+        columns = views.div_ceil(views.div_ceil(columns));
+        let shrink = (columns * side).div_ceil(SHEET_WIDTH);
+        let (thumb, rows) = (side / shrink, views.div_ceil(columns));
+        Ok(Self { image: Image::new(columns * thumb, rows * thumb)?, columns, shrink, views: 0 })
+    }
+
+    fn add(&mut self, view: &Image) -> Result<()> {
+        let small = view.shrink(self.shrink)?;
+        let [width, height] = small.size();
+        let (column, row) = (self.views % self.columns, self.views / self.columns);
+        self.image.paste_image(&small, [column * width, row * height]);
+        self.views += 1;
+        Ok(())
+    }
+}
+
+/// A tile in the middle of each of the first views.
+fn center_tiles(cameras: &[Camera]) -> TileBatch {
+    let origin = |camera: &Camera| {
+        [camera.width, camera.height].map(|size| (size as i32 - TILE_SIZE as i32) / 2)
+    };
+    let tile = |(camera, of): (usize, &Camera)| Tile { camera, origin: origin(of) };
+    TileBatch { side: TILE_SIZE, tiles: cameras.iter().enumerate().take(8).map(tile).collect() }
+}
+
+fn whats_next(path: &Path, cameras: &[Camera]) -> String {
+    let [scene, cameras_file, tiles, sheet] =
+        ["scene.safetensors", "cameras.json", "tiles.json", "turntable.png"]
+            .map(|name| quoted(&path.join(name)));
+    let center = cameras[0].width / 2;
+    let images = quoted(&path.join("views"));
+    let rendered = quoted(&path.join("rendered.safetensors"));
+    format!(
+        "wrote {}, the scene, its cameras and tiles to {}\n\
+         look at {sheet}, then try\n  \
+         organza info {scene}\n  \
+         organza explain {scene} {cameras_file} --view 0 --pixel {center},{center}\n  \
+         organza render {scene} {cameras_file} -o {images} --views 0 --tile-size 50\n  \
+         organza tiles {scene} {cameras_file} {tiles} -o {rendered}",
+        count(cameras.len() as u64, "view"),
+        path.display(),
+    )
+}
+
+/// A path as a shell takes it.
+fn quoted(path: &Path) -> String {
+    let text = path.display().to_string();
+    let is_plain = |c: char| c.is_alphanumeric() || "/\\:._-+".contains(c);
+    if text.chars().all(is_plain) { text } else { format!("'{text}'") }
+}

@@ -1,0 +1,84 @@
+//! The options that choose a device.
+
+use clap::ValueEnum;
+use organza::{BackendChoice, Device, DeviceOptions, Renderer, Result, SpirvPath};
+
+use super::console::Console;
+use super::refuse;
+
+/// Options of the subcommands that render.
+#[derive(Debug, clap::Args)]
+pub struct DeviceArgs {
+    /// What to render on; `auto` takes a GPU where there is one, and says which
+    #[arg(long, value_enum, default_value_t, help_heading = "Device")]
+    backend: Backend,
+
+    /// How the kernels reach the GPU's driver: as they are (Vulkan), or translated by naga
+    /// [default: passthrough where it can be had]
+    #[arg(long, value_enum, help_heading = "Device")]
+    spirv: Option<Spirv>,
+
+    /// Take the GPU whose name contains this
+    #[arg(long, value_name = "NAME", help_heading = "Device")]
+    adapter: Option<String>,
+
+    /// Threads of the CPU backend [default: one for each core]
+    #[arg(long, value_name = "N", help_heading = "Device")]
+    #[arg(value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+
+    /// Print warnings and errors alone
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
+enum Backend {
+    #[default]
+    Auto,
+    Gpu,
+    Cpu,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Spirv {
+    Passthrough,
+    Naga,
+}
+
+impl DeviceArgs {
+    pub fn console(&self) -> Console {
+        Console::new(self.quiet)
+    }
+
+    /// Opens the device and says which it is.
+    pub fn open(&self) -> Result<Renderer> {
+        let options = self.options()?;
+        let console = self.console();
+        let device = console.during("opening the device", || Device::open(&options))?;
+        console.note(device.choice());
+        Ok(Renderer::new(device))
+    }
+
+    fn options(&self) -> Result<DeviceOptions> {
+        let asks_for_gpu = self.adapter.is_some() || self.spirv.is_some();
+        let backend = match self.backend {
+            Backend::Cpu if asks_for_gpu => {
+                return refuse("`--adapter` and `--spirv` are about GPUs, but `--backend` is cpu");
+            }
+            Backend::Gpu if self.threads.is_some() => {
+                return refuse("`--threads` is about the CPU, but `--backend` is gpu");
+            }
+            Backend::Cpu => BackendChoice::Cpu,
+            // Who names a GPU does not want the CPU instead.
+            Backend::Auto if !asks_for_gpu => BackendChoice::Auto,
+            Backend::Auto | Backend::Gpu => BackendChoice::Gpu,
+        };
+        let spirv = self.spirv.map(|path| match path {
+            Spirv::Passthrough => SpirvPath::Passthrough,
+            Spirv::Naga => SpirvPath::Naga,
+        });
+        let threads = self.threads.map(usize::from);
+        Ok(DeviceOptions { backend, spirv, threads, adapter: self.adapter.clone() })
+    }
+}

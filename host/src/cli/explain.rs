@@ -1,0 +1,215 @@
+//! `organza explain`: how one pixel came about, Gaussian by Gaussian.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+use organza::image::to_8_bit;
+use organza::render::Contribution;
+use organza::{Camera, Device, DeviceOptions, Inspection, Renderer, Result, Scene};
+use serde::Serialize;
+
+use super::console::{Console, print, print_json};
+use super::refuse;
+use super::summary::count;
+use super::table::Table;
+use super::views::{no_view, warn_distorted};
+
+const EXAMPLES: &str = "\
+Examples:
+  organza explain scene.safetensors cameras.json --view 0 --pixel 192,192
+  organza explain scene.safetensors cameras.json --view 3 --pixel 10,20 --all --json
+
+The columns are those of docs/pipeline.md: alpha = opacity * falloff * T, where opacity is the \
+sigmoid of the logit; C and S are the sums of Eq. 12 up to and including the row's Gaussian.";
+
+/// Show how a pixel came about, Gaussian by Gaussian; always computed on the CPU
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The scene, safetensors
+    scene: PathBuf,
+    /// The cameras, nerfstudio's transforms.json
+    cameras: PathBuf,
+    /// Which view
+    #[arg(long, value_name = "V", default_value_t = 0)]
+    view: usize,
+    /// Column and row of the pixel, from the upper left
+    #[arg(long, value_name = "X,Y", value_parser = parse_pixel, allow_hyphen_values = true)]
+    pixel: [i32; 2],
+    /// Show also Gaussians whose falloff is zero at the pixel
+    #[arg(long)]
+    all: bool,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+fn parse_pixel(text: &str) -> Result<[i32; 2], String> {
+    let number = |text: &str| text.trim().parse::<i32>().ok();
+    let pixel = text.split_once(',').and_then(|(x, y)| Some([number(x)?, number(y)?]));
+    pixel.ok_or_else(|| "expected two whole numbers X,Y such as 192,96".to_owned())
+}
+
+pub fn run(args: &Args) -> Result<()> {
+    let cameras = Camera::load_all(&args.cameras)?;
+    let Some(camera) = cameras.get(args.view) else {
+        return no_view(args.view, cameras.len(), &args.cameras);
+    };
+    let ([x, y], size) = (args.pixel, [camera.width, camera.height]);
+    if args.pixel.iter().zip(size).any(|(&at, size)| !(0..i64::from(size)).contains(&at.into())) {
+        let [width, height] = size;
+        return refuse(format!(
+            "pixel {x},{y} is outside of view {}, which has {width} x {height} pixels: columns 0 \
+             to {}, rows 0 to {}",
+            args.view,
+            width - 1,
+            height - 1
+        ));
+    }
+    warn_distorted(Console::new(false), &cameras, &[args.view]);
+    let scene = Scene::load(&args.scene)?;
+    let renderer = Renderer::new(Device::open(&DeviceOptions::cpu(None))?);
+    let scene = renderer.upload(&scene)?;
+    let mut inspection = renderer.inspect(&scene, &cameras, args.view, args.pixel)?;
+    let reaching = inspection.contributions.len();
+    if !args.all {
+        inspection.contributions.retain(|contribution| contribution.falloff > 0.0);
+    }
+    let hidden = reaching - inspection.contributions.len();
+    if args.json {
+        return print_json(&Explanation::new(args, &inspection, hidden));
+    }
+    print(&text(args, camera, &inspection, hidden))
+}
+
+fn text(args: &Args, camera: &Camera, inspection: &Inspection, hidden: usize) -> String {
+    let [x, y] = args.pixel;
+    let image = camera.file_path.as_ref().map_or(String::new(), |path| format!("{path}, "));
+    let mut text = format!(
+        "pixel {x},{y} of view {} ({image}{} x {})\n\n",
+        args.view, camera.width, camera.height
+    );
+    if !inspection.contributions.is_empty() {
+        text += &table(&inspection.contributions).to_string();
+        text.push('\n');
+    }
+    text += &verdict(inspection, hidden);
+    text
+}
+
+fn table(contributions: &[Contribution]) -> Table {
+    let titles = [
+        "Gaussian",
+        "distance",
+        "falloff",
+        "opacity",
+        "samples",
+        "T",
+        "alpha",
+        "color (RGB)",
+        "C (RGB)",
+        "S",
+    ];
+    let mut table = Table::new(0, titles);
+    for row in contributions {
+        table.row([
+            row.gaussian.to_string(),
+            format!("{:.2}", row.distance),
+            format!("{:.5}", row.falloff),
+            format!("{:.5}", row.opacity),
+            row.samples.to_string(),
+            format!("{:.5}", row.transmittance),
+            format!("{:.5}", row.alpha),
+            rgb(row.color),
+            rgb(row.color_sum),
+            format!("{:.5}", row.alpha_sum),
+        ]);
+    }
+    table
+}
+
+fn verdict(inspection: &Inspection, hidden: usize) -> String {
+    let shown = inspection.contributions.len();
+    let mut text = count((shown + hidden) as u64, "Gaussian") + " with the pixel inside the radius";
+    if hidden > 0 {
+        let _ = write!(text, "; {hidden} not shown: falloff is zero (--all shows them)");
+    }
+    text.push('\n');
+    let (weight, pixel) = (inspection.alpha_sum, inspection.pixel);
+    let _ = writeln!(text, "Eq. 12   C = ({}), S = {weight:.5}", rgb(inspection.color_sum));
+    if inspection.is_divided() {
+        let _ = writeln!(text, "Eq. 13   S > 1, so I = C / S");
+    } else {
+        let background = rgb(inspection.background);
+        let _ = writeln!(text, "Eq. 13   S <= 1, so I = C + (1 - S) b with b = ({background})");
+    }
+    let [r, g, b] = pixel.map(to_8_bit);
+    let _ = writeln!(
+        text,
+        "pixel    I = ({}), in 8 bits {r} {g} {b} (#{r:02x}{g:02x}{b:02x})",
+        rgb(pixel)
+    );
+    text
+}
+
+fn rgb([r, g, b]: [f32; 3]) -> String {
+    format!("{r:.4} {g:.4} {b:.4}")
+}
+
+/// What `--json` prints: every digit that the numbers have.
+#[derive(Debug, Serialize)]
+struct Explanation {
+    view: usize,
+    pixel: [i32; 2],
+    gaussians: Vec<Row>,
+    hidden: usize,
+    color_sum: [f32; 3],
+    alpha_sum: f32,
+    background: [f32; 3],
+    divided: bool,
+    color: [f32; 3],
+    color_8_bit: [u8; 3],
+}
+
+#[derive(Debug, Serialize)]
+struct Row {
+    gaussian: usize,
+    distance: f32,
+    falloff: f32,
+    opacity: f32,
+    samples: u32,
+    transmittance: f32,
+    alpha: f32,
+    color: [f32; 3],
+    color_sum: [f32; 3],
+    alpha_sum: f32,
+}
+
+impl Explanation {
+    fn new(args: &Args, inspection: &Inspection, hidden: usize) -> Self {
+        let row = |row: &Contribution| Row {
+            gaussian: row.gaussian,
+            distance: row.distance,
+            falloff: row.falloff,
+            opacity: row.opacity,
+            samples: row.samples,
+            transmittance: row.transmittance,
+            alpha: row.alpha,
+            color: row.color,
+            color_sum: row.color_sum,
+            alpha_sum: row.alpha_sum,
+        };
+        Self {
+            view: args.view,
+            pixel: args.pixel,
+            gaussians: inspection.contributions.iter().map(row).collect(),
+            hidden,
+            color_sum: inspection.color_sum,
+            alpha_sum: inspection.alpha_sum,
+            background: inspection.background,
+            divided: inspection.is_divided(),
+            color: inspection.pixel,
+            color_8_bit: inspection.pixel.map(to_8_bit),
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! What a scene holds.
+
+use std::fmt;
+use std::path::Path;
+
+use organza::error::format_bytes;
+use organza::scene::{GridConfig, Interpolation, SceneConfig};
+use organza::{Result, Scene};
+use organza_kernels::dense::HIDDEN_BLOCK;
+use organza_kernels::hash_grid::GridLevel;
+use serde::Serialize;
+
+use super::tensors::{self, TensorInfo};
+use crate::cli::summary::grouped;
+use crate::cli::table::Table;
+
+#[derive(Debug, Serialize)]
+pub struct SceneInfo {
+    kind: &'static str,
+    file: String,
+    file_bytes: u64,
+    gaussians: usize,
+    values: usize,
+    device_bytes: u64,
+    config: SceneConfig,
+    color_network: Vec<usize>,
+    transmittance_network: Vec<usize>,
+    color_levels: Vec<Level>,
+    transmittance_levels: Vec<Level>,
+    tensors: Vec<TensorInfo>,
+    warnings: Vec<String>,
+    unused_tensors: Vec<String>,
+}
+
+/// One level of a hash grid.
+#[derive(Debug, Serialize)]
+struct Level {
+    resolution: u32,
+    scale: f64,
+    entries: u32,
+    hashed: bool,
+}
+
+impl SceneInfo {
+    pub fn new(path: &Path, scene: &Scene) -> Result<Self> {
+        let config = &scene.config;
+        let specs = config.tensors(scene.gaussians.len());
+        let tensors = specs.iter().zip(scene.tensors());
+        let tensors =
+            tensors.map(|(spec, (_, data))| TensorInfo::new(&spec.name, &spec.shape, data));
+        Ok(Self {
+            kind: "scene",
+            file: path.display().to_string(),
+            file_bytes: super::file_bytes(path),
+            gaussians: scene.gaussians.len(),
+            values: specs.iter().map(|spec| spec.values()).sum(),
+            device_bytes: device_bytes(scene),
+            color_network: config.color_widths(),
+            transmittance_network: config.transmittance_widths(),
+            color_levels: levels(&config.color_grid),
+            transmittance_levels: levels(&config.transmittance_grid),
+            tensors: tensors.collect(),
+            warnings: scene.warnings(),
+            unused_tensors: Scene::unused_tensors(path)?,
+            config: config.clone(),
+        })
+    }
+}
+
+/// `DeviceScene::bytes` without a device; a test holds the two together.
+fn device_bytes(scene: &Scene) -> u64 {
+    let gaussians = &scene.gaussians;
+    let per_gaussian = gaussians.position.as_flattened().len()
+        + gaussians.rotation.as_flattened().len()
+        + gaussians.log_scale.as_flattened().len()
+        + gaussians.opacity.len()
+        + gaussians.material.len()
+        + gaussians.extra.len();
+    let config = &scene.config;
+    let field = |grid: &GridConfig, widths: &[usize]| {
+        let layer = |(index, pair): (usize, &[usize])| {
+            let is_last = index + 2 == widths.len();
+            // Outputs are padded to what a kernel evaluates at once.
+            let block = if is_last { 4 } else { HIDDEN_BLOCK as usize };
+            (pair[0] + 1) * pair[1].next_multiple_of(block)
+        };
+        let network: usize = widths.windows(2).enumerate().map(layer).sum();
+        4 * (grid.entries() * grid.features as usize + network)
+            + grid.levels as usize * size_of::<GridLevel>()
+    };
+    let fields = field(&config.color_grid, &config.color_widths())
+        + field(&config.transmittance_grid, &config.transmittance_widths());
+    (4 * per_gaussian + fields) as u64
+}
+
+fn levels(grid: &GridConfig) -> Vec<Level> {
+    let level = |level: &organza::scene::GridLevelGeometry| Level {
+        resolution: level.resolution,
+        scale: level.scale,
+        entries: level.count,
+        hashed: level.hashed,
+    };
+    grid.levels_geometry().iter().map(level).collect()
+}
+
+impl fmt::Display for SceneInfo {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "scene {}, {}\n", self.file, format_bytes(self.file_bytes))?;
+        self.write_summary(f)?;
+        write!(f, "\n{}", tensors::table(&self.tensors))?;
+        let (color, transmittance) = (&self.config.color_grid, &self.config.transmittance_grid);
+        write_grid(f, "color grid", color, &self.color_levels)?;
+        write_grid(f, "transmittance grid", transmittance, &self.transmittance_levels)?;
+        for warning in &self.warnings {
+            writeln!(f, "\nwarning: {warning}")?;
+        }
+        if !self.unused_tensors.is_empty() {
+            writeln!(
+                f,
+                "\nwarning: tensors that are not used: {}",
+                self.unused_tensors.join(", ")
+            )?;
+        }
+        Ok(())
+    }
+}
+
+impl SceneInfo {
+    fn write_summary(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let config = &self.config;
+        let widths = |widths: &[usize]| {
+            widths.iter().map(ToString::to_string).collect::<Vec<_>>().join(" -> ")
+        };
+        let harmonics = config.sh_width();
+        let samples = (3_f64.sqrt() / config.step).ceil();
+        // Scenes are made in f32: its digits are what was meant.
+        let [lo, hi] = config.aabb.map(|corner| corner.map(|value| value as f32));
+        let [r, g, b] = config.background;
+        let lines = [
+            ("Gaussians", grouped(self.gaussians as u64)),
+            ("values", grouped(self.values as u64)),
+            ("on the device", format_bytes(self.device_bytes)),
+            ("color network", widths(&self.color_network)),
+            (
+                "its inputs",
+                format!(
+                    "{harmonics} harmonics (degree {}), {} of the grid, {} of the material",
+                    config.sh_degree,
+                    config.color_grid.width(),
+                    config.material
+                ),
+            ),
+            ("transmittance network", widths(&self.transmittance_network)),
+            (
+                "its inputs",
+                format!(
+                    "{} of the grid, {} extra",
+                    config.transmittance_grid.width(),
+                    config.extra
+                ),
+            ),
+            ("step", format!("{}, at most {samples} samples for a segment", config.step)),
+            ("blur", format!("{} px^2", config.blur)),
+            ("background", format!("{r} {g} {b}")),
+            ("box", format!("{lo:?} to {hi:?}")),
+        ];
+        for (label, value) in lines {
+            writeln!(f, "{label:<21}  {value}")?;
+        }
+        Ok(())
+    }
+}
+
+fn write_grid(
+    f: &mut fmt::Formatter<'_>,
+    name: &str,
+    grid: &GridConfig,
+    levels: &[Level],
+) -> fmt::Result {
+    let interpolation = match grid.interpolation {
+        Interpolation::Linear => "linear",
+        Interpolation::Smoothstep => "smoothstep",
+    };
+    let entries = grouped(grid.entries() as u64);
+    let features = grid.features;
+    writeln!(f, "\n{name}: {entries} entries of {features}, {interpolation}")?;
+    let mut table = Table::new(0, ["level", "resolution", "entries", "hashed"]);
+    for (index, level) in levels.iter().enumerate() {
+        let hashed = if level.hashed { "yes" } else { "no" };
+        table.row([
+            index.to_string(),
+            level.resolution.to_string(),
+            level.entries.to_string(),
+            hashed.to_owned(),
+        ]);
+    }
+    write!(f, "{table}")
+}

@@ -1,0 +1,94 @@
+//! The command line: one file for each subcommand.
+
+mod console;
+mod demo;
+mod device;
+mod explain;
+mod info;
+mod output;
+mod picture;
+mod render;
+mod summary;
+mod table;
+mod tiles;
+mod views;
+
+use std::panic;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::sync::Mutex;
+
+use clap::{Parser, Subcommand};
+use organza::Result;
+
+/// The exit code of whatever went wrong; clap's own is the same.
+const FAILURE: u8 = 2;
+
+const EXAMPLES: &str = "\
+Examples:
+  organza demo -o demo                                      no files needed
+  organza info demo/scene.safetensors
+  organza render demo/scene.safetensors demo/cameras.json -o images --views 0-3
+  organza explain demo/scene.safetensors demo/cameras.json --view 0 --pixel 192,192
+
+Exit code: 0, or 2 with a message on stderr.";
+
+/// Sort-free Gaussian rendering of tiles and images.
+#[derive(Debug, Parser)]
+#[command(version, after_help = EXAMPLES, max_term_width = 100)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Tiles(tiles::Args),
+    Render(render::Args),
+    Demo(demo::Args),
+    Info(info::Args),
+    Explain(explain::Args),
+}
+
+/// Runs the program; returns its exit code.
+pub fn main() -> ExitCode {
+    let Cli { command } = Cli::parse();
+    remember_panics();
+    let run = || match &command {
+        Command::Tiles(args) => tiles::run(args),
+        Command::Render(args) => render::run(args),
+        Command::Demo(args) => demo::run(args),
+        Command::Info(args) => info::run(args),
+        Command::Explain(args) => explain::run(args),
+    };
+    let message = match panic::catch_unwind(run) {
+        Ok(Ok(())) => return ExitCode::SUCCESS,
+        Ok(Err(error)) => error.to_string(),
+        Err(_) => {
+            let panic = LAST_PANIC.lock().map(|panic| panic.clone()).unwrap_or_default();
+            format!("this is a bug in organza, please report it. {panic}")
+        }
+    };
+    console::line("error", &message);
+    ExitCode::from(FAILURE)
+}
+
+static LAST_PANIC: Mutex<String> = Mutex::new(String::new());
+
+/// A panic is a bug. It is told as one error among others, unless a backtrace is asked for.
+fn remember_panics() {
+    if std::env::var_os("RUST_BACKTRACE").is_some_and(|value| value != "0") {
+        return;
+    }
+    panic::set_hook(Box::new(|panic| {
+        if let Ok(mut last) = LAST_PANIC.lock() {
+            // The text is of two lines.
+            *last = panic.to_string().replace('\n', " ");
+        }
+    }));
+}
+
+/// An error about what the command line asks for.
+fn refuse<T>(reason: impl Into<String>) -> Result<T> {
+    Err(organza::Error::Invalid { origin: PathBuf::new(), reason: reason.into() })
+}

@@ -1,0 +1,104 @@
+//! Looks at where results will go before hours are spent on them.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use organza::{Error, Result};
+
+use super::refuse;
+
+/// Checks that a file can be written, and that it is none of the inputs.
+pub fn check_file(path: &Path, inputs: &[&Path]) -> Result<()> {
+    refuse_inputs(path, inputs)?;
+    match fs::metadata(path) {
+        Ok(old) if old.is_dir() => {
+            return Err(cannot_write(path, io::Error::other("it is a folder, expected a file")));
+        }
+        // A device or a pipe is written to as it is.
+        Ok(old) if !old.is_file() => return Ok(()),
+        _ => {}
+    }
+    // The file itself is what a link points to, and its folder is where the new one is made.
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let folder = match target.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    };
+    match fs::metadata(folder) {
+        Ok(found) if found.is_dir() => try_writing(folder, path),
+        Ok(_) => {
+            let reason = format!("{} is a file, not a folder", folder.display());
+            Err(cannot_write(path, io::Error::other(reason)))
+        }
+        Err(error) => Err(cannot_write(path, error)),
+    }
+}
+
+/// Fails where writing to a path would replace an input.
+pub fn refuse_inputs(path: &Path, inputs: &[&Path]) -> Result<()> {
+    match inputs.iter().find(|input| is_same(path, input)) {
+        Some(input) => {
+            let (path, input) = (path.display(), input.display());
+            refuse(format!("the output {path} would replace the input {input}; choose another"))
+        }
+        None => Ok(()),
+    }
+}
+
+/// Whether two paths lead to one file that exists.
+pub fn is_same(a: &Path, b: &Path) -> bool {
+    matches!((fs::canonicalize(a), fs::canonicalize(b)), (Ok(a), Ok(b)) if a == b)
+}
+
+/// A folder for results. What was made for it is removed again where nothing came into it.
+#[derive(Debug)]
+pub struct Folder {
+    path: PathBuf,
+    /// Innermost first.
+    made: Vec<PathBuf>,
+}
+
+impl Folder {
+    /// Makes the folder, and those above it, unless it is there; checks that it can be written to.
+    pub fn make(path: &Path) -> Result<Self> {
+        let missing =
+            path.ancestors().take_while(|above| *above != Path::new("") && !above.exists());
+        let folder = Self { path: path.to_owned(), made: missing.map(Path::to_owned).collect() };
+        if fs::metadata(path).is_ok_and(|found| !found.is_dir()) {
+            return Err(cannot_write(path, io::Error::other("it is a file, expected a folder")));
+        }
+        fs::create_dir_all(path).map_err(|error| {
+            let file = path.ancestors().find(|above| above.is_file());
+            let reason = file.map(|file| format!("{} is a file, not a folder", file.display()));
+            cannot_write(path, reason.map_or(error, io::Error::other))
+        })?;
+        try_writing(path, path)?;
+        Ok(folder)
+    }
+
+    pub fn join(&self, name: &str) -> PathBuf {
+        self.path.join(name)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        for path in &self.made {
+            // Fails, as it should, where there is something in it.
+            let _ = fs::remove_dir(path);
+        }
+    }
+}
+
+/// Makes a file in a folder and removes it; `path` is what the error names.
+fn try_writing(folder: &Path, path: &Path) -> Result<()> {
+    match tempfile::Builder::new().prefix(".organza-").suffix(".tmp").tempfile_in(folder) {
+        Ok(_) => Ok(()),
+        Err(error) => Err(cannot_write(path, error)),
+    }
+}
+
+fn cannot_write(path: &Path, source: io::Error) -> Error {
+    Error::WriteFile { path: path.to_owned(), source }
+}

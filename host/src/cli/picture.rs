@@ -1,0 +1,62 @@
+//! One view as an image.
+
+use organza::{Camera, DeviceScene, Image, Renderer, Result, image};
+
+use super::console::{Console, Progress};
+use super::summary::{Summary, grouped};
+
+/// What views are rendered from, and how.
+#[derive(Debug)]
+pub struct Pictures<'a> {
+    pub renderer: &'a Renderer,
+    pub scene: &'a DeviceScene,
+    pub cameras: &'a [Camera],
+    pub tile_size: u32,
+}
+
+impl Pictures<'_> {
+    /// Tiles of some views, for a progress bar.
+    pub fn tiles(&self, views: &[usize]) -> u64 {
+        let across = |pixels: u32| u64::from(pixels.div_ceil(self.tile_size));
+        let tiles = |&view: &usize| {
+            let camera = &self.cameras[view];
+            across(camera.width) * across(camera.height)
+        };
+        views.iter().map(tiles).sum()
+    }
+
+    pub fn render(&self, view: usize, summary: &mut Summary, progress: &Progress) -> Result<Image> {
+        let Camera { width, height, .. } = self.cameras[view];
+        let mut picture = Image::new(width, height)?;
+        let mut advance = |tiles| progress.advance(tiles);
+        for batch in image::bands(view, [width, height], self.tile_size) {
+            let batch = batch?;
+            let (renderer, cameras) = (self.renderer, self.cameras);
+            let tiles = renderer.render_with_progress(self.scene, cameras, &batch, &mut advance)?;
+            summary.add(&tiles.report);
+            picture.paste(&batch, &tiles)?;
+        }
+        Ok(picture)
+    }
+}
+
+/// Says so where pixels are no numbers: black is not what they were rendered as.
+pub fn warn_not_finite(console: Console, pixels: u64) {
+    if pixels > 0 {
+        let pixels = grouped(pixels);
+        console
+            .warn(&format!("pixels rendered as NaN or infinite: {pixels}; are the networks sane?"));
+    }
+}
+
+/// `96 x 80`, or that sizes differ.
+pub fn sizes(cameras: &[Camera], views: &[usize]) -> String {
+    let size = |view: &usize| (cameras[*view].width, cameras[*view].height);
+    match views.split_first() {
+        Some((first, rest)) if rest.iter().all(|view| size(view) == size(first)) => {
+            let (width, height) = size(first);
+            format!("{width} x {height}")
+        }
+        _ => "various sizes".to_owned(),
+    }
+}

@@ -1,0 +1,79 @@
+//! What rendering took, in one line.
+
+use std::time::Instant;
+
+use organza::RenderReport;
+
+/// Adds up reports.
+#[derive(Debug)]
+pub struct Summary {
+    start: Instant,
+    report: RenderReport,
+}
+
+impl Summary {
+    /// The clock starts now.
+    pub fn start() -> Self {
+        Self { start: Instant::now(), report: RenderReport::default() }
+    }
+
+    pub fn add(&mut self, report: &RenderReport) {
+        self.report.parts += report.parts;
+        self.report.pairs += report.pairs;
+        self.report.members += report.members;
+        self.report.samples += report.samples;
+        self.report.degenerate += report.degenerate;
+    }
+
+    /// The line; `what` was rendered.
+    pub fn line(&self, what: &str) -> String {
+        let report = &self.report;
+        let seconds = self.start.elapsed().as_secs_f64();
+        let time = if seconds < 1.0 {
+            format!("{:.0} ms", seconds * 1e3)
+        } else {
+            format!("{seconds:.1} s")
+        };
+        format!(
+            "rendered {what} in {time}: {}, {}, {}, {}; {} culled as degenerate",
+            count(report.parts as u64, "part"),
+            count(report.pairs, "pair"),
+            count(report.members, "member"),
+            count(report.samples, "sample"),
+            count(report.degenerate, "pair"),
+        )
+    }
+}
+
+/// A number of things: `1 tile`, `12,345 tiles`.
+pub fn count(number: u64, thing: &str) -> String {
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{} {thing}{plural}", grouped(number))
+}
+
+/// Digits in groups of three.
+pub fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_grouped_and_counted() {
+        let cases = [(0, "0"), (999, "999"), (1000, "1,000"), (1_234_567, "1,234,567")];
+        for (number, text) in cases {
+            assert_eq!(grouped(number), text);
+        }
+        assert_eq!([0, 1, 2000].map(|n| count(n, "tile")), ["0 tiles", "1 tile", "2,000 tiles"]);
+    }
+}

@@ -1,0 +1,88 @@
+//! The transmittance field: the pearl holds light up, the cloth dims it.
+//!
+//! The grid holds two features: the cloth's optical depth per step, and the depth inside the pearl, a signed
+//! distance, which trilinear interpolation keeps far sharper than an occupancy. The network turns them into
+//! the logit a of Eq. 10. For an optical depth d per step, `-ln sigmoid(a) = d`, so `a(d) = -ln(exp(d) - 1)`, a
+//! spline; inside the pearl a falls without end.
+//!
+//! To add to a is to divide d: the extra vector tells the network whose Gaussian looks out, and the cloth is denser
+//! for the pearl, thinner for the floor.
+
+use std::f32::consts::TAU;
+
+use super::color::Kind;
+use super::drapery;
+use super::light::{SHEET_THICKNESS, Surroundings};
+use super::network::{Form, Units};
+use super::pearl_distance;
+use super::volume::{Volume, WORLD_PER_UNIT};
+use crate::scene::Scene;
+
+/// Values of an extra vector: whether it is the pearl, whether it is the floor.
+pub const EXTRA: usize = 2;
+/// Features of the grid: the cloth's optical depth per step, depth inside the pearl.
+pub const FEATURES: usize = 2;
+
+/// a where there is nothing: a whole ray of steps takes about a hundredth.
+const CLEAR: f32 = 9.5;
+/// How fast a falls with the depth inside the pearl: opaque within a hair's breadth.
+const SOLID: f32 = 20_000.0;
+/// The pearl's own Gaussians look out from under its surface as far as this.
+const SKIN: f32 = 0.001;
+/// What is left out of the cloth's density, as a share of a sheet's peak. The density is blurred by the grid, and its
+/// tails would dim what one sees beside a fold rather than through it.
+const TAILS: f32 = 0.3;
+/// What makes up for them.
+const GAIN: f32 = 1.35;
+/// Added to a for the pearl, which weighs more than 1: the cloth's share in the sum is to be seen before it.
+const FOR_PEARL: f32 = -0.6;
+/// Added to a for the floor's shadows, which are seen through the cloth along with the background.
+const FOR_FLOOR: f32 = 0.72;
+/// Knots of a(d), each at 2.3 times the one before.
+const KNOTS: usize = 14;
+const KNOT_RATIO: f32 = 2.3;
+
+impl Kind {
+    /// The Gaussian's extra vector.
+    pub fn extra(self) -> [f32; EXTRA] {
+        [Self::Pearl, Self::Floor].map(|kind| f32::from(u8::from(self == kind)))
+    }
+}
+
+/// Fills the transmittance field in.
+pub fn fill(scene: &mut Scene, surroundings: &Surroundings) {
+    let world_per_step = scene.config.step as f32 * WORLD_PER_UNIT;
+    let grid = Volume::zeros(&scene.config.transmittance_grid);
+    // a few cells around the surface are all that is interpolated
+    let band = 2.5 * grid.cell();
+    for (index, position) in grid.vertices() {
+        let density: f32 = surroundings.sheets.iter().map(|sheet| sheet.values[index]).sum();
+        let depth = (-pearl_distance(position)).max(-band);
+        let features = [density * world_per_step, depth];
+        scene.transmittance.grid[index * FEATURES..][..FEATURES].copy_from_slice(&features);
+    }
+
+    // a sheet's profile is a Gaussian, widened by the interpolation: deviation 0.41 cells
+    let deviation = SHEET_THICKNESS.hypot(0.41 * grid.cell());
+    let peak = drapery::full_depth() * world_per_step / (TAU.sqrt() * deviation);
+    let [first, last] = &mut scene.transmittance.network.layers[..] else {
+        unreachable!("the configuration has one hidden layer")
+    };
+    let mut units = Units::new(first);
+    let [cloth, depth, pearl, floor] = [0, 1, 2, 3].map(Form::input);
+    let density = cloth.offset(-TAILS * peak).times(GAIN);
+    let inside = depth.plus(-SKIN, &pearl);
+    let logit = units.spline(&density, &knots());
+    let logit = logit.plus(-SOLID, &units.take(&inside));
+    let logit = logit.plus(FOR_PEARL, &units.take(&pearl)).plus(FOR_FLOOR, &units.take(&floor));
+    Units::new(last).take(&logit);
+}
+
+/// a(d) from the depth that [`CLEAR`] stands for, evenly in its logarithm.
+fn knots() -> Vec<(f32, f32)> {
+    let least = (-CLEAR).exp().ln_1p();
+    (0..KNOTS as i32)
+        .map(|knot| least * KNOT_RATIO.powi(knot))
+        .map(|depth| (depth, -depth.exp_m1().ln()))
+        .collect()
+}

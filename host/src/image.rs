@@ -1,0 +1,179 @@
+//! Whole images: cut into tiles to be rendered, put together again, and written as PNG.
+//!
+//! An image does not depend on how it was cut.
+
+#[cfg(test)]
+mod tests;
+
+use std::io;
+use std::path::Path;
+
+use ::image::codecs::png::PngEncoder;
+use ::image::{ExtendedColorType, ImageEncoder, ImageError};
+
+use crate::atomic_file::write_atomic;
+use crate::error::{Error, Result};
+use crate::memory;
+use crate::render::RenderedTiles;
+use crate::tile::TileBatch;
+
+/// Pixels of one band: 400 MB of rendered values, enough to keep every device busy.
+const BAND_PIXELS: u64 = 1 << 25;
+
+/// An image of 8-bit red, green and blue.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Image {
+    width: u32,
+    height: u32,
+    /// Row by row.
+    pixels: Vec<[u8; 3]>,
+    not_finite: u64,
+}
+
+impl Image {
+    /// A black image.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn new(width: u32, height: u32) -> Result<Self> {
+        let what = format!("an image of {width} x {height} pixels");
+        let len = usize::try_from(u64::from(width) * u64::from(height)).unwrap_or(usize::MAX);
+        Ok(Self { width, height, pixels: memory::zeros(len, &what)?, not_finite: 0 })
+    }
+
+    /// Width and height in pixels.
+    #[must_use]
+    pub fn size(&self) -> [u32; 2] {
+        [self.width, self.height]
+    }
+
+    /// Red, green and blue of every pixel, row by row.
+    #[must_use]
+    pub fn pixels(&self) -> &[[u8; 3]] {
+        &self.pixels
+    }
+
+    /// Pixels that were rendered as a NaN or an infinity: networks with huge weights can do that.
+    #[must_use]
+    pub fn not_finite(&self) -> u64 {
+        self.not_finite
+    }
+
+    /// Puts rendered tiles where `batch` has them; what hangs over the edge is cut off. The camera
+    /// of a tile does not matter.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] where the tiles are not those of the batch.
+    pub fn paste(&mut self, batch: &TileBatch, tiles: &RenderedTiles) -> Result<()> {
+        let side = batch.side as usize;
+        let values = batch.output_shape().iter().product::<usize>();
+        if tiles.side != batch.side || tiles.data.len() != values {
+            let reason = format!(
+                "{} tiles of side {} are not those of a batch of {} tiles of side {side}",
+                tiles.count,
+                tiles.side,
+                batch.tiles.len()
+            );
+            return Err(Error::Argument { reason });
+        }
+        let area = side * side;
+        for (tile, data) in batch.tiles.iter().zip(tiles.data.chunks_exact(3 * area)) {
+            let [left, top] = tile.origin.map(i64::from);
+            for y in visible(top, side, self.height) {
+                for x in visible(left, side, self.width) {
+                    let at = (y - top) as usize * side + (x - left) as usize;
+                    let color = [data[at], data[area + at], data[2 * area + at]];
+                    self.not_finite += u64::from(!color.iter().all(|value| value.is_finite()));
+                    let place = y as usize * self.width as usize + x as usize;
+                    self.pixels[place] = color.map(to_8_bit);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Copies `other` to column `left` and row `top`; what hangs over the edge is cut off.
+    pub fn paste_image(&mut self, other: &Self, [left, top]: [u32; 2]) {
+        let columns = other.width.min(self.width.saturating_sub(left)) as usize;
+        let rows = other.height.min(self.height.saturating_sub(top)) as usize;
+        for row in 0..rows {
+            let from = row * other.width as usize;
+            let to = (top as usize + row) * self.width as usize + left as usize;
+            self.pixels[to..to + columns].copy_from_slice(&other.pixels[from..from + columns]);
+        }
+    }
+
+    /// A smaller image whose pixels are the means of squares of `factor` by `factor` pixels; what
+    /// is left over at the right and the lower edge is cut off.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn shrink(&self, factor: u32) -> Result<Self> {
+        let factor = factor.max(1);
+        let mut small = Self::new(self.width / factor, self.height / factor)?;
+        let (width, area) = (small.width.max(1) as usize, factor * factor);
+        for (index, pixel) in small.pixels.iter_mut().enumerate() {
+            let (left, top) = (index % width * factor as usize, index / width * factor as usize);
+            let mut sum = [0_u32; 3];
+            for row in top..top + factor as usize {
+                let first = row * self.width as usize + left;
+                for color in &self.pixels[first..first + factor as usize] {
+                    sum.iter_mut().zip(color).for_each(|(sum, &value)| *sum += u32::from(value));
+                }
+            }
+            *pixel = sum.map(|sum| ((sum + area / 2) / area) as u8);
+        }
+        Ok(small)
+    }
+
+    /// Writes the image as PNG, atomically.
+    ///
+    /// # Errors
+    /// [`Error::WriteFile`].
+    pub fn save_png(&self, path: impl AsRef<Path>) -> Result<()> {
+        let bytes: &[u8] = self.pixels.as_flattened();
+        write_atomic(path, |writer| {
+            PngEncoder::new(writer)
+                .write_image(bytes, self.width, self.height, ExtendedColorType::Rgb8)
+                .map_err(|error| match error {
+                    ImageError::IoError(error) => error,
+                    other => io::Error::other(other),
+                })
+        })
+    }
+}
+
+/// The nearest of 256 levels to a value of 0 to 1; what lies outside is clamped, and NaN is 0.
+#[must_use]
+pub fn to_8_bit(value: f32) -> u8 {
+    (value.clamp(0.0, 1.0) * 255.0).round() as u8
+}
+
+/// Cuts an image of `width` by `height` pixels into tiles of one side, in batches of whole rows of
+/// tiles: an image of any size is rendered in memory that does not grow with its height.
+///
+/// # Errors
+/// As [`TileBatch::cover`], each batch on its own.
+pub fn bands(
+    camera: usize,
+    [width, height]: [u32; 2],
+    side: u32,
+) -> impl Iterator<Item = Result<TileBatch>> {
+    // A wrong side is for `cover` to tell.
+    let side = side.max(1);
+    let row = u64::from(width.div_ceil(side)) * u64::from(side) * u64::from(side);
+    let rows = (BAND_PIXELS / row.max(1)).clamp(1, u64::from(height.div_ceil(side).max(1)));
+    let step = rows as u32 * side;
+    (0..height.max(1)).step_by(step as usize).map(move |top| {
+        let mut batch = TileBatch::cover(camera, width, step.min(height - top), side)?;
+        for tile in &mut batch.tiles {
+            tile.origin[1] += top as i32;
+        }
+        Ok(batch)
+    })
+}
+
+/// The coordinates inside an image of `size` pixels that a tile covers.
+fn visible(origin: i64, side: usize, size: u32) -> std::ops::Range<i64> {
+    origin.clamp(0, i64::from(size))..(origin + side as i64).clamp(0, i64::from(size))
+}

@@ -1,0 +1,52 @@
+//! Memory that runs out where nobody can answer ends the program with a message, and not in an
+//! abort. Stable Rust has no other hook.
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::io::Write;
+
+/// What is larger is asked for by code that takes no for an answer: the library's tensors and
+/// buffers, which tell what they were for.
+const ANSWERED: usize = 4 << 20;
+
+#[global_allocator]
+static ALLOCATOR: LastResort = LastResort;
+
+struct LastResort;
+
+// SAFETY: every call goes to the system's allocator as it is; a null that it returns is returned
+// or ends the program.
+unsafe impl GlobalAlloc for LastResort {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        // SAFETY: the caller's promise
+        checked(unsafe { System.alloc(layout) }, layout.size())
+    }
+
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        // SAFETY: the caller's promise
+        checked(unsafe { System.alloc_zeroed(layout) }, layout.size())
+    }
+
+    unsafe fn realloc(&self, memory: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        // SAFETY: the caller's promise
+        checked(unsafe { System.realloc(memory, layout, size) }, size)
+    }
+
+    unsafe fn dealloc(&self, memory: *mut u8, layout: Layout) {
+        // SAFETY: the caller's promise
+        unsafe { System.dealloc(memory, layout) }
+    }
+}
+
+#[inline]
+fn checked(memory: *mut u8, size: usize) -> *mut u8 {
+    if memory.is_null() && size < ANSWERED { give_up(size) } else { memory }
+}
+
+#[cold]
+fn give_up(size: usize) -> ! {
+    // Standard error has no buffer, and formatting integers allocates nothing.
+    let text = "render fewer or smaller tiles at once, or use a smaller scene";
+    let _ =
+        writeln!(std::io::stderr(), "error: out of memory: {size} more bytes are needed; {text}");
+    std::process::exit(2)
+}

@@ -1,0 +1,12 @@
+//! The program as a user meets it: a process, its exit code, and what it leaves behind.
+
+#[path = "program/bad_files.rs"]
+mod bad_files;
+#[path = "program/bad_requests.rs"]
+mod bad_requests;
+#[path = "program/limits.rs"]
+mod limits;
+#[path = "program/results.rs"]
+mod results;
+#[path = "program/sandbox.rs"]
+mod sandbox;

@@ -1,0 +1,95 @@
+//! Command lines that ask for what cannot be.
+
+use std::fs;
+
+use crate::sandbox::Sandbox;
+
+const TILES: &str = "tiles scene.safetensors cameras.json tiles.json --backend cpu";
+const RENDER: &str = "render scene.safetensors cameras.json --backend cpu";
+const EXPLAIN: &str = "explain scene.safetensors cameras.json";
+
+#[test]
+fn numbers_out_of_range() {
+    let sandbox = Sandbox::new("tiny");
+    for (words, facts) in [
+        (format!("{TILES} -o out --threads 0"), ["'0'", "--threads"]),
+        (format!("{TILES} -o out --threads 1000000"), ["'1000000'", "--threads"]),
+        (format!("{RENDER} -o out --views 99"), ["no view 99", "views 0 to 1"]),
+        (format!("{RENDER} -o out --views 0-18446744073709551615"), ["no view", "views 0 to 1"]),
+        (format!("{RENDER} -o out --views 1-0"), ["--views", "backward"]),
+        (format!("{RENDER} -o out --views -1"), ["--views", "list such as"]),
+        (format!("{RENDER} -o out --tile-size 0"), ["'0'", "--tile-size"]),
+        (format!("{RENDER} -o out --tile-size 10000"), ["'10000'", "--tile-size"]),
+        (format!("{EXPLAIN} --pixel 96,0"), ["pixel 96,0", "96 x 80"]),
+        (format!("{EXPLAIN} --pixel 0,80"), ["pixel 0,80", "96 x 80"]),
+        (format!("{EXPLAIN} --pixel -1,0"), ["pixel -1,0", "96 x 80"]),
+        (format!("{EXPLAIN} --pixel 5"), ["--pixel", "X,Y"]),
+        (format!("{EXPLAIN} --pixel 0,0 --view 2"), ["no view 2", "views 0 to 1"]),
+        ("demo -o out --views 0".to_owned(), ["'0'", "--views"]),
+        ("demo -o out --size 100000".to_owned(), ["'100000'", "--size"]),
+    ] {
+        sandbox.assert_refuses(&words, &facts);
+    }
+}
+
+#[test]
+fn options_that_contradict_each_other() {
+    let sandbox = Sandbox::new("tiny");
+    let tiles = "tiles scene.safetensors cameras.json tiles.json -o out";
+    for (words, fact) in [
+        ("--backend cpu --adapter Arc", "`--backend` is cpu"),
+        ("--backend cpu --spirv naga", "`--backend` is cpu"),
+        ("--backend gpu --threads 2", "`--backend` is gpu"),
+        ("--adapter nobody-has-this", "no usable GPU"),
+        ("--backend vulkan", "'vulkan'"),
+    ] {
+        sandbox.assert_refuses(&format!("{tiles} {words}"), &[fact]);
+    }
+    sandbox.assert_refuses("paint", &["'paint'"]);
+    sandbox.assert_refuses(TILES, &["required"]);
+}
+
+#[test]
+fn places_that_cannot_be_written() {
+    let sandbox = Sandbox::new("tiny");
+    fs::write(sandbox.path("file"), "precious").unwrap();
+    fs::create_dir(sandbox.path("folder")).unwrap();
+    fs::create_dir_all(sandbox.path("views/0000.png")).unwrap();
+    for (words, facts) in [
+        (format!("{TILES} -o absent/out.safetensors"), ["absent", "does not exist"]),
+        (format!("{TILES} -o file/out.safetensors"), ["file", "not a folder"]),
+        (format!("{TILES} -o folder"), ["folder", "expected a file"]),
+        (format!("{RENDER} -o file"), ["file", "expected a folder"]),
+        (format!("{RENDER} -o file/images"), ["file", "not a folder"]),
+        (format!("{RENDER} -o views"), ["0000.png", "expected a file"]),
+        ("demo -o file".to_owned(), ["file", "expected a folder"]),
+    ] {
+        sandbox.assert_refuses(&words, &facts);
+    }
+}
+
+#[test]
+fn inputs_are_not_replaced() {
+    let sandbox = Sandbox::new("tiny");
+    fs::create_dir(sandbox.path("images")).unwrap();
+    for name in ["scene.safetensors", "./cameras.json", "images/../tiles.json"] {
+        sandbox.assert_refuses(&format!("{TILES} -o {name}"), &[name, "would replace the input"]);
+    }
+    // the photograph of view 1, of which there may be no other copy
+    fs::write(sandbox.path("images/0001.png"), "a photograph").unwrap();
+    let facts = ["images/0001.png", "photograph", "another folder"];
+    sandbox.assert_refuses(&format!("{RENDER} -o images"), &facts);
+    sandbox.assert_refuses("demo -o images --backend cpu", &["0001.png", "another folder"]);
+    sandbox.assert_refuses("demo -o . --backend cpu", &["scene.safetensors", "another folder"]);
+}
+
+/// Whatever fails on the way, what was there stays.
+#[test]
+fn failure_keeps_the_old_output() {
+    let sandbox = Sandbox::new("tiny");
+    fs::write(sandbox.path("out"), "old").unwrap();
+    sandbox.edit_json("tiles.json", "/tiles/2/camera", 9.into());
+    sandbox.assert_refuses(&format!("{TILES} -o out"), &["tile 2"]);
+    fs::write(sandbox.path("scene.safetensors"), "").unwrap();
+    sandbox.assert_refuses(&format!("{RENDER} -o new/er/est"), &["too few"]);
+}

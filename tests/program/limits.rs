@@ -1,0 +1,164 @@
+//! Too little memory, full disks, and readers that leave.
+
+use std::fs::{self, File};
+use std::io::Write;
+use std::process::Stdio;
+
+use serde_json::json;
+
+use crate::sandbox::Sandbox;
+
+#[cfg(target_os = "linux")]
+mod memory {
+    use super::*;
+
+    /// In KiB; enough for the program and the tiny case.
+    const LIMIT: &str = "ulimit -v 1000000;";
+
+    #[track_caller]
+    fn assert_refused(sandbox: &Sandbox, words: &str, facts: &[&str]) {
+        let before = sandbox.files();
+        sandbox.shell(&format!("{LIMIT} \"$ORGANZA\" {words}")).assert_refused(facts);
+        assert!(before == sandbox.files(), "{words} left {:?}", sandbox.files().keys());
+    }
+
+    #[test]
+    fn a_small_batch_fits() {
+        let words =
+            "tiles scene.safetensors cameras.json tiles.json -o out --backend cpu --threads 1";
+        Sandbox::new("tiny").shell(&format!("{LIMIT} \"$ORGANZA\" {words}")).assert_ok();
+    }
+
+    #[test]
+    fn a_batch_that_does_not_fit() {
+        let sandbox = Sandbox::new("tiny");
+        sandbox.edit_json("tiles.json", "/side", json!(4096));
+        let words = "tiles scene.safetensors cameras.json tiles.json -o out --backend cpu";
+        let tile = json!({"camera": 0, "origin": [0, 0]});
+        sandbox.edit_json("tiles.json", "/tiles", json!(vec![tile; 8]));
+        assert_refused(&sandbox, words, &["out of memory", "needs 1.50 GiB", "are available"]);
+    }
+
+    /// Half a million small values that nobody asks about one by one.
+    #[test]
+    fn a_list_that_does_not_fit() {
+        let sandbox = Sandbox::new("tiny");
+        let tile = json!({"camera": 0, "origin": [0, 0]});
+        sandbox.edit_json("tiles.json", "/tiles", json!(vec![tile; 400_000]));
+        let outcome = sandbox.shell("ulimit -v 100000; \"$ORGANZA\" info tiles.json");
+        outcome.assert_refused(&["out of memory"]);
+    }
+
+    #[test]
+    fn an_image_that_does_not_fit() {
+        let sandbox = Sandbox::new("tiny");
+        for side in ["/w", "/h"] {
+            sandbox.edit_json("cameras.json", side, json!(65536));
+        }
+        let words = "render scene.safetensors cameras.json -o images --backend cpu --threads 1";
+        assert_refused(&sandbox, words, &["65536 x 65536", "needs 12.00 GiB", "are available"]);
+    }
+
+    /// The file has holes, so that it takes no room on the disk.
+    #[test]
+    fn a_scene_that_does_not_fit() {
+        const GAUSSIANS: usize = 50_000_000;
+        let sandbox = Sandbox::new("tiny");
+        let mut length = 0;
+        sandbox.edit_scene(|_, tensors| {
+            // what is written is cut off, and what is announced is not there yet
+            for (name, shape, bytes) in tensors {
+                if name.starts_with("gaussians.") {
+                    shape[0] = GAUSSIANS;
+                    bytes.clear();
+                }
+                length += shape.iter().product::<usize>() * 4;
+            }
+        });
+        let path = sandbox.path("scene.safetensors");
+        let header = holey_header(&fs::read(&path).unwrap());
+        let mut file = File::create(&path).unwrap();
+        file.write_all(&header).unwrap();
+        file.set_len((header.len() + length) as u64).unwrap();
+        let words = "info scene.safetensors";
+        sandbox.shell(&format!("{LIMIT} \"$ORGANZA\" {words}")).assert_refused(&[
+            "out of memory",
+            "the scene needs 2.42 GiB",
+            "are available",
+        ]);
+    }
+
+    /// The header, with the place of every tensor computed from its shape.
+    fn holey_header(file: &[u8]) -> Vec<u8> {
+        let length = u64::from_le_bytes(file[..8].try_into().unwrap()) as usize;
+        let mut header: serde_json::Map<_, _> =
+            serde_json::from_slice(&file[8..8 + length]).unwrap();
+        let mut begin = 0;
+        for (_, info) in header.iter_mut().filter(|(name, _)| *name != "__metadata__") {
+            let sizes = info["shape"].as_array().unwrap().iter();
+            let end = begin + 4 * sizes.map(|size| size.as_u64().unwrap()).product::<u64>();
+            info["data_offsets"] = json!([begin, end]);
+            begin = end;
+        }
+        let header = serde_json::to_vec(&header).unwrap();
+        [&(header.len() as u64).to_le_bytes(), header.as_slice()].concat()
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn full_disks() {
+    let sandbox = Sandbox::new("tiny");
+    let tiles = "tiles scene.safetensors cameras.json tiles.json --backend cpu";
+    sandbox.assert_refuses(&format!("{tiles} -o /dev/full"), &["/dev/full", "disk is full"]);
+
+    // A file system of one page, where the user may make one.
+    fs::create_dir(sandbox.path("small")).unwrap();
+    let mount = "mount -t tmpfs -o size=4k none small";
+    if sandbox.shell(&format!("unshare -rm {mount}")).code != Some(0) {
+        eprintln!("skipped: no file system can be mounted here");
+        return;
+    }
+    let run = |words: &str| {
+        let script = format!(
+            "{mount} && echo old >small/out && \"$ORGANZA\" {words}; code=$?
+             cat small/out >&2; ls -A small >&2; exit $code"
+        );
+        sandbox.shell(&format!("unshare -rm sh -c '{script}'"))
+    };
+    let outcome = run(&format!("{tiles} -o small/out"));
+    outcome.assert_refused(&["small/out", "disk is full", "free some space"]);
+    assert!(outcome.stderr.ends_with("\nold\nout\n"), "{outcome:?}");
+    let outcome = run("render scene.safetensors cameras.json -o small --backend cpu");
+    outcome.assert_refused(&["small/0000.png", "disk is full"]);
+    assert!(outcome.stderr.ends_with("\nold\nout\n"), "{outcome:?}");
+}
+
+#[test]
+fn a_reader_that_leaves_is_no_error() {
+    let sandbox = Sandbox::new("basic");
+    for words in [
+        "info scene.safetensors",
+        "info scene.safetensors --json",
+        "explain scene.safetensors cameras.json --pixel 40,30",
+        "--help",
+    ] {
+        let mut child = sandbox.command(words).stdout(Stdio::piped()).spawn().unwrap();
+        drop(child.stdout.take());
+        assert_eq!(child.wait().unwrap().code(), Some(0), "{words}");
+    }
+    let words = "tiles scene.safetensors cameras.json tiles.json -o out --backend cpu";
+    let mut child = sandbox.command(words).stderr(Stdio::piped()).spawn().unwrap();
+    drop(child.stderr.take());
+    assert_eq!(child.wait().unwrap().code(), Some(0));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_standard_output_is_an_error() {
+    let sandbox = Sandbox::new("tiny");
+    let full = File::options().write(true).open("/dev/full").unwrap();
+    let output = sandbox.command("info tiles.json").stdout(full).stderr(Stdio::piped()).output();
+    let outcome: crate::sandbox::Outcome = output.unwrap().into();
+    outcome.assert_refused(&["standard output", "disk is full"]);
+}

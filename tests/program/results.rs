@@ -1,0 +1,216 @@
+//! What the program computes, writes and says when all is well.
+
+use std::fs;
+
+use organza::image::to_8_bit;
+use organza::scene::read_tensors;
+use organza::{Device, DeviceOptions, Renderer};
+use organza_tests::cases::{self, Case};
+use organza_tests::compare::assert_close;
+use serde_json::{Value, json};
+
+use crate::sandbox::Sandbox;
+
+const TILES: &str = "tiles scene.safetensors cameras.json tiles.json --backend cpu";
+const RENDER: &str = "render scene.safetensors cameras.json --backend cpu";
+
+/// The names of the cases in the repository.
+fn names() -> Vec<String> {
+    let folders = fs::read_dir(cases::folder()).unwrap();
+    folders.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+}
+
+#[test]
+fn tiles_are_those_of_the_reference() {
+    let sandbox = Sandbox::new("basic");
+    let outcome = sandbox.run(&format!("{TILES} -o out.safetensors")).assert_ok();
+    let found = read_tensors(sandbox.path("out.safetensors")).unwrap();
+    let expected = read_tensors(cases::folder().join("basic/expected.safetensors")).unwrap();
+    assert_eq!(found.keys().collect::<Vec<_>>(), ["tiles"]);
+    assert_eq!(found["tiles"].shape, [4, 3, 16, 16]);
+    assert_close("tiles", &found["tiles"].data, &expected["tiles"].data, 2e-4);
+    assert_eq!(outcome.stdout, "");
+    for fact in ["cpu: ", "4 tiles of 16 x 16", " pairs", " samples", " part,", "out.safetensors"] {
+        assert!(outcome.stderr.contains(fact), "{fact}: {outcome:?}");
+    }
+}
+
+#[test]
+fn images_do_not_depend_on_the_tile_size() {
+    let sandbox = Sandbox::new("crowded");
+    for side in [16, 32, 50, 64] {
+        sandbox.run(&format!("{RENDER} -o {side} --tile-size {side}")).assert_ok();
+        for name in ["0000.png", "0001.png"] {
+            let image = fs::read(sandbox.path(&format!("{side}/{name}"))).unwrap();
+            let first = fs::read(sandbox.path(&format!("16/{name}"))).unwrap();
+            assert!(image == first, "{name} differs with tiles of {side}");
+        }
+    }
+    let image = image::open(sandbox.path("16/0001.png")).unwrap();
+    assert_eq!((image.width(), image.height()), (96, 80));
+}
+
+#[test]
+fn results_do_not_depend_on_threads() {
+    let sandbox = Sandbox::new("wide");
+    for threads in [1, 2] {
+        sandbox.run(&format!("{RENDER} -o {threads} --threads {threads} --views 1")).assert_ok();
+        sandbox.run(&format!("{TILES} -o {threads}.st --threads {threads}")).assert_ok();
+    }
+    let read = |name: &str| fs::read(sandbox.path(name)).unwrap();
+    assert!(read("1/0001.png") == read("2/0001.png"));
+    assert!(read("1.st") == read("2.st"));
+    assert!(!sandbox.path("1/0000.png").exists(), "view 0 was not asked for");
+}
+
+#[test]
+fn a_pixel_is_explained_as_it_is_rendered() {
+    for name in names() {
+        let sandbox = Sandbox::new(&name);
+        sandbox.run(&format!("{TILES} -o out.safetensors")).assert_ok();
+        let case = Case::load(&cases::folder().join(&name));
+        let (tiles, side) = (&case.tiles.tiles, case.tiles.side as usize);
+        let rendered =
+            read_tensors(sandbox.path("out.safetensors")).unwrap().remove("tiles").unwrap();
+        let (column, row) = (5, 3);
+        for (place, tile) in tiles.iter().enumerate().take(2) {
+            let pixel = format!("{},{}", tile.origin[0] + column, tile.origin[1] + row);
+            let words = format!(
+                "explain scene.safetensors cameras.json --view {} --pixel {pixel}",
+                tile.camera
+            );
+            let text = sandbox.run(&words).assert_ok().stdout;
+            let json = sandbox.run(&format!("{words} --json")).assert_ok().stdout;
+            let json: Value = serde_json::from_str(&json).unwrap();
+            let at = |channel: usize| {
+                ((place * 3 + channel) * side + row as usize) * side + column as usize
+            };
+            let expected: Vec<f32> = (0..3).map(|channel| rendered.data[at(channel)]).collect();
+            let found: Vec<f32> = serde_json::from_value(json["color"].clone()).unwrap();
+            assert_eq!(found, expected, "{name}, {words}");
+            let [r, g, b] = [0, 1, 2].map(|channel| to_8_bit(expected[channel]));
+            assert_eq!(json["color_8_bit"], json!([r, g, b]));
+            assert!(
+                text.contains(&format!("in 8 bits {r} {g} {b} (#{r:02x}{g:02x}{b:02x})")),
+                "{text}"
+            );
+        }
+    }
+}
+
+#[test]
+fn gaussians_without_effect_are_hidden_unless_asked_for() {
+    let sandbox = Sandbox::new("crowded");
+    let explain = |more: &str| -> Value {
+        let words = format!("explain scene.safetensors cameras.json --pixel 48,40 --json {more}");
+        serde_json::from_str(&sandbox.run(&words).assert_ok().stdout).unwrap()
+    };
+    let (some, all) = (explain(""), explain("--all"));
+    let number = |json: &Value| json["gaussians"].as_array().unwrap().len() as u64;
+    assert!(number(&some) > 0 && number(&some) < number(&all));
+    assert_eq!(number(&some) + some["hidden"].as_u64().unwrap(), number(&all));
+    assert_eq!(some["color"], all["color"]);
+}
+
+#[test]
+fn info_tells_what_every_file_holds() {
+    let device = Device::open(&DeviceOptions::cpu(Some(1))).unwrap();
+    let renderer = Renderer::new(device);
+    for name in names() {
+        let sandbox = Sandbox::new(&name);
+        let case = Case::load(&cases::folder().join(&name));
+        sandbox.run(&format!("{TILES} -o out")).assert_ok();
+        let info = |file: &str, facts: &[&str]| -> Value {
+            let text = sandbox.run(&format!("info {file}")).assert_ok().stdout;
+            for fact in facts {
+                assert!(text.contains(fact), "{name}: {fact} is not in\n{text}");
+            }
+            let json = sandbox.run(&format!("info {file} --json")).assert_ok().stdout;
+            serde_json::from_str(&json).unwrap()
+        };
+        let scene = info("scene.safetensors", &["Gaussians", "gaussians.log_scale", "level"]);
+        assert_eq!(scene["gaussians"], json!(case.scene.gaussians.len()));
+        assert_eq!(scene["device_bytes"], json!(renderer.upload(&case.scene).unwrap().bytes()));
+        assert_eq!(scene["unused_tensors"], json!([]));
+        let cameras = info("cameras.json", &["2 views of 96 x 80", "images/0001.png"]);
+        assert_eq!(cameras["cameras"][1]["width"], json!(96));
+        let tiles = info("tiles.json", &["4 tiles of"]);
+        assert_eq!(tiles["side"], json!(case.tiles.side));
+        let rendered = info("out", &["rendered batch", "4 tiles of"]);
+        assert_eq!(rendered["tensors"][0]["shape"], json!(case.tiles.output_shape()));
+    }
+}
+
+/// What the demonstration writes is what the other commands read.
+#[test]
+fn the_demonstration_needs_no_files_and_makes_some() {
+    let sandbox = Sandbox::new("tiny");
+    let demo = "demo -o demo --backend cpu";
+    let outcome = sandbox.run(&format!("{demo} --views 3 --size 40")).assert_ok();
+    assert!(
+        outcome.stderr.contains("then try\n  organza info demo/scene.safetensors"),
+        "{outcome:?}"
+    );
+    let sheet = image::open(sandbox.path("demo/turntable.png")).unwrap();
+    assert_eq!((sheet.width(), sheet.height()), (120, 40));
+    let (scene, cameras) = ("demo/scene.safetensors", "demo/cameras.json");
+    sandbox
+        .run(&format!("tiles {scene} {cameras} demo/tiles.json -o out --backend cpu"))
+        .assert_ok();
+    sandbox.run(&format!("render {scene} {cameras} -o images --views 2 --backend cpu")).assert_ok();
+    let read = |name: &str| fs::read(sandbox.path(name)).unwrap();
+    assert!(read("images/0002.png") == read("demo/0002.png"));
+    // once more into its own folder, but not into another's
+    sandbox.run(&format!("{demo} --views 1 --size 8")).assert_ok();
+    fs::copy(sandbox.path("scene.safetensors"), sandbox.path(scene)).unwrap();
+    sandbox.assert_refuses(demo, &["holds a scene.safetensors", "another folder"]);
+}
+
+#[test]
+fn auto_says_which_device_it_took_and_why() {
+    let sandbox = Sandbox::new("tiny");
+    let words = "tiles scene.safetensors cameras.json tiles.json -o out";
+    let outcome = sandbox.run(words);
+    assert_eq!(outcome.code, Some(0), "{outcome:?}");
+    let is_choice = |line: &&str| {
+        (line.starts_with("cpu: ") || line.starts_with("gpu: ")) && line.ends_with(')')
+    };
+    assert_eq!(outcome.stderr.lines().filter(is_choice).count(), 1, "{outcome:?}");
+    let outcome = sandbox.run(&format!("{words} --backend cpu --quiet")).assert_ok();
+    assert_eq!(outcome.stderr, "");
+}
+
+#[test]
+fn distorted_lenses_are_warned_about() {
+    let sandbox = Sandbox::new("tiny");
+    sandbox.edit_json("cameras.json", "/camera_model", json!("OPENCV_FISHEYE"));
+    let explain = "explain scene.safetensors cameras.json --pixel 1,1";
+    for words in [&format!("{TILES} -o out"), &format!("{RENDER} -o images"), explain] {
+        let outcome = sandbox.run(words).assert_ok();
+        assert_eq!(outcome.stderr.matches("warning: ").count(), 1, "{outcome:?}");
+        assert!(outcome.stderr.contains("distort"), "{outcome:?}");
+    }
+}
+
+#[test]
+fn outputs_are_replaced_whole() {
+    let sandbox = Sandbox::new("tiny");
+    fs::write(sandbox.path("out.safetensors"), vec![1; 100_000]).unwrap();
+    sandbox.run(&format!("{TILES} -o out.safetensors")).assert_ok();
+    assert_eq!(read_tensors(sandbox.path("out.safetensors")).unwrap().len(), 1);
+    for _ in 0..2 {
+        sandbox.run(&format!("{RENDER} -o a/b/c --views 1,0,1")).assert_ok();
+    }
+    let names: Vec<_> = sandbox.files().into_keys().collect();
+    assert!(names.contains(&sandbox.path("a/b/c/0000.png")));
+    assert!(names.iter().all(|name| name.extension() != Some("tmp".as_ref())), "{names:?}");
+}
+
+#[test]
+fn help_has_examples() {
+    let sandbox = Sandbox::new("tiny");
+    for words in ["--help", "tiles -h", "render -h", "demo -h", "info -h", "explain -h"] {
+        let help = sandbox.run(words).assert_ok().stdout;
+        assert!(help.contains("Examples:\n  organza "), "{help}");
+    }
+}

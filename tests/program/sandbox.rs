@@ -1,0 +1,206 @@
+//! A folder of its own for each test, and the program run in it.
+
+use std::collections::BTreeMap;
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::sync::OnceLock;
+
+use organza_tests::cases;
+use serde_json::{Map, Value};
+use tempfile::TempDir;
+
+/// Cargo tells an integration test where the programs of its own package are, but not those of
+/// others; asking cargo to build the program answers that, and that it is up to date.
+pub fn program() -> &'static Path {
+    static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
+    PROGRAM.get_or_init(build)
+}
+
+fn build() -> PathBuf {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    // .../target/debug/deps/program-0123456789abcdef
+    let own = std::env::current_exe().expect("a test is a file");
+    let profile = own.ancestors().nth(2).and_then(Path::file_name).and_then(OsStr::to_str);
+    let profile = profile.map_or("dev", |name| if name == "debug" { "dev" } else { name });
+    let output = Command::new(cargo)
+        .args(["build", "--quiet", "--package", "organza", "--bin", "organza"])
+        .args(["--message-format", "json", "--profile", profile])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .stderr(Stdio::inherit())
+        .output()
+        .expect("cargo runs");
+    assert!(output.status.success(), "the program does not build");
+    let messages = output.stdout.split(|&byte| byte == b'\n');
+    let executable = |line| {
+        let message: Value = serde_json::from_slice(line).ok()?;
+        message.get("executable")?.as_str().map(PathBuf::from)
+    };
+    messages.filter_map(executable).next_back().expect("cargo names the program")
+}
+
+/// What a run left: its exit code and what it wrote.
+#[derive(Debug)]
+pub struct Outcome {
+    pub code: Option<i32>,
+    pub stdout: String,
+    pub stderr: String,
+}
+
+impl From<Output> for Outcome {
+    fn from(output: Output) -> Self {
+        let text = |bytes| String::from_utf8(bytes).expect("the program writes UTF-8");
+        Self {
+            code: output.status.code(),
+            stdout: text(output.stdout),
+            stderr: text(output.stderr),
+        }
+    }
+}
+
+impl Outcome {
+    /// The run succeeded and said nothing that sounds otherwise.
+    #[track_caller]
+    pub fn assert_ok(self) -> Self {
+        assert_eq!(self.code, Some(0), "{self:?}");
+        assert!(!self.stderr.contains("error:"), "{self:?}");
+        self
+    }
+
+    /// Exit code 2 and one error, which contains every one of `facts`.
+    #[track_caller]
+    pub fn assert_refused(&self, facts: &[&str]) {
+        assert_eq!(self.code, Some(2), "{self:?}");
+        let errors: Vec<_> =
+            self.stderr.lines().filter(|line| line.starts_with("error: ")).collect();
+        let [error] = errors.as_slice() else { panic!("not one error: {self:?}") };
+        for fact in facts {
+            assert!(error.contains(fact), "{fact:?} is not in {error:?}");
+        }
+        assert!(!self.stderr.contains("panicked"), "{self:?}");
+        assert!(!error.contains("bug in organza"), "{error}");
+        assert_eq!(self.stdout, "");
+    }
+}
+
+/// A copy of a case in a folder that goes with the test.
+#[derive(Debug)]
+pub struct Sandbox {
+    folder: TempDir,
+}
+
+/// A safetensors file to be changed: its metadata, and name, shape and data of its tensors.
+pub type Metadata = Map<String, Value>;
+pub type Tensors = Vec<(String, Vec<usize>, Vec<u8>)>;
+
+impl Sandbox {
+    pub fn new(case: &str) -> Self {
+        let folder = tempfile::tempdir().expect("a folder");
+        for name in ["scene.safetensors", "cameras.json", "tiles.json"] {
+            fs::copy(cases::folder().join(case).join(name), folder.path().join(name)).unwrap();
+        }
+        Self { folder }
+    }
+
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    /// A command that runs in the folder. Words are separated by spaces.
+    pub fn command(&self, words: &str) -> Command {
+        let mut command = Command::new(program());
+        command.args(words.split_whitespace());
+        self.prepare(&mut command);
+        command
+    }
+
+    /// Runs a command of the shell in the folder; `"$ORGANZA"` in it is the program.
+    #[cfg(target_os = "linux")]
+    pub fn shell(&self, script: &str) -> Outcome {
+        let mut command = Command::new("sh");
+        command.args(["-c", script]).env("ORGANZA", program());
+        self.prepare(&mut command);
+        command.output().expect("a shell runs").into()
+    }
+
+    fn prepare(&self, command: &mut Command) {
+        command.current_dir(self.folder.path()).stdin(Stdio::null());
+        // A backtrace is for us, and Mesa writes an error of its own where the folder is not set.
+        command.env_remove("RUST_BACKTRACE").env("XDG_RUNTIME_DIR", self.folder.path());
+    }
+
+    pub fn run(&self, words: &str) -> Outcome {
+        self.command(words).output().expect("the program starts").into()
+    }
+
+    /// The run is refused with these facts, and leaves the folder as it was.
+    #[track_caller]
+    pub fn assert_refuses(&self, words: &str, facts: &[&str]) {
+        let before = self.files();
+        let outcome = self.run(words);
+        outcome.assert_refused(facts);
+        assert!(before == self.files(), "{words} left {:?}", self.files().keys());
+    }
+
+    /// Every file and folder below, with its content.
+    pub fn files(&self) -> BTreeMap<PathBuf, Option<Vec<u8>>> {
+        let mut files = BTreeMap::new();
+        let mut folders = vec![self.folder.path().to_owned()];
+        while let Some(folder) = folders.pop() {
+            for entry in fs::read_dir(&folder).unwrap() {
+                let path = entry.unwrap().path();
+                if path.is_dir() {
+                    folders.push(path.clone());
+                }
+                files.insert(path.clone(), fs::read(&path).ok());
+            }
+        }
+        files
+    }
+
+    /// Changes one value of a JSON file.
+    pub fn edit_json(&self, name: &str, pointer: &str, value: Value) {
+        let path = self.path(name);
+        let mut json: Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+        *json.pointer_mut(pointer).expect("a place in the file") = value;
+        fs::write(path, serde_json::to_vec(&json).unwrap()).unwrap();
+    }
+
+    /// Takes the scene's file apart, and writes it again as `edit` left it.
+    pub fn edit_scene(&self, edit: impl FnOnce(&mut Metadata, &mut Tensors)) {
+        let path = self.path("scene.safetensors");
+        let file = fs::read(&path).unwrap();
+        let (length, rest) = file.split_at(8);
+        let length = u64::from_le_bytes(length.try_into().unwrap()) as usize;
+        let (header, data) = rest.split_at(length);
+        let mut header: Map<String, Value> = serde_json::from_slice(header).unwrap();
+        let metadata = header.remove("__metadata__").unwrap();
+        let mut metadata = metadata.as_object().unwrap().clone();
+        let number = |value: &Value| value.as_u64().unwrap() as usize;
+        let tensor = |(name, info): (String, Value)| {
+            let shape = info["shape"].as_array().unwrap().iter().map(number).collect();
+            let [begin, end] = [0, 1].map(|at| number(&info["data_offsets"][at]));
+            (name, shape, data[begin..end].to_vec())
+        };
+        let mut tensors: Tensors = header.into_iter().map(tensor).collect();
+        edit(&mut metadata, &mut tensors);
+        fs::write(path, encode(metadata, &tensors)).unwrap();
+    }
+}
+
+fn encode(metadata: Metadata, tensors: &Tensors) -> Vec<u8> {
+    let mut header = Map::from_iter([("__metadata__".to_owned(), Value::Object(metadata))]);
+    let mut data = Vec::new();
+    for (name, shape, bytes) in tensors {
+        let offsets = [data.len(), data.len() + bytes.len()];
+        let info = serde_json::json!({"dtype": "F32", "shape": shape, "data_offsets": offsets});
+        header.insert(name.clone(), info);
+        data.extend_from_slice(bytes);
+    }
+    let header = serde_json::to_vec(&header).unwrap();
+    let mut file = (header.len() as u64).to_le_bytes().to_vec();
+    file.extend(header);
+    file.extend(data);
+    file
+}

@@ -1,7 +1,8 @@
 //! Sizes past what one dispatch, one workgroup or one invocation takes.
 
 use glam::{Vec2, Vec4};
-use organza_kernels::composite::{CompositeKernel, CompositeParams, MAX_MEMBERS};
+use organza_kernels::composite::{CompositeKernel, CompositeParams};
+use organza_kernels::limits::MAX_MEMBERS;
 use organza_kernels::scan::{BLOCK, ScanBlockKernel, ScanParams};
 use organza_kernels::tile::Tile;
 use organza_tests::devices;
@@ -89,7 +90,9 @@ fn a_block_scan_takes_every_size() {
             let value = device.upload("value", &values).expect("memory");
             let blocks = (count + 1).div_ceil(BLOCK);
             let prefix = device.zeros("prefix", count as usize + 1).expect("memory");
-            let block_sum = device.zeros("block sum", blocks as usize).expect("memory");
+            // not zeros: the sum of an empty block must be written too
+            let block_sum =
+                device.upload("block sum", &vec![u32::MAX; blocks as usize]).expect("memory");
             let params = ScanParams { count };
             let kernel =
                 ScanBlockKernel { params, value: &value, prefix: &prefix, block_sum: &block_sum };

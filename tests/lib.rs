@@ -6,3 +6,5 @@ pub mod cases;
 pub mod compare;
 #[path = "support/devices.rs"]
 pub mod devices;
+#[path = "support/spirv.rs"]
+pub mod spirv;

@@ -4,8 +4,12 @@
 mod bad_files;
 #[path = "program/bad_requests.rs"]
 mod bad_requests;
+#[path = "program/kernels.rs"]
+mod kernels;
 #[path = "program/limits.rs"]
 mod limits;
+#[path = "program/parity.rs"]
+mod parity;
 #[path = "program/results.rs"]
 mod results;
 #[path = "program/sandbox.rs"]

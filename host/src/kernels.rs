@@ -58,6 +58,39 @@ impl EmbeddedKernel {
     }
 }
 
+/// What a module's code consists of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
+pub struct CodeSize {
+    /// Instructions of functions, without labels and what else computes nothing.
+    pub instructions: u32,
+    /// Loops.
+    pub loops: u32,
+}
+
+impl CodeSize {
+    /// Counts in a module: each instruction begins with its length and its number.
+    #[must_use]
+    pub fn of(spirv: &[u32]) -> Self {
+        const HEADER: usize = 5;
+        const FUNCTION: u32 = 54;
+        const FUNCTION_END: u32 = 56;
+        const LOOP_MERGE: u32 = 246;
+        // line, no line, parameter, variable, selection merge, label
+        const SILENT: [u32; 6] = [8, 317, 55, 59, 247, 248];
+        let (mut size, mut at, mut inside) = (Self::default(), HEADER, false);
+        while let Some(word) = spirv.get(at) {
+            match word & 0xffff {
+                FUNCTION => inside = true,
+                FUNCTION_END => inside = false,
+                LOOP_MERGE => size.loops += 1,
+                number => size.instructions += u32::from(inside && !SILENT.contains(&number)),
+            }
+            at += (word >> 16).max(1) as usize;
+        }
+        size
+    }
+}
+
 /// The manifest that the program was compiled with; without kernels, if there was none.
 pub fn manifest() -> &'static Manifest {
     &MANIFEST
@@ -106,6 +139,24 @@ mod tests {
             assert_eq!(words.len() * 4, kernel.spirv.len());
             assert!(matches!(words, Cow::Borrowed(_)) || cfg!(target_endian = "big"));
         }
+    }
+
+    #[test]
+    fn code_is_counted_in_functions_alone() {
+        let word = |number: u32, length: u32| length << 16 | number;
+        // a constant; a function with a label, a loop's merge and branch, a return
+        let module = [
+            &[0x0723_0203, 0x10500, 0, 9, 0][..],
+            &[word(43, 4), 1, 2, 246],
+            &[word(54, 5), 1, 3, 0, 4],
+            &[word(248, 2), 5],
+            &[word(246, 4), 6, 7, 0],
+            &[word(249, 2), 5],
+            &[word(253, 1)],
+            &[word(56, 1)],
+        ]
+        .concat();
+        assert_eq!(CodeSize::of(&module), CodeSize { instructions: 2, loops: 1 });
     }
 
     #[test]

@@ -15,6 +15,7 @@ pub mod image;
 mod input;
 pub mod kernels;
 pub mod memory;
+pub mod parity;
 pub mod render;
 pub mod scene;
 pub mod tile;

@@ -4,6 +4,7 @@ use crate::prelude::*;
 
 /// Adds `value` at `index`; sums of integers do not depend on the order.
 #[inline(always)]
+#[cfg_attr(not(target_arch = "spirv"), track_caller)]
 pub fn add(buffer: Write<u32>, index: u32, value: u32) {
     #[cfg(target_arch = "spirv")]
     {
@@ -20,8 +21,10 @@ pub fn add(buffer: Write<u32>, index: u32, value: u32) {
     }
     #[cfg(not(target_arch = "spirv"))]
     {
+        use crate::memory::Touch;
         use core::sync::atomic::{AtomicU32, Ordering};
         // SAFETY: the address is in range and aligned, and kernels touch a counter through atomics alone
-        unsafe { AtomicU32::from_ptr(buffer.address(index)) }.fetch_add(value, Ordering::Relaxed);
+        unsafe { AtomicU32::from_ptr(buffer.address(index, Touch::Atomic)) }
+            .fetch_add(value, Ordering::Relaxed);
     }
 }

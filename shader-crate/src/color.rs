@@ -5,9 +5,10 @@ use glam::Vec4;
 use crate::camera::{Camera, read3};
 use crate::dense::{DenseParams, column};
 use crate::hash_grid::write_point;
+use crate::limits::{MAX_HIDDEN_WIDTH, MAX_VECTOR};
 use crate::math::{normalize, sigmoid};
 use crate::prelude::*;
-use crate::spherical_harmonics::spherical_harmonics;
+use crate::spherical_harmonics::{ITERATIONS as SH_ITERATIONS, spherical_harmonics};
 use crate::unit_cube::SceneBox;
 
 /// Parameters of [`color_inputs`].
@@ -32,7 +33,7 @@ pub struct ColorInputsParams {
 
 /// Writes what does not come from the hash grid: the point to encode, the harmonics of the view direction and
 /// the material (Eq. 1).  `point [7, stride]`, `input [rows, stride]`.
-#[kernel(threads(64))]
+#[kernel(threads(64), iterations = SH_ITERATIONS + MAX_VECTOR)]
 pub fn color_inputs(
     id: Invocation,
     params: &ColorInputsParams,
@@ -67,7 +68,7 @@ pub fn color_inputs(
 }
 
 /// The last layer of the color network and its sigmoid (Eq. 3): `color [pairs, 3]`.
-#[kernel(threads(64), fused)]
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused)]
 pub fn color_head(
     id: Invocation,
     params: &ColorHeadParams,

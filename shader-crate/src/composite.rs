@@ -3,14 +3,11 @@
 
 use glam::{Vec2, Vec3, Vec4};
 
+use crate::limits::MAX_MEMBERS;
 use crate::prelude::*;
 use crate::project::{falloff, mahalanobis};
 use crate::splat::VECTORS;
 use crate::tile::Tile;
-
-/// Members that one dispatch of [`composite`] sums up; a fuller tile takes several.  llvmpipe stops an invocation
-/// after 65,536 iterations.
-pub const MAX_MEMBERS: u32 = 16_384;
 
 /// Parameters of [`composite`].
 #[repr(C)]
@@ -44,7 +41,7 @@ pub fn pixel_center(tile: &Tile, column: u32, row: u32) -> Vec2 {
 /// Adds up to [`MAX_MEMBERS`] members to `sum [tiles, S, S]`, which holds (C, S) of Eq. 12.
 ///
 /// The members of tile t are `tile_first[t] .. tile_first[t + 1]`, in ascending order.
-#[kernel(threads(8, 8))]
+#[kernel(threads(8, 8), iterations = MAX_MEMBERS)]
 pub fn composite(
     id: Invocation,
     params: &CompositeParams,

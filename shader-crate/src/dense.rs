@@ -6,6 +6,7 @@
 
 use glam::Vec4;
 
+use crate::limits::MAX_INPUTS;
 use crate::prelude::*;
 
 /// Outputs of a hidden layer that one invocation computes.
@@ -56,7 +57,7 @@ pub fn column(
 /// A hidden layer: `output = max(W input + b, 0)`, samples along x and y, blocks of 16 outputs along z.
 ///
 /// `input [inputs, stride]`, `output [4 columns, stride]`.
-#[kernel(threads(64), fused)]
+#[kernel(threads(64), iterations = MAX_INPUTS, fused)]
 pub fn dense(
     id: Invocation,
     params: &DenseParams,

@@ -2,7 +2,8 @@
 
 use glam::Vec3;
 
-use crate::math::{floor, max};
+use crate::limits::MAX_FEATURES;
+use crate::math::{max, truncate};
 use crate::prelude::*;
 use crate::unit_cube::Split;
 #[cfg(not(target_arch = "spirv"))]
@@ -76,9 +77,9 @@ impl GridLevel {
         let x = x.clamped();
         let main = x.coarse * self.scale;
         let rest = x.coarse * self.scale_rest + x.fine * (self.scale + self.scale_rest) + 0.5;
-        let whole = floor(main);
+        let whole = truncate(main);
         let t = max((main - whole) + rest, 0.0);
-        let carry = floor(t);
+        let carry = truncate(t);
         let t = t - carry;
         ((whole + carry) as u32, if smoothstep { t * t * (3.0 - 2.0 * t) } else { t })
     }
@@ -131,7 +132,7 @@ fn read_split(buffer: Read<f32>, stride: u32, coarse: u32) -> Split {
 /// Writes the features of every (point, level): points along x and y, levels along z.
 ///
 /// `position [6, stride]`, see [`write_point`]; `table [entries, features]`; `output [rows, stride]`.
-#[kernel(threads(64))]
+#[kernel(threads(64), iterations = MAX_FEATURES)]
 pub fn hash_grid(
     id: Invocation,
     params: &HashGridParams,

@@ -1,5 +1,8 @@
 //! What a kernel knows of its place in the dispatch.
 
+#[cfg(not(target_arch = "spirv"))]
+use core::panic::Location;
+
 use glam::UVec3;
 
 /// One invocation of a kernel.
@@ -15,7 +18,7 @@ pub struct Invocation {
     pub size: UVec3,
     /// What [`Invocation::barrier`] calls: the executor sets it.
     #[cfg(not(target_arch = "spirv"))]
-    pub wait: fn(),
+    pub wait: fn(&'static Location<'static>),
 }
 
 impl Invocation {
@@ -52,15 +55,16 @@ impl Invocation {
 
     /// Waits for the whole workgroup; what it wrote to workgroup memory is visible afterwards.
     #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
     pub fn barrier(&self) {
         #[cfg(target_arch = "spirv")]
         spirv_std::arch::workgroup_memory_barrier_with_group_sync();
         #[cfg(not(target_arch = "spirv"))]
-        (self.wait)();
+        (self.wait)(Location::caller());
     }
 }
 
 #[cfg(not(target_arch = "spirv"))]
-fn no_barrier() {
+fn no_barrier(_: &'static Location<'static>) {
     panic!("a barrier in a kernel without workgroup memory");
 }

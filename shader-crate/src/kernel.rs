@@ -5,7 +5,8 @@ use core::slice;
 use glam::UVec3;
 
 use crate::invocation::Invocation;
-use crate::memory::{Read, Shared, Write};
+use crate::memory::{Read, Shared, Watch, Write};
+pub use crate::place::{Witness, enter};
 
 /// How a kernel uses a binding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,6 +64,8 @@ pub struct KernelInfo {
     pub file: &'static str,
     /// Invocations of a workgroup.
     pub workgroup_size: [u32; 3],
+    /// The most iterations of all loops of one invocation together; none where it has no loop.
+    pub iterations: Option<u32>,
     /// Whether drivers may fuse and regroup its arithmetic.
     pub fused: bool,
     /// Bindings, by number.
@@ -89,22 +92,24 @@ pub enum CpuRun {
 
 /// Memory of one binding.
 #[derive(Clone, Copy)]
-pub struct CpuBinding {
+pub struct CpuBinding<'a> {
     /// First byte.
     pub data: *mut u8,
     /// Size.
     pub bytes: usize,
+    /// Sees every access, where the binding is written.
+    pub watch: Option<&'a dyn Watch>,
 }
 
 // SAFETY: a pointer and a size; what is done with them is the business of `CpuRun`'s contract
-unsafe impl Send for CpuBinding {}
+unsafe impl Send for CpuBinding<'_> {}
 // SAFETY: as above
-unsafe impl Sync for CpuBinding {}
+unsafe impl Sync for CpuBinding<'_> {}
 
-impl CpuBinding {
+impl<'a> CpuBinding<'a> {
     /// # Safety
     /// Holds a `T`.
-    pub unsafe fn uniform<'a, T: Pod>(self) -> &'a T {
+    pub unsafe fn uniform<T: Pod>(self) -> &'a T {
         // SAFETY: the caller's
         let bytes = unsafe { slice::from_raw_parts(self.data, self.bytes) };
         bytemuck::from_bytes(bytes)
@@ -112,24 +117,25 @@ impl CpuBinding {
 
     /// # Safety
     /// As [`Read::from_raw`].
-    pub unsafe fn read<'a, T: Pod>(self) -> Read<'a, T> {
+    pub unsafe fn read<T: Pod>(self) -> Read<'a, T> {
         // SAFETY: the caller's
         unsafe { Read::from_raw(self.data.cast(), self.bytes / size_of::<T>()) }
     }
 
     /// # Safety
     /// As [`Write::from_raw`].
-    pub unsafe fn write<'a, T: Pod>(self) -> Write<'a, T> {
+    pub unsafe fn write<T: Pod>(self) -> Write<'a, T> {
         // SAFETY: the caller's
         unsafe { Write::from_raw(self.data.cast(), self.bytes / size_of::<T>()) }
+            .watched(self.watch)
     }
 
     /// # Safety
     /// As [`Shared::from_raw`].
-    pub unsafe fn shared<'a, T: Pod, const N: usize>(self) -> Shared<'a, T, N> {
+    pub unsafe fn shared<T: Pod, const N: usize>(self) -> Shared<'a, T, N> {
         debug_assert_eq!(self.bytes, size_of::<[T; N]>());
         // SAFETY: the caller's
-        unsafe { Shared::from_raw(self.data.cast()) }
+        unsafe { Shared::from_raw(self.data.cast()) }.watched(self.watch)
     }
 }
 

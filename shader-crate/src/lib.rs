@@ -15,9 +15,12 @@ pub mod hash_grid;
 pub mod invocation;
 #[cfg(not(target_arch = "spirv"))]
 pub mod kernel;
+pub mod limits;
 pub mod math;
 pub mod memory;
 pub mod pair;
+#[cfg(not(target_arch = "spirv"))]
+pub mod place;
 pub mod prelude;
 pub mod project;
 pub mod scan;

@@ -36,10 +36,22 @@ elementary! {
     exp => expf;
     /// Square root.
     sqrt => sqrtf;
-    /// Largest integer that is not greater than x.
-    floor => floorf;
     /// Smallest integer that is not less than x.
     ceil => ceilf;
+}
+
+/// x without its fraction, for |x| below 2^31.
+#[inline(always)]
+pub fn truncate(x: f32) -> f32 {
+    #[cfg(target_arch = "spirv")]
+    {
+        Float::trunc(x)
+    }
+    // an instruction each way, where `libm` computes with bits
+    #[cfg(not(target_arch = "spirv"))]
+    {
+        x as i32 as f32
+    }
 }
 
 /// |x|

@@ -8,7 +8,7 @@
 #[cfg(target_arch = "spirv")]
 pub use device::{Read, ReadBuffer, Shared, Write, WriteBuffer};
 #[cfg(not(target_arch = "spirv"))]
-pub use host::{Read, Shared, Write};
+pub use host::{Read, Shared, Touch, Watch, Write};
 
 #[cfg(target_arch = "spirv")]
 mod device {
@@ -68,13 +68,37 @@ mod device {
 
 #[cfg(not(target_arch = "spirv"))]
 mod host {
+    extern crate std;
+
     use core::marker::PhantomData;
+    use std::string::String;
+
+    /// What an invocation does to an element.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Touch {
+        /// Reads it.
+        Read,
+        /// Writes it.
+        Write,
+        /// Changes it atomically.
+        Atomic,
+    }
+
+    /// Sees every access to a binding that several invocations may write.
+    pub trait Watch: Sync {
+        /// The current invocation touches an element.
+        ///
+        /// # Errors
+        /// What is wrong with that.
+        fn touch(&self, index: u32, touch: Touch) -> Result<(), String>;
+    }
 
     /// A storage buffer that is only read.
     #[derive(Clone, Copy)]
     pub struct Read<'a, T> {
         data: *const T,
         len: usize,
+        name: &'static str,
         lifetime: PhantomData<&'a [T]>,
     }
 
@@ -83,6 +107,8 @@ mod host {
     pub struct Write<'a, T> {
         data: *mut T,
         len: usize,
+        name: &'static str,
+        watch: Option<&'a dyn Watch>,
         lifetime: PhantomData<&'a mut [T]>,
     }
 
@@ -90,18 +116,37 @@ mod host {
     #[derive(Clone, Copy)]
     pub struct Shared<'a, T, const N: usize>(Write<'a, T>);
 
+    /// What a buffer is called before a kernel has it.
+    const UNNAMED: &str = "a buffer";
+
     #[cold]
     #[inline(never)]
     #[track_caller]
-    fn out_of_range(index: u32, len: usize) -> ! {
-        panic!("index {index} is out of range of a buffer of {len}");
+    fn out_of_range(index: u32, len: usize, name: &str) -> ! {
+        panic!("index {index} is out of range of `{name}`, which has {len} elements");
+    }
+
+    #[cold]
+    #[inline(never)]
+    #[track_caller]
+    fn watched(watch: &dyn Watch, index: u32, touch: Touch) {
+        if let Err(reason) = watch.touch(index, touch) {
+            panic!("{reason}");
+        }
     }
 
     impl<'a, T: Copy> Read<'a, T> {
         /// # Safety
         /// `data` points to `len` values that no one writes while the view is in use.
         pub const unsafe fn from_raw(data: *const T, len: usize) -> Self {
-            Self { data, len, lifetime: PhantomData }
+            Self { data, len, name: UNNAMED, lifetime: PhantomData }
+        }
+
+        /// The same buffer by the name that a kernel has for it.
+        #[inline(always)]
+        #[must_use]
+        pub const fn named(self, name: &'static str) -> Self {
+            Self { name, ..self }
         }
 
         /// The value at `index`; panics out of range.
@@ -109,7 +154,7 @@ mod host {
         #[track_caller]
         pub fn read(&self, index: u32) -> T {
             if index as usize >= self.len {
-                out_of_range(index, self.len);
+                out_of_range(index, self.len, self.name);
             }
             // SAFETY: checked above
             unsafe { *self.data.add(index as usize) }
@@ -121,7 +166,21 @@ mod host {
         /// `data` points to `len` values that are read and written through such views alone, an element
         /// by one invocation at a time.
         pub const unsafe fn from_raw(data: *mut T, len: usize) -> Self {
-            Self { data, len, lifetime: PhantomData }
+            Self { data, len, name: UNNAMED, watch: None, lifetime: PhantomData }
+        }
+
+        /// The same buffer by the name that a kernel has for it.
+        #[inline(always)]
+        #[must_use]
+        pub const fn named(self, name: &'static str) -> Self {
+            Self { name, ..self }
+        }
+
+        /// The same buffer; `watch` sees every access.
+        #[inline(always)]
+        #[must_use]
+        pub const fn watched(self, watch: Option<&'a dyn Watch>) -> Self {
+            Self { watch, ..self }
         }
 
         /// The value at `index`; panics out of range.
@@ -129,7 +188,7 @@ mod host {
         #[track_caller]
         pub fn read(&self, index: u32) -> T {
             // SAFETY: `address` is in range, and no other invocation writes this element meanwhile
-            unsafe { *self.address(index) }
+            unsafe { *self.address(index, Touch::Read) }
         }
 
         /// Stores `value` at `index`; panics out of range.
@@ -137,15 +196,18 @@ mod host {
         #[track_caller]
         pub fn write(&self, index: u32, value: T) {
             // SAFETY: as in `read`
-            unsafe { *self.address(index) = value }
+            unsafe { *self.address(index, Touch::Write) = value }
         }
 
         /// Where the value at `index` lies; panics out of range.
         #[inline(always)]
         #[track_caller]
-        pub(crate) fn address(&self, index: u32) -> *mut T {
+        pub(crate) fn address(&self, index: u32, touch: Touch) -> *mut T {
             if index as usize >= self.len {
-                out_of_range(index, self.len);
+                out_of_range(index, self.len, self.name);
+            }
+            if let Some(watch) = self.watch {
+                watched(watch, index, touch);
             }
             // SAFETY: checked above
             unsafe { self.data.add(index as usize) }
@@ -158,6 +220,20 @@ mod host {
         pub const unsafe fn from_raw(data: *mut T) -> Self {
             // SAFETY: the caller's
             Self(unsafe { Write::from_raw(data, N) })
+        }
+
+        /// As [`Write::named`].
+        #[inline(always)]
+        #[must_use]
+        pub const fn named(self, name: &'static str) -> Self {
+            Self(self.0.named(name))
+        }
+
+        /// As [`Write::watched`].
+        #[inline(always)]
+        #[must_use]
+        pub const fn watched(self, watch: Option<&'a dyn Watch>) -> Self {
+            Self(self.0.watched(watch))
         }
 
         /// The value at `index`; panics out of range.
@@ -175,15 +251,17 @@ mod host {
         }
     }
 
-    impl<'a, T> From<&'a [T]> for Read<'a, T> {
+    impl<'a, T: Copy> From<&'a [T]> for Read<'a, T> {
         fn from(slice: &'a [T]) -> Self {
-            Self { data: slice.as_ptr(), len: slice.len(), lifetime: PhantomData }
+            // SAFETY: a slice that is borrowed as long as the view
+            unsafe { Self::from_raw(slice.as_ptr(), slice.len()) }
         }
     }
 
-    impl<'a, T> From<&'a mut [T]> for Write<'a, T> {
+    impl<'a, T: Copy> From<&'a mut [T]> for Write<'a, T> {
         fn from(slice: &'a mut [T]) -> Self {
-            Self { data: slice.as_mut_ptr(), len: slice.len(), lifetime: PhantomData }
+            // SAFETY: a slice that is the view's alone as long as it lives
+            unsafe { Self::from_raw(slice.as_mut_ptr(), slice.len()) }
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The (Gaussian, camera) pairs that some tile needs: color and transmittance are evaluated for these alone.
 
+use crate::limits::MAX_TILES;
 use crate::prelude::*;
 
 /// Parameters of [`pair_mask`].
@@ -12,7 +13,7 @@ pub struct PairMaskParams {
 
 /// The union of the masks of a camera's tiles, `mask [cameras, words]`, and its bits' number: words along x and y,
 /// cameras along z.  The tiles of camera c are `first_tile[c] .. first_tile[c + 1]`.
-#[kernel(threads(64))]
+#[kernel(threads(64), iterations = MAX_TILES)]
 pub fn pair_mask(
     id: Invocation,
     params: &PairMaskParams,
@@ -47,7 +48,7 @@ pub struct PairFillParams {
 }
 
 /// Writes the pairs, by camera and Gaussian ascending: `pair = camera * gaussians + gaussian`.
-#[kernel(threads(64))]
+#[kernel(threads(64), iterations = u32::BITS)]
 pub fn pair_fill(
     id: Invocation,
     params: &PairFillParams,

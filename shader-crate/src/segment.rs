@@ -3,13 +3,10 @@
 use glam::{Vec3, Vec4};
 
 use crate::camera::{Camera, read3};
+use crate::limits::MAX_SAMPLES;
 use crate::math::{HUGE, TINY, abs, ceil, clamp, length, max, min};
 use crate::prelude::*;
 use crate::unit_cube::SceneBox;
-
-/// Largest number of samples of a segment: [`crate::transmittance::segment_product`] loops over them, and
-/// llvmpipe stops an invocation after 65,536 iterations.
-pub const MAX_SAMPLES: u32 = 16_384;
 
 /// The part of a ray in the unit cube.
 #[derive(Clone, Copy, Debug, PartialEq)]

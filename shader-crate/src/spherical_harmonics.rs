@@ -2,8 +2,12 @@
 
 use glam::Vec3;
 
+use crate::limits::MAX_SH_DEGREE;
 use crate::math::sqrt;
 use crate::prelude::*;
+
+/// The most iterations of [`spherical_harmonics`]: its outer loop's and its inner one's.
+pub const ITERATIONS: u32 = MAX_SH_DEGREE + 1 + (MAX_SH_DEGREE + 1) * (MAX_SH_DEGREE + 2) / 2;
 
 /// Values of the bands 0..=degree.
 pub const fn width(degree: u32) -> u32 {

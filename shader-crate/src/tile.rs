@@ -72,7 +72,7 @@ pub struct TileMaskParams {
 
 /// `mask [tiles, words]` and the number of bits in each of its words, `count [tiles, words]`: words along x and y,
 /// tiles along z.
-#[kernel(threads(64))]
+#[kernel(threads(64), iterations = u32::BITS)]
 pub fn tile_mask(
     id: Invocation,
     params: &TileMaskParams,
@@ -116,7 +116,7 @@ pub struct TileFillParams {
 /// Writes the members of every tile, as indices of pairs: words along x and y, tiles along z.
 ///
 /// `first_member [tiles, words]` and `first_pair [cameras, words]` are the scans of the counts.
-#[kernel(threads(64))]
+#[kernel(threads(64), iterations = u32::BITS)]
 pub fn tile_fill(
     id: Invocation,
     params: &TileFillParams,

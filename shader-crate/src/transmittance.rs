@@ -4,6 +4,7 @@ use glam::Vec4;
 
 use crate::dense::{DenseParams, column};
 use crate::hash_grid::{POINT_ROWS, write_point};
+use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_VECTOR};
 use crate::math::{exp, log_sigmoid};
 use crate::prelude::*;
 use crate::unit_cube::Split;
@@ -44,7 +45,7 @@ pub fn owner(first_sample: Read<u32>, pairs: u32, sample: u32) -> u32 {
 /// Writes what does not come from the hash grid: the midpoint x_k (Eq. 9), its segment's `s_factor` and u.
 ///
 /// `first_sample [pairs + 1]`; `point [7, stride]` is x_k and `s_factor`; `input [rows, stride]`.
-#[kernel(threads(64))]
+#[kernel(threads(64), iterations = u32::BITS + MAX_VECTOR)]
 pub fn transmittance_inputs(
     id: Invocation,
     params: &TransmittanceInputsParams,
@@ -100,7 +101,7 @@ pub struct TransmittanceHeadParams {
 
 /// The last layer of the scalar network and the logarithm of Eq. 11's factor:
 /// `log_rho [samples] = s_factor * log_sigmoid(a_k)`.
-#[kernel(threads(64), fused)]
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused)]
 pub fn transmittance_head(
     id: Invocation,
     params: &TransmittanceHeadParams,
@@ -134,7 +135,7 @@ pub struct SegmentProductParams {
 }
 
 /// Eq. 11: `transmittance [pairs]`, the product over a segment's samples; 1 where there are none.
-#[kernel(threads(64))]
+#[kernel(threads(64), iterations = MAX_SAMPLES)]
 pub fn segment_product(
     id: Invocation,
     params: &SegmentProductParams,

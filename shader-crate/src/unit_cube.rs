@@ -1,13 +1,13 @@
 //! The unit cube, in which the networks and the rays live.
 //!
 //! An f32 near 1 has an ulp of 6e-8, and a grid of resolution 4,096 multiplies that error by 4,096.  So coordinates
-//! are kept in two parts that f32 arithmetic keeps exact; only products of numbers with few enough bits, floors and
-//! differences of neighbors are used, which no compiler may round otherwise.
+//! are kept in two parts that f32 arithmetic keeps exact; only products of numbers with few enough bits, truncations
+//! and differences of neighbors are used, which no compiler may round otherwise.
 
 use glam::Vec3;
 
 use crate::camera::read3;
-use crate::math::floor;
+use crate::math::truncate;
 use crate::prelude::*;
 
 /// Parts of the cube that a coarse coordinate counts: 12 bits.
@@ -18,7 +18,7 @@ pub const PARTS: f32 = 4096.0;
 pub struct Split {
     /// A multiple of 1 / [`PARTS`].
     pub coarse: f32,
-    /// The rest, in [0, 1 / [`PARTS`]) but for rounding.
+    /// The rest: less than 1 / [`PARTS`], with the coordinate's sign.
     pub fine: f32,
 }
 
@@ -26,7 +26,7 @@ impl Split {
     /// The parts of `main + rest`, of which `main` has few bits and `rest` is small.
     #[inline(always)]
     pub fn new(main: f32, rest: f32) -> Self {
-        let coarse = floor((main + rest) * PARTS) * (1.0 / PARTS);
+        let coarse = truncate((main + rest) * PARTS) * (1.0 / PARTS);
         Self { coarse, fine: (main - coarse) + rest }
     }
 
@@ -105,7 +105,7 @@ impl SceneBox {
     pub fn split(&self, position: Vec3) -> [Split; 3] {
         // exact, and so is the rest: `part` is a power of two
         let parts = position * self.parts;
-        let coarse = Vec3::new(floor(parts.x), floor(parts.y), floor(parts.z)) * self.part;
+        let coarse = Vec3::new(truncate(parts.x), truncate(parts.y), truncate(parts.z)) * self.part;
         let offset = coarse - self.low;
         let rest = (position - coarse) - self.low_rest;
         let main = offset * self.scale;

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 use organza_kernels::KernelInfo;
@@ -23,7 +24,7 @@ pub const TARGET: &str = "spirv-unknown-vulkan1.2";
 pub fn compile(workspace: &Workspace, compiler: &Compiler) -> Result<Artifacts> {
     // Before the build: a file saved while it runs must leave the kernels stale.
     let source_hash = manifest::source_hash(&workspace.shader_crate)?;
-    let mut modules = build(workspace, compiler)?;
+    let mut modules = build(&workspace.shader_crate, workspace, compiler)?;
     let mut entries = Vec::new();
     let mut files = BTreeMap::new();
     for kernel in organza_kernels::kernels() {
@@ -56,9 +57,13 @@ pub fn compile(workspace: &Workspace, compiler: &Compiler) -> Result<Artifacts> 
     Ok(Artifacts::new(files))
 }
 
-/// Runs the compiler: the modules by entry point.
-fn build(workspace: &Workspace, compiler: &Compiler) -> Result<BTreeMap<String, Vec<u8>>> {
-    let mut builder = SpirvBuilder::new(&workspace.shader_crate, TARGET)
+/// Runs the compiler on a crate of kernels: the modules by entry point.
+pub fn build(
+    shader_crate: &Path,
+    workspace: &Workspace,
+    compiler: &Compiler,
+) -> Result<BTreeMap<String, Vec<u8>>> {
+    let mut builder = SpirvBuilder::new(shader_crate, TARGET)
         .release(true)
         .multimodule(true)
         .spirv_metadata(SpirvMetadata::None)

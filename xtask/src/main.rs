@@ -5,6 +5,7 @@ mod artifacts;
 mod compile;
 mod compiler;
 mod contraction;
+mod guide;
 mod memory_model;
 mod module;
 mod validate;
@@ -30,6 +31,8 @@ struct Cli {
 enum Task {
     /// Compile the kernels to SPIR-V, into host/kernels
     Kernels(Kernels),
+    /// Compile the kernel that docs/adding-a-kernel.md shows, in a copy of the shader crate
+    Guide,
 }
 
 /// What to do with the compiled kernels.
@@ -72,12 +75,11 @@ impl Workspace {
 }
 
 fn main() -> ExitCode {
-    let Task::Kernels(options) = Cli::parse().task;
     let workspace = Workspace::find();
-    let result = if options.watch {
-        watch::run(&workspace, options.validate)
-    } else {
-        kernels(&workspace, &options)
+    let result = match Cli::parse().task {
+        Task::Guide => guide::run(&workspace),
+        Task::Kernels(options) if options.watch => watch::run(&workspace, options.validate),
+        Task::Kernels(options) => kernels(&workspace, &options),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

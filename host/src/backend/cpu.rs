@@ -1,15 +1,17 @@
 //! The CPU backend: the kernels as ordinary functions, workgroups spread over threads.
 
 use std::alloc::{self, Layout};
-use std::panic::{self, AssertUnwindSafe};
 use std::ptr::NonNull;
 
 use glam::UVec3;
-use organza_kernels::kernel::{Access, CpuBinding, CpuRun, KernelInfo};
+use organza_kernels::invocation::Invocation;
+use organza_kernels::kernel::{Access, BindingInfo, CpuBinding, CpuRun, KernelInfo};
+use organza_kernels::memory::Watch;
 use rayon::prelude::*;
 
 use super::buffer::{Memory, RawBuffer};
-use super::coroutine;
+use super::watch::Races;
+use super::{coroutine, supervise};
 use crate::error::{Error, Result};
 use crate::memory;
 
@@ -17,10 +19,12 @@ use crate::memory;
 #[derive(Debug)]
 pub struct Cpu {
     pool: rayon::ThreadPool,
+    check_races: bool,
 }
 
 impl Cpu {
-    pub fn new(threads: Option<usize>) -> Result<Self> {
+    pub fn new(threads: Option<usize>, check_races: bool) -> Result<Self> {
+        supervise::install();
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads.unwrap_or(0))
             .thread_name(|index| format!("organza-{index}"))
@@ -28,7 +32,7 @@ impl Cpu {
             .map_err(|error| Error::Argument {
                 reason: format!("cannot start threads: {error}"),
             })?;
-        Ok(Self { pool })
+        Ok(Self { pool, check_races })
     }
 
     pub fn threads(&self) -> usize {
@@ -49,47 +53,88 @@ impl Cpu {
         buffers: &[&RawBuffer],
         workgroups: [u32; 3],
     ) -> Result<()> {
-        let bindings = bind(info, uniform, buffers);
+        let failed = |reason| Error::Kernel { kernel: info.name.into(), reason };
+        let mut bindings = bind(info, uniform, buffers).map_err(failed)?;
+        let races = if self.check_races { races(info, &bindings, workgroups) } else { Vec::new() };
+        for (binding, race) in bindings.iter_mut().zip(&races) {
+            binding.watch = race.as_ref().map(|race| race as &dyn Watch);
+        }
         let [x, y, z] = workgroups.map(u64::from);
         let size = UVec3::from(workgroups);
         let place = |index: u64| {
             UVec3::new((index % x) as u32, (index / x % y) as u32, (index / x / y) as u32)
         };
-        let run = || {
-            (0..x * y * z).into_par_iter().for_each(|index| match info.run {
+        let run = |index: u64| match info.run {
+            CpuRun::Workgroup(run) => {
                 // SAFETY: the bindings are those of the typed dispatch, and kernels do not write to the same
                 // element from two invocations without atomics
-                CpuRun::Workgroup(run) => unsafe { run(&bindings, place(index), size) },
-                CpuRun::Invocation(run) => {
-                    coroutine::run_workgroup(info, run, &bindings, place(index), size)
-                }
-            });
+                unsafe { run(&bindings, place(index), size) };
+                Ok(())
+            }
+            CpuRun::Invocation(run) => {
+                coroutine::run_workgroup(info, run, &bindings, place(index), size)
+            }
         };
-        panic::catch_unwind(AssertUnwindSafe(|| self.pool.install(run))).map_err(|payload| {
-            let reason = payload
-                .downcast_ref::<String>()
-                .cloned()
-                .or_else(|| payload.downcast_ref::<&str>().map(ToString::to_string))
-                .unwrap_or_else(|| "it panicked".into());
-            Error::Kernel { kernel: info.name.into(), reason }
-        })
+        let run_all = || {
+            (0..x * y * z).into_par_iter().try_for_each(|index| {
+                let local = UVec3::from(info.workgroup_size);
+                let first = Invocation::new(UVec3::ZERO, place(index), size, local);
+                supervise::supervise(info.name, first, || run(index))
+            })
+        };
+        self.pool.install(run_all).map_err(failed)
     }
 }
 
 /// The memory of every binding, in order.
-fn bind(info: &KernelInfo, uniform: &[u8], buffers: &[&RawBuffer]) -> Vec<CpuBinding> {
+fn bind(
+    info: &KernelInfo,
+    uniform: &[u8],
+    buffers: &[&RawBuffer],
+) -> Result<Vec<CpuBinding<'static>>, String> {
     let mut buffers = buffers.iter();
-    let binding = |binding: &organza_kernels::BindingInfo| match binding.access {
-        Access::Uniform => CpuBinding { data: uniform.as_ptr().cast_mut(), bytes: uniform.len() },
-        Access::Read | Access::Write => {
-            let buffer = buffers.next().expect("the typed dispatch binds every buffer");
-            let Memory::Cpu(memory) = &buffer.memory else {
-                panic!("the buffer `{}` belongs to a GPU", buffer.label)
-            };
-            CpuBinding { data: memory.data.as_ptr(), bytes: buffer.bytes as usize }
+    let mut bindings = Vec::with_capacity(info.bindings.len());
+    for binding in info.bindings {
+        let (data, bytes) = match binding.access {
+            Access::Uniform => (uniform.as_ptr().cast_mut(), uniform.len()),
+            Access::Read | Access::Write => {
+                let buffer = buffers.next().expect("the typed dispatch binds every buffer");
+                let Memory::Cpu(memory) = &buffer.memory else {
+                    panic!("the buffer `{}` belongs to a GPU", buffer.label)
+                };
+                (memory.data.as_ptr(), buffer.bytes as usize)
+            }
+        };
+        bindings.push(CpuBinding { data, bytes, watch: None });
+    }
+    for (at, (binding, info_of)) in bindings.iter().zip(info.bindings).enumerate() {
+        for (other, info_of_other) in bindings.iter().zip(info.bindings).take(at) {
+            let written = [info_of, info_of_other].iter().any(|info| info.access == Access::Write);
+            // GPUs refuse it, too
+            if binding.data == other.data && written {
+                let names = (info_of_other.name, info_of.name);
+                return Err(format!(
+                    "`{}` and `{}` are one buffer, and it is written",
+                    names.0, names.1
+                ));
+            }
         }
+    }
+    Ok(bindings)
+}
+
+/// A watch for every binding that is written.
+fn races(
+    info: &KernelInfo,
+    bindings: &[CpuBinding<'_>],
+    workgroups: [u32; 3],
+) -> Vec<Option<Races>> {
+    let invocations = UVec3::from(workgroups) * UVec3::from(info.workgroup_size);
+    let watch = |(info, binding): (&BindingInfo, &CpuBinding<'_>)| {
+        let written = info.access == Access::Write;
+        written.then(|| Races::new(info, binding.bytes, invocations))
     };
-    info.bindings.iter().map(binding).collect()
+    info.bindings.iter().zip(bindings).map(watch).collect()
 }
 
 /// Aligned memory that kernels write through pointers.

@@ -7,11 +7,14 @@ mod coroutine;
 mod cpu;
 mod gpu;
 mod open;
+mod supervise;
+mod watch;
 
 use bytemuck::Pod;
 use organza_kernels::kernel::{Dispatch, KernelInfo};
 
 pub use buffer::{Buffer, Host};
+pub use gpu::{AdapterInfo, adapters};
 pub use open::{BackendChoice, DeviceOptions, SpirvPath};
 
 use crate::error::Result;

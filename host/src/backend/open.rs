@@ -46,6 +46,9 @@ pub struct DeviceOptions {
     pub threads: Option<usize>,
     /// Part of the name of the GPU to take, in any case.
     pub adapter: Option<String>,
+    /// On the CPU, whether to fail where two invocations of a dispatch get in each other's way in a storage buffer.
+    /// For tests of kernels: slow, and 16 bytes for every element that a kernel may write.
+    pub check_races: bool,
 }
 
 impl DeviceOptions {
@@ -87,7 +90,7 @@ pub fn open(options: &DeviceOptions) -> Result<Device> {
 }
 
 fn open_cpu(options: &DeviceOptions, why: &str) -> Result<Device> {
-    let cpu = cpu::Cpu::new(options.threads)?;
+    let cpu = cpu::Cpu::new(options.threads, options.check_races)?;
     let threads = cpu.threads();
     let plural = if threads == 1 { "" } else { "s" };
     let choice = format!("cpu: {threads} thread{plural} ({why})");

@@ -79,6 +79,7 @@ impl DeviceArgs {
             Spirv::Naga => SpirvPath::Naga,
         });
         let threads = self.threads.map(usize::from);
-        Ok(DeviceOptions { backend, spirv, threads, adapter: self.adapter.clone() })
+        let adapter = self.adapter.clone();
+        Ok(DeviceOptions { backend, spirv, threads, adapter, ..DeviceOptions::default() })
     }
 }

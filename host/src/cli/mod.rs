@@ -5,7 +5,9 @@ mod demo;
 mod device;
 mod explain;
 mod info;
+mod kernels;
 mod output;
+mod parity;
 mod picture;
 mod render;
 mod summary;
@@ -31,7 +33,7 @@ Examples:
   organza render demo/scene.safetensors demo/cameras.json -o images --views 0-3
   organza explain demo/scene.safetensors demo/cameras.json --view 0 --pixel 192,192
 
-Exit code: 0, or 2 with a message on stderr.";
+Exit code: 0, or 2 with a message on stderr; `parity` has 1 for a GPU that computes wrongly.";
 
 /// Sort-free Gaussian rendering of tiles and images.
 #[derive(Debug, Parser)]
@@ -48,6 +50,8 @@ enum Command {
     Demo(demo::Args),
     Info(info::Args),
     Explain(explain::Args),
+    Kernels(kernels::Args),
+    Parity(parity::Args),
 }
 
 /// Runs the program; returns its exit code.
@@ -55,14 +59,16 @@ pub fn main() -> ExitCode {
     let Cli { command } = Cli::parse();
     remember_panics();
     let run = || match &command {
-        Command::Tiles(args) => tiles::run(args),
-        Command::Render(args) => render::run(args),
-        Command::Demo(args) => demo::run(args),
-        Command::Info(args) => info::run(args),
-        Command::Explain(args) => explain::run(args),
+        Command::Tiles(args) => tiles::run(args).map(done),
+        Command::Render(args) => render::run(args).map(done),
+        Command::Demo(args) => demo::run(args).map(done),
+        Command::Info(args) => info::run(args).map(done),
+        Command::Explain(args) => explain::run(args).map(done),
+        Command::Kernels(args) => kernels::run(args).map(done),
+        Command::Parity(args) => parity::run(args),
     };
     let message = match panic::catch_unwind(run) {
-        Ok(Ok(())) => return ExitCode::SUCCESS,
+        Ok(Ok(code)) => return code,
         Ok(Err(error)) => error.to_string(),
         Err(_) => {
             let panic = LAST_PANIC.lock().map(|panic| panic.clone()).unwrap_or_default();
@@ -71,6 +77,11 @@ pub fn main() -> ExitCode {
     };
     console::line("error", &message);
     ExitCode::from(FAILURE)
+}
+
+/// The exit code of what has succeeded.
+fn done(_: ()) -> ExitCode {
+    ExitCode::SUCCESS
 }
 
 static LAST_PANIC: Mutex<String> = Mutex::new(String::new());

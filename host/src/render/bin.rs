@@ -77,6 +77,57 @@ pub fn project(
     Ok((camera, projection, degenerate))
 }
 
+/// Bits of a mask and how many lie before each of its words.
+struct Mask {
+    bits: Buffer<u32>,
+    /// `[words + 1]`: the exclusive sums, and the total.
+    first: Buffer<u32>,
+    words: u32,
+}
+
+impl Mask {
+    fn new(device: &Device, bits: Buffer<u32>, count: &Buffer<u32>) -> Result<Self> {
+        let words = bits.len() as u32;
+        Ok(Self { bits, first: exclusive_scan(device, count, words)?, words })
+    }
+}
+
+/// Which Gaussians reach which tiles (Eq. 15): `[tiles, words]`.
+fn tile_mask(
+    device: &Device,
+    params: TileMaskParams,
+    tile: &Buffer<i32>,
+    tiles: u32,
+    projection: &Buffer<Vec4>,
+) -> Result<Mask> {
+    let len = (tiles * params.words) as usize;
+    let (mask, count) = (device.zeros("tile masks", len)?, device.zeros("member counts", len)?);
+    let kernel = TileMaskKernel { params, tile, projection, mask: &mask, count: &count };
+    device.run(&kernel, params.words, tiles)?;
+    Mask::new(device, mask, &count)
+}
+
+/// Which Gaussians any tile of a camera needs: `[cameras, words]`.
+fn pair_mask(
+    device: &Device,
+    words: u32,
+    cameras: u32,
+    first_tile: &Buffer<u32>,
+    tile_mask: &Mask,
+) -> Result<Mask> {
+    let len = (cameras * words) as usize;
+    let (mask, count) = (device.zeros("pair masks", len)?, device.zeros("pair counts", len)?);
+    let kernel = PairMaskKernel {
+        params: PairMaskParams { words },
+        first_tile,
+        tile_mask: &tile_mask.bits,
+        mask: &mask,
+        count: &count,
+    };
+    device.run(&kernel, words, cameras)?;
+    Mask::new(device, mask, &count)
+}
+
 impl Bins {
     pub fn new(
         device: &Device,
@@ -92,70 +143,41 @@ impl Bins {
         let (tiles, slots) = (plan.tiles.len() as u32, used.len() as u32);
         let (gaussians, words) = (scene.gaussians, words(scene.gaussians));
 
-        let tile_words = (tiles * words) as usize;
-        let tile_mask = device.zeros("tile masks", tile_words)?;
-        let count = device.zeros("member counts", tile_words)?;
         let params = TileMaskParams { gaussians, words, side: plan.side };
-        let kernel = TileMaskKernel {
-            params,
-            tile: &tile,
-            projection: &projection,
-            mask: &tile_mask,
-            count: &count,
-        };
-        device.run(&kernel, words, tiles)?;
-        let first_member = exclusive_scan(device, &count, tiles * words)?;
+        let tile_mask = tile_mask(device, params, &tile, tiles, &projection)?;
+        let pair_mask = pair_mask(device, words, slots, &first_tile, &tile_mask)?;
 
-        let camera_words = (slots * words) as usize;
-        let pair_mask = device.zeros("pair masks", camera_words)?;
-        let count = device.zeros("pair counts", camera_words)?;
-        let kernel = PairMaskKernel {
-            params: PairMaskParams { words },
-            first_tile: &first_tile,
-            tile_mask: &tile_mask,
-            mask: &pair_mask,
-            count: &count,
-        };
-        device.run(&kernel, words, slots)?;
-        let first_pair = exclusive_scan(device, &count, slots * words)?;
-
-        // what sizes the buffers to come: a number for each tile, and one
+        // what sizes the buffers to come is read back: a number for each tile, and one
         let tile_first = device.zeros("tile members", tiles as usize + 1)?;
         let params = TileRangeParams { tiles, words };
-        device.run(
-            &TileRangeKernel { params, first_member: &first_member, tile_first: &tile_first },
-            tiles + 1,
-            1,
-        )?;
+        let kernel =
+            TileRangeKernel { params, first_member: &tile_mask.first, tile_first: &tile_first };
+        device.run(&kernel, tiles + 1, 1)?;
         let first = device.read(&tile_first)?;
-        let pairs = device.read_range(&first_pair, camera_words, 1)?[0];
+        let pairs = device.read_range(&pair_mask.first, pair_mask.words as usize, 1)?[0];
 
         let pair = device.zeros("pairs", pairs as usize)?;
         let params = PairFillParams { words, gaussians };
-        device.run(
-            &PairFillKernel { params, mask: &pair_mask, first_pair: &first_pair, pair: &pair },
-            words,
-            slots,
-        )?;
+        let kernel = PairFillKernel {
+            params,
+            mask: &pair_mask.bits,
+            first_pair: &pair_mask.first,
+            pair: &pair,
+        };
+        device.run(&kernel, words, slots)?;
         let member = device.zeros("members", first[tiles as usize] as usize)?;
         let kernel = TileFillKernel {
             params: TileFillParams { words },
             tile: &tile,
-            tile_mask: &tile_mask,
-            first_member: &first_member,
-            pair_mask: &pair_mask,
-            first_pair: &first_pair,
+            tile_mask: &tile_mask.bits,
+            first_member: &tile_mask.first,
+            pair_mask: &pair_mask.bits,
+            first_pair: &pair_mask.first,
             member: &member,
         };
         device.run(&kernel, words, tiles)?;
-        Ok(Self {
-            pairs: Pairs { count: pairs, pair, camera, projection },
-            tile,
-            tile_first,
-            first,
-            member,
-            degenerate,
-        })
+        let pairs = Pairs { count: pairs, pair, camera, projection };
+        Ok(Self { pairs, tile, tile_first, first, member, degenerate })
     }
 
     /// Memberships of all tiles.

@@ -1,9 +1,8 @@
 //! B3 and C: the weighted sums of all tiles, and the image.
 
 use glam::Vec4;
-use organza_kernels::composite::{
-    CompositeKernel, CompositeParams, MAX_MEMBERS, ResolveKernel, ResolveParams,
-};
+use organza_kernels::composite::{CompositeKernel, CompositeParams, ResolveKernel, ResolveParams};
+use organza_kernels::limits::MAX_MEMBERS;
 use organza_kernels::splat::{SplatKernel, SplatParams, VECTORS};
 
 use super::DeviceScene;

@@ -1,5 +1,6 @@
 //! Cuts a batch into parts that fit the device.
 
+use organza_kernels::limits::MAX_TILES;
 use organza_kernels::tile::Tile as KernelTile;
 
 use super::DeviceScene;
@@ -9,10 +10,6 @@ use crate::tile::{Tile, TileBatch};
 
 /// What one part's tables may take, unless told otherwise.  Parts of this size keep every device busy.
 pub const PART_BYTES: u64 = 512 << 20;
-
-/// Tiles of one part: an axis of a dispatch ends at 65,535, and
-/// [`pair_mask`](organza_kernels::pair::pair_mask) loops over the tiles of a camera.
-const MAX_TILES: usize = 16_384;
 
 /// One part of a batch: tiles ordered by camera.
 #[derive(Clone, Debug)]
@@ -125,7 +122,7 @@ impl Limits {
         let bound = (buffer / tile_bytes)
             .min((1 << 26) / mask_words)
             .min((1 << 31) / gaussians)
-            .min(MAX_TILES as u64);
+            .min(u64::from(MAX_TILES));
         if cameras == 0 || bound == 0 {
             return Err(Error::OutOfMemory {
                 needed: camera_bytes.max(tile_bytes),

@@ -1,7 +1,8 @@
 //! B1 and B2: the segments of all pairs, their samples as one flat list, and the products.
 
 use glam::Vec4;
-use organza_kernels::segment::{MAX_SAMPLES, SegmentKernel, SegmentParams};
+use organza_kernels::limits::MAX_SAMPLES;
+use organza_kernels::segment::{SegmentKernel, SegmentParams};
 use organza_kernels::transmittance::{
     SegmentProductKernel, SegmentProductParams, TransmittanceHeadKernel, TransmittanceHeadParams,
     TransmittanceInputsKernel, TransmittanceInputsParams,

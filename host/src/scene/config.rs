@@ -2,21 +2,14 @@
 
 use std::path::Path;
 
+pub use organza_kernels::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE, MAX_VECTOR};
 use serde::{Deserialize, Serialize};
 
 use super::grid::GridConfig;
 use crate::error::{Error, IN_MEMORY, Result};
 
-/// The highest degree of the spherical harmonics.
-pub const MAX_SH_DEGREE: u32 = 7;
 /// The most hidden layers a network may have.
 pub const MAX_HIDDEN_LAYERS: usize = 4;
-/// The widest a hidden layer may be.
-pub const MAX_HIDDEN_WIDTH: u32 = 128;
-/// The longest material or extra vector a Gaussian may carry.
-pub const MAX_VECTOR: u32 = 256;
-/// The most samples the segment across the whole unit cube may take.
-pub const MAX_SAMPLES: u32 = 16384;
 /// Outputs of the color network: red, green, blue.
 pub const COLOR_OUTPUTS: usize = 3;
 /// Outputs of the transmittance network: one logit.

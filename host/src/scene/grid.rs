@@ -1,17 +1,17 @@
 //! The multiresolution hash grids: their configuration and the geometry of their levels.
 
+use organza_kernels::limits::MAX_FEATURES;
+pub use organza_kernels::limits::MAX_LEVELS;
 use serde::{Deserialize, Serialize};
 
 use super::config::Problem;
 
 /// The finest resolution a level may have: beyond it an f32 position has no useful fraction left.
 pub const MAX_RESOLUTION: u32 = 1 << 20;
-/// The most levels a grid may have.
-pub const MAX_LEVELS: u32 = 32;
 /// The largest base-2 logarithm of a level's entry count.
 pub const MAX_LOG2_TABLE: u32 = 24;
 /// The feature widths an entry may have.
-pub const FEATURE_WIDTHS: [u32; 4] = [1, 2, 4, 8];
+pub const FEATURE_WIDTHS: [u32; 4] = [1, 2, 4, MAX_FEATURES];
 /// Below this the first level's scale is less than -0.5 and a position could land in cell -1.
 const MIN_BASE_RESOLUTION: f64 = 0.5;
 

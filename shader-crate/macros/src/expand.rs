@@ -2,22 +2,44 @@
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
+use syn::parse_quote;
 
 use crate::parse::{Kernel, Role};
 
 pub fn expand(kernel: &Kernel) -> TokenStream {
-    let function = &kernel.function;
+    let function = function(kernel);
     let entry = entry_point(kernel);
     let info = info(kernel);
     let dispatch = dispatch(kernel);
+    let iterations = kernel.iterations.iter();
     quote! {
         #[inline(always)]
         #[allow(clippy::too_many_arguments)]
         #function
+        // names what the declaration names, on the GPU too
+        #(const _: u32 = #iterations;)*
         #entry
         #info
         #dispatch
     }
+}
+
+/// The kernel itself. On the CPU it knows who it is and what its buffers are called: for messages.
+fn function(kernel: &Kernel) -> syn::ItemFn {
+    let mut function = kernel.function.clone();
+    let (name, id) = (function.sig.ident.to_string(), &kernel.id);
+    let buffers = kernel.parameters.iter().filter(|p| !matches!(p.role, Role::Uniform));
+    let named = buffers.map(|parameter| {
+        let (name, text) = (&parameter.name, parameter.name.to_string());
+        parse_quote! { #[cfg(not(target_arch = "spirv"))] let #name = #name.named(#text); }
+    });
+    let witness = parse_quote! {
+        #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+        let _witness = crate::kernel::Witness::new(#name, #id);
+    };
+    let statements: Vec<syn::Stmt> = std::iter::once(witness).chain(named).collect();
+    function.block.stmts.splice(0..0, statements);
+    function
 }
 
 /// `tile_mask` -> `TileMaskKernel`
@@ -109,6 +131,10 @@ fn info(kernel: &Kernel) -> TokenStream {
             }
         })
     });
+    let iterations = match &kernel.iterations {
+        Some(iterations) => quote!(::core::option::Option::Some(#iterations)),
+        None => quote!(::core::option::Option::None),
+    };
     let (count, run, fused) = (kernel.parameters.len(), cpu_run(kernel), kernel.fused);
     quote! {
         #[cfg(not(target_arch = "spirv"))]
@@ -119,6 +145,7 @@ fn info(kernel: &Kernel) -> TokenStream {
                 name: #name_text,
                 file: ::core::file!(),
                 workgroup_size: [#x, #y, #z],
+                iterations: #iterations,
                 fused: #fused,
                 bindings: &[#(#bindings),*],
                 shared: &[#(#shared),*],
@@ -181,7 +208,9 @@ fn cpu_run(kernel: &Kernel) -> TokenStream {
                 for local_y in 0..#y {
                     for local_x in 0..#x {
                         let local = ::glam::UVec3::new(local_x, local_y, local_z);
-                        self::#name(crate::invocation::Invocation::new(local, workgroup, workgroups, size), #(#names),*);
+                        let id = crate::invocation::Invocation::new(local, workgroup, workgroups, size);
+                        crate::kernel::enter(local_x + #x * (local_y + #y * local_z));
+                        self::#name(id, #(#names),*);
                     }
                 }
             }

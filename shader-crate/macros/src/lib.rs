@@ -23,6 +23,9 @@
 //! Drivers compute what is written: they neither fuse nor regroup arithmetic, so that results agree between devices.
 //! `#[kernel(threads(64), fused)]` lets them, where speed counts for more.
 //!
+//! A kernel that loops states how often at most, all its loops together, in constants that the host holds its inputs
+//! to: `#[kernel(threads(64), iterations = MAX_SAMPLES)]`.
+//!
 //! Binding numbers are positions in the parameter list, in descriptor set 0.  From this one
 //! declaration follow the SPIR-V entry point, the typed dispatch of the host (`SquareKernel`), the CPU
 //! execution and the entry in the manifest.

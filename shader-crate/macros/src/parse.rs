@@ -3,7 +3,9 @@
 use proc_macro2::TokenStream;
 use syn::parse::Parser;
 use syn::spanned::Spanned;
-use syn::{Error, FnArg, GenericArgument, Ident, ItemFn, LitInt, Pat, PathArguments, Result, Type};
+use syn::{
+    Error, Expr, FnArg, GenericArgument, Ident, ItemFn, LitInt, Pat, PathArguments, Result, Type,
+};
 
 /// What a parameter of a kernel stands for.
 pub enum Role {
@@ -30,24 +32,21 @@ pub struct Kernel {
     pub function: ItemFn,
     pub threads: [u32; 3],
     pub fused: bool,
+    /// The most iterations of one invocation.
+    pub iterations: Option<Expr>,
+    /// What the kernel calls its invocation.
+    pub id: Ident,
     pub parameters: Vec<Parameter>,
 }
 
 impl Kernel {
     pub fn parse(attribute: TokenStream, item: TokenStream) -> Result<Self> {
         let function: ItemFn = syn::parse2(item)?;
-        let (threads, fused) = parse_attribute(attribute)?;
+        let Attribute { threads, fused, iterations } = parse_attribute(attribute)?;
         let mut inputs = function.sig.inputs.iter();
-        match inputs.next() {
-            Some(FnArg::Typed(first))
-                if last_segment(&first.ty).is_some_and(|s| s.ident == "Invocation") => {}
-            _ => {
-                return Err(Error::new(
-                    function.sig.span(),
-                    "the first parameter of a kernel is `id: Invocation`",
-                ));
-            }
-        }
+        let id = inputs.next().and_then(invocation).ok_or_else(|| {
+            Error::new(function.sig.span(), "the first parameter of a kernel is `id: Invocation`")
+        })?;
         let parameters = inputs.map(parse_parameter).collect::<Result<Vec<_>>>()?;
         if parameters.iter().filter(|p| matches!(p.role, Role::Uniform)).count() > 1 {
             return Err(Error::new(function.sig.span(), "a kernel has at most one `&Params`"));
@@ -55,7 +54,7 @@ impl Kernel {
         if !function.sig.generics.params.is_empty() {
             return Err(Error::new(function.sig.generics.span(), "an entry point has no generics"));
         }
-        Ok(Self { function, threads, fused, parameters })
+        Ok(Self { function, threads, fused, iterations, id, parameters })
     }
 
     pub fn has_shared(&self) -> bool {
@@ -63,17 +62,28 @@ impl Kernel {
     }
 }
 
-/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, and `fused`
-fn parse_attribute(attribute: TokenStream) -> Result<([u32; 3], bool)> {
+struct Attribute {
+    threads: [u32; 3],
+    fused: bool,
+    iterations: Option<Expr>,
+}
+
+/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n` and `fused`
+fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     let mut threads = None;
     let mut fused = false;
+    let mut iterations = None;
     let parser = syn::meta::parser(|meta| {
         if meta.path.is_ident("fused") {
             fused = true;
             return Ok(());
         }
+        if meta.path.is_ident("iterations") {
+            iterations = Some(meta.value()?.parse()?);
+            return Ok(());
+        }
         if !meta.path.is_ident("threads") {
-            return Err(meta.error("expected `threads(x, y, z)` or `fused`"));
+            return Err(meta.error("expected `threads(x, y, z)`, `iterations = n` or `fused`"));
         }
         let content;
         syn::parenthesized!(content in meta.input);
@@ -96,7 +106,15 @@ fn parse_attribute(attribute: TokenStream) -> Result<([u32; 3], bool)> {
     parser.parse2(attribute.clone())?;
     let threads = threads
         .ok_or_else(|| Error::new(attribute.span(), "expected `#[kernel(threads(x, y, z))]`"))?;
-    Ok((threads, fused))
+    Ok(Attribute { threads, fused, iterations })
+}
+
+/// The name of `id: Invocation`.
+fn invocation(argument: &FnArg) -> Option<Ident> {
+    let FnArg::Typed(argument) = argument else { return None };
+    let Pat::Ident(pattern) = &*argument.pat else { return None };
+    let is_invocation = last_segment(&argument.ty).is_some_and(|s| s.ident == "Invocation");
+    is_invocation.then(|| pattern.ident.clone())
 }
 
 fn last_segment(ty: &Type) -> Option<&syn::PathSegment> {

@@ -30,15 +30,57 @@ fn rank(kind: wgpu::DeviceType) -> u32 {
     }
 }
 
+/// A GPU that the system offers.
+#[derive(Clone, Debug)]
+pub struct AdapterInfo {
+    /// Its name, by which [`DeviceOptions::adapter`] chooses it.
+    pub name: String,
+    /// Interface, driver and version, as far as they are known.
+    pub driver: String,
+    /// Whether it takes SPIR-V as it is.
+    pub passes_through: bool,
+}
+
+/// Every GPU that the system offers, the most capable first; of those of one name the first alone.
+#[must_use]
+pub fn adapters() -> Vec<AdapterInfo> {
+    let mut adapters = enumerate();
+    let mut names = std::collections::HashSet::new();
+    adapters.retain(|adapter| names.insert(adapter.get_info().name));
+    let describe = |adapter: &wgpu::Adapter| {
+        let info = adapter.get_info();
+        let driver = [info.backend.to_string(), info.driver, info.driver_info];
+        let known: Vec<_> = driver.into_iter().filter(|part| !part.is_empty()).collect();
+        AdapterInfo {
+            name: info.name,
+            driver: known.join(", "),
+            passes_through: can_pass_through(adapter),
+        }
+    };
+    adapters.iter().map(describe).collect()
+}
+
+/// Every adapter, the most capable first.
+fn enumerate() -> Vec<wgpu::Adapter> {
+    let mut adapters = pollster::block_on(instance().enumerate_adapters(wgpu::Backends::PRIMARY));
+    adapters.sort_by_key(|adapter| rank(adapter.get_info().device_type));
+    adapters
+}
+
+/// Whether an adapter takes SPIR-V as it is.
+fn can_pass_through(adapter: &wgpu::Adapter) -> bool {
+    adapter.get_info().backend == wgpu::Backend::Vulkan
+        && adapter.features().contains(wgpu::Features::PASSTHROUGH_SHADERS)
+}
+
 /// The adapter that `options` name, else the most capable, and how it takes SPIR-V.
 pub fn choose(options: &DeviceOptions) -> Result<(wgpu::Adapter, SpirvPath)> {
-    let mut adapters = pollster::block_on(instance().enumerate_adapters(wgpu::Backends::PRIMARY));
+    let adapters = enumerate();
     if adapters.is_empty() {
         return Err(Error::NoGpu {
             reason: "no Vulkan, Metal or DirectX 12 driver was found".into(),
         });
     }
-    adapters.sort_by_key(|adapter| rank(adapter.get_info().device_type));
     let names: Vec<_> = adapters.iter().map(|adapter| adapter.get_info().name).collect();
     let wanted = options.adapter.as_deref().unwrap_or("").to_lowercase();
     let adapter = adapters
@@ -51,8 +93,7 @@ pub fn choose(options: &DeviceOptions) -> Result<(wgpu::Adapter, SpirvPath)> {
             ),
         })?;
 
-    let can_pass_through = adapter.get_info().backend == wgpu::Backend::Vulkan
-        && adapter.features().contains(wgpu::Features::PASSTHROUGH_SHADERS);
+    let can_pass_through = can_pass_through(&adapter);
     let spirv = match options.spirv {
         Some(SpirvPath::Passthrough) if !can_pass_through => {
             let (name, backend) = (adapter.get_info().name, adapter.get_info().backend);

@@ -11,6 +11,7 @@ use organza_kernels::KernelInfo;
 use super::buffer::{Memory, RawBuffer};
 use super::open::{DeviceOptions, SpirvPath};
 use crate::error::{Error, Result};
+pub use adapter::{AdapterInfo, adapters};
 use pipeline::Pipelines;
 use recorder::Recorder;
 

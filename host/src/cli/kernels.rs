@@ -1,0 +1,115 @@
+//! `organza kernels`: what the program carries for GPUs.
+
+use organza::Result;
+use organza::kernels::{self, CodeSize};
+use organza_kernels::KernelInfo;
+use organza_kernels::limits::MAX_ITERATIONS;
+use serde::Serialize;
+
+use super::console::{print, print_json};
+use super::table::Table;
+
+/// List the kernels: their bindings, workgroups, code and loops
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// A kernel as it is listed.
+#[derive(Debug, Serialize)]
+struct Listed {
+    name: &'static str,
+    file: &'static str,
+    workgroup_size: [u32; 3],
+    fused: bool,
+    shared_bytes: u32,
+    spirv_bytes: usize,
+    #[serde(flatten)]
+    code: CodeSize,
+    /// The most that one invocation may take, all its loops together.
+    worst_case_iterations: u32,
+    bindings: Vec<Binding>,
+}
+
+#[derive(Debug, Serialize)]
+struct Binding {
+    binding: usize,
+    name: &'static str,
+    access: &'static str,
+    element: &'static str,
+    element_bytes: u32,
+}
+
+pub fn run(args: &Args) -> Result<()> {
+    let mut declared: Vec<_> = organza_kernels::kernels().collect();
+    declared.sort_by_key(|kernel| kernel.name);
+    let listed = declared.into_iter().map(Listed::of).collect::<Result<Vec<_>>>()?;
+    if args.json {
+        return print_json(&listed);
+    }
+    print(&format!("{}\n{}", code(&listed), bindings(&listed)))
+}
+
+impl Listed {
+    fn of(kernel: &'static KernelInfo) -> Result<Self> {
+        let compiled = kernels::of(kernel)?;
+        let bindings = kernel.bindings.iter().enumerate().map(|(binding, info)| Binding {
+            binding,
+            name: info.name,
+            access: info.access.as_str(),
+            element: info.element,
+            element_bytes: info.element_bytes,
+        });
+        Ok(Self {
+            name: kernel.name,
+            file: kernel.file,
+            workgroup_size: kernel.workgroup_size,
+            fused: kernel.fused,
+            shared_bytes: kernel.shared.iter().map(|shared| shared.bytes).sum(),
+            spirv_bytes: compiled.spirv().len(),
+            code: CodeSize::of(&compiled.spirv_words()),
+            worst_case_iterations: kernel.iterations.unwrap_or(0),
+            bindings: bindings.collect(),
+        })
+    }
+}
+
+fn code(listed: &[Listed]) -> String {
+    let titles = ["kernel", "workgroup", "shared", "SPIR-V", "instructions", "loops", "iterations"];
+    let mut table = Table::new(2, titles);
+    for kernel in listed {
+        let [x, y, z] = kernel.workgroup_size;
+        table.row([
+            kernel.name.into(),
+            format!("{x} x {y} x {z}"),
+            kernel.shared_bytes.to_string(),
+            kernel.spirv_bytes.to_string(),
+            kernel.code.instructions.to_string(),
+            kernel.code.loops.to_string(),
+            kernel.worst_case_iterations.to_string(),
+        ]);
+    }
+    format!(
+        "{table}\nshared and SPIR-V in bytes; iterations are the most that one invocation takes, of {MAX_ITERATIONS} \
+         at most\n"
+    )
+}
+
+fn bindings(listed: &[Listed]) -> String {
+    let mut table = Table::new(5, ["kernel", "binding", "name", "access", "element", "bytes"]);
+    for kernel in listed {
+        for (index, binding) in kernel.bindings.iter().enumerate() {
+            table.row([
+                if index == 0 { kernel.name.into() } else { String::new() },
+                binding.binding.to_string(),
+                binding.name.into(),
+                binding.access.into(),
+                binding.element.into(),
+                binding.element_bytes.to_string(),
+            ]);
+        }
+    }
+    table.to_string()
+}

@@ -1,0 +1,204 @@
+//! `organza parity`: every kernel on this machine's GPUs beside the CPU.
+
+use std::fmt::Write as _;
+use std::process::ExitCode;
+
+use clap::ValueEnum;
+use organza::backend::{AdapterInfo, adapters};
+use organza::parity::{Report, Row, Worst, cases};
+use organza::{Device, DeviceOptions, Error, Result, SpirvPath};
+
+use super::console::{Console, print, print_json};
+use super::refuse;
+use super::table::Table;
+
+/// The exit code where a kernel is out of tolerance.
+const OUT_OF_TOLERANCE: u8 = 1;
+
+const NOTES: &str = "\
+Columns: the largest absolute, relative and ULP (units of the last place) difference to the CPU;
+what is allowed, in units of each output's scale (docs/parity.md); how much of that the worst
+value takes.  Integers must be equal.
+
+Exit code: 0, 1 where a kernel is out of its tolerance, 2 with a message on stderr where there is no
+GPU or the command line makes no sense.
+
+Examples:
+  organza parity
+  organza parity --adapter nvidia --json
+  organza parity --backend cpu";
+
+/// Run every kernel on every GPU and compare with the CPU: the first thing to do on a new GPU
+#[derive(Debug, clap::Args)]
+#[command(after_help = NOTES)]
+pub struct Args {
+    /// What to compare with the CPU: GPUs, or the CPU itself on a single thread
+    #[arg(long, value_enum, default_value_t)]
+    backend: Backend,
+    /// Take the GPU whose name contains this alone [default: each there is]
+    #[arg(long, value_name = "NAME")]
+    adapter: Option<String>,
+    /// Print JSON, with the place of every largest difference
+    #[arg(long)]
+    json: bool,
+    /// Print Markdown, with where each tolerance comes from: docs/parity.md
+    #[arg(long, conflicts_with = "json")]
+    markdown: bool,
+    /// Print warnings and errors alone
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
+enum Backend {
+    #[default]
+    Gpu,
+    Cpu,
+}
+
+pub fn run(args: &Args) -> Result<ExitCode> {
+    let console = Console::new(args.quiet);
+    let cpu = Device::open(&DeviceOptions::cpu(None))?;
+    let (mut reports, mut unusable) = (Vec::new(), Vec::new());
+    if args.backend == Backend::Cpu {
+        if args.adapter.is_some() {
+            return refuse("`--adapter` is about GPUs, but `--backend` is cpu");
+        }
+        reports.push(measured(console, "cpu", |done| Report::of_cpu(&cpu, done))?);
+    } else {
+        for adapter in chosen(args.adapter.as_deref())? {
+            for path in paths(&adapter) {
+                let what = format!("{}, {}", adapter.name, path.as_str());
+                let report =
+                    measured(console, &what, |done| Report::of_gpu(&cpu, &adapter, path, done));
+                match report {
+                    Ok(report) => reports.push(report),
+                    // another may be of use
+                    Err(error @ Error::NoGpu { .. }) => unusable.push(error),
+                    Err(error) => return Err(error),
+                }
+            }
+        }
+    }
+    if reports.is_empty()
+        && let Some(error) = unusable.pop()
+    {
+        return Err(error);
+    }
+    unusable.iter().for_each(|error| console.warn(&error.to_string()));
+    if args.json {
+        print_json(&reports)?;
+    } else if args.markdown {
+        let tables: String = reports.iter().map(markdown).collect();
+        print(&(tolerances() + &tables))?;
+    } else {
+        let texts: Vec<_> = reports.iter().map(text).collect();
+        print(&texts.join("\n"))?;
+    }
+    let is_ok = reports.iter().all(Report::is_ok);
+    Ok(if is_ok { ExitCode::SUCCESS } else { ExitCode::from(OUT_OF_TOLERANCE) })
+}
+
+/// The adapters whose name contains `name`; all without one.
+fn chosen(name: Option<&str>) -> Result<Vec<AdapterInfo>> {
+    let wanted = name.unwrap_or("").to_lowercase();
+    let mut found = adapters();
+    found.retain(|adapter| adapter.name.to_lowercase().contains(&wanted));
+    if found.is_empty() {
+        // opening it says why it cannot be had
+        let adapter = name.map(str::to_owned);
+        Device::open(&DeviceOptions { adapter, ..DeviceOptions::gpu(SpirvPath::Naga) })?;
+        return Err(Error::NoGpu { reason: "it was there a moment ago only".into() });
+    }
+    Ok(found)
+}
+
+fn paths(adapter: &AdapterInfo) -> Vec<SpirvPath> {
+    if adapter.passes_through {
+        vec![SpirvPath::Passthrough, SpirvPath::Naga]
+    } else {
+        vec![SpirvPath::Naga]
+    }
+}
+
+fn measured(
+    console: Console,
+    what: &str,
+    measure: impl FnOnce(&mut dyn FnMut(&'static str)) -> Result<Report>,
+) -> Result<Report> {
+    let progress = console.progress(cases().len() as u64, "kernels");
+    progress.say(what);
+    measure(&mut |_| progress.advance(1))
+}
+
+/// Every kernel's tolerance, and where it comes from.
+fn tolerances() -> String {
+    let mut text =
+        "## Tolerances\n\n| kernel | tolerance | why |\n| --- | --- | --- |\n".to_owned();
+    for case in cases() {
+        // writing to a String does not fail
+        let _ = writeln!(text, "| {} | {} | {} |", case.kernel, allowed(case.tolerance), case.why);
+    }
+    text
+}
+
+fn markdown(report: &Report) -> String {
+    let (adapter, driver, path) = (&report.adapter, &report.driver, report.path);
+    let mut text = format!("\n## {adapter}, {path}\n\n{driver}\n\n");
+    let titles = TITLES.join(" | ");
+    let _ = writeln!(text, "| {titles} |\n|{}", " --- |".repeat(TITLES.len()));
+    for row in &report.kernels {
+        let _ = writeln!(text, "| {} |", cells(row).join(" | "));
+    }
+    text
+}
+
+const TITLES: [&str; 8] =
+    ["kernel", "values", "absolute", "relative", "ulp", "tolerance", "of it", "result"];
+
+/// A table, and where it failed.
+fn text(report: &Report) -> String {
+    let mut table = Table::new(1, TITLES);
+    report.kernels.iter().for_each(|row| table.row(cells(row)));
+    let (adapter, driver, path) = (&report.adapter, &report.driver, report.path);
+    let mut text = format!("{adapter} ({driver}), {path}\n{table}");
+    report.kernels.iter().filter(|row| !row.ok).for_each(|row| explain(&mut text, row));
+    text
+}
+
+/// As [`TITLES`] has it.
+fn cells(row: &Row) -> [String; TITLES.len()] {
+    let measure = &row.measure;
+    [
+        row.kernel.to_owned(),
+        measure.values.to_string(),
+        size(measure.absolute.value),
+        size(measure.relative.value),
+        format!("{:.1}", measure.ulp.value),
+        allowed(row.tolerance),
+        format!("{:.0}%", measure.share.value * 100.0),
+        if row.ok { "ok" } else { "FAILED" }.to_owned(),
+    ]
+}
+
+fn allowed(tolerance: f64) -> String {
+    if tolerance == 0.0 { "equal".to_owned() } else { format!("{tolerance:.1e}") }
+}
+
+/// 0 is 0, whatever it is a size of.
+fn size(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
+}
+
+/// Where a kernel failed most.
+fn explain(text: &mut String, row: &Row) {
+    let Worst { set, output, index, cpu, found, .. } = &row.measure.share;
+    let (failures, values) = (row.measure.failures, row.measure.values);
+    // writing to a String does not fail
+    let _ = writeln!(
+        text,
+        "{}: {failures} of {values} values failed, most `{output}[{index}]` of \"{set}\": {found:e}, on the CPU {cpu:e}; \
+         allowed: {}",
+        row.kernel, row.why
+    );
+}

@@ -1,0 +1,252 @@
+//! Cases of `color_inputs` and `color_head`.
+
+use glam::Vec3;
+use organza_kernels::camera::Camera;
+use organza_kernels::color::{
+    ColorHeadKernel, ColorHeadParams, ColorInputsKernel, ColorInputsParams,
+};
+use organza_kernels::hash_grid::POINT_ROWS;
+use organza_kernels::unit_cube::SceneBox;
+
+use super::bench::Bench;
+use super::case::{Parity, Rounding};
+use super::dense::Layer;
+use super::inputs::{self, Fill, ITEMS, Random};
+use super::measure::{Bound, Output, Values};
+use super::project;
+use crate::error::Result;
+
+/// Boxes around the origin, far from it and small, and large.
+pub const BOXES: [[[f64; 3]; 2]; 3] = [
+    [[-1.5; 3], [1.5; 3]],
+    [[10.0, 10.0, -10.3], [10.3, 10.3, -10.0]],
+    [[-317.3, -0.5, 0.0], [511.9, 0.5, 1000.0]],
+];
+
+/// Pairs before the chunk.
+const FIRST_PAIR: u32 = 2;
+
+/// Coarse and fine parts of `[6, stride]` points, added.
+pub fn joined(point: &[f32], stride: usize) -> Vec<f64> {
+    let parts = |axis: usize| {
+        let (coarse, fine) =
+            (&point[axis * stride..][..stride], &point[(axis + 3) * stride..][..stride]);
+        coarse.iter().zip(fine).map(|(&coarse, &fine)| f64::from(coarse) + f64::from(fine))
+    };
+    (0..3).flat_map(parts).collect()
+}
+
+/// Inputs of `color_inputs`.
+#[derive(Clone)]
+pub struct ColorInputs {
+    /// Pairs of the chunk; two others lie before them.
+    pub pairs: u32,
+    /// `camera * gaussians + gaussian`
+    pub pair: Vec<u32>,
+    /// Gaussians of the scene.
+    pub gaussians: u32,
+    /// The cameras.
+    pub cameras: Vec<Camera>,
+    /// The scene's box.
+    pub aabb: [[f64; 3]; 2],
+    /// `[gaussians, 3]`
+    pub position: Vec<f32>,
+    /// `[gaussians, 3]`
+    pub material: Vec<f32>,
+    /// Degree of the harmonics.
+    pub degree: u32,
+    /// Distance of two rows.
+    pub stride: u32,
+}
+
+impl ColorInputs {
+    fn new(pairs: u32, fill: Fill, degree: u32, aabb: [[f64; 3]; 2], random: &mut Random) -> Self {
+        let gaussians = 50;
+        let cameras = project::cameras(random);
+        let slots = gaussians * cameras.len() as u32;
+        let low = aabb[0].iter().fold(f64::MAX, |a, &b| a.min(b)) as f32;
+        let high = aabb[1].iter().fold(f64::MIN, |a, &b| a.max(b)) as f32;
+        Self {
+            pairs,
+            // the last pair there is, and any
+            pair: (0..pairs + FIRST_PAIR)
+                .map(|i| if i % 7 == 6 { slots - 1 } else { random.below(slots) })
+                .collect(),
+            gaussians,
+            cameras,
+            aabb,
+            position: fill.values(random, 3 * gaussians as usize, [low - 0.2, high + 0.2], 1e30),
+            material: fill.values(random, 3 * gaussians as usize, [-1.0, 1.0], 3e38),
+            degree,
+            stride: pairs + 3,
+        }
+    }
+
+    /// Camera and Gaussian of a column.
+    #[must_use]
+    pub fn of(&self, column: usize) -> (&Camera, Vec3, usize) {
+        let slot = self.pair[FIRST_PAIR as usize + column] as usize;
+        let gaussian = slot % self.gaussians as usize;
+        let center = Vec3::from_slice(&self.position[3 * gaussian..]);
+        (&self.cameras[slot / self.gaussians as usize], center, gaussian)
+    }
+
+    /// Values of the harmonics.
+    #[must_use]
+    pub fn sh_rows(&self) -> usize {
+        (self.degree as usize + 1).pow(2)
+    }
+}
+
+impl Parity for ColorInputs {
+    const KERNEL: &'static str = "color_inputs";
+    const TOLERANCE: f64 = 1e-6;
+    const WHY: &'static str = "harmonics: a recurrence of `degree` steps with square roots and \
+        divisions of 3 ulp; points: two f32 know 1e-9, one where drivers regroup";
+
+    fn sets() -> Vec<(String, Self)> {
+        let mut sets = inputs::sets(|n, fill, random| Self::new(n, fill, 3, BOXES[0], random));
+        for degree in 0..=7 {
+            for (index, aabb) in BOXES.into_iter().enumerate() {
+                let mut random = Random::new(u64::from(degree));
+                let set = Self::new(ITEMS, Fill::Random, degree, aabb, &mut random);
+                sets.push((format!("degree {degree}, box {index}"), set));
+            }
+        }
+        let mut set = Self::new(ITEMS, Fill::Random, 7, BOXES[0], &mut Random::new(9));
+        // the camera within a Gaussian has no direction
+        set.position[..3].copy_from_slice(&set.cameras[0].eye.to_array());
+        set.pair.fill(0);
+        sets.push(("Gaussian at the camera".into(), set));
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let stride = self.stride as usize;
+        let cameras: Vec<_> = self.cameras.iter().flat_map(Camera::pack).collect();
+        let point = bench.output(POINT_ROWS as usize * stride)?;
+        let input = bench.output((self.sh_rows() + 4) * stride)?;
+        let kernel = ColorInputsKernel {
+            params: ColorInputsParams {
+                pairs: self.pairs,
+                first_pair: FIRST_PAIR,
+                stride: self.stride,
+                gaussians: self.gaussians,
+                sh_degree: self.degree,
+                material: 3,
+                // a row between them belongs to the grid
+                material_row: self.sh_rows() as u32 + 1,
+            },
+            pair: &bench.upload(&self.pair)?,
+            camera: &bench.upload(&cameras)?,
+            scene_box: &bench.upload(&SceneBox::new(self.aabb).pack())?,
+            position: &bench.upload(&self.position)?,
+            material: &bench.upload(&self.material)?,
+            point: &point,
+            input: &input,
+        };
+        bench.items(&kernel, self.pairs, 1)?;
+        let point = bench.read(&point)?;
+        let behind = point[POINT_ROWS as usize * stride..].iter().copied();
+        Ok(vec![
+            Output { name: "point", values: Values::Float(joined(&point, stride)) },
+            Output::float("behind point", behind),
+            Output::float("input", bench.read(&input)?),
+        ])
+    }
+
+    fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
+        let (row, column) = (index / self.stride as usize, index % self.stride as usize);
+        if column >= self.pairs as usize || cpu.name == "behind point" {
+            return Bound { scale: 0.0, floor: 0.0 };
+        }
+        if cpu.name == "input" {
+            // a material is copied, but a GPU may flush it
+            let is_sh = row < self.sh_rows();
+            return Bound::of(if is_sh { 1.0 + f64::from(self.degree) } else { 0.0 });
+        }
+        let x = cpu.floats()[index].abs();
+        let (_, center, _) = self.of(column);
+        let extent = (self.aabb[1][row] - self.aabb[0][row]) / 0.9;
+        let world = f64::from(center[row].abs()) + self.aabb[0][row].abs();
+        let scale = match rounding {
+            Rounding::AsWritten if x < 2.0 => 1e-3,
+            Rounding::AsWritten => x,
+            Rounding::Regrouped => 0.5 * (1.0 + x + world / extent),
+        };
+        Bound::of(scale)
+    }
+}
+
+/// Inputs of `color_head`.
+#[derive(Clone, Debug)]
+pub struct ColorHead {
+    /// The last layer: one column.
+    pub layer: Layer,
+}
+
+impl Parity for ColorHead {
+    const KERNEL: &'static str = "color_head";
+    const TOLERANCE: f64 = 4e-7;
+    const WHY: &'static str = "a logit is off by roundings of its terms' sizes M, a sigmoid by as \
+        much relatively, and by exp's 3 + 2 abs(x) ulp";
+
+    fn sets() -> Vec<(String, Self)> {
+        let mut sets =
+            inputs::sets(|n, fill, random| Self { layer: Layer::new(n, 16, 1, fill, random) });
+        for size in [0.01, 10.0, 50.0, 1e4] {
+            sets.push((format!("logits of {size}"), Self { layer: layer_of_size(size) }));
+        }
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let layer = &self.layer;
+        let params = layer.params();
+        let color = bench.output(3 * (FIRST_PAIR + layer.samples) as usize)?;
+        let kernel = ColorHeadKernel {
+            params: ColorHeadParams {
+                samples: layer.samples,
+                first_pair: FIRST_PAIR,
+                stride: layer.stride,
+                inputs: layer.inputs,
+                weight: params.weight,
+                bias: params.bias,
+            },
+            parameters: &bench.upload(&layer.parameters)?,
+            input: &bench.upload(&layer.input)?,
+            color: &color,
+        };
+        bench.items(&kernel, layer.samples, 1)?;
+        Ok(vec![Output::float("color", bench.read(&color)?)])
+    }
+
+    fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
+        let Some(at) = index.checked_sub(3 * FIRST_PAIR as usize) else {
+            return Bound { scale: 0.0, floor: 0.0 };
+        };
+        let (sample, channel) = ((at / 3) as u32, (at % 3) as u32);
+        if sample >= self.layer.samples {
+            return Bound { scale: 0.0, floor: 0.0 };
+        }
+        let Bound { scale: terms, floor } = self.layer.bound(sample, channel);
+        let color = cpu.floats()[index];
+        // where the logit itself is lost, so is the color
+        let is_lost = terms * Self::TOLERANCE > 0.1;
+        let scale = if is_lost { 1.0 / Self::TOLERANCE } else { color * (1.0 + 3.0 * terms) };
+        Bound { scale, floor }
+    }
+}
+
+/// A head whose logits are about as large as `size`, of both signs, and none of which cancels.
+pub fn layer_of_size(size: f32) -> Layer {
+    let mut layer = Layer::new(ITEMS, 16, 1, Fill::Random, &mut Random::new(5));
+    for row in &mut layer.parameters {
+        *row = row.abs() * size / 8.0;
+    }
+    for (at, value) in layer.input.iter_mut().enumerate() {
+        let is_negative = (at as u32 % layer.stride).is_multiple_of(2);
+        *value = if is_negative { -value.abs() } else { value.abs() };
+    }
+    layer
+}

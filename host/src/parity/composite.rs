@@ -1,0 +1,261 @@
+//! Cases of `composite` and `resolve`.
+
+use glam::Vec4;
+use organza_kernels::composite::{CompositeKernel, CompositeParams, ResolveKernel, ResolveParams};
+use organza_kernels::limits::MAX_MEMBERS;
+use organza_kernels::math::TINY;
+use organza_kernels::project::FALLOFF_CUTOFF;
+use organza_kernels::tile::Tile;
+
+use super::bench::Bench;
+use super::case::{Parity, Rounding};
+use super::inputs::{Fill, Random};
+use super::measure::{Bound, Output};
+use super::tile::pack;
+use crate::error::Result;
+
+/// Sides around the workgroup's.
+const SIDES: [u32; 5] = [1, 7, 8, 9, 17];
+
+/// Three tiles: at the origin, over the border, and far away.
+fn tiles() -> Vec<Tile> {
+    let tile = |origin, output| Tile { camera: 0, origin, output };
+    vec![tile([0, 0], 1), tile([-9, 5], 2), tile([4000, -30], 0)]
+}
+
+/// Inputs of `composite`.
+#[derive(Clone, Debug)]
+pub struct Composite {
+    /// S
+    pub side: u32,
+    /// Members that earlier passes have summed up.
+    pub skip: u32,
+    /// The tiles.
+    pub tiles: Vec<Tile>,
+    /// `[tiles + 1]`
+    pub tile_first: Vec<u32>,
+    /// Indices of splats.
+    pub member: Vec<u32>,
+    /// `[splats, 3]`
+    pub splat: Vec<[Vec4; 3]>,
+    /// `[tiles, S, S]`: what earlier passes have left.
+    pub sum: Vec<Vec4>,
+}
+
+impl Composite {
+    fn new(side: u32, members: &[u32], fill: Fill, seed: u64) -> Self {
+        let mut random = Random::new(seed);
+        let splats = 300;
+        let tiles: Vec<_> = tiles().into_iter().take(members.len()).collect();
+        let mean = fill.values(&mut random, 2 * splats, [-12.0, 20.0], 1e30);
+        let conic = fill.values(&mut random, 2 * splats, [0.003, 0.4], 1e30);
+        let splat = (0..splats).map(|index| {
+            let tile = &tiles[index % tiles.len()];
+            let (x, y) = (mean[2 * index], mean[2 * index + 1]);
+            let near = [0, 1].map(|axis| tile.origin[axis] as f32);
+            let (xx, yy) = (conic[2 * index].abs(), conic[2 * index + 1].abs());
+            // every tenth is a needle
+            let slant = if index % 10 == 3 { 0.999_999 } else { random.between(-0.9, 0.9) };
+            let xy = slant * xx.sqrt() * yy.sqrt();
+            [
+                Vec4::new(x + near[0], y + near[1], random.between(0.0, 1.0), 0.0),
+                Vec4::new(xx, xy, yy, 0.0),
+                Vec4::from_slice(&random.values(4, 0.0, 1.0)),
+            ]
+        });
+        let splat: Vec<_> = splat.collect();
+        let mut tile_first = vec![0];
+        members.iter().for_each(|count| tile_first.push(tile_first[tile_first.len() - 1] + count));
+        let all = tile_first[members.len()];
+        let member = (0..all).map(|_| random.below(splats as u32)).collect();
+        let pixels = tiles.len() * (side * side) as usize;
+        let sum = (0..pixels).map(|_| Vec4::from_slice(&random.values(4, 0.0, 0.5))).collect();
+        Self { side, skip: 0, tiles, tile_first, member, splat, sum }
+    }
+
+    /// A tile with more members than a pass takes: faint ones, and behind them some that no one could miss.
+    fn crowded() -> Self {
+        let mut set = Self::new(1, &[MAX_MEMBERS + 5, 3], Fill::Random, 4);
+        let [faint, bright] = [1e-6, 1.0].map(|weight| {
+            let center = Vec4::new(0.5, 0.5, weight, 0.0);
+            [center, Vec4::new(0.1, 0.0, 0.1, 0.0), Vec4::splat(0.7)]
+        });
+        set.splat[..2].copy_from_slice(&[faint, bright]);
+        let (first, rest) = set.member.split_at_mut(MAX_MEMBERS as usize);
+        first.fill(0);
+        rest.fill(1);
+        set
+    }
+
+    /// The members of a tile that this pass sums up.
+    #[must_use]
+    pub fn members(&self, tile: usize) -> &[u32] {
+        let end = self.tile_first[tile + 1].min(self.tile_first[tile] + self.skip + MAX_MEMBERS);
+        &self.member[(self.tile_first[tile] + self.skip).min(end) as usize..end as usize]
+    }
+
+    /// Tile, and the pixel's center in the image.
+    #[must_use]
+    pub fn pixel(&self, index: usize) -> (usize, [f64; 2]) {
+        let side = self.side as usize;
+        let tile = index / (side * side);
+        let [x, y] = self.tiles[tile].origin.map(f64::from);
+        let (row, column) = (index / side % side, index % side);
+        (tile, [x + column as f64 + 0.5, y + row as f64 + 0.5])
+    }
+}
+
+/// The falloff at a squared distance, where it ends included.
+fn falloff(q: f64) -> f64 {
+    if q <= f64::from(FALLOFF_CUTOFF) { (-0.5 * q.max(0.0)).exp() } else { 0.0 }
+}
+
+impl Parity for Composite {
+    const KERNEL: &'static str = "composite";
+    const TOLERANCE: f64 = 2e-6;
+    const WHY: &'static str = "exp's 3 + 2 abs(x) ulp of every term; q is good to 1e-6 of its terms' \
+        sizes, and at the cutoff a member within that may come out on either side (1/255)";
+
+    fn sets() -> Vec<(String, Self)> {
+        let mut sets: Vec<_> = SIDES
+            .iter()
+            .map(|&side| {
+                (format!("random, side {side}"), Self::new(side, &[40, 0, 90], Fill::Random, 1))
+            })
+            .collect();
+        for fill in Fill::ADVERSARIAL {
+            let set = Self::new(9, &[1, 60, 60], fill, 2);
+            sets.push((format!("{}, side 9", fill.name()), set));
+        }
+        sets.push(("no members".into(), Self::new(8, &[0], Fill::Random, 3)));
+        sets.push(("one member".into(), Self::new(8, &[1], Fill::Random, 3)));
+        sets.push(("crowded".into(), Self::crowded()));
+        let skip = 20;
+        sets.push((
+            "second pass".into(),
+            Self { skip, ..Self::new(8, &[25, 20], Fill::Random, 5) },
+        ));
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let sum = bench.output_of(&self.sum)?;
+        let kernel = CompositeKernel {
+            params: CompositeParams { side: self.side, skip: self.skip },
+            tile: &bench.upload(&pack(&self.tiles))?,
+            tile_first: &bench.upload(&self.tile_first)?,
+            member: &bench.upload(&self.member)?,
+            splat: &bench.upload(self.splat.as_flattened())?,
+            sum: &sum,
+        };
+        bench.pixels(&kernel, self.side, self.tiles.len() as u32)?;
+        let sum = bench.read(&sum)?;
+        Ok(vec![Output::float("sum", sum.iter().flat_map(|v| v.to_array()))])
+    }
+
+    fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {
+        let (at, channel) = (index / 4, index % 4);
+        if at >= self.sum.len() {
+            return Bound { scale: 0.0, floor: 0.0 };
+        }
+        let (tile, pixel) = self.pixel(at);
+        let members = self.members(tile);
+        let mut scale = f64::from(self.sum[at][channel].abs());
+        let mut floor = f64::from(TINY) * (1.0 + members.len() as f64);
+        for &member in members {
+            let [placed, conic, color] = self.splat[member as usize].map(|v| v.as_dvec4());
+            let (dx, dy) = (pixel[0] - placed.x, pixel[1] - placed.y);
+            let terms = [conic.x * dx * dx, 2.0 * conic.y * dx * dy, conic.z * dy * dy];
+            // the difference itself is rounded too: to 1e-7 of the pixel's and the center's size
+            let d = |d: f64, x: f64| 1.0 + 0.2 * x.abs() / d.abs().max(1e-3);
+            let slack = 1e-6
+                * terms.iter().map(|t| t.abs()).sum::<f64>()
+                * d(dx, pixel[0]).max(d(dy, pixel[1]));
+            let q: f64 = terms.iter().sum();
+            let weight = placed.z * if channel == 3 { 1.0 } else { color[channel].abs() };
+            scale += weight * falloff(q);
+            floor += weight * (falloff(q - slack) - falloff(q + slack));
+        }
+        let roundings = match rounding {
+            Rounding::AsWritten => 1.0,
+            Rounding::Regrouped => 1.0 + 0.03 * members.len() as f64,
+        };
+        Bound { scale: scale * roundings, floor }
+    }
+}
+
+/// Inputs of `resolve`.
+#[derive(Clone, Debug)]
+pub struct Resolve {
+    /// S
+    pub side: u32,
+    /// The tiles.
+    pub tiles: Vec<Tile>,
+    /// `[tiles, S, S]`
+    pub sum: Vec<Vec4>,
+    /// The background.
+    pub background: [f32; 3],
+}
+
+impl Resolve {
+    fn new(side: u32, fill: Fill, weights: [f32; 2]) -> Self {
+        let mut random = Random::new(u64::from(side));
+        let tiles = tiles();
+        let pixels = tiles.len() * (side * side) as usize;
+        let color = fill.values(&mut random, 3 * pixels, [0.0, 2.0], 1e30);
+        let weight = fill.values(&mut random, pixels, weights, 1e30);
+        let sum = (0..pixels).map(|i| {
+            let [r, g, b] = [0, 1, 2].map(|channel| color[3 * i + channel].abs());
+            Vec4::new(r, g, b, weight[i].abs())
+        });
+        Self { side, tiles, sum: sum.collect(), background: [0.2, 1.0, 0.0] }
+    }
+}
+
+impl Parity for Resolve {
+    const KERNEL: &'static str = "resolve";
+    const TOLERANCE: f64 = 5e-7;
+    const WHY: &'static str =
+        "a division of 3 ulp and three roundings; the branches agree at S = 1";
+
+    fn sets() -> Vec<(String, Self)> {
+        let mut sets: Vec<_> = SIDES
+            .iter()
+            .map(|&side| {
+                (format!("random, side {side}"), Self::new(side, Fill::Random, [0.0, 3.0]))
+            })
+            .collect();
+        for fill in Fill::ADVERSARIAL {
+            sets.push((format!("{}, side 9", fill.name()), Self::new(9, fill, [0.0, 3.0])));
+        }
+        let edge = [1.0 - 3.0 * f32::EPSILON, 1.0 + 3.0 * f32::EPSILON];
+        sets.push(("weights about 1".into(), Self::new(17, Fill::Random, edge)));
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let image = bench.output(3 * self.sum.len())?;
+        let [background_r, background_g, background_b] = self.background;
+        let side = self.side;
+        let kernel = ResolveKernel {
+            params: ResolveParams { side, background_r, background_g, background_b },
+            tile: &bench.upload(&pack(&self.tiles))?,
+            sum: &bench.upload(&self.sum)?,
+            image: &image,
+        };
+        bench.pixels(&kernel, side, self.tiles.len() as u32)?;
+        Ok(vec![Output::float("image", bench.read(&image)?)])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let area = (self.side * self.side) as usize;
+        let (output, channel, at) = (index / 3 / area, index / area % 3, index % area);
+        let Some(tile) = self.tiles.iter().position(|tile| tile.output as usize == output) else {
+            return Bound { scale: 0.0, floor: 0.0 };
+        };
+        let sum = self.sum[tile * area + at].as_dvec4();
+        let color = sum[channel].abs();
+        let background = f64::from(self.background[channel]);
+        if sum.w > 1.0 { Bound::of(color / sum.w) } else { Bound::of(color + background) }
+    }
+}

@@ -1,0 +1,136 @@
+//! The case of `dense`, and the sum that both heads share with it.
+
+use glam::Vec4;
+use organza_kernels::dense::{DenseKernel, DenseParams, HIDDEN_BLOCK};
+use organza_kernels::math::TINY;
+
+use super::bench::Bench;
+use super::case::{Parity, Rounding};
+use super::inputs::{self, Fill, Random};
+use super::measure::{Bound, Output};
+use crate::error::Result;
+
+/// Where a layer's weights begin: not at 0.
+const WEIGHT: u32 = 3;
+
+/// A layer and the samples it is evaluated for.
+#[derive(Clone, Debug)]
+pub struct Layer {
+    /// Samples.
+    pub samples: u32,
+    /// Distance of two rows of `input`.
+    pub stride: u32,
+    /// Inputs.
+    pub inputs: u32,
+    /// Columns of four outputs.
+    pub columns: u32,
+    /// Weights from 3 on, then biases.
+    pub parameters: Vec<Vec4>,
+    /// `[inputs, stride]`
+    pub input: Vec<f32>,
+}
+
+impl Layer {
+    /// A layer whose weights and inputs are filled; `huge` ones leave their sums finite.
+    pub fn new(samples: u32, inputs: u32, columns: u32, fill: Fill, random: &mut Random) -> Self {
+        let stride = samples + 5;
+        let numbers = 4 * (WEIGHT + (inputs + 1) * columns) as usize;
+        let parameters = fill.values(random, numbers, [-1.0, 1.0], 1e15);
+        let input = fill.values(random, (inputs * stride) as usize, [-1.0, 1.0], 1e15);
+        let (vectors, _) = parameters.as_chunks::<4>();
+        let parameters = vectors.iter().copied().map(Vec4::from_array).collect();
+        Self { samples, stride, inputs, columns, parameters, input }
+    }
+
+    /// As the kernels take it.
+    #[must_use]
+    pub fn params(&self) -> DenseParams {
+        DenseParams {
+            samples: self.samples,
+            stride: self.stride,
+            inputs: self.inputs,
+            columns: self.columns,
+            weight: WEIGHT,
+            bias: WEIGHT + self.inputs * self.columns,
+        }
+    }
+
+    /// Weight of an input in an output.
+    #[must_use]
+    pub fn weight(&self, input: u32, output: u32) -> f64 {
+        let at = WEIGHT + input * self.columns + output / 4;
+        f64::from(self.parameters[at as usize][output as usize % 4])
+    }
+
+    /// Bias of an output.
+    #[must_use]
+    pub fn bias(&self, output: u32) -> f64 {
+        self.weight(self.inputs, output)
+    }
+
+    /// An input of a sample.
+    #[must_use]
+    pub fn value(&self, input: u32, sample: u32) -> f64 {
+        f64::from(self.input[(input * self.stride + sample) as usize])
+    }
+
+    /// How far a sum may be off: the sum of its terms' sizes, and what denormals may come to.
+    #[must_use]
+    pub fn bound(&self, sample: u32, output: u32) -> Bound {
+        let mut scale = self.bias(output).abs();
+        let mut reach = 1.0;
+        for input in 0..self.inputs {
+            let (w, x) = (self.weight(input, output).abs(), self.value(input, sample).abs());
+            scale += w * x;
+            reach += w + x + 1.0;
+        }
+        Bound { scale, floor: reach * f64::from(TINY) }
+    }
+}
+
+/// Inputs of `dense`.
+#[derive(Clone, Debug)]
+pub struct Dense {
+    /// The layer; its columns are a multiple of four.
+    pub layer: Layer,
+}
+
+impl Parity for Dense {
+    const KERNEL: &'static str = "dense";
+    const TOLERANCE: f64 = 1.2e-7;
+    const WHY: &'static str = "a rounding of both devices for each input, of the terms' sizes: drivers may fuse \
+        and regroup";
+
+    fn sets() -> Vec<(String, Self)> {
+        let mut sets =
+            inputs::sets(|n, fill, random| Self { layer: Layer::new(n, 19, 8, fill, random) });
+        for (inputs, columns) in [(1, 4), (64, 4), (3, 16)] {
+            let layer = Layer::new(65, inputs, columns, Fill::Random, &mut Random::new(7));
+            sets.push((format!("random, {inputs} inputs, {columns} columns"), Self { layer }));
+        }
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let layer = &self.layer;
+        let output = bench.output((4 * layer.columns * layer.stride) as usize)?;
+        let kernel = DenseKernel {
+            params: layer.params(),
+            parameters: &bench.upload(&layer.parameters)?,
+            input: &bench.upload(&layer.input)?,
+            output: &output,
+        };
+        bench.items(&kernel, layer.samples, layer.columns * 4 / HIDDEN_BLOCK)?;
+        Ok(vec![Output::float("output", bench.read(&output)?)])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let (row, sample) = (index as u32 / self.layer.stride, index as u32 % self.layer.stride);
+        if row < 4 * self.layer.columns && sample < self.layer.samples {
+            let Bound { scale, floor } = self.layer.bound(sample, row);
+            Bound { scale: scale * f64::from(self.layer.inputs + 1), floor }
+        } else {
+            Bound { scale: 0.0, floor: 0.0 }
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! The case of `hash_grid`.
+
+use organza_kernels::hash_grid::{GridLevel, HashGridKernel, HashGridParams, POINT_ROWS};
+use organza_kernels::math::TINY;
+use organza_kernels::unit_cube::Split;
+
+use super::bench::Bench;
+use super::case::{Parity, Rounding};
+use super::inputs::{self, Fill, ITEMS, Random};
+use super::measure::{Bound, Output};
+use crate::error::Result;
+use crate::scene::{GridConfig, Interpolation};
+
+/// Rows before the features, which the kernel leaves alone.
+const FIRST_ROW: u32 = 3;
+
+/// Inputs of `hash_grid`.
+#[derive(Clone, Debug)]
+pub struct HashGrid {
+    /// The grid.
+    pub grid: GridConfig,
+    /// Points.
+    pub points: Vec<[Split; 3]>,
+    /// Distance of two rows.
+    pub stride: u32,
+    /// `[entries, features]`
+    pub table: Vec<f32>,
+}
+
+/// A grid with dense and hashed levels.
+fn grid() -> GridConfig {
+    GridConfig {
+        levels: 5,
+        features: 2,
+        log2_table: 9,
+        base_resolution: 5.0,
+        growth: 2.1,
+        interpolation: Interpolation::Linear,
+    }
+}
+
+impl HashGrid {
+    fn new(grid: GridConfig, count: u32, points: Fill, table: Fill, random: &mut Random) -> Self {
+        let x = points.values(random, 3 * count as usize, [-0.2, 1.2], 1e30);
+        let rest = Fill::Random.values(random, x.len(), [0.0, 6e-8], 0.0);
+        let splits: Vec<_> = x.iter().zip(&rest).map(|(&x, &rest)| Split::new(x, rest)).collect();
+        let (points, _) = splits.as_chunks::<3>();
+        let entries = grid.entries() * grid.features as usize;
+        let table = table.values(random, entries, [-1.0, 1.0], 1e30);
+        Self { grid, points: points.to_vec(), stride: count + 7, table }
+    }
+
+    /// A grid of each kind.
+    fn grids() -> Vec<(String, Self)> {
+        let of = |name: &str, change: fn(&mut GridConfig)| {
+            let mut grid = grid();
+            change(&mut grid);
+            let mut random = Random::new(11);
+            (name.to_owned(), Self::new(grid, ITEMS, Fill::Random, Fill::Random, &mut random))
+        };
+        vec![
+            of("smoothstep", |grid| grid.interpolation = Interpolation::Smoothstep),
+            of("one feature", |grid| grid.features = 1),
+            of("four features", |grid| grid.features = 4),
+            of("eight features", |grid| grid.features = 8),
+            of("two entries", |grid| grid.log2_table = 1),
+            of("half a cell", |grid| (grid.base_resolution, grid.growth) = (0.5, 1.0)),
+            of("one cell", |grid| (grid.base_resolution, grid.growth) = (1.0, 1.5)),
+            of("all dense", |grid| (grid.levels, grid.log2_table) = (2, 14)),
+            of("finest", |grid| (grid.levels, grid.base_resolution) = (1, 1_048_000.0)),
+            of("32 levels", |grid| (grid.levels, grid.growth) = (32, 1.3)),
+        ]
+    }
+
+    /// Points on the planes between the cells, and beside them.
+    fn on_planes() -> Self {
+        let mut set = Self::new(grid(), ITEMS, Fill::Random, Fill::Random, &mut Random::new(12));
+        let scales: Vec<_> = set.grid.levels_geometry().iter().map(|level| level.scale).collect();
+        let borders = [0.0, -0.0, 1.0, 1.0_f32.next_down(), 1.0_f32.next_up()];
+        for (index, point) in set.points.iter_mut().enumerate() {
+            if let Some(&x) = borders.get(index) {
+                *point = [Split::new(x, 0.0); 3];
+                continue;
+            }
+            let scale = scales[index % scales.len()];
+            *point = [0, 1, 2].map(|axis| {
+                let cell = ((index * 7 + axis * 3) as f64 % scale.ceil()) + 0.5;
+                let x = (cell / scale) as f32;
+                let ulps = index as i32 % 3 - 1;
+                Split::new(f32::from_bits(x.to_bits().wrapping_add_signed(ulps)), 0.0)
+            });
+        }
+        set
+    }
+
+    /// The levels as the kernel reads them.
+    #[must_use]
+    pub fn levels(&self) -> Vec<GridLevel> {
+        let levels = self.grid.levels_geometry();
+        let level = |l: &crate::scene::GridLevelGeometry| {
+            GridLevel::new(l.scale, l.resolution, l.first, l.count, l.hashed)
+        };
+        levels.iter().map(level).collect()
+    }
+
+    /// The place of an element of the output: level, feature and point; none where nothing is written.
+    #[must_use]
+    pub fn place(&self, index: usize) -> Option<(usize, usize, usize)> {
+        let (row, point) = (index / self.stride as usize, index % self.stride as usize);
+        let row = row.checked_sub(FIRST_ROW as usize)?;
+        let is_written = row < self.grid.width() && point < self.points.len();
+        let features = self.grid.features as usize;
+        is_written.then_some((row / features, row % features, point))
+    }
+}
+
+impl Parity for HashGrid {
+    const KERNEL: &'static str = "hash_grid";
+    const TOLERANCE: f64 = 5e-7;
+    const WHY: &'static str = "weights good to a few 6e-8 of the corners' sizes; a position is good to \
+        2e-11 of the resolution, and to 6e-8 where drivers regroup";
+
+    fn sets() -> Vec<(String, Self)> {
+        let mut sets =
+            inputs::sets(|n, fill, random| Self::new(grid(), n, fill, Fill::Random, random));
+        sets.extend(Self::grids());
+        sets.push(("cells' planes".into(), Self::on_planes()));
+        for fill in Fill::ADVERSARIAL {
+            let set = Self::new(grid(), ITEMS, Fill::Random, fill, &mut Random::new(13));
+            sets.push((format!("table of {}", fill.name()), set));
+        }
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let stride = self.stride as usize;
+        let mut position = vec![f32::NAN; POINT_ROWS as usize * stride];
+        for (column, point) in self.points.iter().enumerate() {
+            for (axis, x) in point.iter().enumerate() {
+                position[axis * stride + column] = x.coarse;
+                position[(axis + 3) * stride + column] = x.fine;
+            }
+        }
+        let levels = self.levels();
+        let output = bench.output((FIRST_ROW as usize + self.grid.width()) * stride)?;
+        let points = self.points.len() as u32;
+        let kernel = HashGridKernel {
+            params: HashGridParams {
+                points,
+                stride: self.stride,
+                first_row: FIRST_ROW,
+                features: self.grid.features,
+                smoothstep: u32::from(self.grid.interpolation == Interpolation::Smoothstep),
+            },
+            levels: &bench.upload(&levels)?,
+            table: &bench.upload(&self.table)?,
+            position: &bench.upload(&position)?,
+            output: &output,
+        };
+        bench.items(&kernel, points, levels.len() as u32)?;
+        Ok(vec![Output::float("output", bench.read(&output)?)])
+    }
+
+    fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {
+        let Some((level, feature, point)) = self.place(index) else {
+            return Bound { scale: 0.0, floor: 0.0 };
+        };
+        let level = self.levels()[level];
+        let [x, y, z] = level.cell(self.points[point], false).corner;
+        let corner = |c: u32| {
+            let entry = level.entry(x + (c & 1), y + (c >> 1 & 1), z + (c >> 2));
+            let at = entry * self.grid.features + feature as u32;
+            f64::from(self.table[at as usize].abs())
+        };
+        let corners: f64 = (0..8).map(corner).sum();
+        let position = match rounding {
+            Rounding::AsWritten => 2e-4 * f64::from(level.resolution),
+            Rounding::Regrouped => 0.5 * f64::from(level.resolution),
+        };
+        Bound { scale: corners * (1.0 + position), floor: f64::from(TINY) * (8.0 + corners) }
+    }
+}

@@ -1,0 +1,270 @@
+//! The case of `project`, and cameras for the others.
+
+use glam::{DQuat, DVec3, DVec4, Vec2, Vec3, Vec4};
+use organza_kernels::camera::Camera;
+use organza_kernels::project::{
+    BEHIND, DEGENERATE, FALLOFF_CUTOFF, NEAR_PLANE, ProjectKernel, ProjectParams, rotation_columns,
+};
+
+use super::bench::Bench;
+use super::case::{Parity, Rounding};
+use super::inputs::{self, Fill, ITEMS, Random};
+use super::measure::{Bound, Output};
+use crate::error::Result;
+
+/// Three cameras around the origin, the first of them axis-parallel.
+pub fn cameras(random: &mut Random) -> Vec<Camera> {
+    let camera = |index: u32, random: &mut Random| {
+        let q = Vec4::from_slice(&random.values(4, 0.1, 1.0));
+        let axes = rotation_columns(if index == 0 { Vec4::X } else { q });
+        Camera {
+            rotation: axes,
+            eye: axes[2] * -random.between(2.5, 5.0) + Vec3::splat(0.1),
+            focal: Vec2::from_slice(&random.values(2, 90.0, 900.0)),
+            center: Vec2::new(310.0, 245.5),
+            size: Vec2::new(640.0, 480.0),
+        }
+    };
+    (0..3).map(|index| camera(index, random)).collect()
+}
+
+/// Inputs of `project`.
+#[derive(Clone)]
+pub struct Project {
+    /// Gaussians of the scene.
+    pub gaussians: u32,
+    /// In square pixels.
+    pub blur: f32,
+    /// The cameras.
+    pub cameras: Vec<Camera>,
+    /// `[gaussians, 3]`
+    pub position: Vec<f32>,
+    /// `[gaussians, 4]`
+    pub rotation: Vec<f32>,
+    /// `[gaussians, 3]`
+    pub log_scale: Vec<f32>,
+}
+
+impl Project {
+    fn new(
+        gaussians: u32,
+        fill: Fill,
+        blur: f32,
+        log_scale: [f32; 2],
+        random: &mut Random,
+    ) -> Self {
+        let len = gaussians as usize;
+        let mut set = Self {
+            gaussians,
+            blur,
+            cameras: cameras(random),
+            position: fill.values(random, 3 * len, [-2.0, 2.0], 1e30),
+            rotation: fill.values(random, 4 * len, [-1.0, 1.0], 1e15),
+            log_scale: fill.values(random, 3 * len, log_scale, 1e30),
+        };
+        for gaussian in 0..len {
+            if set.quaternion(gaussian).length() < 1e-12 {
+                // the one length that a rotation may not have
+                set.rotation[4 * gaussian..][..4].copy_from_slice(&random.values(4, 0.1, 1.0));
+            }
+            while (0..set.cameras.len())
+                .any(|camera| set.sensitivity(camera, gaussian).is_undecided)
+            {
+                set.position[3 * gaussian..][..3].copy_from_slice(&random.values(3, -2.0, 2.0));
+                set.log_scale[3 * gaussian..][..3].copy_from_slice(&random.values(3, -5.0, 0.0));
+            }
+        }
+        set
+    }
+
+    /// Gaussians at the near plane, before and behind it, where depths are exact and rounding decides nothing.
+    fn on_near_plane() -> Self {
+        let mut set = Self::new(ITEMS, Fill::Random, 0.3, [-5.0, 0.0], &mut Random::new(42));
+        set.cameras.truncate(1);
+        set.cameras[0].eye = Vec3::ZERO;
+        for (index, depth) in set.position.iter_mut().skip(2).step_by(3).enumerate() {
+            *depth = [NEAR_PLANE.next_down(), NEAR_PLANE, NEAR_PLANE.next_up()][index % 3];
+        }
+        set
+    }
+
+    /// A Gaussian's position.
+    #[must_use]
+    pub fn center(&self, gaussian: usize) -> DVec3 {
+        Vec3::from_slice(&self.position[3 * gaussian..]).as_dvec3()
+    }
+
+    /// A Gaussian's rotation: w, x, y, z.
+    #[must_use]
+    pub fn quaternion(&self, gaussian: usize) -> DVec4 {
+        Vec4::from_slice(&self.rotation[4 * gaussian..]).as_dvec4()
+    }
+
+    /// Logarithms of a Gaussian's axes.
+    #[must_use]
+    pub fn log_axes(&self, gaussian: usize) -> DVec3 {
+        Vec3::from_slice(&self.log_scale[3 * gaussian..]).as_dvec3()
+    }
+
+    fn sensitivity(&self, camera: usize, gaussian: usize) -> Sensitivity {
+        let (position, rotation) = (self.center(gaussian), self.quaternion(gaussian));
+        let camera = &self.cameras[camera];
+        let blur = f64::from(self.blur);
+        Sensitivity::new(camera, blur, position, rotation, self.log_axes(gaussian))
+    }
+}
+
+impl Parity for Project {
+    const KERNEL: &'static str = "project";
+    const TOLERANCE: f64 = 1e-6;
+    const WHY: &'static str = "roundings of sums, divisions and square roots of 3 ulp, exp, scaled by \
+        how the f64 projection is conditioned; what is culled has no values; no Gaussian within 1e-5 \
+        of the near plane, none whose products overflow on some devices only (1e35 to 1e42)";
+
+    fn sets() -> Vec<(String, Self)> {
+        let usual = [-5.0, 0.0];
+        let mut sets = inputs::sets(|n, fill, random| Self::new(n, fill, 0.3, usual, random));
+        for (name, blur, log_scale) in [
+            ("no blur", 0.0, usual),
+            ("much blur", 100.0, usual),
+            ("needles", 0.3, [-14.0, 1.0]),
+            ("tiny", 0.3, [-110.0, -30.0]),
+            ("large", 0.3, [0.0, 90.0]),
+        ] {
+            let set = Self::new(ITEMS, Fill::Random, blur, log_scale, &mut Random::new(41));
+            sets.push((name.into(), set));
+        }
+        sets.push(("on the near plane".into(), Self::on_near_plane()));
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let packed: Vec<_> = self.cameras.iter().flat_map(Camera::pack).collect();
+        let slots = self.cameras.len() * self.gaussians as usize;
+        let projection = bench.output::<Vec4>(2 * slots)?;
+        let degenerate = bench.output_of(&[0_u32])?;
+        let kernel = ProjectKernel {
+            params: ProjectParams { gaussians: self.gaussians, blur: self.blur },
+            camera: &bench.upload(&packed)?,
+            position: &bench.upload(&self.position)?,
+            rotation: &bench.upload(&self.rotation)?,
+            log_scale: &bench.upload(&self.log_scale)?,
+            projection: &projection,
+            degenerate: &degenerate,
+        };
+        bench.items(&kernel, self.gaussians, self.cameras.len() as u32)?;
+        let projection = bench.read(&projection)?;
+        let class = |p: &[Vec4; 2]| match p[0].z {
+            BEHIND => 1,
+            DEGENERATE => 2,
+            radius if radius >= 0.0 => 0,
+            _ => 3,
+        };
+        let (places, behind) = projection.split_at(2 * slots);
+        let places = places.as_chunks::<2>().0;
+        // a Gaussian that is culled has no projection
+        let of = |p: &[Vec4; 2], value: f32| if class(p) == 0 { value } else { 0.0 };
+        let mean2d = places.iter().flat_map(|p| [of(p, p[0].x), of(p, p[0].y)]);
+        let conic = places.iter().flat_map(|p| [p[1].x, p[1].y, p[1].z].map(|v| of(p, v)));
+        let rest = places.iter().flat_map(|p| [p[0].w, p[1].w]);
+        Ok(vec![
+            Output::exact("class", places.iter().map(class).collect()),
+            Output::exact("degenerate", bench.read(&degenerate)?),
+            Output::float("mean2d", mean2d),
+            Output::float("radius", places.iter().map(|p| of(p, p[0].z))),
+            Output::float("conic", conic),
+            Output::float("rest", rest.chain(behind.iter().flat_map(|v| v.to_array()))),
+        ])
+    }
+
+    fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
+        let width = match cpu.name {
+            "mean2d" => 2,
+            "radius" => 1,
+            "conic" => 3,
+            _ => return Bound { scale: 0.0, floor: 0.0 },
+        };
+        let (slot, part) = (index / width, index % width);
+        let gaussians = self.gaussians as usize;
+        let sensitivity = self.sensitivity(slot / gaussians, slot % gaussians);
+        Bound::of(match width {
+            1 => sensitivity.radius,
+            2 => sensitivity.mean2d[part],
+            _ => sensitivity.conic,
+        })
+    }
+}
+
+/// How much roundings show in a projection, from f64.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sensitivity {
+    /// Whether rounding decides what becomes of the Gaussian.
+    is_undecided: bool,
+    mean2d: [f64; 2],
+    conic: f64,
+    radius: f64,
+}
+
+impl Sensitivity {
+    fn new(camera: &Camera, blur: f64, center: DVec3, rotation: DVec4, log_axes: DVec3) -> Self {
+        let offset = center - camera.eye.as_dvec3();
+        let t = DVec3::from_array(camera.rotation.map(|row| row.as_dvec3().dot(offset)));
+        let above_near = t.z - f64::from(NEAR_PLANE);
+        let is_near =
+            above_near.abs() < 1e-5 * (1.0 + offset.length()) || is_large(offset.length());
+        if above_near <= 0.0 {
+            return Self { is_undecided: is_near, ..Self::default() };
+        }
+        let (u, v, rows) = rows(camera, t, rotation, log_axes);
+        let mut axes = axes(log_axes).to_array();
+        axes.sort_by(f64::total_cmp);
+        // what the terms of u and v may be, whatever cancels in them
+        let [uu, vv] = rows.map(|row| (row * axes[2]).powi(2));
+        let lengths = u.length_squared() + v.length_squared();
+        let cross = u.cross(v).length();
+        let determinant = cross * cross + blur * (lengths + blur);
+        let terms = cross * rows[0] * rows[1] * axes[2] * axes[1] + blur * (uu + vv + blur);
+        let conic =
+            (uu.max(vv) + blur + (lengths + blur) * (1.0 + terms / determinant)) / determinant;
+        // cancellation in t, and the argument of exp
+        let depth = 1.0 + offset.length() / t.z;
+        let grade = depth * (1.0 + log_axes.abs().max_element().min(200.0));
+        let focal = camera.focal.as_dvec2();
+        let ratio = 1.0 + t.x.abs().max(t.y.abs()) / t.z;
+        let mean2d = [0, 1].map(|axis| focal[axis] * depth * ratio + 500.0);
+        let sizes = [uu, vv, uu * uu, vv * vv, determinant, 1.0 / determinant, conic, axes[2]];
+        let overflows = sizes.into_iter().chain(mean2d).any(is_large) || determinant < 1e-34;
+        let radius = (uu + vv + blur) / (lengths + blur).sqrt();
+        Self {
+            is_undecided: is_near || overflows,
+            mean2d,
+            conic: conic * grade,
+            radius: f64::from(FALLOFF_CUTOFF).sqrt() * 2.0 * radius * grade,
+        }
+    }
+}
+
+/// Whether an f32 may overflow on one device and not on another.
+fn is_large(x: f64) -> bool {
+    (1e35..1e42).contains(&x.abs())
+}
+
+/// What exp makes of them: far beyond f32 it is all the same.
+fn axes(log_axes: DVec3) -> DVec3 {
+    log_axes.clamp(DVec3::splat(-200.0), DVec3::splat(200.0)).exp()
+}
+
+/// Rows of J W R S, and the lengths of those of J W.
+fn rows(camera: &Camera, t: DVec3, q: DVec4, log_axes: DVec3) -> (DVec3, DVec3, [f64; 2]) {
+    let [right, down, forward] = camera.rotation.map(|row| row.as_dvec3());
+    let (focal, center) = (camera.focal.as_dvec2(), camera.center.as_dvec2());
+    let (low, high) = (-center, camera.size.as_dvec2() - center);
+    let margin = 0.15 * camera.size.as_dvec2();
+    let ratio = (t.truncate() / t.z).clamp((low - margin) / focal, (high + margin) / focal);
+    let rows =
+        [(right - forward * ratio.x) * focal.x / t.z, (down - forward * ratio.y) * focal.y / t.z];
+    let q = q.normalize();
+    let turn = DQuat::from_xyzw(q.y, q.z, q.w, q.x).inverse();
+    let [u, v] = rows.map(|row| (turn * row) * axes(log_axes));
+    (u, v, rows.map(DVec3::length))
+}

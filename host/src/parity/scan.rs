@@ -1,0 +1,96 @@
+//! Cases of `scan_block` and `scan_add`.
+
+use organza_kernels::scan::{BLOCK, ScanAddKernel, ScanBlockKernel, ScanParams};
+
+use super::bench::Bench;
+use super::case::Parity;
+use super::inputs::{Random, SIZES};
+use super::measure::Output;
+use crate::error::Result;
+
+/// Sizes around the workgroup and around the block.
+fn sizes() -> impl Iterator<Item = u32> {
+    SIZES.into_iter().chain([15, 16, 17, 1022, 1023, 1024, 1025, 2047, 2048, 5000])
+}
+
+/// Random values and zeros of every size.
+fn sets<T>(make: impl Fn(Vec<u32>) -> T) -> Vec<(String, T)> {
+    let of = |size: u32, below: u32| {
+        let mut random = Random::new(u64::from(size));
+        let values = (0..size).map(|_| random.below(below)).collect();
+        (format!("{size} values below {below}"), make(values))
+    };
+    // 800,000 times 5000 is just no overflow
+    sizes().flat_map(|size| [1, 1000, 800_000].map(|below| of(size, below))).collect()
+}
+
+/// Inputs of `scan_block`.
+#[derive(Clone, Debug)]
+pub struct ScanBlock {
+    /// What is scanned.
+    pub values: Vec<u32>,
+}
+
+impl Parity for ScanBlock {
+    const KERNEL: &'static str = "scan_block";
+    const TOLERANCE: f64 = 0.0;
+    const WHY: &'static str = "integers";
+
+    fn sets() -> Vec<(String, Self)> {
+        sets(|values| Self { values })
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let count = self.values.len() as u32;
+        let blocks = (count + 1).div_ceil(BLOCK);
+        let prefix = bench.output(count as usize + 1)?;
+        let block_sum = bench.output(blocks as usize)?;
+        let kernel = ScanBlockKernel {
+            params: ScanParams { count },
+            value: &bench.upload(&self.values)?,
+            prefix: &prefix,
+            block_sum: &block_sum,
+        };
+        // a workgroup more than there are blocks: it must leave everything alone
+        bench.items(&kernel, (blocks + 1) * 64, 1)?;
+        Ok(vec![
+            Output::exact("prefix", bench.read(&prefix)?),
+            Output::exact("block_sum", bench.read(&block_sum)?),
+        ])
+    }
+}
+
+/// Inputs of `scan_add`.
+#[derive(Clone, Debug)]
+pub struct ScanAdd {
+    /// What has been scanned in blocks.
+    pub prefix: Vec<u32>,
+    /// What lies before each block.
+    pub block_prefix: Vec<u32>,
+}
+
+impl Parity for ScanAdd {
+    const KERNEL: &'static str = "scan_add";
+    const TOLERANCE: f64 = 0.0;
+    const WHY: &'static str = "integers";
+
+    fn sets() -> Vec<(String, Self)> {
+        sets(|mut prefix| {
+            prefix.push(1);
+            let blocks = (prefix.len() as u32).div_ceil(BLOCK);
+            Self { prefix, block_prefix: (0..blocks).map(|block| block * 1_000_003).collect() }
+        })
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let count = self.prefix.len() as u32 - 1;
+        let prefix = bench.output_of(&self.prefix)?;
+        let kernel = ScanAddKernel {
+            params: ScanParams { count },
+            block_prefix: &bench.upload(&self.block_prefix)?,
+            prefix: &prefix,
+        };
+        bench.items(&kernel, count + 1, 1)?;
+        Ok(vec![Output::exact("prefix", bench.read(&prefix)?)])
+    }
+}

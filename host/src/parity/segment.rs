@@ -1,0 +1,202 @@
+//! The case of `segment`.
+
+use glam::{DVec3, Vec3, Vec4};
+use organza_kernels::camera::Camera;
+use organza_kernels::limits::MAX_SAMPLES;
+use organza_kernels::segment::{SegmentKernel, SegmentParams};
+use organza_kernels::unit_cube::SceneBox;
+
+use super::bench::Bench;
+use super::case::{Parity, Rounding};
+use super::color::BOXES;
+use super::inputs::{self, Fill, ITEMS, Random};
+use super::measure::{Bound, Output};
+use super::project;
+use crate::error::Result;
+
+/// How far from a decision of the kernel the inputs stay, relative to the ray.
+const AWAY: f64 = 2e-5;
+
+/// Inputs of `segment`.
+#[derive(Clone)]
+pub struct Segment {
+    /// `camera * gaussians + gaussian`
+    pub pair: Vec<u32>,
+    /// Gaussians of the scene.
+    pub gaussians: u32,
+    /// sigma
+    pub step: f32,
+    /// The cameras.
+    pub cameras: Vec<Camera>,
+    /// The scene's box.
+    pub aabb: [[f64; 3]; 2],
+    /// `[gaussians, 3]`
+    pub position: Vec<f32>,
+}
+
+/// A ray in the unit cube's space, and where it lies in the cube, in f64.
+#[derive(Clone, Copy, Debug)]
+pub struct Ray {
+    /// The Gaussian.
+    pub p: DVec3,
+    /// To the camera.
+    pub v: DVec3,
+    /// The last entry into a pair of planes, and the first exit.
+    pub planes: [f64; 2],
+}
+
+impl Ray {
+    fn new(p: DVec3, v: DVec3) -> Self {
+        let mut planes = [f64::NEG_INFINITY, f64::INFINITY];
+        for axis in 0..3 {
+            let (p, v) = (p[axis], v[axis]);
+            let inside = (0.0..=1.0).contains(&p);
+            let [low, high] = match v == 0.0 {
+                true if inside => continue,
+                true => [f64::INFINITY, f64::NEG_INFINITY],
+                false => [(-p / v).min((1.0 - p) / v), (-p / v).max((1.0 - p) / v)],
+            };
+            planes = [planes[0].max(low), planes[1].min(high)];
+        }
+        Self { p, v, planes }
+    }
+
+    /// The length within the cube, before and after the ray's own ends.
+    fn length(&self) -> f64 {
+        let [enter, exit] = self.planes.map(|t| t.clamp(0.0, 1.0));
+        (exit - enter).max(0.0) * self.v.length()
+    }
+
+    /// Whether rounding decides if the ray meets the cube, or how many steps it has.
+    fn is_undecided(&self, step: f64) -> bool {
+        let size = self.p.length() + self.v.length();
+        if self.v == DVec3::ZERO {
+            return false;
+        }
+        // a coordinate on a plane that the ray runs along, or that the box's rounding may move over it
+        let grazes = (0..3).any(|axis| {
+            let (p, v) = (self.p[axis], self.v[axis]);
+            v.abs() < AWAY * size && p.abs().min((p - 1.0).abs()) < AWAY * (1.0 + p.abs())
+        });
+        let [enter, exit] = self.planes;
+        let misses = enter > exit + AWAY || enter > 1.0 + AWAY || exit < -AWAY;
+        if misses || grazes {
+            return grazes;
+        }
+        let steps = self.length() / step;
+        let slack = AWAY * size / step + AWAY * steps;
+        let is_capped = steps - slack > f64::from(MAX_SAMPLES);
+        let nearest = (steps - steps.round()).abs();
+        // between one and none lies the corner that a ray cuts off
+        let is_whole = nearest <= slack && steps.round() >= 1.0;
+        self.length() <= AWAY * size || (is_whole && !is_capped)
+    }
+}
+
+impl Segment {
+    fn new(pairs: u32, fill: Fill, step: f32, aabb: [[f64; 3]; 2], random: &mut Random) -> Self {
+        let gaussians = 60;
+        let mut cameras = project::cameras(random);
+        let middle = [0, 1, 2].map(|axis| ((aabb[0][axis] + aabb[1][axis]) / 2.0) as f32);
+        // one within the box
+        cameras[1].eye = Vec3::from_array(middle) + Vec3::splat(0.013);
+        let position = (0..3 * gaussians).map(|at| {
+            let axis = at as usize % 3;
+            let (low, high) = (aabb[0][axis] as f32, aabb[1][axis] as f32);
+            let margin = 0.3 * (high - low);
+            fill.values(random, 1, [low - margin, high + margin], 1e30)[0]
+        });
+        let position = position.collect();
+        let mut set = Self { pair: Vec::new(), gaussians, step, cameras, aabb, position };
+        let slots = gaussians * set.cameras.len() as u32;
+        let decided: Vec<u32> =
+            (0..slots).filter(|&slot| !set.ray(slot).is_undecided(f64::from(step))).collect();
+        set.pair = match decided.len() as u32 {
+            0 => Vec::new(),
+            len => (0..pairs).map(|_| decided[random.below(len) as usize]).collect(),
+        };
+        set
+    }
+
+    /// The ray of a pair.
+    #[must_use]
+    pub fn ray(&self, slot: u32) -> Ray {
+        let position = &self.position[3 * (slot % self.gaussians) as usize..];
+        let eye = self.cameras[(slot / self.gaussians) as usize].eye;
+        let unit = |x: f32, axis: usize| {
+            let (low, high) = (self.aabb[0][axis], self.aabb[1][axis]);
+            0.05 + 0.9 * (f64::from(x) - low) / (high - low)
+        };
+        let p = DVec3::from_array([0, 1, 2].map(|axis| unit(position[axis], axis)));
+        let eye = DVec3::from_array([0, 1, 2].map(|axis| unit(eye[axis], axis)));
+        Ray::new(p, eye - p)
+    }
+}
+
+impl Parity for Segment {
+    const KERNEL: &'static str = "segment";
+    const TOLERANCE: f64 = 5e-7;
+    const WHY: &'static str = "divisions of 3 ulp, of the ray's size; no ray within 2e-5 of its \
+        size of a whole number of steps, or of missing the cube";
+
+    fn sets() -> Vec<(String, Self)> {
+        let mut sets = inputs::sets(|n, fill, random| Self::new(n, fill, 0.013, BOXES[0], random));
+        for (index, aabb) in BOXES.into_iter().enumerate() {
+            for step in [1.7, 0.1, 0.004] {
+                let set = Self::new(ITEMS, Fill::Random, step, aabb, &mut Random::new(31));
+                sets.push((format!("step {step}, box {index}"), set));
+            }
+        }
+        // steps are capped
+        let set = Self::new(ITEMS, Fill::Random, 1e-6, BOXES[0], &mut Random::new(32));
+        sets.push(("step 1e-6".into(), set));
+        let mut set = Self::new(ITEMS, Fill::Random, 0.1, BOXES[0], &mut Random::new(33));
+        set.position[..3].copy_from_slice(&set.cameras[0].eye.to_array());
+        set.pair.fill(0);
+        sets.push(("Gaussian at the camera".into(), set));
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let pairs = self.pair.len() as u32;
+        let cameras: Vec<_> = self.cameras.iter().flat_map(Camera::pack).collect();
+        let segment = bench.output::<Vec4>(2 * pairs as usize)?;
+        let count = bench.output(pairs as usize)?;
+        let kernel = SegmentKernel {
+            params: SegmentParams { pairs, gaussians: self.gaussians, step: self.step },
+            pair: &bench.upload(&self.pair)?,
+            camera: &bench.upload(&cameras)?,
+            scene_box: &bench.upload(&SceneBox::new(self.aabb).pack())?,
+            position: &bench.upload(&self.position)?,
+            segment: &segment,
+            count: &count,
+        };
+        bench.items(&kernel, pairs, 1)?;
+        let segment = bench.read(&segment)?;
+        Ok(vec![
+            Output::float("segment", segment.iter().flat_map(|v| v.to_array())),
+            Output::exact("count", bench.read(&count)?),
+        ])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let Some(&slot) = self.pair.get(index / 8) else {
+            return Bound { scale: 0.0, floor: 0.0 };
+        };
+        let ray = self.ray(slot);
+        let mut scale = 1.0 + ray.p.length() + ray.v.length();
+        // drivers that regroup know a coordinate in the box to 6e-8 of world space alone
+        let position = &self.position[3 * (slot % self.gaussians) as usize..][..3];
+        let world = (0..3).map(|axis| {
+            let extent = self.aabb[1][axis] - self.aabb[0][axis];
+            (f64::from(position[axis].abs()) + self.aabb[0][axis].abs()) / extent
+        });
+        scale += world.fold(0.0, f64::max);
+        if index % 8 == 3 {
+            // s_factor is L / K / sigma
+            let steps = (ray.length() / f64::from(self.step)).ceil().max(1.0);
+            scale *= 1.0 / (f64::from(self.step) * steps.min(f64::from(MAX_SAMPLES)));
+        }
+        Bound::of(scale)
+    }
+}

@@ -1,0 +1,296 @@
+//! Cases of `transmittance_inputs`, `transmittance_head` and `segment_product`.
+
+use glam::Vec4;
+use organza_kernels::hash_grid::POINT_ROWS;
+use organza_kernels::math::TINY;
+use organza_kernels::transmittance::{
+    SegmentProductKernel, SegmentProductParams, TransmittanceHeadKernel, TransmittanceHeadParams,
+    TransmittanceInputsKernel, TransmittanceInputsParams,
+};
+
+use super::bench::Bench;
+use super::case::{Parity, Rounding};
+use super::color::{joined, layer_of_size};
+use super::dense::Layer;
+use super::inputs::{self, Fill, Random};
+use super::measure::{Bound, Output, Values};
+use crate::error::Result;
+
+/// Samples before the chunk.
+const FIRST_SAMPLE: u32 = 3;
+
+/// Counts of the samples of pairs that have about `samples` in all: most have some, some have none.
+fn counts(samples: u32, random: &mut Random) -> Vec<u32> {
+    let mut counts = vec![0];
+    let mut left = samples;
+    while left > 0 {
+        let count = random.below(9).saturating_sub(2).min(left);
+        counts.push(count);
+        left -= count;
+    }
+    counts.extend([0, 0]);
+    counts
+}
+
+fn prefix(counts: &[u32]) -> Vec<u32> {
+    let mut sum = 0;
+    let sums = counts.iter().map(|count| {
+        sum += count;
+        sum
+    });
+    [0].into_iter().chain(sums).collect()
+}
+
+/// Inputs of `transmittance_inputs`.
+#[derive(Clone, Debug)]
+pub struct TransmittanceInputs {
+    /// Samples of the chunk; three others lie before them.
+    pub samples: u32,
+    /// Distance of two rows.
+    pub stride: u32,
+    /// Gaussians of the scene.
+    pub gaussians: u32,
+    /// `camera * gaussians + gaussian`
+    pub pair: Vec<u32>,
+    /// `[pairs + 1]`
+    pub first_sample: Vec<u32>,
+    /// `[pairs, 2]`
+    pub segment: Vec<Vec4>,
+    /// `[gaussians, 2]`
+    pub extra: Vec<f32>,
+}
+
+impl TransmittanceInputs {
+    fn new(samples: u32, counts: &[u32], fill: Fill, random: &mut Random) -> Self {
+        let gaussians = 29;
+        let pairs = counts.len();
+        // within the cube: no sample lies outside
+        let start = fill.values(random, 4 * pairs, [0.0, 1.0], 1.0);
+        let w = fill.values(random, 3 * pairs, [-1.0, 1.0], 1.0);
+        let vectors = (0..pairs).flat_map(|pair| {
+            let start = Vec4::from_slice(&start[4 * pair..]).abs();
+            let inside =
+                |axis: usize| (start[axis] + w[3 * pair + axis]).clamp(0.0, 1.0) - start[axis];
+            [start, Vec4::new(inside(0), inside(1), inside(2), 0.0)]
+        });
+        Self {
+            samples,
+            stride: samples + 5,
+            gaussians,
+            segment: vectors.collect(),
+            pair: (0..pairs).map(|_| random.below(3 * gaussians)).collect(),
+            first_sample: prefix(counts),
+            extra: fill.values(random, 2 * gaussians as usize, [-1.0, 1.0], 3e38),
+        }
+    }
+
+    /// The pair of a column of the output, and the sample's place in it.
+    #[must_use]
+    pub fn owner(&self, column: usize) -> (usize, u32) {
+        let sample = FIRST_SAMPLE + column as u32;
+        let after = self.first_sample.partition_point(|&first| first <= sample);
+        (after - 1, sample - self.first_sample[after - 1])
+    }
+}
+
+impl Parity for TransmittanceInputs {
+    const KERNEL: &'static str = "transmittance_inputs";
+    const TOLERANCE: f64 = 5e-7;
+    const WHY: &'static str = "a division of 3 ulp, a product and a sum in the unit cube";
+
+    fn sets() -> Vec<(String, Self)> {
+        let mut sets = inputs::sets(|n, fill, random| {
+            let counts = counts(n + FIRST_SAMPLE, random);
+            Self::new(n, &counts, fill, random)
+        });
+        let mut random = Random::new(21);
+        for (name, counts) in [
+            ("one pair has all", vec![16_384]),
+            ("the last has all", vec![0, 0, 0, 0, 5000]),
+            ("the first has all", vec![5000, 0, 0, 0, 0]),
+            ("each has one", vec![1; 700]),
+        ] {
+            let samples = counts.iter().sum::<u32>() - FIRST_SAMPLE;
+            let set = Self::new(samples, &counts, Fill::Random, &mut random);
+            sets.push((name.to_owned(), set));
+        }
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let stride = self.stride as usize;
+        let point = bench.output((POINT_ROWS as usize + 1) * stride)?;
+        let input = bench.output(4 * stride)?;
+        let kernel = TransmittanceInputsKernel {
+            params: TransmittanceInputsParams {
+                samples: self.samples,
+                first_sample: FIRST_SAMPLE,
+                stride: self.stride,
+                pairs: self.pair.len() as u32,
+                gaussians: self.gaussians,
+                extra: 2,
+                extra_row: 1,
+            },
+            pair: &bench.upload(&self.pair)?,
+            first_sample: &bench.upload(&self.first_sample)?,
+            segment: &bench.upload(&self.segment)?,
+            extra: &bench.upload(&self.extra)?,
+            point: &point,
+            input: &input,
+        };
+        bench.items(&kernel, self.samples, 1)?;
+        let point = bench.read(&point)?;
+        let factor = point[POINT_ROWS as usize * stride..].iter().copied();
+        Ok(vec![
+            Output { name: "point", values: Values::Float(joined(&point, stride)) },
+            Output::float("s_factor", factor),
+            Output::float("input", bench.read(&input)?),
+        ])
+    }
+
+    fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
+        let column = index % self.stride as usize;
+        if column >= self.samples as usize {
+            return Bound { scale: 0.0, floor: 0.0 };
+        }
+        // all but the points are copies
+        Bound::of(if cpu.name == "point" { 1.0 } else { 0.0 })
+    }
+}
+
+/// Inputs of `transmittance_head`.
+#[derive(Clone, Debug)]
+pub struct TransmittanceHead {
+    /// The last layer: one column.
+    pub layer: Layer,
+    /// `[stride]`
+    pub factor: Vec<f32>,
+}
+
+impl TransmittanceHead {
+    fn new(layer: Layer, fill: Fill, random: &mut Random) -> Self {
+        let factor = fill.values(random, layer.stride as usize, [0.0, 1.0], 1.0);
+        Self { factor: factor.into_iter().map(f32::abs).collect(), layer }
+    }
+}
+
+impl Parity for TransmittanceHead {
+    const KERNEL: &'static str = "transmittance_head";
+    const TOLERANCE: f64 = 4e-7;
+    const WHY: &'static str = "a_k is off by roundings of its terms' sizes M, log sigmoid by as \
+        much relatively, and by exp's 3 + 2 abs(x) ulp";
+
+    fn sets() -> Vec<(String, Self)> {
+        let mut sets = inputs::sets(|n, fill, random| {
+            Self::new(Layer::new(n, 16, 1, fill, random), fill, random)
+        });
+        for size in [0.01, 10.0, 50.0, 1e4] {
+            let set = Self::new(layer_of_size(size), Fill::Random, &mut Random::new(6));
+            sets.push((format!("logits of {size}"), set));
+        }
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let layer = &self.layer;
+        let params = layer.params();
+        let mut point = vec![f32::NAN; (POINT_ROWS * layer.stride) as usize];
+        point.extend(&self.factor);
+        let log_rho = bench.output((FIRST_SAMPLE + layer.samples) as usize)?;
+        let kernel = TransmittanceHeadKernel {
+            params: TransmittanceHeadParams {
+                samples: layer.samples,
+                first_sample: FIRST_SAMPLE,
+                stride: layer.stride,
+                inputs: layer.inputs,
+                weight: params.weight,
+                bias: params.bias,
+            },
+            parameters: &bench.upload(&layer.parameters)?,
+            point: &bench.upload(&point)?,
+            input: &bench.upload(&layer.input)?,
+            log_rho: &log_rho,
+        };
+        bench.items(&kernel, layer.samples, 1)?;
+        Ok(vec![Output::float("log_rho", bench.read(&log_rho)?)])
+    }
+
+    fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
+        let sample = index.checked_sub(FIRST_SAMPLE as usize);
+        let Some(sample) = sample.filter(|&sample| sample < self.layer.samples as usize) else {
+            return Bound { scale: 0.0, floor: 0.0 };
+        };
+        let Bound { scale: terms, floor } = self.layer.bound(sample as u32, 0);
+        let (log_rho, factor) = (cpu.floats()[index].abs(), f64::from(self.factor[sample]));
+        // the slope of log sigmoid is at most 1, and at most its own size where that is small
+        let is_lost = terms * Self::TOLERANCE > 0.1;
+        let scale =
+            if is_lost { log_rho + 3.0 * factor * terms } else { log_rho * (1.0 + 3.0 * terms) };
+        Bound { scale, floor: floor + f64::from(TINY) * (1.0 + log_rho) }
+    }
+}
+
+/// Inputs of `segment_product`.
+#[derive(Clone, Debug)]
+pub struct SegmentProduct {
+    /// `[pairs + 1]`
+    pub first_sample: Vec<u32>,
+    /// `[samples]`
+    pub log_rho: Vec<f32>,
+}
+
+impl SegmentProduct {
+    /// The samples of a pair.
+    #[must_use]
+    pub fn of(&self, pair: usize) -> &[f32] {
+        &self.log_rho[self.first_sample[pair] as usize..self.first_sample[pair + 1] as usize]
+    }
+}
+
+impl Parity for SegmentProduct {
+    const KERNEL: &'static str = "segment_product";
+    const TOLERANCE: f64 = 1e-6;
+    const WHY: &'static str = "exp's 3 + 2 abs(x) ulp, and roundings of the sum, which where regrouped grow with its terms";
+
+    fn sets() -> Vec<(String, Self)> {
+        let mut sets = inputs::sets(|pairs, fill, random| {
+            let counts: Vec<_> = (0..pairs).map(|_| random.below(9).saturating_sub(2)).collect();
+            let first_sample = prefix(&counts);
+            let samples = counts.iter().sum::<u32>() as usize;
+            let log_rho = fill.values(random, samples, [0.0, 3.0], 1e30);
+            Self { first_sample, log_rho: log_rho.into_iter().map(|x| -x.abs()).collect() }
+        });
+        for (name, size) in [("a long segment", 1e-3), ("a long segment down to zero", 0.1)] {
+            let log_rho = Random::new(8).values(16_384, -size, 0.0);
+            let set = Self { first_sample: vec![0, 0, 16_384, 16_384], log_rho };
+            sets.push((name.into(), set));
+        }
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let pairs = self.first_sample.len() as u32 - 1;
+        let transmittance = bench.output(pairs as usize)?;
+        let kernel = SegmentProductKernel {
+            params: SegmentProductParams { pairs },
+            first_sample: &bench.upload(&self.first_sample)?,
+            log_rho: &bench.upload(&self.log_rho)?,
+            transmittance: &transmittance,
+        };
+        bench.items(&kernel, pairs, 1)?;
+        Ok(vec![Output::float("transmittance", bench.read(&transmittance)?)])
+    }
+
+    fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
+        if index + 1 >= self.first_sample.len() {
+            return Bound { scale: 0.0, floor: 0.0 };
+        }
+        let terms = self.of(index);
+        let sum: f64 = terms.iter().map(|&x| f64::from(x.abs())).sum();
+        let roundings = match rounding {
+            Rounding::AsWritten => 1.0,
+            Rounding::Regrouped => 1.0 + 0.03 * terms.len() as f64,
+        };
+        Bound::of(cpu.floats()[index] * (1.0 + sum * roundings))
+    }
+}

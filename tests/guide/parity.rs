@@ -1,0 +1,52 @@
+use organza_kernels::blend::{BlendKernel, BlendParams};
+
+use super::bench::Bench;
+use super::case::{Parity, Rounding};
+use super::inputs;
+use super::measure::{Bound, Output};
+use crate::error::Result;
+
+/// Inputs of `blend`.
+#[derive(Clone, Debug)]
+pub struct Blend {
+    /// `[count]`
+    pub first: Vec<f32>,
+    /// `[count]`
+    pub second: Vec<f32>,
+    /// Weight of `second`.
+    pub weight: f32,
+}
+
+impl Parity for Blend {
+    const KERNEL: &'static str = "blend";
+    const TOLERANCE: f64 = 2e-7;
+    const WHY: &'static str = "three roundings of the terms' sizes";
+
+    fn sets() -> Vec<(String, Self)> {
+        inputs::sets(|count, fill, random| Self {
+            first: fill.values(random, count as usize, [0.0, 1.0], 3e38),
+            second: fill.values(random, count as usize, [0.0, 1.0], 3e38),
+            weight: random.between(0.0, 1.0),
+        })
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let count = self.first.len() as u32;
+        let output = bench.output(count as usize)?;
+        let kernel = BlendKernel {
+            params: BlendParams { count, weight: self.weight },
+            first: &bench.upload(&self.first)?,
+            second: &bench.upload(&self.second)?,
+            output: &output,
+        };
+        bench.items(&kernel, count, 1)?;
+        Ok(vec![Output::float("output", bench.read(&output)?)])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        // behind the output are canaries: they must stay as they are
+        let size = |values: &[f32]| f64::from(values.get(index).map_or(0.0, |value| value.abs()));
+        let weight = f64::from(self.weight);
+        Bound::of((1.0 - weight) * size(&self.first) + weight * size(&self.second))
+    }
+}

@@ -1,0 +1,118 @@
+//! Every kernel on every device beside the CPU, and the CPU beside the equations in f64.
+
+#[path = "exact/encodings.rs"]
+mod encodings;
+#[path = "exact/geometry.rs"]
+mod geometry;
+#[path = "exact/hold.rs"]
+mod hold;
+#[path = "exact/images.rs"]
+mod images;
+#[path = "exact/integers.rs"]
+mod integers;
+#[path = "exact/networks.rs"]
+mod networks;
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use organza::parity::{self, Bench, Output, Parity, Rounding, Values};
+use organza::{Device, DeviceOptions, SpirvPath};
+use organza_tests::devices;
+
+#[test]
+fn every_kernel_has_a_case() {
+    let missing = parity::missing(&parity::cases());
+    assert!(missing.is_empty(), "{}", missing.join("\n"));
+}
+
+#[test]
+fn a_kernel_without_a_case_is_told_where_to_add_it() {
+    let mut cases = parity::cases();
+    let removed = cases.remove(0);
+    let missing = parity::missing(&cases);
+    assert_eq!(missing.len(), 1);
+    for part in [removed.kernel, "host/src/parity/project.rs", "cases()"] {
+        assert!(missing[0].contains(part), "{}", missing[0]);
+    }
+}
+
+#[test]
+fn every_device_is_within_tolerance_of_the_cpu() {
+    let cpu = devices::cpu(None);
+    let mut failures = Vec::new();
+    for (name, device) in devices::all() {
+        let rounding = match name.contains(SpirvPath::Naga.as_str()) {
+            true => Rounding::Regrouped,
+            false => Rounding::AsWritten,
+        };
+        for case in parity::cases() {
+            let measure = case.measure(&cpu, &device, rounding).expect("the kernel runs");
+            let kernel = case.kernel;
+            println!(
+                "{name} {kernel}: {:.1e} absolute, {:.1e} relative, {:.1} ulp, {:.1e} of what is allowed",
+                measure.absolute.value,
+                measure.relative.value,
+                measure.ulp.value,
+                measure.share.value
+            );
+            if !measure.is_ok() {
+                let (failed, all) = (measure.failures, measure.values);
+                failures.push(format!(
+                    "{kernel} on {name}: {failed} of {all}, most {:?}",
+                    measure.share
+                ));
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// Hostile inputs, and every invocation's accesses beside those of all others.
+#[test]
+fn no_two_invocations_get_in_each_others_way() {
+    let options = DeviceOptions { check_races: true, ..DeviceOptions::cpu(None) };
+    let (cpu, checked) = (devices::cpu(None), Device::open(&options).expect("the CPU"));
+    for case in parity::cases() {
+        let measure = case.measure(&cpu, &checked, Rounding::AsWritten).expect("no race");
+        assert_eq!(measure.share.value, 0.0, "{}: checking changes the result", case.kernel);
+    }
+}
+
+#[test]
+fn the_page_has_every_tolerance() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/parity.md");
+    let page = std::fs::read_to_string(page).expect("docs/parity.md");
+    for case in parity::cases() {
+        let is_there = page.lines().any(|line| {
+            line.starts_with(&format!("| {} |", case.kernel)) && line.contains(case.why)
+        });
+        assert!(
+            is_there,
+            "docs/parity.md lacks `{}`: {}; the page tells how it is made",
+            case.kernel, case.why
+        );
+    }
+}
+
+/// The integers that an output of a kernel takes on, over all sets.
+fn all_of<P: Parity>(output: &str) -> BTreeSet<u32> {
+    let cpu = devices::cpu(None);
+    let outputs = |set: P| set.run(&Bench::new(&cpu, P::KERNEL)).expect("the kernel runs");
+    let named = |Output { name, values }: Output| match values {
+        Values::Exact(values) if name == output => values,
+        _ => Vec::new(),
+    };
+    P::sets().into_iter().flat_map(|(_, set)| outputs(set)).flat_map(named).collect()
+}
+
+/// Sets that keep away from what rounding decides must not keep away from what they are to test.
+#[test]
+fn sets_reach_every_branch() {
+    let classes = all_of::<parity::project::Project>("class");
+    assert!([0, 1, 2].iter().all(|class| classes.contains(class)), "{classes:?}");
+    let counts = all_of::<parity::segment::Segment>("count");
+    assert!([0, 1, 2, 16_384].iter().all(|count| counts.contains(count)), "{counts:?}");
+    let words = all_of::<parity::tile::TileMask>("mask");
+    assert!(words.contains(&0) && words.len() > 100, "{} words", words.len());
+}

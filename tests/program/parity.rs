@@ -1,0 +1,39 @@
+//! `organza parity`.
+
+use organza_tests::devices;
+use serde_json::Value;
+
+use crate::sandbox::Sandbox;
+
+#[test]
+fn the_cpu_agrees_with_itself_to_the_bit() {
+    let outcome = Sandbox::new("tiny").run("parity --backend cpu --json").assert_ok();
+    let reports: Value = serde_json::from_str(&outcome.stdout).expect("JSON");
+    let kernels = reports[0]["kernels"].as_array().expect("rows");
+    assert_eq!(kernels.len(), organza_kernels::kernels().count());
+    for kernel in kernels {
+        assert_eq!(kernel["ok"], true, "{kernel}");
+        assert_eq!(kernel["share"]["value"], 0.0, "{kernel}");
+        assert!(kernel["values"].as_u64().is_some_and(|values| values > 100), "{kernel}");
+    }
+}
+
+#[test]
+fn every_gpu_has_a_table() {
+    if devices::all().len() == 1 {
+        return;
+    }
+    let outcome = Sandbox::new("tiny").run("parity").assert_ok();
+    for kernel in organza_kernels::kernels() {
+        let rows = outcome.stdout.lines().filter(|line| line.starts_with(kernel.name));
+        let rows: Vec<_> = rows.collect();
+        assert!(!rows.is_empty() && rows.iter().all(|row| row.ends_with("ok")), "{rows:?}");
+    }
+}
+
+#[test]
+fn what_is_not_there_is_refused() {
+    let sandbox = Sandbox::new("tiny");
+    sandbox.assert_refuses("parity --adapter no-such-gpu", &["no usable GPU"]);
+    sandbox.assert_refuses("parity --backend cpu --adapter Arc", &["`--backend` is cpu"]);
+}

@@ -1,0 +1,218 @@
+//! The comparators: whether a record is the accepted one, and the message where it is not.
+
+use std::sync::{Arc, Mutex};
+
+use image::RgbImage;
+use insta::internals::SnapshotContents;
+use insta::{Comparator, Snapshot};
+
+use super::picture::{self, Montage};
+use super::report::{self, Panels};
+use super::tensors::{Tensor, Tensors};
+
+/// How far a value of a tensor may be off: `absolute + relative * |expected|`.
+#[derive(Clone, Copy, Debug)]
+pub struct Tolerance {
+    /// In the tensor's own unit.
+    pub absolute: f64,
+    /// Of the expected value.
+    pub relative: f64,
+}
+
+/// Two records that differ.
+#[derive(Clone, Debug)]
+pub struct Mismatch {
+    /// How much, and where.
+    pub message: String,
+    /// What to show.
+    pub panels: Panels,
+}
+
+impl Tolerance {
+    fn allows(&self, tensor: &Tensor, expected: f64, actual: f64) -> bool {
+        // A NaN is never right; an infinity is where it is expected.
+        let allowed =
+            if tensor.exact { 0.0 } else { self.absolute + self.relative * expected.abs() };
+        actual == expected || (expected.is_finite() && (actual - expected).abs() <= allowed)
+    }
+
+    /// Holds tensors to those accepted. Names, their order and shapes must be the same.
+    pub fn compare(&self, expected: &Tensors, actual: &Tensors) -> Result<(), Mismatch> {
+        let heads = |tensors: &Tensors| -> Vec<String> {
+            let head = |tensor: &Tensor| format!("{} {:?}", tensor.name, tensor.shape);
+            tensors.0.iter().map(head).collect()
+        };
+        let (accepted, found) = (heads(expected), heads(actual));
+        if let Some(at) =
+            (0..accepted.len().max(found.len())).find(|&i| accepted.get(i) != found.get(i))
+        {
+            let of = |heads: &[String]| heads.get(at).cloned().unwrap_or("nothing".to_owned());
+            let message = format!("shapes differ: {} for {}", of(&found), of(&accepted));
+            let panels = report::tensor_panels(expected.0.get(at), actual.0.get(at));
+            return Err(Mismatch { message, panels });
+        }
+        let pairs = expected.0.iter().zip(&actual.0);
+        let differing = pairs.filter_map(|(e, a)| Some((&e.name, self.worst(e, a)?)));
+        let mut differing = differing.collect::<Vec<_>>().into_iter();
+        // The first one: tensors stand in the order of the stages, and later ones follow from it.
+        let Some((_, mut mismatch)) = differing.next() else { return Ok(()) };
+        let others: Vec<String> = differing.map(|(name, _)| format!("`{name}`")).collect();
+        if !others.is_empty() {
+            mismatch.message += &format!("; differing after it: {}", others.join(", "));
+        }
+        Err(mismatch)
+    }
+
+    fn worst(&self, expected: &Tensor, actual: &Tensor) -> Option<Mismatch> {
+        let values = || expected.values.iter().zip(&actual.values).enumerate();
+        let beyond = values().filter(|(_, (e, a))| !self.allows(expected, **e, **a)).count();
+        if beyond == 0 {
+            return None;
+        }
+        let apart = |e: f64, a: f64| if (a - e).is_nan() { f64::INFINITY } else { (a - e).abs() };
+        let failing = values().filter(|(_, (e, a))| !self.allows(expected, **e, **a));
+        let (index, (&e, &a)) =
+            failing.max_by(|x, y| apart(*x.1.0, *x.1.1).total_cmp(&apart(*y.1.0, *y.1.1)))?;
+        let allowed = match expected.exact {
+            true => "it must be equal".to_owned(),
+            false => format!("allowed is {:.1e} + {:.1e} |expected|", self.absolute, self.relative),
+        };
+        let message = format!(
+            "`{}` {:?} is {:.3e} apart at {}: {a} for {e}; {allowed}; {beyond} of {} values are beyond",
+            expected.name,
+            expected.shape,
+            apart(e, a),
+            place(&expected.shape, index),
+            expected.values.len(),
+        );
+        Some(Mismatch { message, panels: report::tensor_panels(Some(expected), Some(actual)) })
+    }
+}
+
+/// An index in words: tile, channel, row and column where the shape is that of tiles.
+fn place(shape: &[usize], mut index: usize) -> String {
+    let mut at = vec![0; shape.len()];
+    for (place, &size) in at.iter_mut().zip(shape).rev() {
+        (*place, index) = (index % size, index / size);
+    }
+    match (shape, at.as_slice()) {
+        ([_, 3, height, width], &[tile, channel, row, column]) if height == width => {
+            let channel = ["red", "green", "blue"][channel];
+            format!("tile {tile}, channel {channel}, row {row}, column {column}")
+        }
+        _ => format!("{at:?}"),
+    }
+}
+
+/// Every channel of a picture may be off by this many of 255 steps: a value beside the middle of two steps is rounded
+/// to either.
+pub const STEPS: u8 = 1;
+/// At the edge of a Gaussian's support the falloff jumps from 1/255 to 0, and rounding decides on which side a pixel
+/// lies: that is a step more, for at most one in this many pixels.
+pub const EDGE_PIXELS: usize = 500;
+/// What such a pixel may be off by.
+pub const EDGE_STEPS: u8 = STEPS + 1;
+
+/// Holds a picture to the one accepted.
+pub fn compare_pictures(
+    montage: &Montage,
+    expected: &RgbImage,
+    actual: &RgbImage,
+) -> Result<(), Mismatch> {
+    let panels = || report::picture_panels(expected, actual);
+    if expected.dimensions() != actual.dimensions() {
+        let (found, accepted) = (actual.dimensions(), expected.dimensions());
+        let message = format!("sizes differ: {found:?} pixels for {accepted:?}");
+        return Err(Mismatch { message, panels: panels() });
+    }
+    let (mut beyond, mut largest, mut at) = (0, 0, (0, 0, 0));
+    for ((x, y, e), a) in expected.enumerate_pixels().zip(actual.pixels()) {
+        let apart = [0, 1, 2].map(|channel| e.0[channel].abs_diff(a.0[channel]));
+        beyond += usize::from(apart.iter().any(|&steps| steps > STEPS));
+        for (channel, steps) in apart.into_iter().enumerate() {
+            if steps > largest {
+                (largest, at) = (steps, (x, y, channel));
+            }
+        }
+    }
+    // Enlarged pixels count once.
+    let (beyond, pixels) = (beyond / (montage.scale * montage.scale), montage.pixels());
+    if largest <= STEPS || (largest <= EDGE_STEPS && beyond * EDGE_PIXELS <= pixels) {
+        return Ok(());
+    }
+    let (x, y, channel) = at;
+    let message = format!(
+        "{largest} of 255 steps apart at {}: {} for {}; allowed is {STEPS}, and {EDGE_STEPS} for one pixel in \
+         {EDGE_PIXELS}; {beyond} of {pixels} pixels are beyond {STEPS}",
+        montage.describe([x, y], channel),
+        actual.get_pixel(x, y).0[channel],
+        expected.get_pixel(x, y).0[channel],
+    );
+    Err(Mismatch { message, panels: panels() })
+}
+
+/// How a record is compared.
+#[derive(Clone, Copy, Debug)]
+pub enum Rule {
+    /// Text of [`Tensors`].
+    Tensors(Tolerance),
+    /// A PNG.
+    Picture(Montage),
+}
+
+impl Rule {
+    /// Compares the contents of two snapshots.
+    fn compare(
+        &self,
+        reference: &SnapshotContents,
+        test: &SnapshotContents,
+    ) -> Result<(), Mismatch> {
+        let result = match (self, (reference, test)) {
+            (Self::Tensors(tolerance), (SnapshotContents::Text(e), SnapshotContents::Text(a))) => {
+                let both = (Tensors::parse(&e.to_string()), Tensors::parse(&a.to_string()));
+                match both {
+                    (Ok(e), Ok(a)) => return tolerance.compare(&e, &a),
+                    (Err(reason), _) | (_, Err(reason)) => Err(reason),
+                }
+            }
+            (
+                Self::Picture(montage),
+                (SnapshotContents::Binary(Some(e)), SnapshotContents::Binary(Some(a))),
+            ) => match (picture::decode(e), picture::decode(a)) {
+                (Ok(e), Ok(a)) => return compare_pictures(montage, &e, &a),
+                (Err(reason), _) | (_, Err(reason)) => Err(reason),
+            },
+            _ => Err("the accepted snapshot is of another kind, or its PNG is missing".to_owned()),
+        };
+        result.map_err(|message| Mismatch { message, panels: report::no_panels() })
+    }
+}
+
+/// A [`Rule`] as insta wants it; it keeps what it found for the message.
+#[derive(Clone, Debug)]
+pub struct Held {
+    /// The rule.
+    pub rule: Rule,
+    /// What it found.
+    pub found: Arc<Mutex<Option<Mismatch>>>,
+}
+
+impl Held {
+    /// Whether the contents of two snapshots are the same under the rule.
+    pub fn allows(&self, reference: &SnapshotContents, test: &SnapshotContents) -> bool {
+        let found = self.rule.compare(reference, test).err();
+        let matches = found.is_none();
+        *self.found.lock().expect("no test panics here") = found;
+        matches
+    }
+}
+
+impl Comparator for Held {
+    fn matches(&self, reference: &Snapshot, test: &Snapshot) -> bool {
+        self.allows(reference.contents(), test.contents())
+    }
+
+    fn dyn_clone(&self) -> Box<dyn Comparator> {
+        Box::new(self.clone())
+    }
+}

@@ -1,0 +1,19 @@
+//! Snapshots: what is recorded, how two records are compared, and what a failure leaves behind.
+
+pub mod compare;
+pub mod exact;
+pub mod generator;
+pub mod harmonics;
+pub mod picture;
+pub mod report;
+pub mod tensors;
+
+#[cfg(test)]
+mod tests;
+
+use std::path::{Path, PathBuf};
+
+/// The folder of the accepted snapshots.
+pub fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots")
+}

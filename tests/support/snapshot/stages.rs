@@ -1,0 +1,224 @@
+//! A and B on their own, and the projection of C: every stage for every Gaussian.
+
+use organza::scene::Interpolation;
+use organza::{Camera, Renderer, Scene, Stages};
+
+use crate::snapshot::exact;
+use crate::snapshot::generator::{Recipe, camera, camera_to};
+use crate::snapshot::harmonics;
+use crate::snapshot::tensors::Tensors;
+use crate::{RENDERERS, Tolerance, assert_tensors};
+
+/// Values of about 1.  Measured: features 8e-7 where naga lets a driver fuse, 1e-7 elsewhere.
+const COLOR: Tolerance = Tolerance { absolute: 5e-6, relative: 5e-6 };
+/// T of up to 20 samples.  Measured: 1e-7.
+const TRANSMITTANCE: Tolerance = Tolerance { absolute: 1e-6, relative: 2e-6 };
+/// Pixels, and inverse square pixels.  Measured: 5e-7 relative.
+const PROJECTION: Tolerance = Tolerance { absolute: 1e-6, relative: 1e-5 };
+
+fn stages(renderer: &Renderer, scene: &Scene, camera: &Camera) -> Stages {
+    let scene = renderer.upload(scene).expect("the scene fits");
+    renderer.stages(&scene, camera).expect("the stages run")
+}
+
+fn near(what: &str, found: f32, exact: f64, tolerance: f64) {
+    let apart = (f64::from(found) - exact).abs();
+    assert!(apart <= tolerance, "{what} is {found} for {exact}, {apart:.1e} off");
+}
+
+/// Adds harmonics, features and colors, held to the equations.
+fn record_color(tensors: &mut Tensors, scene: &Scene, camera: &Camera, stages: &Stages) {
+    let count = scene.gaussians.len();
+    let (sh, grid) = (scene.config.sh_width(), scene.config.color_grid.width());
+    let directions: Vec<_> = (0..count).map(|i| exact::direction(scene, camera, i)).collect();
+    harmonics::check(&stages.sh, &directions, scene.config.sh_degree as usize);
+    for gaussian in 0..count {
+        let features = &stages.color_encoding[gaussian * grid..][..grid];
+        let position = scene.gaussians.position[gaussian].map(f64::from);
+        let point = scene.config.normalize(position);
+        let encoded = exact::encode(&scene.config.color_grid, &scene.color.grid, point);
+        for (&found, exact) in features.iter().zip(encoded) {
+            near(&format!("a feature of Gaussian {gaussian}"), found, exact, 1e-4);
+        }
+        let harmonics = &stages.sh[gaussian * sh..][..sh];
+        let color = exact::color(scene, harmonics, features, gaussian);
+        for (&found, exact) in stages.color[3 * gaussian..].iter().zip(color) {
+            near(&format!("the color of Gaussian {gaussian}"), found, exact, 1e-5);
+        }
+    }
+    tensors.push("sh", &[count, sh], &stages.sh);
+    record_features(tensors, scene, stages);
+}
+
+fn record_features(tensors: &mut Tensors, scene: &Scene, stages: &Stages) {
+    let (count, grid) = (scene.gaussians.len(), &scene.config.color_grid);
+    let interpolation = format!("{:?}", grid.interpolation).to_lowercase();
+    tensors.push(
+        &format!("features.{interpolation}"),
+        &[count, grid.width()],
+        &stages.color_encoding,
+    );
+    tensors.push(&format!("color.{interpolation}"), &[count, 3], &stages.color);
+}
+
+fn color_of_degree(degree: u32) {
+    let name = format!("color_degree_{degree}");
+    let text = format!("A alone: harmonics to degree {degree}, both interpolations");
+    let camera = camera([1.3, 0.9, -2.6], [64, 48]);
+    for (backend, renderer) in RENDERERS.iter() {
+        let mut tensors = Tensors::default();
+        for interpolation in [Interpolation::Linear, Interpolation::Smoothstep] {
+            let recipe = Recipe {
+                seed: 10 + degree,
+                gaussians: 6,
+                degree,
+                interpolation,
+                ..Recipe::default()
+            };
+            let scene = recipe.scene();
+            let stages = stages(renderer, &scene, &camera);
+            let mut recorded = Tensors::default();
+            record_color(&mut recorded, &scene, &camera, &stages);
+            // the harmonics do not depend on the interpolation
+            let again = usize::from(!tensors.0.is_empty());
+            tensors.0.extend(recorded.0.into_iter().skip(again));
+        }
+        assert_ne!(tensors.0[1].values, tensors.0[3].values, "the interpolations are the same");
+        assert_tensors([&name, &text], backend, &tensors, COLOR);
+    }
+}
+
+macro_rules! degrees {
+    ($($name:ident: $degree:literal,)*) => {$(
+        #[test]
+        fn $name() {
+            color_of_degree($degree);
+        }
+    )*};
+}
+
+degrees! {
+    color_degree_0: 0, color_degree_1: 1, color_degree_2: 2, color_degree_3: 3,
+    color_degree_4: 4, color_degree_5: 5, color_degree_6: 6, color_degree_7: 7,
+}
+
+#[test]
+fn color_without_material() {
+    let recipe = Recipe { seed: 31, gaussians: 6, material: 0, ..Recipe::default() };
+    let (scene, camera) = (recipe.scene(), camera([-1.0, 0.2, -3.0], [64, 48]));
+    for (backend, renderer) in RENDERERS.iter() {
+        let mut tensors = Tensors::default();
+        record_color(&mut tensors, &scene, &camera, &stages(renderer, &scene, &camera));
+        let text = "A alone: material of width 0";
+        assert_tensors(["color_without_material", text], backend, &tensors, COLOR);
+    }
+}
+
+/// Gaussians in the places where a ray's clip has a branch of its own.
+fn clip_scene(extra: u32) -> Scene {
+    let recipe = Recipe { seed: 41, gaussians: 9, extra, clearness: 1.5, ..Recipe::default() };
+    let mut scene = recipe.scene();
+    // The camera of these tests is at (0.1, 0.3, -4) or inside; the box is [-1.5, 1.5] x [-1.2, 1.2] x [-1, 1.4], and
+    // the cube a ninth larger on each side.
+    scene.gaussians.position = vec![
+        [0.2, -0.4, 0.5],   // inside
+        [0.1, 0.3, 0.9],    // axis-parallel: straight ahead
+        [0.1, 0.3, 3.7],    // axis-parallel, outside, seen through the whole cube
+        [0.1, -7.0, -4.0],  // axis-parallel, outside, seen past the cube
+        [9.0, 5.0, 8.0],    // outside, seen past the cube
+        [-0.2, -0.6, 2.5],  // outside, seen through the cube
+        [0.3, 0.8, -9.0],   // behind the camera
+        [1.49, 1.19, 1.39], // in the box's corner
+        [0.7, -1.1, -0.9],
+    ];
+    scene
+}
+
+/// K and T of Eq. 8 and 11, held to the equations.
+pub fn record_transmittance(scene: &Scene, camera: &Camera, stages: &Stages) -> Tensors {
+    let count = scene.gaussians.len();
+    for gaussian in 0..count {
+        let (k, t) = exact::transmittance(scene, camera, gaussian);
+        let found = (stages.sample_count[gaussian], stages.transmittance[gaussian]);
+        assert_eq!(found.0, k, "K of Gaussian {gaussian}");
+        near(&format!("T of Gaussian {gaussian}"), found.1, t, 2e-6);
+        if k == 0 {
+            assert_eq!(found.1, 1.0, "a ray that misses loses nothing");
+        }
+    }
+    let mut tensors = Tensors::default();
+    tensors.push_counts("sample_count", &[count], &stages.sample_count);
+    tensors.push("transmittance", &[count], &stages.transmittance);
+    tensors
+}
+
+#[test]
+fn transmittance_from_outside() {
+    let camera = camera_to([0.1, 0.3, -4.0], [0.1, 0.3, 0.0], [64, 48]);
+    for (extra, name) in [(2, "transmittance_from_outside"), (0, "transmittance_without_extra")] {
+        let scene = clip_scene(extra);
+        for (backend, renderer) in RENDERERS.iter() {
+            let stages = stages(renderer, &scene, &camera);
+            let tensors = record_transmittance(&scene, &camera, &stages);
+            let missed: Vec<usize> = (0..9).filter(|&i| stages.sample_count[i] == 0).collect();
+            assert_eq!(missed, [3, 4, 6], "rays that miss the cube");
+            let text =
+                "B alone: K and T; axis-parallel rays, and rays that miss the cube (3, 4, 6)";
+            assert_tensors([name, text], backend, &tensors, TRANSMITTANCE);
+        }
+    }
+}
+
+#[test]
+fn transmittance_from_inside() {
+    let scene = clip_scene(2);
+    let camera = camera_to([0.1, 0.3, 0.0], [0.1, 0.3, 1.0], [64, 48]);
+    for (backend, renderer) in RENDERERS.iter() {
+        let stages = stages(renderer, &scene, &camera);
+        let tensors = record_transmittance(&scene, &camera, &stages);
+        assert!(stages.sample_count.iter().all(|&k| k > 0), "every ray ends in the cube");
+        let text = "B alone: K and T of a camera inside the cube";
+        assert_tensors(["transmittance_from_inside", text], backend, &tensors, TRANSMITTANCE);
+    }
+}
+
+#[test]
+fn projection() {
+    let recipe = Recipe { seed: 51, gaussians: 24, log_scale: [-4.0, 0.3], ..Recipe::default() };
+    let scene = recipe.scene();
+    // in the middle of the Gaussians: some lie behind, some so far aside that J is clamped
+    let camera = camera_to([0.1, 0.1, 0.1], [0.3, 0.0, 1.4], [64, 48]);
+    for (backend, renderer) in RENDERERS.iter() {
+        let stages = stages(renderer, &scene, &camera);
+        let (mut mean2d, mut conic, mut visible) = (Vec::new(), Vec::new(), Vec::new());
+        for gaussian in 0..24 {
+            let exact = exact::project(&scene, &camera, gaussian);
+            let radius = stages.radius[gaussian];
+            visible.push(u32::from(exact.is_some()));
+            let Some(exact) = exact else {
+                assert!(radius < 0.0, "Gaussian {gaussian} is behind the camera");
+                mean2d.extend([0.0; 2]);
+                conic.extend([0.0; 3]);
+                continue;
+            };
+            near("a radius", radius, exact.radius, 1e-5 * exact.radius);
+            for (&found, exact) in stages.mean2d[gaussian].iter().zip(exact.mean) {
+                near("a center", found, exact, 1e-5 * exact.abs() + 1e-4);
+            }
+            for (&found, value) in stages.conic[gaussian].iter().zip(exact.conic) {
+                near("a conic", found, value, 1e-5 * exact.conic[0].max(exact.conic[2]));
+            }
+            mean2d.extend(stages.mean2d[gaussian]);
+            conic.extend(stages.conic[gaussian]);
+        }
+        let behind = visible.iter().filter(|&&visible| visible == 0).count();
+        assert!((3..20).contains(&behind), "{behind} are behind");
+        let mut tensors = Tensors::default();
+        tensors.push_counts("visible", &[24], &visible);
+        tensors.push("mean2d", &[24, 2], &mean2d);
+        tensors.push("conic", &[24, 3], &conic);
+        tensors.push("radius", &[24], &stages.radius);
+        let text = "C alone: projection; zeros where the Gaussian is behind the camera";
+        assert_tensors(["projection", text], backend, &tensors, PROJECTION);
+    }
+}

@@ -1,0 +1,63 @@
+//! Compiles the kernel of docs/adding-a-kernel.md as its reader would: as a file of the shader crate.
+
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result, ensure};
+
+use crate::compiler::{self, Compiler};
+use crate::{Workspace, compile, contraction, memory_model};
+
+/// The kernel's name, its file's and its module's.
+const KERNEL: &str = "blend";
+
+/// Copies what the shader crate is made of, adds the page's file and its line in `lib.rs`, and compiles that.
+pub fn run(workspace: &Workspace) -> Result<()> {
+    compiler::isolate();
+    let compiler = Compiler::find(&workspace.shader_crate)?;
+    let copy = workspace.target.join("guide");
+    if copy.exists() {
+        fs::remove_dir_all(&copy)?;
+    }
+    let shader_crate = copy.join("shader-crate");
+    copy_tree(&workspace.shader_crate, &shader_crate)?;
+    fs::copy(workspace.root.join("Cargo.lock"), copy.join("Cargo.lock"))?;
+    let manifest = fs::read_to_string(workspace.root.join("Cargo.toml"))?;
+    fs::write(copy.join("Cargo.toml"), reduced(&manifest)?)?;
+    let source = workspace.root.join("tests/guide").join(format!("{KERNEL}.rs"));
+    fs::copy(&source, shader_crate.join("src").join(format!("{KERNEL}.rs")))
+        .with_context(|| format!("cannot copy {}", source.display()))?;
+    let lib = shader_crate.join("src/lib.rs");
+    fs::write(&lib, fs::read_to_string(&lib)? + &format!("\npub mod {KERNEL};\n"))?;
+
+    let mut modules = compile::build(&shader_crate, workspace, &compiler)?;
+    let module = modules.remove(KERNEL).context("the page's kernel has no entry point")?;
+    let module = contraction::forbid(&memory_model::lower(&module)?)?;
+    println!("docs/adding-a-kernel.md: `{KERNEL}` compiles to {} bytes", module.len());
+    Ok(())
+}
+
+/// The workspace's manifest with the shader crate as its only members: Cargo reads no others.
+fn reduced(manifest: &str) -> Result<String> {
+    let is_list = |line: &str| line.starts_with("members") || line.starts_with("default-members");
+    ensure!(manifest.lines().any(is_list), "the workspace's manifest lists no members");
+    let line = |line: &str| match line.split_once('=') {
+        Some(("members ", _)) => "members = [\"shader-crate\", \"shader-crate/macros\"]\n".into(),
+        Some(("default-members ", _)) => String::new(),
+        _ => format!("{line}\n"),
+    };
+    Ok(manifest.lines().map(line).collect())
+}
+
+fn copy_tree(from: &Path, to: &Path) -> Result<()> {
+    fs::create_dir_all(to)?;
+    for entry in fs::read_dir(from)? {
+        let entry = entry?;
+        let target = to.join(entry.file_name());
+        match entry.file_type()?.is_dir() {
+            true => copy_tree(&entry.path(), &target)?,
+            false => drop(fs::copy(entry.path(), target)?),
+        }
+    }
+    Ok(())
+}

@@ -3,7 +3,6 @@
 use organza::{DeviceScene, Renderer};
 use organza_tests::cases::{self, Case};
 use organza_tests::compare::{assert_close, assert_close_relative};
-use organza_tests::devices;
 
 /// Absolute, on the tiles.
 const TILES: f64 = 2e-4;
@@ -12,28 +11,20 @@ const STAGE: f64 = 1e-4;
 
 #[test]
 fn tiles_are_those_of_the_reference() {
-    for (backend, device) in devices::all() {
-        let renderer = Renderer::new(device);
-        for case in cases::all() {
-            let scene = renderer.upload(&case.scene).expect("the scene fits");
-            let tiles = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
-            let what = format!("{}, tiles on {backend}", case.name);
-            assert_close(&what, &tiles.data, case.expected("tiles"), TILES);
-        }
-    }
+    cases::on_every_device(|backend, renderer, case, scene| {
+        let tiles = renderer.render(scene, &case.cameras, &case.tiles).expect("it renders");
+        let what = format!("{}, tiles on {backend}", case.name);
+        assert_close(&what, &tiles.data, case.expected("tiles"), TILES);
+    });
 }
 
 #[test]
 fn stages_are_those_of_the_reference() {
-    for (backend, device) in devices::all() {
-        let renderer = Renderer::new(device);
-        for case in cases::all() {
-            let scene = renderer.upload(&case.scene).expect("the scene fits");
-            for camera in 0..case.cameras.len() {
-                compare_stages(&renderer, backend, &case, &scene, camera);
-            }
+    cases::on_every_device(|backend, renderer, case, scene| {
+        for camera in 0..case.cameras.len() {
+            compare_stages(renderer, backend, case, scene, camera);
         }
-    }
+    });
 }
 
 fn compare_stages(

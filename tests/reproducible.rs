@@ -33,24 +33,20 @@ fn image(
 
 #[test]
 fn the_image_does_not_depend_on_the_tiling() {
-    for (backend, device) in devices::all() {
-        let renderer = Renderer::new(device);
-        for case in cases::all() {
-            let scene = renderer.upload(&case.scene).expect("the scene fits");
-            for camera in 0..case.cameras.len() {
-                let whole = image(&renderer, &scene, &case.cameras, camera, 16);
-                for side in [32, 50, 64] {
-                    let other = image(&renderer, &scene, &case.cameras, camera, side);
-                    let same = whole.iter().zip(&other).all(|(a, b)| a.to_bits() == b.to_bits());
-                    assert!(
-                        same,
-                        "{}, camera {camera}, tiles of 16 and of {side} differ on {backend}",
-                        case.name
-                    );
-                }
+    cases::on_every_device(|backend, renderer, case, scene| {
+        for camera in 0..case.cameras.len() {
+            let whole = image(renderer, scene, &case.cameras, camera, 16);
+            for side in [32, 50, 64] {
+                let other = image(renderer, scene, &case.cameras, camera, side);
+                let same = whole.iter().zip(&other).all(|(a, b)| a.to_bits() == b.to_bits());
+                assert!(
+                    same,
+                    "{}, camera {camera}, tiles of 16 and of {side} differ on {backend}",
+                    case.name
+                );
             }
         }
-    }
+    });
 }
 
 #[test]
@@ -72,16 +68,12 @@ fn the_image_does_not_depend_on_the_threads() {
 
 #[test]
 fn a_batch_in_parts_is_the_batch() {
-    for (backend, device) in devices::all() {
-        let renderer = Renderer::new(device);
+    cases::on_every_device(|backend, renderer, case, scene| {
         let in_parts = renderer.clone().with_part_bytes(1);
-        for case in cases::all() {
-            let scene = renderer.upload(&case.scene).expect("the scene fits");
-            let whole = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
-            let parts = in_parts.render(&scene, &case.cameras, &case.tiles).expect("it renders");
-            assert_eq!((whole.report.parts, parts.report.parts), (1, case.tiles.tiles.len()));
-            assert_eq!(whole.report.members, parts.report.members);
-            assert!(whole.data == parts.data, "{}: the parts show on {backend}", case.name);
-        }
-    }
+        let whole = renderer.render(scene, &case.cameras, &case.tiles).expect("it renders");
+        let parts = in_parts.render(scene, &case.cameras, &case.tiles).expect("it renders");
+        assert_eq!((whole.report.parts, parts.report.parts), (1, case.tiles.tiles.len()));
+        assert_eq!(whole.report.members, parts.report.members);
+        assert!(whole.data == parts.data, "{}: the parts show on {backend}", case.name);
+    });
 }

@@ -45,13 +45,15 @@ pub fn invocation() -> u32 {
 /// What the thread runs; none where no executor is at work.
 pub fn current() -> Option<Place> {
     let mut place = WORKGROUP.get()?;
-    place.id.local = unlinear(INVOCATION.get(), place.id.size);
+    place.id.local = unlinear(u64::from(INVOCATION.get()), place.id.size);
     Some(place)
 }
 
-/// Where the invocation of a number is in a workgroup; x counts fastest.
-pub fn unlinear(index: u32, size: UVec3) -> UVec3 {
-    UVec3::new(index % size.x, index / size.x % size.y, index / size.x / size.y)
+/// The place of a number in a box of a size: of an invocation in its workgroup, of a workgroup in its dispatch; x counts
+/// fastest.
+pub fn unlinear(index: u64, size: UVec3) -> UVec3 {
+    let [x, y] = [size.x, size.y].map(u64::from);
+    UVec3::new((index % x) as u32, (index / x % y) as u32, (index / x / y) as u32)
 }
 
 /// In debug builds every kernel holds one: where it is called without an executor and panics, as in a test, this

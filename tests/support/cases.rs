@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use organza::scene::{Tensor, read_tensors};
-use organza::{Camera, Scene, TileBatch};
+use organza::{Camera, DeviceScene, Renderer, Scene, TileBatch};
+
+use crate::devices;
 
 /// One case.
 #[derive(Debug)]
@@ -67,6 +69,20 @@ pub fn all() -> Vec<Case> {
         folders.extend(subfolders(Path::new(&more)));
     }
     folders.iter().map(|folder| Case::load(folder)).collect()
+}
+
+/// Every case on every device, its scene uploaded; the device's name is for messages.
+///
+/// # Panics
+/// As [`all`] and [`devices::all`], and where a scene does not fit.
+pub fn on_every_device(check: impl Fn(&str, &Renderer, &Case, &DeviceScene)) {
+    for (backend, device) in devices::all() {
+        let renderer = Renderer::new(device);
+        for case in all() {
+            let scene = renderer.upload(&case.scene).expect("the scene fits");
+            check(backend, &renderer, &case, &scene);
+        }
+    }
 }
 
 fn subfolders(folder: &Path) -> Vec<PathBuf> {

@@ -13,8 +13,7 @@ use spirv_builder::{ModuleResult, SpirvBuilder, SpirvMetadata};
 use crate::Workspace;
 use crate::artifacts::Artifacts;
 use crate::compiler::Compiler;
-use crate::contraction;
-use crate::memory_model;
+use crate::lower::lower;
 use crate::module;
 
 /// Vulkan 1.2's SPIR-V 1.5 is the newest that every driver we aim at reads.
@@ -33,11 +32,7 @@ pub fn compile(workspace: &Workspace, compiler: &Compiler) -> Result<Artifacts> 
             bail!("{}: the kernel `{name}` has no entry point in the SPIR-V", kernel.file);
         };
         let context = || format!("{}: kernel `{name}`", kernel.file);
-        let spirv = memory_model::lower(&spirv).with_context(context)?;
-        let spirv = match kernel.fused {
-            true => spirv,
-            false => contraction::forbid(&spirv).with_context(context)?,
-        };
+        let spirv = lower(&spirv, kernel.fused).with_context(context)?;
         module::check(kernel, &spirv).with_context(context)?;
         let entry = entry(kernel, &spirv)?;
         files.insert(entry.spirv.clone(), spirv);

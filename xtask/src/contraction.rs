@@ -5,18 +5,16 @@
 //! find that `(x - a) + b` has a shorter form; results then differ between devices, and what is kept
 //! in two parts (`shader-crate/src/unit_cube.rs`) loses the second.
 
-use anyhow::{Context, Result, anyhow};
-use rspirv::binary::Assemble;
-use rspirv::dr::{self, Instruction, Operand};
+use anyhow::{Context, Result};
+use rspirv::dr::{Instruction, Module, Operand};
 use rspirv::spirv::{Decoration, Op};
 
 /// What the decoration may stand at.
 const ARITHMETIC: [Op; 7] =
     [Op::FAdd, Op::FSub, Op::FMul, Op::FDiv, Op::FRem, Op::FNegate, Op::VectorTimesScalar];
 
-/// The same module, computing what is written.
-pub fn forbid(spirv: &[u8]) -> Result<Vec<u8>> {
-    let mut module = dr::load_bytes(spirv).map_err(|error| anyhow!("a broken module: {error}"))?;
+/// Makes a module compute what is written.
+pub fn forbid(module: &mut Module) -> Result<()> {
     let blocks = module.functions.iter().flat_map(|function| &function.blocks);
     let arithmetic = blocks
         .flat_map(|block| &block.instructions)
@@ -29,5 +27,5 @@ pub fn forbid(spirv: &[u8]) -> Result<Vec<u8>> {
         })
         .collect::<Result<Vec<_>>>()?;
     module.annotations.extend(decorations);
-    Ok(module.assemble().into_iter().flat_map(u32::to_le_bytes).collect())
+    Ok(())
 }

@@ -6,7 +6,8 @@ use std::path::Path;
 use anyhow::{Context, Result, ensure};
 
 use crate::compiler::{self, Compiler};
-use crate::{Workspace, compile, contraction, memory_model};
+use crate::lower::lower;
+use crate::{Workspace, compile};
 
 /// The kernel's name, its file's and its module's.
 const KERNEL: &str = "blend";
@@ -32,7 +33,7 @@ pub fn run(workspace: &Workspace) -> Result<()> {
 
     let mut modules = compile::build(&shader_crate, workspace, &compiler)?;
     let module = modules.remove(KERNEL).context("the page's kernel has no entry point")?;
-    let module = contraction::forbid(&memory_model::lower(&module)?)?;
+    let module = lower(&module, false)?;
     println!("docs/adding-a-kernel.md: `{KERNEL}` compiles to {} bytes", module.len());
     Ok(())
 }

@@ -6,6 +6,7 @@ mod compile;
 mod compiler;
 mod contraction;
 mod guide;
+mod lower;
 mod memory_model;
 mod module;
 mod validate;

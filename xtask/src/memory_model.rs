@@ -6,9 +6,8 @@
 //! access as non-private, so by the letter of that model no barrier would make a write to workgroup
 //! memory visible. Under GLSL's model, which naga and GLSL compilers use, it does.
 
-use anyhow::{Context, Result, anyhow, bail};
-use rspirv::binary::Assemble;
-use rspirv::dr::{self, Instruction, Module, Operand};
+use anyhow::{Context, Result, bail};
+use rspirv::dr::{Instruction, Module, Operand};
 use rspirv::spirv::{
     AddressingModel, Capability, MemoryAccess, MemoryModel, MemorySemantics, Op, Scope, Word,
 };
@@ -22,9 +21,8 @@ const ACCESSES: MemoryAccess = MemoryAccess::MAKE_POINTER_AVAILABLE
     .union(MemoryAccess::MAKE_POINTER_VISIBLE)
     .union(MemoryAccess::NON_PRIVATE_POINTER);
 
-/// The same module, with GLSL's memory model.
-pub fn lower(spirv: &[u8]) -> Result<Vec<u8>> {
-    let mut module = dr::load_bytes(spirv).map_err(|error| anyhow!("a broken module: {error}"))?;
+/// Gives a module GLSL's memory model.
+pub fn lower(module: &mut Module) -> Result<()> {
     let model = module.memory_model.as_mut().context("the module has no memory model")?;
     model.operands = vec![
         Operand::AddressingModel(AddressingModel::Logical),
@@ -39,9 +37,8 @@ pub fn lower(spirv: &[u8]) -> Result<Vec<u8>> {
             Capability::VulkanMemoryModel | Capability::VulkanMemoryModelDeviceScope
         )
     });
-    refuse_what_has_no_equivalent(&module)?;
-    widen_scopes(&mut module)?;
-    Ok(module.assemble().into_iter().flat_map(u32::to_le_bytes).collect())
+    refuse_what_has_no_equivalent(module)?;
+    widen_scopes(module)
 }
 
 /// GLSL's model has no scope of a queue family: `Device`, which holds all of them, takes its place.
@@ -122,7 +119,12 @@ fn constant(module: &Module, id: Word) -> Option<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rspirv::dr::Builder;
+    use rspirv::binary::Assemble;
+    use rspirv::dr::{self, Builder};
+
+    fn lower(spirv: &[u8]) -> Result<Vec<u8>> {
+        crate::lower::lower(spirv, true)
+    }
 
     /// A module with one atomic addition, in Rust-GPU's manner.
     fn module(semantics: MemorySemantics) -> Vec<u8> {

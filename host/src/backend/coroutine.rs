@@ -68,7 +68,7 @@ pub fn run_workgroup(
 
     let invocations = (0..size.element_product())
         .map(|index| {
-            let mut id = Invocation::new(unlinear(index, size), workgroup, workgroups, size);
+            let mut id = Invocation::new(unlinear(index.into(), size), workgroup, workgroups, size);
             id.wait = wait;
             let body = move |yielder: &Yielder<(), Barrier>, ()| {
                 CURRENT.set(yielder);
@@ -121,7 +121,7 @@ fn divergence(waiting: &[Option<Barrier>], size: UVec3) -> String {
     let (first, others): (Vec<_>, Vec<_>) =
         (0..waiting.len()).partition(|&index| waiting[index] == waiting[0]);
     let side = |indices: &[usize]| {
-        let place = unlinear(indices[0] as u32, size);
+        let place = unlinear(indices[0] as u64, size);
         let does = match waiting[indices[0]] {
             Some(barrier) => format!("waits at the barrier of {barrier}"),
             None => "has ended".to_owned(),

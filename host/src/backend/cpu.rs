@@ -7,6 +7,7 @@ use glam::UVec3;
 use organza_kernels::invocation::Invocation;
 use organza_kernels::kernel::{Access, BindingInfo, CpuBinding, CpuRun, KernelInfo};
 use organza_kernels::memory::Watch;
+use organza_kernels::place::unlinear;
 use rayon::prelude::*;
 
 use super::buffer::{Memory, RawBuffer};
@@ -61,9 +62,7 @@ impl Cpu {
         }
         let [x, y, z] = workgroups.map(u64::from);
         let size = UVec3::from(workgroups);
-        let place = |index: u64| {
-            UVec3::new((index % x) as u32, (index / x % y) as u32, (index / x / y) as u32)
-        };
+        let place = |index: u64| unlinear(index, size);
         let run = |index: u64| match info.run {
             CpuRun::Workgroup(run) => {
                 // SAFETY: the bindings are those of the typed dispatch, and kernels do not write to the same

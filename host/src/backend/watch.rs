@@ -4,7 +4,8 @@ use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
 use glam::UVec3;
 use organza_kernels::memory::{Touch, Watch};
-use organza_kernels::{BindingInfo, SharedInfo, place};
+use organza_kernels::place::{self, unlinear};
+use organza_kernels::{BindingInfo, SharedInfo};
 
 /// Watches an array of workgroup memory: between two barriers an element belongs to who writes it.
 ///
@@ -43,7 +44,7 @@ impl WorkgroupMemory {
     /// Who left a stamp, where that was another one and no barrier lies between.
     fn other(&self, stamp: u64, own: u64) -> Option<UVec3> {
         let conflict = stamp != 0 && stamp != own && stamp >> 32 == own >> 32;
-        conflict.then(|| place::unlinear(stamp as u32 - 1, self.size))
+        conflict.then(|| unlinear(u64::from(stamp as u32 - 1), self.size))
     }
 
     fn read(&self, index: u32, element: &Element, own: u64) -> Result<(), String> {
@@ -165,14 +166,8 @@ impl Watch for Races {
     }
 }
 
-/// Number of a place in a box of a size; x counts fastest.
+/// The number that [`unlinear`] places.
 fn linear(at: UVec3, size: UVec3) -> u64 {
     let [x, y, z] = at.to_array().map(u64::from);
     x + u64::from(size.x) * (y + u64::from(size.y) * z)
-}
-
-/// The place that [`linear`] numbers.
-fn unlinear(index: u64, size: UVec3) -> UVec3 {
-    let [x, y] = [size.x, size.y].map(u64::from);
-    UVec3::new((index % x) as u32, (index / x % y) as u32, (index / x / y) as u32)
 }

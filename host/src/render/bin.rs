@@ -82,13 +82,12 @@ struct Mask {
     bits: Buffer<u32>,
     /// `[words + 1]`: the exclusive sums, and the total.
     first: Buffer<u32>,
-    words: u32,
 }
 
 impl Mask {
     fn new(device: &Device, bits: Buffer<u32>, count: &Buffer<u32>) -> Result<Self> {
-        let words = bits.len() as u32;
-        Ok(Self { bits, first: exclusive_scan(device, count, words)?, words })
+        let first = exclusive_scan(device, count, bits.len() as u32)?;
+        Ok(Self { bits, first })
     }
 }
 
@@ -154,7 +153,7 @@ impl Bins {
             TileRangeKernel { params, first_member: &tile_mask.first, tile_first: &tile_first };
         device.run(&kernel, tiles + 1, 1)?;
         let first = device.read(&tile_first)?;
-        let pairs = device.read_range(&pair_mask.first, pair_mask.words as usize, 1)?[0];
+        let pairs = device.read_range(&pair_mask.first, pair_mask.bits.len(), 1)?[0];
 
         let pair = device.zeros("pairs", pairs as usize)?;
         let params = PairFillParams { words, gaussians };

@@ -9,7 +9,7 @@ mod broken;
 use std::process::Command;
 
 use glam::UVec3;
-use organza::{Device, DeviceOptions, Error, Renderer};
+use organza::{Device, DeviceOptions, Error, InstructionSet, Renderer};
 use organza_kernels::invocation::Invocation;
 use organza_kernels::kernel::Dispatch;
 use organza_kernels::memory::{Read, Write};
@@ -190,6 +190,25 @@ fn races_in_storage_are_found() {
 }
 
 #[test]
+fn layers_stay_apart() {
+    let device = checked();
+    let sums = device.zeros("sums", 8).unwrap();
+    let message = failure(&device, &LayersUndeclaredKernel { sums: &sums }, 128);
+    let parts =
+        ["`layers_undeclared`: changes with its layer element 1 of `sums`", "same dispatch"];
+    assert_contains(&message, &parts);
+    let Err(error) = device.run(&LayersOverlapKernel { sums: &sums }, 128, 2) else {
+        panic!("layers overlap")
+    };
+    assert_contains(&error.to_string(), &["`layers_overlap`: changes with its layer element"]);
+    for device in [checked(), devices::cpu(Some(1)), devices::cpu(Some(3))] {
+        let sums = device.zeros("sums", 8).unwrap();
+        device.run(&LayersApartKernel { sums: &sums }, 128, 4).expect("no race");
+        assert_eq!(device.read(&sums).unwrap(), [u32::MAX - 127, 127].repeat(4));
+    }
+}
+
+#[test]
 fn one_buffer_is_not_bound_twice_where_it_is_written() {
     let device = devices::cpu(None);
     let buffer = device.zeros("both", 100).unwrap();
@@ -204,7 +223,7 @@ fn the_pipeline_has_no_races() {
         let scene = renderer.upload(&case.scene).unwrap();
         let checked = renderer.render(&scene, &case.cameras, &case.tiles);
         let checked = checked.unwrap_or_else(|error| panic!("{}: {error}", case.name));
-        let plain = Renderer::new(devices::cpu(None));
+        let plain = Renderer::new(devices::with(InstructionSet::Scalar));
         let scene = plain.upload(&case.scene).unwrap();
         let plain = plain.render(&scene, &case.cameras, &case.tiles).unwrap();
         assert!(checked.data == plain.data, "{}: checking changes the image", case.name);

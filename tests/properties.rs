@@ -4,9 +4,10 @@ use glam::{Vec2, Vec3, Vec4};
 use organza::backend::Buffer;
 use organza::{Device, scene::GridConfig, scene::Interpolation};
 use organza_kernels::camera::Camera;
-use organza_kernels::composite::{CompositeKernel, CompositeParams, ResolveKernel, ResolveParams};
+use organza_kernels::composite::{CompositeKernel, CompositeParams};
 use organza_kernels::hash_grid::GridLevel;
 use organza_kernels::project::{falloff, mahalanobis, project_gaussian};
+use organza_kernels::resolve::{ResolveKernel, ResolveParams};
 use organza_kernels::segment::{clip_to_unit_cube, clipped_segment};
 use organza_kernels::tile::{Tile, distance_squared, reaches};
 use organza_kernels::unit_cube::Split;
@@ -88,8 +89,8 @@ proptest! {
         };
         for level in grid.levels_geometry() {
             let kernel = GridLevel::new(level.scale, level.resolution, level.first, level.count, level.hashed);
-            let cell = kernel.cell(x.to_array().map(|x| Split::new(x, 0.0)), false);
-            prop_assert!((0.0..=1.0).contains(&cell.weight.min_element()) && cell.weight.max_element() <= 1.0);
+            let cell = kernel.cell::<f32>(x.to_array().map(|x| Split::new(x, 0.0)), false);
+            prop_assert!(cell.weight.iter().all(|weight| (0.0..=1.0).contains(weight)));
             for corner in 0..8u32 {
                 let [x, y, z] = [0, 1, 2].map(|axis| cell.corner[axis] + (corner >> axis & 1));
                 let index = if level.hashed {
@@ -122,7 +123,10 @@ proptest! {
         for row in 0..side {
             for column in 0..side {
                 let pixel = low + Vec2::new(column as f32 + 0.5, row as f32 + 0.5);
-                let weight = falloff(mahalanobis(projection.conic, pixel - projection.mean2d));
+                let d = pixel - projection.mean2d;
+                let weight = falloff(mahalanobis(projection.conic, d.x, d.y));
+                let inside = d.x.abs() <= projection.extent.x && d.y.abs() <= projection.extent.y;
+                prop_assert!(inside || weight == 0.0, "{weight} at {pixel}, outside of its extent");
                 prop_assert!(is_member || weight == 0.0, "{weight} at {pixel} of a tile it is no member of");
             }
         }
@@ -140,7 +144,7 @@ fn splats() -> impl Strategy<Value = Vec<[Vec4; 3]>> {
         vector(0.0f32..1.0),
     )
         .prop_map(|(x, y, weight, xx, yy, color)| {
-            [Vec4::new(x, y, weight, 0.0), Vec4::new(xx, 0.0, yy, 0.0), color.extend(0.0)]
+            [Vec4::new(x, y, weight, 1e9), Vec4::new(xx, 0.0, yy, 1e9), color.extend(0.0)]
         });
     prop::collection::vec(one, 0..32)
 }
@@ -157,7 +161,7 @@ fn composite(
         |label, values: &[u32]| -> Buffer<u32> { device.upload(label, values).expect("memory") };
     let tile = Tile { camera: 0, origin: [0, 0], output: 0 };
     let tile = device.upload("tile", &tile.pack()).expect("memory");
-    let sum = device.zeros("sum", (SIDE * SIDE) as usize).expect("memory");
+    let sum = device.zeros("sum", (4 * SIDE * SIDE) as usize).expect("memory");
     let kernel = CompositeKernel {
         params: CompositeParams { side: SIDE, skip: 0 },
         tile: &tile,
@@ -166,18 +170,21 @@ fn composite(
         splat: &device.upload("splat", splats.as_flattened()).expect("memory"),
         sum: &sum,
     };
-    device.dispatch(&kernel, [1, 1, 1]).expect("it runs");
+    device.run_over(&kernel, [SIDE, SIDE, 1]).expect("it runs");
     let image = device.zeros("image", (3 * SIDE * SIDE) as usize).expect("memory");
     let [background_r, background_g, background_b] = background.to_array();
     let params = ResolveParams { side: SIDE, background_r, background_g, background_b };
     device
-        .dispatch(&ResolveKernel { params, tile: &tile, sum: &sum, image: &image }, [1, 1, 1])
+        .run_over(&ResolveKernel { params, tile: &tile, sum: &sum, image: &image }, [SIDE, SIDE, 1])
         .expect("it runs");
     let image = device.read(&image).expect("it ran");
     let area = (SIDE * SIDE) as usize;
     let pixels =
         (0..area).map(|p| Vec3::new(image[p], image[area + p], image[2 * area + p])).collect();
-    (device.read(&sum).expect("it ran"), pixels)
+    let sum = device.read(&sum).expect("it ran");
+    let plane = |channel: usize, p: usize| sum[channel * area + p];
+    let sums = (0..area).map(|p| Vec4::from_array([0, 1, 2, 3].map(|c| plane(c, p))));
+    (sums.collect(), pixels)
 }
 
 #[test]

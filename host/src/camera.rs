@@ -1,6 +1,6 @@
 //! Pinhole cameras from nerfstudio's `transforms.json`.
 
-mod parse;
+pub(crate) mod parse;
 #[cfg(test)]
 mod tests;
 
@@ -150,9 +150,12 @@ impl Camera {
     }
 
     fn validate_at(&self, frame: usize, origin: &Path) -> Result<()> {
-        self.check_intrinsics()
-            .and_then(|()| self.check_pose())
-            .map_err(|reason| camera_error(origin, frame, reason))
+        self.check().map_err(|reason| camera_error(origin, frame, reason))
+    }
+
+    /// [`Self::validate`] for who says in other words where the camera came from.
+    pub(crate) fn check(&self) -> Result<(), String> {
+        self.check_intrinsics().and_then(|()| self.check_pose())
     }
 
     fn check_intrinsics(&self) -> Result<(), String> {
@@ -231,7 +234,7 @@ impl Camera {
     }
 }
 
-fn camera_error(origin: &Path, frame: usize, reason: String) -> Error {
+pub(crate) fn camera_error(origin: &Path, frame: usize, reason: String) -> Error {
     Error::Camera { origin: origin.to_owned(), frame, reason }
 }
 

@@ -78,7 +78,7 @@ pub fn color_head(
 ) {
     let sample = id.index();
     if sample < params.samples {
-        let logits = column(&params.layer(), parameters, input, sample, 0);
+        let logits = column::<f32>(&params.layer(), parameters, input, sample, 0);
         let first = (params.first_pair + sample) * 3;
         color.write(first, sigmoid(logits.x));
         color.write(first + 1, sigmoid(logits.y));

@@ -1,9 +1,10 @@
-//! B3. The weighted sum over a tile's members (Eq. 12) and its division or background (Eq. 13), for all tiles of
-//! a batch at once (Eq. 16): pixels along x and y, tiles along z.
+//! B3. The weighted sum over a tile's members (Eq. 12), for all tiles of a batch at once: pixels along x and y, tiles
+//! along z.
 
 use glam::{Vec2, Vec3, Vec4};
 
 use crate::limits::MAX_MEMBERS;
+use crate::math::abs;
 use crate::prelude::*;
 use crate::project::{falloff, mahalanobis};
 use crate::splat::VECTORS;
@@ -24,9 +25,17 @@ pub struct CompositeParams {
 /// The shift of Eq. 15 cancels here: the distance is taken in the image, where pixel centers are exact in f32, so that
 /// it does not depend on how the image was cut.
 #[inline(always)]
-pub fn alpha(placed: Vec4, conic: Vec4, pixel: Vec2) -> f32 {
-    let d = Vec2::new(pixel.x - placed.x, pixel.y - placed.y);
-    placed.z * falloff(mahalanobis(Vec3::new(conic.x, conic.y, conic.z), d))
+pub fn alpha<L: Lane>(placed: Vec4, conic: Vec4, x: L, y: L) -> L {
+    let (dx, dy) = (x - L::splat(placed.x), y - L::splat(placed.y));
+    let conic = Vec3::new(conic.x, conic.y, conic.z);
+    L::splat(placed.z) * falloff(mahalanobis(conic, dx, dy))
+}
+
+/// Whether a splat's support may reach pixels of a row, whose centers lie in `[first, last]` and at height `y`.
+#[inline(always)]
+pub fn touches(placed: Vec4, conic: Vec4, first: f32, last: f32, y: f32) -> bool {
+    let beside = first - placed.x > placed.w || placed.x - last > placed.w;
+    !(beside || abs(y - placed.y) > conic.w)
 }
 
 /// Center of a tile's pixel, in the image.
@@ -38,80 +47,54 @@ pub fn pixel_center(tile: &Tile, column: u32, row: u32) -> Vec2 {
     )
 }
 
-/// Adds up to [`MAX_MEMBERS`] members to `sum [tiles, S, S]`, which holds (C, S) of Eq. 12.
+/// Planes of a tile's sums: the channels of C, then S.
+pub const SUM_PLANES: u32 = 4;
+
+/// Adds up to [`MAX_MEMBERS`] members to `sum [tiles, 4, S, S]`, which holds (C, S) of Eq. 12.
 ///
 /// The members of tile t are `tile_first[t] .. tile_first[t + 1]`, in ascending order.
-#[kernel(threads(8, 8), iterations = MAX_MEMBERS)]
-pub fn composite(
+#[kernel(threads(16, 4), iterations = MAX_MEMBERS, lanes(side))]
+pub fn composite<L: Lane>(
     id: Invocation,
     params: &CompositeParams,
     tile: Read<i32>,
     tile_first: Read<u32>,
     member: Read<u32>,
     splat: Read<Vec4>,
-    sum: Write<Vec4>,
+    sum: Write<f32>,
 ) {
     let place = id.global();
     if place.x < params.side && place.y < params.side {
         let t = id.workgroup.z;
-        let pixel = pixel_center(&Tile::read(tile, t), place.x, place.y);
+        let first = pixel_center(&Tile::read(tile, t), place.x, place.y);
+        let last = first.x + (L::WIDTH - 1) as f32;
+        let (x, y) = (L::splat(first.x) + L::ramp(), L::splat(first.y));
         let begin = tile_first.read(t) + params.skip;
         let all = tile_first.read(t + 1);
         let end = if all < begin + MAX_MEMBERS { all } else { begin + MAX_MEMBERS };
-        let at = (t * params.side + place.y) * params.side + place.x;
-        let mut total = sum.read(at);
+        let area = params.side * params.side;
+        let at = t * SUM_PLANES * area + place.y * params.side + place.x;
+        let mut red = L::read_written(sum, at);
+        let mut green = L::read_written(sum, at + area);
+        let mut blue = L::read_written(sum, at + 2 * area);
+        let mut weight = L::read_written(sum, at + 3 * area);
         let mut next = begin;
         while next < end {
-            let first = member.read(next) * VECTORS;
-            let a = alpha(splat.read(first), splat.read(first + 1), pixel);
-            let c = splat.read(first + 2);
-            total += Vec4::new(a * c.x, a * c.y, a * c.z, a);
+            let first_vector = member.read(next) * VECTORS;
+            let (placed, conic) = (splat.read(first_vector), splat.read(first_vector + 1));
+            if touches(placed, conic, first.x, last, first.y) {
+                let a = alpha(placed, conic, x, y);
+                let c = splat.read(first_vector + 2);
+                red = red + a * L::splat(c.x);
+                green = green + a * L::splat(c.y);
+                blue = blue + a * L::splat(c.z);
+                weight = weight + a;
+            }
             next += 1;
         }
-        sum.write(at, total);
-    }
-}
-
-/// Eq. 13: the sum divided by its weight where that passes 1, over the background where it does not.
-#[inline(always)]
-pub fn resolve_pixel(sum: Vec4, background: Vec3) -> Vec3 {
-    let c = Vec3::new(sum.x, sum.y, sum.z);
-    if sum.w > 1.0 { c * (1.0 / sum.w) } else { c + background * (1.0 - sum.w) }
-}
-
-/// Parameters of [`resolve`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct ResolveParams {
-    /// S, in pixels.
-    pub side: u32,
-    /// Background, red.
-    pub background_r: f32,
-    /// Background, green.
-    pub background_g: f32,
-    /// Background, blue.
-    pub background_b: f32,
-}
-
-/// Writes `image [K, 3, S, S]` (Eq. 13 and 16); tile t of the batch begins at `t * 3 S S`.
-#[kernel(threads(8, 8))]
-pub fn resolve(
-    id: Invocation,
-    params: &ResolveParams,
-    tile: Read<i32>,
-    sum: Read<Vec4>,
-    image: Write<f32>,
-) {
-    let place = id.global();
-    if place.x < params.side && place.y < params.side {
-        let t = id.workgroup.z;
-        let background = Vec3::new(params.background_r, params.background_g, params.background_b);
-        let at = place.y * params.side + place.x;
-        let area = params.side * params.side;
-        let color = resolve_pixel(sum.read(t * area + at), background);
-        let first = Tile::read(tile, t).output * 3 * area + at;
-        image.write(first, color.x);
-        image.write(first + area, color.y);
-        image.write(first + 2 * area, color.z);
+        red.write(sum, at);
+        green.write(sum, at + area);
+        blue.write(sum, at + 2 * area);
+        weight.write(sum, at + 3 * area);
     }
 }

@@ -30,23 +30,56 @@ pub struct DenseParams {
     pub bias: u32,
 }
 
-/// Four outputs of a layer for one sample, before the activation: `b + sum_i W_i x_i`.
+/// Four outputs of a layer for each lane's sample.
+#[derive(Clone, Copy)]
+pub struct Column<L> {
+    /// First output.
+    pub x: L,
+    /// Second output.
+    pub y: L,
+    /// Third output.
+    pub z: L,
+    /// Fourth output.
+    pub w: L,
+}
+
+impl<L: Lane> Column<L> {
+    /// The same four values in every lane.
+    #[inline(always)]
+    pub fn splat(values: Vec4) -> Self {
+        let number = L::splat;
+        Self { x: number(values.x), y: number(values.y), z: number(values.z), w: number(values.w) }
+    }
+
+    /// `self + weight x`
+    #[inline(always)]
+    pub fn add_product(self, weight: Vec4, x: L) -> Self {
+        Self {
+            x: x.mul_add(L::splat(weight.x), self.x),
+            y: x.mul_add(L::splat(weight.y), self.y),
+            z: x.mul_add(L::splat(weight.z), self.z),
+            w: x.mul_add(L::splat(weight.w), self.w),
+        }
+    }
+}
+
+/// Four outputs of a layer for each lane's sample, before the activation: `b + sum_i W_i x_i`.
 ///
 /// Inputs are summed in ascending order on every device.
 #[inline(always)]
-pub fn column(
+pub fn column<L: Lane>(
     params: &DenseParams,
     parameters: Read<Vec4>,
     input: Read<f32>,
     sample: u32,
     column: u32,
-) -> Vec4 {
-    let mut sum = parameters.read(params.bias + column);
+) -> Column<L> {
+    let mut sum = Column::splat(parameters.read(params.bias + column));
     let mut weight = params.weight + column;
     let mut at = sample;
     let mut i = 0;
     while i < params.inputs {
-        sum += parameters.read(weight) * input.read(at);
+        sum = sum.add_product(parameters.read(weight), L::read(input, at));
         weight += params.columns;
         at += params.stride;
         i += 1;
@@ -57,8 +90,8 @@ pub fn column(
 /// A hidden layer: `output = max(W input + b, 0)`, samples along x and y, blocks of 16 outputs along z.
 ///
 /// `input [inputs, stride]`, `output [4 columns, stride]`.
-#[kernel(threads(64), iterations = MAX_INPUTS, fused)]
-pub fn dense(
+#[kernel(threads(64), iterations = MAX_INPUTS, fused, lanes(samples))]
+pub fn dense<L: Lane>(
     id: Invocation,
     params: &DenseParams,
     parameters: Read<Vec4>,
@@ -69,19 +102,19 @@ pub fn dense(
     if sample < params.samples {
         // four columns at once: each input is read once for sixteen outputs
         let first = id.workgroup.z * (HIDDEN_BLOCK / 4);
-        let mut a = parameters.read(params.bias + first);
-        let mut b = parameters.read(params.bias + first + 1);
-        let mut c = parameters.read(params.bias + first + 2);
-        let mut d = parameters.read(params.bias + first + 3);
+        let mut a = Column::<L>::splat(parameters.read(params.bias + first));
+        let mut b = Column::<L>::splat(parameters.read(params.bias + first + 1));
+        let mut c = Column::<L>::splat(parameters.read(params.bias + first + 2));
+        let mut d = Column::<L>::splat(parameters.read(params.bias + first + 3));
         let mut weight = params.weight + first;
         let mut at = sample;
         let mut i = 0;
         while i < params.inputs {
-            let x = input.read(at);
-            a += parameters.read(weight) * x;
-            b += parameters.read(weight + 1) * x;
-            c += parameters.read(weight + 2) * x;
-            d += parameters.read(weight + 3) * x;
+            let x = L::read(input, at);
+            a = a.add_product(parameters.read(weight), x);
+            b = b.add_product(parameters.read(weight + 1), x);
+            c = c.add_product(parameters.read(weight + 2), x);
+            d = d.add_product(parameters.read(weight + 3), x);
             weight += params.columns;
             at += params.stride;
             i += 1;
@@ -95,11 +128,17 @@ pub fn dense(
 }
 
 #[inline(always)]
-fn write_rectified(output: Write<f32>, value: Vec4, row: u32, stride: u32, sample: u32) {
-    let value = value.max(Vec4::ZERO);
+fn write_rectified<L: Lane>(
+    output: Write<f32>,
+    value: Column<L>,
+    row: u32,
+    stride: u32,
+    sample: u32,
+) {
+    let zero = L::splat(0.0);
     let first = row * stride + sample;
-    output.write(first, value.x);
-    output.write(first + stride, value.y);
-    output.write(first + 2 * stride, value.z);
-    output.write(first + 3 * stride, value.w);
+    value.x.max(zero).write(output, first);
+    value.y.max(zero).write(output, first + stride);
+    value.z.max(zero).write(output, first + 2 * stride);
+    value.w.max(zero).write(output, first + 3 * stride);
 }

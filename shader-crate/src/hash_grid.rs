@@ -1,9 +1,6 @@
 //! Multiresolution hash grid.
 
-use glam::Vec3;
-
 use crate::limits::MAX_FEATURES;
-use crate::math::{max, truncate};
 use crate::prelude::*;
 use crate::unit_cube::Split;
 #[cfg(not(target_arch = "spirv"))]
@@ -45,11 +42,11 @@ pub struct HashGridParams {
 
 /// Where a point lies in a level: the cell and the weights of its upper corners.
 #[derive(Clone, Copy)]
-pub struct Cell {
+pub struct Cell<L: Lane> {
     /// Lowest corner.
-    pub corner: [u32; 3],
-    /// Interpolation weights, per axis.
-    pub weight: Vec3,
+    pub corner: [L::Index; 3],
+    /// Weights of the upper corners, per axis.
+    pub weight: [L; 3],
 }
 
 impl GridLevel {
@@ -63,39 +60,93 @@ impl GridLevel {
 
     /// The cell of a point, which is clamped to [0, 1] first.
     #[inline(always)]
-    pub fn cell(&self, [x, y, z]: [Split; 3], smoothstep: bool) -> Cell {
+    pub fn cell<L: Lane>(&self, [x, y, z]: [Split<L>; 3], smoothstep: bool) -> Cell<L> {
         let (cell_x, weight_x) = self.axis(x, smoothstep);
         let (cell_y, weight_y) = self.axis(y, smoothstep);
         let (cell_z, weight_z) = self.axis(z, smoothstep);
-        Cell { corner: [cell_x, cell_y, cell_z], weight: Vec3::new(weight_x, weight_y, weight_z) }
+        Cell { corner: [cell_x, cell_y, cell_z], weight: [weight_x, weight_y, weight_z] }
     }
 
     /// `x' * scale + 0.5`, its floor and its fraction.  The product of the leading parts is exact, so that the
     /// fraction keeps its digits however large the cell's number is.
     #[inline(always)]
-    fn axis(&self, x: Split, smoothstep: bool) -> (u32, f32) {
+    fn axis<L: Lane>(&self, x: Split<L>, smoothstep: bool) -> (L::Index, L) {
+        let number = L::splat;
         let x = x.clamped();
-        let main = x.coarse * self.scale;
-        let rest = x.coarse * self.scale_rest + x.fine * (self.scale + self.scale_rest) + 0.5;
-        let whole = truncate(main);
-        let t = max((main - whole) + rest, 0.0);
-        let carry = truncate(t);
+        let main = x.coarse * number(self.scale);
+        let rest = x.coarse * number(self.scale_rest)
+            + x.fine * number(self.scale + self.scale_rest)
+            + number(0.5);
+        let whole = main.truncate();
+        let t = ((main - whole) + rest).max(number(0.0));
+        let carry = t.truncate();
         let t = t - carry;
-        ((whole + carry) as u32, if smoothstep { t * t * (3.0 - 2.0 * t) } else { t })
+        let cell = (whole + carry).index();
+        (cell, if smoothstep { t * t * (number(3.0) - number(2.0) * t) } else { t })
     }
 
     /// The entry of a grid point, counted from the table's begin.
     #[inline(always)]
-    pub fn entry(&self, x: u32, y: u32, z: u32) -> u32 {
+    pub fn entry<I: LaneIndex>(&self, x: I, y: I, z: I) -> I {
+        let number = I::splat;
+        let count = number(self.count);
         let index = if self.hashed != 0 {
             // modulo a power of two
-            (x ^ y.wrapping_mul(2_654_435_761) ^ z.wrapping_mul(805_459_861)) & (self.count - 1)
+            let (y, z) =
+                (y.wrapping_mul(number(2_654_435_761)), z.wrapping_mul(number(805_459_861)));
+            (x ^ y ^ z) & number(self.count - 1)
         } else {
             // modulo: a corner is at most `resolution`, so that once is enough
-            let index = x + y * self.resolution + z * self.resolution * self.resolution;
-            if index >= self.count { index - self.count } else { index }
+            let rows = y.wrapping_add(z.wrapping_mul(number(self.resolution)));
+            let index = x.wrapping_add(rows.wrapping_mul(number(self.resolution)));
+            I::select(index.less(count), index, index.wrapping_sub(count))
         };
-        self.first + index
+        index.wrapping_add(number(self.first))
+    }
+}
+
+/// The eight corners of a cell: their entries and their weights, x fastest.
+#[derive(Clone, Copy)]
+pub struct Corners<L: Lane> {
+    /// Entries, counted from the table's begin.
+    pub entry: [L::Index; 8],
+    /// Trilinear weights.
+    pub weight: [L; 8],
+}
+
+impl<L: Lane> Corners<L> {
+    /// The corners of a cell.  All eight are written out: a local array that is indexed would stay in memory.
+    #[inline(always)]
+    pub fn of(level: &GridLevel, cell: Cell<L>) -> Self {
+        let one = <L::Index as LaneIndex>::splat(1);
+        let [x0, y0, z0] = cell.corner;
+        let (x1, y1, z1) = (x0.wrapping_add(one), y0.wrapping_add(one), z0.wrapping_add(one));
+        let entry = [
+            level.entry(x0, y0, z0),
+            level.entry(x1, y0, z0),
+            level.entry(x0, y1, z0),
+            level.entry(x1, y1, z0),
+            level.entry(x0, y0, z1),
+            level.entry(x1, y0, z1),
+            level.entry(x0, y1, z1),
+            level.entry(x1, y1, z1),
+        ];
+        let [upper_x, upper_y, upper_z] = cell.weight;
+        let one = L::splat(1.0);
+        let (lower_x, lower_y, lower_z) = (one - upper_x, one - upper_y, one - upper_z);
+        let (ll, ul) = (lower_x * lower_y, upper_x * lower_y);
+        let (lu, uu) = (lower_x * upper_y, upper_x * upper_y);
+        let weight = [
+            ll * lower_z,
+            ul * lower_z,
+            lu * lower_z,
+            uu * lower_z,
+            ll * upper_z,
+            ul * upper_z,
+            lu * upper_z,
+            uu * upper_z,
+        ];
+        Self { entry, weight }
     }
 }
 
@@ -115,7 +166,7 @@ pub fn write_point(buffer: Write<f32>, stride: u32, column: u32, [x, y, z]: [Spl
 
 /// What [`write_point`] wrote.
 #[inline(always)]
-fn read_point(buffer: Read<f32>, stride: u32, column: u32) -> [Split; 3] {
+pub fn read_point<L: Lane>(buffer: Read<f32>, stride: u32, column: u32) -> [Split<L>; 3] {
     [
         read_split(buffer, stride, column),
         read_split(buffer, stride, stride + column),
@@ -125,15 +176,15 @@ fn read_point(buffer: Read<f32>, stride: u32, column: u32) -> [Split; 3] {
 
 /// The coordinate whose coarse part is at `coarse`.
 #[inline(always)]
-fn read_split(buffer: Read<f32>, stride: u32, coarse: u32) -> Split {
-    Split { coarse: buffer.read(coarse), fine: buffer.read(coarse + 3 * stride) }
+fn read_split<L: Lane>(buffer: Read<f32>, stride: u32, coarse: u32) -> Split<L> {
+    Split { coarse: L::read(buffer, coarse), fine: L::read(buffer, coarse + 3 * stride) }
 }
 
 /// Writes the features of every (point, level): points along x and y, levels along z.
 ///
 /// `position [6, stride]`, see [`write_point`]; `table [entries, features]`; `output [rows, stride]`.
-#[kernel(threads(64), iterations = MAX_FEATURES)]
-pub fn hash_grid(
+#[kernel(threads(64), iterations = MAX_FEATURES, lanes(points))]
+pub fn hash_grid<L: Lane>(
     id: Invocation,
     params: &HashGridParams,
     levels: Read<GridLevel>,
@@ -145,45 +196,32 @@ pub fn hash_grid(
     if point < params.points {
         let level = levels.read(id.workgroup.z);
         let stride = params.stride;
-        let x = read_point(position, stride, point);
-        let cell = level.cell(x, params.smoothstep != 0);
-        let [x0, y0, z0] = cell.corner;
-        let (x1, y1, z1) = (x0 + 1, y0 + 1, z0 + 1);
-        // the eight corners are written out: a local array would stay in memory
+        let x = read_point::<L>(position, stride, point);
+        let corners = Corners::of(&level, level.cell(x, params.smoothstep != 0));
         let features = params.features;
-        let e0 = level.entry(x0, y0, z0) * features;
-        let e1 = level.entry(x1, y0, z0) * features;
-        let e2 = level.entry(x0, y1, z0) * features;
-        let e3 = level.entry(x1, y1, z0) * features;
-        let e4 = level.entry(x0, y0, z1) * features;
-        let e5 = level.entry(x1, y0, z1) * features;
-        let e6 = level.entry(x0, y1, z1) * features;
-        let e7 = level.entry(x1, y1, z1) * features;
-        let upper = cell.weight;
-        let lower = Vec3::ONE - upper;
-        let (low_z, high_z) = (lower.z, upper.z);
-        let w0 = lower.x * lower.y * low_z;
-        let w1 = upper.x * lower.y * low_z;
-        let w2 = lower.x * upper.y * low_z;
-        let w3 = upper.x * upper.y * low_z;
-        let w4 = lower.x * lower.y * high_z;
-        let w5 = upper.x * lower.y * high_z;
-        let w6 = lower.x * upper.y * high_z;
-        let w7 = upper.x * upper.y * high_z;
+        let [e0, e1, e2, e3, e4, e5, e6, e7] = corners.entry;
+        let [w0, w1, w2, w3, w4, w5, w6, w7] = corners.weight;
         let mut row = (params.first_row + id.workgroup.z * features) * stride + point;
         let mut f = 0;
         while f < features {
-            let value = table.read(e0 + f) * w0
-                + table.read(e1 + f) * w1
-                + table.read(e2 + f) * w2
-                + table.read(e3 + f) * w3
-                + table.read(e4 + f) * w4
-                + table.read(e5 + f) * w5
-                + table.read(e6 + f) * w6
-                + table.read(e7 + f) * w7;
-            output.write(row, value);
+            let value = feature::<L>(table, e0, features, f) * w0
+                + feature::<L>(table, e1, features, f) * w1
+                + feature::<L>(table, e2, features, f) * w2
+                + feature::<L>(table, e3, features, f) * w3
+                + feature::<L>(table, e4, features, f) * w4
+                + feature::<L>(table, e5, features, f) * w5
+                + feature::<L>(table, e6, features, f) * w6
+                + feature::<L>(table, e7, features, f) * w7;
+            value.write(output, row);
             row += stride;
             f += 1;
         }
     }
+}
+
+/// A feature of each lane's entry.
+#[inline(always)]
+fn feature<L: Lane>(table: Read<f32>, entry: L::Index, features: u32, f: u32) -> L {
+    let number = <L::Index as LaneIndex>::splat;
+    L::gather(table, entry.wrapping_mul(number(features)).wrapping_add(number(f)))
 }

@@ -1,7 +1,10 @@
 //! The registry of kernels, and what the host needs to run one.
 
-use bytemuck::Pod;
+extern crate std;
+
 use core::slice;
+
+use bytemuck::Pod;
 use glam::UVec3;
 
 use crate::invocation::Invocation;
@@ -68,6 +71,8 @@ pub struct KernelInfo {
     pub iterations: Option<u32>,
     /// Whether drivers may fuse and regroup its arithmetic.
     pub fused: bool,
+    /// Whether the CPU runs a layer of workgroups, those of one z, on one thread.
+    pub layers: bool,
     /// Bindings, by number.
     pub bindings: &'static [BindingInfo],
     /// Workgroup memory.
@@ -88,7 +93,135 @@ pub enum CpuRun {
     Workgroup(unsafe fn(&[CpuBinding], UVec3, UVec3)),
     /// Runs one invocation, which may wait at barriers.
     Invocation(unsafe fn(&[CpuBinding], Invocation)),
+    /// As `Workgroup`, for each instruction set.
+    Lanes(LaneRuns),
 }
+
+/// Runs a whole workgroup: bindings, workgroup, workgroups.
+pub type WorkgroupRun = unsafe fn(&[CpuBinding], UVec3, UVec3);
+
+/// A kernel that is generic over [`Lane`](crate::lane::Lane), compiled for each instruction set.
+#[derive(Clone, Copy)]
+pub struct LaneRuns {
+    runs: [WorkgroupRun; InstructionSet::ALL.len()],
+}
+
+impl LaneRuns {
+    /// The runs, in the order of [`InstructionSet::ALL`].
+    pub const fn new(runs: [WorkgroupRun; InstructionSet::ALL.len()]) -> Self {
+        Self { runs }
+    }
+
+    /// The run of an instruction set, which must be [available](InstructionSet::is_available).
+    pub const fn of(&self, set: InstructionSet) -> WorkgroupRun {
+        self.runs[set as usize]
+    }
+}
+
+/// What the CPU runs kernels with lanes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum InstructionSet {
+    /// One lane: for debuggers, and to find invocations that get in each other's way.
+    Scalar,
+    /// Eight lanes of whatever the program is compiled for.
+    Plain,
+    /// AVX2 and FMA: eight lanes.
+    Avx2,
+    /// AVX-512: sixteen lanes.
+    Avx512,
+}
+
+impl InstructionSet {
+    /// All of them, the best last.
+    pub const ALL: [Self; 4] = [Self::Scalar, Self::Plain, Self::Avx2, Self::Avx512];
+
+    /// `scalar`, `plain`, `avx2` or `avx512`.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Scalar => "scalar",
+            Self::Plain => "plain",
+            Self::Avx2 => "avx2",
+            Self::Avx512 => "avx512",
+        }
+    }
+
+    /// Whether this CPU has it.
+    pub fn is_available(self) -> bool {
+        match self {
+            Self::Scalar | Self::Plain => true,
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2 => {
+                std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma")
+            }
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512 => {
+                Self::Avx2.is_available()
+                    && std::is_x86_feature_detected!("avx512f")
+                    && std::is_x86_feature_detected!("avx512vl")
+                    && std::is_x86_feature_detected!("avx512dq")
+                    && std::is_x86_feature_detected!("avx512bw")
+            }
+            #[cfg(not(target_arch = "x86_64"))]
+            _ => false,
+        }
+    }
+
+    /// The best that this CPU has.
+    pub fn best() -> Self {
+        let best = Self::ALL.into_iter().rfind(|set| set.is_available());
+        best.unwrap_or(Self::Scalar)
+    }
+}
+
+/// Compiles a function that is generic over lanes for each instruction set.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! lane_runs {
+    ($run:ident) => {{
+        unsafe fn scalar(
+            bindings: &[$crate::kernel::CpuBinding],
+            workgroup: ::glam::UVec3,
+            workgroups: ::glam::UVec3,
+        ) {
+            // SAFETY: the caller's
+            unsafe { $run::<$crate::lane::Wide<1, false>>(bindings, workgroup, workgroups) }
+        }
+        unsafe fn plain(
+            bindings: &[$crate::kernel::CpuBinding],
+            workgroup: ::glam::UVec3,
+            workgroups: ::glam::UVec3,
+        ) {
+            // SAFETY: the caller's
+            unsafe { $run::<$crate::lane::Wide<8, false>>(bindings, workgroup, workgroups) }
+        }
+        #[cfg(target_arch = "x86_64")]
+        #[target_feature(enable = "avx2,fma")]
+        unsafe fn avx2(
+            bindings: &[$crate::kernel::CpuBinding],
+            workgroup: ::glam::UVec3,
+            workgroups: ::glam::UVec3,
+        ) {
+            // SAFETY: the caller's
+            unsafe { $run::<$crate::lane::Wide<8, true>>(bindings, workgroup, workgroups) }
+        }
+        #[cfg(target_arch = "x86_64")]
+        #[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq,avx512bw")]
+        unsafe fn avx512(
+            bindings: &[$crate::kernel::CpuBinding],
+            workgroup: ::glam::UVec3,
+            workgroups: ::glam::UVec3,
+        ) {
+            // SAFETY: the caller's
+            unsafe { $run::<$crate::lane::Wide<16, true>>(bindings, workgroup, workgroups) }
+        }
+        #[cfg(target_arch = "x86_64")]
+        let runs = $crate::kernel::LaneRuns::new([scalar, plain, avx2, avx512]);
+        #[cfg(not(target_arch = "x86_64"))]
+        let runs = $crate::kernel::LaneRuns::new([scalar, plain, plain, plain]);
+        $crate::kernel::CpuRun::Lanes(runs)
+    }};
+}
+pub use crate::lane_runs;
 
 /// Memory of one binding.
 #[derive(Clone, Copy)]

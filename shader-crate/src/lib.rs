@@ -6,16 +6,25 @@
 // what clippy would have instead is more than the shader compiler takes
 #![allow(clippy::manual_range_contains, clippy::manual_clamp)]
 
+pub mod adam;
 pub mod atomic;
 pub mod camera;
 pub mod color;
+pub mod color_backward;
 pub mod composite;
+pub mod composite_backward;
 pub mod dense;
+pub mod dense_backward;
+pub mod fixed;
 pub mod hash_grid;
+pub mod hash_grid_backward;
+pub mod hash_grid_scale;
 pub mod invocation;
 #[cfg(not(target_arch = "spirv"))]
 pub mod kernel;
+pub mod lane;
 pub mod limits;
+pub mod loss;
 pub mod math;
 pub mod memory;
 pub mod pair;
@@ -23,12 +32,16 @@ pub mod pair;
 pub mod place;
 pub mod prelude;
 pub mod project;
+pub mod project_backward;
+pub mod resolve;
 pub mod scan;
 pub mod segment;
 pub mod spherical_harmonics;
 pub mod splat;
+pub mod ssim;
 pub mod tile;
 pub mod transmittance;
+pub mod transmittance_backward;
 pub mod unit_cube;
 
 #[cfg(not(target_arch = "spirv"))]

@@ -12,6 +12,9 @@ pub const MAX_VECTOR: u32 = 256;
 /// The widest a hidden layer may be.
 pub const MAX_HIDDEN_WIDTH: u32 = 128;
 
+/// The most layers a network may have, the last one included.
+pub const MAX_LAYERS: u32 = 5;
+
 /// The most levels a grid may have.
 pub const MAX_LEVELS: u32 = 32;
 
@@ -30,3 +33,20 @@ pub const MAX_TILES: u32 = 16_384;
 /// The most values a sample may have in the color network's input, the wider of the two (Eq. 1).
 pub const MAX_INPUTS: u32 =
     (MAX_SH_DEGREE + 1) * (MAX_SH_DEGREE + 1) + MAX_LEVELS * MAX_FEATURES + MAX_VECTOR;
+
+/// The largest side of a tile, in pixels: [`loss_rows`](crate::loss::loss_rows) loops over a row.
+pub const MAX_TILE_SIDE: u32 = 4_096;
+
+/// Steps over pixels and rows that one invocation of
+/// [`composite_backward`](crate::composite_backward::composite_backward) takes; a larger tile takes more passes.
+pub const MAX_BAND: u32 = 57_600;
+
+/// Cameras of one part of a batch: [`project_backward`](crate::project_backward::project_backward) loops over them.
+pub const MAX_CAMERAS: u32 = 4_096;
+
+/// Samples of a slice that one invocation of
+/// [`dense_weight_backward`](crate::dense_backward::dense_weight_backward) adds up.
+pub const MAX_SLICE: u32 = 4_096;
+
+/// Slices that one invocation of [`dense_weight_sum`](crate::dense_backward::dense_weight_sum) adds up.
+pub const MAX_SLICES: u32 = 256;

@@ -8,6 +8,8 @@ use spirv_std::num_traits::Float;
 
 use glam::Vec3;
 
+use crate::lane::Lane;
+
 /// Largest finite `f32`: stands for infinity, which naga does not accept as a literal.
 pub const HUGE: f32 = 3.402_823_5e38;
 
@@ -86,32 +88,47 @@ pub fn is_finite(x: f32) -> bool {
 
 /// 1 / (1 + e^-x), without overflow for any x.
 #[inline(always)]
-pub fn sigmoid(x: f32) -> f32 {
-    let e = exp(-abs(x));
-    let smaller = e / (1.0 + e);
-    if x < 0.0 { smaller } else { 1.0 / (1.0 + e) }
+pub fn sigmoid<L: Lane>(x: L) -> L {
+    let (zero, one) = (L::splat(0.0), L::splat(1.0));
+    let e = minus_size(x).exp();
+    let larger = one / (one + e);
+    L::select(x.less(zero), e * larger, larger)
 }
 
 /// ln(sigmoid(x)) = min(x, 0) - ln(1 + e^-|x|), without overflow and without loss for large x.
 #[inline(always)]
-pub fn log_sigmoid(x: f32) -> f32 {
-    min(x, 0.0) - ln_1p(exp(-abs(x)))
+pub fn log_sigmoid<L: Lane>(x: L) -> L {
+    x.min(L::splat(0.0)) - ln_1p(minus_size(x).exp())
+}
+
+/// -|x|
+#[inline(always)]
+fn minus_size<L: Lane>(x: L) -> L {
+    L::select(x.less(L::splat(0.0)), x, -x)
 }
 
 /// ln(1 + x) = 2 atanh(x / (2 + x)) for x in [0, 1], by its series (error below 1e-8): 1 + x would lose the digits of
 /// a small x.
 #[inline(always)]
-fn ln_1p(x: f32) -> f32 {
-    let s = x / (2.0 + x);
+fn ln_1p<L: Lane>(x: L) -> L {
+    let number = L::splat;
+    let s = x / (number(2.0) + x);
     let t = s * s;
-    let series = 1.0 / 9.0 + t * (1.0 / 11.0 + t * (1.0 / 13.0));
-    2.0 * s * (1.0 + t * (1.0 / 3.0 + t * (1.0 / 5.0 + t * (1.0 / 7.0 + t * series))))
+    let series = number(1.0 / 9.0) + t * (number(1.0 / 11.0) + t * number(1.0 / 13.0));
+    let series = number(1.0 / 5.0) + t * (number(1.0 / 7.0) + t * series);
+    number(2.0) * s * (number(1.0) + t * (number(1.0 / 3.0) + t * series))
 }
 
 /// Dot product.
 #[inline(always)]
 pub fn dot(a: Vec3, b: Vec3) -> f32 {
     a.x * b.x + a.y * b.y + a.z * b.z
+}
+
+/// Cross product.
+#[inline(always)]
+pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
+    Vec3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
 }
 
 /// Euclidean length.

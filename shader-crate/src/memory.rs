@@ -82,6 +82,8 @@ mod host {
         Write,
         /// Changes it atomically.
         Atomic,
+        /// Changes it atomically on a GPU; on the CPU no other layer of workgroups, of another z, does.
+        Layer,
     }
 
     /// Sees every access to a binding that several invocations may write.
@@ -161,6 +163,40 @@ mod host {
         }
     }
 
+    impl<T: Copy> Read<'_, T> {
+        /// The `N` values from `first` on; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub fn read_lanes<const N: usize>(&self, first: u32) -> [T; N] {
+            if first as usize + N > self.len {
+                out_of_range(first + N as u32 - 1, self.len, self.name);
+            }
+            // SAFETY: checked above; an array is aligned as its elements
+            unsafe { *self.data.add(first as usize).cast::<[T; N]>() }
+        }
+
+        /// The values at `N` places; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub fn gather<const N: usize>(&self, at: [u32; N]) -> [T; N] {
+            // one test for all of them
+            let mut largest = 0;
+            let mut i = 0;
+            while i < N {
+                largest = if at[i] > largest { at[i] } else { largest };
+                i += 1;
+            }
+            if largest as usize >= self.len {
+                out_of_range(largest, self.len, self.name);
+            }
+            core::array::from_fn(
+                #[inline(always)]
+                // SAFETY: checked above
+                |i| unsafe { *self.data.add(at[i] as usize) },
+            )
+        }
+    }
+
     impl<'a, T: Copy> Write<'a, T> {
         /// # Safety
         /// `data` points to `len` values that are read and written through such views alone, an element
@@ -199,6 +235,36 @@ mod host {
             unsafe { *self.address(index, Touch::Write) = value }
         }
 
+        /// The `N` values from `first` on; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub fn read_lanes<const N: usize>(&self, first: u32) -> [T; N] {
+            // SAFETY: `addresses` is in range, and no other invocation writes these elements meanwhile
+            unsafe { *self.addresses::<N>(first, Touch::Read) }
+        }
+
+        /// Stores `N` values from `first` on; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub fn write_lanes<const N: usize>(&self, first: u32, values: [T; N]) {
+            // SAFETY: as in `read_lanes`
+            unsafe { *self.addresses::<N>(first, Touch::Write) = values }
+        }
+
+        /// Where `N` values from `first` on lie; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        fn addresses<const N: usize>(&self, first: u32, touch: Touch) -> *mut [T; N] {
+            if first as usize + N > self.len {
+                out_of_range(first + N as u32 - 1, self.len, self.name);
+            }
+            if let Some(watch) = self.watch {
+                (first..first + N as u32).for_each(|index| watched(watch, index, touch));
+            }
+            // SAFETY: checked above; an array is aligned as its elements
+            unsafe { self.data.add(first as usize).cast() }
+        }
+
         /// Where the value at `index` lies; panics out of range.
         #[inline(always)]
         #[track_caller]
@@ -211,6 +277,57 @@ mod host {
             }
             // SAFETY: checked above
             unsafe { self.data.add(index as usize) }
+        }
+    }
+
+    impl<T: Copy> Write<'_, T> {
+        /// Says that the value at `index` is about to be read and written.
+        #[inline(always)]
+        pub fn prefetch(&self, index: u32) {
+            let address = self.data.wrapping_add(index as usize);
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: a hint: it reads nothing, and no address is wrong
+            unsafe {
+                core::arch::x86_64::_mm_prefetch::<{ core::arch::x86_64::_MM_HINT_T0 }>(
+                    address.cast(),
+                );
+            }
+            #[cfg(not(target_arch = "x86_64"))]
+            let _ = address;
+        }
+    }
+
+    impl Write<'_, u32> {
+        /// Where the first element lies, after a check of all `index`; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub(crate) fn addresses_of<const N: usize>(
+            &self,
+            index: [u32; N],
+            touch: Touch,
+        ) -> *mut u32 {
+            let largest = index.iter().fold(0, |a: u32, &b| if a > b { a } else { b });
+            if largest as usize >= self.len {
+                out_of_range(largest, self.len, self.name);
+            }
+            if let Some(watch) = self.watch {
+                index.iter().for_each(|&index| watched(watch, index, touch));
+            }
+            self.data
+        }
+
+        /// Where the first 64-bit integer lies, after a check of all `index`: such an integer is the elements `2 index` and
+        /// `2 index + 1`, and the latter stands for both with who watches.  Panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub(crate) fn wide_addresses<const N: usize>(
+            &self,
+            index: [u32; N],
+            touch: Touch,
+        ) -> *mut u64 {
+            let first: *mut u64 = self.addresses_of(index.map(|index| 2 * index + 1), touch).cast();
+            assert!(first.is_aligned(), "`{}` does not hold 64-bit integers", self.name);
+            first
         }
     }
 

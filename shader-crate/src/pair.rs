@@ -1,6 +1,6 @@
 //! The (Gaussian, camera) pairs that some tile needs: color and transmittance are evaluated for these alone.
 
-use crate::limits::MAX_TILES;
+use crate::limits::{MAX_CAMERAS, MAX_TILES};
 use crate::prelude::*;
 
 /// Parameters of [`pair_mask`].
@@ -69,5 +69,52 @@ pub fn pair_fill(
             }
             bit += 1;
         }
+    }
+}
+
+/// Parameters of [`pair_sum`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PairSumParams {
+    /// Words of a mask.
+    pub words: u32,
+    /// Cameras.
+    pub cameras: u32,
+    /// Gaussians of the scene.
+    pub gaussians: u32,
+    /// Values of a vector.
+    pub width: u32,
+}
+
+/// Adds the vectors of a Gaussian's pairs to its own, by camera ascending: the gradient of what all cameras share, the
+/// material of Eq. 1 and the extra vector of Eq. 9.
+///
+/// `mask` and `first_pair [cameras, words]`, `pair_vector [pairs, width]`, `vector [gaussians, width]`.
+#[kernel(threads(64), iterations = MAX_CAMERAS)]
+pub fn pair_sum(
+    id: Invocation,
+    params: &PairSumParams,
+    mask: Read<u32>,
+    first_pair: Read<u32>,
+    pair_vector: Read<f32>,
+    vector: Write<f32>,
+) {
+    let index = id.index();
+    if index < params.gaussians * params.width {
+        let (gaussian, value) = (index / params.width, index % params.width);
+        let bit = gaussian % 32;
+        let mut at = gaussian / 32;
+        let mut sum = 0.0;
+        let mut camera = 0;
+        while camera < params.cameras {
+            let bits = mask.read(at);
+            if (bits >> bit) & 1 != 0 {
+                let pair = first_pair.read(at) + (bits & ((1 << bit) - 1)).count_ones();
+                sum += pair_vector.read(pair * params.width + value);
+            }
+            at += params.words;
+            camera += 1;
+        }
+        vector.write(index, vector.read(index) + sum);
     }
 }

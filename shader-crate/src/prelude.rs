@@ -4,6 +4,7 @@ pub use bytemuck::{Pod, Zeroable};
 pub use organza_kernel_macros::kernel;
 
 pub use crate::invocation::Invocation;
+pub use crate::lane::{Lane, LaneIndex};
 pub use crate::memory::{Read, Shared, Write};
 #[cfg(target_arch = "spirv")]
 pub use crate::memory::{ReadBuffer, WriteBuffer};

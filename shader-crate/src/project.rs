@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3, Vec4};
 
 use crate::atomic;
 use crate::camera::{Camera, read3};
-use crate::math::{abs, clamp, dot, exp, is_finite, max, sqrt};
+use crate::math::{abs, clamp, cross, dot, exp, is_finite, sqrt};
 use crate::prelude::*;
 
 /// `2 ln 255`: the squared Mahalanobis radius at which the falloff has come down to 1/255, and ends.
@@ -26,6 +26,8 @@ pub struct Projection {
     pub mean2d: Vec2,
     /// Inverse of the covariance: xx, xy, yy.
     pub conic: Vec3,
+    /// Half the width and the height of the support, in pixels, rounded up: it lies within `mean2d +- extent`.
+    pub extent: Vec2,
     /// Support radius in pixels; [`BEHIND`] or [`DEGENERATE`] where the Gaussian is culled.
     pub radius: f32,
 }
@@ -42,6 +44,64 @@ pub fn rotation_columns(q: Vec4) -> [Vec3; 3] {
     ]
 }
 
+/// What a Gaussian's covariance is projected through: `J W R S`, of which cov2d is the Gram matrix but for the blur.
+#[derive(Clone, Copy, Debug)]
+pub struct Footprint {
+    /// Position in the camera's space.
+    pub t: Vec3,
+    /// Depth; 1 where the Gaussian is culled.
+    pub z: f32,
+    /// `x/z` and `y/z`, clamped to the image's border plus 0.3 of its half width.
+    pub ratio: Vec2,
+    /// First row of `J W`.
+    pub row_x: Vec3,
+    /// Second row of `J W`.
+    pub row_y: Vec3,
+    /// Columns of R.
+    pub axes: [Vec3; 3],
+    /// Diagonal of S: `exp(log_scale)`.
+    pub scale: Vec3,
+    /// First row of `J W R S`.
+    pub u: Vec3,
+    /// Second row of `J W R S`.
+    pub v: Vec3,
+}
+
+impl Footprint {
+    /// The footprint of one Gaussian.
+    #[inline(always)]
+    pub fn new(camera: &Camera, position: Vec3, rotation: Vec4, log_scale: Vec3) -> Self {
+        let [right, down, forward] = camera.rotation;
+        let offset = position - camera.eye;
+        let t = Vec3::new(dot(right, offset), dot(down, offset), dot(forward, offset));
+        let z = if t.z > NEAR_PLANE { t.z } else { 1.0 };
+
+        // the ratios x/z and y/z are clamped in J alone
+        let inverse_focal = Vec2::new(1.0 / camera.focal.x, 1.0 / camera.focal.y);
+        let margin = camera.size * inverse_focal * 0.15;
+        let low = camera.center * inverse_focal * -1.0 - margin;
+        let high = (camera.size - camera.center) * inverse_focal + margin;
+        let ratio = Vec2::new(clamp(t.x / z, low.x, high.x), clamp(t.y / z, low.y, high.y));
+
+        let (fx, fy) = (camera.focal.x / z, camera.focal.y / z);
+        let row_x = (right - forward * ratio.x) * fx;
+        let row_y = (down - forward * ratio.y) * fy;
+        let axes = rotation_columns(rotation);
+        let [x, y, z_axis] = axes;
+        let scale = Vec3::new(exp(log_scale.x), exp(log_scale.y), exp(log_scale.z));
+        let u = Vec3::new(dot(row_x, x), dot(row_x, y), dot(row_x, z_axis)) * scale;
+        let v = Vec3::new(dot(row_y, x), dot(row_y, y), dot(row_y, z_axis)) * scale;
+        Self { t, z, ratio, row_x, row_y, axes, scale, u, v }
+    }
+}
+
+/// Rotation of a Gaussian: w, x, y, z.
+#[inline(always)]
+pub fn read_quaternion(rotation: Read<f32>, gaussian: u32) -> Vec4 {
+    let q = gaussian * 4;
+    Vec4::new(rotation.read(q), rotation.read(q + 1), rotation.read(q + 2), rotation.read(q + 3))
+}
+
 /// Projects one Gaussian: `cov2d = J W Sigma W^T J^T + blur I`, its inverse and the radius of its support.
 #[inline(always)]
 pub fn project_gaussian(
@@ -51,32 +111,13 @@ pub fn project_gaussian(
     rotation: Vec4,
     log_scale: Vec3,
 ) -> Projection {
-    let [right, down, forward] = camera.rotation;
-    let offset = position - camera.eye;
-    let t = Vec3::new(dot(right, offset), dot(down, offset), dot(forward, offset));
+    let Footprint { t, z, u, v, .. } = Footprint::new(camera, position, rotation, log_scale);
     let in_front = t.z > NEAR_PLANE;
-    let z = if in_front { t.z } else { 1.0 };
-
-    // the ratios x/z and y/z are clamped to the image's border plus 0.3 of its half width, in J alone
-    let inverse_focal = Vec2::new(1.0 / camera.focal.x, 1.0 / camera.focal.y);
-    let margin = camera.size * inverse_focal * 0.15;
-    let low = camera.center * inverse_focal * -1.0 - margin;
-    let high = (camera.size - camera.center) * inverse_focal + margin;
-    let ratio = Vec2::new(clamp(t.x / z, low.x, high.x), clamp(t.y / z, low.y, high.y));
-
-    // rows of J W, then of J W R S: cov2d is their Gram matrix
-    let (fx, fy) = (camera.focal.x / z, camera.focal.y / z);
-    let row_x = (right - forward * ratio.x) * fx;
-    let row_y = (down - forward * ratio.y) * fy;
-    let [axis_x, axis_y, axis_z] = rotation_columns(rotation);
-    let (sx, sy, sz) = (exp(log_scale.x), exp(log_scale.y), exp(log_scale.z));
-    let u = Vec3::new(dot(row_x, axis_x) * sx, dot(row_x, axis_y) * sy, dot(row_x, axis_z) * sz);
-    let v = Vec3::new(dot(row_y, axis_x) * sx, dot(row_y, axis_y) * sy, dot(row_y, axis_z) * sz);
     let (uu, uv, vv) = (dot(u, u), dot(u, v), dot(v, v));
     let (xx, xy, yy) = (uu + blur, uv, vv + blur);
 
     // |u|^2 |v|^2 - (u.v)^2 = |u x v|^2: the plain determinant of a needle would cancel
-    let cross = Vec3::new(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
+    let cross = cross(u, v);
     let determinant = dot(cross, cross) + blur * (uu + vv) + blur * blur;
     let conic = Vec3::new(yy, -xy, xx) * (1.0 / determinant);
     let half_difference = 0.5 * (xx - yy);
@@ -86,26 +127,32 @@ pub fn project_gaussian(
         camera.focal.y * t.y / z + camera.center.y,
     );
     let radius = sqrt(FALLOFF_CUTOFF * largest);
+    // q <= cutoff is an ellipse; its bounding box, with a margin for rounding
+    let extent = Vec2::new(sqrt(FALLOFF_CUTOFF * xx), sqrt(FALLOFF_CUTOFF * yy)) * 1.001 + 0.01;
 
     // one sum is finite where all its terms are
     let magnitude =
         abs(conic.x) + abs(conic.y) + abs(conic.z) + abs(mean2d.x) + abs(mean2d.y) + radius;
     let usable = is_finite(t.z) && is_finite(magnitude) && determinant > 0.0;
     let culled = if is_finite(t.z) && !in_front { BEHIND } else { DEGENERATE };
-    Projection { mean2d, conic, radius: if in_front && usable { radius } else { culled } }
+    Projection { mean2d, conic, extent, radius: if in_front && usable { radius } else { culled } }
 }
 
 /// Squared Mahalanobis distance `q = d^T cov2d^-1 d`.
 #[inline(always)]
-pub fn mahalanobis(conic: Vec3, d: Vec2) -> f32 {
-    conic.x * d.x * d.x + 2.0 * conic.y * d.x * d.y + conic.z * d.y * d.y
+pub fn mahalanobis<L: Lane>(conic: Vec3, dx: L, dy: L) -> L {
+    let number = L::splat;
+    let diagonal = number(conic.x) * dx * dx + number(2.0 * conic.y) * dx * dy;
+    diagonal + number(conic.z) * dy * dy
 }
 
 /// `exp(-q/2)` where `q <= 2 ln 255`, and 0 elsewhere.
 #[inline(always)]
-pub fn falloff(q: f32) -> f32 {
+pub fn falloff<L: Lane>(q: L) -> L {
+    let zero = L::splat(0.0);
     // rounding may take q of a needle below zero
-    if q <= FALLOFF_CUTOFF { exp(-0.5 * max(q, 0.0)) } else { 0.0 }
+    let inside = (L::splat(-0.5) * q.max(zero)).exp();
+    L::select(q.at_most(L::splat(FALLOFF_CUTOFF)), inside, zero)
 }
 
 /// Parameters of [`project`].
@@ -120,7 +167,7 @@ pub struct ProjectParams {
 
 /// Every Gaussian in every camera: Gaussians along x and y, cameras along z.
 ///
-/// `projection [cameras, gaussians, 2]` is `(mean2d, radius, 0), (conic, 0)`; `degenerate [1]` counts the
+/// `projection [cameras, gaussians, 2]` is `(mean2d, radius, extent x), (conic, extent y)`; `degenerate [1]` counts the
 /// Gaussians that were culled because they cannot be projected.
 #[kernel(threads(64))]
 pub fn project(
@@ -135,24 +182,17 @@ pub fn project(
 ) {
     let gaussian = id.index();
     if gaussian < params.gaussians {
-        let q = gaussian * 4;
-        let quaternion = Vec4::new(
-            rotation.read(q),
-            rotation.read(q + 1),
-            rotation.read(q + 2),
-            rotation.read(q + 3),
-        );
         let projected = project_gaussian(
             &Camera::read(camera, id.workgroup.z),
             params.blur,
             read3(position, gaussian * 3),
-            quaternion,
+            read_quaternion(rotation, gaussian),
             read3(log_scale, gaussian * 3),
         );
         let slot = 2 * (id.workgroup.z * params.gaussians + gaussian);
-        let (mean2d, conic) = (projected.mean2d, projected.conic);
-        projection.write(slot, Vec4::new(mean2d.x, mean2d.y, projected.radius, 0.0));
-        projection.write(slot + 1, conic.extend(0.0));
+        let (mean2d, extent) = (projected.mean2d, projected.extent);
+        projection.write(slot, Vec4::new(mean2d.x, mean2d.y, projected.radius, extent.x));
+        projection.write(slot + 1, projected.conic.extend(extent.y));
         if projected.radius == DEGENERATE {
             atomic::add(degenerate, 0, 1);
         }

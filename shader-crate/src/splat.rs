@@ -2,10 +2,11 @@
 
 use glam::Vec4;
 
+use crate::limits::MAX_TILES;
 use crate::math::sigmoid;
 use crate::prelude::*;
 
-/// `Vec4`s of a splat: `(mean2d, weight, 0), (conic, 0), (color, 0)`.
+/// `Vec4`s of a splat: `(mean2d, weight, extent x), (conic, extent y), (color, 0)`.
 pub const VECTORS: u32 = 3;
 
 /// Parameters of [`splat`].
@@ -35,12 +36,72 @@ pub fn splat(
         let slot = pair.read(index);
         let weight = sigmoid(opacity.read(slot % params.gaussians)) * transmittance.read(index);
         let p = projection.read(2 * slot);
-        splat.write(VECTORS * index, Vec4::new(p.x, p.y, weight, 0.0));
+        splat.write(VECTORS * index, Vec4::new(p.x, p.y, weight, p.w));
         splat.write(VECTORS * index + 1, projection.read(2 * slot + 1));
         let c = 3 * index;
         splat.write(
             VECTORS * index + 2,
             Vec4::new(color.read(c), color.read(c + 1), color.read(c + 2), 0.0),
         );
+    }
+}
+
+/// Parameters of [`splat_backward`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct SplatBackwardParams {
+    /// Pairs in the batch.
+    pub pairs: u32,
+    /// Gaussians of the scene.
+    pub gaussians: u32,
+    /// Words of a tile's mask.
+    pub words: u32,
+}
+
+/// Sums `member_gradient [members, 3]` over the tiles of a pair's camera, in ascending order, and goes on through the
+/// weight: `pair_gradient [pairs, 3]` is `(d mean2d x, y, d opacity logit, dL/dT), (d conic xx, xy, yy, 0), (d color, 0)`.
+///
+/// Of Eq. 12's `opacity = sigmoid(logit)`: `dL/dlogit = dL/dweight T s (1 - s)` and `dL/dT = dL/dweight s`.
+#[kernel(threads(64), iterations = MAX_TILES)]
+pub fn splat_backward(
+    id: Invocation,
+    params: &SplatBackwardParams,
+    pair: Read<u32>,
+    first_tile: Read<u32>,
+    tile_mask: Read<u32>,
+    first_member: Read<u32>,
+    opacity: Read<f32>,
+    transmittance: Read<f32>,
+    member_gradient: Read<Vec4>,
+    pair_gradient: Write<Vec4>,
+) {
+    let index = id.index();
+    if index < params.pairs {
+        let slot = pair.read(index);
+        let (camera, gaussian) = (slot / params.gaussians, slot % params.gaussians);
+        let (word, bit) = (gaussian / 32, 1 << (gaussian % 32));
+        let (mut geometry, mut conic, mut color) = (Vec4::ZERO, Vec4::ZERO, Vec4::ZERO);
+        let end = first_tile.read(camera + 1);
+        let mut tile = first_tile.read(camera);
+        while tile < end {
+            let bits = tile_mask.read(tile * params.words + word);
+            if bits & bit != 0 {
+                let below = (bits & (bit - 1)).count_ones();
+                let first = VECTORS * (first_member.read(tile * params.words + word) + below);
+                geometry += member_gradient.read(first);
+                conic += member_gradient.read(first + 1);
+                color += member_gradient.read(first + 2);
+            }
+            tile += 1;
+        }
+        let logit = opacity.read(gaussian);
+        let by_transmittance = geometry.z * sigmoid(logit);
+        // 1 - sigmoid(x) = sigmoid(-x), without its cancellation
+        let by_logit = by_transmittance * transmittance.read(index) * sigmoid(-logit);
+        let first = VECTORS * index;
+        let geometry = Vec4::new(geometry.x, geometry.y, by_logit, by_transmittance);
+        pair_gradient.write(first, geometry);
+        pair_gradient.write(first + 1, conic);
+        pair_gradient.write(first + 2, color);
     }
 }

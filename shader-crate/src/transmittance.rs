@@ -101,8 +101,8 @@ pub struct TransmittanceHeadParams {
 
 /// The last layer of the scalar network and the logarithm of Eq. 11's factor:
 /// `log_rho [samples] = s_factor * log_sigmoid(a_k)`.
-#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused)]
-pub fn transmittance_head(
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples))]
+pub fn transmittance_head<L: Lane>(
     id: Invocation,
     params: &TransmittanceHeadParams,
     parameters: Read<Vec4>,
@@ -120,9 +120,9 @@ pub fn transmittance_head(
             weight: params.weight,
             bias: params.bias,
         };
-        let a = column(&layer, parameters, input, sample, 0).x;
-        let factor = point.read(POINT_ROWS * params.stride + sample);
-        log_rho.write(params.first_sample + sample, factor * log_sigmoid(a));
+        let a = column::<L>(&layer, parameters, input, sample, 0).x;
+        let factor = L::read(point, POINT_ROWS * params.stride + sample);
+        (factor * log_sigmoid(a)).write(log_rho, params.first_sample + sample);
     }
 }
 

@@ -15,11 +15,11 @@ pub const PARTS: f32 = 4096.0;
 
 /// A coordinate in two parts.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Split {
+pub struct Split<L = f32> {
     /// A multiple of 1 / [`PARTS`].
-    pub coarse: f32,
+    pub coarse: L,
     /// The rest: less than 1 / [`PARTS`], with the coordinate's sign.
-    pub fine: f32,
+    pub fine: L,
 }
 
 impl Split {
@@ -29,16 +29,19 @@ impl Split {
         let coarse = truncate((main + rest) * PARTS) * (1.0 / PARTS);
         Self { coarse, fine: (main - coarse) + rest }
     }
+}
 
+impl<L: Lane> Split<L> {
     /// The coordinate, limited to [0, 1].
     #[inline(always)]
     pub fn clamped(self) -> Self {
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
         let x = self.coarse + self.fine;
-        let inside = x > 0.0 && x < 1.0;
-        let border = if x >= 1.0 { 1.0 } else { 0.0 };
+        let inside = L::both(zero.less(x), x.less(one));
+        let border = L::select(one.at_most(x), one, zero);
         Self {
-            coarse: if inside { self.coarse } else { border },
-            fine: if inside { self.fine } else { 0.0 },
+            coarse: L::select(inside, self.coarse, border),
+            fine: L::select(inside, self.fine, zero),
         }
     }
 }

@@ -49,11 +49,9 @@ fn projected(set: &Project, camera: usize, gaussian: usize) -> Option<(DVec2, DM
 fn projections_are_inverted_covariances() {
     hold::<Project>(|set, output, index| {
         let width = match output {
-            "mean2d" => 2,
+            "mean2d" | "extent" => 2,
             "conic" => 3,
             "radius" | "class" => 1,
-            // what pads the two vectors
-            "rest" if index < 2 * set.gaussians as usize * set.cameras.len() => return Some(0.0),
             _ => return None,
         };
         let gaussians = set.gaussians as usize;
@@ -76,6 +74,8 @@ fn projections_are_inverted_covariances() {
             "class" => 0.0,
             "mean2d" => mean[part],
             "radius" => (2.0 * 255f64.ln() * largest).sqrt(),
+            // half the bounding box of q <= 2 ln 255, and its margin
+            "extent" => (2.0 * 255f64.ln() * [a, c][part]).sqrt() * 1.001 + 0.01,
             _ => [c, -b, a][part] / determinant,
         })
     });

@@ -1,5 +1,6 @@
 //! Holds a kernel's CPU outputs to numbers that were computed otherwise.
 
+use organza::Device;
 use organza::parity::{Bench, Bound, Canary, Measure, Output, Parity, Rounding, Values};
 use organza_tests::devices;
 
@@ -31,10 +32,20 @@ pub fn hold_all<P: Parity>(
     rounding: Rounding,
     exact: impl Fn(&P, &str, usize) -> Vec<Option<f64>>,
 ) {
-    let cpu = devices::cpu(None);
+    for (instruction_set, cpu) in devices::cpus() {
+        println!("{instruction_set}:");
+        hold_all_on(&cpu, rounding, &exact);
+    }
+}
+
+fn hold_all_on<P: Parity>(
+    cpu: &Device,
+    rounding: Rounding,
+    exact: &impl Fn(&P, &str, usize) -> Vec<Option<f64>>,
+) {
     let (mut measure, mut compared) = (Measure::default(), 0);
     for (name, set) in P::sets() {
-        for output in set.run(&Bench::new(&cpu, P::KERNEL)).expect("the kernel runs") {
+        for output in set.run(&Bench::new(cpu, P::KERNEL)).expect("the kernel runs") {
             let found = output.to_f64();
             let mut expected = found.clone();
             let exact = exact(&set, output.name, found.len());

@@ -1,7 +1,8 @@
 //! Eq. 12, 13 and 16: splats, sums and pixels.
 
 use organza::parity::Rounding;
-use organza::parity::composite::{Composite, Resolve};
+use organza::parity::composite::Composite;
+use organza::parity::resolve::Resolve;
 use organza::parity::splat::Splat;
 
 use super::hold::{hold, hold_to};
@@ -13,7 +14,7 @@ fn splats_are_gathered() {
         let slot = *set.pair.get(pair)? as usize;
         let opacity = f64::from(set.opacity[slot % set.gaussians as usize]);
         Some(match part {
-            0 | 1 => f64::from(set.projection[2 * slot][part]),
+            0 | 1 | 3 => f64::from(set.projection[2 * slot][part]),
             2 => f64::from(set.transmittance[pair]) / (1.0 + (-opacity).exp()),
             4..8 => f64::from(set.projection[2 * slot + 1][part - 4]),
             8..11 => f64::from(set.color[3 * pair + part - 8]),

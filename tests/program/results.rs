@@ -209,7 +209,8 @@ fn outputs_are_replaced_whole() {
 #[test]
 fn help_has_examples() {
     let sandbox = Sandbox::new("tiny");
-    for words in ["--help", "tiles -h", "render -h", "demo -h", "info -h", "explain -h"] {
+    for words in ["--help", "tiles -h", "render -h", "demo -h", "info -h", "explain -h", "eval -h"]
+    {
         let help = sandbox.run(words).assert_ok().stdout;
         assert!(help.contains("Examples:\n  organza "), "{help}");
     }

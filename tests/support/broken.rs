@@ -119,3 +119,23 @@ pub fn atomic_and_plain(id: Invocation, output: Write<u32>) {
         atomic::add(output, 0, 1);
     }
 }
+
+/// Adds as a kernel of `layers` may, and is none.
+#[kernel(threads(64))]
+pub fn layers_undeclared(id: Invocation, sums: Write<u32>) {
+    if id.index() < 128 {
+        atomic::add_wide(sums, 0, [1, 0]);
+    }
+}
+
+/// Two layers add to the same sum.
+#[kernel(threads(64), layers)]
+pub fn layers_overlap(id: Invocation, sums: Write<u32>) {
+    atomic::add_wide(sums, id.workgroup.z / 2, [1, 0]);
+}
+
+/// Not broken: a sum for each layer.
+#[kernel(threads(64), layers)]
+pub fn layers_apart(id: Invocation, sums: Write<u32>) {
+    atomic::add_wide(sums, id.workgroup.z, [u32::MAX, 0]);
+}

@@ -1,6 +1,6 @@
 //! The devices that tests run on.
 
-use organza::{Device, DeviceOptions, Error, SpirvPath};
+use organza::{Device, DeviceOptions, Error, InstructionSet, SpirvPath};
 
 /// Every way to run a kernel: `cpu`, and `gpu` passed through and through naga where there is one.
 ///
@@ -34,4 +34,22 @@ pub fn all() -> Vec<(&'static str, Device)> {
 #[must_use]
 pub fn cpu(threads: Option<usize>) -> Device {
     Device::open(&DeviceOptions::cpu(threads)).expect("the CPU")
+}
+
+/// The CPU with an instruction set.
+///
+/// # Panics
+/// Where this CPU does not have it.
+#[must_use]
+pub fn with(instruction_set: InstructionSet) -> Device {
+    let options =
+        DeviceOptions { instruction_set: Some(instruction_set), ..DeviceOptions::cpu(None) };
+    Device::open(&options).expect("the CPU")
+}
+
+/// The CPU with every instruction set that it has.
+#[must_use]
+pub fn cpus() -> Vec<(&'static str, Device)> {
+    let sets = InstructionSet::ALL.into_iter().filter(|set| set.is_available());
+    sets.map(|set| (set.as_str(), with(set))).collect()
 }

@@ -1,6 +1,7 @@
 //! Typed buffers of either backend.
 
 use std::marker::PhantomData;
+use std::sync::Arc;
 
 use bytemuck::Pod;
 use organza_kernels::kernel::Storage;
@@ -19,16 +20,16 @@ pub struct Buffer<T> {
 }
 
 /// A buffer whose element type is forgotten.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct RawBuffer {
     pub(super) memory: Memory,
     pub(super) label: &'static str,
     pub(super) bytes: u64,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Memory {
-    Cpu(CpuMemory),
+    Cpu(Arc<CpuMemory>),
     Gpu(wgpu::Buffer),
 }
 
@@ -43,6 +44,20 @@ impl<T: Pod> Buffer<T> {
 
     pub(super) fn raw_mut(&mut self) -> &mut RawBuffer {
         &mut self.raw
+    }
+
+    /// The same memory as values of another type: what is written through one is read through the other.
+    ///
+    /// # Panics
+    /// Where the memory does not hold a whole number of them.
+    #[must_use]
+    pub fn view<U: Pod>(&self) -> Buffer<U> {
+        let (label, bytes) = (self.raw.label, self.raw.bytes);
+        assert!(
+            bytes.is_multiple_of(size_of::<U>() as u64),
+            "the buffer `{label}` has {bytes} bytes"
+        );
+        Buffer::new(self.raw.clone())
     }
 
     /// Number of values.

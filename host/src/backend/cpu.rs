@@ -5,7 +5,9 @@ use std::ptr::NonNull;
 
 use glam::UVec3;
 use organza_kernels::invocation::Invocation;
-use organza_kernels::kernel::{Access, BindingInfo, CpuBinding, CpuRun, KernelInfo};
+use organza_kernels::kernel::{
+    Access, BindingInfo, CpuBinding, CpuRun, InstructionSet, KernelInfo,
+};
 use organza_kernels::memory::Watch;
 use organza_kernels::place::unlinear;
 use rayon::prelude::*;
@@ -21,10 +23,22 @@ use crate::memory;
 pub struct Cpu {
     pool: rayon::ThreadPool,
     check_races: bool,
+    instruction_set: InstructionSet,
 }
 
 impl Cpu {
-    pub fn new(threads: Option<usize>, check_races: bool) -> Result<Self> {
+    pub fn new(
+        threads: Option<usize>,
+        check_races: bool,
+        instruction_set: Option<InstructionSet>,
+    ) -> Result<Self> {
+        // a watch sees one invocation at a time
+        let best = if check_races { InstructionSet::Scalar } else { InstructionSet::best() };
+        let instruction_set = instruction_set.unwrap_or(best);
+        if !instruction_set.is_available() {
+            let reason = format!("this CPU does not have {}", instruction_set.as_str());
+            return Err(Error::Argument { reason });
+        }
         supervise::install();
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads.unwrap_or(0))
@@ -33,7 +47,11 @@ impl Cpu {
             .map_err(|error| Error::Argument {
                 reason: format!("cannot start threads: {error}"),
             })?;
-        Ok(Self { pool, check_races })
+        Ok(Self { pool, check_races, instruction_set })
+    }
+
+    pub fn instruction_set(&self) -> InstructionSet {
+        self.instruction_set
     }
 
     pub fn threads(&self) -> usize {
@@ -45,6 +63,11 @@ impl Cpu {
         memory::check(bytes, &what)?;
         let available = memory::available();
         CpuMemory::zeroed(bytes).ok_or(Error::OutOfMemory { needed: bytes, available, what })
+    }
+
+    pub fn clear(&self, memory: &CpuMemory) {
+        // SAFETY: in range, and no dispatch runs: each returns when it is done
+        unsafe { memory.data.as_ptr().write_bytes(0, memory.layout.size()) };
     }
 
     pub fn dispatch(
@@ -63,7 +86,12 @@ impl Cpu {
         let [x, y, z] = workgroups.map(u64::from);
         let size = UVec3::from(workgroups);
         let place = |index: u64| unlinear(index, size);
-        let run = |index: u64| match info.run {
+        let run_of_lanes = match info.run {
+            CpuRun::Lanes(runs) => CpuRun::Workgroup(runs.of(self.instruction_set)),
+            run => run,
+        };
+        let run = |index: u64| match run_of_lanes {
+            CpuRun::Lanes(_) => unreachable!("replaced above"),
             CpuRun::Workgroup(run) => {
                 // SAFETY: the bindings are those of the typed dispatch, and kernels do not write to the same
                 // element from two invocations without atomics
@@ -74,12 +102,18 @@ impl Cpu {
                 coroutine::run_workgroup(info, run, &bindings, place(index), size)
             }
         };
-        let run_all = || {
-            (0..x * y * z).into_par_iter().try_for_each(|index| {
-                let local = UVec3::from(info.workgroup_size);
-                let first = Invocation::new(UVec3::ZERO, place(index), size, local);
-                supervise::supervise(info.name, first, || run(index))
-            })
+        let supervised = |index: u64| {
+            let local = UVec3::from(info.workgroup_size);
+            let first = Invocation::new(UVec3::ZERO, place(index), size, local);
+            supervise::supervise(info.name, first, || run(index))
+        };
+        let layer = |z: u32| {
+            let first = x * y * u64::from(z);
+            (first..first + x * y).try_for_each(supervised)
+        };
+        let run_all = || match info.layers {
+            true => (0..workgroups[2]).into_par_iter().with_max_len(1).try_for_each(layer),
+            false => (0..x * y * z).into_par_iter().try_for_each(supervised),
         };
         self.pool.install(run_all).map_err(failed)
     }
@@ -129,9 +163,10 @@ fn races(
     workgroups: [u32; 3],
 ) -> Vec<Option<Races>> {
     let invocations = UVec3::from(workgroups) * UVec3::from(info.workgroup_size);
+    let layers = info.layers;
     let watch = |(info, binding): (&BindingInfo, &CpuBinding<'_>)| {
         let written = info.access == Access::Write;
-        written.then(|| Races::new(info, binding.bytes, invocations))
+        written.then(|| Races::new(info, binding.bytes, invocations, layers))
     };
     info.bindings.iter().zip(bindings).map(watch).collect()
 }

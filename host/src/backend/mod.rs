@@ -10,6 +10,8 @@ mod open;
 mod supervise;
 mod watch;
 
+use std::sync::Arc;
+
 use bytemuck::Pod;
 use organza_kernels::kernel::{Dispatch, KernelInfo};
 
@@ -81,7 +83,7 @@ impl Device {
     pub fn zeros<T: Pod>(&self, label: &'static str, len: usize) -> Result<Buffer<T>> {
         let bytes = len as u64 * size_of::<T>() as u64;
         let memory = match &self.kind {
-            Kind::Cpu(cpu) => Memory::Cpu(cpu.allocate(label, bytes)?),
+            Kind::Cpu(cpu) => Memory::Cpu(Arc::new(cpu.allocate(label, bytes)?)),
             Kind::Gpu(gpu) => Memory::Gpu(gpu.allocate(label, bytes)?),
         };
         Ok(Buffer::new(RawBuffer { memory, label, bytes }))
@@ -94,14 +96,27 @@ impl Device {
     pub fn upload<T: Pod>(&self, label: &'static str, values: &[T]) -> Result<Buffer<T>> {
         let mut buffer = self.zeros(label, values.len())?;
         match (&self.kind, &mut buffer.raw_mut().memory) {
-            (Kind::Cpu(_), Memory::Cpu(memory)) => memory.bytes_mut()[..size_of_val(values)]
-                .copy_from_slice(bytemuck::cast_slice(values)),
+            (Kind::Cpu(_), Memory::Cpu(memory)) => {
+                let memory = Arc::get_mut(memory).expect("nobody else has it yet");
+                memory.bytes_mut()[..size_of_val(values)]
+                    .copy_from_slice(bytemuck::cast_slice(values));
+            }
             (Kind::Gpu(gpu), Memory::Gpu(memory)) => {
                 gpu.write(memory, bytemuck::cast_slice(values))
             }
             _ => unreachable!("the buffer was made by this device"),
         }
         Ok(buffer)
+    }
+
+    /// Makes a buffer all zeros again, after everything that was dispatched before.
+    pub fn clear<T: Pod>(&self, buffer: &Buffer<T>) {
+        let raw = buffer.raw();
+        match (&self.kind, &raw.memory) {
+            (Kind::Cpu(cpu), Memory::Cpu(memory)) => cpu.clear(memory),
+            (Kind::Gpu(gpu), Memory::Gpu(memory)) => gpu.clear(memory),
+            _ => panic!("the buffer `{}` belongs to another device", raw.label),
+        }
     }
 
     /// What a buffer holds, after everything that was dispatched before.
@@ -167,6 +182,15 @@ impl Device {
     pub fn run<'a>(&self, kernel: &impl Dispatch<'a, Host>, items: u32, layers: u32) -> Result<()> {
         let workgroups = workgroups_for(kernel.info(), items);
         self.dispatch(kernel, [workgroups[0], workgroups[1], layers])
+    }
+
+    /// Runs a kernel with at least `size` invocations along x and y, and `size[2]` workgroups along z.
+    ///
+    /// # Errors
+    /// As [`Device::dispatch`].
+    pub fn run_over<'a>(&self, kernel: &impl Dispatch<'a, Host>, size: [u32; 3]) -> Result<()> {
+        let [x, y, _] = kernel.info().workgroup_size;
+        self.dispatch(kernel, [size[0].div_ceil(x), size[1].div_ceil(y), size[2]])
     }
 
     /// Makes the device fail as a lost one does: for tests of what happens then.

@@ -1,5 +1,7 @@
 //! Chooses a device.
 
+use organza_kernels::kernel::InstructionSet;
+
 use super::{Device, Kind, cpu, gpu};
 use crate::error::{Error, Result};
 
@@ -49,6 +51,8 @@ pub struct DeviceOptions {
     /// On the CPU, whether to fail where two invocations of a dispatch get in each other's way in a storage buffer.
     /// For tests of kernels: slow, and 16 bytes for every element that a kernel may write.
     pub check_races: bool,
+    /// On the CPU, what kernels with lanes run on; the best that there is unless set.
+    pub instruction_set: Option<InstructionSet>,
 }
 
 impl DeviceOptions {
@@ -90,9 +94,10 @@ pub fn open(options: &DeviceOptions) -> Result<Device> {
 }
 
 fn open_cpu(options: &DeviceOptions, why: &str) -> Result<Device> {
-    let cpu = cpu::Cpu::new(options.threads, options.check_races)?;
+    let cpu = cpu::Cpu::new(options.threads, options.check_races, options.instruction_set)?;
     let threads = cpu.threads();
     let plural = if threads == 1 { "" } else { "s" };
-    let choice = format!("cpu: {threads} thread{plural} ({why})");
+    let set = cpu.instruction_set().as_str();
+    let choice = format!("cpu: {threads} thread{plural}, {set} ({why})");
     Ok(Device { kind: Kind::Cpu(cpu), choice })
 }

@@ -88,7 +88,7 @@ impl Watch for WorkgroupMemory {
         let (element, own) = (&self.elements[index as usize], self.stamp());
         match touch {
             Touch::Read => self.read(index, element, own),
-            Touch::Write | Touch::Atomic => self.write(index, element, own),
+            Touch::Write | Touch::Atomic | Touch::Layer => self.write(index, element, own),
         }
     }
 }
@@ -97,6 +97,8 @@ impl Watch for WorkgroupMemory {
 pub struct Races {
     name: &'static str,
     invocations: UVec3,
+    /// Whether a layer of workgroups runs on one thread.
+    layers: bool,
     elements: Vec<Touched>,
 }
 
@@ -110,19 +112,34 @@ struct Touched {
 /// Marks a writer that did so atomically: atomics do not disturb each other.
 const ATOMIC: u64 = 1 << 63;
 
+/// Marks a writer that disturbs no other of its layer of workgroups, besides `ATOMIC`.
+const LAYER: u64 = 1 << 62;
+
 /// Stands for several readers.
-const MANY: u64 = ATOMIC - 1;
+const MANY: u64 = LAYER - 1;
+
+/// Who left a mark.
+const fn who(mark: u64) -> u64 {
+    mark & !(ATOMIC | LAYER)
+}
 
 impl Races {
     /// `invocations` are those of the dispatch, along each axis.
-    pub fn new(info: &BindingInfo, bytes: usize, invocations: UVec3) -> Self {
+    pub fn new(info: &BindingInfo, bytes: usize, invocations: UVec3, layers: bool) -> Self {
         let len = bytes / info.element_bytes as usize;
         let elements = (0..len).map(|_| Touched::default()).collect();
-        Self { name: info.name, invocations, elements }
+        Self { name: info.name, invocations, layers, elements }
     }
 
-    fn conflict(&self, index: u32, does: &str, who: u64, did: &str) -> String {
-        let who = match who & !ATOMIC {
+    /// Whether two writers' marks let each other be: both change an element atomically, on the CPU too.
+    fn agree(&self, own: u64, other: u64) -> bool {
+        let layer = |mark| unlinear(who(mark) - 1, self.invocations).z;
+        let atomic = own & other & ATOMIC != 0;
+        atomic && ((own | other) & LAYER == 0 || self.layers && layer(own) == layer(other))
+    }
+
+    fn conflict(&self, index: u32, does: &str, mark: u64, did: &str) -> String {
+        let who = match who(mark) {
             MANY => "other invocations have".to_owned(),
             who => {
                 format!("invocation {} of the dispatch has", unlinear(who - 1, self.invocations))
@@ -139,7 +156,7 @@ impl Watch for Races {
         let Some(place) = place::current() else { return Ok(()) };
         let element = &self.elements[index as usize];
         let own = 1 + linear(place.id.global(), self.invocations);
-        let is_other = |who: u64| who != 0 && who & !ATOMIC != own;
+        let is_other = |mark: u64| mark != 0 && who(mark) != own;
         if touch == Touch::Read {
             let before =
                 element.reader.compare_exchange(0, own, Ordering::SeqCst, Ordering::SeqCst);
@@ -152,10 +169,13 @@ impl Watch for Races {
                 false => Ok(()),
             };
         }
-        let atomic = touch == Touch::Atomic;
-        let does = if atomic { "atomically changes" } else { "writes" };
-        let writer = element.writer.swap(if atomic { own | ATOMIC } else { own }, Ordering::SeqCst);
-        if is_other(writer) && !(atomic && writer & ATOMIC != 0) {
+        let (does, mark) = match touch {
+            Touch::Layer => ("changes with its layer", own | ATOMIC | LAYER),
+            Touch::Atomic => ("atomically changes", own | ATOMIC),
+            Touch::Read | Touch::Write => ("writes", own),
+        };
+        let writer = element.writer.swap(mark, Ordering::SeqCst);
+        if is_other(writer) && !self.agree(mark, writer) {
             return Err(self.conflict(index, does, writer, "written"));
         }
         let reader = element.reader.load(Ordering::SeqCst);

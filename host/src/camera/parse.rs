@@ -9,14 +9,22 @@ use crate::error::{Error, Result};
 use crate::input::{integer, kind};
 
 /// Models whose images are pinhole images where their coefficients are zero. A fisheye's are not.
-const PERSPECTIVE_MODELS: [&str; 5] =
+pub(crate) const PERSPECTIVE_MODELS: [&str; 5] =
     ["PINHOLE", "SIMPLE_PINHOLE", "OPENCV", "SIMPLE_RADIAL", "RADIAL"];
 /// Models that have no coefficients; any in the file mean nothing.
-const PINHOLE_MODELS: [&str; 2] = ["PINHOLE", "SIMPLE_PINHOLE"];
+pub(crate) const PINHOLE_MODELS: [&str; 2] = ["PINHOLE", "SIMPLE_PINHOLE"];
 const COEFFICIENTS: [&str; 6] = ["k1", "k2", "k3", "k4", "p1", "p2"];
 
 /// Every camera of a file's JSON.
 pub(super) fn cameras(file: &Value, origin: &Path) -> Result<Vec<Camera>> {
+    let parse = |(index, frame): (usize, &Value)| {
+        Source { file, frame, size: None }.valid_camera(index, origin)
+    };
+    frames(file, origin)?.iter().enumerate().map(parse).collect()
+}
+
+/// The frames of a file's JSON, at least one.
+pub(crate) fn frames<'a>(file: &'a Value, origin: &Path) -> Result<&'a [Value]> {
     let invalid = |reason: String| Err(Error::Invalid { origin: origin.to_owned(), reason });
     let frames = match file.get("frames") {
         Some(Value::Array(frames)) => frames,
@@ -32,14 +40,7 @@ pub(super) fn cameras(file: &Value, origin: &Path) -> Result<Vec<Camera>> {
     if frames.is_empty() {
         return invalid("`frames` is empty; there is no camera to render from".to_owned());
     }
-    let parse = |(index, frame): (usize, &Value)| {
-        let camera = Source { file, frame }
-            .camera()
-            .map_err(|reason| camera_error(origin, index, reason))?;
-        camera.validate_at(index, origin)?;
-        Ok(camera)
-    };
-    frames.iter().enumerate().map(parse).collect()
+    Ok(frames)
 }
 
 /// The focal length in pixels of an image `side` pixels wide that spans `angle` radians.
@@ -51,12 +52,23 @@ pub(super) fn focal_length(side: f64, angle: f64) -> Result<f64, String> {
 }
 
 /// One frame and the file whose values stand in for those it does not have.
-struct Source<'a> {
-    file: &'a Value,
-    frame: &'a Value,
+pub(crate) struct Source<'a> {
+    /// The whole file.
+    pub file: &'a Value,
+    /// The frame.
+    pub frame: &'a Value,
+    /// Width and height in pixels where neither says: the photograph's own.
+    pub size: Option<[u32; 2]>,
 }
 
 impl Source<'_> {
+    /// The frame's camera. `index` and `origin` are what errors name.
+    pub(crate) fn valid_camera(&self, index: usize, origin: &Path) -> Result<Camera> {
+        let camera = self.camera().map_err(|reason| camera_error(origin, index, reason))?;
+        camera.validate_at(index, origin)?;
+        Ok(camera)
+    }
+
     fn camera(&self) -> Result<Camera, String> {
         if !self.frame.is_object() {
             return Err(format!("is {}, expected an object", kind(self.frame)));
@@ -88,12 +100,12 @@ impl Source<'_> {
     }
 
     /// The value of a key, from the frame or else from the file; null counts as absent.
-    fn get(&self, key: &str) -> Option<&Value> {
+    pub(crate) fn get(&self, key: &str) -> Option<&Value> {
         let present = |source: &'_ &Value| source.get(key).is_some_and(|value| !value.is_null());
         [self.frame, self.file].into_iter().find(present)?.get(key)
     }
 
-    fn number(&self, key: &str) -> Result<Option<f64>, String> {
+    pub(crate) fn number(&self, key: &str) -> Result<Option<f64>, String> {
         match self.get(key) {
             None => Ok(None),
             Some(value) => match value.as_f64() {
@@ -112,7 +124,10 @@ impl Source<'_> {
     }
 
     fn side(&self, key: &str) -> Result<u32, String> {
-        let value = self.get(key).ok_or_else(|| self.missing(key))?;
+        let Some(value) = self.get(key) else {
+            let side = self.size.map(|[width, height]| if key == "w" { width } else { height });
+            return side.ok_or_else(|| self.missing(key));
+        };
         let side = integer(value).and_then(|side| u32::try_from(side).ok());
         match side {
             Some(side) if (1..=MAX_IMAGE_SIDE).contains(&side) => Ok(side),

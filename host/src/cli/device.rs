@@ -1,7 +1,8 @@
 //! The options that choose a device.
 
 use clap::ValueEnum;
-use organza::{BackendChoice, Device, DeviceOptions, Renderer, Result, SpirvPath};
+use clap::builder::PossibleValuesParser;
+use organza::{BackendChoice, Device, DeviceOptions, InstructionSet, Renderer, Result, SpirvPath};
 
 use super::console::Console;
 use super::refuse;
@@ -26,6 +27,12 @@ pub struct DeviceArgs {
     #[arg(long, value_name = "N", help_heading = "Device")]
     #[arg(value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
+
+    /// What the CPU backend computes with; `scalar` runs one invocation at a time, as a debugger likes it
+    /// [default: the widest that this CPU has]
+    #[arg(long, value_name = "SET", help_heading = "Device")]
+    #[arg(value_parser = PossibleValuesParser::new(InstructionSet::ALL.map(InstructionSet::as_str)))]
+    instruction_set: Option<String>,
 
     /// Print warnings and errors alone
     #[arg(short, long)]
@@ -69,6 +76,9 @@ impl DeviceArgs {
             Backend::Gpu if self.threads.is_some() => {
                 return refuse("`--threads` is about the CPU, but `--backend` is gpu");
             }
+            Backend::Gpu if self.instruction_set.is_some() => {
+                return refuse("`--instruction-set` is about the CPU, but `--backend` is gpu");
+            }
             Backend::Cpu => BackendChoice::Cpu,
             // Who names a GPU does not want the CPU instead.
             Backend::Auto if !asks_for_gpu => BackendChoice::Auto,
@@ -80,6 +90,9 @@ impl DeviceArgs {
         });
         let threads = self.threads.map(usize::from);
         let adapter = self.adapter.clone();
-        Ok(DeviceOptions { backend, spirv, threads, adapter, ..DeviceOptions::default() })
+        let named = |set: &InstructionSet| Some(set.as_str()) == self.instruction_set.as_deref();
+        let instruction_set = InstructionSet::ALL.into_iter().find(named);
+        let check_races = false;
+        Ok(DeviceOptions { backend, spirv, threads, adapter, check_races, instruction_set })
     }
 }

@@ -3,6 +3,7 @@
 mod console;
 mod demo;
 mod device;
+mod eval;
 mod explain;
 mod info;
 mod kernels;
@@ -50,6 +51,7 @@ enum Command {
     Demo(demo::Args),
     Info(info::Args),
     Explain(explain::Args),
+    Eval(eval::Args),
     Kernels(kernels::Args),
     Parity(parity::Args),
 }
@@ -64,6 +66,7 @@ pub fn main() -> ExitCode {
         Command::Demo(args) => demo::run(args).map(done),
         Command::Info(args) => info::run(args).map(done),
         Command::Explain(args) => explain::run(args).map(done),
+        Command::Eval(args) => eval::run(args).map(done),
         Command::Kernels(args) => kernels::run(args).map(done),
         Command::Parity(args) => parity::run(args),
     };

@@ -105,8 +105,7 @@ impl<'d> Bench<'d> {
         tiles: u32,
     ) -> Result<()> {
         self.check(kernel);
-        let groups = side.div_ceil(8);
-        self.device.dispatch(kernel, [groups, groups, tiles])
+        self.device.run_over(kernel, [side, side, tiles])
     }
 
     fn check<'a>(&self, kernel: &impl Dispatch<'a, Host>) {

@@ -1,7 +1,7 @@
-//! Cases of `composite` and `resolve`.
+//! The case of `composite`.
 
 use glam::Vec4;
-use organza_kernels::composite::{CompositeKernel, CompositeParams, ResolveKernel, ResolveParams};
+use organza_kernels::composite::{CompositeKernel, CompositeParams};
 use organza_kernels::limits::MAX_MEMBERS;
 use organza_kernels::math::TINY;
 use organza_kernels::project::FALLOFF_CUTOFF;
@@ -15,10 +15,10 @@ use super::tile::pack;
 use crate::error::Result;
 
 /// Sides around the workgroup's.
-const SIDES: [u32; 5] = [1, 7, 8, 9, 17];
+pub(super) const SIDES: [u32; 5] = [1, 7, 8, 9, 17];
 
 /// Three tiles: at the origin, over the border, and far away.
-fn tiles() -> Vec<Tile> {
+pub(super) fn tiles() -> Vec<Tile> {
     let tile = |origin, output| Tile { camera: 0, origin, output };
     vec![tile([0, 0], 1), tile([-9, 5], 2), tile([4000, -30], 0)]
 }
@@ -43,7 +43,7 @@ pub struct Composite {
 }
 
 impl Composite {
-    fn new(side: u32, members: &[u32], fill: Fill, seed: u64) -> Self {
+    pub(super) fn new(side: u32, members: &[u32], fill: Fill, seed: u64) -> Self {
         let mut random = Random::new(seed);
         let splats = 300;
         let tiles: Vec<_> = tiles().into_iter().take(members.len()).collect();
@@ -57,9 +57,10 @@ impl Composite {
             // every tenth is a needle
             let slant = if index % 10 == 3 { 0.999_999 } else { random.between(-0.9, 0.9) };
             let xy = slant * xx.sqrt() * yy.sqrt();
+            let [width, height] = extent([xx, xy, yy]);
             [
-                Vec4::new(x + near[0], y + near[1], random.between(0.0, 1.0), 0.0),
-                Vec4::new(xx, xy, yy, 0.0),
+                Vec4::new(x + near[0], y + near[1], random.between(0.0, 1.0), width),
+                Vec4::new(xx, xy, yy, height),
                 Vec4::from_slice(&random.values(4, 0.0, 1.0)),
             ]
         });
@@ -77,8 +78,9 @@ impl Composite {
     fn crowded() -> Self {
         let mut set = Self::new(1, &[MAX_MEMBERS + 5, 3], Fill::Random, 4);
         let [faint, bright] = [1e-6, 1.0].map(|weight| {
-            let center = Vec4::new(0.5, 0.5, weight, 0.0);
-            [center, Vec4::new(0.1, 0.0, 0.1, 0.0), Vec4::splat(0.7)]
+            let [width, height] = extent([0.1, 0.0, 0.1]);
+            let center = Vec4::new(0.5, 0.5, weight, width);
+            [center, Vec4::new(0.1, 0.0, 0.1, height), Vec4::splat(0.7)]
         });
         set.splat[..2].copy_from_slice(&[faint, bright]);
         let (first, rest) = set.member.split_at_mut(MAX_MEMBERS as usize);
@@ -105,8 +107,39 @@ impl Composite {
     }
 }
 
+/// Half the size of the box around `q <= cutoff`, with `project`'s margin; all of f32 where the conic has no inverse.
+#[must_use]
+pub fn extent(conic: [f32; 3]) -> [f32; 2] {
+    let [xx, xy, yy] = conic.map(f64::from);
+    let determinant = xx * yy - xy * xy;
+    [yy, xx].map(|minor| {
+        let half = (f64::from(FALLOFF_CUTOFF) * minor / determinant).sqrt() * 1.001 + 0.01;
+        if half.is_finite() { half as f32 } else { f32::MAX }
+    })
+}
+
+/// Pixels as the kernels keep them: a plane for each channel of a tile.
+pub(super) fn planes(sum: &[Vec4], area: usize) -> Vec<f32> {
+    let plane = |tile: &[Vec4], channel: usize| -> Vec<f32> {
+        tile.iter().map(|pixel| pixel[channel]).collect()
+    };
+    let tiles = sum.chunks(area);
+    tiles.flat_map(|tile| (0..4).flat_map(move |channel| plane(tile, channel))).collect()
+}
+
+/// What [`planes`] has taken apart.
+pub(super) fn pixels(planes: &[f32], area: usize) -> Vec<f32> {
+    let (tiles, tail) = planes.split_at(planes.len() / (4 * area) * (4 * area));
+    let pixel = |tile: &[f32], at: usize| -> Vec<f32> {
+        (0..4).map(|channel| tile[channel * area + at]).collect()
+    };
+    let tiles = tiles.chunks(4 * area);
+    let pixels = tiles.flat_map(|tile| (0..area).flat_map(move |at| pixel(tile, at)));
+    pixels.chain(tail.iter().copied()).collect()
+}
+
 /// The falloff at a squared distance, where it ends included.
-fn falloff(q: f64) -> f64 {
+pub(super) fn falloff(q: f64) -> f64 {
     if q <= f64::from(FALLOFF_CUTOFF) { (-0.5 * q.max(0.0)).exp() } else { 0.0 }
 }
 
@@ -139,7 +172,8 @@ impl Parity for Composite {
     }
 
     fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let sum = bench.output_of(&self.sum)?;
+        let area = (self.side * self.side) as usize;
+        let sum = bench.output_of(&planes(&self.sum, area))?;
         let kernel = CompositeKernel {
             params: CompositeParams { side: self.side, skip: self.skip },
             tile: &bench.upload(&pack(&self.tiles))?,
@@ -149,8 +183,7 @@ impl Parity for Composite {
             sum: &sum,
         };
         bench.pixels(&kernel, self.side, self.tiles.len() as u32)?;
-        let sum = bench.read(&sum)?;
-        Ok(vec![Output::float("sum", sum.iter().flat_map(|v| v.to_array()))])
+        Ok(vec![Output::float("sum", pixels(&bench.read(&sum)?, area))])
     }
 
     fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {
@@ -181,81 +214,5 @@ impl Parity for Composite {
             Rounding::Regrouped => 1.0 + 0.03 * members.len() as f64,
         };
         Bound { scale: scale * roundings, floor }
-    }
-}
-
-/// Inputs of `resolve`.
-#[derive(Clone, Debug)]
-pub struct Resolve {
-    /// S
-    pub side: u32,
-    /// The tiles.
-    pub tiles: Vec<Tile>,
-    /// `[tiles, S, S]`
-    pub sum: Vec<Vec4>,
-    /// The background.
-    pub background: [f32; 3],
-}
-
-impl Resolve {
-    fn new(side: u32, fill: Fill, weights: [f32; 2]) -> Self {
-        let mut random = Random::new(u64::from(side));
-        let tiles = tiles();
-        let pixels = tiles.len() * (side * side) as usize;
-        let color = fill.values(&mut random, 3 * pixels, [0.0, 2.0], 1e30);
-        let weight = fill.values(&mut random, pixels, weights, 1e30);
-        let sum = (0..pixels).map(|i| {
-            let [r, g, b] = [0, 1, 2].map(|channel| color[3 * i + channel].abs());
-            Vec4::new(r, g, b, weight[i].abs())
-        });
-        Self { side, tiles, sum: sum.collect(), background: [0.2, 1.0, 0.0] }
-    }
-}
-
-impl Parity for Resolve {
-    const KERNEL: &'static str = "resolve";
-    const TOLERANCE: f64 = 5e-7;
-    const WHY: &'static str =
-        "a division of 3 ulp and three roundings; the branches agree at S = 1";
-
-    fn sets() -> Vec<(String, Self)> {
-        let mut sets: Vec<_> = SIDES
-            .iter()
-            .map(|&side| {
-                (format!("random, side {side}"), Self::new(side, Fill::Random, [0.0, 3.0]))
-            })
-            .collect();
-        for fill in Fill::ADVERSARIAL {
-            sets.push((format!("{}, side 9", fill.name()), Self::new(9, fill, [0.0, 3.0])));
-        }
-        let edge = [1.0 - 3.0 * f32::EPSILON, 1.0 + 3.0 * f32::EPSILON];
-        sets.push(("weights about 1".into(), Self::new(17, Fill::Random, edge)));
-        sets
-    }
-
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let image = bench.output(3 * self.sum.len())?;
-        let [background_r, background_g, background_b] = self.background;
-        let side = self.side;
-        let kernel = ResolveKernel {
-            params: ResolveParams { side, background_r, background_g, background_b },
-            tile: &bench.upload(&pack(&self.tiles))?,
-            sum: &bench.upload(&self.sum)?,
-            image: &image,
-        };
-        bench.pixels(&kernel, side, self.tiles.len() as u32)?;
-        Ok(vec![Output::float("image", bench.read(&image)?)])
-    }
-
-    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let area = (self.side * self.side) as usize;
-        let (output, channel, at) = (index / 3 / area, index / area % 3, index % area);
-        let Some(tile) = self.tiles.iter().position(|tile| tile.output as usize == output) else {
-            return Bound { scale: 0.0, floor: 0.0 };
-        };
-        let sum = self.sum[tile * area + at].as_dvec4();
-        let color = sum[channel].abs();
-        let background = f64::from(self.background[channel]);
-        if sum.w > 1.0 { Bound::of(color / sum.w) } else { Bound::of(color + background) }
     }
 }

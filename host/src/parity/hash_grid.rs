@@ -28,7 +28,7 @@ pub struct HashGrid {
 }
 
 /// A grid with dense and hashed levels.
-fn grid() -> GridConfig {
+pub(super) fn grid() -> GridConfig {
     GridConfig {
         levels: 5,
         features: 2,
@@ -37,6 +37,15 @@ fn grid() -> GridConfig {
         growth: 2.1,
         interpolation: Interpolation::Linear,
     }
+}
+
+/// A grid's levels as kernels read them.
+pub(super) fn levels(grid: &GridConfig) -> Vec<GridLevel> {
+    let levels = grid.levels_geometry();
+    let level = |l: &crate::scene::GridLevelGeometry| {
+        GridLevel::new(l.scale, l.resolution, l.first, l.count, l.hashed)
+    };
+    levels.iter().map(level).collect()
 }
 
 impl HashGrid {
@@ -96,11 +105,7 @@ impl HashGrid {
     /// The levels as the kernel reads them.
     #[must_use]
     pub fn levels(&self) -> Vec<GridLevel> {
-        let levels = self.grid.levels_geometry();
-        let level = |l: &crate::scene::GridLevelGeometry| {
-            GridLevel::new(l.scale, l.resolution, l.first, l.count, l.hashed)
-        };
-        levels.iter().map(level).collect()
+        levels(&self.grid)
     }
 
     /// The place of an element of the output: level, feature and point; none where nothing is written.
@@ -166,7 +171,7 @@ impl Parity for HashGrid {
             return Bound { scale: 0.0, floor: 0.0 };
         };
         let level = self.levels()[level];
-        let [x, y, z] = level.cell(self.points[point], false).corner;
+        let [x, y, z] = level.cell::<f32>(self.points[point], false).corner;
         let corner = |c: u32| {
             let entry = level.entry(x + (c & 1), y + (c >> 1 & 1), z + (c >> 2));
             let at = entry * self.grid.features + feature as u32;

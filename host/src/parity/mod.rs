@@ -4,22 +4,33 @@
 //! careless code; [`Measure`] says how far a device is from the CPU.  [`cases`] lists all of them: a kernel
 //! without a case fails a test.
 
+pub mod adam;
 pub mod bench;
 mod case;
 pub mod color;
+pub mod color_backward;
 pub mod composite;
+pub mod composite_backward;
 pub mod dense;
+pub mod dense_backward;
 pub mod hash_grid;
+pub mod hash_grid_backward;
+pub mod hash_grid_scale;
 pub mod inputs;
+pub mod loss;
 mod measure;
 pub mod pair;
 pub mod project;
+pub mod project_backward;
 mod report;
+pub mod resolve;
 pub mod scan;
 pub mod segment;
 pub mod splat;
+pub mod ssim;
 pub mod tile;
 pub mod transmittance;
+pub mod transmittance_backward;
 
 pub use bench::{Bench, Canary};
 pub use case::{Case, Parity, Rounding, missing};
@@ -48,6 +59,31 @@ pub fn cases() -> Vec<Case> {
         Case::of::<transmittance::SegmentProduct>(),
         Case::of::<splat::Splat>(),
         Case::of::<composite::Composite>(),
-        Case::of::<composite::Resolve>(),
+        Case::of::<resolve::Resolve>(),
+        Case::of::<loss::LossTerms>(),
+        Case::of::<ssim::SsimRows>(),
+        Case::of::<ssim::SsimColumns>(),
+        Case::of::<ssim::SsimRowsBackward>(),
+        Case::of::<loss::LossRows>(),
+        Case::of::<loss::LossGradient>(),
+        Case::of::<adam::Adam>(),
+        Case::of::<hash_grid_scale::HashGridPeak>(),
+        Case::of::<hash_grid_scale::HashGridNorm>(),
+        Case::of::<hash_grid_scale::HashGridScale>(),
+        Case::of::<hash_grid_backward::HashGridBackward>(),
+        Case::of::<hash_grid_backward::HashGridGradient>(),
+        Case::of::<dense_backward::DenseBackward>(),
+        Case::of::<dense_backward::DenseWeightBackward>(),
+        Case::of::<dense_backward::DenseWeightSum>(),
+        Case::of::<color_backward::ColorHeadBackward>(),
+        Case::of::<color_backward::MaterialBackward>(),
+        Case::of::<transmittance_backward::SegmentProductBackward>(),
+        Case::of::<transmittance_backward::TransmittanceHeadBackward>(),
+        Case::of::<transmittance_backward::ExtraBackward>(),
+        Case::of::<pair::PairSum>(),
+        Case::of::<resolve::ResolveBackward>(),
+        Case::of::<composite_backward::CompositeBackward>(),
+        Case::of::<splat::SplatBackward>(),
+        Case::of::<project_backward::ProjectBackward>(),
     ]
 }

@@ -1,11 +1,14 @@
-//! Cases of `pair_mask` and `pair_fill`.
+//! Cases of `pair_mask`, `pair_fill` and `pair_sum`.
 
-use organza_kernels::pair::{PairFillKernel, PairFillParams, PairMaskKernel, PairMaskParams};
+use organza_kernels::math::TINY;
+use organza_kernels::pair::{
+    PairFillKernel, PairFillParams, PairMaskKernel, PairMaskParams, PairSumKernel, PairSumParams,
+};
 
 use super::bench::Bench;
-use super::case::Parity;
-use super::inputs::{Random, SIZES};
-use super::measure::Output;
+use super::case::{Parity, Rounding};
+use super::inputs::{Fill, Random, SIZES};
+use super::measure::{Bound, Output};
 use crate::error::Result;
 
 /// How masks are filled.
@@ -132,5 +135,97 @@ impl Parity for PairFill {
         };
         bench.items(&kernel, self.words, 2)?;
         Ok(vec![Output::exact("pair", bench.read(&pair)?)])
+    }
+}
+
+/// Inputs of `pair_sum`.
+#[derive(Clone, Debug)]
+pub struct PairSum {
+    /// Words of a mask.
+    pub words: u32,
+    /// `[cameras, words]`
+    pub mask: Vec<u32>,
+    /// Values of a vector.
+    pub width: u32,
+    /// `[pairs, width]`
+    pub pair_vector: Vec<f32>,
+    /// `[gaussians, width]`, before
+    pub vector: Vec<f32>,
+}
+
+impl PairSum {
+    /// Gaussians: the last word is not full.
+    fn gaussians(&self) -> u32 {
+        (self.words * 32).saturating_sub(5)
+    }
+
+    /// The vectors of a Gaussian's pairs, by camera.
+    fn of(&self, gaussian: u32) -> Vec<&[f32]> {
+        let (word, bit) = ((gaussian / 32) as usize, gaussian % 32);
+        let first = scanned(&self.mask);
+        (word..self.mask.len())
+            .step_by(self.words as usize)
+            .filter(|&at| self.mask[at] >> bit & 1 == 1)
+            .map(|at| {
+                let below = (self.mask[at] & ((1 << bit) - 1)).count_ones();
+                let pair = (first[at] + below) as usize;
+                &self.pair_vector[pair * self.width as usize..][..self.width as usize]
+            })
+            .collect()
+    }
+}
+
+impl Parity for PairSum {
+    const KERNEL: &'static str = "pair_sum";
+    const TOLERANCE: f64 = 1.2e-7;
+    const WHY: &'static str =
+        "a rounding for each camera where drivers regroup, of the terms' sizes";
+
+    fn sets() -> Vec<(String, Self)> {
+        let set = |words: u32, bits: Bits, width: u32, fill: Fill, random: &mut Random| {
+            let mask = bits.words(random, 3 * words);
+            let pairs = mask.iter().map(|mask| mask.count_ones()).sum::<u32>();
+            let mut set = Self { words, mask, width, pair_vector: vec![], vector: vec![] };
+            let mut values =
+                |len: u32| fill.values(random, (len * width) as usize, [-1.0, 1.0], 1e30);
+            set.pair_vector = values(pairs);
+            set.vector = values(set.gaussians());
+            set
+        };
+        let mut sets =
+            mask_sets(|words, bits, random| set(words.min(129), bits, 2, Fill::Random, random));
+        for fill in Fill::ADVERSARIAL {
+            let set = set(5, Bits::Random, 7, fill, &mut Random::new(16));
+            sets.push((fill.name().into(), set));
+        }
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let vector = bench.output_of(&self.vector)?;
+        let kernel = PairSumKernel {
+            params: PairSumParams {
+                words: self.words,
+                cameras: 3,
+                gaussians: self.gaussians(),
+                width: self.width,
+            },
+            mask: &bench.upload(&self.mask)?,
+            first_pair: &bench.upload(&scanned(&self.mask))?,
+            pair_vector: &bench.upload(&self.pair_vector)?,
+            vector: &vector,
+        };
+        bench.items(&kernel, self.gaussians() * self.width, 1)?;
+        Ok(vec![Output::float("vector", bench.read(&vector)?)])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let Some(before) = self.vector.get(index) else {
+            return Bound { scale: 0.0, floor: 0.0 };
+        };
+        let (gaussian, value) = (index / self.width as usize, index % self.width as usize);
+        let terms = self.of(gaussian as u32).into_iter().map(|vector| vector[value]);
+        let sum: f64 = terms.chain([*before]).map(|x| f64::from(x.abs())).sum();
+        Bound { scale: 4.0 * sum, floor: 4.0 * f64::from(TINY) }
     }
 }

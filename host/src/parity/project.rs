@@ -106,7 +106,7 @@ impl Project {
         Vec3::from_slice(&self.log_scale[3 * gaussian..]).as_dvec3()
     }
 
-    fn sensitivity(&self, camera: usize, gaussian: usize) -> Sensitivity {
+    pub(super) fn sensitivity(&self, camera: usize, gaussian: usize) -> Sensitivity {
         let (position, rotation) = (self.center(gaussian), self.quaternion(gaussian));
         let camera = &self.cameras[camera];
         let blur = f64::from(self.blur);
@@ -166,20 +166,21 @@ impl Parity for Project {
         let of = |p: &[Vec4; 2], value: f32| if class(p) == 0 { value } else { 0.0 };
         let mean2d = places.iter().flat_map(|p| [of(p, p[0].x), of(p, p[0].y)]);
         let conic = places.iter().flat_map(|p| [p[1].x, p[1].y, p[1].z].map(|v| of(p, v)));
-        let rest = places.iter().flat_map(|p| [p[0].w, p[1].w]);
+        let extent = places.iter().flat_map(|p| [of(p, p[0].w), of(p, p[1].w)]);
         Ok(vec![
             Output::exact("class", places.iter().map(class).collect()),
             Output::exact("degenerate", bench.read(&degenerate)?),
             Output::float("mean2d", mean2d),
             Output::float("radius", places.iter().map(|p| of(p, p[0].z))),
             Output::float("conic", conic),
-            Output::float("rest", rest.chain(behind.iter().flat_map(|v| v.to_array()))),
+            Output::float("extent", extent),
+            Output::float("behind", behind.iter().flat_map(|v| v.to_array())),
         ])
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
         let width = match cpu.name {
-            "mean2d" => 2,
+            "mean2d" | "extent" => 2,
             "radius" => 1,
             "conic" => 3,
             _ => return Bound { scale: 0.0, floor: 0.0 },
@@ -187,9 +188,9 @@ impl Parity for Project {
         let (slot, part) = (index / width, index % width);
         let gaussians = self.gaussians as usize;
         let sensitivity = self.sensitivity(slot / gaussians, slot % gaussians);
-        Bound::of(match width {
-            1 => sensitivity.radius,
-            2 => sensitivity.mean2d[part],
+        Bound::of(match cpu.name {
+            "radius" | "extent" => sensitivity.radius,
+            "mean2d" => sensitivity.mean2d[part],
             _ => sensitivity.conic,
         })
     }
@@ -197,11 +198,11 @@ impl Parity for Project {
 
 /// How much roundings show in a projection, from f64.
 #[derive(Clone, Copy, Debug, Default)]
-struct Sensitivity {
+pub(super) struct Sensitivity {
     /// Whether rounding decides what becomes of the Gaussian.
     is_undecided: bool,
     mean2d: [f64; 2],
-    conic: f64,
+    pub conic: f64,
     radius: f64,
 }
 
@@ -250,12 +251,17 @@ fn is_large(x: f64) -> bool {
 }
 
 /// What exp makes of them: far beyond f32 it is all the same.
-fn axes(log_axes: DVec3) -> DVec3 {
+pub(super) fn axes(log_axes: DVec3) -> DVec3 {
     log_axes.clamp(DVec3::splat(-200.0), DVec3::splat(200.0)).exp()
 }
 
 /// Rows of J W R S, and the lengths of those of J W.
-fn rows(camera: &Camera, t: DVec3, q: DVec4, log_axes: DVec3) -> (DVec3, DVec3, [f64; 2]) {
+pub(super) fn rows(
+    camera: &Camera,
+    t: DVec3,
+    q: DVec4,
+    log_axes: DVec3,
+) -> (DVec3, DVec3, [f64; 2]) {
     let [right, down, forward] = camera.rotation.map(|row| row.as_dvec3());
     let (focal, center) = (camera.focal.as_dvec2(), camera.center.as_dvec2());
     let (low, high) = (-center, camera.size.as_dvec2() - center);

@@ -1,7 +1,10 @@
-//! The case of `splat`.
+//! The cases of `splat` and `splat_backward`.
 
 use glam::Vec4;
-use organza_kernels::splat::{SplatKernel, SplatParams, VECTORS};
+use organza_kernels::math::TINY;
+use organza_kernels::splat::{
+    SplatBackwardKernel, SplatBackwardParams, SplatKernel, SplatParams, VECTORS,
+};
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
@@ -91,5 +94,143 @@ impl Parity for Splat {
         let gaussian = self.pair[index / vectors] % self.gaussians;
         let size = f64::from(self.opacity[gaussian as usize].abs());
         Bound::of(cpu.floats()[index].abs() * (1.0 + size))
+    }
+}
+
+/// Where the tiles of two cameras begin, and those of a third, which has none.
+const FIRST_TILE: [u32; 4] = [0, 3, 5, 5];
+
+/// Inputs of `splat_backward`.
+#[derive(Clone, Debug)]
+pub struct SplatBackward {
+    /// Gaussians of the scene.
+    pub gaussians: u32,
+    /// `camera * gaussians + gaussian`
+    pub pair: Vec<u32>,
+    /// `[tiles, words]`
+    pub tile_mask: Vec<u32>,
+    /// `[tiles, words]`: bits before each word.
+    pub first_member: Vec<u32>,
+    /// `[gaussians]`
+    pub opacity: Vec<f32>,
+    /// `[pairs]`
+    pub transmittance: Vec<f32>,
+    /// `[members, 3]`
+    pub member_gradient: Vec<[Vec4; 3]>,
+}
+
+impl SplatBackward {
+    fn new(gaussians: u32, fill: Fill, random: &mut Random) -> Self {
+        let words = gaussians.div_ceil(32);
+        let tiles = FIRST_TILE[3];
+        let mut tile_mask: Vec<_> = (0..tiles * words)
+            .map(|index| match (index / words, index % words) {
+                (1, 0) => u32::MAX,
+                (2, 0) => 0,
+                _ => random.bits() & random.bits(),
+            })
+            .collect();
+        // no bits behind the last Gaussian
+        for last in
+            tile_mask.iter_mut().skip(words.max(1) as usize - 1).step_by(words.max(1) as usize)
+        {
+            *last &= u32::MAX >> (32 * words - gaussians);
+        }
+        let mut members = 0;
+        let first_member = tile_mask.iter().map(|bits| {
+            members += bits.count_ones();
+            members - bits.count_ones()
+        });
+        let first_member = first_member.collect();
+        let mut set = Self {
+            gaussians,
+            pair: Vec::new(),
+            tile_mask,
+            first_member,
+            opacity: fill.values(random, gaussians as usize, [-12.0, 12.0], 3e38),
+            transmittance: Vec::new(),
+            member_gradient: Vec::new(),
+        };
+        let needed = |slot: &u32| !set.members(*slot).is_empty();
+        set.pair = (0..2 * gaussians).filter(needed).collect();
+        set.transmittance = random.values(set.pair.len(), 0.0, 1.0);
+        set.transmittance.iter_mut().step_by(7).for_each(|value| *value = 0.0);
+        let numbers = fill.values(random, 12 * members as usize, [-1.0, 1.0], 1e37);
+        let vectors: Vec<_> = numbers.chunks(4).map(Vec4::from_slice).collect();
+        set.member_gradient = vectors.as_chunks::<3>().0.to_vec();
+        set
+    }
+
+    /// Members that a pair is.
+    #[must_use]
+    pub fn members(&self, slot: u32) -> Vec<usize> {
+        let words = self.gaussians.div_ceil(32);
+        let (camera, gaussian) = ((slot / self.gaussians) as usize, slot % self.gaussians);
+        let of = |tile: u32| {
+            let word = (tile * words + gaussian / 32) as usize;
+            let (bits, bit) = (self.tile_mask[word], gaussian % 32);
+            let below = (bits & ((1 << bit) - 1)).count_ones();
+            (bits >> bit & 1 == 1).then_some((self.first_member[word] + below) as usize)
+        };
+        (FIRST_TILE[camera]..FIRST_TILE[camera + 1]).filter_map(of).collect()
+    }
+}
+
+impl Parity for SplatBackward {
+    const KERNEL: &'static str = "splat_backward";
+    const TOLERANCE: f64 = 8e-7;
+    const WHY: &'static str = "a rounding for each tile, of the terms' sizes, and two sigmoids: exp's 3 + 2 abs(x) ulp and a division";
+
+    fn sets() -> Vec<(String, Self)> {
+        let mut sets = inputs::sets(Self::new);
+        for size in [40.0, 80.0, 100.0] {
+            let mut set = Self::new(inputs::ITEMS, Fill::Random, &mut Random::new(5));
+            set.opacity.iter_mut().for_each(|opacity| *opacity *= size / 12.0);
+            sets.push((format!("opacities of {size}"), set));
+        }
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let pairs = self.pair.len() as u32;
+        let pair_gradient = bench.output::<Vec4>((VECTORS * pairs) as usize)?;
+        let words = self.gaussians.div_ceil(32);
+        let kernel = SplatBackwardKernel {
+            params: SplatBackwardParams { pairs, gaussians: self.gaussians, words },
+            pair: &bench.upload(&self.pair)?,
+            first_tile: &bench.upload(&FIRST_TILE)?,
+            tile_mask: &bench.upload(&self.tile_mask)?,
+            first_member: &bench.upload(&self.first_member)?,
+            opacity: &bench.upload(&self.opacity)?,
+            transmittance: &bench.upload(&self.transmittance)?,
+            member_gradient: &bench.upload(self.member_gradient.as_flattened())?,
+            pair_gradient: &pair_gradient,
+        };
+        bench.items(&kernel, pairs, 1)?;
+        let values = bench.read(&pair_gradient)?.into_iter().flat_map(|v| v.to_array());
+        Ok(vec![Output::float("pair_gradient", values)])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let (pair, part) = (index / 12, index % 12);
+        let Some(&slot) = self.pair.get(pair) else {
+            return Bound { scale: 0.0, floor: 0.0 };
+        };
+        let sum = |part: usize| -> f64 {
+            let terms = self.members(slot).into_iter();
+            let term = |member: usize| self.member_gradient[member][part / 4][part % 4];
+            terms.map(|member| f64::from(term(member).abs())).sum()
+        };
+        let opacity = f64::from(self.opacity[(slot % self.gaussians) as usize]);
+        let [s, rest] = [-opacity, opacity].map(|x| 1.0 / (1.0 + x.exp()));
+        let size = 1.0 + opacity.abs().min(100.0);
+        // what may be flushed: a sigmoid
+        let floor = f64::from(TINY) * (1.0 + sum(2));
+        let scale = match part {
+            2 => sum(2) * f64::from(self.transmittance[pair]) * s * rest * 2.0 * size,
+            3 => sum(2) * s * size,
+            _ => sum(part),
+        };
+        Bound { scale, floor }
     }
 }

@@ -20,7 +20,7 @@ use crate::error::Result;
 const FIRST_SAMPLE: u32 = 3;
 
 /// Counts of the samples of pairs that have about `samples` in all: most have some, some have none.
-fn counts(samples: u32, random: &mut Random) -> Vec<u32> {
+pub(super) fn counts(samples: u32, random: &mut Random) -> Vec<u32> {
     let mut counts = vec![0];
     let mut left = samples;
     while left > 0 {
@@ -32,7 +32,8 @@ fn counts(samples: u32, random: &mut Random) -> Vec<u32> {
     counts
 }
 
-fn prefix(counts: &[u32]) -> Vec<u32> {
+/// Where each pair's samples begin, and their number.
+pub(super) fn prefix(counts: &[u32]) -> Vec<u32> {
     let mut sum = 0;
     let sums = counts.iter().map(|count| {
         sum += count;

@@ -33,6 +33,12 @@ pub struct Pairs {
 pub struct Bins {
     pub pairs: Pairs,
     pub tile: Buffer<i32>,
+    /// Where each camera's tiles begin.
+    pub first_tile: Buffer<u32>,
+    /// `[tiles, words]`: the Gaussians that reach each tile.
+    pub tile_mask: Mask,
+    /// `[cameras, words]`: the Gaussians that each camera's tiles need.
+    pub pair_mask: Mask,
     /// Where each tile's members begin; on the device and here.
     pub tile_first: Buffer<u32>,
     pub first: Vec<u32>,
@@ -78,10 +84,11 @@ pub fn project(
 }
 
 /// Bits of a mask and how many lie before each of its words.
-struct Mask {
-    bits: Buffer<u32>,
+#[derive(Debug)]
+pub struct Mask {
+    pub bits: Buffer<u32>,
     /// `[words + 1]`: the exclusive sums, and the total.
-    first: Buffer<u32>,
+    pub first: Buffer<u32>,
 }
 
 impl Mask {
@@ -176,7 +183,17 @@ impl Bins {
         };
         device.run(&kernel, words, tiles)?;
         let pairs = Pairs { count: pairs, pair, camera, projection };
-        Ok(Self { pairs, tile, tile_first, first, member, degenerate })
+        Ok(Self {
+            pairs,
+            tile,
+            first_tile,
+            tile_mask,
+            pair_mask,
+            tile_first,
+            first,
+            member,
+            degenerate,
+        })
     }
 
     /// Memberships of all tiles.

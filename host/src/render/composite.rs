@@ -1,20 +1,27 @@
 //! B3 and C: the weighted sums of all tiles, and the image.
 
 use glam::Vec4;
-use organza_kernels::composite::{CompositeKernel, CompositeParams, ResolveKernel, ResolveParams};
+use organza_kernels::composite::{CompositeKernel, CompositeParams, SUM_PLANES};
+use organza_kernels::composite_backward::{
+    CompositeBackwardKernel, CompositeBackwardParams, band_rows,
+};
 use organza_kernels::limits::MAX_MEMBERS;
-use organza_kernels::splat::{SplatKernel, SplatParams, VECTORS};
+use organza_kernels::resolve::{ResolveBackwardKernel, ResolveKernel, ResolveParams};
+use organza_kernels::splat::{
+    SplatBackwardKernel, SplatBackwardParams, SplatKernel, SplatParams, VECTORS,
+};
 
 use super::DeviceScene;
 use super::bin::Bins;
+use super::plan::words;
 use crate::backend::{Buffer, Device};
-use crate::error::Result;
+use crate::error::{Error, Result};
 
 /// The composited tiles of a part.
 #[derive(Debug)]
 pub struct Composite {
-    /// `[tiles, S, S]`: C and S of Eq. 12.
-    pub sum: Buffer<Vec4>,
+    /// `[tiles, 4, S, S]`: C and S of Eq. 12.
+    pub sum: Buffer<f32>,
     /// `[tiles, 3, S, S]`
     pub image: Buffer<f32>,
     /// `[pairs, 3]`
@@ -45,8 +52,7 @@ impl Composite {
 
         let tiles = bins.first.len() - 1;
         let pixels = tiles * (side * side) as usize;
-        let sum = device.zeros("sums", pixels)?;
-        let groups = side.div_ceil(8);
+        let sum = device.zeros("sums", pixels * SUM_PLANES as usize)?;
         for pass in 0..bins.largest().div_ceil(MAX_MEMBERS) {
             let kernel = CompositeKernel {
                 params: CompositeParams { side, skip: pass * MAX_MEMBERS },
@@ -56,19 +62,107 @@ impl Composite {
                 splat: &splat,
                 sum: &sum,
             };
-            device.dispatch(&kernel, [groups, groups, tiles as u32])?;
+            device.run_over(&kernel, [side, side, tiles as u32])?;
         }
 
         let image = device.zeros("tiles", pixels * 3)?;
-        let [background_r, background_g, background_b] =
-            scene.config.background.map(|channel| channel as f32);
         let kernel = ResolveKernel {
-            params: ResolveParams { side, background_r, background_g, background_b },
+            params: resolve_params(scene, side),
             tile: &bins.tile,
             sum: &sum,
             image: &image,
         };
-        device.dispatch(&kernel, [groups, groups, tiles as u32])?;
+        device.run_over(&kernel, [side, side, tiles as u32])?;
         Ok(Self { sum, image, splat })
     }
+
+    /// The derivative of all that: `pair_gradient [pairs, 3]`, as [`splat_backward`](organza_kernels::splat) has it, of
+    /// `image_gradient [tiles, 3, S, S]`, dL/dI.
+    pub fn backward(
+        &self,
+        device: &Device,
+        scene: &DeviceScene,
+        side: u32,
+        bins: &Bins,
+        transmittance: &Buffer<f32>,
+        image_gradient: &Buffer<f32>,
+    ) -> Result<Buffer<Vec4>> {
+        let tiles = (bins.first.len() - 1) as u32;
+        let sum_gradient = device.zeros("gradient of the sums", self.sum.len())?;
+        let kernel = ResolveBackwardKernel {
+            params: resolve_params(scene, side),
+            tile: &bins.tile,
+            sum: &self.sum,
+            image_gradient,
+            sum_gradient: &sum_gradient,
+        };
+        device.run_over(&kernel, [side, side, tiles])?;
+        let member_gradient = self.members_backward(device, side, bins, &sum_gradient)?;
+
+        let pairs = &bins.pairs;
+        let pair_gradient =
+            device.zeros("gradient of the pairs", (pairs.count * VECTORS) as usize)?;
+        let kernel = SplatBackwardKernel {
+            params: SplatBackwardParams {
+                pairs: pairs.count,
+                gaussians: scene.gaussians,
+                words: words(scene.gaussians),
+            },
+            pair: &pairs.pair,
+            first_tile: &bins.first_tile,
+            tile_mask: &bins.tile_mask.bits,
+            first_member: &bins.tile_mask.first,
+            opacity: &scene.opacity,
+            transmittance,
+            member_gradient: &member_gradient,
+            pair_gradient: &pair_gradient,
+        };
+        device.run(&kernel, pairs.count, 1)?;
+        Ok(pair_gradient)
+    }
+
+    /// What each tile's members have of its pixels, `[members, 3]`: band by band, where a tile is large.
+    fn members_backward(
+        &self,
+        device: &Device,
+        side: u32,
+        bins: &Bins,
+        sum_gradient: &Buffer<f32>,
+    ) -> Result<Buffer<Vec4>> {
+        let members = bins.members();
+        let bytes = u64::from(members) * u64::from(VECTORS) * size_of::<Vec4>() as u64;
+        // kernels number the vectors in 32 bits
+        if members > u32::MAX / VECTORS {
+            let what = format!("the gradients of {members} members");
+            return Err(Error::OutOfMemory { needed: bytes, available: None, what });
+        }
+        let member_gradient =
+            device.zeros("gradient of the members", (members * VECTORS) as usize)?;
+        let band = band_rows(side);
+        for first_row in (0..side).step_by(band as usize) {
+            let kernel = CompositeBackwardKernel {
+                params: CompositeBackwardParams {
+                    members,
+                    tiles: (bins.first.len() - 1) as u32,
+                    side,
+                    first_row,
+                    rows: band.min(side - first_row),
+                },
+                tile: &bins.tile,
+                tile_first: &bins.tile_first,
+                member: &bins.member,
+                splat: &self.splat,
+                sum_gradient,
+                member_gradient: &member_gradient,
+            };
+            device.run(&kernel, members, 1)?;
+        }
+        Ok(member_gradient)
+    }
+}
+
+fn resolve_params(scene: &DeviceScene, side: u32) -> ResolveParams {
+    let [background_r, background_g, background_b] =
+        scene.config.background.map(|channel| channel as f32);
+    ResolveParams { side, background_r, background_g, background_b }
 }

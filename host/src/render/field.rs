@@ -11,12 +11,12 @@ use crate::scene::{Field, GridConfig, Interpolation, Network};
 /// A field whose tensors lie on a device.
 #[derive(Debug)]
 pub struct DeviceField {
-    levels: Buffer<GridLevel>,
-    table: Buffer<f32>,
+    pub(super) levels: Buffer<GridLevel>,
+    pub(super) table: Buffer<f32>,
     pub parameters: Buffer<Vec4>,
-    features: u32,
-    smoothstep: bool,
-    layers: Vec<LayerPlace>,
+    pub(super) features: u32,
+    pub(super) smoothstep: bool,
+    pub(super) layers: Vec<LayerPlace>,
 }
 
 /// Where a layer lies in the buffer of a network's parameters.
@@ -70,26 +70,26 @@ impl DeviceField {
         hidden.fold(inputs, usize::max)
     }
 
-    /// Writes the hash features of `scratch.point` to the rows of `scratch.input` from `first_row` on.
+    /// Writes the hash features of a chunk's points to the rows of its input from `first_row` on.
     pub fn encode(
         &self,
         device: &Device,
-        scratch: &Scratch,
+        rows: Rows<'_>,
         points: u32,
         first_row: u32,
     ) -> Result<()> {
         let kernel = HashGridKernel {
             params: HashGridParams {
                 points,
-                stride: scratch.stride,
+                stride: rows.stride,
                 first_row,
                 features: self.features,
                 smoothstep: u32::from(self.smoothstep),
             },
             levels: &self.levels,
             table: &self.table,
-            position: &scratch.point,
-            output: &scratch.input,
+            position: rows.point,
+            output: rows.input,
         };
         device.run(&kernel, points, self.levels.len() as u32)
     }
@@ -103,20 +103,43 @@ impl DeviceField {
     ) -> Result<&'s Buffer<f32>> {
         let (mut input, mut output) = (&scratch.input, &scratch.output);
         for layer in &self.layers[..self.layers.len() - 1] {
-            let params = DenseParams {
-                samples,
-                stride: scratch.stride,
-                inputs: layer.inputs,
-                columns: layer.columns,
-                weight: layer.weight,
-                bias: layer.bias,
-            };
-            let kernel = DenseKernel { params, parameters: &self.parameters, input, output };
-            device.run(&kernel, samples, layer.columns * 4 / HIDDEN_BLOCK)?;
+            self.layer(device, layer, input, output, scratch.stride, samples)?;
             (input, output) = (output, input);
         }
         Ok(input)
     }
+
+    /// A hidden layer: `input [inputs, stride]` to `output [4 columns, stride]`.
+    pub fn layer(
+        &self,
+        device: &Device,
+        layer: &LayerPlace,
+        input: &Buffer<f32>,
+        output: &Buffer<f32>,
+        stride: u32,
+        samples: u32,
+    ) -> Result<()> {
+        let params = DenseParams {
+            samples,
+            stride,
+            inputs: layer.inputs,
+            columns: layer.columns,
+            weight: layer.weight,
+            bias: layer.bias,
+        };
+        let kernel = DenseKernel { params, parameters: &self.parameters, input, output };
+        device.run(&kernel, samples, layer.columns * 4 / HIDDEN_BLOCK)
+    }
+}
+
+/// What a chunk's network reads.
+#[derive(Clone, Copy, Debug)]
+pub struct Rows<'a> {
+    /// `[6, stride]`, and what else a stage puts behind it.
+    pub point: &'a Buffer<f32>,
+    /// `[inputs, stride]`
+    pub input: &'a Buffer<f32>,
+    pub stride: u32,
 }
 
 /// Activations of one chunk, `[rows, stride]` each, and the chunk's points and `s_factor`, `[7, stride]`.
@@ -136,8 +159,7 @@ impl Scratch {
         // a CPU's chunk stays in its caches; a GPU's fills it
         let largest: u32 = if device.is_cpu_like() { 1 << 12 } else { 1 << 17 };
         let chunk = samples.min(largest);
-        // not a power of two: rows would fall into the same sets of a cache
-        let stride = chunk.next_multiple_of(16) + 16;
+        let stride = stride_of(chunk);
         let rows = field.rows(inputs);
         Ok(Self {
             point: device.zeros("points", (POINT_ROWS as usize + 1) * stride as usize)?,
@@ -148,16 +170,32 @@ impl Scratch {
         })
     }
 
+    /// What the network reads.
+    pub fn rows(&self) -> Rows<'_> {
+        Rows { point: &self.point, input: &self.input, stride: self.stride }
+    }
+
     /// The chunks of `samples` samples: first and count.
-    pub fn chunks(&self, samples: u32) -> impl Iterator<Item = (u32, u32)> {
-        let chunk = self.chunk.max(1);
-        (0..samples.div_ceil(chunk))
-            .map(move |index| (index * chunk, chunk.min(samples - index * chunk)))
+    pub fn chunks(&self, samples: u32) -> impl Iterator<Item = (u32, u32)> + use<> {
+        chunks(self.chunk, samples)
     }
 }
 
+/// Distance of two rows of a chunk's activations.
+pub fn stride_of(chunk: u32) -> u32 {
+    // not a power of two: rows would fall into the same sets of a cache
+    chunk.next_multiple_of(16) + 16
+}
+
+/// `samples` samples, `chunk` at a time: first and count.
+pub fn chunks(chunk: u32, samples: u32) -> impl Iterator<Item = (u32, u32)> {
+    let chunk = chunk.max(1);
+    (0..samples.div_ceil(chunk))
+        .map(move |index| (index * chunk, chunk.min(samples - index * chunk)))
+}
+
 /// A network's parameters as [`organza_kernels::dense`] reads them.
-fn pack_network(network: &Network) -> (Vec<Vec4>, Vec<LayerPlace>) {
+pub(super) fn pack_network(network: &Network) -> (Vec<Vec4>, Vec<LayerPlace>) {
     let mut parameters = Vec::new();
     let mut places: Vec<LayerPlace> = Vec::new();
     for (index, layer) in network.layers.iter().enumerate() {

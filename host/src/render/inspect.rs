@@ -160,13 +160,13 @@ impl Renderer {
             let [placed, conic] = std::array::from_fn(|v| splat[index * VECTORS as usize + v]);
             let color = color[index];
             let d = center - Vec2::new(placed.x, placed.y);
-            let alpha = alpha(placed, conic, center);
+            let alpha = alpha(placed, conic, center.x, center.y);
             sum += Vec4::new(alpha * color[0], alpha * color[1], alpha * color[2], alpha);
             let gaussian = (pair[index] % scene.gaussians) as usize;
             contributions.push(Contribution {
                 gaussian,
                 distance: d.length(),
-                falloff: falloff(mahalanobis(conic.truncate(), d)),
+                falloff: falloff(mahalanobis(conic.truncate(), d.x, d.y)),
                 opacity: organza_kernels::math::sigmoid(opacity[gaussian]),
                 samples: first[index + 1] - first[index],
                 transmittance: transmittance[index],
@@ -177,12 +177,12 @@ impl Renderer {
             });
         }
         // the running sums were taken here, these by the kernels
-        let sum = device.read(&part.composite.sum)?[0];
+        let sum = device.read(&part.composite.sum)?;
         let pixel = device.read(&part.composite.image)?;
         Ok(Inspection {
             contributions,
-            color_sum: sum.truncate().to_array(),
-            alpha_sum: sum.w,
+            color_sum: [sum[0], sum[1], sum[2]],
+            alpha_sum: sum[3],
             background: scene.config.background.map(|channel| channel as f32),
             pixel: [pixel[0], pixel[1], pixel[2]],
         })

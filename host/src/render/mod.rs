@@ -4,9 +4,16 @@ mod bin;
 mod color;
 mod composite;
 mod field;
+mod field_backward;
+mod gradient;
+mod hash_grid;
 mod inspect;
+mod loss;
+mod pair;
+mod parameters;
 mod part;
 mod plan;
+mod project;
 mod scan;
 mod scene;
 mod transmittance;
@@ -19,7 +26,10 @@ use crate::error::{Error, Result};
 use crate::memory;
 use crate::tile::TileBatch;
 
+pub use gradient::SceneGradient;
 pub use inspect::{Contribution, Inspection, Stages};
+pub use loss::{Loss, LossInputs, LossOutput, TileLoss};
+pub use parameters::Parameter;
 pub use scene::DeviceScene;
 
 use plan::Plan;

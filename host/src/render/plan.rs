@@ -1,6 +1,6 @@
 //! Cuts a batch into parts that fit the device.
 
-use organza_kernels::limits::MAX_TILES;
+use organza_kernels::limits::{MAX_CAMERAS, MAX_TILES};
 use organza_kernels::tile::Tile as KernelTile;
 
 use super::DeviceScene;
@@ -113,7 +113,8 @@ impl Limits {
         let gaussians = u64::from(scene.gaussians);
         // projection: two vectors for each Gaussian and camera; pairs are numbered in 31 bits
         let camera_bytes = gaussians * 32;
-        let most_cameras = (buffer / camera_bytes).min((1 << 31) / gaussians);
+        let most_cameras =
+            (buffer / camera_bytes).min((1 << 31) / gaussians).min(u64::from(MAX_CAMERAS));
         let cameras = (part_bytes / camera_bytes).max(1).min(most_cameras);
         // sums: a vector for each pixel; masks: a word for every 32 Gaussians, at most 2^26 of them; memberships: 31 bits
         let tile_bytes = u64::from(side * side) * 16;

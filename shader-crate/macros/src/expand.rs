@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use syn::parse_quote;
 
-use crate::parse::{Kernel, Role};
+use crate::parse::{Kernel, Lanes, Role};
 
 pub fn expand(kernel: &Kernel) -> TokenStream {
     let function = function(kernel);
@@ -80,6 +80,8 @@ fn entry_point(kernel: &Kernel) -> TokenStream {
         }
     });
     let names = kernel.parameters.iter().map(|parameter| &parameter.name);
+    // an invocation of a GPU is a lane
+    let lane = kernel.lanes.is_some().then(|| quote!(::<f32>));
     quote! {
         #[cfg(target_arch = "spirv")]
         #[allow(missing_docs, clippy::too_many_arguments)]
@@ -91,7 +93,7 @@ fn entry_point(kernel: &Kernel) -> TokenStream {
             #(#parameters),*
         ) {
             let id = crate::invocation::Invocation::new(local, workgroup, workgroups, ::glam::UVec3::new(#x, #y, #z));
-            self::#name(id, #(#names),*);
+            self::#name #lane (id, #(#names),*);
         }
     }
 }
@@ -135,7 +137,8 @@ fn info(kernel: &Kernel) -> TokenStream {
         Some(iterations) => quote!(::core::option::Option::Some(#iterations)),
         None => quote!(::core::option::Option::None),
     };
-    let (count, run, fused) = (kernel.parameters.len(), cpu_run(kernel), kernel.fused);
+    let (count, run) = (kernel.parameters.len(), cpu_run(kernel));
+    let (fused, layers) = (kernel.fused, kernel.layers);
     quote! {
         #[cfg(not(target_arch = "spirv"))]
         #[::linkme::distributed_slice(crate::kernel::KERNELS)]
@@ -147,6 +150,7 @@ fn info(kernel: &Kernel) -> TokenStream {
                 workgroup_size: [#x, #y, #z],
                 iterations: #iterations,
                 fused: #fused,
+                layers: #layers,
                 bindings: &[#(#bindings),*],
                 shared: &[#(#shared),*],
                 run: run(),
@@ -193,6 +197,9 @@ fn cpu_run(kernel: &Kernel) -> TokenStream {
             const fn run() -> crate::kernel::CpuRun { crate::kernel::CpuRun::Invocation(run_invocation) }
         };
     }
+    if let Some(lanes) = &kernel.lanes {
+        return lane_run(kernel, lanes, &views.collect::<Vec<_>>());
+    }
     quote! {
         unsafe fn run_workgroup(
             bindings: &[crate::kernel::CpuBinding],
@@ -216,6 +223,71 @@ fn cpu_run(kernel: &Kernel) -> TokenStream {
             }
         }
         const fn run() -> crate::kernel::CpuRun { crate::kernel::CpuRun::Workgroup(run_workgroup) }
+    }
+}
+
+/// `const fn run()` of a kernel that is generic over lanes: one function for each instruction set.
+fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStream {
+    let name = &kernel.function.sig.ident;
+    let names: Vec<_> = kernel.parameters.iter().map(|parameter| &parameter.name).collect();
+    let [x, y, z] = kernel.threads;
+    let flat = y == 1 && z == 1;
+    let uniform = kernel.parameters.iter().find(|p| matches!(p.role, Role::Uniform));
+    let uniform = uniform.map(|parameter| &parameter.name);
+    let step = match lanes {
+        Lanes::Inside => quote! {
+            self::#name::<L>(id, #(#names),*);
+            local_x += 1;
+        },
+        Lanes::Invocations(end) => {
+            let at = if flat { quote!(id.index()) } else { quote!(id.global().x) };
+            quote! {
+                let end: u32 = #uniform.#end;
+                if end >= L::WIDTH && #at <= end - L::WIDTH {
+                    self::#name::<L>(id, #(#names),*);
+                    local_x += L::WIDTH;
+                } else {
+                    // what is left over, lane by lane
+                    self::#name::<L::One>(id, #(#names),*);
+                    local_x += 1;
+                }
+            }
+        }
+    };
+    let whole = match lanes {
+        Lanes::Inside => quote!(),
+        Lanes::Invocations(_) => quote! {
+            const _: () = ::core::assert!(#x % crate::lane::MAX_WIDTH == 0, "lanes fill a workgroup");
+        },
+    };
+    quote! {
+        #whole
+        #[inline(always)]
+        unsafe fn run_lanes<L: crate::lane::Lane>(
+            bindings: &[crate::kernel::CpuBinding],
+            workgroup: ::glam::UVec3,
+            workgroups: ::glam::UVec3,
+        ) {
+            #(
+                // SAFETY: the caller passes bindings of the declared types
+                #views
+            )*
+            let size = ::glam::UVec3::new(#x, #y, #z);
+            for local_z in 0..#z {
+                for local_y in 0..#y {
+                    let mut local_x = 0;
+                    while local_x < #x {
+                        let local = ::glam::UVec3::new(local_x, local_y, local_z);
+                        let id = crate::invocation::Invocation::new(local, workgroup, workgroups, size);
+                        crate::kernel::enter(local_x + #x * (local_y + #y * local_z));
+                        #step
+                    }
+                }
+            }
+        }
+        const fn run() -> crate::kernel::CpuRun {
+            crate::kernel::lane_runs!(run_lanes)
+        }
     }
 }
 

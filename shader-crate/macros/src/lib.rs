@@ -26,6 +26,14 @@
 //! A kernel that loops states how often at most, all its loops together, in constants that the host holds its inputs
 //! to: `#[kernel(threads(64), iterations = MAX_SAMPLES)]`.
 //!
+//! A kernel that is worth it is generic over `Lane`: `#[kernel(threads(64), lanes(samples))] fn dense<L: Lane>(..)`.
+//! A GPU runs it with `f32`, the CPU with SIMD: a call stands for `L::WIDTH` consecutive invocations along x, all of
+//! them below the field `samples` of the parameters.  With `lanes` alone each invocation is one call and uses the
+//! lanes as it likes.
+//!
+//! With `layers`, the CPU runs the workgroups of one z one after another on one thread: the kernel may change what only
+//! invocations of one z touch with `atomic::add_wide`, which is atomic on a GPU alone.
+//!
 //! Binding numbers are positions in the parameter list, in descriptor set 0.  From this one
 //! declaration follow the SPIR-V entry point, the typed dispatch of the host (`SquareKernel`), the CPU
 //! execution and the entry in the manifest.

@@ -27,11 +27,22 @@ pub struct Parameter {
     pub element: Type,
 }
 
+/// How the CPU fills the lanes of a kernel that is generic over them.
+pub enum Lanes {
+    /// With consecutive invocations along x, those below a field of the uniform buffer.
+    Invocations(Ident),
+    /// The kernel does it itself: each invocation has all lanes.
+    Inside,
+}
+
 /// A kernel's declaration.
 pub struct Kernel {
     pub function: ItemFn,
     pub threads: [u32; 3],
     pub fused: bool,
+    /// On the CPU a layer of workgroups, those of one z, runs on one thread.
+    pub layers: bool,
+    pub lanes: Option<Lanes>,
     /// The most iterations of one invocation.
     pub iterations: Option<Expr>,
     /// What the kernel calls its invocation.
@@ -42,7 +53,7 @@ pub struct Kernel {
 impl Kernel {
     pub fn parse(attribute: TokenStream, item: TokenStream) -> Result<Self> {
         let function: ItemFn = syn::parse2(item)?;
-        let Attribute { threads, fused, iterations } = parse_attribute(attribute)?;
+        let Attribute { threads, fused, layers, lanes, iterations } = parse_attribute(attribute)?;
         let mut inputs = function.sig.inputs.iter();
         let id = inputs.next().and_then(invocation).ok_or_else(|| {
             Error::new(function.sig.span(), "the first parameter of a kernel is `id: Invocation`")
@@ -51,10 +62,22 @@ impl Kernel {
         if parameters.iter().filter(|p| matches!(p.role, Role::Uniform)).count() > 1 {
             return Err(Error::new(function.sig.span(), "a kernel has at most one `&Params`"));
         }
-        if !function.sig.generics.params.is_empty() {
-            return Err(Error::new(function.sig.generics.span(), "an entry point has no generics"));
+        let generics = &function.sig.generics;
+        if lanes.is_none() && !generics.params.is_empty() {
+            return Err(Error::new(generics.span(), "a kernel without `lanes` has no generics"));
         }
-        Ok(Self { function, threads, fused, iterations, id, parameters })
+        if lanes.is_some() && (generics.params.len() != 1 || generics.type_params().count() != 1) {
+            return Err(Error::new(
+                function.sig.span(),
+                "a kernel with `lanes` is generic over one `Lane`",
+            ));
+        }
+        let kernel = Self { function, threads, fused, layers, lanes, iterations, id, parameters };
+        if kernel.lanes.is_some() && kernel.has_shared() {
+            let message = "a kernel with workgroup memory has no `lanes`";
+            return Err(Error::new(kernel.function.sig.span(), message));
+        }
+        Ok(kernel)
     }
 
     pub fn has_shared(&self) -> bool {
@@ -65,25 +88,45 @@ impl Kernel {
 struct Attribute {
     threads: [u32; 3],
     fused: bool,
+    layers: bool,
+    lanes: Option<Lanes>,
     iterations: Option<Expr>,
 }
 
-/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n` and `fused`
+/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `layers`, and `lanes` or `lanes(field)`
 fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     let mut threads = None;
     let mut fused = false;
+    let mut layers = false;
+    let mut lanes = None;
     let mut iterations = None;
     let parser = syn::meta::parser(|meta| {
         if meta.path.is_ident("fused") {
             fused = true;
             return Ok(());
         }
+        if meta.path.is_ident("layers") {
+            layers = true;
+            return Ok(());
+        }
         if meta.path.is_ident("iterations") {
             iterations = Some(meta.value()?.parse()?);
             return Ok(());
         }
+        if meta.path.is_ident("lanes") {
+            lanes = Some(if meta.input.peek(syn::token::Paren) {
+                let content;
+                syn::parenthesized!(content in meta.input);
+                Lanes::Invocations(content.parse()?)
+            } else {
+                Lanes::Inside
+            });
+            return Ok(());
+        }
         if !meta.path.is_ident("threads") {
-            return Err(meta.error("expected `threads(x, y, z)`, `iterations = n` or `fused`"));
+            let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `layers`, \
+                `lanes` or `lanes(field)`";
+            return Err(meta.error(expected));
         }
         let content;
         syn::parenthesized!(content in meta.input);
@@ -106,7 +149,13 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     parser.parse2(attribute.clone())?;
     let threads = threads
         .ok_or_else(|| Error::new(attribute.span(), "expected `#[kernel(threads(x, y, z))]`"))?;
-    Ok(Attribute { threads, fused, iterations })
+    if layers && threads[2] != 1 {
+        return Err(Error::new(
+            attribute.span(),
+            "a layer is one workgroup thick: `threads(x, y)`",
+        ));
+    }
+    Ok(Attribute { threads, fused, layers, lanes, iterations })
 }
 
 /// The name of `id: Invocation`.

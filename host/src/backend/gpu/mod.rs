@@ -162,6 +162,10 @@ impl Gpu {
         Ok(())
     }
 
+    pub fn clear(&self, buffer: &wgpu::Buffer) {
+        self.recorder().clear(&self.device, buffer);
+    }
+
     pub fn lose(&self) {
         self.device.destroy();
     }

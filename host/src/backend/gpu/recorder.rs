@@ -91,6 +91,10 @@ impl Recorder {
         pass.dispatch_workgroups(x, y, z);
     }
 
+    pub fn clear(&mut self, device: &wgpu::Device, buffer: &wgpu::Buffer) {
+        self.encoder(device).clear_buffer(buffer, 0, None);
+    }
+
     /// Copies into `target` after everything recorded, and submits.
     pub fn copy(
         &mut self,

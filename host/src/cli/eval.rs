@@ -1,0 +1,201 @@
+//! `organza eval`: how close a scene comes to photographs.
+
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+use std::time::Instant;
+
+use clap::ValueEnum;
+use organza::data::{Dataset, DatasetOptions, Frame};
+use organza::evaluate::{Event, Score, evaluate, tiles};
+use organza::{DeviceScene, Error, Evaluation, Renderer, Result, Scene};
+
+use super::console::{Console, print, print_json};
+use super::device::DeviceArgs;
+use super::picture::warn_not_finite;
+use super::summary::count;
+use super::table::Table;
+
+/// The scene in the folder of a training run.
+const CHECKPOINT: &str = "checkpoint.safetensors";
+
+const EXAMPLES: &str = "\
+Examples:
+  organza eval run data/garden --downscale 4
+  organza eval scene.safetensors data/lego --background 1,1,1 --json
+  organza eval run data/garden --split train
+
+PSNR is in decibels, SSIM has windows of 11 x 11 pixels with Gaussian weights of sigma 1.5. Pixels that \
+undistorting left without a color do not count. In JSON a value is null where it does not exist (no pixel \
+or no window counts), and so is the infinite PSNR of equal images.";
+
+/// Measure how close a scene comes to photographs: PSNR and SSIM of each view
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The scene, safetensors, or the folder of a training run
+    scene: PathBuf,
+    /// The data set: a folder or a transforms.json
+    data: PathBuf,
+    /// Which frames to measure on
+    #[arg(long, value_enum, default_value_t)]
+    split: Split,
+    /// Every so many-th frame is held out, beginning with the first
+    #[arg(long, value_name = "N", default_value_t = 8)]
+    #[arg(value_parser = clap::value_parser!(u32).range(2..))]
+    hold_out_every: u32,
+    /// Make photographs smaller by this factor
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=1024))]
+    downscale: u32,
+    /// Put photographs with an alpha channel in front of this color, of 0 to 1 [default: the scene's
+    /// background]
+    #[arg(long, value_name = "R,G,B")]
+    background: Option<Color>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    device: DeviceArgs,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
+enum Split {
+    /// Those that training does not see
+    #[default]
+    HeldOut,
+    /// Those that training sees
+    Train,
+    /// Both
+    All,
+}
+
+/// Red, green and blue.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Color([f32; 3]);
+
+impl FromStr for Color {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let values: Option<Vec<f32>> =
+            text.split(',').map(|part| part.trim().parse().ok()).collect();
+        values
+            .and_then(|values| values.try_into().ok())
+            .filter(|color: &[f32; 3]| color.iter().all(|value| (0.0..=1.0).contains(value)))
+            .map(Self)
+            .ok_or_else(|| "expected three numbers of 0 to 1, such as 1,1,1".to_owned())
+    }
+}
+
+pub fn run(args: &Args) -> Result<()> {
+    let console = args.device.console();
+    let scene = scene_file(&args.scene)?;
+    let scene = console.during("reading the scene", || Scene::load(&scene))?;
+    let dataset = load(args, &scene, console)?;
+    let frames = frames(args, &dataset)?;
+    let renderer = args.device.open()?;
+    let scene = renderer.upload(&scene)?;
+    let evaluation = measure(&renderer, &scene, &frames, console)?;
+    if args.json { print_json(&evaluation) } else { print(&table(&evaluation)) }
+}
+
+/// The scene's file: the one that was named, or that of a run's folder.
+fn scene_file(path: &Path) -> Result<PathBuf> {
+    if !path.is_dir() {
+        return Ok(path.to_owned());
+    }
+    let file = path.join(CHECKPOINT);
+    if file.exists() {
+        return Ok(file);
+    }
+    let reason = format!(
+        "the folder holds no {CHECKPOINT}, so it is no training run's; name a scene file, or the \
+         folder that training wrote to"
+    );
+    Err(Error::Invalid { origin: path.to_owned(), reason })
+}
+
+fn load(args: &Args, scene: &Scene, console: Console) -> Result<Dataset> {
+    let background = args.background.map_or_else(
+        || scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32),
+        |Color(color)| color,
+    );
+    // Where all are measured, it does not matter to whom a frame belongs.
+    let hold_out_every = if args.split == Split::All { 0 } else { args.hold_out_every as usize };
+    let options = DatasetOptions { downscale: args.downscale, hold_out_every, background };
+    let dataset = console
+        .during("reading the photographs", || Dataset::load(&args.data, &options, &|_, _| {}))?;
+    if let Some(first) = dataset.missing.first() {
+        let (missing, first) = (count(dataset.missing.len() as u64, "photograph"), first.display());
+        console.warn(&format!("not there, and left out: {missing}, first {first}"));
+    }
+    Ok(dataset)
+}
+
+fn frames<'a>(args: &Args, dataset: &'a Dataset) -> Result<Vec<&'a Frame>> {
+    let chosen = |indices: &[usize]| indices.iter().map(|&index| &dataset.frames[index]).collect();
+    let frames: Vec<_> = match args.split {
+        Split::HeldOut => chosen(&dataset.held_out),
+        Split::Train => chosen(&dataset.train),
+        Split::All => dataset.frames.iter().collect(),
+    };
+    if frames.is_empty() {
+        let reason = "no frame of the data set is held out; measure on others with `--split train` or \
+                      `--split all`, or hold out others with `--hold-out-every`";
+        return Err(Error::Invalid { origin: args.data.clone(), reason: reason.to_owned() });
+    }
+    Ok(frames)
+}
+
+fn measure(
+    renderer: &Renderer,
+    scene: &DeviceScene,
+    frames: &[&Frame],
+    console: Console,
+) -> Result<Evaluation> {
+    let start = Instant::now();
+    let evaluation = {
+        let progress = console.progress(tiles(frames), "tiles");
+        progress.say(&frames[0].name);
+        evaluate(renderer, scene, frames, &mut |event| match event {
+            Event::Tiles(tiles) => progress.advance(tiles),
+            Event::View { index, .. } => {
+                progress.say(frames.get(index + 1).map_or("", |next| &next.name));
+            }
+        })?
+    };
+    let seconds = start.elapsed().as_secs_f64();
+    console.note(&format!("measured {} in {seconds:.1} s", count(frames.len() as u64, "view")));
+    warn_not_finite(console, evaluation.not_finite);
+    Ok(evaluation)
+}
+
+/// A row for each view, and their mean.
+fn table(evaluation: &Evaluation) -> String {
+    let mut table = Table::new(1, ["view", "PSNR", "SSIM"]);
+    let cell = |value: Option<f64>, digits| match value {
+        Some(value) => format!("{value:.digits$}"),
+        None => "-".to_owned(),
+    };
+    let mut row = |name: &str, score: &Score| {
+        table.row([name.to_owned(), cell(score.psnr, 2), cell(score.ssim, 4)]);
+    };
+    for view in &evaluation.views {
+        row(&view.name, &view.score);
+    }
+    row("mean", &evaluation.mean);
+    table.to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colors_are_three_numbers() {
+        assert_eq!("1, 0.5,0".parse(), Ok(Color([1.0, 0.5, 0.0])));
+        for bad in ["", "1,1", "1,1,1,1", "1,1,2", "-0.1,0,0", "a,b,c", "NaN,0,0"] {
+            assert!(bad.parse::<Color>().is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! COLMAP's sparse models, binary and text.
+
+mod binary;
+mod model;
+mod text;
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+use super::develop::Shot;
+use super::{DatasetKind, Listing, Point, invalid, is_held_out};
+use crate::camera::Camera;
+use crate::error::Result;
+use model::Intrinsics;
+
+/// Where a model may be in a data set, the first one first.
+const FOLDERS: [&str; 4] = ["sparse/0", "sparse", "colmap/sparse/0", ""];
+
+/// A photograph as COLMAP writes it.
+struct Image {
+    /// From world to camera: a quaternion, w first.
+    rotation: [f64; 4],
+    /// From world to camera, after the rotation.
+    translation: [f64; 3],
+    camera: u32,
+    name: String,
+}
+
+type Cameras = HashMap<u32, Intrinsics>;
+/// Points by their ids.
+type Points = Vec<(u64, Point)>;
+
+/// The files of a model.
+pub(super) struct Model {
+    cameras: PathBuf,
+    images: PathBuf,
+    points: PathBuf,
+    is_binary: bool,
+}
+
+/// The model of a data set; where one is there both ways, the binary one, as COLMAP takes it.
+pub(super) fn find(folder: &Path) -> Option<Model> {
+    let model = |(folder, extension): (PathBuf, &str)| {
+        let file = |stem: &str| folder.join(format!("{stem}.{extension}"));
+        let (cameras, images, points) = (file("cameras"), file("images"), file("points3D"));
+        cameras.is_file().then(|| Model { cameras, images, points, is_binary: extension == "bin" })
+    };
+    let folders = FOLDERS.iter().map(|name| folder.join(name));
+    let both = |folder: PathBuf| [(folder.clone(), "bin"), (folder, "txt")];
+    folders.flat_map(both).find_map(model)
+}
+
+/// What a model holds. Images are sorted by name, and points by id: COLMAP writes both in no
+/// particular order.
+pub(super) fn list(folder: &Path, model: &Model, hold_out_every: usize) -> Result<Listing> {
+    let (cameras, mut images, mut points) = read(model)?;
+    images.sort_by(|a, b| a.name.cmp(&b.name));
+    points.sort_by_key(|(id, _)| *id);
+    let mut listing =
+        Listing { kind: DatasetKind::Colmap, shots: vec![], missing: vec![], points: vec![] };
+    for (position, image) in images.into_iter().enumerate() {
+        let Some(intrinsics) = cameras.get(&image.camera) else {
+            let (name, id, file) = (&image.name, image.camera, model.cameras.display());
+            let reason = format!("image `{name}` has camera {id}, which is not in {file}");
+            return invalid(&model.images, reason);
+        };
+        let pose = model::camera(&image, intrinsics);
+        let camera = match pose.and_then(|camera| camera.check().map(|()| camera)) {
+            Ok(camera) => camera,
+            Err(reason) => {
+                return invalid(&model.images, format!("image `{}`: {reason}", image.name));
+            }
+        };
+        let expected = folder.join("images").join(&image.name);
+        let candidates = [expected.clone(), folder.join(&image.name)];
+        match candidates.into_iter().find(|path| path.exists() && !path.is_dir()) {
+            Some(path) => listing.shots.push(Shot {
+                name: image.name,
+                path,
+                camera,
+                lens: intrinsics.lens,
+                held_out: is_held_out(position, hold_out_every),
+            }),
+            None => listing.missing.push(expected),
+        }
+    }
+    listing.points = points.into_iter().map(|(_, point)| point).collect();
+    if let Some((index, point)) = listing.points.iter().enumerate().find(|(_, p)| !is_finite(p)) {
+        let position = point.position;
+        let reason = format!("point {index} is at {position:?}, expected finite coordinates");
+        return invalid(&model.points, reason);
+    }
+    Ok(listing)
+}
+
+fn read(model: &Model) -> Result<(Cameras, Vec<Image>, Points)> {
+    // A model without points still has cameras, and other starting points will do.
+    let has_points = model.points.exists();
+    let read = if model.is_binary {
+        let points = if has_points { binary::points(&model.points)? } else { Vec::new() };
+        (binary::cameras(&model.cameras)?, binary::images(&model.images)?, points)
+    } else {
+        let points = if has_points { text::points(&model.points)? } else { Vec::new() };
+        (text::cameras(&model.cameras)?, text::images(&model.images)?, points)
+    };
+    if read.1.is_empty() {
+        return invalid(&model.images, "the model has no images; did COLMAP finish?".to_owned());
+    }
+    Ok(read)
+}
+
+fn is_finite(point: &Point) -> bool {
+    point.position.iter().all(|&value| (value as f32).is_finite())
+}

@@ -1,0 +1,130 @@
+//! COLMAP's camera models and poses in organza's terms.
+
+use glam::{DMat3, DQuat, DVec3};
+
+use super::{Camera, Image};
+use crate::camera::MAX_IMAGE_SIDE;
+use crate::data::lens::Lens;
+
+/// COLMAP's models: their ids are their places in this list. Some have the number of their
+/// parameters: these are read.
+const MODELS: [(&str, Option<usize>); 16] = [
+    ("SIMPLE_PINHOLE", Some(3)),
+    ("PINHOLE", Some(4)),
+    ("SIMPLE_RADIAL", Some(4)),
+    ("RADIAL", Some(5)),
+    ("OPENCV", Some(8)),
+    ("OPENCV_FISHEYE", None),
+    ("FULL_OPENCV", None),
+    ("FOV", None),
+    ("SIMPLE_RADIAL_FISHEYE", None),
+    ("RADIAL_FISHEYE", None),
+    ("THIN_PRISM_FISHEYE", None),
+    ("RAD_TAN_THIN_PRISM_FISHEYE", None),
+    ("SIMPLE_DIVISION", None),
+    ("DIVISION", None),
+    ("SIMPLE_FISHEYE", None),
+    ("FISHEYE", None),
+];
+
+/// A camera without its pose.
+pub(in crate::data) struct Intrinsics {
+    focal: [f64; 2],
+    center: [f64; 2],
+    size: [u32; 2],
+    pub lens: Lens,
+}
+
+/// A camera model that is read.
+#[derive(Clone, Copy)]
+pub(super) struct Lenses {
+    name: &'static str,
+    /// How many parameters it has, 8 at most.
+    pub parameters: usize,
+}
+
+impl Lenses {
+    /// The model of a name, as text files have it.
+    pub fn of_name(name: &str) -> Result<Self, String> {
+        match MODELS.iter().find(|(known, _)| *known == name) {
+            Some(&(name, Some(parameters))) => Ok(Self { name, parameters }),
+            _ => Err(refusal(name)),
+        }
+    }
+
+    /// The model of a number, as binary files have it.
+    pub fn of_id(id: i32) -> Result<Self, String> {
+        let model = usize::try_from(id).ok().and_then(|id| MODELS.get(id));
+        match model {
+            Some((name, _)) => Self::of_name(name),
+            None => Err(refusal(&format!("number {id}"))),
+        }
+    }
+
+    /// The camera of a size and as many values as the model has parameters.
+    pub fn intrinsics(self, size: [u64; 2], values: &[f64]) -> Result<Intrinsics, String> {
+        let side = |side: u64| u32::try_from(side).ok().filter(|side| *side <= MAX_IMAGE_SIDE);
+        let [Some(width), Some(height)] = size.map(side) else {
+            let [width, height] = size;
+            return Err(format!(
+                "the camera has {width} x {height} pixels, expected 1 to {MAX_IMAGE_SIDE} each"
+            ));
+        };
+        let (focal, center, radial, tangential) = match (self.name, values) {
+            ("SIMPLE_PINHOLE", &[f, x, y]) => ([f, f], [x, y], [0.0; 3], [0.0; 2]),
+            ("PINHOLE", &[f_x, f_y, x, y]) => ([f_x, f_y], [x, y], [0.0; 3], [0.0; 2]),
+            ("SIMPLE_RADIAL", &[f, x, y, k]) => ([f, f], [x, y], [k, 0.0, 0.0], [0.0; 2]),
+            ("RADIAL", &[f, x, y, k1, k2]) => ([f, f], [x, y], [k1, k2, 0.0], [0.0; 2]),
+            ("OPENCV", &[f_x, f_y, x, y, k1, k2, p1, p2]) => {
+                ([f_x, f_y], [x, y], [k1, k2, 0.0], [p1, p2])
+            }
+            _ => {
+                let (name, parameters) = (self.name, self.parameters);
+                return Err(format!("{name} has {parameters} parameters, not {}", values.len()));
+            }
+        };
+        if let Some(value) = radial.iter().chain(&tangential).find(|value| !value.is_finite()) {
+            return Err(format!("a distortion coefficient is {value}, expected a finite number"));
+        }
+        Ok(Intrinsics { focal, center, size: [width, height], lens: Lens { radial, tangential } })
+    }
+}
+
+fn refusal(name: &str) -> String {
+    let known = MODELS.iter().filter(|model| model.1.is_some());
+    let known: Vec<_> = known.map(|model| model.0).collect();
+    format!(
+        "the camera model {name} is not supported; those that are read are {}: undistort the \
+         photographs first, with `colmap image_undistorter`",
+        known.join(", ")
+    )
+}
+
+/// The camera of an image. COLMAP maps world to camera and has OpenCV axes; the result maps camera
+/// to world and has OpenGL axes.
+pub(super) fn camera(image: &Image, intrinsics: &Intrinsics) -> Result<Camera, String> {
+    let [w, x, y, z] = image.rotation;
+    let rotation = DQuat::from_xyzw(x, y, z, w);
+    let length = rotation.length();
+    if !(length.is_finite() && length > 1e-6) {
+        return Err(format!("the rotation is {:?}, expected a quaternion", image.rotation));
+    }
+    let to_world = DMat3::from_quat(rotation.normalize()).transpose();
+    let eye = -(to_world * DVec3::from_array(image.translation));
+    let row = |axis: usize| {
+        let [x, y, z] = to_world.row(axis).to_array();
+        [x, -y, -z, eye[axis]]
+    };
+    let Intrinsics { focal, center, size, lens } = intrinsics;
+    Ok(Camera {
+        camera_to_world: [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]],
+        fl_x: focal[0],
+        fl_y: focal[1],
+        cx: center[0],
+        cy: center[1],
+        width: size[0],
+        height: size[1],
+        file_path: Some(image.name.clone()),
+        distorted: !lens.is_pinhole(),
+    })
+}

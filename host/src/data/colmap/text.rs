@@ -1,0 +1,129 @@
+//! `cameras.txt`, `images.txt` and `points3D.txt`: a record a line, values between blanks.
+
+use std::fs::File;
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+use std::str::FromStr;
+
+use super::model::{Intrinsics, Lenses};
+use super::{Cameras, Image, Points};
+use crate::data::{Point, invalid};
+use crate::error::{Error, Result};
+use crate::input::open_regular;
+
+/// Reads `cameras.txt`.
+pub(super) fn cameras(path: &Path) -> Result<Cameras> {
+    let mut lines = Lines::open(path)?;
+    let mut cameras = Cameras::new();
+    while lines.next_record()? {
+        let (id, intrinsics) = lines.parse(camera)?;
+        cameras.insert(id, intrinsics);
+    }
+    Ok(cameras)
+}
+
+/// Reads `images.txt`.
+pub(super) fn images(path: &Path) -> Result<Vec<Image>> {
+    let mut lines = Lines::open(path)?;
+    let mut images = Vec::new();
+    while lines.next_record()? {
+        images.push(lines.parse(image)?);
+        // The second line has the image's points, and may be empty.
+        lines.advance()?;
+    }
+    Ok(images)
+}
+
+/// Reads `points3D.txt`.
+pub(super) fn points(path: &Path) -> Result<Points> {
+    let mut lines = Lines::open(path)?;
+    let mut points = Points::new();
+    while lines.next_record()? {
+        points.push(lines.parse(point)?);
+    }
+    Ok(points)
+}
+
+fn camera(mut line: &str) -> Result<(u32, Intrinsics), String> {
+    let id = value(&mut line, "CAMERA_ID")?;
+    let lenses = Lenses::of_name(word(&mut line))?;
+    let size = [value(&mut line, "WIDTH")?, value(&mut line, "HEIGHT")?];
+    let mut values = Vec::new();
+    while !line.is_empty() {
+        values.push(value(&mut line, "PARAMS[]")?);
+    }
+    Ok((id, lenses.intrinsics(size, &values)?))
+}
+
+fn image(mut line: &str) -> Result<Image, String> {
+    let _id: u32 = value(&mut line, "IMAGE_ID")?;
+    let mut next = |name| value(&mut line, name);
+    let rotation = [next("QW")?, next("QX")?, next("QY")?, next("QZ")?];
+    let translation = [next("TX")?, next("TY")?, next("TZ")?];
+    let camera = value(&mut line, "CAMERA_ID")?;
+    if line.is_empty() {
+        return Err("NAME is missing".to_owned());
+    }
+    Ok(Image { rotation, translation, camera, name: line.to_owned() })
+}
+
+fn point(mut line: &str) -> Result<(u64, Point), String> {
+    let id = value(&mut line, "POINT3D_ID")?;
+    let mut next = |name| value(&mut line, name);
+    let position = [next("X")?, next("Y")?, next("Z")?];
+    let color = [value(&mut line, "R")?, value(&mut line, "G")?, value(&mut line, "B")?];
+    Ok((id, Point { position, color: Some(color) }))
+}
+
+/// The next word of a line, which loses it.
+fn word<'a>(line: &mut &'a str) -> &'a str {
+    let (word, rest) = line.split_once(|c: char| c.is_whitespace()).unwrap_or((line, ""));
+    *line = rest.trim_start();
+    word
+}
+
+fn value<T: FromStr>(line: &mut &str, name: &str) -> Result<T, String> {
+    match word(line) {
+        "" => Err(format!("{name} is missing")),
+        word => word.parse().map_err(|_| format!("{name} is `{word}`, expected a number")),
+    }
+}
+
+/// The lines of a file, and where it is.
+struct Lines<'a> {
+    reader: BufReader<File>,
+    path: &'a Path,
+    line: String,
+    number: u64,
+}
+
+impl<'a> Lines<'a> {
+    fn open(path: &'a Path) -> Result<Self> {
+        let reader = BufReader::new(open_regular(path)?.0);
+        Ok(Self { reader, path, line: String::new(), number: 0 })
+    }
+
+    /// Goes to the next line, if there is one.
+    fn advance(&mut self) -> Result<bool> {
+        self.line.clear();
+        self.number += 1;
+        let read = self.reader.read_line(&mut self.line);
+        Ok(read.map_err(|source| Error::read(self.path, source))? > 0)
+    }
+
+    /// Goes to the next line that is neither empty nor a comment.
+    fn next_record(&mut self) -> Result<bool> {
+        while self.advance()? {
+            let line = self.line.trim();
+            if !line.is_empty() && !line.starts_with('#') {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    fn parse<T>(&self, parse: impl FnOnce(&str) -> Result<T, String>) -> Result<T> {
+        parse(self.line.trim())
+            .or_else(|reason| invalid(self.path, format!("line {}: {reason}", self.number)))
+    }
+}

@@ -1,0 +1,251 @@
+//! Photographs with the cameras that took them: what a scene is trained on and measured against.
+//!
+//! Read are nerfstudio's, Blender's (NeRF synthetic) and COLMAP's data sets; see `docs/data.md`.
+
+mod colmap;
+mod decode;
+mod develop;
+mod lens;
+mod photograph;
+mod ply;
+#[cfg(test)]
+mod tests;
+mod transforms;
+
+use std::fmt;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use rayon::prelude::*;
+
+use crate::camera::Camera;
+use crate::error::{Error, Result};
+use crate::memory;
+use develop::Shot;
+pub use photograph::Photograph;
+
+/// How photographs are read, and which of them are kept from training.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DatasetOptions {
+    /// Photographs become smaller by this factor, 1 or more: a pixel is the mean of a square of
+    /// `downscale` by `downscale` pixels. What is left over at the right and the lower edge, where
+    /// a side does not divide, is cut off. Cameras follow.
+    pub downscale: u32,
+    /// Every so many-th frame is held out, beginning with the first; 0 holds none out. The frames
+    /// of Blender's `transforms_test.json`, where there is one, are held out instead.
+    pub hold_out_every: usize,
+    /// What photographs with an alpha channel are put in front of: red, green and blue of 0 to 1,
+    /// as sRGB values.
+    pub background: [f32; 3],
+}
+
+impl Default for DatasetOptions {
+    fn default() -> Self {
+        Self { downscale: 1, hold_out_every: 8, background: [0.0; 3] }
+    }
+}
+
+impl DatasetOptions {
+    fn check(&self) -> Result<()> {
+        let refuse = |reason: String| Err(Error::Argument { reason });
+        if self.downscale == 0 {
+            return refuse("`downscale` is 0, expected 1 (full size) or more".to_owned());
+        }
+        if self.hold_out_every == 1 {
+            return refuse(
+                "`hold_out_every` is 1, which leaves nothing to train on; expected 2 or more, or 0 \
+                 to hold no frame out"
+                    .to_owned(),
+            );
+        }
+        if !self.background.iter().all(|value| (0.0..=1.0).contains(value)) {
+            let background = self.background;
+            return refuse(format!("`background` is {background:?}, expected values of 0 to 1"));
+        }
+        Ok(())
+    }
+}
+
+/// Where a data set came from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DatasetKind {
+    /// nerfstudio's `transforms.json`.
+    Nerfstudio,
+    /// `transforms_train.json` and `transforms_test.json`, as NeRF's synthetic scenes have them.
+    Blender,
+    /// A sparse model of COLMAP.
+    Colmap,
+    /// Frames that a caller made.
+    Generated,
+}
+
+impl fmt::Display for DatasetKind {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Nerfstudio => "nerfstudio",
+            Self::Blender => "Blender",
+            Self::Colmap => "COLMAP",
+            Self::Generated => "generated",
+        })
+    }
+}
+
+/// A photograph and the camera that took it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frame {
+    /// The photograph's path as the data set writes it.
+    pub name: String,
+    /// The pinhole camera that belongs to `image`: undistorted, and of its size.
+    pub camera: Camera,
+    /// The photograph, undistorted and downscaled.
+    pub image: Photograph,
+}
+
+/// A point where training may start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// Where it is, in world units; finite in f32.
+    pub position: [f64; 3],
+    /// Its red, green and blue as sRGB values, where the data set has them.
+    pub color: Option<[u8; 3]>,
+}
+
+/// Photographs with poses.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dataset {
+    /// All frames: in the file's order (nerfstudio), those of the train file and then those of the
+    /// test file (Blender), or sorted by name (COLMAP).
+    pub frames: Vec<Frame>,
+    /// Indices into `frames` of those to train on, ascending.
+    pub train: Vec<usize>,
+    /// Indices into `frames` of those held out to measure on, ascending.
+    pub held_out: Vec<usize>,
+    /// Points where training may start; empty where the data set has none.
+    pub points: Vec<Point>,
+    /// Photographs that the data set names and that are not there; their frames are left out.
+    pub missing: Vec<PathBuf>,
+    /// What kind of data set it was.
+    pub kind: DatasetKind,
+    /// What it was read from; empty for frames that a caller made.
+    pub path: PathBuf,
+}
+
+/// A data set before its photographs are read.
+struct Listing {
+    kind: DatasetKind,
+    shots: Vec<Shot>,
+    missing: Vec<PathBuf>,
+    points: Vec<Point>,
+}
+
+impl Dataset {
+    /// Reads a data set: a folder, or a `transforms.json` itself. Of a folder the first of these
+    /// counts: `transforms.json`, `transforms_train.json`, a sparse model of COLMAP in `sparse/0`,
+    /// `sparse`, `colmap/sparse/0` or the folder itself.
+    ///
+    /// `progress` is called from several threads with the number of photographs that are done and
+    /// the number of all, first with none.
+    ///
+    /// A photograph that is not there is listed in `missing`, and its frame left out. Which frames
+    /// are held out does not depend on that: missing ones are counted too.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] for options out of range; [`Error::ReadFile`], [`Error::BadJson`],
+    /// [`Error::Invalid`] or [`Error::Camera`] for what is damaged, unknown or not supported;
+    /// [`Error::Invalid`] where no frame is left to train on; [`Error::OutOfMemory`].
+    pub fn load(
+        path: &Path,
+        options: &DatasetOptions,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<Self> {
+        options.check()?;
+        let listing = list(path, options)?;
+        let count = listing.shots.len();
+        if let (0, Some(missing)) = (count, listing.missing.first()) {
+            let (all, missing) = (listing.missing.len(), missing.display());
+            return invalid(
+                path,
+                format!("none of the {all} photographs is there; the first should be {missing}"),
+            );
+        }
+        check_memory(&listing.shots, options)?;
+        progress(0, count);
+        let done = AtomicUsize::new(0);
+        let develop = |shot: &Shot| {
+            let frame = shot.develop(options)?;
+            progress(done.fetch_add(1, Ordering::Relaxed) + 1, count);
+            Ok(frame)
+        };
+        let frames = listing.shots.par_iter().map(develop).collect::<Result<Vec<_>>>()?;
+        let (held_out, train): (Vec<_>, Vec<_>) =
+            (0..count).partition(|&index| listing.shots[index].held_out);
+        if train.is_empty() {
+            let reason = format!(
+                "all {count} photographs that are there are held out, so none is left to train on; \
+                 add photographs, or hold none out"
+            );
+            return invalid(path, reason);
+        }
+        let Listing { kind, missing, points, .. } = listing;
+        Ok(Self { frames, train, held_out, points, missing, kind, path: path.to_owned() })
+    }
+
+    /// A data set of frames that were not read from files. Every `hold_out_every`-th is held out,
+    /// beginning with the first; 0 holds none out.
+    #[must_use]
+    pub fn from_frames(frames: Vec<Frame>, hold_out_every: usize) -> Self {
+        let (held_out, train) =
+            (0..frames.len()).partition(|&index| is_held_out(index, hold_out_every));
+        let (points, missing, path) = Default::default();
+        Self { frames, train, held_out, points, missing, kind: DatasetKind::Generated, path }
+    }
+}
+
+/// Whether the frame at a position of the data set's order is held out.
+fn is_held_out(position: usize, every: usize) -> bool {
+    // No number but 0 is a multiple of 0, and with 0 not even the first frame is held out.
+    every != 0 && position.is_multiple_of(every)
+}
+
+/// Finds out what kind of data set a path is, and what it holds.
+fn list(path: &Path, options: &DatasetOptions) -> Result<Listing> {
+    let every = options.hold_out_every;
+    let nerfstudio = path.join("transforms.json");
+    let blender = path.join(transforms::BLENDER_TRAIN);
+    let metadata = fs::metadata(path).map_err(|source| Error::read(path, source))?;
+    if !metadata.is_dir() {
+        let is_blender = path.file_name().is_some_and(|name| name == transforms::BLENDER_TRAIN);
+        return if is_blender {
+            transforms::blender(path, every)
+        } else {
+            transforms::nerfstudio(path, every)
+        };
+    }
+    if nerfstudio.exists() {
+        transforms::nerfstudio(&nerfstudio, every)
+    } else if blender.exists() {
+        transforms::blender(&blender, every)
+    } else if let Some(model) = colmap::find(path) {
+        colmap::list(path, &model, every)
+    } else {
+        let reason = "no data set was found here; looked for transforms.json (nerfstudio), \
+                      transforms_train.json (Blender), and cameras.bin or cameras.txt of a sparse \
+                      model (COLMAP) in sparse/0, sparse, colmap/sparse/0 and the folder itself";
+        invalid(path, reason.to_owned())
+    }
+}
+
+/// Fails before hours of reading where the photographs will not fit.
+fn check_memory(shots: &[Shot], options: &DatasetOptions) -> Result<()> {
+    let pixels = |shot: &Shot| {
+        let side = |side: u32| u64::from(side / options.downscale);
+        side(shot.camera.width) * side(shot.camera.height)
+    };
+    let bytes = shots.iter().map(pixels).sum::<u64>() * size_of::<([u8; 3], bool)>() as u64;
+    memory::check(bytes, "the photographs (a larger downscale makes them smaller)")
+}
+
+fn invalid<T>(origin: &Path, reason: String) -> Result<T> {
+    Err(Error::Invalid { origin: origin.to_owned(), reason })
+}

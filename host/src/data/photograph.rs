@@ -1,0 +1,103 @@
+//! The pixels of a photograph, and which of them the lens has seen.
+
+use crate::error::{Error, Result};
+use crate::image::Image;
+
+/// An image of 8-bit red, green and blue as sRGB values.
+///
+/// Undistorting may leave pixels that no pixel of the photograph belongs to: these are not valid,
+/// and nothing may be learned from them or measured on them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Photograph {
+    width: u32,
+    height: u32,
+    /// Row by row.
+    pixels: Vec<[u8; 3]>,
+    /// Row by row; none where all are valid.
+    valid: Option<Vec<bool>>,
+}
+
+impl Photograph {
+    /// A photograph of `[width, height]` pixels, row by row. `valid` has as many values as there
+    /// are pixels; without it every pixel is valid.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] where the lengths are not those of the size.
+    pub fn new(
+        [width, height]: [u32; 2],
+        pixels: Vec<[u8; 3]>,
+        valid: Option<Vec<bool>>,
+    ) -> Result<Self> {
+        let count = u64::from(width) * u64::from(height);
+        let lengths = [Some(pixels.len()), valid.as_ref().map(Vec::len)];
+        if let Some(length) = lengths.into_iter().flatten().find(|&len| len as u64 != count) {
+            let reason =
+                format!("a photograph of {width} x {height} has {count} pixels, not {length}");
+            return Err(Error::Argument { reason });
+        }
+        let valid = valid.filter(|valid| valid.contains(&false));
+        Ok(Self { width, height, pixels, valid })
+    }
+
+    /// Width in pixels.
+    #[must_use]
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Height in pixels.
+    #[must_use]
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// Red, green and blue of every pixel, row by row. Those that are not valid are black.
+    #[must_use]
+    pub fn pixels(&self) -> &[[u8; 3]] {
+        &self.pixels
+    }
+
+    /// Whether each pixel is valid, row by row; none where all are.
+    #[must_use]
+    pub fn valid(&self) -> Option<&[bool]> {
+        self.valid.as_deref()
+    }
+
+    /// Whether every pixel is valid.
+    #[must_use]
+    pub fn all_valid(&self) -> bool {
+        self.valid.is_none()
+    }
+
+    /// Whether the pixel of column `x` and row `y` is valid.
+    ///
+    /// # Panics
+    /// Where the pixel is outside the photograph.
+    #[must_use]
+    pub fn is_valid(&self, x: u32, y: u32) -> bool {
+        let index = self.index(x, y);
+        self.valid.as_ref().is_none_or(|valid| valid[index])
+    }
+
+    /// Red, green and blue of column `x` and row `y`, of 0 to 1.
+    ///
+    /// # Panics
+    /// Where the pixel is outside the photograph.
+    #[must_use]
+    pub fn color(&self, x: u32, y: u32) -> [f32; 3] {
+        self.pixels[self.index(x, y)].map(|value| f32::from(value) / 255.0)
+    }
+
+    fn index(&self, x: u32, y: u32) -> usize {
+        assert!(x < self.width && y < self.height, "pixel {x},{y} is outside the photograph");
+        y as usize * self.width as usize + x as usize
+    }
+}
+
+/// An image that was rendered, all of it valid.
+impl From<&Image> for Photograph {
+    fn from(image: &Image) -> Self {
+        let [width, height] = image.size();
+        Self { width, height, pixels: image.pixels().to_vec(), valid: None }
+    }
+}

@@ -1,0 +1,163 @@
+use std::fs;
+
+use super::colmap_files::{Model, cameras_txt, sample, write, write_model};
+use super::*;
+
+fn dataset(model: &Model, binary: bool) -> Dataset {
+    let folder = tempfile::tempdir().unwrap();
+    write(folder.path(), model, binary);
+    Dataset { path: PathBuf::new(), ..load(folder.path()).unwrap() }
+}
+
+/// Where organza sees a point, in pixels.
+fn project(camera: &Camera, point: [f64; 3]) -> [f64; 2] {
+    let eye = camera.eye();
+    let seen = camera.world_to_camera_opencv().map(|row| -> f64 {
+        row.iter().zip(point.iter().zip(eye)).map(|(a, (p, e))| a * (p - e)).sum()
+    });
+    [camera.fl_x * seen[0] / seen[2] + camera.cx, camera.fl_y * seen[1] / seen[2] + camera.cy]
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// COLMAP's own way: the point turned by the quaternion, moved, and projected without distortion.
+fn colmap_project(
+    quaternion: [f64; 4],
+    translation: [f64; 3],
+    [f_x, f_y, cx, cy]: [f64; 4],
+    point: [f64; 3],
+) -> [f64; 2] {
+    let length = quaternion.iter().map(|value| value * value).sum::<f64>().sqrt();
+    let [w, x, y, z] = quaternion.map(|value| value / length);
+    let axis = [x, y, z];
+    let twice = cross(axis, point).map(|value| 2.0 * value);
+    let turn = cross(axis, twice);
+    let seen: [f64; 3] =
+        std::array::from_fn(|i| point[i] + w * twice[i] + turn[i] + translation[i]);
+    [f_x * seen[0] / seen[2] + cx, f_y * seen[1] / seen[2] + cy]
+}
+
+/// The rotation by 120 degrees about (1, 1, 1) makes (z, x, y) of (x, y, z), so that (1, 2, 10) is
+/// seen at (10, 1, 2) + (-9.5, -1.25, 2) = (0.5, -0.25, 4).
+#[test]
+fn a_known_rotation_gives_the_pixels_computed_by_hand() {
+    let dataset = dataset(&sample(), true);
+    let camera = &dataset.frames[1].camera;
+    assert_eq!(camera.file_path.as_deref(), Some("b c.png"));
+    let place = project(camera, [1.0, 2.0, 10.0]);
+    let expected = [100.0 * 0.125 + 32.0, 24.0 - 100.0 * 0.0625];
+    assert!(place.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12), "{place:?}");
+    // The camera's axes in the world: right is z, up is -x, back is -y.
+    let axes = [[0.0, -1.0, 0.0], [0.0, 0.0, -1.0], [1.0, 0.0, 0.0]];
+    for (row, axes) in camera.camera_to_world.iter().zip(axes) {
+        assert!(row.iter().zip(axes).all(|(a, b)| (a - b).abs() < 1e-12), "{camera:?}");
+    }
+    // -R^T t
+    let eye = camera.eye();
+    assert!(eye.iter().zip([1.25, -2.0, 9.5]).all(|(a, b)| (a - b).abs() < 1e-12), "{eye:?}");
+}
+
+#[test]
+fn points_are_seen_where_colmap_sees_them() {
+    let model = sample();
+    let dataset = dataset(&model, true);
+    for (image, index) in [(1, 0), (0, 1), (2, 2)] {
+        let (name, rotation, translation, camera) = model.images[image];
+        let frame = &dataset.frames[index];
+        assert_eq!(frame.name, name);
+        let intrinsics =
+            if camera == 7 { [60.5, 61.5, 31.0, 25.0] } else { [100.0, 100.0, 32.0, 24.0] };
+        for point in [[1.0, 2.0, 10.0], [-3.0, 0.5, 4.0], [0.0, 7.0, -2.5]] {
+            let found = project(&frame.camera, point);
+            let expected = colmap_project(rotation, translation, intrinsics, point);
+            let is_near = |(a, b): (&f64, f64)| (a - b).abs() < 1e-9 * b.abs().max(1.0);
+            assert!(found.iter().zip(expected).all(is_near), "{name}: {found:?} {expected:?}");
+        }
+    }
+}
+
+#[test]
+fn binary_and_text_are_the_same() {
+    let (binary, text) = (dataset(&sample(), true), dataset(&sample(), false));
+    assert_eq!(binary, text);
+    assert_eq!(binary.kind, DatasetKind::Colmap);
+    let names: Vec<_> = binary.frames.iter().map(|frame| frame.name.as_str()).collect();
+    assert_eq!(names, ["a.png", "b c.png", "sub/c.png"]);
+    assert_eq!((binary.held_out, binary.train), (vec![0], vec![1, 2]));
+    // By their ids, 12 and 90.
+    let points = [
+        Point { position: [4.0, 5.0, 6.0], color: Some([7, 8, 9]) },
+        Point { position: [0.1, -0.2, 0.3], color: Some([255, 0, 1]) },
+    ];
+    assert_eq!(binary.points, points);
+    let [bent, straight, _] = binary.frames.as_slice() else { panic!() };
+    assert!(!bent.image.all_valid() && straight.image.all_valid());
+    assert!(!bent.camera.distorted);
+}
+
+#[test]
+fn every_model_that_is_known_is_read() {
+    for (name, id, values, expected) in [
+        ("SIMPLE_PINHOLE", 0, vec![9.0, 3.5, 2.5], [9.0, 9.0, 3.5, 2.5]),
+        ("PINHOLE", 1, vec![9.0, 8.0, 3.5, 2.5], [9.0, 8.0, 3.5, 2.5]),
+        ("SIMPLE_RADIAL", 2, vec![9.0, 3.5, 2.5, 3.0], [9.0, 9.0, 3.5, 2.5]),
+        ("RADIAL", 3, vec![9.0, 3.5, 2.5, 3.0, 0.1], [9.0, 9.0, 3.5, 2.5]),
+        ("OPENCV", 4, vec![9.0, 8.0, 3.5, 2.5, 3.0, 0.1, 0.01, 0.02], [9.0, 8.0, 3.5, 2.5]),
+    ] {
+        let mut model = sample();
+        model.cameras =
+            vec![(7, (name, id), [8, 6], values.clone()), (2, (name, id), [8, 6], values)];
+        let (binary, text) = (dataset(&model, true), dataset(&model, false));
+        assert_eq!(binary, text);
+        let Camera { fl_x, fl_y, cx, cy, .. } = binary.frames[0].camera;
+        assert_eq!([fl_x, fl_y, cx, cy], expected, "{name}");
+        assert_eq!(binary.frames[0].image.all_valid(), id < 2, "{name}");
+    }
+}
+
+#[test]
+fn models_and_images_are_found_where_they_may_be() {
+    for place in ["sparse/0", "sparse", "colmap/sparse/0", ""] {
+        let folder = tempfile::tempdir().unwrap();
+        let root = folder.path();
+        write(root, &sample(), true);
+        fs::remove_dir_all(root.join("sparse")).unwrap();
+        write_model(&root.join(place), &sample(), false);
+        // Photographs may lie in the folder itself.
+        fs::rename(root.join("images/a.png"), root.join("a.png")).unwrap();
+        fs::remove_file(root.join("images/b c.png")).unwrap();
+        let dataset = load(root).unwrap();
+        assert_eq!(dataset.frames.len(), 2, "{place}");
+        assert_eq!(dataset.missing, [root.join("images/b c.png")]);
+    }
+}
+
+#[test]
+fn binary_goes_before_text_and_points_are_not_needed() {
+    let folder = tempfile::tempdir().unwrap();
+    let root = folder.path();
+    write(root, &sample(), true);
+    fs::write(root.join("sparse/0/cameras.txt"), "nonsense").unwrap();
+    assert_eq!(load(root).unwrap().points.len(), 2);
+    fs::remove_file(root.join("sparse/0/points3D.bin")).unwrap();
+    assert!(load(root).unwrap().points.is_empty());
+    fs::remove_file(root.join("sparse/0/cameras.bin")).unwrap();
+    fs::write(root.join("sparse/0/cameras.txt"), cameras_txt(&sample())).unwrap();
+    assert_refused(root, &["images.txt", "no such file"]);
+}
+
+/// An editor may have taken the last, empty line.
+#[test]
+fn the_last_line_of_images_may_be_missing() {
+    let mut model = sample();
+    model.images.truncate(2);
+    model.images.reverse();
+    let folder = tempfile::tempdir().unwrap();
+    write(folder.path(), &model, false);
+    let path = folder.path().join("sparse/0/images.txt");
+    let text = fs::read_to_string(&path).unwrap();
+    fs::write(&path, text.replace("\n1.5 2.5 -1\n", "")).unwrap();
+    assert_eq!(load(folder.path()).unwrap().frames.len(), 2);
+}

@@ -1,0 +1,116 @@
+//! What is the same for every kind: which kind it is, which frames are held out, what is missing.
+
+use std::fs;
+use std::sync::Mutex;
+
+use super::colmap_files::{self, sample};
+use super::*;
+
+#[test]
+fn kinds_are_told_apart_in_order() {
+    let folder = tempfile::tempdir().unwrap();
+    let root = folder.path();
+    let kind = || load(root).unwrap().kind;
+    colmap_files::write(root, &sample(), true);
+    assert_eq!(kind(), DatasetKind::Colmap);
+    write_image(&root.join("images/0.png"), [6, 4], [1, 2, 3]);
+    write_image(&root.join("images/1.png"), [6, 4], [1, 2, 3]);
+    write_json(&root.join("transforms_train.json"), &transforms(2));
+    assert_eq!(kind(), DatasetKind::Blender);
+    write_json(&root.join("transforms.json"), &transforms(2));
+    assert_eq!(kind(), DatasetKind::Nerfstudio);
+    let single = load(&root.join("transforms_train.json")).unwrap();
+    assert_eq!(single.kind, DatasetKind::Blender);
+    assert_eq!(load(&root.join("transforms.json")).unwrap().path, root.join("transforms.json"));
+    assert_eq!(single.kind.to_string(), "Blender");
+}
+
+#[test]
+fn unknown_folders_say_what_was_looked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let name = folder.path().display().to_string();
+    assert_refused(
+        folder.path(),
+        &[&name, "transforms.json", "transforms_train.json", "cameras.bin", "sparse/0"],
+    );
+    assert_refused(&folder.path().join("absent"), &["absent", "no such file"]);
+}
+
+#[test]
+fn every_eighth_frame_is_held_out() {
+    let folder = nerfstudio_folder(&transforms(18));
+    let dataset = load(folder.path()).unwrap();
+    assert_eq!(dataset.held_out, [0, 8, 16]);
+    assert_eq!(dataset.train.len(), 15);
+    assert!(dataset.train.iter().all(|index| index % 8 != 0));
+    let every = |hold_out_every| {
+        let options = DatasetOptions { hold_out_every, ..DatasetOptions::default() };
+        Dataset::load(folder.path(), &options, &|_, _| {}).unwrap().held_out
+    };
+    assert_eq!(every(7), [0, 7, 14]);
+    assert!(every(0).is_empty());
+    let generated = Dataset::from_frames(dataset.frames.clone(), 8);
+    assert_eq!((generated.held_out, generated.train), (dataset.held_out, dataset.train));
+    assert_eq!(generated.kind, DatasetKind::Generated);
+}
+
+#[test]
+fn progress_counts_every_photograph() {
+    let folder = nerfstudio_folder(&transforms(5));
+    let calls = Mutex::new(Vec::new());
+    let progress = |done, all| calls.lock().unwrap().push((done, all));
+    Dataset::load(folder.path(), &DatasetOptions::default(), &progress).unwrap();
+    let mut calls = calls.into_inner().unwrap();
+    calls.sort_unstable();
+    assert_eq!(calls, [(0, 5), (1, 5), (2, 5), (3, 5), (4, 5), (5, 5)]);
+}
+
+/// Frames are not exchanged between training and measuring when a photograph gets lost.
+#[test]
+fn missing_photographs_are_named_and_left_out() {
+    let folder = nerfstudio_folder(&transforms(10));
+    let lost = folder.path().join("images/3.png");
+    fs::remove_file(&lost).unwrap();
+    let dataset = load(folder.path()).unwrap();
+    assert_eq!(dataset.missing, [lost]);
+    let names = |indices: &[usize]| -> Vec<_> {
+        indices.iter().map(|&index| dataset.frames[index].name.clone()).collect()
+    };
+    assert_eq!(names(&dataset.held_out), ["images/0.png", "images/8.png"]);
+    assert_eq!(names(&dataset.train)[2..4], ["images/4.png", "images/5.png"]);
+    assert_eq!(dataset.frames[3].image.color(0, 0)[0], 4.0 / 255.0);
+}
+
+#[test]
+fn without_photographs_there_is_no_data_set() {
+    let folder = nerfstudio_folder(&transforms(3));
+    fs::remove_file(folder.path().join("images/1.png")).unwrap();
+    fs::remove_file(folder.path().join("images/2.png")).unwrap();
+    assert_refused(folder.path(), &["all 1 photographs", "none is left to train on"]);
+    fs::remove_file(folder.path().join("images/0.png")).unwrap();
+    assert_refused(folder.path(), &["none of the 3 photographs", "0.png"]);
+}
+
+#[test]
+fn options_are_checked() {
+    let folder = nerfstudio_folder(&transforms(2));
+    let assert_option = |options: DatasetOptions, facts: &[&str]| {
+        let result = Dataset::load(folder.path(), &options, &|_, _| {});
+        assert!(matches!(result, Err(Error::Argument { .. })), "{result:?}");
+        assert_facts(result, facts);
+    };
+    let default = DatasetOptions::default;
+    assert_option(DatasetOptions { downscale: 0, ..default() }, &["`downscale` is 0", "1 ("]);
+    assert_option(
+        DatasetOptions { hold_out_every: 1, ..default() },
+        &["`hold_out_every` is 1", "2 or more, or 0"],
+    );
+    assert_option(
+        DatasetOptions { background: [0.0, 1.5, 0.0], ..default() },
+        &["`background`", "1.5", "0 to 1"],
+    );
+    assert_option(
+        DatasetOptions { background: [f32::NAN; 3], ..default() },
+        &["`background`", "NaN"],
+    );
+}

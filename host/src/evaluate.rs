@@ -1,0 +1,198 @@
+//! How close a scene comes to photographs: each is rendered whole and compared, by PSNR and SSIM.
+//!
+//! What is compared is the rendered value of f32, clamped to 0 to 1 as a picture would be but not rounded to 8 bits; a NaN
+//! is black. Pixels that the photograph does not have (undistorting leaves such) do not count: PSNR is over the others,
+//! and SSIM over the windows that touch none of them.
+
+#[cfg(test)]
+mod tests;
+
+use serde::{Deserialize, Serialize};
+
+use crate::data::Frame;
+use crate::error::{Error, Result};
+use crate::image::{Image, bands};
+use crate::memory;
+use crate::metrics::{psnr, ssim};
+use crate::render::{DeviceScene, RenderedTiles, Renderer};
+use crate::tile::TileBatch;
+
+/// Side of the tiles that an image is cut into, in pixels. Scores do not depend on it.
+const TILE_SIDE: u32 = 64;
+
+/// What a comparison of an image with its photograph gave.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Score {
+    /// The peak signal-to-noise ratio in decibels. Infinite where the image equals the photograph, which JSON writes as
+    /// null; none, null too, where no pixel of the photograph is valid.
+    pub psnr: Option<f64>,
+    /// The structural similarity, at most 1; none, null in JSON, where no window of 11 x 11 pixels is valid.
+    pub ssim: Option<f64>,
+}
+
+/// The score of one frame.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ViewScore {
+    /// The photograph's path as the data set writes it.
+    pub name: String,
+    /// How close the image came to it.
+    #[serde(flatten)]
+    pub score: Score,
+}
+
+/// The scores of some frames. As JSON: `{"mean": {"psnr", "ssim"}, "views": [{"name", "psnr", "ssim"}, ...]}`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Evaluation {
+    /// The means over the views that have the value; none where no view has.
+    pub mean: Score,
+    /// The frames, in the order they were given.
+    pub views: Vec<ViewScore>,
+    /// Pixels that were rendered as a NaN or an infinity, in all views. Not part of the JSON.
+    #[serde(skip)]
+    pub not_finite: u64,
+}
+
+/// What happens during [`evaluate`].
+#[derive(Clone, Copy, Debug)]
+pub enum Event<'a> {
+    /// So many more tiles were rendered, of all that [`tiles`] counts.
+    Tiles(usize),
+    /// A view is done.
+    View {
+        /// Its place among the frames.
+        index: usize,
+        /// How close it came.
+        score: &'a ViewScore,
+        /// The picture, of the photograph's size.
+        image: &'a Image,
+    },
+}
+
+/// The number of tiles that [`evaluate`] renders for some frames.
+#[must_use]
+pub fn tiles(frames: &[&Frame]) -> u64 {
+    let across = |pixels: u32| u64::from(pixels.div_ceil(TILE_SIDE));
+    frames.iter().map(|frame| across(frame.camera.width) * across(frame.camera.height)).sum()
+}
+
+/// Renders each frame and compares it with its photograph. One image is in memory at a time, and what is rendered of it
+/// at once is bounded.
+///
+/// ```no_run
+/// # use organza::{Dataset, DeviceScene, Renderer, evaluate};
+/// # fn example(renderer: &Renderer, scene: &DeviceScene, dataset: &Dataset) -> organza::Result<()> {
+/// let frames: Vec<_> = dataset.held_out.iter().map(|&index| &dataset.frames[index]).collect();
+/// let evaluation = evaluate(renderer, scene, &frames, &mut |_| {})?;
+/// println!("{:?}", evaluation.mean.psnr);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Errors
+/// [`Error::Argument`] where a photograph does not have its camera's size; else as [`Renderer::render`].
+pub fn evaluate(
+    renderer: &Renderer,
+    scene: &DeviceScene,
+    frames: &[&Frame],
+    watch: &mut dyn FnMut(Event<'_>),
+) -> Result<Evaluation> {
+    let (mut views, mut not_finite) = (Vec::with_capacity(frames.len()), 0);
+    for (index, frame) in frames.iter().enumerate() {
+        let rendered = Rendered::new(renderer, scene, frame, watch)?;
+        let score = ViewScore { name: frame.name.clone(), score: rendered.score(frame)? };
+        not_finite += rendered.image.not_finite();
+        watch(Event::View { index, score: &score, image: &rendered.image });
+        views.push(score);
+    }
+    Ok(Evaluation { mean: mean(&views), views, not_finite })
+}
+
+/// The means over the views that have the value.
+fn mean(views: &[ViewScore]) -> Score {
+    let mean = |value: fn(&Score) -> Option<f64>| {
+        let values: Vec<_> = views.iter().filter_map(|view| value(&view.score)).collect();
+        (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
+    };
+    Score { psnr: mean(|score| score.psnr), ssim: mean(|score| score.ssim) }
+}
+
+/// A frame as it was rendered.
+struct Rendered {
+    image: Image,
+    /// `[height, width]` colors of 0 to 1.
+    colors: Vec<[f32; 3]>,
+}
+
+impl Rendered {
+    fn new(
+        renderer: &Renderer,
+        scene: &DeviceScene,
+        frame: &Frame,
+        watch: &mut dyn FnMut(Event<'_>),
+    ) -> Result<Self> {
+        let camera = &frame.camera;
+        let size = [camera.width, camera.height];
+        let found = [frame.image.width(), frame.image.height()];
+        if size != found {
+            let reason = format!(
+                "the photograph of frame {} has {} x {} pixels, but its camera {} x {}",
+                frame.name, found[0], found[1], size[0], size[1]
+            );
+            return Err(Error::Argument { reason });
+        }
+        let mut rendered =
+            Self { image: Image::new(size[0], size[1])?, colors: colors(frame, "an image")? };
+        for batch in bands(0, size, TILE_SIDE) {
+            let batch = batch?;
+            let mut progress = |tiles| watch(Event::Tiles(tiles));
+            let cameras = std::slice::from_ref(camera);
+            let tiles = renderer.render_with_progress(scene, cameras, &batch, &mut progress)?;
+            rendered.image.paste(&batch, &tiles)?;
+            rendered.paste(&batch, &tiles);
+        }
+        Ok(rendered)
+    }
+
+    /// As [`Image::paste`], without rounding.
+    fn paste(&mut self, batch: &TileBatch, tiles: &RenderedTiles) {
+        let [width, height] = self.image.size().map(|size| size as usize);
+        let side = batch.side as usize;
+        let area = side * side;
+        for (tile, data) in batch.tiles.iter().zip(tiles.data.chunks_exact(3 * area)) {
+            // `bands` begins at 0 and covers the image
+            let [left, top] = tile.origin.map(|origin| origin as usize);
+            for y in top..(top + side).min(height) {
+                for x in left..(left + side).min(width) {
+                    let at = (y - top) * side + (x - left);
+                    let color = [data[at], data[area + at], data[2 * area + at]];
+                    self.colors[y * width + x] = color.map(displayed);
+                }
+            }
+        }
+    }
+
+    fn score(&self, frame: &Frame) -> Result<Score> {
+        let photograph = &frame.image;
+        let mut truth = colors(frame, "a photograph")?;
+        for (color, pixel) in truth.iter_mut().zip(photograph.pixels()) {
+            *color = pixel.map(|value| f32::from(value) / 255.0);
+        }
+        let size = self.image.size().map(|size| size as usize);
+        Ok(Score {
+            psnr: psnr(&self.colors, &truth, photograph.valid()),
+            ssim: ssim(size, &self.colors, &truth, photograph.valid()),
+        })
+    }
+}
+
+/// Room for the colors of a frame's pixels.
+fn colors(frame: &Frame, what: &str) -> Result<Vec<[f32; 3]>> {
+    let (width, height) = (frame.image.width(), frame.image.height());
+    let what = format!("the colors of {what} of {width} x {height} pixels");
+    memory::zeros(frame.image.pixels().len(), &what)
+}
+
+/// What a display shows of a value.
+fn displayed(value: f32) -> f32 {
+    if value.is_nan() { 0.0 } else { value.clamp(0.0, 1.0) }
+}

@@ -1,0 +1,111 @@
+//! The optimizer's step.
+
+use organza_kernels::adam::{AdamKernel, AdamParams, TOUCHED_BLOCK};
+
+use super::bench::Bench;
+use super::case::{Parity, Rounding};
+use super::inputs::{self, Fill, Random};
+use super::measure::{Bound, Output};
+use crate::error::Result;
+
+/// Inputs of `adam`.
+#[derive(Clone, Debug)]
+pub struct Adam {
+    /// The step's constants.
+    pub params: AdamParams,
+    /// A flag for every block, or one for all.
+    pub touched: Vec<u32>,
+    /// g, behind what belongs to another group.
+    pub gradient: Vec<f32>,
+    /// m
+    pub first_moment: Vec<f32>,
+    /// v
+    pub second_moment: Vec<f32>,
+    /// The parameters.
+    pub value: Vec<f32>,
+}
+
+impl Adam {
+    fn new(values: u32, fill: Fill, random: &mut Random) -> Self {
+        let sparse = values % 2;
+        let blocks = if sparse == 1 { values.div_ceil(TOUCHED_BLOCK) } else { 1 };
+        let len = values as usize;
+        let first_gradient = random.below(9);
+        let params = AdamParams {
+            values,
+            first_gradient,
+            sparse,
+            rate: 0.01 / (1.0 - 0.9),
+            decay1: 0.9,
+            decay2: 0.999,
+            correction2: (1.0 / (1.0 - 0.999_f32)).sqrt(),
+            epsilon: 1e-12,
+        };
+        Self {
+            params,
+            touched: (0..blocks).map(|_| if sparse == 1 { random.below(2) } else { 1 }).collect(),
+            gradient: fill.values(random, len + first_gradient as usize, [-1.0, 1.0], 1e10),
+            first_moment: fill.values(random, len, [-1.0, 1.0], 1e10),
+            second_moment: random.values(len, 1e-6, 1.0),
+            value: fill.values(random, len, [-3.0, 3.0], 1e10),
+        }
+    }
+
+    /// Whether the kernel moves a value.
+    #[must_use]
+    pub fn is_touched(&self, index: usize) -> bool {
+        let block = index / TOUCHED_BLOCK as usize * self.params.sparse as usize;
+        index < self.value.len() && self.touched[block] != 0
+    }
+}
+
+impl Parity for Adam {
+    const KERNEL: &'static str = "adam";
+    const TOLERANCE: f64 = 1e-6;
+    const WHY: &'static str = "one division, one square root and eight roundings";
+
+    fn sets() -> Vec<(String, Self)> {
+        inputs::sets(Self::new)
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let gradient = bench.output_of(&self.gradient)?;
+        let first_moment = bench.output_of(&self.first_moment)?;
+        let second_moment = bench.output_of(&self.second_moment)?;
+        let value = bench.output_of(&self.value)?;
+        let kernel = AdamKernel {
+            params: self.params,
+            touched: &bench.upload(&self.touched)?,
+            gradient: &gradient,
+            first_moment: &first_moment,
+            second_moment: &second_moment,
+            value: &value,
+        };
+        bench.items(&kernel, self.params.values, 1)?;
+        Ok(vec![
+            Output::float("gradient", bench.read(&gradient)?),
+            Output::float("first_moment", bench.read(&first_moment)?),
+            Output::float("second_moment", bench.read(&second_moment)?),
+            Output::float("value", bench.read(&value)?),
+        ])
+    }
+
+    fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
+        if !self.is_touched(index) || cpu.name == "gradient" {
+            return Bound::of(0.0);
+        }
+        let g = f64::from(self.gradient[index + self.params.first_gradient as usize]);
+        let m = f64::from(self.first_moment[index].abs()) + g.abs();
+        let v = cpu.floats()[index];
+        Bound::of(match cpu.name {
+            "first_moment" => m,
+            "second_moment" => v,
+            // the terms of m may cancel
+            _ => {
+                let v = f64::from(self.second_moment[index]) * 0.999 + 0.001 * g * g;
+                let size = v.sqrt() * f64::from(self.params.correction2);
+                f64::from(self.value[index].abs()) + f64::from(self.params.rate) * m / size
+            }
+        })
+    }
+}

@@ -1,0 +1,134 @@
+//! Cases of `color_head_backward` and `material_backward`.
+
+use glam::Vec4;
+use organza_kernels::color_backward::{
+    ColorHeadBackwardKernel, ColorHeadBackwardParams, MaterialBackwardKernel,
+    MaterialBackwardParams,
+};
+
+use super::bench::Bench;
+use super::case::{Parity, Rounding};
+use super::inputs::{self, Fill, ITEMS, Random};
+use super::measure::{Bound, Output};
+use crate::error::Result;
+
+/// Pairs before the chunk.
+const FIRST_PAIR: u32 = 2;
+
+/// Inputs of `color_head_backward`.
+#[derive(Clone, Debug)]
+pub struct ColorHeadBackward {
+    /// Pairs of the chunk; two others lie before them.
+    pub samples: u32,
+    /// Distance of two rows.
+    pub stride: u32,
+    /// `[pairs, 3]`
+    pub color: Vec<f32>,
+    /// `[pairs, 3]`
+    pub gradient: Vec<Vec4>,
+}
+
+impl Parity for ColorHeadBackward {
+    const KERNEL: &'static str = "color_head_backward";
+    const TOLERANCE: f64 = 2.4e-7;
+    const WHY: &'static str = "three roundings of dL/dc c: drivers may fuse c (1 - c)";
+
+    fn sets() -> Vec<(String, Self)> {
+        inputs::sets(|samples, fill, random| {
+            let pairs = (samples + FIRST_PAIR) as usize;
+            let color = fill.values(random, 3 * pairs, [0.0, 1.0], 1.0);
+            let gradient = fill.values(random, 12 * pairs, [-1.0, 1.0], 1e30);
+            Self {
+                samples,
+                stride: samples + 3,
+                color: color.into_iter().map(f32::abs).collect(),
+                gradient: gradient.chunks_exact(4).map(Vec4::from_slice).collect(),
+            }
+        })
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let logit_gradient = bench.output(3 * self.stride as usize)?;
+        let kernel = ColorHeadBackwardKernel {
+            params: ColorHeadBackwardParams {
+                samples: self.samples,
+                first_pair: FIRST_PAIR,
+                stride: self.stride,
+            },
+            color: &bench.upload(&self.color)?,
+            pair_gradient: &bench.upload(&self.gradient)?,
+            logit_gradient: &logit_gradient,
+        };
+        bench.items(&kernel, self.samples, 1)?;
+        Ok(vec![Output::float("logit_gradient", bench.read(&logit_gradient)?)])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let (channel, sample) = (index / self.stride as usize, index % self.stride as usize);
+        if channel >= 3 || sample >= self.samples as usize {
+            return Bound { scale: 0.0, floor: 0.0 };
+        }
+        let pair = sample + FIRST_PAIR as usize;
+        let gradient = f64::from(self.gradient[3 * pair + 2][channel]).abs();
+        let bound = Bound::of(gradient * f64::from(self.color[3 * pair + channel]));
+        // a color that may be flushed
+        Bound { floor: bound.floor * (1.0 + gradient), ..bound }
+    }
+}
+
+/// Inputs of `material_backward`.
+#[derive(Clone, Debug)]
+pub struct MaterialBackward {
+    /// Pairs of the chunk; two others lie before them.
+    pub samples: u32,
+    /// Distance of two rows.
+    pub stride: u32,
+    /// Values of a material; a row lies before them.
+    pub material: u32,
+    /// `[1 + material, stride]`
+    pub gradient: Vec<f32>,
+}
+
+impl Parity for MaterialBackward {
+    const KERNEL: &'static str = "material_backward";
+    const TOLERANCE: f64 = 1e-7;
+    const WHY: &'static str = "a copy";
+
+    fn sets() -> Vec<(String, Self)> {
+        let set = |samples: u32, material: u32, fill: Fill, random: &mut Random| {
+            let stride = samples + 3;
+            let len = ((1 + material) * stride) as usize;
+            let gradient = fill.values(random, len, [-1.0, 1.0], 3e38);
+            Self { samples, stride, material, gradient }
+        };
+        let mut sets = inputs::sets(|n, fill, random| set(n, 3, fill, random));
+        for material in [1, 256] {
+            let mut random = Random::new(13);
+            let set = set(ITEMS, material, Fill::Random, &mut random);
+            sets.push((format!("{material} values"), set));
+        }
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let pairs = self.samples + FIRST_PAIR;
+        let pair_material = bench.output((pairs * self.material) as usize)?;
+        let kernel = MaterialBackwardKernel {
+            params: MaterialBackwardParams {
+                samples: self.samples,
+                first_pair: FIRST_PAIR,
+                stride: self.stride,
+                material: self.material,
+                material_row: 1,
+            },
+            input_gradient: &bench.upload(&self.gradient)?,
+            pair_material: &pair_material,
+        };
+        bench.items(&kernel, self.samples, 1)?;
+        Ok(vec![Output::float("pair_material", bench.read(&pair_material)?)])
+    }
+
+    fn bound(&self, _: &Output, _: usize, _: Rounding) -> Bound {
+        Bound::of(0.0)
+    }
+}

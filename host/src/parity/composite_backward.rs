@@ -1,0 +1,142 @@
+//! The case of `composite_backward`.
+
+use glam::{DVec4, Vec4};
+use organza_kernels::composite_backward::{CompositeBackwardKernel, CompositeBackwardParams};
+use organza_kernels::math::TINY;
+
+use super::bench::Bench;
+use super::case::{Parity, Rounding};
+use super::composite::{Composite, SIDES, falloff};
+use super::inputs::{Fill, Random};
+use super::measure::{Bound, Output};
+use super::tile::pack;
+use crate::error::Result;
+
+/// Inputs of `composite_backward`.
+#[derive(Clone, Debug)]
+pub struct CompositeBackward {
+    /// Those of `composite`.
+    pub forward: Composite,
+    /// First row that is summed over.
+    pub first_row: u32,
+    /// Rows that are.
+    pub rows: u32,
+    /// `[tiles, 4, S, S]`
+    pub sum_gradient: Vec<f32>,
+    /// `[members, 3]`: what other bands have left.
+    pub member_gradient: Vec<Vec4>,
+}
+
+impl CompositeBackward {
+    fn new(mut forward: Composite) -> Self {
+        // squares of distances are finite
+        for [placed, ..] in &mut forward.splat {
+            placed.x = placed.x.clamp(-1e15, 1e15);
+            placed.y = placed.y.clamp(-1e15, 1e15);
+        }
+        let mut random = Random::new(8);
+        let sum_gradient = random.values(4 * forward.sum.len(), -1.0, 1.0);
+        let vectors = 12 * forward.member.len();
+        let member_gradient = random.values(vectors, -1.0, 1.0);
+        let member_gradient = member_gradient.chunks(4).map(Vec4::from_slice).collect();
+        let rows = forward.side;
+        Self { forward, first_row: 0, rows, sum_gradient, member_gradient }
+    }
+
+    /// Sizes of the terms of a member's gradient, and by how much they may differ at the cutoff.
+    fn sizes(&self, index: usize) -> [[DVec4; 3]; 2] {
+        let set = &self.forward;
+        let first = |tile: &usize| set.tile_first[*tile] as usize <= index;
+        let tile = (0..set.tiles.len()).rev().find(first).unwrap_or(0);
+        let [placed, conic, color] =
+            set.splat[set.member[index] as usize].map(|vector| vector.as_dvec4());
+        let area = (set.side * set.side) as usize;
+        let band = self.first_row * set.side..(self.first_row + self.rows) * set.side;
+        let mut sizes = [[DVec4::ZERO; 3]; 2];
+        for at in band {
+            let (_, [x, y]) = set.pixel(tile * area + at as usize);
+            let (dx, dy) = ((x - placed.x).abs(), (y - placed.y).abs());
+            let cross = 2.0 * conic.y * (x - placed.x) * (y - placed.y);
+            let q = conic.x * dx * dx + cross + conic.z * dy * dy;
+            let slack = 2e-6 * (conic.x * dx * dx + cross.abs() + conic.z * dy * dy);
+            let plane = |plane: usize| {
+                f64::from(self.sum_gradient[(4 * tile + plane) * area + at as usize].abs())
+            };
+            let c = DVec4::new(plane(0), plane(1), plane(2), 0.0);
+            let by_alpha = c.dot(color.abs()) + plane(3);
+            let weights = [falloff(q), falloff(q - slack) - falloff(q + slack)];
+            for (size, f) in sizes.iter_mut().zip(weights) {
+                let h = f * by_alpha;
+                let along_x = conic.x * dx + conic.y.abs() * dy;
+                let along_y = conic.y.abs() * dx + conic.z * dy;
+                size[0] += DVec4::new(placed.z * along_x, placed.z * along_y, 1.0, 0.0) * h;
+                size[1] += DVec4::new(0.5 * dx * dx, dx * dy, 0.5 * dy * dy, 0.0) * placed.z * h;
+                size[2] += c * placed.z * f;
+            }
+        }
+        sizes
+    }
+}
+
+impl Parity for CompositeBackward {
+    const KERNEL: &'static str = "composite_backward";
+    const TOLERANCE: f64 = 2e-6;
+    const WHY: &'static str = "as composite's terms; a rounding of both devices for each pixel, as lanes sum in \
+        another order; at the cutoff a pixel may come out on either side";
+
+    fn sets() -> Vec<(String, Self)> {
+        let mut sets: Vec<_> = SIDES
+            .iter()
+            .map(|&side| {
+                let forward = Composite::new(side, &[40, 0, 90], Fill::Random, 11);
+                (format!("random, side {side}"), Self::new(forward))
+            })
+            .collect();
+        for fill in Fill::ADVERSARIAL {
+            let forward = Composite::new(9, &[1, 60, 60], fill, 12);
+            sets.push((format!("{}, side 9", fill.name()), Self::new(forward)));
+        }
+        let members = |count: u32| Self::new(Composite::new(8, &[count], Fill::Random, 13));
+        sets.push(("no members".into(), members(0)));
+        sets.push(("one member".into(), members(1)));
+        let band = Self::new(Composite::new(17, &[30, 33], Fill::Random, 14));
+        sets.push(("rows 3 to 9".into(), Self { first_row: 3, rows: 7, ..band }));
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let set = &self.forward;
+        let members = set.member.len() as u32;
+        let member_gradient = bench.output_of(&self.member_gradient)?;
+        let kernel = CompositeBackwardKernel {
+            params: CompositeBackwardParams {
+                members,
+                tiles: set.tiles.len() as u32,
+                side: set.side,
+                first_row: self.first_row,
+                rows: self.rows,
+            },
+            tile: &bench.upload(&pack(&set.tiles))?,
+            tile_first: &bench.upload(&set.tile_first)?,
+            member: &bench.upload(&set.member)?,
+            splat: &bench.upload(set.splat.as_flattened())?,
+            sum_gradient: &bench.upload(&self.sum_gradient)?,
+            member_gradient: &member_gradient,
+        };
+        bench.items(&kernel, members, 1)?;
+        let values = bench.read(&member_gradient)?.into_iter().flat_map(|v| v.to_array());
+        Ok(vec![Output::float("member_gradient", values)])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let Some(before) = self.member_gradient.get(index / 4) else {
+            return Bound { scale: 0.0, floor: 0.0 };
+        };
+        let [scale, floor] = self.sizes(index / 12).map(|size| size[index / 4 % 3][index % 4]);
+        let pixels = f64::from(self.rows * self.forward.side);
+        let scale = f64::from(before[index % 4].abs()) + scale * (1.0 + 0.03 * pixels);
+        // a conic may be flushed, and what it is multiplied with is large where it is
+        let flushed = f64::from(TINY) * (1.0 + pixels * 1e15);
+        Bound { scale, floor: floor + flushed }
+    }
+}

@@ -1,0 +1,271 @@
+//! Cases of `dense_backward`, `dense_weight_backward` and `dense_weight_sum`.
+
+use glam::Vec4;
+use organza_kernels::dense_backward::{
+    DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
+    DenseWeightSumKernel, DenseWeightSumParams, INPUT_BLOCK, WEIGHT_BLOCK,
+};
+use organza_kernels::math::TINY;
+
+use super::bench::Bench;
+use super::case::{Parity, Rounding};
+use super::dense::Layer;
+use super::inputs::{self, Fill, ITEMS, Random};
+use super::measure::{Bound, Output};
+use crate::error::Result;
+
+/// Nothing may be off.
+const EXACT: Bound = Bound { scale: 0.0, floor: 0.0 };
+
+/// How far a sum of products may be off: a rounding for each, of the terms' sizes, and what denormals may come to.
+fn sum_of_products(terms: impl Iterator<Item = (f64, f64)>) -> Bound {
+    let (mut count, mut scale, mut reach) = (0.0, 0.0, 1.0);
+    for (a, b) in terms {
+        count += 1.0;
+        scale += (a * b).abs();
+        reach += a.abs() + b.abs() + 1.0;
+    }
+    Bound { scale: scale * (1.0 + count), floor: reach * f64::from(TINY) }
+}
+
+/// Vectors as numbers.
+fn flat(vectors: Vec<Vec4>) -> impl Iterator<Item = f32> {
+    vectors.into_iter().flat_map(|vector| vector.to_array())
+}
+
+/// Vectors of four of the numbers.
+fn vectors(numbers: &[f32]) -> Vec<Vec4> {
+    numbers.chunks_exact(4).map(Vec4::from_slice).collect()
+}
+
+/// Inputs of `dense_backward`.
+#[derive(Clone, Debug)]
+pub struct DenseBackward {
+    /// The layer; its input has the rows up to `end`, those behind its last zeros.
+    pub layer: Layer,
+    /// `[4 columns, stride]`
+    pub gradient: Vec<f32>,
+    /// The first input whose gradient is wanted.
+    pub first: u32,
+    /// The last one, and one.
+    pub end: u32,
+    /// Whether the inputs are a hidden layer's outputs.
+    pub rectified: bool,
+}
+
+impl DenseBackward {
+    fn new(mut layer: Layer, rectified: bool, fill: Fill, random: &mut Random) -> Self {
+        let len = (4 * layer.columns * layer.stride) as usize;
+        let gradient = fill.values(random, len, [-1.0, 1.0], 1e15);
+        let (first, end) = match rectified {
+            true => (0, layer.inputs.next_multiple_of(16)),
+            false => (layer.inputs / 3, layer.inputs),
+        };
+        layer.input.resize((end * layer.stride) as usize, 0.0);
+        Self { layer, gradient, first, end, rectified }
+    }
+}
+
+impl Parity for DenseBackward {
+    const KERNEL: &'static str = "dense_backward";
+    const TOLERANCE: f64 = 1.2e-7;
+    const WHY: &'static str = "a rounding of both devices for each output, of the terms' sizes; a denormal activation \
+        that may be flushed may pass its gradient on or not";
+
+    fn sets() -> Vec<(String, Self)> {
+        let mut sets = inputs::sets(|n, fill, random| {
+            let layer = Layer::new(n, 19, 8, fill, random);
+            Self::new(layer, true, fill, random)
+        });
+        for (inputs, columns, rectified) in
+            [(1, 1, false), (3, 4, true), (8, 16, true), (40, 4, false), (64, 1, true)]
+        {
+            let mut random = Random::new(7);
+            let layer = Layer::new(65, inputs, columns, Fill::Random, &mut random);
+            let set = Self::new(layer, rectified, Fill::Random, &mut random);
+            sets.push((format!("random, {inputs} inputs, {columns} columns"), set));
+        }
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let layer = &self.layer;
+        let input_gradient = bench.output((self.end * layer.stride) as usize)?;
+        let kernel = DenseBackwardKernel {
+            params: DenseBackwardParams {
+                samples: layer.samples,
+                stride: layer.stride,
+                inputs: layer.inputs,
+                columns: layer.columns,
+                weight: layer.params().weight,
+                first_input: self.first,
+                end_input: self.end,
+                rectified: u32::from(self.rectified),
+            },
+            parameters: &bench.upload(&layer.parameters)?,
+            input: &bench.upload(&layer.input)?,
+            output_gradient: &bench.upload(&self.gradient)?,
+            input_gradient: &input_gradient,
+        };
+        bench.items(&kernel, layer.samples, (self.end - self.first).div_ceil(INPUT_BLOCK))?;
+        Ok(vec![Output::float("input_gradient", bench.read(&input_gradient)?)])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let layer = &self.layer;
+        let (row, sample) = (index as u32 / layer.stride, index as u32 % layer.stride);
+        let is_written = row >= self.first && row < layer.inputs && sample < layer.samples;
+        if !is_written {
+            return EXACT;
+        }
+        let outputs = 0..4 * layer.columns;
+        let bound = sum_of_products(outputs.map(|output| {
+            let gradient = self.gradient[(output * layer.stride + sample) as usize];
+            (layer.weight(row, output), f64::from(gradient))
+        }));
+        let input = layer.value(row, sample);
+        let is_denormal = input > 0.0 && input < f64::from(TINY);
+        Bound { floor: bound.floor + if is_denormal { bound.scale } else { 0.0 }, ..bound }
+    }
+}
+
+/// Inputs of `dense_weight_backward`.
+#[derive(Clone, Debug)]
+pub struct DenseWeightBackward {
+    /// The layer: its parameters are not read.
+    pub layer: Layer,
+    /// `[4 columns, stride]`
+    pub gradient: Vec<f32>,
+    /// Samples of a slice.
+    pub slice: u32,
+}
+
+impl DenseWeightBackward {
+    fn new(layer: Layer, slice: u32, fill: Fill, random: &mut Random) -> Self {
+        let len = (4 * layer.columns * layer.stride) as usize;
+        let gradient = fill.values(random, len, [-1.0, 1.0], 1e15);
+        Self { layer, gradient, slice }
+    }
+
+    fn slices(&self) -> u32 {
+        self.layer.samples.div_ceil(self.slice).max(1)
+    }
+}
+
+impl Parity for DenseWeightBackward {
+    const KERNEL: &'static str = "dense_weight_backward";
+    const TOLERANCE: f64 = 1.2e-7;
+    const WHY: &'static str = "a rounding of both devices for each sample of the slice, of the terms' sizes: lanes are \
+        added up in another order";
+
+    fn sets() -> Vec<(String, Self)> {
+        let mut sets = inputs::sets(|n, fill, random| {
+            let layer = Layer::new(n, 6, 2, fill, random);
+            Self::new(layer, 100, fill, random)
+        });
+        for (inputs, columns, slice) in [(1, 1, 4096), (4, 3, 16), (7, 16, 33), (64, 1, 300)] {
+            let mut random = Random::new(11);
+            let layer = Layer::new(300, inputs, columns, Fill::Random, &mut random);
+            let set = Self::new(layer, slice, Fill::Random, &mut random);
+            sets.push((
+                format!("random, {inputs} inputs, {columns} columns, slices of {slice}"),
+                set,
+            ));
+        }
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let layer = &self.layer;
+        let parameters = layer.parameters.len() as u32;
+        let partial = bench.output((self.slices() * parameters) as usize)?;
+        let places = layer.params();
+        let kernel = DenseWeightBackwardKernel {
+            params: DenseWeightBackwardParams {
+                samples: layer.samples,
+                stride: layer.stride,
+                inputs: layer.inputs,
+                columns: layer.columns,
+                weight: places.weight,
+                bias: places.bias,
+                slice: self.slice,
+                parameters,
+            },
+            input: &bench.upload(&layer.input)?,
+            output_gradient: &bench.upload(&self.gradient)?,
+            partial: &partial,
+        };
+        let blocks = layer.inputs.div_ceil(WEIGHT_BLOCK) + 1;
+        bench.items(&kernel, blocks * layer.columns, self.slices())?;
+        Ok(vec![Output::float("partial", flat(bench.read(&partial)?))])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let layer = &self.layer;
+        let (at, parameters) = (index as u32 / 4, layer.parameters.len() as u32);
+        let (slice, place) = (at / parameters, at % parameters);
+        if slice >= self.slices() || place < layer.params().weight {
+            return EXACT;
+        }
+        let place = place - layer.params().weight;
+        let (input, output) =
+            (place / layer.columns, 4 * (place % layer.columns) + index as u32 % 4);
+        let begin = slice * self.slice;
+        sum_of_products((begin..(begin + self.slice).min(layer.samples)).map(|sample| {
+            let gradient = self.gradient[(output * layer.stride + sample) as usize];
+            let is_bias = input == layer.inputs;
+            let value = if is_bias { 1.0 } else { layer.value(input, sample) };
+            (value, f64::from(gradient))
+        }))
+    }
+}
+
+/// Inputs of `dense_weight_sum`.
+#[derive(Clone, Debug)]
+pub struct DenseWeightSum {
+    /// `[parameters]`, before
+    pub gradient: Vec<Vec4>,
+    /// `[slices, parameters]`
+    pub partial: Vec<Vec4>,
+}
+
+impl Parity for DenseWeightSum {
+    const KERNEL: &'static str = "dense_weight_sum";
+    const TOLERANCE: f64 = 1.2e-7;
+    const WHY: &'static str =
+        "a rounding for each slice where drivers regroup, of the terms' sizes";
+
+    fn sets() -> Vec<(String, Self)> {
+        let set = |len: u32, slices: u32, fill: Fill, random: &mut Random| {
+            let mut values =
+                |len: u32| vectors(&fill.values(random, 4 * len as usize, [-1.0, 1.0], 1e30));
+            Self { gradient: values(len), partial: values(slices * len) }
+        };
+        let mut sets = inputs::sets(|n, fill, random| set(n, 3, fill, random));
+        for slices in [0, 1, 256] {
+            let mut random = Random::new(12);
+            sets.push((format!("{slices} slices"), set(ITEMS, slices, Fill::Random, &mut random)));
+        }
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let parameters = self.gradient.len() as u32;
+        let gradient = bench.output_of(&self.gradient)?;
+        let slices = self.partial.len() as u32 / parameters.max(1);
+        let kernel = DenseWeightSumKernel {
+            params: DenseWeightSumParams { parameters, slices },
+            partial: &bench.upload(&self.partial)?,
+            gradient: &gradient,
+        };
+        bench.items(&kernel, parameters, 1)?;
+        Ok(vec![Output::float("gradient", flat(bench.read(&gradient)?))])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let Some(before) = self.gradient.get(index / 4) else { return EXACT };
+        let slices = self.partial.chunks_exact(self.gradient.len());
+        let terms = slices.map(|slice| slice[index / 4]).chain([*before]);
+        sum_of_products(terms.map(|vector| (f64::from(vector[index % 4]), 1.0)))
+    }
+}

@@ -1,0 +1,172 @@
+//! The cases of `hash_grid_peak`, `hash_grid_norm` and `hash_grid_scale`.
+
+use glam::Vec4;
+use organza_kernels::hash_grid_scale::{
+    HashGridNormKernel, HashGridNormParams, HashGridPeakKernel, HashGridPeakParams,
+    HashGridScaleKernel, HashGridScaleParams, SCALE_VALUES,
+};
+use organza_kernels::limits::MAX_LAYERS;
+use organza_kernels::math::TINY;
+
+use super::bench::Bench;
+use super::case::{Parity, Rounding};
+use super::inputs::{self, Fill, Random};
+use super::measure::{Bound, Output};
+use crate::error::Result;
+
+/// Four numbers at a time.
+fn vectors(fill: Fill, random: &mut Random, len: usize, huge: f32) -> Vec<Vec4> {
+    let values = fill.values(random, 4 * len, [-1.0, 1.0], huge);
+    values.as_chunks::<4>().0.iter().map(|&values| Vec4::from_array(values)).collect()
+}
+
+/// A bound as a number.
+fn number(bound: &[u32]) -> Output {
+    Output::float("bound", bound.iter().map(|&bits| f32::from_bits(bits)))
+}
+
+/// Inputs of `hash_grid_peak`.
+#[derive(Clone, Debug)]
+pub struct HashGridPeak {
+    /// `[pairs, 3]`
+    pub pair_gradient: Vec<Vec4>,
+    /// `[pairs]`
+    pub transmittance: Vec<f32>,
+    /// For the color network.
+    pub color: bool,
+}
+
+impl Parity for HashGridPeak {
+    const KERNEL: &'static str = "hash_grid_peak";
+    const TOLERANCE: f64 = 1.2e-7;
+    const WHY: &'static str = "a rounding of a product";
+
+    fn sets() -> Vec<(String, Self)> {
+        let of = |color: bool| {
+            inputs::sets(|pairs, fill, random| Self {
+                pair_gradient: vectors(fill, random, 3 * pairs as usize, 1e30),
+                transmittance: random.values(pairs as usize, 0.0, 1.0),
+                color,
+            })
+        };
+        let name = |(name, set)| (format!("color, {name}"), set);
+        of(false).into_iter().chain(of(true).into_iter().map(name)).collect()
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let pairs = self.transmittance.len() as u32;
+        let bound = bench.output_of(&[0_u32])?;
+        let kernel = HashGridPeakKernel {
+            params: HashGridPeakParams { pairs, color: u32::from(self.color) },
+            pair_gradient: &bench.upload(&self.pair_gradient)?,
+            transmittance: &bench.upload(&self.transmittance)?,
+            bound: &bound,
+        };
+        bench.items(&kernel, pairs, 1)?;
+        Ok(vec![number(&bench.read(&bound)?)])
+    }
+}
+
+/// Inputs of `hash_grid_norm`.
+#[derive(Clone, Debug)]
+pub struct HashGridNorm {
+    /// Inputs of the layer.
+    pub inputs: u32,
+    /// Columns of four outputs.
+    pub columns: u32,
+    /// Before the weights, other layers'; then `[inputs, columns]`.
+    pub parameters: Vec<Vec4>,
+}
+
+/// Parameters before the layer's.
+const BEFORE: u32 = 5;
+
+/// The layer's place in the bounds.
+const SLOT: u32 = 2;
+
+impl Parity for HashGridNorm {
+    const KERNEL: &'static str = "hash_grid_norm";
+    const TOLERANCE: f64 = 6e-8;
+    const WHY: &'static str = "a rounding for each output, of the sum's size: drivers may regroup";
+
+    fn sets() -> Vec<(String, Self)> {
+        inputs::sets(|inputs, fill, random| {
+            let columns = 1 + random.below(32);
+            let len = (BEFORE + inputs * columns) as usize;
+            Self { inputs, columns, parameters: vectors(fill, random, len, 1e30) }
+        })
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let bound = bench.output_of(&[0_u32; SLOT as usize + 1])?;
+        let params = HashGridNormParams {
+            inputs: self.inputs,
+            columns: self.columns,
+            weight: BEFORE,
+            slot: SLOT,
+        };
+        let parameters = &bench.upload(&self.parameters)?;
+        let kernel = HashGridNormKernel { params, parameters, bound: &bound };
+        bench.items(&kernel, self.inputs, 1)?;
+        Ok(vec![number(&bench.read(&bound)?)])
+    }
+
+    fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
+        let outputs = f64::from(4 * self.columns);
+        Bound { scale: outputs * cpu.floats()[index].abs(), floor: outputs * f64::from(TINY) }
+    }
+}
+
+/// Inputs of `hash_grid_scale`.
+#[derive(Clone, Debug)]
+pub struct HashGridScale {
+    /// `[1 + layers]`, as numbers.
+    pub bound: Vec<f32>,
+    /// Bits of the number of samples.
+    pub sample_bits: u32,
+}
+
+impl Parity for HashGridScale {
+    const KERNEL: &'static str = "hash_grid_scale";
+    const TOLERANCE: f64 = 0.0;
+    const WHY: &'static str = "powers of two; no product of mantissas within rounding of one";
+
+    fn sets() -> Vec<(String, Self)> {
+        let mut random = Random::new(15);
+        let fills = [Fill::Random].into_iter().chain(Fill::ADVERSARIAL);
+        let mut sets: Vec<_> = fills
+            .flat_map(|fill| (1..=MAX_LAYERS).map(move |layers| (fill, layers)))
+            .map(|(fill, layers)| {
+                let bound = fill.values(&mut random, 1 + layers as usize, [0.0, 20.0], 3e38);
+                let bound = bound.into_iter().map(f32::abs).collect();
+                let set = Self { bound, sample_bits: random.below(33) };
+                (format!("{}, {layers} layers", fill.name()), set)
+            })
+            .collect();
+        for bad in [f32::NAN, f32::INFINITY] {
+            sets.push((format!("{bad}"), Self { bound: vec![1.0, bad, 2.0], sample_bits: 9 }));
+        }
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let bits: Vec<_> = self.bound.iter().map(|value| value.to_bits()).collect();
+        let bound = bench.output_of(&bits)?;
+        let scale = bench.output::<f32>(SCALE_VALUES as usize)?;
+        let status = bench.output_of(&[0_u32])?;
+        let layers = self.bound.len() as u32 - 1;
+        let kernel = HashGridScaleKernel {
+            params: HashGridScaleParams { layers, sample_bits: self.sample_bits },
+            bound: &bound,
+            scale: &scale,
+            status: &status,
+        };
+        bench.items(&kernel, 1, 1)?;
+        let scale = bench.read(&scale)?.into_iter().map(f32::to_bits).collect();
+        Ok(vec![
+            Output::exact("scale", scale),
+            Output::exact("bound", bench.read(&bound)?),
+            Output::exact("status", bench.read(&status)?),
+        ])
+    }
+}

@@ -1,0 +1,283 @@
+//! Cases of `loss_terms`, `loss_rows` and `loss_gradient`.
+
+use glam::Vec4;
+use organza_kernels::loss::{
+    LossGradientKernel, LossGradientParams, LossParams, LossRowsKernel, LossTermsKernel,
+};
+use organza_kernels::math::TINY;
+use organza_kernels::ssim::SLOPES;
+
+use super::bench::Bench;
+use super::case::{Parity, Rounding};
+use super::inputs::{Fill, Random};
+use super::measure::{Bound, Output};
+use super::ssim::{tap_sum, window};
+use crate::error::Result;
+
+/// Sides around the workgroup's, and around the window's.
+pub const SIDES: [u32; 7] = [1, 7, 8, 9, 11, 12, 17];
+
+/// Tiles of a set: one all valid, one with holes, one without a valid pixel.
+pub const TILES: u32 = 3;
+
+/// A random set of every side, and one of every filling.
+pub fn sets<T>(make: impl Fn(u32, Fill, &mut Random) -> T) -> Vec<(String, T)> {
+    let sized = SIDES.map(|side| (side, Fill::Random));
+    let filled = Fill::ADVERSARIAL.map(|fill| (12, fill));
+    let set = |(index, (side, fill)): (usize, (u32, Fill))| {
+        let mut random = Random::new(index as u64);
+        (format!("{}, side {side}", fill.name()), make(side, fill, &mut random))
+    };
+    sized.into_iter().chain(filled).enumerate().map(set).collect()
+}
+
+/// Whether each pixel of [`TILES`] tiles is valid.
+fn mask(side: u32, random: &mut Random) -> Vec<bool> {
+    let area = side * side;
+    (0..TILES * area).map(|at| at < area || at < 2 * area && random.below(3) > 0).collect()
+}
+
+/// Nothing may be different.
+const NOTHING: Bound = Bound { scale: 0.0, floor: 0.0 };
+
+/// What `loss_terms` leaves: inputs of the other kernels.
+#[derive(Clone, Debug)]
+pub struct Terms {
+    /// S
+    pub side: u32,
+    /// `[tiles, S, S]`: d and the mask.
+    pub difference: Vec<Vec4>,
+    /// `[tiles, S, S]`: s.
+    pub sum: Vec<Vec4>,
+}
+
+impl Terms {
+    /// Of colors in 0 to 1; huge ones are 2.
+    pub fn new(side: u32, fill: Fill, random: &mut Random) -> Self {
+        let valid = mask(side, random);
+        let colors = fill.values(random, 6 * valid.len(), [0.0, 1.0], 2.0);
+        let pixel = |(valid, colors): (&bool, &[f32])| {
+            if !valid {
+                return (Vec4::ZERO, Vec4::ZERO);
+            }
+            let [d, s] = [|x: f32, y: f32| x - y, |x: f32, y: f32| (x - 0.5) + (y - 0.5)]
+                .map(|of| [0, 1, 2].map(|channel| of(colors[channel], colors[channel + 3])));
+            (Vec4::new(d[0], d[1], d[2], 1.0), Vec4::new(s[0], s[1], s[2], 0.0))
+        };
+        let (difference, sum) = valid.iter().zip(colors.chunks_exact(6)).map(pixel).unzip();
+        Self { side, difference, sum }
+    }
+}
+
+/// Inputs of `loss_terms`.
+#[derive(Clone, Debug)]
+pub struct LossTerms {
+    /// S
+    pub side: u32,
+    /// `[tiles, 3, S, S]`; NaN where the mask is 0.
+    pub image: Vec<f32>,
+    /// `[tiles, 3, S, S]`; likewise.
+    pub target: Vec<f32>,
+    /// `[tiles, S, S]`
+    pub valid: Vec<f32>,
+}
+
+impl LossTerms {
+    fn new(side: u32, fill: Fill, random: &mut Random) -> Self {
+        let valid = mask(side, random);
+        let area = (side * side) as usize;
+        let mut colors = || {
+            let mut colors = fill.values(random, 3 * valid.len(), [0.0, 1.0], 1e38);
+            let masked = |at: usize| !valid[at / area / 3 * area + at % area];
+            let all = colors.iter_mut().enumerate();
+            all.filter(|(at, _)| masked(*at)).for_each(|(_, color)| *color = f32::NAN);
+            colors
+        };
+        let (image, target) = (colors(), colors());
+        let valid = valid.iter().map(|&valid| f32::from(u8::from(valid))).collect();
+        Self { side, image, target, valid }
+    }
+}
+
+impl Parity for LossTerms {
+    const KERNEL: &'static str = "loss_terms";
+    const TOLERANCE: f64 = 2.4e-7;
+    const WHY: &'static str = "three roundings of the colors' sizes; what is masked is NaN";
+
+    fn sets() -> Vec<(String, Self)> {
+        sets(Self::new)
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let difference = bench.output::<Vec4>(self.valid.len())?;
+        let sum = bench.output::<Vec4>(self.valid.len())?;
+        let kernel = LossTermsKernel {
+            params: LossParams { side: self.side, tiles: TILES },
+            image: &bench.upload(&self.image)?,
+            target: &bench.upload(&self.target)?,
+            valid: &bench.upload(&self.valid)?,
+            difference: &difference,
+            sum: &sum,
+        };
+        bench.pixels(&kernel, self.side, TILES)?;
+        let floats = |values: Vec<Vec4>| values.into_iter().flat_map(|value| value.to_array());
+        Ok(vec![
+            Output::float("difference", floats(bench.read(&difference)?)),
+            Output::float("sum", floats(bench.read(&sum)?)),
+        ])
+    }
+
+    fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {
+        let (at, channel) = (index / 4, index % 4);
+        let is_valid = self.valid.get(at).is_some_and(|&valid| valid > 0.0);
+        if !is_valid || channel == 3 {
+            return NOTHING;
+        }
+        let area = (self.side * self.side) as usize;
+        let place = (at / area * 3 + channel) * area + at % area;
+        let size = f64::from(self.image[place].abs()) + f64::from(self.target[place].abs());
+        let half = if output.name == "sum" { 1.0 } else { 0.0 };
+        Bound { scale: size + half, floor: 4.0 * f64::from(TINY) }
+    }
+}
+
+/// Inputs of `loss_rows`.
+#[derive(Clone, Debug)]
+pub struct LossRows {
+    /// S
+    pub side: u32,
+    /// `[tiles, S, S]`
+    pub difference: Vec<Vec4>,
+    /// `[tiles, S, S]`
+    pub dissimilarity: Vec<f32>,
+}
+
+impl LossRows {
+    fn new(side: u32, fill: Fill, random: &mut Random) -> Self {
+        let pixels = (TILES * side * side) as usize;
+        let numbers = fill.values(random, 3 * pixels, [-1.0, 1.0], 1e18);
+        let valid = mask(side, random);
+        let pixel = |(d, &valid): (&[f32], &bool)| {
+            if valid { Vec4::new(d[0], d[1], d[2], 1.0) } else { Vec4::ZERO }
+        };
+        let difference = numbers.chunks_exact(3).zip(&valid).map(pixel).collect();
+        Self { side, difference, dissimilarity: fill.values(random, pixels, [0.0, 6.0], 6.0) }
+    }
+}
+
+impl Parity for LossRows {
+    const KERNEL: &'static str = "loss_rows";
+    const TOLERANCE: f64 = 1.2e-7;
+    const WHY: &'static str = "a rounding of both devices for each pixel of the row and its channels, of the terms' sizes";
+
+    fn sets() -> Vec<(String, Self)> {
+        let mut sets = sets(Self::new);
+        let long = Self::new(130, Fill::Random, &mut Random::new(7));
+        sets.push(("random, side 130".into(), long));
+        sets
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let rows = TILES * self.side;
+        let row_sum = bench.output::<Vec4>(rows as usize)?;
+        let kernel = LossRowsKernel {
+            params: LossParams { side: self.side, tiles: TILES },
+            difference: &bench.upload(&self.difference)?,
+            dissimilarity: &bench.upload(&self.dissimilarity)?,
+            row_sum: &row_sum,
+        };
+        bench.items(&kernel, rows, 1)?;
+        let sums = bench.read(&row_sum)?;
+        Ok(vec![Output::float("row_sum", sums.iter().flat_map(|sum| sum.to_array()))])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let (row, part, side) = (index / 4, index % 4, self.side as usize);
+        if row >= (TILES * self.side) as usize {
+            return NOTHING;
+        }
+        let sizes = (row * side..(row + 1) * side).map(|at| {
+            let d = self.difference[at].as_dvec4().truncate().abs();
+            match part {
+                0 => d.element_sum(),
+                1 => f64::from(self.dissimilarity[at].abs()),
+                2 => d.length_squared(),
+                _ => 0.0,
+            }
+        });
+        let roundings = (side + 3) as f64;
+        // what is flushed: three values of each pixel
+        let floor = if part == 3 { 0.0 } else { 3.0 * roundings * f64::from(TINY) };
+        Bound { scale: roundings * sizes.sum::<f64>(), floor }
+    }
+}
+
+/// Inputs of `loss_gradient`.
+#[derive(Clone, Debug)]
+pub struct LossGradient {
+    /// Pixels.
+    pub terms: Terms,
+    /// `[tiles, S, S, 3]`
+    pub row_slopes: Vec<Vec4>,
+    /// What both terms of the loss are multiplied by.
+    pub scales: [f32; 2],
+}
+
+impl LossGradient {
+    fn new(side: u32, fill: Fill, random: &mut Random) -> Self {
+        let terms = Terms::new(side, fill, random);
+        let vectors = (SLOPES * TILES * side * side) as usize;
+        let numbers = fill.values(random, 4 * vectors, [-3e3, 3e3], 1e30);
+        let row_slopes = numbers.chunks_exact(4).map(Vec4::from_slice).collect();
+        Self { terms, row_slopes, scales: [2.7e-3, 6.5e-4] }
+    }
+}
+
+impl Parity for LossGradient {
+    const KERNEL: &'static str = "loss_gradient";
+    const TOLERANCE: f64 = 1e-6;
+    const WHY: &'static str = "roundings of eleven products and their sums, of the terms' sizes; a difference \
+        that may be flushed has no sign";
+
+    fn sets() -> Vec<(String, Self)> {
+        sets(Self::new)
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let terms = &self.terms;
+        let grad_image = bench.output(3 * terms.sum.len())?;
+        let [absolute_scale, ssim_scale] = self.scales;
+        let kernel = LossGradientKernel {
+            params: LossGradientParams { side: terms.side, absolute_scale, ssim_scale },
+            window: &bench.upload(&window())?,
+            difference: &bench.upload(&terms.difference)?,
+            sum: &bench.upload(&terms.sum)?,
+            row_slopes: &bench.upload(&self.row_slopes)?,
+            grad_image: &grad_image,
+        };
+        bench.pixels(&kernel, terms.side, TILES)?;
+        Ok(vec![Output::float("grad_image", bench.read(&grad_image)?)])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let side = self.terms.side as usize;
+        let area = side * side;
+        let (tile, channel, at) = (index / 3 / area, index / area % 3, index % area);
+        let pixel = tile * area + at;
+        if pixel >= self.terms.sum.len() || self.terms.difference[pixel].w == 0.0 {
+            return NOTHING;
+        }
+        let slope = |part: usize| {
+            let value = |row: usize| {
+                let at = (tile * area + row * side + at % side) * SLOPES as usize + part;
+                f64::from(self.row_slopes[at][channel].abs())
+            };
+            tap_sum(at / side, side, value)
+        };
+        let [d, s] = [&self.terms.difference, &self.terms.sum]
+            .map(|values| f64::from(values[pixel][channel].abs()));
+        let [absolute, ssim] = self.scales.map(f64::from);
+        let floor = (d + s + 30.0) * f64::from(TINY);
+        Bound { scale: ssim * (slope(0) + d * slope(1) + s * slope(2)) + absolute, floor }
+    }
+}

@@ -1,0 +1,59 @@
+//! Gradients of a scene's tensors, as they lie on a device.
+
+use glam::Vec4;
+
+use super::DeviceScene;
+use super::field::DeviceField;
+use super::hash_grid::HashGridGradient;
+use crate::backend::{Buffer, Device};
+use crate::error::Result;
+
+/// Gradients of all tensors of a scene; kernels add to them.
+#[derive(Debug)]
+pub struct SceneGradient {
+    /// `[11 N]`: position `[N, 3]`, rotation `[N, 4]`, log_scale `[N, 3]`, opacity `[N]`.
+    pub gaussians: Buffer<f32>,
+    /// `[N]`: the sum of |dL/dmean2d| over cameras, the cameras that saw the Gaussian, its largest radius in pixels, 0.
+    pub statistics: Buffer<Vec4>,
+    /// `[N, M]`
+    pub material: Buffer<f32>,
+    /// `[N, U]`
+    pub extra: Buffer<f32>,
+    /// Of the color field.
+    pub color: FieldGradient,
+    /// Of the transmittance field.
+    pub transmittance: FieldGradient,
+}
+
+/// Gradients of a hash grid and its network.
+#[derive(Debug)]
+pub struct FieldGradient {
+    /// Packed as [`DeviceField::parameters`].
+    pub parameters: Buffer<Vec4>,
+    /// Of the hash grid's table.
+    pub table: HashGridGradient,
+}
+
+impl SceneGradient {
+    /// Zeros, for a scene.
+    pub fn new(device: &Device, scene: &DeviceScene) -> Result<Self> {
+        let gaussians = scene.len();
+        Ok(Self {
+            gaussians: device.zeros("gradient of the Gaussians", 11 * gaussians)?,
+            statistics: device.zeros("statistics", gaussians)?,
+            material: device.zeros("gradient of the material", scene.material.len())?,
+            extra: device.zeros("gradient of the extra vectors", scene.extra.len())?,
+            color: FieldGradient::new(device, &scene.color)?,
+            transmittance: FieldGradient::new(device, &scene.transmittance)?,
+        })
+    }
+}
+
+impl FieldGradient {
+    fn new(device: &Device, field: &DeviceField) -> Result<Self> {
+        Ok(Self {
+            parameters: device.zeros("gradient of a network", field.parameters.len())?,
+            table: HashGridGradient::new(device, field)?,
+        })
+    }
+}

@@ -1,0 +1,225 @@
+//! The gradient of a hash grid's table: scale, sums in fixed point, and the gradient as numbers.
+
+use glam::Vec4;
+use organza_kernels::hash_grid::HashGridParams;
+use organza_kernels::hash_grid_backward::{
+    FLAG_BLOCK, HashGridBackwardKernel, HashGridGradientKernel, HashGridGradientParams,
+};
+use organza_kernels::hash_grid_scale::{
+    HashGridNormKernel, HashGridNormParams, HashGridPeakKernel, HashGridPeakParams,
+    HashGridScaleKernel, HashGridScaleParams, SCALE_VALUES,
+};
+use organza_kernels::limits::MAX_LAYERS;
+
+use super::field::DeviceField;
+use crate::backend::{Buffer, Device};
+use crate::error::{Error, Result};
+use crate::scene::MAX_HIDDEN_LAYERS;
+
+const _: () = assert!(MAX_LAYERS as usize == MAX_HIDDEN_LAYERS + 1);
+
+/// Gradient of a hash grid's table.
+///
+/// For each part of a batch: [`set_scale`](Self::set_scale), then [`accumulate`](Self::accumulate) for each chunk, then
+/// [`finish`](Self::finish).  Nothing of it waits for the device.
+#[derive(Debug)]
+pub struct HashGridGradient {
+    /// `[entries, features]`; [`HashGridGradient::finish`] adds to it.
+    pub gradient: Buffer<f32>,
+    /// `[ceil(entries * features / 64)]`: not 0 where a block of 64 values of the gradient has been added to.  Who
+    /// clears the gradient clears the flags.
+    pub touched: Buffer<u32>,
+    /// `[1]`: 0 while all is well, else the last of [`organza_kernels::hash_grid_scale`]'s `STATUS_..`: the
+    /// gradient is not finite, and what is not has been left out.
+    pub status: Buffer<u32>,
+    /// `[2 * entries * features]`: 64-bit integers, the low word first; 0 between parts.
+    sum: Buffer<u32>,
+    /// `[1 + layers]`: bits of the bounds' factors; 0 between parts.
+    bound: Buffer<u32>,
+    /// `[3]`: see `hash_grid_scale`.
+    scale: Buffer<f32>,
+}
+
+impl HashGridGradient {
+    /// Zeros, for a field.
+    pub fn new(device: &Device, field: &DeviceField) -> Result<Self> {
+        let values = field.table.len();
+        if values > (u32::MAX / 2) as usize {
+            let what = format!("the gradient of a hash grid with {values} values");
+            return Err(Error::OutOfMemory { needed: 8 * values as u64, available: None, what });
+        }
+        Ok(Self {
+            gradient: device.zeros("gradient of a hash grid", values)?,
+            touched: device.zeros("touched blocks", values.div_ceil(FLAG_BLOCK as usize))?,
+            status: device.zeros("status of a gradient", 1)?,
+            sum: device.zeros("sums of a hash grid", 2 * values)?,
+            bound: device.zeros("bounds of a gradient", 1 + field.layers.len())?,
+            scale: device.zeros("scale of a gradient", SCALE_VALUES as usize)?,
+        })
+    }
+
+    /// Sets the unit of the sums for what is added until the next [`finish`](Self::finish): at most `samples` samples.
+    ///
+    /// `pair_gradient [pairs, 3]`; `transmittance [pairs]` for the transmittance field, none for the color field.
+    pub fn set_scale(
+        &self,
+        device: &Device,
+        field: &DeviceField,
+        pair_gradient: &Buffer<Vec4>,
+        transmittance: Option<&Buffer<f32>>,
+        pairs: u32,
+        samples: u32,
+    ) -> Result<()> {
+        let kernel = HashGridPeakKernel {
+            params: HashGridPeakParams { pairs, color: u32::from(transmittance.is_none()) },
+            pair_gradient,
+            // a binding must be bound
+            transmittance: transmittance.unwrap_or(&self.scale),
+            bound: &self.bound,
+        };
+        device.run(&kernel, pairs, 1)?;
+        for (layer, slot) in field.layers.iter().zip(1..) {
+            let params = HashGridNormParams {
+                inputs: layer.inputs,
+                columns: layer.columns,
+                weight: layer.weight,
+                slot,
+            };
+            let parameters = &field.parameters;
+            let kernel = HashGridNormKernel { params, parameters, bound: &self.bound };
+            device.run(&kernel, layer.inputs, 1)?;
+        }
+        let layers = field.layers.len() as u32;
+        // 2^bits is the next power of two
+        let sample_bits = u32::BITS - samples.saturating_sub(1).leading_zeros();
+        let kernel = HashGridScaleKernel {
+            params: HashGridScaleParams { layers, sample_bits },
+            bound: &self.bound,
+            scale: &self.scale,
+            status: &self.status,
+        };
+        device.run(&kernel, 1, 1)
+    }
+
+    /// Adds the gradients of a chunk of samples to the sums.
+    ///
+    /// `points [6, stride]`, as [`DeviceField::encode`] takes them; `feature_gradient [rows, stride]`, from `first_row` on
+    /// those of the grid's features.
+    #[allow(clippy::too_many_arguments)]
+    pub fn accumulate(
+        &self,
+        device: &Device,
+        field: &DeviceField,
+        points: &Buffer<f32>,
+        feature_gradient: &Buffer<f32>,
+        first_row: u32,
+        stride: u32,
+        samples: u32,
+    ) -> Result<()> {
+        let kernel = HashGridBackwardKernel {
+            params: HashGridParams {
+                points: samples,
+                stride,
+                first_row,
+                features: field.features,
+                smoothstep: u32::from(field.smoothstep),
+            },
+            levels: &field.levels,
+            position: points,
+            feature_gradient,
+            scale: &self.scale,
+            sum: &self.sum,
+            touched: &self.touched,
+            status: &self.status,
+        };
+        device.run(&kernel, samples, field.levels.len() as u32)
+    }
+
+    /// Adds the sums to the gradient, and clears them.
+    pub fn finish(&self, device: &Device) -> Result<()> {
+        let values = self.gradient.len() as u32;
+        let kernel = HashGridGradientKernel {
+            params: HashGridGradientParams { values },
+            scale: &self.scale,
+            touched: &self.touched,
+            sum: &self.sum,
+            gradient: &self.gradient,
+        };
+        device.run(&kernel, values, 1)
+    }
+
+    /// Bytes on the device.
+    pub fn bytes(&self) -> u64 {
+        self.gradient.bytes() + self.touched.bytes() + self.sum.bytes()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::backend::DeviceOptions;
+    use crate::scene::{Field, GridConfig, Interpolation, Layer, Network};
+
+    /// A grid with a network of two inputs, one hidden layer and one output.
+    fn field(device: &Device) -> DeviceField {
+        let grid = GridConfig {
+            levels: 2,
+            features: 2,
+            log2_table: 6,
+            base_resolution: 3.0,
+            growth: 3.0,
+            interpolation: Interpolation::Linear,
+        };
+        let layer = |inputs: usize, outputs: usize| Layer {
+            weight: vec![0.5; inputs * outputs],
+            bias: vec![0.0; outputs],
+            inputs,
+            outputs,
+        };
+        let network = Network { layers: vec![layer(4, 3), layer(3, 1)] };
+        let table = vec![0.0; grid.entries() * 2];
+        DeviceField::upload(device, &grid, &Field { grid: table, network }).expect("a field")
+    }
+
+    #[test]
+    fn parts_of_any_scale_add_up() {
+        const STRIDE: u32 = 20;
+        let device = Device::open(&DeviceOptions::cpu(Some(2))).expect("the CPU");
+        let field = field(&device);
+        let table = HashGridGradient::new(&device, &field).expect("memory");
+        let points: Vec<_> = (0..6 * STRIDE).map(|i| (i % 7) as f32 / 8.0).collect();
+        let points = device.upload("points", &points).expect("memory");
+        let mut total = 0.0;
+        for (part, samples) in [(0, 17_u32), (1, 5), (2, 11)] {
+            let size = 10_f32.powi(part * 4 - 4);
+            // at most the bound: |T dL/dT| times 3/2 and 1/2
+            let rows: Vec<_> =
+                (0..5 * STRIDE).map(|i| size * 0.375 * (i % 5) as f32 / 4.0).collect();
+            for row in 1..5 {
+                for chunk in [samples, samples - 3] {
+                    let values = &rows[(row * STRIDE) as usize..][..chunk as usize];
+                    total += values.iter().map(|&value| f64::from(value)).sum::<f64>();
+                }
+            }
+            let rows = device.upload("rows", &rows).expect("memory");
+            let pair = device.upload("pair", &[Vec4::W * size, Vec4::ZERO, Vec4::ZERO]);
+            let transmittance = device.upload("transmittance", &[0.5]).expect("memory");
+            let (pair, all) = (pair.expect("memory"), 2 * samples);
+            table.set_scale(&device, &field, &pair, Some(&transmittance), 1, all).expect("a scale");
+            for chunk in [samples, samples - 3] {
+                let added = table.accumulate(&device, &field, &points, &rows, 1, STRIDE, chunk);
+                added.expect("a sum");
+            }
+            table.finish(&device).expect("a gradient");
+        }
+        // the weights of a point's corners add up to 1
+        let gradient = device.read(&table.gradient).expect("a gradient");
+        let found: f64 = gradient.iter().map(|&value| f64::from(value)).sum();
+        assert!((found / total - 1.0).abs() < 1e-6, "{found}, {total}");
+        assert_eq!(device.read(&table.status).expect("a status"), [0]);
+        let touched = device.read(&table.touched).expect("flags");
+        for (block, values) in touched.iter().zip(gradient.chunks(FLAG_BLOCK as usize)) {
+            assert!(*block == 1 || values.iter().all(|&value| value == 0.0));
+        }
+    }
+}

@@ -1,0 +1,34 @@
+//! What the pairs of a Gaussian share.
+
+use organza_kernels::pair::{PairSumKernel, PairSumParams};
+
+use super::DeviceScene;
+use super::bin::Mask;
+use super::plan::words;
+use crate::backend::{Buffer, Device};
+use crate::error::Result;
+
+/// Adds the vectors of every Gaussian's pairs, `pair_vector [pairs, width]`, to `vector [gaussians, width]`.
+pub fn sum_pairs(
+    device: &Device,
+    scene: &DeviceScene,
+    mask: &Mask,
+    width: u32,
+    pair_vector: &Buffer<f32>,
+    vector: &Buffer<f32>,
+) -> Result<()> {
+    let words = words(scene.gaussians);
+    let kernel = PairSumKernel {
+        params: PairSumParams {
+            words,
+            cameras: mask.bits.len() as u32 / words,
+            gaussians: scene.gaussians,
+            width,
+        },
+        mask: &mask.bits,
+        first_pair: &mask.first,
+        pair_vector,
+        vector,
+    };
+    device.run(&kernel, scene.gaussians * width, 1)
+}

@@ -1,0 +1,44 @@
+//! The projection's derivative, for the pairs of a part.
+
+use glam::Vec4;
+use organza_kernels::camera::Camera;
+use organza_kernels::project_backward::{ProjectBackwardKernel, ProjectBackwardParams};
+
+use super::DeviceScene;
+use super::bin::Bins;
+use super::gradient::SceneGradient;
+use super::plan::words;
+use crate::backend::{Buffer, Device};
+use crate::error::Result;
+
+/// Adds what `pair_gradient [pairs, 3]` makes of positions, rotations, scales and opacities to `gradient`, and the
+/// statistics of the part's cameras.
+pub fn project_backward(
+    device: &Device,
+    scene: &DeviceScene,
+    bins: &Bins,
+    pair_gradient: &Buffer<Vec4>,
+    gradient: &SceneGradient,
+) -> Result<()> {
+    let pairs = &bins.pairs;
+    let params = ProjectBackwardParams {
+        gaussians: scene.gaussians,
+        words: words(scene.gaussians),
+        cameras: (pairs.camera.len() / Camera::FLOATS) as u32,
+        blur: scene.config.blur as f32,
+    };
+    let kernel = ProjectBackwardKernel {
+        params,
+        camera: &pairs.camera,
+        position: &scene.position,
+        rotation: &scene.rotation,
+        log_scale: &scene.log_scale,
+        projection: &pairs.projection,
+        pair_mask: &bins.pair_mask.bits,
+        first_pair: &bins.pair_mask.first,
+        pair_gradient,
+        gradient: &gradient.gaussians,
+        statistics: &gradient.statistics,
+    };
+    device.run(&kernel, scene.gaussians, 1)
+}

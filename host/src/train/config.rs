@@ -1,0 +1,459 @@
+//! Every setting of a run: the run folder's `config.toml`, readable back with `--config`.
+
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use crate::atomic_file::write_atomic;
+use crate::error::{Error, Result};
+use crate::scene::{GridConfig, Interpolation, MlpConfig};
+
+/// Every setting of a run.  Names are those of the file; what a file leaves out has its default.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct TrainConfig {
+    /// The photographs.
+    pub data: DataConfig,
+    /// How long, how much at once, how often what is written.
+    pub run: RunConfig,
+    /// The loss.
+    pub loss: LossConfig,
+    /// The shape of the scene.
+    pub scene: ShapeConfig,
+    /// Where training starts.
+    pub start: StartConfig,
+    /// Adam and its rates.
+    pub optimizer: OptimizerConfig,
+    /// How the number of Gaussians changes.
+    pub growth: GrowthConfig,
+}
+
+/// The photographs.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct DataConfig {
+    /// The data set; the built-in scene where there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub path: Option<PathBuf>,
+    /// Photographs become smaller by this factor.
+    pub downscale: u32,
+    /// Every so many-th frame is held out; 0 holds none out.
+    pub hold_out_every: usize,
+    /// What the scene is in front of, and photographs with an alpha channel are put in front of: sRGB, 0 to 1.
+    pub background: [f32; 3],
+    /// Views of the built-in scene, and the side of their images in pixels.
+    pub built_in_views: u32,
+    /// See `built_in_views`.
+    pub built_in_side: u32,
+}
+
+/// How long, how much at once, how often what is written.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct RunConfig {
+    /// Steps; rates fall until the last.
+    pub steps: u32,
+    /// Seed of every random choice.
+    pub seed: u64,
+    /// K, tiles of a step.
+    pub tiles_per_step: u32,
+    /// S, side of a tile in pixels.
+    pub tile_size: u32,
+    /// How tiles are drawn.
+    pub sampling: Sampling,
+    /// Held-out views are measured every so many steps, and after the last; 0 measures after the last alone.
+    pub evaluate_every: u32,
+    /// The checkpoint is written every so many steps, and at the end.
+    pub checkpoint_every: u32,
+    /// A line in `metrics.jsonl` every so many steps.
+    pub log_every: u32,
+}
+
+/// How a step's tiles are drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Sampling {
+    /// Tiles of all images, shuffled: each pixel comes once an epoch.
+    #[default]
+    Tiles,
+    /// All tiles of one image, image after image: for comparison.
+    Images,
+}
+
+/// The loss `(1 - w) L1 + w (1 - SSIM)`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct LossConfig {
+    /// w, 0 to 1.
+    pub ssim_weight: f32,
+    /// Whether T is learned; otherwise it is 1 everywhere, for comparison.
+    pub learn_transmittance: bool,
+    /// Whether sums that pass 1 are divided by their weight (Eq. 13); otherwise never, for comparison.
+    pub normalize: bool,
+}
+
+/// The shape of the scene: see [`SceneConfig`](crate::scene::SceneConfig).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct ShapeConfig {
+    /// Degree of the spherical harmonics.
+    pub sh_degree: u32,
+    /// Values of a Gaussian's material.
+    pub material: u32,
+    /// Values of a Gaussian's extra vector.
+    pub extra: u32,
+    /// sigma, length of a transmittance step in the unit cube.
+    pub step: f64,
+    /// What is added to the diagonal of every covariance, in square pixels.
+    pub blur: f64,
+    /// Hidden layers of the color network.
+    pub color_mlp: MlpConfig,
+    /// Hidden layers of the transmittance network.
+    pub transmittance_mlp: MlpConfig,
+    /// The color network's grid.
+    pub color_grid: GridConfig,
+    /// The transmittance network's grid.
+    pub transmittance_grid: GridConfig,
+}
+
+/// Where training starts.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct StartConfig {
+    /// Gaussians where the data set has no points; at most so many points are taken where it has.
+    pub gaussians: u32,
+    /// Opacity of each.
+    pub opacity: f32,
+    /// Their scale, as a multiple of the distance to the nearest neighbors.
+    pub scale: f32,
+    /// The transmittance network's last bias: a logit, large where space is empty.
+    pub transmittance_bias: f32,
+    /// Half the range of random material and extra values.
+    pub spread: f32,
+}
+
+/// Adam (Kingma and Ba) and its rates.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct OptimizerConfig {
+    /// beta1
+    pub beta1: f64,
+    /// beta2
+    pub beta2: f64,
+    /// epsilon
+    pub epsilon: f64,
+    /// Centers, as a part of half the scene box's longest side.
+    pub position: Rate,
+    /// Quaternions.
+    pub rotation: Rate,
+    /// Logarithms of scales.
+    pub log_scale: Rate,
+    /// Opacity logits.
+    pub opacity: Rate,
+    /// Material.
+    pub material: Rate,
+    /// Extra.
+    pub extra: Rate,
+    /// Both hash grids.
+    pub grids: Rate,
+    /// Both networks.
+    pub networks: Rate,
+}
+
+/// A learning rate that falls from the first step to the last, by the same factor each step.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Rate {
+    /// At the first step.
+    pub first: f64,
+    /// At the last step.
+    pub last: f64,
+}
+
+impl Rate {
+    /// The rate at `step` of `steps`.
+    #[must_use]
+    pub fn at(&self, step: u32, steps: u32) -> f64 {
+        let share = f64::from(step) / f64::from(steps.max(1));
+        self.first * (self.last / self.first).powf(share.min(1.0))
+    }
+}
+
+/// How the number of Gaussians changes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct GrowthConfig {
+    /// What is done.
+    pub method: GrowthMethod,
+    /// The most Gaussians.
+    pub max_gaussians: u32,
+    /// Every so many steps.
+    pub every: u32,
+    /// The first time, as a part of all steps.
+    pub begin: f64,
+    /// The last time, as a part of all steps.
+    pub end: f64,
+    /// The part of the Gaussians that is added each time.
+    pub rate: f64,
+    /// Gaussians whose opacity is less are taken away, or moved.
+    pub min_opacity: f32,
+    /// Standard deviation of the noise on transparent Gaussians' centers, as a part of the position's rate; for `relocate`.
+    pub noise: f64,
+}
+
+/// How the number of Gaussians changes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum GrowthMethod {
+    /// Not at all.
+    None,
+    /// Those whose center feels the strongest gradient are split or cloned, transparent ones are taken away.
+    #[default]
+    Split,
+    /// Transparent ones move to opaque ones, and new ones are added there, chosen at random by opacity (MCMC).
+    Relocate,
+}
+
+impl Default for DataConfig {
+    fn default() -> Self {
+        Self {
+            path: None,
+            downscale: 1,
+            hold_out_every: 8,
+            background: [0.0; 3],
+            built_in_views: 48,
+            built_in_side: 128,
+        }
+    }
+}
+
+impl Default for RunConfig {
+    fn default() -> Self {
+        Self {
+            steps: 2000,
+            seed: 0,
+            tiles_per_step: 16,
+            tile_size: 64,
+            sampling: Sampling::default(),
+            evaluate_every: 500,
+            checkpoint_every: 250,
+            log_every: 10,
+        }
+    }
+}
+
+impl Default for LossConfig {
+    fn default() -> Self {
+        Self { ssim_weight: 0.2, learn_transmittance: true, normalize: true }
+    }
+}
+
+impl Default for ShapeConfig {
+    fn default() -> Self {
+        let grid = GridConfig {
+            levels: 8,
+            features: 2,
+            log2_table: 14,
+            base_resolution: 16.0,
+            growth: 1.35,
+            interpolation: Interpolation::Linear,
+        };
+        Self {
+            sh_degree: 2,
+            material: 8,
+            extra: 2,
+            step: 0.03,
+            blur: 0.3,
+            color_mlp: MlpConfig { hidden: vec![32, 32] },
+            transmittance_mlp: MlpConfig { hidden: vec![32, 32] },
+            color_grid: grid.clone(),
+            transmittance_grid: grid,
+        }
+    }
+}
+
+impl Default for StartConfig {
+    fn default() -> Self {
+        Self { gaussians: 4000, opacity: 0.1, scale: 1.0, transmittance_bias: 5.0, spread: 0.1 }
+    }
+}
+
+impl Default for OptimizerConfig {
+    fn default() -> Self {
+        let falls = |first: f64, share: f64| Rate { first, last: first * share };
+        Self {
+            beta1: 0.9,
+            beta2: 0.99,
+            epsilon: 1e-12,
+            position: falls(1e-3, 0.05),
+            rotation: falls(1e-3, 1.0),
+            log_scale: falls(1e-2, 0.3),
+            opacity: falls(2.5e-2, 1.0),
+            material: falls(1e-2, 0.1),
+            extra: falls(1e-2, 0.1),
+            grids: falls(1e-2, 0.1),
+            networks: falls(2e-3, 0.1),
+        }
+    }
+}
+
+impl Default for GrowthConfig {
+    fn default() -> Self {
+        Self {
+            method: GrowthMethod::default(),
+            max_gaussians: 12_000,
+            every: 100,
+            begin: 0.1,
+            end: 0.8,
+            rate: 0.1,
+            min_opacity: 0.005,
+            noise: 0.0,
+        }
+    }
+}
+
+impl TrainConfig {
+    /// Reads a file such as [`TrainConfig::save`] writes.
+    ///
+    /// # Errors
+    /// [`Error::ReadFile`]; [`Error::Invalid`] where it is not TOML, has a field that does not exist, or a value that
+    /// is out of range.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self> {
+        let path = path.as_ref();
+        let text = std::fs::read_to_string(path)
+            .map_err(|source| Error::ReadFile { path: path.to_owned(), source })?;
+        Self::parse(&text, path)
+    }
+
+    /// As [`TrainConfig::load`], from text.
+    ///
+    /// # Errors
+    /// As [`TrainConfig::load`].
+    pub fn parse(text: &str, origin: &Path) -> Result<Self> {
+        let invalid = |reason| Error::Invalid { origin: origin.to_owned(), reason };
+        let config: Self = toml::from_str(text).map_err(|error| {
+            let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
+            invalid(format!("line {line}: {}", error.message()))
+        })?;
+        config.check().map_err(invalid)?;
+        Ok(config)
+    }
+
+    /// The file's text.
+    #[must_use]
+    pub fn to_toml(&self) -> String {
+        toml::to_string_pretty(self).expect("plain tables of numbers and strings")
+    }
+
+    /// Writes a file, beside and renamed.
+    ///
+    /// # Errors
+    /// [`Error::WriteFile`].
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
+        write_atomic(path, |writer| writer.write_all(self.to_toml().as_bytes()))
+    }
+
+    /// The first value that is out of range, as a sentence.
+    pub(super) fn check(&self) -> Result<(), String> {
+        let positive = |name: &str, value: u32| match value {
+            0 => Err(format!("`{name}` is 0, expected 1 or more")),
+            _ => Ok(()),
+        };
+        positive("data.downscale", self.data.downscale)?;
+        positive("run.steps", self.run.steps)?;
+        positive("run.tiles_per_step", self.run.tiles_per_step)?;
+        positive("run.checkpoint_every", self.run.checkpoint_every)?;
+        positive("run.log_every", self.run.log_every)?;
+        positive("start.gaussians", self.start.gaussians)?;
+        positive("growth.every", self.growth.every)?;
+        positive("growth.max_gaussians", self.growth.max_gaussians)?;
+        within("run.tile_size", f64::from(self.run.tile_size), 1.0, 512.0)?;
+        within("data.built_in_views", f64::from(self.data.built_in_views), 2.0, 1000.0)?;
+        within("data.built_in_side", f64::from(self.data.built_in_side), 16.0, 2048.0)?;
+        within("loss.ssim_weight", f64::from(self.loss.ssim_weight), 0.0, 1.0)?;
+        within("start.opacity", f64::from(self.start.opacity), 1e-4, 0.9999)?;
+        within("start.scale", f64::from(self.start.scale), 1e-4, 1e4)?;
+        within("start.spread", f64::from(self.start.spread), 0.0, 1e3)?;
+        within("start.transmittance_bias", f64::from(self.start.transmittance_bias), -50.0, 50.0)?;
+        within("growth.rate", self.growth.rate, 0.0, 1.0)?;
+        within("growth.begin", self.growth.begin, 0.0, 1.0)?;
+        within("growth.end", self.growth.end, 0.0, 1.0)?;
+        within("growth.min_opacity", f64::from(self.growth.min_opacity), 0.0, 0.5)?;
+        within("growth.noise", self.growth.noise, 0.0, 1e6)?;
+        self.optimizer.check()
+    }
+}
+
+fn within(name: &str, value: f64, low: f64, high: f64) -> Result<(), String> {
+    match (low..=high).contains(&value) {
+        true => Ok(()),
+        false => Err(format!("`{name}` is {value}, expected {low} to {high}")),
+    }
+}
+
+impl OptimizerConfig {
+    fn check(&self) -> Result<(), String> {
+        within("optimizer.beta1", self.beta1, 0.0, 0.999_999)?;
+        within("optimizer.beta2", self.beta2, 0.0, 0.999_999_9)?;
+        within("optimizer.epsilon", self.epsilon, 1e-30, 1.0)?;
+        let rates = [
+            ("position", self.position),
+            ("rotation", self.rotation),
+            ("log_scale", self.log_scale),
+            ("opacity", self.opacity),
+            ("material", self.material),
+            ("extra", self.extra),
+            ("grids", self.grids),
+            ("networks", self.networks),
+        ];
+        for (name, rate) in rates {
+            within(&format!("optimizer.{name}.first"), rate.first, 1e-12, 1.0)?;
+            within(&format!("optimizer.{name}.last"), rate.last, 1e-12, 1.0)?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse(text: &str) -> Result<TrainConfig> {
+        TrainConfig::parse(text, Path::new("config.toml"))
+    }
+
+    #[test]
+    fn a_file_reads_back() {
+        let mut config = TrainConfig::default();
+        config.data.path = Some("photographs".into());
+        config.optimizer.grids.last = 1.234_567_890_123e-5;
+        config.growth.method = GrowthMethod::Relocate;
+        assert_eq!(parse(&config.to_toml()).unwrap(), config);
+        assert_eq!(parse("").unwrap(), TrainConfig::default());
+    }
+
+    #[test]
+    fn mistakes_are_named() {
+        for (text, expected) in [
+            ("[run]\nstep = 3", "line 2: unknown field `step`"),
+            ("[run]\nsteps = 0", "`run.steps` is 0, expected 1 or more"),
+            ("[run]\nsteps = -1", "line 2:"),
+            ("[loss]\nssim_weight = 1.5", "`loss.ssim_weight` is 1.5, expected 0 to 1"),
+            ("[loss]\nssim_weight = nan", "`loss.ssim_weight` is NaN"),
+            ("[optimizer.grids]\nfirst = 0.1\nlast = 0.0", "`optimizer.grids.last` is 0"),
+            ("[growth]\nmethod = 'magic'", "unknown variant `magic`"),
+            ("steps", "line 1:"),
+        ] {
+            let error = parse(text).unwrap_err().to_string();
+            assert!(error.contains(expected) && error.contains("config.toml"), "{error}");
+        }
+    }
+
+    #[test]
+    fn rates_fall_by_the_same_factor() {
+        let rate = Rate { first: 1e-2, last: 1e-4 };
+        for (step, expected) in [(0, 1e-2), (50, 1e-3), (100, 1e-4), (200, 1e-4)] {
+            assert!((rate.at(step, 100) / expected - 1.0).abs() < 1e-12);
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! `metrics.jsonl`: what a run measured, one JSON object a line.
+
+#[cfg(test)]
+mod tests;
+
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Deserializer, Serialize};
+
+use crate::atomic_file::write_atomic;
+use crate::error::{Error, Result};
+use crate::evaluate::{Evaluation, ViewScore};
+
+/// One line of `metrics.jsonl`: an object whose `kind` tells which.
+///
+/// A number that is NaN or infinite is null in the file, and NaN or none when it is read.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum Record {
+    /// Where training stands.
+    Step {
+        /// Optimizer steps so far.
+        step: u64,
+        /// Seconds of training so far, those before a resume included.
+        seconds: f64,
+        /// The loss of this step's batch.
+        #[serde(deserialize_with = "nan_for_null")]
+        loss: f64,
+        /// The PSNR of this step's batch, in decibels.
+        #[serde(deserialize_with = "nan_for_null")]
+        psnr: f64,
+        /// Tiles trained on in a second.
+        #[serde(deserialize_with = "nan_for_null")]
+        tiles_per_second: f64,
+        /// Gaussians of the scene.
+        gaussians: u64,
+    },
+    /// The held-out frames were rendered and compared.
+    Evaluation {
+        /// Optimizer steps so far.
+        step: u64,
+        /// Seconds of training so far, those before a resume included.
+        seconds: f64,
+        /// The mean PSNR over the views, in decibels.
+        psnr: Option<f64>,
+        /// The mean SSIM over the views.
+        ssim: Option<f64>,
+        /// Each view on its own.
+        views: Vec<ViewScore>,
+    },
+    /// The set of Gaussians was changed.
+    Growth {
+        /// Optimizer steps so far.
+        step: u64,
+        /// Gaussians that were replaced by smaller ones.
+        split: u64,
+        /// Gaussians that were doubled.
+        cloned: u64,
+        /// Gaussians that were removed.
+        pruned: u64,
+        /// Gaussians of the scene afterwards.
+        gaussians: u64,
+    },
+    /// Where the time went.
+    Timing {
+        /// Optimizer steps so far.
+        step: u64,
+        /// The stages.
+        rows: Vec<TimingRow>,
+    },
+}
+
+/// The time that a stage of training took.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TimingRow {
+    /// The stage's name.
+    pub stage: String,
+    /// What it took, in seconds.
+    pub seconds: f64,
+    /// Its share of the whole, of 0 to 1.
+    pub share: f64,
+}
+
+impl Record {
+    /// The record of an evaluation after `step` steps and `seconds` of training.
+    #[must_use]
+    pub fn evaluation(step: u64, seconds: f64, evaluation: &Evaluation) -> Self {
+        let (mean, views) = (evaluation.mean, evaluation.views.clone());
+        Self::Evaluation { step, seconds, psnr: mean.psnr, ssim: mean.ssim, views }
+    }
+
+    /// The optimizer steps that had been done.
+    #[must_use]
+    pub fn step(&self) -> u64 {
+        match self {
+            Self::Step { step, .. }
+            | Self::Evaluation { step, .. }
+            | Self::Growth { step, .. }
+            | Self::Timing { step, .. } => *step,
+        }
+    }
+}
+
+fn nan_for_null<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+    Ok(Option::deserialize(deserializer)?.unwrap_or(f64::NAN))
+}
+
+/// A `metrics.jsonl` that is being written.
+#[derive(Debug)]
+pub struct MetricsLog {
+    path: PathBuf,
+    file: File,
+}
+
+impl MetricsLog {
+    /// Begins a log; what was there is replaced.
+    ///
+    /// # Errors
+    /// [`Error::WriteFile`].
+    pub fn create(path: impl AsRef<Path>) -> Result<Self> {
+        Self::begin(path.as_ref(), &[])
+    }
+
+    /// Continues a log after `step`: what lies after it is dropped, and so is a last line that was not written to its
+    /// end. What is kept is kept to the byte. Where there is no log, one is begun.
+    ///
+    /// # Errors
+    /// As [`Self::read`], but for a file that is not there; [`Error::WriteFile`].
+    pub fn resume(path: impl AsRef<Path>, step: u64) -> Result<Self> {
+        let path = path.as_ref();
+        if !path.exists() {
+            return Self::create(path);
+        }
+        let text = read(path)?;
+        let kept = parse(path, &text)?;
+        let kept = kept.iter().filter(|(_, record)| record.step() <= step);
+        Self::begin(path, &kept.map(|(line, _)| *line).collect::<Vec<_>>())
+    }
+
+    /// Reads a log. A last line that was not written to its end is left out.
+    ///
+    /// # Errors
+    /// [`Error::ReadFile`]; [`Error::Invalid`] for the first other line that is no record.
+    pub fn read(path: impl AsRef<Path>) -> Result<Vec<Record>> {
+        let path = path.as_ref();
+        let text = read(path)?;
+        Ok(parse(path, &text)?.into_iter().map(|(_, record)| record).collect())
+    }
+
+    /// Writes a record; it is in the file when this returns.
+    ///
+    /// # Errors
+    /// [`Error::WriteFile`].
+    pub fn append(&mut self, record: &Record) -> Result<()> {
+        self.write_line(record).map_err(|source| Error::write(&self.path, source))
+    }
+
+    fn write_line(&mut self, record: &Record) -> io::Result<()> {
+        let mut line = serde_json::to_vec(record)?;
+        line.push(b'\n');
+        // in one piece, so that only a crash can leave half of it
+        self.file.write_all(&line)?;
+        self.file.flush()
+    }
+
+    fn begin(path: &Path, lines: &[&[u8]]) -> Result<Self> {
+        write_atomic(path, |writer| {
+            for line in lines {
+                writer.write_all(line)?;
+                writer.write_all(b"\n")?;
+            }
+            Ok(())
+        })?;
+        let file = File::options().append(true).open(path);
+        let file = file.map_err(|source| Error::write(path, source))?;
+        Ok(Self { path: path.to_owned(), file })
+    }
+}
+
+fn read(path: &Path) -> Result<Vec<u8>> {
+    fs::read(path).map_err(|source| Error::read(path, source))
+}
+
+/// The records with their lines.
+fn parse<'a>(path: &Path, text: &'a [u8]) -> Result<Vec<(&'a [u8], Record)>> {
+    let lines: Vec<_> = text.split(|&byte| byte == b'\n').enumerate().collect();
+    let filled = lines.iter().filter(|(_, line)| !line.trim_ascii().is_empty());
+    let last = filled.clone().next_back().map(|(number, _)| *number);
+    let mut records = Vec::new();
+    for &(number, line) in filled {
+        match serde_json::from_slice(line) {
+            Ok(record) => records.push((line, record)),
+            Err(_) if Some(number) == last => {}
+            Err(error) => {
+                let line = number + 1;
+                let reason = format!(
+                    "line {line} is no record of a training run: {error}; remove the line, or \
+                     choose another folder"
+                );
+                return Err(Error::Invalid { origin: path.to_owned(), reason });
+            }
+        }
+    }
+    Ok(records)
+}

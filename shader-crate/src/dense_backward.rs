@@ -1,0 +1,364 @@
+//! The derivatives of the dense layers (Eq. 2 and 10), of dL/d of a layer's outputs before the activation.
+//!
+//! A gradient has the layout of what it belongs to: that of inputs and outputs is `[rows, stride]`, that of a
+//! network's parameters is packed as [`dense`](crate::dense) has it, its padding zero.
+
+use glam::Vec4;
+
+use crate::dense::Column;
+use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SLICE, MAX_SLICES};
+use crate::prelude::*;
+
+/// Inputs of a layer whose gradient one invocation of [`dense_backward`] computes.
+pub const INPUT_BLOCK: u32 = 8;
+
+/// Inputs of a layer that one invocation of [`dense_weight_backward`] takes; its outputs are a column of four.
+pub const WEIGHT_BLOCK: u32 = 4;
+
+/// Parameters of [`dense_backward`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct DenseBackwardParams {
+    /// Samples in the chunk.
+    pub samples: u32,
+    /// Distance of two rows in `input`, `output_gradient` and `input_gradient`.
+    pub stride: u32,
+    /// Inputs of the layer.
+    pub inputs: u32,
+    /// Columns of four outputs, padding included.
+    pub columns: u32,
+    /// Where the layer's weights begin.
+    pub weight: u32,
+    /// The first input whose gradient somebody needs.
+    pub first_input: u32,
+    /// The last one, and one: with `rectified`, the padding of the layer below, too.
+    pub end_input: u32,
+    /// 1 where the inputs are a hidden layer's outputs: the gradient is then of what they were before the activation.
+    pub rectified: u32,
+}
+
+/// `sum + g W^T` for the four outputs of a column and four inputs.
+#[inline(always)]
+fn add_transposed<L: Lane>(sum: Column<L>, weight: [Vec4; 4], g: Column<L>) -> Column<L> {
+    let [x, y, z, w] = weight;
+    Column {
+        x: add_dot(sum.x, x, g),
+        y: add_dot(sum.y, y, g),
+        z: add_dot(sum.z, z, g),
+        w: add_dot(sum.w, w, g),
+    }
+}
+
+#[inline(always)]
+fn add_dot<L: Lane>(sum: L, weight: Vec4, g: Column<L>) -> L {
+    let sum = g.x.mul_add(L::splat(weight.x), sum);
+    let sum = g.y.mul_add(L::splat(weight.y), sum);
+    let sum = g.z.mul_add(L::splat(weight.z), sum);
+    g.w.mul_add(L::splat(weight.w), sum)
+}
+
+/// Four rows of a buffer, from a row on.
+#[inline(always)]
+fn read_column<L: Lane>(buffer: Read<f32>, first: u32, stride: u32) -> Column<L> {
+    Column {
+        x: L::read(buffer, first),
+        y: L::read(buffer, first + stride),
+        z: L::read(buffer, first + 2 * stride),
+        w: L::read(buffer, first + 3 * stride),
+    }
+}
+
+/// The smaller of two numbers.
+#[inline(always)]
+fn least(a: u32, b: u32) -> u32 {
+    if a < b { a } else { b }
+}
+
+/// The gradient of a layer's inputs, `dL/dx_i = sum_o W_oi dL/dy_o` of Eq. 2 and 10: samples along x and y, blocks of
+/// eight inputs from `first_input` on along z.
+///
+/// `input [inputs, stride]`, `output_gradient [4 columns, stride]`, `input_gradient [end_input, stride]`.
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH / 4, fused, lanes(samples))]
+pub fn dense_backward<L: Lane>(
+    id: Invocation,
+    params: &DenseBackwardParams,
+    parameters: Read<Vec4>,
+    input: Read<f32>,
+    output_gradient: Read<f32>,
+    input_gradient: Write<f32>,
+) {
+    let sample = id.index();
+    if sample < params.samples {
+        let first = params.first_input + id.workgroup.z * INPUT_BLOCK;
+        // inputs past the last repeat it, and are not written
+        let last = params.inputs - 1;
+        let (weight, columns) = (params.weight, params.columns);
+        let at0 = weight + least(first, last) * columns;
+        let at1 = weight + least(first + 1, last) * columns;
+        let at2 = weight + least(first + 2, last) * columns;
+        let at3 = weight + least(first + 3, last) * columns;
+        let at4 = weight + least(first + 4, last) * columns;
+        let at5 = weight + least(first + 5, last) * columns;
+        let at6 = weight + least(first + 6, last) * columns;
+        let at7 = weight + least(first + 7, last) * columns;
+        let mut low = Column::<L>::splat(Vec4::ZERO);
+        let mut high = Column::<L>::splat(Vec4::ZERO);
+        let mut at = sample;
+        let mut c = 0;
+        while c < columns {
+            let g = read_column::<L>(output_gradient, at, params.stride);
+            let rows = [
+                parameters.read(at0 + c),
+                parameters.read(at1 + c),
+                parameters.read(at2 + c),
+                parameters.read(at3 + c),
+            ];
+            low = add_transposed(low, rows, g);
+            let rows = [
+                parameters.read(at4 + c),
+                parameters.read(at5 + c),
+                parameters.read(at6 + c),
+                parameters.read(at7 + c),
+            ];
+            high = add_transposed(high, rows, g);
+            at += 4 * params.stride;
+            c += 1;
+        }
+        write_gradient(params, input, input_gradient, low, first, sample);
+        write_gradient(params, input, input_gradient, high, first + 4, sample);
+    }
+}
+
+/// Writes four rows of a gradient, as many of them as there are.
+#[inline(always)]
+fn write_gradient<L: Lane>(
+    params: &DenseBackwardParams,
+    input: Read<f32>,
+    output: Write<f32>,
+    value: Column<L>,
+    row: u32,
+    sample: u32,
+) {
+    let at = row * params.stride + sample;
+    if row < params.end_input {
+        masked(params, input, value.x, at).write(output, at);
+    }
+    let at = at + params.stride;
+    if row + 1 < params.end_input {
+        masked(params, input, value.y, at).write(output, at);
+    }
+    let at = at + params.stride;
+    if row + 2 < params.end_input {
+        masked(params, input, value.z, at).write(output, at);
+    }
+    let at = at + params.stride;
+    if row + 3 < params.end_input {
+        masked(params, input, value.w, at).write(output, at);
+    }
+}
+
+/// Derivative of the layer below's max(x, 0), where there is one: an output of 0 passes nothing on.
+#[inline(always)]
+fn masked<L: Lane>(params: &DenseBackwardParams, input: Read<f32>, value: L, at: u32) -> L {
+    if params.rectified != 0 {
+        let zero = L::splat(0.0);
+        L::select(zero.less(L::read(input, at)), value, zero)
+    } else {
+        value
+    }
+}
+
+/// Parameters of [`dense_weight_backward`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct DenseWeightBackwardParams {
+    /// Samples in the chunk.
+    pub samples: u32,
+    /// Distance of two rows in `input` and `output_gradient`.
+    pub stride: u32,
+    /// Inputs of the layer.
+    pub inputs: u32,
+    /// Columns of four outputs, padding included.
+    pub columns: u32,
+    /// Where the layer's weights begin.
+    pub weight: u32,
+    /// Where the layer's biases begin.
+    pub bias: u32,
+    /// Samples of a slice.
+    pub slice: u32,
+    /// Distance of two slices in `partial`: the parameters of the whole network.
+    pub parameters: u32,
+}
+
+/// `sum + x g`
+#[inline(always)]
+fn add_scaled<L: Lane>(sum: Column<L>, x: L, g: Column<L>) -> Column<L> {
+    Column {
+        x: x.mul_add(g.x, sum.x),
+        y: x.mul_add(g.y, sum.y),
+        z: x.mul_add(g.z, sum.z),
+        w: x.mul_add(g.w, sum.w),
+    }
+}
+
+/// `sum + g`
+#[inline(always)]
+fn add<L: Lane>(sum: Column<L>, g: Column<L>) -> Column<L> {
+    Column { x: sum.x + g.x, y: sum.y + g.y, z: sum.z + g.z, w: sum.w + g.w }
+}
+
+/// The same sums.  On the CPU they go through memory: the compiler then keeps each of them in one register before, where
+/// otherwise the sum over lanes would have it take them apart.
+#[inline(always)]
+fn settled<L: Lane>(sum: Column<L>) -> Column<L> {
+    #[cfg(not(target_arch = "spirv"))]
+    {
+        let Column { x, y, z, w } = sum;
+        let [x, y, z, w] = [x, y, z, w].map(core::hint::black_box);
+        Column { x, y, z, w }
+    }
+    #[cfg(target_arch = "spirv")]
+    {
+        sum
+    }
+}
+
+/// What all lanes have, and what was left over.
+#[inline(always)]
+fn total<L: Lane, M: Lane>(sum: Column<L>, rest: Column<M>) -> Vec4 {
+    Vec4::new(
+        sum.x.sum() + rest.x.sum(),
+        sum.y.sum() + rest.y.sum(),
+        sum.z.sum() + rest.z.sum(),
+        sum.w.sum() + rest.w.sum(),
+    )
+}
+
+/// The gradient of a layer's weights and biases, `dL/dW_oi = sum x_i dL/dy_o` and `dL/db_o = sum dL/dy_o` of Eq. 2 and
+/// 10, the sums over the samples of a slice: blocks of four inputs and a column of outputs along x and y (the column
+/// counts fastest; behind the last block the biases), slices along z.
+///
+/// `input [inputs, stride]`, `output_gradient [4 columns, stride]`, `partial [slices, parameters]`.
+#[kernel(threads(16), iterations = MAX_SLICE, fused, lanes)]
+pub fn dense_weight_backward<L: Lane>(
+    id: Invocation,
+    params: &DenseWeightBackwardParams,
+    input: Read<f32>,
+    output_gradient: Read<f32>,
+    partial: Write<Vec4>,
+) {
+    let index = id.index();
+    let (columns, inputs) = (params.columns, params.inputs);
+    let blocks = (inputs - 1) / WEIGHT_BLOCK + 1;
+    if index < (blocks + 1) * columns {
+        let (block, column) = (index / columns, index % columns);
+        let slice = id.workgroup.z;
+        let begin = slice * params.slice;
+        let end = least(begin + params.slice, params.samples);
+        let to = slice * params.parameters + column;
+        let g = 4 * column * params.stride;
+        if block < blocks {
+            let first = block * WEIGHT_BLOCK;
+            let [row0, row1, row2, row3] = input_rows(params, first);
+            // sixteen sums: four variables, for an aggregate of them would stay in memory
+            let none = Column::<L>::splat(Vec4::ZERO);
+            let (mut sum0, mut sum1, mut sum2, mut sum3) = (none, none, none, none);
+            let mut sample = begin;
+            while sample + L::WIDTH <= end {
+                let g = read_column::<L>(output_gradient, g + sample, params.stride);
+                sum0 = add_scaled(sum0, L::read(input, row0 + sample), g);
+                sum1 = add_scaled(sum1, L::read(input, row1 + sample), g);
+                sum2 = add_scaled(sum2, L::read(input, row2 + sample), g);
+                sum3 = add_scaled(sum3, L::read(input, row3 + sample), g);
+                sample += L::WIDTH;
+            }
+            let (sum0, sum1) = (settled(sum0), settled(sum1));
+            let (sum2, sum3) = (settled(sum2), settled(sum3));
+            let none = Column::<L::One>::splat(Vec4::ZERO);
+            let (mut rest0, mut rest1, mut rest2, mut rest3) = (none, none, none, none);
+            while sample < end {
+                let g = read_column::<L::One>(output_gradient, g + sample, params.stride);
+                rest0 = add_scaled(rest0, L::One::read(input, row0 + sample), g);
+                rest1 = add_scaled(rest1, L::One::read(input, row1 + sample), g);
+                rest2 = add_scaled(rest2, L::One::read(input, row2 + sample), g);
+                rest3 = add_scaled(rest3, L::One::read(input, row3 + sample), g);
+                sample += 1;
+            }
+            let to = to + params.weight + first * columns;
+            partial.write(to, total(sum0, rest0));
+            if first + 1 < inputs {
+                partial.write(to + columns, total(sum1, rest1));
+            }
+            if first + 2 < inputs {
+                partial.write(to + 2 * columns, total(sum2, rest2));
+            }
+            if first + 3 < inputs {
+                partial.write(to + 3 * columns, total(sum3, rest3));
+            }
+        } else {
+            let sum = sum_rows::<L>(output_gradient, g, params.stride, begin, end);
+            partial.write(to + params.bias, sum);
+        }
+    }
+}
+
+/// Sums of a column's four rows from a sample to another.
+#[inline(always)]
+fn sum_rows<L: Lane>(rows: Read<f32>, first: u32, stride: u32, begin: u32, end: u32) -> Vec4 {
+    let mut sum = Column::<L>::splat(Vec4::ZERO);
+    let mut sample = begin;
+    while sample + L::WIDTH <= end {
+        sum = add(sum, read_column::<L>(rows, first + sample, stride));
+        sample += L::WIDTH;
+    }
+    let sum = settled(sum);
+    let mut rest = Column::<L::One>::splat(Vec4::ZERO);
+    while sample < end {
+        rest = add(rest, read_column::<L::One>(rows, first + sample, stride));
+        sample += 1;
+    }
+    total(sum, rest)
+}
+
+/// Where the rows of a block's inputs begin; inputs past the last repeat it.
+#[inline(always)]
+fn input_rows(params: &DenseWeightBackwardParams, first: u32) -> [u32; 4] {
+    let (last, stride) = (params.inputs - 1, params.stride);
+    [
+        first * stride,
+        least(first + 1, last) * stride,
+        least(first + 2, last) * stride,
+        least(first + 3, last) * stride,
+    ]
+}
+
+/// Parameters of [`dense_weight_sum`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct DenseWeightSumParams {
+    /// Vectors of parameters of the whole network.
+    pub parameters: u32,
+    /// Slices.
+    pub slices: u32,
+}
+
+/// Adds what [`dense_weight_backward`] found in each slice, in their order: `gradient [parameters]`,
+/// `partial [slices, parameters]`.
+#[kernel(threads(64), iterations = MAX_SLICES)]
+pub fn dense_weight_sum(
+    id: Invocation,
+    params: &DenseWeightSumParams,
+    partial: Read<Vec4>,
+    gradient: Write<Vec4>,
+) {
+    let index = id.index();
+    if index < params.parameters {
+        let mut sum = gradient.read(index);
+        let mut slice = 0;
+        while slice < params.slices {
+            sum += partial.read(slice * params.parameters + index);
+            slice += 1;
+        }
+        gradient.write(index, sum);
+    }
+}

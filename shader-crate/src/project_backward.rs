@@ -1,0 +1,196 @@
+//! The derivative of the EWA projection, from a pair's center and conic to its Gaussian's position, rotation and scale.
+
+use glam::{Vec2, Vec3, Vec4};
+
+use crate::camera::{Camera, read3};
+use crate::limits::MAX_CAMERAS;
+use crate::math::{cross, dot, length, max, sqrt};
+use crate::prelude::*;
+use crate::project::{Footprint, read_quaternion};
+use crate::splat::VECTORS;
+
+/// A loss's derivatives with respect to one Gaussian.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GaussianGradient {
+    /// Of the position.
+    pub position: Vec3,
+    /// Of the quaternion that is not normalized: w, x, y, z.
+    pub rotation: Vec4,
+    /// Of the logarithms of the axes.
+    pub log_scale: Vec3,
+}
+
+/// Derivative of [`rotation_columns`](crate::project::rotation_columns), of dL/d of its columns.
+#[inline(always)]
+pub fn rotation_columns_backward(q: Vec4, gradient: [Vec3; 3]) -> Vec4 {
+    let [a, b, c] = gradient;
+    let scale = 1.0 / sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+    let (w, x, y, z) = (q.x * scale, q.y * scale, q.z * scale, q.w * scale);
+    let turn = Vec3::new(b.z - c.y, c.x - a.z, a.y - b.x);
+    let (xy, xz, yz) = (a.y + b.x, a.z + c.x, b.z + c.y);
+    let d = Vec4::new(
+        x * turn.x + y * turn.y + z * turn.z,
+        w * turn.x + y * xy + z * xz - 2.0 * x * (b.y + c.z),
+        w * turn.y + x * xy + z * yz - 2.0 * y * (a.x + c.z),
+        w * turn.z + x * xz + y * yz - 2.0 * z * (a.x + b.y),
+    ) * 2.0;
+    // the length has no influence
+    let along = d.x * w + d.y * x + d.z * y + d.w * z;
+    (d - Vec4::new(w, x, y, z) * along) * scale
+}
+
+/// Derivative of [`project_gaussian`](crate::project::project_gaussian) for a Gaussian that is not culled, of dL/dmean2d
+/// and dL/dconic (xx, xy, yy).
+///
+/// With H = J W R S and `cov2d = H H^T + blur I`: `dL/dH = -2 conic G conic H`, G the symmetric matrix of dL/dconic.
+/// Where x/z or y/z is clamped in J it is a constant.
+#[inline(always)]
+pub fn project_gaussian_backward(
+    camera: &Camera,
+    blur: f32,
+    position: Vec3,
+    rotation: Vec4,
+    log_scale: Vec3,
+    mean2d: Vec2,
+    conic: Vec3,
+) -> GaussianGradient {
+    let footprint = Footprint::new(camera, position, rotation, log_scale);
+    let Footprint { t, z, ratio, row_x, row_y, axes, scale, u, v } = footprint;
+
+    // conic H, without the cancellation of a needle: |v|^2 u - (u.v) v = v x (u x v)
+    let (uu, uv, vv) = (dot(u, u), dot(u, v), dot(v, v));
+    let normal = cross(u, v);
+    let inverse = 1.0 / (dot(normal, normal) + blur * (uu + vv) + blur * blur);
+    let along_u = (u * blur + cross(v, normal)) * inverse;
+    let along_v = (v * blur + cross(normal, u)) * inverse;
+    let half = 0.5 * conic.y;
+    let (p, q) = (along_u * conic.x + along_v * half, along_u * half + along_v * conic.z);
+    let (xx, xy, yy) = ((vv + blur) * inverse, -uv * inverse, (uu + blur) * inverse);
+    let du = (p * xx + q * xy) * -2.0;
+    let dv = (p * xy + q * yy) * -2.0;
+
+    let log_scale =
+        Vec3::new(du.x * u.x + dv.x * v.x, du.y * u.y + dv.y * v.y, du.z * u.z + dv.z * v.z);
+    // u_k = s_k row_x . axis_k
+    let (su, sv) = (du * scale, dv * scale);
+    let columns =
+        [row_x * su.x + row_y * sv.x, row_x * su.y + row_y * sv.y, row_x * su.z + row_y * sv.z];
+    let [axis_x, axis_y, axis_z] = axes;
+    let d_row_x = axis_x * su.x + axis_y * su.y + axis_z * su.z;
+    let d_row_y = axis_x * sv.x + axis_y * sv.y + axis_z * sv.z;
+
+    // row_x = (right - ratio_x forward) f_x / z
+    let [right, down, forward] = camera.rotation;
+    let f = camera.focal * (1.0 / z);
+    let real = Vec2::new(t.x / z, t.y / z);
+    let d_ratio_x = -f.x * dot(d_row_x, forward);
+    let d_ratio_y = -f.y * dot(d_row_y, forward);
+    let free_x = if ratio.x == real.x { d_ratio_x } else { 0.0 };
+    let free_y = if ratio.y == real.y { d_ratio_y } else { 0.0 };
+    let dx = f.x * mean2d.x + free_x / z;
+    let dy = f.y * mean2d.y + free_y / z;
+    let dz = -(real.x * dx + real.y * dy) - (dot(d_row_x, row_x) + dot(d_row_y, row_y)) / z;
+    GaussianGradient {
+        position: right * dx + down * dy + forward * dz,
+        rotation: rotation_columns_backward(rotation, columns),
+        log_scale,
+    }
+}
+
+/// Parameters of [`project_backward`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct ProjectBackwardParams {
+    /// Gaussians of the scene.
+    pub gaussians: u32,
+    /// Words of a camera's mask.
+    pub words: u32,
+    /// Cameras of the part.
+    pub cameras: u32,
+    /// See [`ProjectParams::blur`](crate::project::ProjectParams::blur).
+    pub blur: f32,
+}
+
+/// Adds what the pairs of a Gaussian have, cameras ascending, to `gradient [11 gaussians]`: position `[N, 3]`, rotation
+/// `[N, 4]`, log_scale `[N, 3]`, opacity `[N]`.
+///
+/// `pair_gradient [pairs, 3]` is that of [`splat_backward`](crate::splat::splat_backward); `statistics [gaussians]` is
+/// the sum of |dL/dmean2d| over cameras, the cameras that have the Gaussian as a pair, its largest radius in pixels, 0.
+#[kernel(threads(64), iterations = MAX_CAMERAS)]
+pub fn project_backward(
+    id: Invocation,
+    params: &ProjectBackwardParams,
+    camera: Read<f32>,
+    position: Read<f32>,
+    rotation: Read<f32>,
+    log_scale: Read<f32>,
+    projection: Read<Vec4>,
+    pair_mask: Read<u32>,
+    first_pair: Read<u32>,
+    pair_gradient: Read<Vec4>,
+    gradient: Write<f32>,
+    statistics: Write<Vec4>,
+) {
+    let gaussian = id.index();
+    if gaussian < params.gaussians {
+        let (word, bit) = (gaussian / 32, 1 << (gaussian % 32));
+        let center = read3(position, gaussian * 3);
+        let quaternion = read_quaternion(rotation, gaussian);
+        let log_axes = read3(log_scale, gaussian * 3);
+        let (mut d_center, mut d_axes) = (Vec3::ZERO, Vec3::ZERO);
+        let (mut d_quaternion, mut d_opacity) = (Vec4::ZERO, 0.0);
+        let (mut moved, mut seen, mut radius) = (0.0, 0.0, 0.0);
+        let mut slot = 0;
+        while slot < params.cameras {
+            let bits = pair_mask.read(slot * params.words + word);
+            if bits & bit != 0 {
+                let below = (bits & (bit - 1)).count_ones();
+                let first = VECTORS * (first_pair.read(slot * params.words + word) + below);
+                let (geometry, conic) = (pair_gradient.read(first), pair_gradient.read(first + 1));
+                let mean2d = Vec2::new(geometry.x, geometry.y);
+                let found = project_gaussian_backward(
+                    &Camera::read(camera, slot),
+                    params.blur,
+                    center,
+                    quaternion,
+                    log_axes,
+                    mean2d,
+                    Vec3::new(conic.x, conic.y, conic.z),
+                );
+                d_center += found.position;
+                d_quaternion += found.rotation;
+                d_axes += found.log_scale;
+                d_opacity += geometry.z;
+                moved += length(Vec3::new(mean2d.x, mean2d.y, 0.0));
+                seen += 1.0;
+                radius = max(radius, projection.read(2 * (slot * params.gaussians + gaussian)).z);
+            }
+            slot += 1;
+        }
+        if seen > 0.0 {
+            let n = params.gaussians;
+            add(gradient, 3 * gaussian, d_center.x);
+            add(gradient, 3 * gaussian + 1, d_center.y);
+            add(gradient, 3 * gaussian + 2, d_center.z);
+            add(gradient, 3 * n + 4 * gaussian, d_quaternion.x);
+            add(gradient, 3 * n + 4 * gaussian + 1, d_quaternion.y);
+            add(gradient, 3 * n + 4 * gaussian + 2, d_quaternion.z);
+            add(gradient, 3 * n + 4 * gaussian + 3, d_quaternion.w);
+            add(gradient, 7 * n + 3 * gaussian, d_axes.x);
+            add(gradient, 7 * n + 3 * gaussian + 1, d_axes.y);
+            add(gradient, 7 * n + 3 * gaussian + 2, d_axes.z);
+            add(gradient, 10 * n + gaussian, d_opacity);
+            let before = statistics.read(gaussian);
+            let after =
+                Vec4::new(before.x + moved, before.y + seen, max(before.z, radius), before.w);
+            statistics.write(gaussian, after);
+        }
+    }
+}
+
+/// `buffer[at] += value`
+#[inline(always)]
+fn add(buffer: Write<f32>, at: u32, value: f32) {
+    let sum = buffer.read(at) + value;
+    buffer.write(at, sum);
+}

@@ -1,0 +1,161 @@
+//! The derivatives of a segment's transmittance (Eq. 11) and of the extra vector in the network's input (Eq. 9).
+
+use glam::Vec4;
+
+use crate::dense::{DenseParams, column};
+use crate::hash_grid::POINT_ROWS;
+use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES};
+use crate::math::sigmoid;
+use crate::prelude::*;
+use crate::splat::VECTORS;
+
+/// Parameters of [`segment_product_backward`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct SegmentProductBackwardParams {
+    /// Pairs that have samples in this chunk, and those between them.
+    pub pairs: u32,
+    /// The first of them.
+    pub first_pair: u32,
+    /// Samples in this chunk.
+    pub samples: u32,
+    /// First sample of this chunk.
+    pub first_sample: u32,
+}
+
+/// A pair's samples within a chunk, counted from the chunk's first: begin and end.
+#[inline(always)]
+fn samples_of(first_sample: Read<u32>, pair: u32, chunk: u32, samples: u32) -> (u32, u32) {
+    let (begin, end) = (first_sample.read(pair), first_sample.read(pair + 1));
+    let begin = if begin > chunk { begin } else { chunk };
+    let end = if end < chunk + samples { end } else { chunk + samples };
+    (begin - chunk, (if end > chunk { end } else { chunk }) - chunk)
+}
+
+/// The gradient of a chunk's logarithms of Eq. 11's factors, the same for all samples of a pair:
+/// `dL/dlog_rho_k = dL/dT T`.
+///
+/// `first_sample [all pairs + 1]`, `transmittance [all pairs]`; `pair_gradient [all pairs, 3]`, dL/dT in the first one's
+/// last place; `log_rho_gradient [samples]`.
+#[kernel(threads(64), iterations = MAX_SAMPLES)]
+pub fn segment_product_backward(
+    id: Invocation,
+    params: &SegmentProductBackwardParams,
+    first_sample: Read<u32>,
+    transmittance: Read<f32>,
+    pair_gradient: Read<Vec4>,
+    log_rho_gradient: Write<f32>,
+) {
+    let index = id.index();
+    if index < params.pairs {
+        let pair = params.first_pair + index;
+        let (begin, end) = samples_of(first_sample, pair, params.first_sample, params.samples);
+        let gradient = pair_gradient.read(pair * VECTORS).w * transmittance.read(pair);
+        let mut sample = begin;
+        while sample < end {
+            log_rho_gradient.write(sample, gradient);
+            sample += 1;
+        }
+    }
+}
+
+/// Parameters of [`transmittance_head_backward`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct TransmittanceHeadBackwardParams {
+    /// Samples in this chunk.
+    pub samples: u32,
+    /// See [`DenseParams::stride`].
+    pub stride: u32,
+    /// See [`DenseParams::inputs`].
+    pub inputs: u32,
+    /// See [`DenseParams::weight`].
+    pub weight: u32,
+    /// See [`DenseParams::bias`].
+    pub bias: u32,
+}
+
+/// The gradient of the scalar network's output, which is computed once more: `dL/da_k = dL/dlog_rho_k s_factor
+/// sigmoid(-a_k)` of Eq. 11.
+///
+/// `point [7, stride]`, `input [inputs, stride]`, `log_rho_gradient [samples]`, `logit_gradient [samples]`.
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples))]
+pub fn transmittance_head_backward<L: Lane>(
+    id: Invocation,
+    params: &TransmittanceHeadBackwardParams,
+    parameters: Read<Vec4>,
+    point: Read<f32>,
+    input: Read<f32>,
+    log_rho_gradient: Read<f32>,
+    logit_gradient: Write<f32>,
+) {
+    let sample = id.index();
+    if sample < params.samples {
+        let layer = DenseParams {
+            samples: params.samples,
+            stride: params.stride,
+            inputs: params.inputs,
+            columns: 1,
+            weight: params.weight,
+            bias: params.bias,
+        };
+        let a = column::<L>(&layer, parameters, input, sample, 0).x;
+        let factor = L::read(point, POINT_ROWS * params.stride + sample);
+        let gradient = L::read(log_rho_gradient, sample) * factor * sigmoid(-a);
+        gradient.write(logit_gradient, sample);
+    }
+}
+
+/// Parameters of [`extra_backward`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct ExtraBackwardParams {
+    /// Pairs that have samples in this chunk, and those between them.
+    pub pairs: u32,
+    /// The first of them.
+    pub first_pair: u32,
+    /// Samples in this chunk.
+    pub samples: u32,
+    /// First sample of this chunk.
+    pub first_sample: u32,
+    /// Distance of two rows in `input_gradient`.
+    pub stride: u32,
+    /// Values of a Gaussian's extra vector.
+    pub extra: u32,
+    /// Row of the extra vector in `input_gradient`.
+    pub extra_row: u32,
+}
+
+/// Adds the gradients of the network's input (Eq. 9) of a pair's samples in this chunk to that of the pair's extra
+/// vector: pairs along x and y, the vector's values along z.
+///
+/// `first_sample [all pairs + 1]`, `input_gradient [rows, stride]`, `pair_extra [all pairs, extra]`.
+#[kernel(threads(64), iterations = MAX_SAMPLES, lanes)]
+pub fn extra_backward<L: Lane>(
+    id: Invocation,
+    params: &ExtraBackwardParams,
+    first_sample: Read<u32>,
+    input_gradient: Read<f32>,
+    pair_extra: Write<f32>,
+) {
+    let index = id.index();
+    if index < params.pairs {
+        let pair = params.first_pair + index;
+        let (begin, end) = samples_of(first_sample, pair, params.first_sample, params.samples);
+        let value = id.workgroup.z;
+        let row = (params.extra_row + value) * params.stride;
+        let mut sum = L::splat(0.0);
+        let mut sample = begin;
+        while sample + L::WIDTH <= end {
+            sum = sum + L::read(input_gradient, row + sample);
+            sample += L::WIDTH;
+        }
+        let mut rest = 0.0;
+        while sample < end {
+            rest += input_gradient.read(row + sample);
+            sample += 1;
+        }
+        let to = pair * params.extra + value;
+        pair_extra.write(to, pair_extra.read(to) + (sum.sum() + rest));
+    }
+}

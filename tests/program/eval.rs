@@ -1,0 +1,155 @@
+//! `organza eval`, on data sets whose photographs the program itself has rendered.
+
+use std::fs;
+
+use serde_json::{Value, json};
+
+use crate::sandbox::{Outcome, Sandbox};
+
+/// A data set of two frames that are what the scene shows, in the folder `data`; frame 0 is held out.
+fn sandbox() -> Sandbox {
+    let sandbox = Sandbox::new("crowded");
+    sandbox.run("render scene.safetensors cameras.json -o data/images --backend cpu").assert_ok();
+    fs::copy(sandbox.path("cameras.json"), sandbox.path("data/transforms.json")).unwrap();
+    sandbox
+}
+
+fn eval(sandbox: &Sandbox, more: &str) -> Outcome {
+    sandbox.run(&format!("eval scene.safetensors data --backend cpu {more}"))
+}
+
+fn scores(outcome: Outcome) -> Value {
+    serde_json::from_str(&outcome.assert_ok().stdout).expect("JSON")
+}
+
+#[track_caller]
+fn assert_refuses(sandbox: &Sandbox, words: &str, facts: &[&str]) {
+    sandbox.assert_refuses(&format!("eval {words} --backend cpu"), facts);
+}
+
+/// `value` lies in a range.
+#[track_caller]
+fn assert_within(value: &Value, range: std::ops::RangeInclusive<f64>) {
+    assert!(value.as_f64().is_some_and(|value| range.contains(&value)), "{value} in {range:?}");
+}
+
+#[test]
+fn rounding_is_all_that_a_scene_lacks_of_its_own_images() {
+    let sandbox = sandbox();
+    let found = scores(eval(&sandbox, "--split all --json"));
+    let keys = |value: &Value| value.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
+    assert_eq!(keys(&found), ["mean", "views"]);
+    let views = found["views"].as_array().unwrap();
+    assert_eq!(views.len(), 2);
+    for (view, name) in views.iter().zip(["images/0000.png", "images/0001.png"]) {
+        assert_eq!(keys(view), ["name", "psnr", "ssim"]);
+        assert_eq!(view["name"], name);
+        // a variance of 1/12 of one of 255 levels: 58.9 dB
+        assert_within(&view["psnr"], 58.0..=62.0);
+        assert_within(&view["ssim"], 0.998..=1.0);
+    }
+    for value in ["psnr", "ssim"] {
+        let [a, b] = [0, 1].map(|view: usize| views[view][value].as_f64().unwrap());
+        assert_within(&found["mean"][value], (a + b) / 2.0 - 1e-9..=(a + b) / 2.0 + 1e-9);
+    }
+}
+
+#[test]
+fn frames_are_those_of_the_split() {
+    let sandbox = sandbox();
+    let names = |more: &str| -> Vec<Value> {
+        let found = scores(eval(&sandbox, &format!("--json {more}")));
+        found["views"].as_array().unwrap().iter().map(|view| view["name"].clone()).collect()
+    };
+    assert_eq!(names(""), ["images/0000.png"]);
+    assert_eq!(names("--split held-out"), ["images/0000.png"]);
+    assert_eq!(names("--split train"), ["images/0001.png"]);
+    let outcome = eval(&sandbox, "").assert_ok();
+    let lines: Vec<_> = outcome.stdout.lines().collect();
+    assert_eq!(lines.len(), 3, "{outcome:?}");
+    assert!(lines[0].starts_with("view") && lines[0].ends_with("PSNR    SSIM"), "{outcome:?}");
+    assert!(
+        lines[1].starts_with("images/0000.png  ") && lines[2].starts_with("mean "),
+        "{outcome:?}"
+    );
+    assert!(outcome.stderr.contains("measured 1 view in"), "{outcome:?}");
+    assert_eq!(eval(&sandbox, "--quiet").assert_ok().stderr, "");
+}
+
+#[test]
+fn another_image_is_far_off() {
+    let sandbox = sandbox();
+    fs::copy(sandbox.path("data/images/0001.png"), sandbox.path("data/images/0000.png")).unwrap();
+    let found = scores(eval(&sandbox, "--json"));
+    assert_within(&found["mean"]["psnr"], 3.0..=40.0);
+    assert_within(&found["mean"]["ssim"], 0.0..=0.99);
+}
+
+/// Photographs that are made smaller are compared with images that are rendered small.
+#[test]
+fn a_smaller_size_comes_close() {
+    let found = scores(eval(&sandbox(), "--json --downscale 2"));
+    assert_within(&found["mean"]["psnr"], 15.0..=59.0);
+}
+
+#[test]
+fn alpha_is_put_in_front_of_the_background() {
+    let sandbox = sandbox();
+    let clear = image::RgbaImage::new(96, 80);
+    clear.save(sandbox.path("data/images/0000.png")).unwrap();
+    let psnr = |background: &str| {
+        scores(eval(&sandbox, &format!("--json {background}")))["mean"]["psnr"].as_f64().unwrap()
+    };
+    let scene: Value =
+        serde_json::from_str(&sandbox.run("info scene.safetensors --json").assert_ok().stdout)
+            .unwrap();
+    let background = scene["config"]["background"].as_array().expect("a color");
+    let list: Vec<_> = background.iter().map(|value| value.to_string()).collect();
+    assert_eq!(psnr(""), psnr(&format!("--background {}", list.join(","))));
+    assert!(psnr("--background 1,1,1") != psnr("--background 0,0,0"));
+}
+
+#[test]
+fn a_run_is_known_by_its_checkpoint() {
+    let sandbox = sandbox();
+    fs::create_dir(sandbox.path("run")).unwrap();
+    let facts = ["run", "no checkpoint.safetensors", "scene file"];
+    assert_refuses(&sandbox, "run data", &facts);
+    fs::copy(sandbox.path("scene.safetensors"), sandbox.path("run/checkpoint.safetensors"))
+        .unwrap();
+    let words = "eval run data --backend cpu --json";
+    assert_eq!(scores(sandbox.run(words)), scores(eval(&sandbox, "--json")));
+}
+
+#[test]
+fn bad_requests() {
+    let sandbox = sandbox();
+    for (words, facts) in [
+        ("scene.safetensors absent", ["absent", "no such file"]),
+        ("absent data", ["absent", "no such file"]),
+        ("data/transforms.json data", ["transforms.json", "safetensors"]),
+        ("scene.safetensors .", ["no data set", "transforms.json"]),
+        ("scene.safetensors data --background 2,0,0", ["--background", "0 to 1"]),
+        ("scene.safetensors data --downscale 0", ["--downscale", "'0'"]),
+        ("scene.safetensors data --downscale 81", ["0000.png", "81"]),
+        ("scene.safetensors data --hold-out-every 1", ["--hold-out-every", "'1'"]),
+        ("scene.safetensors data --split test", ["--split", "'test'"]),
+    ] {
+        assert_refuses(&sandbox, words, &facts);
+    }
+}
+
+#[test]
+fn data_without_held_out_frames_says_what_to_do() {
+    let sandbox = sandbox();
+    // the only one that is held out
+    fs::remove_file(sandbox.path("data/images/0000.png")).unwrap();
+    let outcome = eval(&sandbox, "");
+    outcome.assert_refused(&["no frame", "held out", "--split train", "--hold-out-every"]);
+    let outcome = eval(&sandbox, "--split train --json");
+    assert!(
+        outcome.stderr.contains("warning: not there, and left out: 1 photograph"),
+        "{outcome:?}"
+    );
+    assert_eq!(scores(outcome)["views"][0]["name"], json!("images/0001.png"));
+}

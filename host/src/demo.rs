@@ -34,7 +34,7 @@ const PEARL: f32 = 0.42;
 /// Height of the floor, of which one sees the shadows alone.
 const FLOOR: f32 = -0.78;
 /// Warm paper.
-const BACKGROUND: [f64; 3] = [0.965, 0.955, 0.94];
+pub(crate) const BACKGROUND: [f64; 3] = [0.965, 0.955, 0.94];
 
 /// Where the turntable's cameras look.
 const TARGET: [f64; 3] = [0.0, 0.0, -0.11];

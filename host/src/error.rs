@@ -72,6 +72,13 @@ pub enum Error {
         found: String,
     },
 
+    /// Training, or a gradient, has left what numbers can hold.
+    #[error("{reason}: lower the learning rates, or look for values that are too large")]
+    Diverged {
+        /// What was found.
+        reason: String,
+    },
+
     /// A tensor that the configuration asks for is absent.
     #[error("{}tensor `{tensor}` is missing; it should be F32 {expected:?} ({why})", place(origin))]
     MissingTensor {

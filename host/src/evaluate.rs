@@ -18,7 +18,7 @@ use crate::render::{DeviceScene, RenderedTiles, Renderer};
 use crate::tile::TileBatch;
 
 /// Side of the tiles that an image is cut into, in pixels. Scores do not depend on it.
-const TILE_SIDE: u32 = 64;
+pub(crate) const TILE_SIDE: u32 = 64;
 
 /// What a comparison of an image with its photograph gave.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]

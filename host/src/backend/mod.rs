@@ -10,7 +10,9 @@ mod open;
 mod supervise;
 mod watch;
 
-use std::sync::Arc;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 use bytemuck::Pod;
 use organza_kernels::kernel::{Dispatch, KernelInfo};
@@ -27,6 +29,18 @@ use buffer::{Memory, RawBuffer};
 pub struct Device {
     kind: Kind,
     choice: String,
+    timings: Mutex<BTreeMap<&'static str, (u64, Duration)>>,
+}
+
+/// What the dispatches of a kernel took.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct KernelTime {
+    /// The kernel.
+    pub kernel: &'static str,
+    /// How often it was dispatched.
+    pub dispatches: u64,
+    /// Seconds of all dispatches.
+    pub seconds: f64,
 }
 
 #[derive(Debug)]
@@ -170,7 +184,12 @@ impl Device {
         let mut buffers = Vec::with_capacity(kernel.info().bindings.len());
         kernel.bind(&mut |buffer| buffers.push(buffer));
         match &self.kind {
-            Kind::Cpu(cpu) => cpu.dispatch(kernel.info(), kernel.uniform(), &buffers, workgroups),
+            Kind::Cpu(cpu) => {
+                let start = Instant::now();
+                let result = cpu.dispatch(kernel.info(), kernel.uniform(), &buffers, workgroups);
+                self.add_time(kernel.info().name, start.elapsed());
+                result
+            }
             Kind::Gpu(gpu) => gpu.dispatch(kernel.info(), kernel.uniform(), &buffers, workgroups),
         }
     }
@@ -191,6 +210,26 @@ impl Device {
     pub fn run_over<'a>(&self, kernel: &impl Dispatch<'a, Host>, size: [u32; 3]) -> Result<()> {
         let [x, y, _] = kernel.info().workgroup_size;
         self.dispatch(kernel, [size[0].div_ceil(x), size[1].div_ceil(y), size[2]])
+    }
+
+    fn add_time(&self, kernel: &'static str, time: Duration) {
+        let mut timings = self.timings.lock().unwrap_or_else(PoisonError::into_inner);
+        let (dispatches, sum) = timings.entry(kernel).or_default();
+        *dispatches += 1;
+        *sum += time;
+    }
+
+    /// What the kernels have taken since the last call, by name.  A GPU's are queued, not waited for: there are none.
+    #[must_use]
+    pub fn take_timings(&self) -> Vec<KernelTime> {
+        let timings =
+            std::mem::take(&mut *self.timings.lock().unwrap_or_else(PoisonError::into_inner));
+        let time = |(kernel, (dispatches, time)): (&'static str, (u64, Duration))| KernelTime {
+            kernel,
+            dispatches,
+            seconds: time.as_secs_f64(),
+        };
+        timings.into_iter().map(time).collect()
     }
 
     /// Makes the device fail as a lost one does: for tests of what happens then.

@@ -73,6 +73,27 @@ impl Progress {
         self.0.set_message(what.to_owned());
     }
 
+    /// So many steps are done, in all.
+    pub fn set(&self, steps: usize) {
+        self.0.set_position(steps as u64);
+    }
+
+    /// So many of so many steps are done.
+    pub fn set_of(&self, steps: usize, all: usize) {
+        self.0.set_length(all as u64);
+        self.set(steps);
+    }
+
+    /// What was done before does not tell how long the rest takes.
+    pub fn restart_clock(&self) {
+        self.0.reset_eta();
+    }
+
+    /// Says something above the bar.
+    pub fn note(&self, console: Console, text: &str) {
+        self.0.suspend(|| console.note(text));
+    }
+
     /// So many steps are done.
     pub fn advance(&self, steps: usize) {
         self.0.inc(steps as u64);

@@ -14,6 +14,7 @@ mod render;
 mod summary;
 mod table;
 mod tiles;
+mod train;
 mod views;
 
 use std::panic;
@@ -46,6 +47,7 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    Train(train::Args),
     Tiles(tiles::Args),
     Render(render::Args),
     Demo(demo::Args),
@@ -61,6 +63,7 @@ pub fn main() -> ExitCode {
     let Cli { command } = Cli::parse();
     remember_panics();
     let run = || match &command {
+        Command::Train(args) => train::run(args).map(done),
         Command::Tiles(args) => tiles::run(args).map(done),
         Command::Render(args) => render::run(args).map(done),
         Command::Demo(args) => demo::run(args).map(done),

@@ -2,22 +2,26 @@
 
 use std::path::{Path, PathBuf};
 
-use organza::scene::{TensorRef, write_tensors};
-use organza::{Camera, Error, Result, Scene, TileBatch, memory};
+use organza::scene::{TensorRef, read_tensors, write_tensors};
+use organza::{Camera, DeviceScene, Error, Renderer, Result, Scene, TileBatch, memory};
 
+use super::console::Console;
 use super::device::DeviceArgs;
-use super::output;
 use super::summary::{Summary, count, grouped};
 use super::views::warn_distorted;
+use super::{output, refuse};
 
 const EXAMPLES: &str = "\
 Examples:
   organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors
   organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors --backend cpu
+  organza tiles scene.safetensors cameras.json tiles.json --grad-output G.safetensors --grad gradient.safetensors
 
 TILES holds {\"side\": 64, \"tiles\": [{\"camera\": 0, \"origin\": [128, 96]}, ...]}: a tile's \
 origin is the column and the row of its upper left pixel. OUT holds `tiles`, F32 [K, 3, S, S]: \
-tile, RGB, row, column.";
+tile, RGB, row, column. G holds `grad_output`, the derivative of a loss by `tiles`, of the same \
+shape; gradient.safetensors then holds the loss's derivative by every tensor of the scene, \
+`grad.<tensor>`.";
 
 /// Render a batch of tiles, of any views, into one tensor
 #[derive(Debug, clap::Args)]
@@ -30,15 +34,28 @@ pub struct Args {
     /// The tiles, JSON
     tiles: PathBuf,
     /// Where to write the tensor, safetensors
-    #[arg(short, long, value_name = "OUT")]
-    output: PathBuf,
+    #[arg(short, long, value_name = "OUT", required_unless_present = "grad")]
+    output: Option<PathBuf>,
+    /// The derivative of a loss by the rendered tiles, `grad_output` of a safetensors file
+    #[arg(long, value_name = "G", requires = "grad")]
+    grad_output: Option<PathBuf>,
+    /// Where to write the loss's derivative by every tensor of the scene, safetensors
+    #[arg(long, value_name = "GRAD", requires = "grad_output")]
+    grad: Option<PathBuf>,
     #[command(flatten)]
     device: DeviceArgs,
 }
 
 pub fn run(args: &Args) -> Result<()> {
     let console = args.device.console();
-    output::check_file(&args.output, &[&args.scene, &args.cameras, &args.tiles])?;
+    let mut inputs = vec![args.scene.as_path(), &args.cameras, &args.tiles];
+    inputs.extend(args.grad_output.as_deref());
+    for output in args.output.iter().chain(&args.grad) {
+        output::check_file(output, &inputs)?;
+    }
+    if args.output.is_some() && args.output == args.grad {
+        return refuse("`--output` and `--grad` name the same file");
+    }
     // The large file comes last: most mistakes are in the small ones.
     let batch = TileBatch::load(&args.tiles)?;
     let cameras = Camera::load_all(&args.cameras)?;
@@ -47,6 +64,8 @@ pub fn run(args: &Args) -> Result<()> {
     views.sort_unstable();
     views.dedup();
     warn_distorted(console, &cameras, &views);
+    let grad_output = args.grad_output.as_deref().map(|path| read_grad_output(path, &batch));
+    let grad_output = grad_output.transpose()?;
     memory::check(
         4 * batch.output_shape().iter().map(|&n| n as u64).product::<u64>(),
         "the output",
@@ -55,12 +74,61 @@ pub fn run(args: &Args) -> Result<()> {
 
     let renderer = args.device.open()?;
     let scene = renderer.upload(&scene)?;
+    if let Some(output) = &args.output {
+        write_tiles(console, &renderer, &scene, &cameras, &batch, output)?;
+    }
+    if let (Some(values), Some(output)) = (grad_output, &args.grad) {
+        let task = || renderer.gradient(&scene, &cameras, &batch, &values);
+        write_gradient(console.during("computing the gradient", task)?, output)?;
+        console.note(&format!("wrote {}: grad.<tensor>", output.display()));
+    }
+    Ok(())
+}
+
+/// `grad_output` of a file, which must have the batch's shape.
+fn read_grad_output(path: &Path, batch: &TileBatch) -> Result<Vec<f32>> {
+    const NAME: &str = "grad_output";
+    const WHY: &str = "a value for each of `tiles`, the rendered batch";
+    let (origin, expected) = (path.to_owned(), batch.output_shape().to_vec());
+    let tensor = NAME.to_owned();
+    match read_tensors(path)?.remove(NAME) {
+        None => Err(Error::MissingTensor { origin, tensor, expected, why: WHY }),
+        Some(found) if found.shape != expected => {
+            let found = found.shape;
+            Err(Error::WrongShape { origin, tensor, found, expected, why: WHY })
+        }
+        Some(found) if !found.data.iter().all(|value| value.is_finite()) => {
+            let reason = format!("`{NAME}` has values that are NaN or infinite");
+            Err(Error::Invalid { origin, reason })
+        }
+        Some(found) => Ok(found.data),
+    }
+}
+
+fn write_gradient(gradient: Scene, path: &Path) -> Result<()> {
+    let specs = gradient.config.tensors(gradient.gaussians.len());
+    let names: Vec<_> = specs.iter().map(|spec| format!("grad.{}", spec.name)).collect();
+    let tensors = specs.iter().zip(&names).zip(gradient.tensors());
+    let tensors: Vec<_> = tensors
+        .map(|((spec, name), (_, data))| TensorRef { name, shape: &spec.shape, data })
+        .collect();
+    write_tensors(path, &tensors, &[])
+}
+
+fn write_tiles(
+    console: Console,
+    renderer: &Renderer,
+    scene: &DeviceScene,
+    cameras: &[Camera],
+    batch: &TileBatch,
+    output: &Path,
+) -> Result<()> {
     let mut summary = Summary::start();
     let tiles = {
         let progress = console.progress(batch.tiles.len() as u64, "tiles");
         progress.say("rendering");
         let mut advance = |tiles| progress.advance(tiles);
-        renderer.render_with_progress(&scene, &cameras, &batch, &mut advance)?
+        renderer.render_with_progress(scene, cameras, batch, &mut advance)?
     };
     summary.add(&tiles.report);
     let (number, side) = (count(tiles.count as u64, "tile"), tiles.side);
@@ -73,8 +141,8 @@ pub fn run(args: &Args) -> Result<()> {
 
     let shape = batch.output_shape();
     let tensor = TensorRef { name: "tiles", shape: &shape, data: &tiles.data };
-    write_tensors(&args.output, &[tensor], &[])?;
-    console.note(&format!("wrote {}: tiles {shape:?}", args.output.display()));
+    write_tensors(output, &[tensor], &[])?;
+    console.note(&format!("wrote {}: tiles {shape:?}", output.display()));
     Ok(())
 }
 

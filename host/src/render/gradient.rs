@@ -6,7 +6,7 @@ use super::DeviceScene;
 use super::field::DeviceField;
 use super::hash_grid::HashGridGradient;
 use crate::backend::{Buffer, Device};
-use crate::error::Result;
+use crate::error::{Error, Result};
 
 /// Gradients of all tensors of a scene; kernels add to them.
 #[derive(Debug)]
@@ -23,6 +23,8 @@ pub struct SceneGradient {
     pub color: FieldGradient,
     /// Of the transmittance field.
     pub transmittance: FieldGradient,
+    /// Whether the transmittance field and the extra vectors are wanted at all.
+    pub(crate) has_transmittance: bool,
 }
 
 /// Gradients of a hash grid and its network.
@@ -45,7 +47,28 @@ impl SceneGradient {
             extra: device.zeros("gradient of the extra vectors", scene.extra.len())?,
             color: FieldGradient::new(device, &scene.color)?,
             transmittance: FieldGradient::new(device, &scene.transmittance)?,
+            has_transmittance: true,
         })
+    }
+
+    /// Looks whether every gradient of a hash grid was a number.
+    ///
+    /// # Errors
+    /// [`Error::Diverged`] where one was not; as [`Device::read`].
+    pub fn check(&self, device: &Device) -> Result<()> {
+        for (name, field) in [("color", &self.color), ("transmittance", &self.transmittance)] {
+            if device.read(&field.table.status)?[0] != 0 {
+                let reason = format!("a gradient of the {name} field is NaN or infinite");
+                return Err(Error::Diverged { reason });
+            }
+        }
+        Ok(())
+    }
+
+    /// Clears what says which blocks of the tables have a gradient: for the next step.
+    pub(crate) fn clear_touched(&self, device: &Device) {
+        device.clear(&self.color.table.touched);
+        device.clear(&self.transmittance.table.touched);
     }
 }
 

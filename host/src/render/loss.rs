@@ -131,6 +131,12 @@ impl Loss {
         })
     }
 
+    /// The most tiles that there is memory for.
+    #[must_use]
+    pub fn tiles(&self) -> u32 {
+        self.tiles
+    }
+
     /// The loss of K tiles and its gradient; on a GPU they are queued.
     ///
     /// # Errors

@@ -1,5 +1,6 @@
 //! From a scene, cameras and tiles to a rendered batch: one file for each stage.
 
+mod backward;
 mod bin;
 mod color;
 mod composite;
@@ -26,6 +27,7 @@ use crate::error::{Error, Result};
 use crate::memory;
 use crate::tile::TileBatch;
 
+pub(crate) use backward::LossTarget;
 pub use gradient::SceneGradient;
 pub use inspect::{Contribution, Inspection, Stages};
 pub use loss::{Loss, LossInputs, LossOutput, TileLoss};

@@ -31,6 +31,11 @@ impl Renderer {
     /// What [`Scene::validate`] finds, and [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn upload(&self, scene: &Scene) -> Result<DeviceScene> {
         scene.validate()?;
+        self.upload_moments(scene)
+    }
+
+    /// As [`Renderer::upload`], for tensors that are no scene, such as an optimizer's.
+    pub(crate) fn upload_moments(&self, scene: &Scene) -> Result<DeviceScene> {
         let device = self.device();
         let config = &scene.config;
         let gaussians = &scene.gaussians;

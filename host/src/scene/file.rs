@@ -48,6 +48,19 @@ impl Scene {
         self.with_encoding(|tensors, metadata| write_tensors(path, tensors, metadata))
     }
 
+    /// [`Self::save`] with further tensors and metadata, which [`Self::load`] ignores.
+    pub(crate) fn save_with(
+        &self,
+        path: impl AsRef<Path>,
+        more: &[TensorRef<'_>],
+        more_metadata: &[(&str, &str)],
+    ) -> Result<()> {
+        self.with_encoding(|tensors, metadata| {
+            let tensors: Vec<_> = tensors.iter().chain(more).copied().collect();
+            write_tensors(path, &tensors, &[metadata, more_metadata].concat())
+        })
+    }
+
     /// [`Self::save`] to memory.
     ///
     /// # Errors

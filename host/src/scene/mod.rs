@@ -22,6 +22,7 @@ pub use grid::{
 };
 pub use network::{Field, Layer, Network};
 pub use spec::{TensorId, TensorSpec};
+pub(crate) use tensor_file::read_metadata;
 pub use tensor_file::{Tensor, TensorRef, read_tensors, write_tensors};
 
 use crate::error::Result;

@@ -59,6 +59,13 @@ pub fn read_tensors(path: impl AsRef<Path>) -> Result<BTreeMap<String, Tensor>> 
     Ok(tensors)
 }
 
+/// An entry of a safetensors file's metadata.
+pub(crate) fn read_metadata(path: &Path, key: &str) -> Result<Option<String>> {
+    let (file, length) = open_regular(path)?;
+    let header = Header::read(&mut BufReader::new(file), length, path)?;
+    Ok(header.metadata(key).map(str::to_owned))
+}
+
 /// Writes tensors and metadata to a safetensors file, atomically. The same input gives the same
 /// bytes.
 ///

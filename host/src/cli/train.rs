@@ -1,0 +1,232 @@
+//! `organza train`: from photographs to a scene.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use organza::data::{Dataset, DatasetOptions};
+use organza::train::{self, CHECKPOINT, CONFIG, Event, Outcome, REPORT, Session, TrainConfig};
+use organza::{Error, Renderer, Result};
+
+use super::console::{Console, Progress};
+use super::device::DeviceArgs;
+use super::refuse;
+use super::summary::count;
+
+const EXAMPLES: &str = "\
+Examples:
+  organza train -o run                                 the built-in scene, no files needed
+  organza train data/fox -o run --steps 3000
+  organza train --resume run                           goes on after Ctrl-C, to the same bits
+  organza train data/fox -o other --config run/config.toml --seed 1
+  organza eval run data/fox
+
+RUN holds config.toml (every setting, readable back with --config), metrics.jsonl, \
+checkpoint.safetensors (a scene that every other command takes) and report.html.";
+
+/// Train a scene on photographs with poses, or on the built-in scene
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The data set: a folder of nerfstudio, Blender or COLMAP, or a transforms.json
+    /// [default: the built-in scene]
+    data: Option<PathBuf>,
+    /// The folder for the run; made where it does not exist
+    #[arg(short, long, value_name = "RUN", required_unless_present = "resume")]
+    output: Option<PathBuf>,
+    /// Go on with a run that was stopped; its own settings count
+    #[arg(long, value_name = "RUN", conflicts_with_all = ["output", "data", "config", "steps", "seed",
+        "tiles_per_step", "tile_size", "downscale", "max_gaussians", "hold_out_every"])]
+    resume: Option<PathBuf>,
+    /// Settings, TOML such as a run's config.toml; options count before it
+    #[arg(long, value_name = "TOML")]
+    config: Option<PathBuf>,
+    /// Steps of training
+    #[arg(long, value_name = "N")]
+    steps: Option<u32>,
+    /// Tiles of a step
+    #[arg(long, value_name = "K")]
+    tiles_per_step: Option<u32>,
+    /// Side of a tile, in pixels
+    #[arg(long, value_name = "S")]
+    tile_size: Option<u32>,
+    /// The most Gaussians
+    #[arg(long, value_name = "N")]
+    max_gaussians: Option<u32>,
+    /// Make photographs smaller by this factor
+    #[arg(long, value_name = "N")]
+    downscale: Option<u32>,
+    /// Hold out every so many-th frame, beginning with the first; 0 holds none out
+    #[arg(long, value_name = "N")]
+    hold_out_every: Option<usize>,
+    /// Seed of every random choice
+    #[arg(long, value_name = "N")]
+    seed: Option<u64>,
+    /// Stop after so many seconds of training, as after the last step
+    #[arg(long, value_name = "SECONDS")]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..))]
+    time_limit: Option<u32>,
+    #[command(flatten)]
+    device: DeviceArgs,
+}
+
+pub fn run(args: &Args) -> Result<()> {
+    let console = args.device.console();
+    let (folder, config) = prepare(args)?;
+    let renderer = args.device.open()?;
+    let dataset = load(&config, &renderer, console)?;
+    let background = match config.data.path {
+        Some(_) => config.data.background.map(f64::from),
+        None => train::built_in::background(),
+    };
+    let stop = stop_on_signals()?;
+    let session = Session {
+        renderer: &renderer,
+        config: &config,
+        dataset: &dataset,
+        background,
+        folder: &folder,
+        time_limit: args.time_limit.map(f64::from),
+        stop: &stop,
+    };
+    let bar = console.progress(u64::from(config.run.steps), "steps");
+    bar.say("training");
+    let outcome = session.run(args.resume.is_some(), &mut |event| show(event, &bar, console))?;
+    drop(bar);
+    console.note(&match outcome {
+        Outcome::Stopped => {
+            format!("saved; `organza train --resume {}` goes on where it stopped", folder.display())
+        }
+        Outcome::Finished | Outcome::TimeLimit => {
+            format!(
+                "wrote {} and {}",
+                folder.join(CHECKPOINT).display(),
+                folder.join(REPORT).display()
+            )
+        }
+    });
+    Ok(())
+}
+
+/// The run's folder and its settings, which it holds from here on.
+fn prepare(args: &Args) -> Result<(PathBuf, TrainConfig)> {
+    if let Some(folder) = &args.resume {
+        let path = folder.join(CONFIG);
+        if !path.exists() {
+            let reason = format!("the folder holds no {CONFIG}, so it is no training run's");
+            return Err(Error::Invalid { origin: folder.clone(), reason });
+        }
+        return Ok((folder.clone(), TrainConfig::load(path)?));
+    }
+    let folder = args.output.clone().expect("clap requires it");
+    let config = settings(args)?;
+    for name in [CONFIG, CHECKPOINT] {
+        if folder.join(name).exists() {
+            let reason = format!(
+                "the folder holds a run already ({name}); go on with it by `--resume`, or name \
+                 another folder"
+            );
+            return Err(Error::Invalid { origin: folder, reason });
+        }
+    }
+    std::fs::create_dir_all(&folder)
+        .map_err(|source| Error::WriteFile { path: folder.clone(), source })?;
+    config.save(folder.join(CONFIG))?;
+    Ok((folder, config))
+}
+
+fn settings(args: &Args) -> Result<TrainConfig> {
+    let mut config = match &args.config {
+        Some(path) => TrainConfig::load(path)?,
+        None => TrainConfig::default(),
+    };
+    fn set<T: Clone>(target: &mut T, value: &Option<T>) {
+        if let Some(value) = value {
+            *target = value.clone();
+        }
+    }
+    if let Some(data) = &args.data {
+        // a run is resumed from anywhere
+        let path = std::path::absolute(data).unwrap_or_else(|_| data.clone());
+        config.data.path = Some(path);
+    }
+    set(&mut config.run.steps, &args.steps);
+    set(&mut config.run.tiles_per_step, &args.tiles_per_step);
+    set(&mut config.run.tile_size, &args.tile_size);
+    set(&mut config.growth.max_gaussians, &args.max_gaussians);
+    set(&mut config.data.downscale, &args.downscale);
+    set(&mut config.data.hold_out_every, &args.hold_out_every);
+    set(&mut config.run.seed, &args.seed);
+    // options are held to what files are held to
+    TrainConfig::parse(&config.to_toml(), Path::new(""))
+}
+
+fn load(config: &TrainConfig, renderer: &Renderer, console: Console) -> Result<Dataset> {
+    let data = &config.data;
+    let Some(path) = &data.path else {
+        let bar = console.progress(u64::from(data.built_in_views), "views");
+        bar.say("rendering the built-in scene");
+        let (views, side) = (data.built_in_views, data.built_in_side);
+        return train::built_in::dataset(renderer, views, side, data.hold_out_every, &|done, _| {
+            bar.set(done);
+        });
+    };
+    let options = DatasetOptions {
+        downscale: data.downscale,
+        hold_out_every: data.hold_out_every,
+        background: data.background,
+    };
+    let bar = console.progress(0, "photographs");
+    bar.say("reading");
+    let dataset = Dataset::load(path, &options, &|done, all| bar.set_of(done, all))?;
+    drop(bar);
+    for missing in &dataset.missing {
+        console.warn(&format!("not there, and left out: {}", missing.display()));
+    }
+    let (all, held_out) = (dataset.frames.len() as u64, dataset.held_out.len());
+    console.note(&format!("{} ({}), {held_out} held out", count(all, "photograph"), dataset.kind));
+    Ok(dataset)
+}
+
+/// A flag that Ctrl-C and SIGTERM set; the second time they end the program at once.
+fn stop_on_signals() -> Result<Arc<AtomicBool>> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let flag = stop.clone();
+    let handler = move || {
+        if flag.swap(true, Ordering::Relaxed) {
+            std::process::exit(i32::from(super::FAILURE));
+        }
+    };
+    match ctrlc::set_handler(handler) {
+        Ok(()) => Ok(stop),
+        Err(error) => refuse(format!("cannot listen to signals: {error}")),
+    }
+}
+
+fn show(event: Event<'_>, bar: &Progress, console: Console) {
+    match event {
+        Event::Begin(0) => {}
+        Event::Begin(step) => {
+            bar.set(step as usize);
+            bar.restart_clock();
+            console.note(&format!("goes on after step {step}"));
+        }
+        Event::Step { step, seconds, report, gaussians } => {
+            let speed = f64::from(step) * report.tiles as f64 / seconds.max(1e-9);
+            bar.set(step as usize);
+            bar.say(&format!(
+                "loss {:.4}, PSNR {:.1} dB, {speed:.0} tiles/s, {gaussians} Gaussians",
+                report.loss, report.psnr
+            ));
+        }
+        Event::Evaluating => bar.say("measuring the held-out views"),
+        Event::Evaluated(evaluation) => {
+            let decibels =
+                |value: Option<f64>| value.map_or("no".to_owned(), |v| format!("{v:.2}"));
+            let (psnr, ssim) = (evaluation.mean.psnr, evaluation.mean.ssim);
+            let ssim = ssim.map_or("no".to_owned(), |value| format!("{value:.4}"));
+            let views = count(evaluation.views.len() as u64, "held-out view");
+            bar.note(console, &format!("{views}: PSNR {} dB, SSIM {ssim}", decibels(psnr)));
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! From what a batch's pixels are worth to the gradient of every tensor: the stages of [`Part`] in reverse.
+
+use super::part::Part;
+use super::plan::{Plan, PlannedTile};
+use super::project::project_backward;
+use super::{DeviceScene, Loss, LossInputs, Renderer, SceneGradient, TileLoss, color};
+use crate::backend::{Buffer, Device};
+use crate::camera::Camera;
+use crate::error::{Error, Result};
+use crate::scene::Scene;
+use crate::tile::TileBatch;
+
+impl Part {
+    /// Adds the gradients of all tensors to `gradient`, of `image_gradient [tiles, 3, S, S]`, dLoss/dY of this part's
+    /// tiles.
+    pub fn backward(
+        &self,
+        device: &Device,
+        scene: &DeviceScene,
+        side: u32,
+        image_gradient: &Buffer<f32>,
+        gradient: &SceneGradient,
+    ) -> Result<()> {
+        let (bins, transmittance) = (&self.bins, &self.transmittance);
+        let pair_gradient = self.composite.backward(
+            device,
+            scene,
+            side,
+            bins,
+            &transmittance.transmittance,
+            image_gradient,
+        )?;
+        project_backward(device, scene, bins, &pair_gradient, gradient)?;
+        let (pairs, mask) = (&bins.pairs, &bins.pair_mask);
+        color::backward(device, scene, pairs, mask, &self.color, &pair_gradient, gradient)?;
+        if gradient.has_transmittance {
+            transmittance.backward(device, scene, bins, &pair_gradient, gradient)?;
+        }
+        Ok(())
+    }
+}
+
+/// The part of a batch's values `[K, len]` that belongs to a part's tiles, in their order.
+fn of_tiles(values: &[f32], tiles: &[PlannedTile], len: usize) -> Vec<f32> {
+    tiles.iter().flat_map(|tile| &values[tile.place * len..][..len]).copied().collect()
+}
+
+/// What tiles are compared with: see [`LossInputs`].
+#[derive(Clone, Copy, Debug)]
+pub struct LossTarget<'a> {
+    /// `[K, 3, S, S]`
+    pub image: &'a [f32],
+    /// `[K, S, S]`
+    pub valid: &'a [f32],
+    /// How many of `valid` are 1.
+    pub valid_pixels: f64,
+    /// w, the weight of `1 - SSIM`.
+    pub ssim_weight: f32,
+}
+
+impl Renderer {
+    /// dLoss/dtensor for every tensor of a scene, as a scene, of `grad_output [K, 3, S, S]`, dLoss/dY.
+    ///
+    /// The networks see positions and directions as constants: position, rotation and scale have the gradient of the
+    /// projection alone.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`]; [`Error::Argument`] where `grad_output` has another number of values;
+    /// [`Error::Diverged`] where a gradient is not finite.
+    pub fn gradient(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        batch: &TileBatch,
+        grad_output: &[f32],
+    ) -> Result<Scene> {
+        batch.validate(cameras)?;
+        let shape = batch.output_shape();
+        if grad_output.len() != shape.iter().product::<usize>() {
+            let found = grad_output.len();
+            let reason = format!("the gradient has {found} values, but the batch is {shape:?}");
+            return Err(Error::Argument { reason });
+        }
+        let device = self.device();
+        let area = 3 * (batch.side * batch.side) as usize;
+        let mut part_bytes = self.part_bytes;
+        loop {
+            let gradient = SceneGradient::new(device, scene)?;
+            let part = |plan: &Plan| {
+                let part = Part::evaluate(device, scene, cameras, plan)?;
+                let pixels = of_tiles(grad_output, &plan.tiles, area);
+                let pixels = device.upload("gradient of the tiles", &pixels)?;
+                part.backward(device, scene, plan.side, &pixels, &gradient)
+            };
+            let plans = Plan::split(device, scene, batch, part_bytes)?;
+            match plans.iter().try_for_each(part) {
+                // what a part has added already would count twice: all over again, in smaller parts
+                Err(Error::OutOfMemory { .. }) if plans.len() < batch.tiles.len() => {
+                    part_bytes /= 2
+                }
+                Err(error) => return Err(error),
+                Ok(()) => {
+                    gradient.check(device)?;
+                    return gradient.download(device, &scene.config, scene.len());
+                }
+            }
+        }
+    }
+
+    /// Adds the gradients of a batch's loss to `gradient`; returns the losses of the tiles, by camera.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`].
+    pub(crate) fn add_loss_gradient(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        batch: &TileBatch,
+        loss: &Loss,
+        target: &LossTarget<'_>,
+        gradient: &SceneGradient,
+    ) -> Result<Vec<TileLoss>> {
+        let device = self.device();
+        let area = (batch.side * batch.side) as usize;
+        let mut losses = Vec::with_capacity(batch.tiles.len());
+        for plan in Plan::split(device, scene, batch, self.part_bytes)? {
+            let part = Part::evaluate(device, scene, cameras, &plan)?;
+            let image =
+                device.upload("photographs", &of_tiles(target.image, &plan.tiles, 3 * area))?;
+            let valid = device.upload("masks", &of_tiles(target.valid, &plan.tiles, area))?;
+            let inputs = LossInputs {
+                image: &part.composite.image,
+                target: &image,
+                valid: &valid,
+                valid_pixels: target.valid_pixels,
+                ssim_weight: target.ssim_weight,
+            };
+            let output = loss.evaluate(device, &inputs)?;
+            part.backward(device, scene, plan.side, &output.grad_image, gradient)?;
+            losses.extend(output.sums(device)?);
+        }
+        Ok(losses)
+    }
+}

@@ -1,0 +1,288 @@
+//! How the number of Gaussians changes: some are split or copied, transparent ones taken away.
+
+use glam::{Quat, Vec3};
+use rand::RngExt;
+use rand_distr::{Distribution, StandardNormal};
+use rand_pcg::Pcg64;
+
+use super::config::{GrowthConfig, GrowthMethod};
+use crate::scene::{Gaussians, Scene};
+
+/// A split Gaussian's halves lie so many standard deviations from it, along its longest axis;
+const SPLIT_OFFSET: f32 = 0.6;
+/// are so much shorter there;
+const SPLIT_SCALE: f32 = 0.65;
+/// and so much less opaque: together they have its weight at its center, and 0.98 of its sum.
+const SPLIT_OPACITY: f32 = 0.75;
+/// Where a copy lies, in standard deviations: copies at one place would stay together forever.
+const COPY_OFFSET: f32 = 0.3;
+
+/// What became of the Gaussians.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Grown {
+    /// Split in two.
+    pub split: u32,
+    /// Copied.
+    pub cloned: u32,
+    /// Taken away.
+    pub pruned: u32,
+}
+
+/// Where a Gaussian of the new scene comes from.
+#[derive(Clone, Copy, Debug)]
+struct Child {
+    parent: usize,
+    /// What becomes of the parent's weight, and the offset in standard deviations along each axis; none keeps all.
+    change: Option<Change>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Change {
+    opacity: f32,
+    offset: Vec3,
+    /// The axis that becomes shorter.
+    shorter: Option<usize>,
+}
+
+/// Changes a scene and both of Adam's moments; `statistics [N]` is that of the steps since the last time.
+pub fn grow(
+    config: &GrowthConfig,
+    scene: &mut Scene,
+    moments: [&mut Scene; 2],
+    statistics: &[[f32; 4]],
+    random: &mut Pcg64,
+) -> Grown {
+    let (children, grown) = match config.method {
+        GrowthMethod::None => return Grown::default(),
+        GrowthMethod::Split => split(config, scene, statistics),
+        GrowthMethod::Relocate => relocate(config, scene, random),
+    };
+    for moment in moments {
+        moment.gaussians = rows(&moment.gaussians, &children);
+        for (i, child) in children.iter().enumerate().filter(|(_, child)| child.change.is_some()) {
+            let _ = child;
+            clear(&mut moment.gaussians, i);
+        }
+    }
+    let mut gaussians = rows(&scene.gaussians, &children);
+    for (i, child) in children.iter().enumerate() {
+        if let Some(change) = child.change {
+            change.apply(&mut gaussians, i);
+        }
+    }
+    scene.gaussians = gaussians;
+    grown
+}
+
+fn sigmoid(x: f32) -> f32 {
+    1.0 / (1.0 + (-x).exp())
+}
+
+/// Whoever is as opaque as that is kept.
+fn is_kept(config: &GrowthConfig, opacity: f32) -> bool {
+    sigmoid(opacity) >= config.min_opacity
+}
+
+/// How many may be added to `kept`.
+fn room(config: &GrowthConfig, kept: usize) -> usize {
+    let wanted = (kept as f64 * config.rate).ceil() as usize;
+    wanted.min((config.max_gaussians as usize).saturating_sub(kept))
+}
+
+/// Those whose center feels the strongest gradient, on average over the views that saw them, become two.
+fn split(config: &GrowthConfig, scene: &Scene, statistics: &[[f32; 4]]) -> (Vec<Child>, Grown) {
+    let opacity = &scene.gaussians.opacity;
+    let mut kept: Vec<_> = (0..opacity.len()).filter(|&i| is_kept(config, opacity[i])).collect();
+    if kept.is_empty() {
+        // nothing is left to grow from
+        kept = (0..opacity.len()).collect();
+    }
+    let strength = |i: usize| {
+        let [sum, views, ..] = statistics[i];
+        if views > 0.0 { sum / views } else { 0.0 }
+    };
+    let mut by_strength = kept.clone();
+    by_strength.sort_by(|&a, &b| strength(b).total_cmp(&strength(a)).then(a.cmp(&b)));
+    by_strength.truncate(room(config, kept.len()));
+    by_strength.retain(|&i| strength(i) > 0.0);
+    let mut is_split = vec![false; opacity.len()];
+    by_strength.iter().for_each(|&i| is_split[i] = true);
+    let mut children = Vec::with_capacity(kept.len() + by_strength.len());
+    for &parent in &kept {
+        if is_split[parent] {
+            let scales = scene.gaussians.log_scale[parent];
+            let axis = (0..3).max_by(|&a, &b| scales[a].total_cmp(&scales[b])).unwrap_or(0);
+            let half = |side: f32| {
+                let mut offset = Vec3::ZERO;
+                offset[axis] = side * SPLIT_OFFSET;
+                let change = Change { opacity: SPLIT_OPACITY, offset, shorter: Some(axis) };
+                Child { parent, change: Some(change) }
+            };
+            children.extend([half(1.0), half(-1.0)]);
+        } else {
+            children.push(Child { parent, change: None });
+        }
+    }
+    let grown = Grown {
+        split: by_strength.len() as u32,
+        cloned: 0,
+        pruned: (opacity.len() - kept.len()) as u32,
+    };
+    (children, grown)
+}
+
+/// Transparent ones move to opaque ones, and new ones are added there; n at one place share its opacity, so that the
+/// sum of Eq. 12 stays what it was.
+fn relocate(config: &GrowthConfig, scene: &Scene, random: &mut Pcg64) -> (Vec<Child>, Grown) {
+    let opacity = &scene.gaussians.opacity;
+    let kept: Vec<_> = (0..opacity.len()).filter(|&i| is_kept(config, opacity[i])).collect();
+    let dead = opacity.len() - kept.len();
+    let mut copies = vec![1_u32; opacity.len()];
+    let new = if kept.is_empty() { 0 } else { dead + room(config, opacity.len()) };
+    let mut sums = Vec::with_capacity(kept.len());
+    let mut sum = 0.0_f64;
+    for &i in &kept {
+        sum += f64::from(sigmoid(opacity[i]));
+        sums.push(sum);
+    }
+    for _ in 0..new {
+        let at = random.random_range(0.0..sum);
+        copies[kept[sums.partition_point(|&sum| sum <= at).min(kept.len() - 1)]] += 1;
+    }
+    let mut children = Vec::with_capacity(opacity.len() + new);
+    for &parent in if kept.is_empty() { &[] } else { &kept[..] } {
+        let count = copies[parent];
+        for copy in 0..count {
+            let offset = Vec3::from_array(std::array::from_fn(|_| StandardNormal.sample(random)));
+            let offset = if copy == 0 { Vec3::ZERO } else { offset * COPY_OFFSET };
+            let change = Change { opacity: 1.0 / count as f32, offset, shorter: None };
+            children.push(Child { parent, change: (count > 1).then_some(change) });
+        }
+    }
+    if kept.is_empty() {
+        children = (0..opacity.len()).map(|parent| Child { parent, change: None }).collect();
+    }
+    (children, Grown { split: 0, cloned: new as u32, pruned: dead as u32 })
+}
+
+impl Change {
+    fn apply(&self, gaussians: &mut Gaussians, i: usize) {
+        let [w, x, y, z] = gaussians.rotation[i];
+        let scale = Vec3::from(gaussians.log_scale[i]).exp();
+        let offset = Quat::from_xyzw(x, y, z, w).normalize() * (self.offset * scale);
+        let position = Vec3::from(gaussians.position[i]) + offset;
+        gaussians.position[i] = position.to_array();
+        if let Some(axis) = self.shorter {
+            gaussians.log_scale[i][axis] += SPLIT_SCALE.ln();
+        }
+        let opacity = sigmoid(gaussians.opacity[i]) * self.opacity;
+        gaussians.opacity[i] = (opacity / (1.0 - opacity)).ln();
+    }
+}
+
+/// The children's rows, each its parent's.
+fn rows(gaussians: &Gaussians, children: &[Child]) -> Gaussians {
+    fn pick<T: Copy>(values: &[T], children: &[Child]) -> Vec<T> {
+        children.iter().map(|child| values[child.parent]).collect()
+    }
+    let count = gaussians.len();
+    let wide = |values: &[f32]| -> Vec<f32> {
+        let width = values.len() / count;
+        children
+            .iter()
+            .flat_map(|child| &values[child.parent * width..][..width])
+            .copied()
+            .collect()
+    };
+    Gaussians {
+        position: pick(&gaussians.position, children),
+        rotation: pick(&gaussians.rotation, children),
+        log_scale: pick(&gaussians.log_scale, children),
+        opacity: pick(&gaussians.opacity, children),
+        material: wide(&gaussians.material),
+        extra: wide(&gaussians.extra),
+    }
+}
+
+/// A row of moments of a Gaussian that is new.
+fn clear(gaussians: &mut Gaussians, i: usize) {
+    let count = gaussians.len();
+    gaussians.position[i] = [0.0; 3];
+    gaussians.rotation[i] = [0.0; 4];
+    gaussians.log_scale[i] = [0.0; 3];
+    gaussians.opacity[i] = 0.0;
+    for values in [&mut gaussians.material, &mut gaussians.extra] {
+        let width = values.len() / count;
+        values[i * width..][..width].fill(0.0);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::SeedableRng;
+
+    use super::*;
+
+    fn scene() -> Scene {
+        let config = crate::demo::scene().config;
+        let mut scene = Scene::zeros(config, 4).unwrap();
+        let gaussians = &mut scene.gaussians;
+        gaussians.rotation.fill([0.3, -0.2, 0.9, 0.1]);
+        for i in 0..4 {
+            gaussians.position[i] = [i as f32, 0.0, 1.0];
+            gaussians.log_scale[i] = [-1.0, -0.2, -2.0];
+        }
+        gaussians.opacity = vec![1.0, -9.0, 0.0, -1.0];
+        gaussians.material.iter_mut().zip(0..).for_each(|(value, i)| *value = i as f32);
+        scene
+    }
+
+    fn config(method: GrowthMethod) -> GrowthConfig {
+        GrowthConfig { method, rate: 0.3, max_gaussians: 10, ..GrowthConfig::default() }
+    }
+
+    fn grown(method: GrowthMethod) -> (Scene, Scene, Grown) {
+        let (mut grown_scene, mut first, mut second) = (scene(), scene(), scene());
+        let statistics =
+            [[1.0, 2.0, 5.0, 0.0], [9.0, 1.0, 5.0, 0.0], [1.0, 1.0, 5.0, 0.0], [0.0; 4]];
+        let mut random = Pcg64::seed_from_u64(5);
+        let moments = [&mut first, &mut second];
+        let counts = grow(&config(method), &mut grown_scene, moments, &statistics, &mut random);
+        assert_eq!(first.gaussians, second.gaussians);
+        (grown_scene, first, counts)
+    }
+
+    #[test]
+    fn the_strongest_are_split_and_transparent_ones_go() {
+        let (scene, moments, counts) = grown(GrowthMethod::Split);
+        assert_eq!(counts, Grown { split: 1, cloned: 0, pruned: 1 });
+        // 0, both halves of 2, 3
+        assert_eq!(scene.gaussians.len(), 4);
+        scene.validate().unwrap();
+        let [a, b] = [1, 2].map(|i| Vec3::from(scene.gaussians.position[i]));
+        assert!((a + b).abs_diff_eq(2.0 * Vec3::new(2.0, 0.0, 1.0), 1e-5));
+        // along the longest axis, the second, 0.6 standard deviations each
+        assert!(((a - b).length() - 1.2 * (-0.2_f32).exp()).abs() < 1e-5);
+        assert!((scene.gaussians.log_scale[1][1] - (-0.2 + 0.65_f32.ln())).abs() < 1e-6);
+        assert!((sigmoid(scene.gaussians.opacity[1]) - 0.375).abs() < 1e-6);
+        assert_eq!(moments.gaussians.position[1], [0.0; 3]);
+        assert_eq!(moments.gaussians.position[3], [3.0, 0.0, 1.0]);
+    }
+
+    #[test]
+    fn copies_share_the_opacity_of_their_original() {
+        let (scene, _, counts) = grown(GrowthMethod::Relocate);
+        assert_eq!(counts, Grown { split: 0, cloned: 3, pruned: 1 });
+        assert_eq!(scene.gaussians.len(), 6);
+        let weight = |i: usize| sigmoid(scene.gaussians.opacity[i]);
+        let all: f32 = (0..6).map(weight).sum();
+        let before: f32 = [1.0, 0.0, -1.0].map(sigmoid).iter().sum();
+        assert!((all - before).abs() < 1e-5, "{all} {before}");
+    }
+
+    #[test]
+    fn nothing_grows_past_its_limit() {
+        let config = GrowthConfig { max_gaussians: 4, ..config(GrowthMethod::Split) };
+        assert_eq!((room(&config, 4), room(&config, 3), room(&config, 9)), (0, 1, 0));
+    }
+}

@@ -1,0 +1,313 @@
+//! A run from its first step, or from a checkpoint, to its end; everything that it leaves in its folder.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+use super::checkpoint::{CHECKPOINT, Checkpoint};
+use super::config::TrainConfig;
+use super::metrics::{MetricsLog, Record, TimingRow};
+use super::report::{MAX_VIEWS, Report, ReportView, write_report};
+use super::start::start;
+use super::trainer::{StepReport, Trainer};
+use crate::data::{Dataset, Frame};
+use crate::error::{Error, Result};
+use crate::evaluate::{self, Evaluation, evaluate};
+use crate::image::Image;
+use crate::render::Renderer;
+
+/// `config.toml`, every setting.
+pub const CONFIG: &str = "config.toml";
+/// `metrics.jsonl`, one record a line.
+pub const METRICS: &str = "metrics.jsonl";
+/// `report.html`, one page.
+pub const REPORT: &str = "report.html";
+
+/// A run.
+#[derive(Debug)]
+pub struct Session<'a> {
+    /// Renders and trains.
+    pub renderer: &'a Renderer,
+    /// Every setting.
+    pub config: &'a TrainConfig,
+    /// The photographs.
+    pub dataset: &'a Dataset,
+    /// What the scene is in front of.
+    pub background: [f64; 3],
+    /// The folder of the run; it exists.
+    pub folder: &'a Path,
+    /// Training ends after so many seconds, those before a resume included, as it does after the last step.
+    pub time_limit: Option<f64>,
+    /// Set from outside to save and stop.
+    pub stop: &'a AtomicBool,
+}
+
+/// What happens during a run.
+#[derive(Debug)]
+pub enum Event<'a> {
+    /// Training goes on after so many steps; 0 where it begins.
+    Begin(u32),
+    /// A step is done.
+    Step {
+        /// Steps so far.
+        step: u32,
+        /// Seconds of training so far.
+        seconds: f64,
+        /// What it measured.
+        report: &'a StepReport,
+        /// Gaussians of the scene.
+        gaussians: usize,
+    },
+    /// Held-out views are being measured.
+    Evaluating,
+    /// The held-out views were measured.
+    Evaluated(&'a Evaluation),
+}
+
+/// Why a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// After its last step.
+    Finished,
+    /// At its time limit.
+    TimeLimit,
+    /// Because it was told to.
+    Stopped,
+}
+
+/// What changes while a run goes on.
+struct State<'a, 'w> {
+    session: &'a Session<'a>,
+    trainer: Trainer<'a>,
+    log: MetricsLog,
+    seconds: f64,
+    /// Seconds of each kernel and of what surrounds them.
+    stages: BTreeMap<&'static str, f64>,
+    /// When the last line was logged: tiles since, and the seconds then.
+    since: (usize, f64),
+    watch: &'w mut dyn FnMut(Event<'_>),
+}
+
+impl Session<'_> {
+    /// Trains to the end; goes on from the folder's checkpoint where `resume`, and from the first step where there is
+    /// none yet.
+    ///
+    /// # Errors
+    /// Whatever a step, the files or the device run into; what was saved stays.
+    pub fn run(&self, resume: bool, watch: &mut dyn FnMut(Event<'_>)) -> Result<Outcome> {
+        let path = self.folder.join(CHECKPOINT);
+        let frames: Vec<&Frame> =
+            self.dataset.train.iter().map(|&index| &self.dataset.frames[index]).collect();
+        if frames.is_empty() {
+            let reason = "the data set has no frame to train on".to_owned();
+            return Err(Error::Invalid { origin: self.dataset.path.clone(), reason });
+        }
+        let checkpoint = if resume && path.exists() {
+            Checkpoint::load(&path)?
+        } else {
+            let cameras: Vec<_> = frames.iter().map(|frame| frame.camera.clone()).collect();
+            let scene = start(self.config, self.background, &cameras, &self.dataset.points)?;
+            Trainer::begin(scene, self.config)?
+        };
+        let log = self.folder.join(METRICS);
+        let progress = checkpoint.progress;
+        let log = match resume {
+            true => MetricsLog::resume(log, u64::from(progress.step))?,
+            false => MetricsLog::create(log)?,
+        };
+        watch(Event::Begin(progress.step));
+        let trainer = Trainer::new(self.renderer, self.config, frames, &checkpoint)?;
+        drop(checkpoint);
+        let _ = self.renderer.device().take_timings();
+        State {
+            session: self,
+            trainer,
+            log,
+            seconds: progress.seconds,
+            stages: BTreeMap::new(),
+            since: (0, progress.seconds),
+            watch,
+        }
+        .run()
+    }
+
+    fn held_out(&self) -> Vec<&Frame> {
+        self.dataset.held_out.iter().map(|&index| &self.dataset.frames[index]).collect()
+    }
+}
+
+impl State<'_, '_> {
+    fn run(mut self) -> Result<Outcome> {
+        let run = &self.session.config.run;
+        let mut saved = None;
+        let outcome = loop {
+            let step = self.trainer.steps();
+            if step >= run.steps {
+                break Outcome::Finished;
+            }
+            if self.session.time_limit.is_some_and(|limit| self.seconds >= limit) {
+                break Outcome::TimeLimit;
+            }
+            if self.session.stop.load(Ordering::Relaxed) {
+                break Outcome::Stopped;
+            }
+            self.step()?;
+            let step = self.trainer.steps();
+            if step.is_multiple_of(run.checkpoint_every) {
+                self.save()?;
+                saved = Some(step);
+            }
+            let is_due = run.evaluate_every > 0 && step.is_multiple_of(run.evaluate_every);
+            if is_due && step < run.steps {
+                self.evaluate()?;
+            }
+        };
+        if saved != Some(self.trainer.steps()) {
+            self.save()?;
+        }
+        if outcome == Outcome::Stopped {
+            self.report(Vec::new())?;
+        } else {
+            self.evaluate()?;
+        }
+        Ok(outcome)
+    }
+
+    fn step(&mut self) -> Result<()> {
+        let begin = Instant::now();
+        let report = self.trainer.step()?;
+        let seconds = begin.elapsed().as_secs_f64();
+        self.seconds += seconds;
+        self.add_times(seconds);
+        let (step, gaussians) = (self.trainer.steps(), self.trainer.scene().len());
+        self.since.0 += report.tiles;
+        let numbers = (u64::from(step), gaussians as u64);
+        if let Some(grown) = report.grown {
+            self.log.append(&Record::Growth {
+                step: numbers.0,
+                split: u64::from(grown.split),
+                cloned: u64::from(grown.cloned),
+                pruned: u64::from(grown.pruned),
+                gaussians: numbers.1,
+            })?;
+        }
+        if step.is_multiple_of(self.session.config.run.log_every) {
+            let (tiles, then) = std::mem::replace(&mut self.since, (0, self.seconds));
+            self.log.append(&Record::Step {
+                step: numbers.0,
+                seconds: self.seconds,
+                loss: report.loss,
+                psnr: report.psnr,
+                tiles_per_second: tiles as f64 / (self.seconds - then).max(1e-9),
+                gaussians: numbers.1,
+            })?;
+        }
+        let seconds = self.seconds;
+        (self.watch)(Event::Step { step, seconds, report: &report, gaussians });
+        Ok(())
+    }
+
+    /// What a step's kernels took, and what remains of it.
+    fn add_times(&mut self, seconds: f64) {
+        let mut rest = seconds;
+        for time in self.session.renderer.device().take_timings() {
+            *self.stages.entry(time.kernel).or_default() += time.seconds;
+            rest -= time.seconds;
+        }
+        *self.stages.entry("beside the kernels").or_default() += rest.max(0.0);
+    }
+
+    fn save(&self) -> Result<()> {
+        self.trainer.checkpoint(self.seconds)?.save(self.session.folder.join(CHECKPOINT))
+    }
+
+    fn evaluate(&mut self) -> Result<()> {
+        let frames = self.session.held_out();
+        if frames.is_empty() {
+            return self.report(Vec::new());
+        }
+        (self.watch)(Event::Evaluating);
+        let mut images = Vec::new();
+        let mut keep = |event: evaluate::Event<'_>| {
+            if let evaluate::Event::View { image, .. } = event
+                && images.len() < MAX_VIEWS
+            {
+                images.push(image.clone());
+            }
+        };
+        let scene = self.trainer.scene();
+        let evaluation = evaluate(self.session.renderer, scene, &frames, &mut keep)?;
+        let step = u64::from(self.trainer.steps());
+        self.log.append(&Record::evaluation(step, self.seconds, &evaluation))?;
+        (self.watch)(Event::Evaluated(&evaluation));
+        // what evaluating took is no part of training
+        let _ = self.session.renderer.device().take_timings();
+        let mut views = Vec::new();
+        for ((frame, score), rendered) in frames.into_iter().zip(&evaluation.views).zip(images) {
+            let (name, truth, score) = (frame.name.clone(), &frame.image, score.score);
+            views.push(ReportView { name, truth, rendered, psnr: score.psnr, ssim: score.ssim });
+        }
+        self.timing()?;
+        self.write_report(views)
+    }
+
+    fn report(&mut self, views: Vec<ReportView<'_>>) -> Result<()> {
+        self.timing()?;
+        self.write_report(views)
+    }
+
+    /// Where the time of this session went, the longest first.
+    fn timing(&mut self) -> Result<()> {
+        let all: f64 = self.stages.values().sum();
+        let row = |(stage, seconds): (&&str, &f64)| TimingRow {
+            stage: (*stage).to_owned(),
+            seconds: *seconds,
+            share: seconds / all.max(1e-9),
+        };
+        let mut rows: Vec<_> = self.stages.iter().map(row).collect();
+        rows.sort_by(|a, b| b.seconds.total_cmp(&a.seconds));
+        self.log.append(&Record::Timing { step: u64::from(self.trainer.steps()), rows })
+    }
+
+    fn write_report(&self, views: Vec<ReportView<'_>>) -> Result<()> {
+        let session = self.session;
+        let records = MetricsLog::read(session.folder.join(METRICS))?;
+        let data = session.config.data.path.as_deref();
+        let title = data.map_or_else(|| "the built-in scene".to_owned(), title);
+        let report = Report {
+            title,
+            device: session.renderer.device().choice().to_owned(),
+            config: settings(session.config),
+            records: &records,
+            views,
+        };
+        write_report(session.folder.join(REPORT), &report)
+    }
+}
+
+fn title(path: &Path) -> String {
+    let path: PathBuf = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+}
+
+/// Every setting as `table.name` and its value.
+fn settings(config: &TrainConfig) -> Vec<(String, String)> {
+    fn walk(prefix: &str, value: &toml::Value, found: &mut Vec<(String, String)>) {
+        match value {
+            toml::Value::Table(table) => {
+                for (key, value) in table {
+                    let name =
+                        if prefix.is_empty() { key.clone() } else { format!("{prefix}.{key}") };
+                    walk(&name, value, found);
+                }
+            }
+            value => found.push((prefix.to_owned(), value.to_string())),
+        }
+    }
+    let mut found = Vec::new();
+    if let Ok(value) = toml::Value::try_from(config) {
+        walk("", &value, &mut found);
+    }
+    found
+}

@@ -1,0 +1,326 @@
+//! Where training starts: the scene's box, its Gaussians, and fields that let light through.
+
+use std::num::NonZero;
+
+use glam::{DMat3, DVec3};
+use kiddo::{ImmutableKdTree, SquaredEuclidean};
+use rand::RngExt;
+use rand_distr::{Distribution, StandardNormal};
+use rand_pcg::Pcg64;
+use rayon::prelude::*;
+
+use super::config::TrainConfig;
+use super::sampler::random;
+use crate::camera::Camera;
+use crate::data::Point;
+use crate::error::Result;
+use crate::scene::{Network, Scene, SceneConfig};
+
+const PLACES: u64 = 2;
+const FIELDS: u64 = 3;
+
+/// The part of the Gaussians that is spread along rays, behind what the cameras look at; the others fill a ball.
+const BEHIND: f64 = 0.25;
+/// Radius of the ball around what the cameras look at, as a part of their mean distance to it.
+const BALL: f64 = 0.6;
+/// Standard deviations of the points around their mean that the scene's box holds.
+const DEVIATIONS: f64 = 3.0;
+
+/// A scene to begin with.
+///
+/// Gaussians lie at `points`, or where the cameras look if there are none; their scale is the distance to their
+/// neighbors.  The transmittance network's last bias lets T start near 1, or everything would be dark.
+///
+/// # Errors
+/// As [`Scene::zeros`].
+pub fn start(
+    config: &TrainConfig,
+    background: [f64; 3],
+    cameras: &[Camera],
+    points: &[Point],
+) -> Result<Scene> {
+    let mut random_places = random(config.run.seed, PLACES, 0);
+    let target = Target::of(cameras);
+    let (places, colors) = if points.is_empty() {
+        (target.spread(cameras, config.start.gaussians as usize, &mut random_places), Vec::new())
+    } else {
+        choose(points, config.start.gaussians as usize, &mut random_places)
+    };
+    let aabb = if points.is_empty() { target.aabb() } else { aabb(&places) };
+    let mut scene = Scene::zeros(scene_config(config, background, aabb), places.len())?;
+    place(config, &mut scene, &places, &colors, &mut random_places);
+    fill_fields(config, &mut scene);
+    Ok(scene)
+}
+
+fn scene_config(config: &TrainConfig, background: [f64; 3], aabb: [[f64; 3]; 2]) -> SceneConfig {
+    let shape = config.scene.clone();
+    SceneConfig {
+        sh_degree: shape.sh_degree,
+        material: shape.material,
+        extra: shape.extra,
+        color_grid: shape.color_grid,
+        transmittance_grid: shape.transmittance_grid,
+        color_mlp: shape.color_mlp,
+        transmittance_mlp: shape.transmittance_mlp,
+        step: shape.step,
+        blur: shape.blur,
+        background,
+        aabb,
+    }
+}
+
+/// What the cameras look at.
+#[derive(Clone, Copy, Debug)]
+struct Target {
+    center: DVec3,
+    /// Mean distance of the cameras.
+    distance: f64,
+}
+
+impl Target {
+    /// The point that is nearest to all cameras' axes.
+    fn of(cameras: &[Camera]) -> Self {
+        let eyes: Vec<_> = cameras.iter().map(|camera| DVec3::from(camera.eye())).collect();
+        let count = eyes.len().max(1) as f64;
+        let middle = eyes.iter().sum::<DVec3>() / count;
+        // where all axes are parallel no point is nearest: a little weight on the middle of the eyes decides
+        let weight = 1e-3 * count;
+        let (mut matrix, mut right) = (DMat3::from_diagonal(DVec3::splat(weight)), middle * weight);
+        for (camera, &eye) in cameras.iter().zip(&eyes) {
+            let axis = DVec3::from(camera.world_to_camera_opencv()[2]);
+            let across =
+                DMat3::IDENTITY - DMat3::from_cols(axis * axis.x, axis * axis.y, axis * axis.z);
+            matrix += across;
+            right += across * eye;
+        }
+        let center = matrix.inverse() * right;
+        let mean = |point: DVec3| eyes.iter().map(|eye| eye.distance(point)).sum::<f64>() / count;
+        let distance = mean(center).max(mean(middle)).max(1e-3);
+        Self { center, distance }
+    }
+
+    fn radius(&self) -> f64 {
+        BALL * self.distance
+    }
+
+    fn aabb(&self) -> [[f64; 3]; 2] {
+        [self.center - self.radius(), self.center + self.radius()].map(|corner| corner.to_array())
+    }
+
+    /// Places that cameras see: most in a ball around the target, the rest behind it, along rays.
+    fn spread(&self, cameras: &[Camera], count: usize, random: &mut Pcg64) -> Vec<DVec3> {
+        let needed = 2.min(cameras.len());
+        (0..count)
+            .map(|_| {
+                if random.random_bool(BEHIND) {
+                    return self.along_a_ray(cameras, random);
+                }
+                let seen = |place: &DVec3| {
+                    cameras.iter().filter(|camera| sees(camera, *place)).take(needed).count()
+                };
+                let mut tries = (0..100).map(|_| self.in_ball(random));
+                match tries.find(|place| seen(place) == needed) {
+                    Some(place) => place,
+                    // cameras that look outward
+                    None => self.along_a_ray(cameras, random),
+                }
+            })
+            .collect()
+    }
+
+    fn in_ball(&self, random: &mut Pcg64) -> DVec3 {
+        let mut place =
+            || DVec3::from_array(std::array::from_fn(|_| random.random_range(-1.0..1.0)));
+        let mut inside = place();
+        while inside.length_squared() > 1.0 {
+            inside = place();
+        }
+        self.center + inside * self.radius()
+    }
+
+    /// From the target's distance to four times as far, evenly in the inverse of the depth.
+    fn along_a_ray(&self, cameras: &[Camera], random: &mut Pcg64) -> DVec3 {
+        let camera = &cameras[random.random_range(0..cameras.len())];
+        let x = (random.random::<f64>() * f64::from(camera.width) - camera.cx) / camera.fl_x;
+        let y = (random.random::<f64>() * f64::from(camera.height) - camera.cy) / camera.fl_y;
+        let depth = self.distance / random.random_range(0.25..1.0);
+        let [right, down, forward] = camera.world_to_camera_opencv().map(DVec3::from);
+        DVec3::from(camera.eye()) + (right * x + down * y + forward) * depth
+    }
+}
+
+/// Whether a place is in front of a camera and in its image.
+fn sees(camera: &Camera, place: DVec3) -> bool {
+    let offset = place - DVec3::from(camera.eye());
+    let [x, y, z] = camera.world_to_camera_opencv().map(|row| DVec3::from(row).dot(offset));
+    let (column, row) = (camera.fl_x * x / z + camera.cx, camera.fl_y * y / z + camera.cy);
+    z > 0.0
+        && (0.0..f64::from(camera.width)).contains(&column)
+        && (0.0..f64::from(camera.height)).contains(&row)
+}
+
+/// At most `count` of the points, chosen at random, and their colors.
+fn choose(
+    points: &[Point],
+    count: usize,
+    random: &mut Pcg64,
+) -> (Vec<DVec3>, Vec<Option<[u8; 3]>>) {
+    let mut chosen =
+        rand::seq::index::sample(random, points.len(), count.min(points.len())).into_vec();
+    chosen.sort_unstable();
+    chosen.into_iter().map(|i| (DVec3::from(points[i].position), points[i].color)).unzip()
+}
+
+/// The box of the points within three standard deviations of their mean.
+fn aabb(places: &[DVec3]) -> [[f64; 3]; 2] {
+    let count = places.len() as f64;
+    let mean = places.iter().sum::<DVec3>() / count;
+    let variance = places.iter().map(|place| (*place - mean).powf(2.0)).sum::<DVec3>() / count;
+    let reach = variance.map(f64::sqrt) * DEVIATIONS;
+    let low = places.iter().copied().reduce(DVec3::min).unwrap_or(mean).max(mean - reach);
+    let high = places.iter().copied().reduce(DVec3::max).unwrap_or(mean).min(mean + reach);
+    // points in a plane have a box all the same
+    let least = DVec3::splat(((high - low).max_element() * 1e-2).max(1e-6));
+    let (middle, half) = ((low + high) / 2.0, ((high - low) / 2.0).max(least));
+    [(middle - half).to_array(), (middle + half).to_array()]
+}
+
+/// The root of the mean squared distance to the three nearest others.
+fn spacing(places: &[DVec3]) -> Vec<f64> {
+    let entries: Vec<_> = places.iter().map(DVec3::to_array).collect();
+    let tree = ImmutableKdTree::new_from_slice(&entries);
+    let neighbors = NonZero::new(4).expect("four is not zero");
+    let Ok(tree) = tree else { return vec![1.0; places.len()] };
+    entries
+        .par_iter()
+        .map(|entry| {
+            // the first is the place itself
+            let found = tree.query(entry).nearest_n::<SquaredEuclidean<f64>>(neighbors).execute();
+            let (sum, count) = found
+                .iter()
+                .skip(1)
+                .fold((0.0, 0.0), |(sum, count), item| (sum + item.distance, count + 1.0));
+            if count > 0.0 { f64::sqrt(sum / count) } else { 1.0 }
+        })
+        .collect()
+}
+
+fn place(
+    config: &TrainConfig,
+    scene: &mut Scene,
+    places: &[DVec3],
+    colors: &[Option<[u8; 3]>],
+    random: &mut Pcg64,
+) {
+    let start = &config.start;
+    let logit = (start.opacity / (1.0 - start.opacity)).ln();
+    let spacing = spacing(places);
+    let gaussians = &mut scene.gaussians;
+    for (i, place) in places.iter().enumerate() {
+        gaussians.position[i] = place.as_vec3().to_array();
+        let scale = (spacing[i] * f64::from(start.scale)).max(1e-7).ln() as f32;
+        gaussians.log_scale[i] = [scale; 3];
+        gaussians.rotation[i] = std::array::from_fn(|_| StandardNormal.sample(random));
+        gaussians.opacity[i] = logit;
+    }
+    let spread = start.spread;
+    let mut uniform = |values: &mut [f32]| {
+        values.iter_mut().for_each(|value| *value = spread * (2.0 * random.random::<f32>() - 1.0));
+    };
+    uniform(&mut gaussians.material);
+    uniform(&mut gaussians.extra);
+    // the network reads the color of the point in the first values of its material
+    let material = config.scene.material as usize;
+    for (values, color) in gaussians.material.chunks_mut(material.max(1)).zip(colors) {
+        for (value, channel) in values.iter_mut().zip(color.iter().flatten()) {
+            *value = f32::from(*channel) / 127.5 - 1.0;
+        }
+    }
+}
+
+/// Random networks (He et al. 2015) and grids, as Instant NGP starts them.
+fn fill_fields(config: &TrainConfig, scene: &mut Scene) {
+    let mut random = random(config.run.seed, FIELDS, 0);
+    for field in [&mut scene.color, &mut scene.transmittance] {
+        field.grid.iter_mut().for_each(|value| *value = random.random_range(-1e-4..1e-4));
+        fill_network(&mut field.network, &mut random);
+    }
+    let last = scene.transmittance.network.layers.last_mut().expect("a network has layers");
+    last.bias[0] = config.start.transmittance_bias;
+}
+
+fn fill_network(network: &mut Network, random: &mut Pcg64) {
+    let count = network.layers.len();
+    for (index, layer) in network.layers.iter_mut().enumerate() {
+        // the head starts with the gain of a linear layer
+        let gain = if index + 1 < count { 2.0 } else { 1.0 };
+        let deviation = f32::sqrt(gain / layer.inputs as f32);
+        let normal: fn(&mut Pcg64) -> f32 = |random| StandardNormal.sample(random);
+        layer.weight.iter_mut().for_each(|weight| *weight = deviation * normal(random));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Cameras on a circle of radius 5 around (1, 2, 3).
+    fn circle() -> Vec<Camera> {
+        (0..12)
+            .map(|i| {
+                let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 12.0).sin_cos();
+                let eye = [1.0 + 4.0 * cos, 2.0 + 4.0 * sin, 6.0];
+                Camera::look_at(eye, [1.0, 2.0, 3.0], [0.0, 0.0, 1.0], 0.8, [64, 48])
+            })
+            .collect()
+    }
+
+    #[test]
+    fn cameras_look_at_their_target() {
+        let target = Target::of(&circle());
+        assert!(target.center.distance(DVec3::new(1.0, 2.0, 3.0)) < 1e-2, "{target:?}");
+        assert!((target.distance - 5.0).abs() < 1e-2);
+        // parallel axes have no target, and yet a start
+        let parallel: Vec<_> = circle()[..1].repeat(3);
+        assert!(Target::of(&parallel).center.is_finite());
+    }
+
+    #[test]
+    fn gaussians_are_spread_where_cameras_see_them() {
+        let mut config = TrainConfig::default();
+        config.start.gaussians = 500;
+        let cameras = circle();
+        let scene = start(&config, [0.0; 3], &cameras, &[]).unwrap();
+        assert_eq!(scene.gaussians.len(), 500);
+        let is_seen = |place: &[f32; 3]| {
+            cameras.iter().any(|camera| sees(camera, glam::Vec3::from(*place).as_dvec3()))
+        };
+        assert!(scene.gaussians.position.iter().all(is_seen));
+        assert_eq!(scene, start(&config, [0.0; 3], &cameras, &[]).unwrap());
+        scene.validate().unwrap();
+    }
+
+    #[test]
+    fn points_give_places_colors_and_a_box_without_outliers() {
+        let config = TrainConfig::default();
+        let mut points: Vec<_> = (0..1000)
+            .map(|i| {
+                let t = f64::from(i) * 0.1;
+                Point {
+                    position: [t.sin(), t.cos(), 0.5 * (t * 0.7).sin()],
+                    color: Some([255, 0, 51]),
+                }
+            })
+            .collect();
+        points.push(Point { position: [1e4, 0.0, 0.0], color: None });
+        let scene = start(&config, [0.0; 3], &circle(), &points).unwrap();
+        assert_eq!(scene.gaussians.len(), 1001);
+        let [low, high] = scene.config.aabb;
+        assert!(high[0] < 1e3 && low[1] <= -0.99 && high[1] >= 0.99, "{:?}", scene.config.aabb);
+        assert_eq!(scene.gaussians.material[..3], [1.0, -1.0, -0.6]);
+        // neighbors on the curve are 0.1 apart, and less
+        let scale = scene.gaussians.log_scale[500][0].exp();
+        assert!((0.005..0.3).contains(&scale), "{scale}");
+    }
+}

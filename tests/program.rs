@@ -4,6 +4,8 @@
 mod bad_files;
 #[path = "program/bad_requests.rs"]
 mod bad_requests;
+#[path = "program/bench.rs"]
+mod bench;
 #[path = "program/eval.rs"]
 mod eval;
 #[path = "program/kernels.rs"]

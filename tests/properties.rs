@@ -7,7 +7,7 @@ use organza_kernels::camera::Camera;
 use organza_kernels::composite::{CompositeKernel, CompositeParams};
 use organza_kernels::hash_grid::GridLevel;
 use organza_kernels::project::{falloff, mahalanobis, project_gaussian};
-use organza_kernels::resolve::{ResolveKernel, ResolveParams};
+use organza_kernels::resolve::{DIVIDE_ABOVE, ResolveKernel, ResolveParams};
 use organza_kernels::segment::{clip_to_unit_cube, clipped_segment};
 use organza_kernels::tile::{Tile, distance_squared, reaches};
 use organza_kernels::unit_cube::Split;
@@ -173,7 +173,13 @@ fn composite(
     device.run_over(&kernel, [SIDE, SIDE, 1]).expect("it runs");
     let image = device.zeros("image", (3 * SIDE * SIDE) as usize).expect("memory");
     let [background_r, background_g, background_b] = background.to_array();
-    let params = ResolveParams { side: SIDE, background_r, background_g, background_b };
+    let params = ResolveParams {
+        side: SIDE,
+        background_r,
+        background_g,
+        background_b,
+        divide_above: DIVIDE_ABOVE,
+    };
     device
         .run_over(&ResolveKernel { params, tile: &tile, sum: &sum, image: &image }, [SIDE, SIDE, 1])
         .expect("it runs");

@@ -6,6 +6,10 @@ use std::path::{Path, PathBuf};
 
 use crate::error::{Error, Result};
 
+/// How the names of files begin and end that are being written.
+const PREFIX: &str = ".organza-";
+const SUFFIX: &str = ".tmp";
+
 /// Writes a file through `fill`: beside it, synced to disk, then renamed into place.
 ///
 /// When anything fails, what stood at `path` before is untouched and nothing is left beside it. A
@@ -64,13 +68,25 @@ fn parent(path: &Path) -> PathBuf {
 
 fn new_file_in(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".organza-").suffix(".tmp");
+    builder.prefix(PREFIX).suffix(SUFFIX);
     // Temporary files are private by default; an output should be as readable as any other file.
     #[cfg(unix)]
     let permissions = std::os::unix::fs::PermissionsExt::from_mode(0o666);
     #[cfg(unix)]
     builder.permissions(permissions);
     builder.tempfile_in(folder)
+}
+
+/// Removes what a program left that was ended while it wrote into a folder; nobody else may be writing there.
+pub(crate) fn remove_leftovers(folder: &Path) {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    for entry in entries {
+        let name = entry.file_name();
+        if name.to_str().is_some_and(|name| name.starts_with(PREFIX) && name.ends_with(SUFFIX)) {
+            // what cannot be removed does no harm
+            let _ = fs::remove_file(entry.path());
+        }
+    }
 }
 
 /// Makes the rename itself survive a power cut. Not every file system can, so failure is ignored:

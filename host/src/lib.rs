@@ -8,6 +8,7 @@
 
 mod atomic_file;
 pub mod backend;
+pub mod bench;
 pub mod camera;
 pub mod data;
 pub mod demo;

@@ -48,6 +48,12 @@ pub(crate) fn available() -> Option<u64> {
     [of_the_system(), of_the_address_space(), of_the_control_groups()].into_iter().flatten().min()
 }
 
+/// The most memory that this process has held so far, in bytes, where the system says so (Linux).
+#[must_use]
+pub fn peak() -> Option<u64> {
+    kilobytes("/proc/self/status", "VmHWM:")
+}
+
 fn of_the_system() -> Option<u64> {
     kilobytes("/proc/meminfo", "MemAvailable:")
 }

@@ -98,6 +98,33 @@ pub fn add_wide_lanes<const N: usize>(buffer: Write<u32>, index: [u32; N], value
     }
 }
 
+/// As [`add_wide_lanes`] for two integers each, the second one behind the first.
+#[cfg(not(target_arch = "spirv"))]
+#[inline(always)]
+#[track_caller]
+pub fn add_two_wide_lanes<const N: usize>(
+    buffer: Write<u32>,
+    index: [u32; N],
+    [first, second]: [[i64; N]; 2],
+) {
+    #[cfg(target_endian = "big")]
+    {
+        add_wide_lanes(buffer, index, first);
+        add_wide_lanes(buffer, index.map(|index| index + 1), second);
+    }
+    #[cfg(target_endian = "little")]
+    {
+        let begin = buffer.two_wide_addresses(index, Touch::Layer);
+        let mut i = 0;
+        while i < N {
+            // SAFETY: the address is in range and aligned, and as a single layer changes these sums, so does a single thread
+            let sums = unsafe { &mut *begin.add(index[i] as usize).cast::<[i64; 2]>() };
+            *sums = [sums[0].wrapping_add(first[i]), sums[1].wrapping_add(second[i])];
+            i += 1;
+        }
+    }
+}
+
 /// Raises the flags at several places to 1, where the mask holds.
 #[cfg(not(target_arch = "spirv"))]
 #[inline(always)]

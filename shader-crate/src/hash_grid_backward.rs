@@ -63,9 +63,16 @@ pub fn hash_grid_backward<L: Lane>(
             let unit = L::splat(scale.read(SCALE));
             let mut row = first;
             let mut f = 0;
+            // neighbors are added together
+            while f + 2 <= features {
+                let first = scaled(L::read(feature_gradient, row), unit);
+                let second = scaled(L::read(feature_gradient, row + params.stride), unit);
+                add_two::<L>(sum, active, &corners, [first, second], features, f);
+                row += 2 * params.stride;
+                f += 2;
+            }
             while f < features {
-                let gradient = L::read(feature_gradient, row);
-                let gradient = L::select(tiny.at_most(size(gradient)), gradient * unit, zero);
+                let gradient = scaled(L::read(feature_gradient, row), unit);
                 add::<L>(sum, active, &corners, gradient, features, f);
                 row += params.stride;
                 f += 1;
@@ -78,6 +85,34 @@ pub fn hash_grid_backward<L: Lane>(
 #[inline(always)]
 fn size<L: Lane>(x: L) -> L {
     x.max(-x)
+}
+
+/// A gradient in units of the sums: 0 where a GPU may flush it.
+#[inline(always)]
+fn scaled<L: Lane>(gradient: L, unit: L) -> L {
+    L::select(L::splat(TINY).at_most(size(gradient)), gradient * unit, L::splat(0.0))
+}
+
+/// Adds the gradients of a feature and of the next one to the eight corners.
+#[inline(always)]
+fn add_two<L: Lane>(
+    sum: Write<u32>,
+    active: L::Mask,
+    corners: &Corners<L>,
+    [a, b]: [L; 2],
+    features: u32,
+    f: u32,
+) {
+    let [e0, e1, e2, e3, e4, e5, e6, e7] = corners.entry;
+    let [w0, w1, w2, w3, w4, w5, w6, w7] = corners.weight;
+    L::add_fixed_two([a * w0, b * w0], active, sum, value::<L>(e0, features, f));
+    L::add_fixed_two([a * w1, b * w1], active, sum, value::<L>(e1, features, f));
+    L::add_fixed_two([a * w2, b * w2], active, sum, value::<L>(e2, features, f));
+    L::add_fixed_two([a * w3, b * w3], active, sum, value::<L>(e3, features, f));
+    L::add_fixed_two([a * w4, b * w4], active, sum, value::<L>(e4, features, f));
+    L::add_fixed_two([a * w5, b * w5], active, sum, value::<L>(e5, features, f));
+    L::add_fixed_two([a * w6, b * w6], active, sum, value::<L>(e6, features, f));
+    L::add_fixed_two([a * w7, b * w7], active, sum, value::<L>(e7, features, f));
 }
 
 /// Adds a feature's gradient to the eight corners.

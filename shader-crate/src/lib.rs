@@ -43,6 +43,10 @@ pub mod tile;
 pub mod transmittance;
 pub mod transmittance_backward;
 pub mod unit_cube;
+#[cfg(not(target_arch = "spirv"))]
+mod wide;
+#[cfg(not(target_arch = "spirv"))]
+mod wide_math;
 
 #[cfg(not(target_arch = "spirv"))]
 pub use kernel::{Access, BindingInfo, KernelInfo, SharedInfo, kernels};

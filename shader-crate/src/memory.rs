@@ -197,6 +197,35 @@ mod host {
         }
     }
 
+    impl Read<'_, f32> {
+        /// The values at `N` places, and those behind them; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub fn gather_two<const N: usize>(&self, at: [u32; N]) -> [[f32; N]; 2] {
+            let largest = at.iter().fold(0, |a: u32, &b| if a > b { a } else { b });
+            if largest as usize + 1 >= self.len {
+                out_of_range(largest.saturating_add(1), self.len, self.name);
+            }
+            let two: [u64; N] = core::array::from_fn(
+                #[inline(always)]
+                // SAFETY: checked above
+                |i| unsafe { self.data.add(at[i] as usize).cast::<u64>().read_unaligned() },
+            );
+            let halves = two.map(
+                #[inline(always)]
+                |two| [two as u32, (two >> 32) as u32],
+            );
+            let [first, second] = if cfg!(target_endian = "little") { [0, 1] } else { [1, 0] };
+            let value = |half: usize| {
+                core::array::from_fn(
+                    #[inline(always)]
+                    |i: usize| f32::from_bits(halves[i][half]),
+                )
+            };
+            [value(first), value(second)]
+        }
+    }
+
     impl<'a, T: Copy> Write<'a, T> {
         /// # Safety
         /// `data` points to `len` values that are read and written through such views alone, an element
@@ -328,6 +357,21 @@ mod host {
             let first: *mut u64 = self.addresses_of(index.map(|index| 2 * index + 1), touch).cast();
             assert!(first.is_aligned(), "`{}` does not hold 64-bit integers", self.name);
             first
+        }
+
+        /// As [`Self::wide_addresses`], for the 64-bit integers at `index` and `index + 1`.
+        #[inline(always)]
+        #[track_caller]
+        #[cfg(target_endian = "little")]
+        pub(crate) fn two_wide_addresses<const N: usize>(
+            &self,
+            index: [u32; N],
+            touch: Touch,
+        ) -> *mut u64 {
+            if self.watch.is_some() {
+                self.wide_addresses(index, touch);
+            }
+            self.wide_addresses(index.map(|index| index + 1), touch)
         }
     }
 

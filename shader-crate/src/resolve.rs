@@ -17,7 +17,12 @@ pub struct ResolveParams {
     pub background_g: f32,
     /// Background, blue.
     pub background_b: f32,
+    /// The weight above which a sum is divided: [`DIVIDE_ABOVE`].
+    pub divide_above: f32,
 }
+
+/// Eq. 13's: a sum is divided by its weight where that passes 1.
+pub const DIVIDE_ABOVE: f32 = 1.0;
 
 /// Three channels of a pixel.
 #[derive(Clone, Copy)]
@@ -71,6 +76,12 @@ impl<L: Lane> Color<L> {
 }
 
 impl ResolveParams {
+    /// Which branch of Eq. 13 a weight takes.
+    #[inline(always)]
+    fn is_divided<L: Lane>(&self, weight: L) -> L::Mask {
+        L::splat(self.divide_above).less(weight)
+    }
+
     #[inline(always)]
     fn background<L: Lane>(&self) -> Color<L> {
         Color {
@@ -102,7 +113,7 @@ pub fn resolve<L: Lane>(
         let (color, weight) = (Color::<L>::read(sum, first, area), L::read(sum, first + 3 * area));
         let one = L::splat(1.0);
         let covered = color.add(params.background::<L>().scale(one - weight));
-        let pixel = Color::select(one.less(weight), color.scale(one / weight), covered);
+        let pixel = Color::select(params.is_divided(weight), color.scale(one / weight), covered);
         pixel.write(image, Tile::read(tile, t).output * 3 * area + at, area);
     }
 }
@@ -131,7 +142,7 @@ pub fn resolve_backward<L: Lane>(
         let output = Tile::read(tile, t).output * 3 * area + at;
         let gradient = Color::<L>::read(image_gradient, output, area);
         let one = L::splat(1.0);
-        let (is_divided, inverse) = (one.less(weight), one / weight);
+        let (is_divided, inverse) = (params.is_divided(weight), one / weight);
         let divided = gradient.scale(inverse);
         let by_weight = L::select(
             is_divided,

@@ -32,7 +32,13 @@ pub struct TransmittanceInputsParams {
 /// The pair that owns a sample: the last one whose samples do not begin after it.
 #[inline(always)]
 pub fn owner(first_sample: Read<u32>, pairs: u32, sample: u32) -> u32 {
-    let (mut low, mut high) = (0, pairs);
+    owner_among(first_sample, 0, pairs, sample)
+}
+
+/// As [`owner`], where it is known to be one of `low .. high`.
+#[inline(always)]
+fn owner_among(first_sample: Read<u32>, low: u32, high: u32, sample: u32) -> u32 {
+    let (mut low, mut high) = (low, high);
     while low + 1 < high {
         let middle = (low + high) / 2;
         let begins_before = first_sample.read(middle) <= sample;
@@ -45,8 +51,10 @@ pub fn owner(first_sample: Read<u32>, pairs: u32, sample: u32) -> u32 {
 /// Writes what does not come from the hash grid: the midpoint x_k (Eq. 9), its segment's `s_factor` and u.
 ///
 /// `first_sample [pairs + 1]`; `point [7, stride]` is x_k and `s_factor`; `input [rows, stride]`.
-#[kernel(threads(64), iterations = u32::BITS + MAX_VECTOR)]
-pub fn transmittance_inputs(
+///
+/// Neighbors mostly have the same pair: the CPU looks for it once for all lanes, and lane by lane from where the pair ends.
+#[kernel(threads(64), iterations = u32::BITS + MAX_VECTOR, lanes(samples))]
+pub fn transmittance_inputs<L: Lane>(
     id: Invocation,
     params: &TransmittanceInputsParams,
     pair: Read<u32>,
@@ -59,25 +67,76 @@ pub fn transmittance_inputs(
     let index = id.index();
     if index < params.samples {
         let sample = params.first_sample + index;
-        let owner = owner(first_sample, params.pairs, sample);
-        let begin = first_sample.read(owner);
-        let count = first_sample.read(owner + 1) - begin;
-        let (start, w) = (segment.read(2 * owner), segment.read(2 * owner + 1));
-        let t = ((sample - begin) as f32 + 0.5) / count as f32;
-        let stride = params.stride;
-        let x = Split::new(start.x + t * w.x, 0.0);
-        let y = Split::new(start.y + t * w.y, 0.0);
-        let z = Split::new(start.z + t * w.z, 0.0);
-        write_point(point, stride, index, [x, y, z]);
-        point.write(POINT_ROWS * stride + index, start.w);
-
-        let gaussian = pair.read(owner) % params.gaussians;
-        let mut u = 0;
-        while u < params.extra {
-            let value = extra.read(gaussian * params.extra + u);
-            input.write((params.extra_row + u) * stride + index, value);
-            u += 1;
+        let mut owner = owner(first_sample, params.pairs, sample);
+        if L::WIDTH == 1 || first_sample.read(owner + 1) - sample >= L::WIDTH {
+            write_inputs::<L>(
+                params,
+                index,
+                owner,
+                pair,
+                first_sample,
+                segment,
+                extra,
+                point,
+                input,
+            );
+        } else {
+            let mut lane = 0;
+            while lane < L::WIDTH {
+                let own = sample + lane;
+                if first_sample.read(owner + 1) <= own {
+                    owner = owner_among(first_sample, owner + 1, params.pairs, own);
+                }
+                write_inputs::<L::One>(
+                    params,
+                    index + lane,
+                    owner,
+                    pair,
+                    first_sample,
+                    segment,
+                    extra,
+                    point,
+                    input,
+                );
+                lane += 1;
+            }
         }
+    }
+}
+
+/// What [`transmittance_inputs`] writes for the samples of the lanes from `index` on, which the same pair owns.
+#[inline(always)]
+#[allow(clippy::too_many_arguments)]
+fn write_inputs<L: Lane>(
+    params: &TransmittanceInputsParams,
+    index: u32,
+    owner: u32,
+    pair: Read<u32>,
+    first_sample: Read<u32>,
+    segment: Read<Vec4>,
+    extra: Read<f32>,
+    point: Write<f32>,
+    input: Write<f32>,
+) {
+    let begin = first_sample.read(owner);
+    let count = first_sample.read(owner + 1) - begin;
+    let (start, w) = (segment.read(2 * owner), segment.read(2 * owner + 1));
+    let number = L::splat;
+    let k = number((params.first_sample + index - begin) as f32) + L::ramp();
+    let t = (k + number(0.5)) / number(count as f32);
+    let (stride, zero) = (params.stride, number(0.0));
+    let x = Split::new(number(start.x) + t * number(w.x), zero);
+    let y = Split::new(number(start.y) + t * number(w.y), zero);
+    let z = Split::new(number(start.z) + t * number(w.z), zero);
+    write_point(point, stride, index, [x, y, z]);
+    number(start.w).write(point, POINT_ROWS * stride + index);
+
+    let gaussian = pair.read(owner) % params.gaussians;
+    let mut u = 0;
+    while u < params.extra {
+        let value = number(extra.read(gaussian * params.extra + u));
+        value.write(input, (params.extra_row + u) * stride + index);
+        u += 1;
     }
 }
 

@@ -22,16 +22,15 @@ pub struct Split<L = f32> {
     pub fine: L,
 }
 
-impl Split {
+impl<L: Lane> Split<L> {
     /// The parts of `main + rest`, of which `main` has few bits and `rest` is small.
     #[inline(always)]
-    pub fn new(main: f32, rest: f32) -> Self {
-        let coarse = truncate((main + rest) * PARTS) * (1.0 / PARTS);
+    pub fn new(main: L, rest: L) -> Self {
+        let parts = ((main + rest) * L::splat(PARTS)).truncate();
+        let coarse = parts * L::splat(1.0 / PARTS);
         Self { coarse, fine: (main - coarse) + rest }
     }
-}
 
-impl<L: Lane> Split<L> {
     /// The coordinate, limited to [0, 1].
     #[inline(always)]
     pub fn clamped(self) -> Self {

@@ -2,7 +2,7 @@
 
 use organza::Device;
 use organza::parity::inputs::Random;
-use organza_kernels::resolve::{ResolveBackwardKernel, ResolveParams};
+use organza_kernels::resolve::{DIVIDE_ABOVE, ResolveBackwardKernel, ResolveParams};
 use organza_kernels::tile::Tile;
 
 use super::numeric::{central, everywhere, hold};
@@ -19,7 +19,13 @@ fn run(device: &Device, side: usize, sum: &[f32], image_gradient: &[f32]) -> Vec
     let [background_r, background_g, background_b] = BACKGROUND;
     let side = side as u32;
     let kernel = ResolveBackwardKernel {
-        params: ResolveParams { side, background_r, background_g, background_b },
+        params: ResolveParams {
+            side,
+            background_r,
+            background_g,
+            background_b,
+            divide_above: DIVIDE_ABOVE,
+        },
         tile: &device.upload("tiles", &tiles).unwrap(),
         sum: &device.upload("sums", sum).unwrap(),
         image_gradient: &device.upload("image gradient", image_gradient).unwrap(),

@@ -11,6 +11,7 @@ mod supervise;
 mod watch;
 
 use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -29,6 +30,8 @@ use buffer::{Memory, RawBuffer};
 pub struct Device {
     kind: Kind,
     choice: String,
+    /// Whether each dispatch on a GPU is waited for.
+    waits: AtomicBool,
     timings: Mutex<BTreeMap<&'static str, (u64, Duration)>>,
 }
 
@@ -50,6 +53,10 @@ enum Kind {
 }
 
 impl Device {
+    fn new(kind: Kind, choice: String) -> Self {
+        Self { kind, choice, waits: AtomicBool::new(false), timings: Mutex::default() }
+    }
+
     /// Opens the device that `options` ask for.
     ///
     /// # Errors
@@ -190,6 +197,15 @@ impl Device {
                 self.add_time(kernel.info().name, start.elapsed());
                 result
             }
+            Kind::Gpu(gpu) if self.waits.load(Ordering::Relaxed) => {
+                // what was queued before is not this kernel's time
+                gpu.wait()?;
+                let start = Instant::now();
+                gpu.dispatch(kernel.info(), kernel.uniform(), &buffers, workgroups)?;
+                gpu.wait()?;
+                self.add_time(kernel.info().name, start.elapsed());
+                Ok(())
+            }
             Kind::Gpu(gpu) => gpu.dispatch(kernel.info(), kernel.uniform(), &buffers, workgroups),
         }
     }
@@ -219,7 +235,14 @@ impl Device {
         *sum += time;
     }
 
-    /// What the kernels have taken since the last call, by name.  A GPU's are queued, not waited for: there are none.
+    /// From now on, whether a GPU's dispatches are waited for one by one, so that [`Device::take_timings`] has their times,
+    /// the way to the device and back included: the whole takes longer.  The CPU's times are always there.
+    pub fn time_dispatches(&self, waits: bool) {
+        self.waits.store(waits, Ordering::Relaxed);
+    }
+
+    /// What the kernels have taken since the last call, by name.  A GPU's are queued, not waited for: there are none unless
+    /// [asked for](Device::time_dispatches).
     #[must_use]
     pub fn take_timings(&self) -> Vec<KernelTime> {
         let timings =

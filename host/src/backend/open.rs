@@ -1,7 +1,5 @@
 //! Chooses a device.
 
-use std::sync::Mutex;
-
 use organza_kernels::kernel::InstructionSet;
 
 use super::{Device, Kind, cpu, gpu};
@@ -77,7 +75,7 @@ pub fn open(options: &DeviceOptions) -> Result<Device> {
         BackendChoice::Gpu => {
             let gpu = gpu::Gpu::open(options)?;
             let choice = format!("gpu: {} (asked for)", gpu.description());
-            Ok(Device { kind: Kind::Gpu(Box::new(gpu)), choice, timings: Mutex::default() })
+            Ok(Device::new(Kind::Gpu(Box::new(gpu)), choice))
         }
         BackendChoice::Auto => match gpu::Gpu::open(options) {
             // a software device runs the same kernels on the same cores, with less to choose from
@@ -87,7 +85,7 @@ pub fn open(options: &DeviceOptions) -> Result<Device> {
             Ok(gpu) => {
                 let choice =
                     format!("gpu: {} (found; `--backend cpu` uses the CPU)", gpu.description());
-                Ok(Device { kind: Kind::Gpu(Box::new(gpu)), choice, timings: Mutex::default() })
+                Ok(Device::new(Kind::Gpu(Box::new(gpu)), choice))
             }
             Err(Error::NoGpu { reason }) => open_cpu(options, &format!("no usable GPU: {reason}")),
             Err(error) => Err(error),
@@ -101,5 +99,5 @@ fn open_cpu(options: &DeviceOptions, why: &str) -> Result<Device> {
     let plural = if threads == 1 { "" } else { "s" };
     let set = cpu.instruction_set().as_str();
     let choice = format!("cpu: {threads} thread{plural}, {set} ({why})");
-    Ok(Device { kind: Kind::Cpu(cpu), choice, timings: Mutex::default() })
+    Ok(Device::new(Kind::Cpu(cpu), choice))
 }

@@ -7,6 +7,8 @@ use std::time::Instant;
 use clap::ValueEnum;
 use organza::data::{Dataset, DatasetOptions, Frame};
 use organza::evaluate::{Event, Score, evaluate, tiles};
+use organza::train::config::DataConfig;
+use organza::train::{self, CHECKPOINT, CONFIG, TrainConfig};
 use organza::{DeviceScene, Error, Evaluation, Renderer, Result, Scene};
 
 use super::console::{Console, print, print_json};
@@ -15,14 +17,15 @@ use super::picture::warn_not_finite;
 use super::summary::count;
 use super::table::Table;
 
-/// The scene in the folder of a training run.
-const CHECKPOINT: &str = "checkpoint.safetensors";
-
 const EXAMPLES: &str = "\
 Examples:
-  organza eval run data/garden --downscale 4
+  organza eval run
+  organza eval run --split train
   organza eval scene.safetensors data/lego --background 1,1,1 --json
-  organza eval run data/garden --split train
+  organza eval run data/garden --downscale 4
+
+A run's folder tells what it was trained on, the built-in scene included, and which frames were held out; what is \
+given here counts before that.
 
 PSNR is in decibels, SSIM has windows of 11 x 11 pixels with Gaussian weights of sigma 1.5. Pixels that \
 undistorting left without a color do not count. In JSON a value is null where it does not exist (no pixel \
@@ -34,19 +37,19 @@ or no window counts), and so is the infinite PSNR of equal images.";
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// The data set: a folder or a transforms.json
-    data: PathBuf,
+    /// The data set: a folder or a transforms.json [default: what the run was trained on]
+    data: Option<PathBuf>,
     /// Which frames to measure on
     #[arg(long, value_enum, default_value_t)]
     split: Split,
-    /// Every so many-th frame is held out, beginning with the first
-    #[arg(long, value_name = "N", default_value_t = 8)]
+    /// Every so many-th frame is held out, beginning with the first [default: as the run did, else 8]
+    #[arg(long, value_name = "N")]
     #[arg(value_parser = clap::value_parser!(u32).range(2..))]
-    hold_out_every: u32,
-    /// Make photographs smaller by this factor
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    hold_out_every: Option<u32>,
+    /// Make photographs smaller by this factor [default: as the run did, else 1]
+    #[arg(long, value_name = "N")]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=1024))]
-    downscale: u32,
+    downscale: Option<u32>,
     /// Put photographs with an alpha channel in front of this color, of 0 to 1 [default: the scene's
     /// background]
     #[arg(long, value_name = "R,G,B")]
@@ -90,13 +93,34 @@ impl FromStr for Color {
 pub fn run(args: &Args) -> Result<()> {
     let console = args.device.console();
     let scene = scene_file(&args.scene)?;
+    let data = data(args)?;
     let scene = console.during("reading the scene", || Scene::load(&scene))?;
-    let dataset = load(args, &scene, console)?;
-    let frames = frames(args, &dataset)?;
     let renderer = args.device.open()?;
+    let dataset = load(args, &data, &renderer, &scene, console)?;
+    let frames = frames(args, &dataset)?;
     let scene = renderer.upload(&scene)?;
     let evaluation = measure(&renderer, &scene, &frames, console)?;
     if args.json { print_json(&evaluation) } else { print(&table(&evaluation)) }
+}
+
+/// The photographs: what is asked for, and what a run's folder says about the rest.
+fn data(args: &Args) -> Result<DataConfig> {
+    let config = args.scene.join(CONFIG);
+    let is_run = config.exists();
+    let mut data = if is_run { TrainConfig::load(config)?.data } else { DataConfig::default() };
+    if args.data.is_none() && !is_run {
+        let reason = "it does not say what it was trained on, as a training run's folder would; name the data \
+                      set: `organza eval SCENE DATA`";
+        return Err(Error::Invalid { origin: args.scene.clone(), reason: reason.to_owned() });
+    }
+    data.path = args.data.clone().or(data.path);
+    data.downscale = args.downscale.unwrap_or(data.downscale);
+    data.hold_out_every = args.hold_out_every.map_or(data.hold_out_every, |every| every as usize);
+    if args.split == Split::All {
+        // where all are measured, it does not matter to whom a frame belongs
+        data.hold_out_every = 0;
+    }
+    Ok(data)
 }
 
 /// The scene's file: the one that was named, or that of a run's folder.
@@ -115,16 +139,26 @@ fn scene_file(path: &Path) -> Result<PathBuf> {
     Err(Error::Invalid { origin: path.to_owned(), reason })
 }
 
-fn load(args: &Args, scene: &Scene, console: Console) -> Result<Dataset> {
+fn load(
+    args: &Args,
+    data: &DataConfig,
+    renderer: &Renderer,
+    scene: &Scene,
+    console: Console,
+) -> Result<Dataset> {
+    let Some(path) = &data.path else {
+        let (views, side, every) = (data.built_in_views, data.built_in_side, data.hold_out_every);
+        let task = || train::built_in::dataset(renderer, views, side, every, &|_, _| {});
+        return console.during("rendering the built-in scene", task);
+    };
     let background = args.background.map_or_else(
         || scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32),
         |Color(color)| color,
     );
-    // Where all are measured, it does not matter to whom a frame belongs.
-    let hold_out_every = if args.split == Split::All { 0 } else { args.hold_out_every as usize };
-    let options = DatasetOptions { downscale: args.downscale, hold_out_every, background };
-    let dataset = console
-        .during("reading the photographs", || Dataset::load(&args.data, &options, &|_, _| {}))?;
+    let (downscale, hold_out_every) = (data.downscale, data.hold_out_every);
+    let options = DatasetOptions { downscale, hold_out_every, background };
+    let dataset =
+        console.during("reading the photographs", || Dataset::load(path, &options, &|_, _| {}))?;
     if let Some(first) = dataset.missing.first() {
         let (missing, first) = (count(dataset.missing.len() as u64, "photograph"), first.display());
         console.warn(&format!("not there, and left out: {missing}, first {first}"));
@@ -142,7 +176,8 @@ fn frames<'a>(args: &Args, dataset: &'a Dataset) -> Result<Vec<&'a Frame>> {
     if frames.is_empty() {
         let reason = "no frame of the data set is held out; measure on others with `--split train` or \
                       `--split all`, or hold out others with `--hold-out-every`";
-        return Err(Error::Invalid { origin: args.data.clone(), reason: reason.to_owned() });
+        let origin = args.data.as_ref().unwrap_or(&args.scene).clone();
+        return Err(Error::Invalid { origin, reason: reason.to_owned() });
     }
     Ok(frames)
 }

@@ -56,7 +56,8 @@ pub fn run(args: &Args) -> Result<()> {
         return no_view(args.view, cameras.len(), &args.cameras);
     };
     let ([x, y], size) = (args.pixel, [camera.width, camera.height]);
-    if args.pixel.iter().zip(size).any(|(&at, size)| !(0..i64::from(size)).contains(&i64::from(at))) {
+    if args.pixel.iter().zip(size).any(|(&at, size)| !(0..i64::from(size)).contains(&i64::from(at)))
+    {
         let [width, height] = size;
         return refuse(format!(
             "pixel {x},{y} is outside of view {}, which has {width} x {height} pixels: columns 0 \

@@ -1,5 +1,6 @@
 //! The command line: one file for each subcommand.
 
+mod bench;
 mod console;
 mod demo;
 mod device;
@@ -56,6 +57,7 @@ enum Command {
     Eval(eval::Args),
     Kernels(kernels::Args),
     Parity(parity::Args),
+    Bench(bench::Args),
 }
 
 /// Runs the program; returns its exit code.
@@ -72,6 +74,7 @@ pub fn main() -> ExitCode {
         Command::Eval(args) => eval::run(args).map(done),
         Command::Kernels(args) => kernels::run(args).map(done),
         Command::Parity(args) => parity::run(args),
+        Command::Bench(args) => bench::run(args).map(done),
     };
     let message = match panic::catch_unwind(run) {
         Ok(Ok(code)) => return code,

@@ -147,7 +147,7 @@ fn write_tiles(
 }
 
 /// Names the file of a tile that was found wrong only beside the cameras.
-fn with_origin(error: Error, path: &Path) -> Error {
+pub fn with_origin(error: Error, path: &Path) -> Error {
     match error {
         Error::Tile { tile, reason, .. } => Error::Tile { origin: path.to_owned(), tile, reason },
         other => other,

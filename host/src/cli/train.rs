@@ -10,6 +10,7 @@ use organza::{Error, Renderer, Result};
 
 use super::console::{Console, Progress};
 use super::device::DeviceArgs;
+use super::output::Folder;
 use super::refuse;
 use super::summary::count;
 
@@ -19,7 +20,7 @@ Examples:
   organza train data/fox -o run --steps 3000
   organza train --resume run                           goes on after Ctrl-C, to the same bits
   organza train data/fox -o other --config run/config.toml --seed 1
-  organza eval run data/fox
+  organza eval run
 
 RUN holds config.toml (every setting, readable back with --config), metrics.jsonl, \
 checkpoint.safetensors (a scene that every other command takes) and report.html.";
@@ -50,7 +51,7 @@ pub struct Args {
     /// Side of a tile, in pixels
     #[arg(long, value_name = "S")]
     tile_size: Option<u32>,
-    /// The most Gaussians
+    /// The most Gaussians, at the start too
     #[arg(long, value_name = "N")]
     max_gaussians: Option<u32>,
     /// Make photographs smaller by this factor
@@ -73,6 +74,8 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<()> {
     let console = args.device.console();
     let (folder, config) = prepare(args)?;
+    // until there is something in it
+    let _made = Folder::make(&folder)?;
     let renderer = args.device.open()?;
     let dataset = load(&config, &renderer, console)?;
     let background = match config.data.path {
@@ -108,12 +111,15 @@ pub fn run(args: &Args) -> Result<()> {
     Ok(())
 }
 
-/// The run's folder and its settings, which it holds from here on.
+/// The run's folder and its settings.
 fn prepare(args: &Args) -> Result<(PathBuf, TrainConfig)> {
     if let Some(folder) = &args.resume {
         let path = folder.join(CONFIG);
         if !path.exists() {
-            let reason = format!("the folder holds no {CONFIG}, so it is no training run's");
+            let reason = format!(
+                "the folder holds no {CONFIG}, so it is no training run's; name the folder that \
+                 `organza train -o` wrote to"
+            );
             return Err(Error::Invalid { origin: folder.clone(), reason });
         }
         return Ok((folder.clone(), TrainConfig::load(path)?));
@@ -129,15 +135,13 @@ fn prepare(args: &Args) -> Result<(PathBuf, TrainConfig)> {
             return Err(Error::Invalid { origin: folder, reason });
         }
     }
-    std::fs::create_dir_all(&folder)
-        .map_err(|source| Error::WriteFile { path: folder.clone(), source })?;
-    config.save(folder.join(CONFIG))?;
     Ok((folder, config))
 }
 
 fn settings(args: &Args) -> Result<TrainConfig> {
     let mut config = match &args.config {
         Some(path) => TrainConfig::load(path)?,
+        None if args.data.is_none() => TrainConfig::built_in(),
         None => TrainConfig::default(),
     };
     fn set<T: Clone>(target: &mut T, value: &Option<T>) {
@@ -154,6 +158,9 @@ fn settings(args: &Args) -> Result<TrainConfig> {
     set(&mut config.run.tiles_per_step, &args.tiles_per_step);
     set(&mut config.run.tile_size, &args.tile_size);
     set(&mut config.growth.max_gaussians, &args.max_gaussians);
+    if let Some(most) = args.max_gaussians {
+        config.start.gaussians = config.start.gaussians.min(most);
+    }
     set(&mut config.data.downscale, &args.downscale);
     set(&mut config.data.hold_out_every, &args.hold_out_every);
     set(&mut config.run.seed, &args.seed);

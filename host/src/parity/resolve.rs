@@ -2,7 +2,7 @@
 
 use glam::Vec4;
 use organza_kernels::math::TINY;
-use organza_kernels::resolve::{ResolveBackwardKernel, ResolveKernel, ResolveParams};
+use organza_kernels::resolve::{DIVIDE_ABOVE, ResolveBackwardKernel, ResolveKernel, ResolveParams};
 use organza_kernels::tile::Tile;
 
 use super::bench::Bench;
@@ -67,7 +67,13 @@ impl Parity for Resolve {
         let [background_r, background_g, background_b] = self.background;
         let side = self.side;
         let kernel = ResolveKernel {
-            params: ResolveParams { side, background_r, background_g, background_b },
+            params: ResolveParams {
+                side,
+                background_r,
+                background_g,
+                background_b,
+                divide_above: DIVIDE_ABOVE,
+            },
             tile: &bench.upload(&pack(&self.tiles))?,
             sum: &bench.upload(&planes(&self.sum, (side * side) as usize))?,
             image: &image,
@@ -126,7 +132,13 @@ impl Parity for ResolveBackward {
         let [background_r, background_g, background_b] = set.background;
         let side = set.side;
         let kernel = ResolveBackwardKernel {
-            params: ResolveParams { side, background_r, background_g, background_b },
+            params: ResolveParams {
+                side,
+                background_r,
+                background_g,
+                background_b,
+                divide_above: DIVIDE_ABOVE,
+            },
             tile: &bench.upload(&pack(&set.tiles))?,
             sum: &bench.upload(&planes(&set.sum, self.area()))?,
             image_gradient: &bench.upload(&self.image_gradient)?,

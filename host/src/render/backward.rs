@@ -82,18 +82,11 @@ impl Renderer {
             return Err(Error::Argument { reason });
         }
         let device = self.device();
-        let area = 3 * (batch.side * batch.side) as usize;
         let mut part_bytes = self.part_bytes;
         loop {
             let gradient = SceneGradient::new(device, scene)?;
-            let part = |plan: &Plan| {
-                let part = Part::evaluate(device, scene, cameras, plan)?;
-                let pixels = of_tiles(grad_output, &plan.tiles, area);
-                let pixels = device.upload("gradient of the tiles", &pixels)?;
-                part.backward(device, scene, plan.side, &pixels, &gradient)
-            };
             let plans = Plan::split(device, scene, batch, part_bytes)?;
-            match plans.iter().try_for_each(part) {
+            match self.add_parts(scene, cameras, &plans, grad_output, &gradient) {
                 // what a part has added already would count twice: all over again, in smaller parts
                 Err(Error::OutOfMemory { .. }) if plans.len() < batch.tiles.len() => {
                     part_bytes /= 2
@@ -105,6 +98,40 @@ impl Renderer {
                 }
             }
         }
+    }
+
+    /// Adds dLoss/dtensor of `grad_output [K, 3, S, S]` to `gradient`, and waits for it.
+    ///
+    /// # Errors
+    /// As [`Renderer::gradient`].
+    pub(crate) fn add_gradient(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        batch: &TileBatch,
+        grad_output: &[f32],
+        gradient: &SceneGradient,
+    ) -> Result<()> {
+        let plans = Plan::split(self.device(), scene, batch, self.part_bytes)?;
+        self.add_parts(scene, cameras, &plans, grad_output, gradient)?;
+        gradient.check(self.device())
+    }
+
+    fn add_parts(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        plans: &[Plan],
+        grad_output: &[f32],
+        gradient: &SceneGradient,
+    ) -> Result<()> {
+        let device = self.device();
+        plans.iter().try_for_each(|plan| {
+            let part = Part::evaluate(device, scene, cameras, plan)?;
+            let pixels = of_tiles(grad_output, &plan.tiles, 3 * (plan.side * plan.side) as usize);
+            let pixels = device.upload("gradient of the tiles", &pixels)?;
+            part.backward(device, scene, plan.side, &pixels, gradient)
+        })
     }
 
     /// Adds the gradients of a batch's loss to `gradient`; returns the losses of the tiles, by camera.

@@ -164,5 +164,11 @@ impl Composite {
 fn resolve_params(scene: &DeviceScene, side: u32) -> ResolveParams {
     let [background_r, background_g, background_b] =
         scene.config.background.map(|channel| channel as f32);
-    ResolveParams { side, background_r, background_g, background_b }
+    ResolveParams {
+        side,
+        background_r,
+        background_g,
+        background_b,
+        divide_above: scene.divide_above,
+    }
 }

@@ -1,5 +1,6 @@
 //! A scene on a device.
 
+use organza_kernels::resolve::DIVIDE_ABOVE;
 use organza_kernels::unit_cube::SceneBox;
 
 use super::Renderer;
@@ -13,6 +14,8 @@ use crate::scene::{Scene, SceneConfig};
 pub struct DeviceScene {
     pub(super) config: SceneConfig,
     pub(super) gaussians: u32,
+    /// Eq. 13's, but in comparisons.
+    pub(crate) divide_above: f32,
     pub(super) scene_box: Buffer<f32>,
     pub(super) position: Buffer<f32>,
     pub(super) rotation: Buffer<f32>,
@@ -41,6 +44,7 @@ impl Renderer {
         let gaussians = &scene.gaussians;
         Ok(DeviceScene {
             gaussians: gaussians.len() as u32,
+            divide_above: DIVIDE_ABOVE,
             scene_box: device.upload("scene box", &SceneBox::new(config.aabb).pack())?,
             position: device.upload("gaussians.position", gaussians.position.as_flattened())?,
             rotation: device.upload("gaussians.rotation", gaussians.rotation.as_flattened())?,

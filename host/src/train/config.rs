@@ -26,6 +26,8 @@ pub struct TrainConfig {
     pub optimizer: OptimizerConfig,
     /// How the number of Gaussians changes.
     pub growth: GrowthConfig,
+    /// What experiments leave out.
+    pub ablation: AblationConfig,
 }
 
 /// The photographs.
@@ -59,8 +61,9 @@ pub struct RunConfig {
     pub tiles_per_step: u32,
     /// S, side of a tile in pixels.
     pub tile_size: u32,
-    /// How tiles are drawn.
-    pub sampling: Sampling,
+    /// Tiles of a step that share a view, neighbors in its image: Gaussians that several of them show are evaluated
+    /// once.  1 draws every tile on its own; more than an image has takes whole images.
+    pub tiles_per_view: u32,
     /// Held-out views are measured every so many steps, and after the last; 0 measures after the last alone.
     pub evaluate_every: u32,
     /// The checkpoint is written every so many steps, and at the end.
@@ -69,27 +72,29 @@ pub struct RunConfig {
     pub log_every: u32,
 }
 
-/// How a step's tiles are drawn.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Sampling {
-    /// Tiles of all images, shuffled: each pixel comes once an epoch.
-    #[default]
-    Tiles,
-    /// All tiles of one image, image after image: for comparison.
-    Images,
-}
-
 /// The loss `(1 - w) L1 + w (1 - SSIM)`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct LossConfig {
     /// w, 0 to 1.
     pub ssim_weight: f32,
-    /// Whether T is learned; otherwise it is 1 everywhere, for comparison.
+}
+
+/// What experiments leave out, to see what it is worth.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct AblationConfig {
+    /// Whether T is learned; otherwise it is 1 everywhere.
     pub learn_transmittance: bool,
-    /// Whether sums that pass 1 are divided by their weight (Eq. 13); otherwise never, for comparison.
-    pub normalize: bool,
+    /// Whether sums that pass 1 are divided by their weight (Eq. 13); otherwise none is.  A scene's file does not tell:
+    /// everything but the run's own measurements divides.
+    pub divide: bool,
+}
+
+impl Default for AblationConfig {
+    fn default() -> Self {
+        Self { learn_transmittance: true, divide: true }
+    }
 }
 
 /// The shape of the scene: see [`SceneConfig`](crate::scene::SceneConfig).
@@ -197,8 +202,6 @@ pub struct GrowthConfig {
     pub rate: f64,
     /// Gaussians whose opacity is less are taken away, or moved.
     pub min_opacity: f32,
-    /// Standard deviation of the noise on transparent Gaussians' centers, as a part of the position's rate; for `relocate`.
-    pub noise: f64,
 }
 
 /// How the number of Gaussians changes.
@@ -234,7 +237,7 @@ impl Default for RunConfig {
             seed: 0,
             tiles_per_step: 16,
             tile_size: 64,
-            sampling: Sampling::default(),
+            tiles_per_view: 1,
             evaluate_every: 500,
             checkpoint_every: 250,
             log_every: 10,
@@ -244,7 +247,7 @@ impl Default for RunConfig {
 
 impl Default for LossConfig {
     fn default() -> Self {
-        Self { ssim_weight: 0.2, learn_transmittance: true, normalize: true }
+        Self { ssim_weight: 0.2 }
     }
 }
 
@@ -307,12 +310,23 @@ impl Default for GrowthConfig {
             end: 0.8,
             rate: 0.1,
             min_opacity: 0.005,
-            noise: 0.0,
         }
     }
 }
 
 impl TrainConfig {
+    /// The settings for the built-in scene: a minute on two cores.  Its images are small, and so many of its Gaussians
+    /// are in each that whole images cost little more than a tile.
+    #[must_use]
+    pub fn built_in() -> Self {
+        let mut config = Self::default();
+        let run = &mut config.run;
+        (run.steps, run.tiles_per_step, run.tiles_per_view) = (1000, 9, 9);
+        run.evaluate_every = 250;
+        config.growth.max_gaussians = 8000;
+        config
+    }
+
     /// Reads a file such as [`TrainConfig::save`] writes.
     ///
     /// # Errors
@@ -362,6 +376,7 @@ impl TrainConfig {
         positive("data.downscale", self.data.downscale)?;
         positive("run.steps", self.run.steps)?;
         positive("run.tiles_per_step", self.run.tiles_per_step)?;
+        positive("run.tiles_per_view", self.run.tiles_per_view)?;
         positive("run.checkpoint_every", self.run.checkpoint_every)?;
         positive("run.log_every", self.run.log_every)?;
         positive("start.gaussians", self.start.gaussians)?;
@@ -379,8 +394,26 @@ impl TrainConfig {
         within("growth.begin", self.growth.begin, 0.0, 1.0)?;
         within("growth.end", self.growth.end, 0.0, 1.0)?;
         within("growth.min_opacity", f64::from(self.growth.min_opacity), 0.0, 0.5)?;
-        within("growth.noise", self.growth.noise, 0.0, 1e6)?;
+        self.check_together()?;
         self.optimizer.check()
+    }
+
+    /// What one value says about another.
+    fn check_together(&self) -> Result<(), String> {
+        if self.data.hold_out_every == 1 {
+            return Err(
+                "`data.hold_out_every` is 1, which leaves nothing to train on; expected 2 or \
+                        more, or 0 to hold no frame out"
+                    .to_owned(),
+            );
+        }
+        let (first, most) = (self.start.gaussians, self.growth.max_gaussians);
+        if first > most {
+            return Err(format!(
+                "`start.gaussians` is {first}, more than the {most} of `growth.max_gaussians`"
+            ));
+        }
+        Ok(())
     }
 }
 
@@ -442,6 +475,8 @@ mod tests {
             ("[loss]\nssim_weight = nan", "`loss.ssim_weight` is NaN"),
             ("[optimizer.grids]\nfirst = 0.1\nlast = 0.0", "`optimizer.grids.last` is 0"),
             ("[growth]\nmethod = 'magic'", "unknown variant `magic`"),
+            ("[growth]\nmax_gaussians = 9", "`start.gaussians` is 4000, more than the 9 of"),
+            ("[data]\nhold_out_every = 1", "`data.hold_out_every` is 1, which leaves nothing"),
             ("steps", "line 1:"),
         ] {
             let error = parse(text).unwrap_err().to_string();

@@ -4,7 +4,7 @@ use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
-use super::config::Sampling;
+use super::config::RunConfig;
 use crate::data::Frame;
 use crate::tile::{Tile, TileBatch};
 
@@ -20,90 +20,79 @@ pub fn random(seed: u64, purpose: u64, time: u64) -> Pcg64 {
 
 const SHUFFLE: u64 = 1;
 
-/// Draws tiles.  Each epoch lays a grid over every image, shifted at random, and shuffles the cells of all: every
-/// pixel comes once an epoch, and a step's tiles are a function of the seed and the step alone.
+/// Draws tiles.  Each epoch lays a grid over every image, shifted at random, cuts each grid's cells into groups of
+/// neighbors and shuffles the groups of all images: every pixel comes once an epoch, and a step's tiles are a function
+/// of the seed and the step alone.
 #[derive(Debug)]
 pub struct Sampler {
     side: u32,
-    per_step: usize,
     seed: u64,
-    sampling: Sampling,
+    /// Cells of a group.
+    group: usize,
+    /// Groups of a step.
+    groups_per_step: usize,
     /// Width and height of each image.
     sizes: Vec<[u32; 2]>,
-    /// Cells of an epoch's grids.
-    cells: usize,
-    /// The epoch that was used last, and its tiles.
-    epoch: Option<(u64, Vec<Tile>)>,
+    /// Groups of an epoch.
+    groups: usize,
+    /// The epoch that was used last, and its groups.
+    epoch: Option<(u64, Vec<Vec<Tile>>)>,
 }
 
-/// Cells that cover `length` pixels wherever the grid begins.
+/// Cells that cover `length` pixels wherever the grid begins; one that covers all of them needs no other.
 fn cells(length: u32, side: u32) -> u32 {
-    (length + side - 1).div_ceil(side)
+    if side >= length { 1 } else { (length + side - 1).div_ceil(side) }
 }
 
 impl Sampler {
     /// For images of these sizes; a tile's camera is its image's index here.
     #[must_use]
-    pub fn new(
-        sizes: Vec<[u32; 2]>,
-        side: u32,
-        per_step: u32,
-        seed: u64,
-        sampling: Sampling,
-    ) -> Self {
-        let per_image =
+    pub fn new(sizes: Vec<[u32; 2]>, run: &RunConfig) -> Self {
+        let (side, group) = (run.tile_size, run.tiles_per_view as usize);
+        let cells =
             |&[width, height]: &[u32; 2]| (cells(width, side) * cells(height, side)) as usize;
-        let cells = sizes.iter().map(per_image).sum();
-        Self { side, per_step: per_step as usize, seed, sampling, sizes, cells, epoch: None }
+        let groups = sizes.iter().map(|size| cells(size).div_ceil(group)).sum();
+        let groups_per_step = (run.tiles_per_step as usize / group).max(1);
+        Self { side, seed: run.seed, group, groups_per_step, sizes, groups, epoch: None }
     }
 
     /// The tiles of a step.
     pub fn batch(&mut self, step: u32) -> TileBatch {
-        let tiles = match self.sampling {
-            Sampling::Tiles => {
-                let first = u64::from(step) * self.per_step as u64;
-                (first..first + self.per_step as u64).map(|at| self.tile(at)).collect()
-            }
-            Sampling::Images => self.image(step),
-        };
-        TileBatch { side: self.side, tiles }
+        let first = u64::from(step) * self.groups_per_step as u64;
+        let places = first..first + self.groups_per_step as u64;
+        TileBatch { side: self.side, tiles: places.flat_map(|at| self.group(at)).collect() }
     }
 
-    /// The tile at a place of the sequence of all epochs.
-    fn tile(&mut self, at: u64) -> Tile {
-        let epoch = at / self.cells as u64;
+    /// The group at a place of the sequence of all epochs.
+    fn group(&mut self, at: u64) -> Vec<Tile> {
+        let epoch = at / self.groups as u64;
         if self.epoch.as_ref().is_none_or(|(known, _)| *known != epoch) {
             let mut random = random(self.seed, SHUFFLE, epoch);
-            let mut tiles = Vec::with_capacity(self.cells);
+            let mut groups = Vec::with_capacity(self.groups);
             for camera in 0..self.sizes.len() {
-                tiles.extend(self.grid(camera, &mut random));
+                let grid = self.grid(camera, &mut random);
+                groups.extend(grid.chunks(self.group).map(<[Tile]>::to_vec));
             }
-            tiles.shuffle(&mut random);
-            self.epoch = Some((epoch, tiles));
+            groups.shuffle(&mut random);
+            self.epoch = Some((epoch, groups));
         }
-        let (_, tiles) = self.epoch.as_ref().expect("set above");
-        tiles[(at % self.cells as u64) as usize]
+        let (_, groups) = self.epoch.as_ref().expect("set above");
+        groups[(at % self.groups as u64) as usize].clone()
     }
 
-    /// The cells of an image's grid, shifted at random.
+    /// The cells of an image's grid, shifted at random, row by row.
     fn grid(&self, camera: usize, random: &mut Pcg64) -> Vec<Tile> {
-        let [columns, rows] = self.sizes[camera].map(|length| cells(length, self.side));
         let side = self.side as i32;
-        let [x, y] = [0, 0].map(|_: i32| -random.random_range(0..side));
+        let [(columns, x), (rows, y)] = self.sizes[camera].map(|length| {
+            let shift = random.random_range(0..side);
+            let cells = cells(length, self.side);
+            (cells, if cells > 1 { -shift } else { 0 })
+        });
         let cell = |row: u32, column: u32| [x + column as i32 * side, y + row as i32 * side];
         (0..rows)
             .flat_map(|row| (0..columns).map(move |column| (row, column)))
             .map(|(row, column)| Tile { camera, origin: cell(row, column) })
             .collect()
-    }
-
-    /// All tiles of an image; each image comes once an epoch.
-    fn image(&self, step: u32) -> Vec<Tile> {
-        let count = self.sizes.len() as u32;
-        let mut random = random(self.seed, SHUFFLE, u64::from(step / count));
-        let mut order: Vec<_> = (0..self.sizes.len()).collect();
-        order.shuffle(&mut random);
-        self.grid(order[(step % count) as usize], &mut random)
     }
 }
 
@@ -167,8 +156,15 @@ mod tests {
 
     use super::*;
 
-    fn sampler(sampling: Sampling) -> Sampler {
-        Sampler::new(vec![[7, 5], [16, 9], [3, 3]], 4, 5, 11, sampling)
+    fn sampler(tiles_per_step: u32, tiles_per_view: u32) -> Sampler {
+        let run = RunConfig {
+            tile_size: 4,
+            tiles_per_step,
+            tiles_per_view,
+            seed: 11,
+            ..Default::default()
+        };
+        Sampler::new(vec![[7, 5], [16, 9], [3, 3]], &run)
     }
 
     /// How often each pixel comes in a number of steps.
@@ -192,20 +188,23 @@ mod tests {
     #[test]
     fn every_pixel_comes_once_an_epoch() {
         let pixels = 7 * 5 + 16 * 9 + 3 * 3;
-        let mut tiles = sampler(Sampling::Tiles);
-        assert_eq!(tiles.cells, 3 * 2 + 5 * 3 + 2 * 2);
-        // five epochs of 25 tiles, five tiles a step
-        let seen = visits(&mut tiles, 25);
+        let mut tiles = sampler(11, 1);
+        assert_eq!(tiles.groups, 3 * 2 + 5 * 3 + 1);
+        // five epochs of 22 tiles, eleven tiles a step
+        let seen = visits(&mut tiles, 10);
         assert!(seen.len() == pixels && seen.values().all(|&times| times == 5), "{seen:?}");
-        let seen = visits(&mut sampler(Sampling::Images), 6);
-        assert!(seen.len() == pixels && seen.values().all(|&times| times == 2), "{seen:?}");
+        // whole images, and groups of four: two, four and one of them
+        for (tiles_per_view, steps) in [(100, 6), (4, 14)] {
+            let seen = visits(&mut sampler(4, tiles_per_view), steps);
+            assert!(seen.len() == pixels && seen.values().all(|&times| times == 2), "{seen:?}");
+        }
     }
 
     #[test]
     fn a_step_is_drawn_alike_whatever_came_before() {
-        let mut all = sampler(Sampling::Tiles);
+        let mut all = sampler(5, 1);
         let batches: Vec<_> = (0..20).map(|step| all.batch(step)).collect();
-        let mut late = sampler(Sampling::Tiles);
+        let mut late = sampler(5, 1);
         for step in [19, 3, 12] {
             assert_eq!(late.batch(step), batches[step as usize]);
         }

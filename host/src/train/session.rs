@@ -11,10 +11,10 @@ use super::metrics::{MetricsLog, Record, TimingRow};
 use super::report::{MAX_VIEWS, Report, ReportView, write_report};
 use super::start::start;
 use super::trainer::{StepReport, Trainer};
+use crate::atomic_file::remove_leftovers;
 use crate::data::{Dataset, Frame};
 use crate::error::{Error, Result};
 use crate::evaluate::{self, Evaluation, evaluate};
-use crate::image::Image;
 use crate::render::Renderer;
 
 /// `config.toml`, every setting.
@@ -35,7 +35,7 @@ pub struct Session<'a> {
     pub dataset: &'a Dataset,
     /// What the scene is in front of.
     pub background: [f64; 3],
-    /// The folder of the run; it exists.
+    /// The folder of the run; it exists. A run that begins writes its settings there.
     pub folder: &'a Path,
     /// Training ends after so many seconds, those before a resume included, as it does after the last step.
     pub time_limit: Option<f64>,
@@ -81,6 +81,8 @@ struct State<'a, 'w> {
     session: &'a Session<'a>,
     trainer: Trainer<'a>,
     log: MetricsLog,
+    /// The step of the log's last evaluation.
+    evaluated: Option<u64>,
     seconds: f64,
     /// Seconds of each kernel and of what surrounds them.
     stages: BTreeMap<&'static str, f64>,
@@ -110,26 +112,38 @@ impl Session<'_> {
             let scene = start(self.config, self.background, &cameras, &self.dataset.points)?;
             Trainer::begin(scene, self.config)?
         };
-        let log = self.folder.join(METRICS);
         let progress = checkpoint.progress;
-        let log = match resume {
-            true => MetricsLog::resume(log, u64::from(progress.step))?,
-            false => MetricsLog::create(log)?,
-        };
-        watch(Event::Begin(progress.step));
         let trainer = Trainer::new(self.renderer, self.config, frames, &checkpoint)?;
         drop(checkpoint);
+        // only what can begin leaves anything
+        let (log, evaluated) = self.open_log(resume, u64::from(progress.step))?;
+        watch(Event::Begin(progress.step));
         let _ = self.renderer.device().take_timings();
         State {
             session: self,
             trainer,
             log,
+            evaluated,
             seconds: progress.seconds,
             stages: BTreeMap::new(),
             since: (0, progress.seconds),
             watch,
         }
         .run()
+    }
+
+    /// The log, and the step of its last evaluation.
+    fn open_log(&self, resume: bool, step: u64) -> Result<(MetricsLog, Option<u64>)> {
+        let path = self.folder.join(METRICS);
+        if !resume {
+            self.config.save(self.folder.join(CONFIG))?;
+            return Ok((MetricsLog::create(path)?, None));
+        }
+        remove_leftovers(self.folder);
+        let log = MetricsLog::resume(&path, step)?;
+        let is_evaluation = |record: &&Record| matches!(record, Record::Evaluation { .. });
+        let records = MetricsLog::read(path)?;
+        Ok((log, records.iter().rfind(is_evaluation).map(Record::step)))
     }
 
     fn held_out(&self) -> Vec<&Frame> {
@@ -152,15 +166,16 @@ impl State<'_, '_> {
             if self.session.stop.load(Ordering::Relaxed) {
                 break Outcome::Stopped;
             }
+            // here, so that whoever was ended between a checkpoint and this makes up for it
+            let is_due = run.evaluate_every > 0 && step.is_multiple_of(run.evaluate_every);
+            if is_due && step > 0 && self.evaluated != Some(u64::from(step)) {
+                self.evaluate()?;
+            }
             self.step()?;
             let step = self.trainer.steps();
             if step.is_multiple_of(run.checkpoint_every) {
                 self.save()?;
                 saved = Some(step);
-            }
-            let is_due = run.evaluate_every > 0 && step.is_multiple_of(run.evaluate_every);
-            if is_due && step < run.steps {
-                self.evaluate()?;
             }
         };
         if saved != Some(self.trainer.steps()) {
@@ -239,7 +254,9 @@ impl State<'_, '_> {
         let scene = self.trainer.scene();
         let evaluation = evaluate(self.session.renderer, scene, &frames, &mut keep)?;
         let step = u64::from(self.trainer.steps());
-        self.log.append(&Record::evaluation(step, self.seconds, &evaluation))?;
+        if self.evaluated.replace(step) != Some(step) {
+            self.log.append(&Record::evaluation(step, self.seconds, &evaluation))?;
+        }
         (self.watch)(Event::Evaluated(&evaluation));
         // what evaluating took is no part of training
         let _ = self.session.renderer.device().take_timings();
@@ -259,6 +276,9 @@ impl State<'_, '_> {
 
     /// Where the time of this session went, the longest first.
     fn timing(&mut self) -> Result<()> {
+        if self.stages.is_empty() {
+            return Ok(());
+        }
         let all: f64 = self.stages.values().sum();
         let row = |(stage, seconds): (&&str, &f64)| TimingRow {
             stage: (*stage).to_owned(),

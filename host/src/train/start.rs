@@ -21,8 +21,6 @@ const FIELDS: u64 = 3;
 
 /// The part of the Gaussians that is spread along rays, behind what the cameras look at; the others fill a ball.
 const BEHIND: f64 = 0.25;
-/// Radius of the ball around what the cameras look at, as a part of their mean distance to it.
-const BALL: f64 = 0.6;
 /// Standard deviations of the points around their mean that the scene's box holds.
 const DEVIATIONS: f64 = 3.0;
 
@@ -76,6 +74,8 @@ struct Target {
     center: DVec3,
     /// Mean distance of the cameras.
     distance: f64,
+    /// Radius of the ball around it that fills the images' longer sides.
+    radius: f64,
 }
 
 impl Target {
@@ -97,15 +97,17 @@ impl Target {
         let center = matrix.inverse() * right;
         let mean = |point: DVec3| eyes.iter().map(|eye| eye.distance(point)).sum::<f64>() / count;
         let distance = mean(center).max(mean(middle)).max(1e-3);
-        Self { center, distance }
-    }
-
-    fn radius(&self) -> f64 {
-        BALL * self.distance
+        let half = |camera: &Camera| {
+            let sides =
+                [f64::from(camera.width) / camera.fl_x, f64::from(camera.height) / camera.fl_y];
+            sides[0].max(sides[1]) / 2.0
+        };
+        let radius = distance * cameras.iter().map(half).sum::<f64>() / count;
+        Self { center, distance, radius }
     }
 
     fn aabb(&self) -> [[f64; 3]; 2] {
-        [self.center - self.radius(), self.center + self.radius()].map(|corner| corner.to_array())
+        [self.center - self.radius, self.center + self.radius].map(|corner| corner.to_array())
     }
 
     /// Places that cameras see: most in a ball around the target, the rest behind it, along rays.
@@ -136,7 +138,7 @@ impl Target {
         while inside.length_squared() > 1.0 {
             inside = place();
         }
-        self.center + inside * self.radius()
+        self.center + inside * self.radius
     }
 
     /// From the target's distance to four times as far, evenly in the inverse of the depth.

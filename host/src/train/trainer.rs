@@ -56,10 +56,11 @@ impl<'a> Trainer<'a> {
     ) -> Result<Self> {
         let device = renderer.device();
         let sizes = frames.iter().map(|frame| [frame.camera.width, frame.camera.height]).collect();
-        let run = &config.run;
-        let sampler =
-            Sampler::new(sizes, run.tile_size, run.tiles_per_step, run.seed, run.sampling);
-        let scene = renderer.upload(&checkpoint.scene)?;
+        let sampler = Sampler::new(sizes, &config.run);
+        let mut scene = renderer.upload(&checkpoint.scene)?;
+        if !config.ablation.divide {
+            scene.divide_above = f32::MAX;
+        }
         let [first, second] = &checkpoint.moments;
         let moments = [renderer.upload_moments(first)?, renderer.upload_moments(second)?];
         let [first, second] = moments;
@@ -86,7 +87,7 @@ impl<'a> Trainer<'a> {
     /// # Errors
     /// As [`Scene::zeros`].
     pub fn begin(mut scene: Scene, config: &TrainConfig) -> Result<Checkpoint> {
-        if !config.loss.learn_transmittance {
+        if !config.ablation.learn_transmittance {
             let last = scene.transmittance.network.layers.last_mut().expect("a head");
             last.weight.fill(0.0);
             // log sigmoid(100) is 0 in f32
@@ -150,7 +151,7 @@ impl<'a> Trainer<'a> {
             &self.gradient,
             &config.optimizer,
             [self.step, config.run.steps],
-            config.loss.learn_transmittance,
+            config.ablation.learn_transmittance,
         )?;
         self.gradient.clear_touched(device);
         self.step += 1;
@@ -213,6 +214,6 @@ fn new_gradient(
     let mut gradient = SceneGradient::new(device, scene)?;
     let statistics: Vec<_> = statistics.iter().map(|&v| glam::Vec4::from_array(v)).collect();
     gradient.statistics = device.upload("statistics", &statistics)?;
-    gradient.has_transmittance = config.loss.learn_transmittance;
+    gradient.has_transmittance = config.ablation.learn_transmittance;
     Ok(gradient)
 }

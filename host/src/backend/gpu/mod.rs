@@ -166,6 +166,14 @@ impl Gpu {
         self.recorder().clear(&self.device, buffer);
     }
 
+    /// Waits for everything queued.
+    pub fn wait(&self) -> Result<()> {
+        self.recorder().submit(&self.queue);
+        let polled = self.device.poll(wgpu::PollType::wait_indefinitely());
+        self.check()?;
+        polled.map(drop).map_err(|error| Error::DeviceLost { reason: error.to_string() })
+    }
+
     pub fn lose(&self) {
         self.device.destroy();
     }

@@ -108,7 +108,8 @@ impl Recorder {
         self.submit(queue);
     }
 
-    fn submit(&mut self, queue: &wgpu::Queue) {
+    /// Hands what is recorded to the device.
+    pub fn submit(&mut self, queue: &wgpu::Queue) {
         if let Some(encoder) = self.encoder.take() {
             queue.submit([encoder.finish()]);
         }

@@ -1,0 +1,320 @@
+//! Every hot kernel alone, on one thread, for each instruction set that this CPU has.
+//!
+//! ```sh
+//! cargo bench --bench kernels
+//! ```
+//!
+//! Items are what the module's name says: floating-point operations in `flops` (a multiply-add is two, so that Gitem/s
+//! are GFLOP/s), samples, Gaussians, or pairs of a member and a pixel of its tile.  Sizes are those of rendering on a CPU:
+//! chunks of 4,096 samples forward and 2,048 backward, layers of 64 x 64, grids of 16 levels of 2 features in 2^19 entries,
+//! tiles of 64 x 64.
+
+mod common;
+
+fn main() {
+    divan::main();
+}
+
+/// Items are floating-point operations.
+mod flops {
+    use divan::Bencher;
+    use glam::Vec4;
+    use organza::InstructionSet;
+    use organza_kernels::dense::{DenseKernel, DenseParams, HIDDEN_BLOCK};
+    use organza_kernels::dense_backward::{
+        DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel,
+        DenseWeightBackwardParams, INPUT_BLOCK, WEIGHT_BLOCK,
+    };
+
+    use crate::common::{BACKWARD, Bench, FORWARD, sets};
+
+    /// Inputs and outputs of the layer.
+    const WIDTH: u32 = 64;
+    /// Columns of four outputs.
+    const COLUMNS: u32 = WIDTH / 4;
+    /// Where the biases lie, behind the weights.
+    const BIAS: u32 = WIDTH * COLUMNS;
+    /// Vectors of weights and biases.
+    const PARAMETERS: u32 = BIAS + COLUMNS;
+
+    /// Operations of a layer: a multiply-add for each weight and sample.
+    fn operations(samples: u32) -> u64 {
+        2 * u64::from(samples) * u64::from(WIDTH * WIDTH)
+    }
+
+    /// The most that there is: multiply-adds on registers, of as many lanes as the set has.
+    #[divan::bench(args = sets())]
+    fn peak(bencher: Bencher, set: InstructionSet) {
+        crate::common::peak(bencher, set);
+    }
+
+    #[divan::bench(args = sets())]
+    fn dense(bencher: Bencher, set: InstructionSet) {
+        let mut bench = Bench::new(set);
+        let stride = FORWARD.stride;
+        let params = DenseParams {
+            samples: FORWARD.samples,
+            stride,
+            inputs: WIDTH,
+            columns: COLUMNS,
+            weight: 0,
+            bias: BIAS,
+        };
+        let kernel = DenseKernel {
+            params,
+            parameters: &bench.vectors(PARAMETERS),
+            input: &bench.numbers(WIDTH * stride, [0.0, 1.0]),
+            output: &bench.zeros::<f32>(WIDTH * stride),
+        };
+        let size = [FORWARD.samples, WIDTH / HIDDEN_BLOCK];
+        bench.run(bencher, operations(FORWARD.samples), &kernel, size);
+    }
+
+    #[divan::bench(args = sets())]
+    fn dense_backward(bencher: Bencher, set: InstructionSet) {
+        let mut bench = Bench::new(set);
+        let stride = BACKWARD.stride;
+        let params = DenseBackwardParams {
+            samples: BACKWARD.samples,
+            stride,
+            inputs: WIDTH,
+            columns: COLUMNS,
+            weight: 0,
+            first_input: 0,
+            end_input: WIDTH,
+            rectified: 1,
+        };
+        let kernel = DenseBackwardKernel {
+            params,
+            parameters: &bench.vectors(PARAMETERS),
+            input: &bench.numbers(WIDTH * stride, [-1.0, 1.0]),
+            output_gradient: &bench.numbers(WIDTH * stride, [-1.0, 1.0]),
+            input_gradient: &bench.zeros::<f32>(WIDTH * stride),
+        };
+        let size = [BACKWARD.samples, WIDTH / INPUT_BLOCK];
+        bench.run(bencher, operations(BACKWARD.samples), &kernel, size);
+    }
+
+    #[divan::bench(args = sets())]
+    fn dense_weight_backward(bencher: Bencher, set: InstructionSet) {
+        let mut bench = Bench::new(set);
+        let stride = BACKWARD.stride;
+        let params = DenseWeightBackwardParams {
+            samples: BACKWARD.samples,
+            stride,
+            inputs: WIDTH,
+            columns: COLUMNS,
+            weight: 0,
+            bias: BIAS,
+            slice: BACKWARD.samples,
+            parameters: PARAMETERS,
+        };
+        let kernel = DenseWeightBackwardKernel {
+            params,
+            input: &bench.numbers(WIDTH * stride, [-1.0, 1.0]),
+            output_gradient: &bench.numbers(WIDTH * stride, [-1.0, 1.0]),
+            partial: &bench.zeros::<Vec4>(PARAMETERS),
+        };
+        let size = [(WIDTH / WEIGHT_BLOCK + 1) * COLUMNS, 1];
+        bench.run(bencher, operations(BACKWARD.samples), &kernel, size);
+    }
+}
+
+/// Items are samples.
+mod samples {
+    use divan::Bencher;
+    use glam::Vec4;
+    use organza::InstructionSet;
+    use organza::scene::{GridConfig, Interpolation};
+    use organza_kernels::hash_grid::{GridLevel, HashGridKernel, HashGridParams, POINT_ROWS};
+    use organza_kernels::hash_grid_backward::{FLAG_BLOCK, HashGridBackwardKernel};
+    use organza_kernels::transmittance::{TransmittanceInputsKernel, TransmittanceInputsParams};
+
+    use crate::common::{BACKWARD, Bench, FORWARD, sets};
+
+    /// Samples of a pair.
+    const PER_PAIR: u32 = 16;
+
+    fn grid() -> GridConfig {
+        GridConfig {
+            levels: 16,
+            features: 2,
+            log2_table: 19,
+            base_resolution: 16.0,
+            growth: 1.447_269_2,
+            interpolation: Interpolation::Linear,
+        }
+    }
+
+    fn levels(grid: &GridConfig) -> Vec<GridLevel> {
+        let geometry = grid.levels_geometry();
+        let levels = geometry.iter();
+        levels
+            .map(|level| {
+                let (scale, resolution) = (level.scale, level.resolution);
+                GridLevel::new(scale, resolution, level.first, level.count, level.hashed)
+            })
+            .collect()
+    }
+
+    fn params([samples, stride]: [u32; 2]) -> HashGridParams {
+        HashGridParams { points: samples, stride, first_row: 0, features: 2, smoothstep: 0 }
+    }
+
+    /// Points all over the unit cube, as `[6, stride]`: coarse parts, and fine ones of zero.
+    fn points(bench: &mut Bench, stride: u32) -> Vec<f32> {
+        let mut points = bench.random.values((3 * stride) as usize, 0.0, 1.0);
+        points.resize((POINT_ROWS * stride) as usize, 0.0);
+        points
+    }
+
+    #[divan::bench(args = sets())]
+    fn hash_grid(bencher: Bencher, set: InstructionSet) {
+        let mut bench = Bench::new(set);
+        let (grid, stride) = (grid(), FORWARD.stride);
+        let points = points(&mut bench, stride);
+        let kernel = HashGridKernel {
+            params: params([FORWARD.samples, stride]),
+            levels: &bench.upload(&levels(&grid)),
+            table: &bench.numbers(2 * grid.entries() as u32, [-1.0, 1.0]),
+            position: &bench.upload(&points),
+            output: &bench.zeros::<f32>(grid.width() as u32 * stride),
+        };
+        bench.run(bencher, FORWARD.samples.into(), &kernel, [FORWARD.samples, grid.levels]);
+    }
+
+    #[divan::bench(args = sets())]
+    fn hash_grid_backward(bencher: Bencher, set: InstructionSet) {
+        let mut bench = Bench::new(set);
+        let (grid, stride) = (grid(), BACKWARD.stride);
+        let points = points(&mut bench, stride);
+        let values = 2 * grid.entries() as u32;
+        // the unit, its inverse and the limit: sums of a million times as many samples do not overflow
+        let unit = f32::from_bits((127 + 20) << 23);
+        let kernel = HashGridBackwardKernel {
+            params: params([BACKWARD.samples, stride]),
+            levels: &bench.upload(&levels(&grid)),
+            position: &bench.upload(&points),
+            feature_gradient: &bench.numbers(grid.width() as u32 * stride, [-1.0, 1.0]),
+            scale: &bench.upload(&[unit, unit.recip(), 2.0]),
+            sum: &bench.zeros::<u32>(2 * values),
+            touched: &bench.zeros::<u32>(values.div_ceil(FLAG_BLOCK)),
+            status: &bench.zeros::<u32>(1),
+        };
+        bench.run(bencher, BACKWARD.samples.into(), &kernel, [BACKWARD.samples, grid.levels]);
+    }
+
+    #[divan::bench(args = sets())]
+    fn transmittance_inputs(bencher: Bencher, set: InstructionSet) {
+        let mut bench = Bench::new(set);
+        let (samples, stride) = (FORWARD.samples, FORWARD.stride);
+        let pairs = samples / PER_PAIR;
+        let first_sample: Vec<_> = (0..=pairs).map(|pair| pair * PER_PAIR).collect();
+        let pair: Vec<_> = (0..pairs).collect();
+        let params = TransmittanceInputsParams {
+            samples,
+            first_sample: 0,
+            stride,
+            pairs,
+            gaussians: pairs,
+            extra: 2,
+            extra_row: 32,
+        };
+        let segment = bench.random.values((8 * pairs) as usize, 0.0, 0.5);
+        let (segment, _) = segment.as_chunks::<4>();
+        let segment: Vec<_> = segment.iter().copied().map(Vec4::from_array).collect();
+        let kernel = TransmittanceInputsKernel {
+            params,
+            pair: &bench.upload(&pair),
+            first_sample: &bench.upload(&first_sample),
+            segment: &bench.upload(&segment),
+            extra: &bench.numbers(2 * pairs, [-1.0, 1.0]),
+            point: &bench.zeros::<f32>((POINT_ROWS + 1) * stride),
+            input: &bench.zeros::<f32>(34 * stride),
+        };
+        bench.run(bencher, samples.into(), &kernel, [samples, 1]);
+    }
+}
+
+/// Items are pairs of a tile's member and a pixel of the tile, though a kernel passes over most where a splat is not.
+mod member_pixels {
+    use divan::Bencher;
+    use glam::Vec4;
+    use organza::InstructionSet;
+    use organza_kernels::composite::{CompositeKernel, CompositeParams, SUM_PLANES};
+    use organza_kernels::composite_backward::{CompositeBackwardKernel, CompositeBackwardParams};
+    use organza_kernels::splat::VECTORS;
+
+    use crate::common::{Bench, SIDE, Tiles, sets};
+
+    #[divan::bench(args = sets())]
+    fn composite(bencher: Bencher, set: InstructionSet) {
+        let mut bench = Bench::new(set);
+        let tiles = Tiles::new(&mut bench.random);
+        let kernel = CompositeKernel {
+            params: CompositeParams { side: SIDE, skip: 0 },
+            tile: &bench.upload(&tiles.tile),
+            tile_first: &bench.upload(&tiles.tile_first),
+            member: &bench.upload(&tiles.member),
+            splat: &bench.upload(&tiles.splat),
+            sum: &bench.zeros::<f32>(tiles.count() * SUM_PLANES * SIDE * SIDE),
+        };
+        bench.run_over(bencher, tiles.items(), &kernel, [SIDE, SIDE, tiles.count()]);
+    }
+
+    #[divan::bench(args = sets())]
+    fn composite_backward(bencher: Bencher, set: InstructionSet) {
+        let mut bench = Bench::new(set);
+        let tiles = Tiles::new(&mut bench.random);
+        let members = tiles.member.len() as u32;
+        let sums = tiles.count() * SUM_PLANES * SIDE * SIDE;
+        let (tiles_of, rows) = (tiles.count(), SIDE);
+        let params =
+            CompositeBackwardParams { members, tiles: tiles_of, side: SIDE, first_row: 0, rows };
+        let kernel = CompositeBackwardKernel {
+            params,
+            tile: &bench.upload(&tiles.tile),
+            tile_first: &bench.upload(&tiles.tile_first),
+            member: &bench.upload(&tiles.member),
+            splat: &bench.upload(&tiles.splat),
+            sum_gradient: &bench.numbers(sums, [-1.0, 1.0]),
+            member_gradient: &bench.zeros::<Vec4>(members * VECTORS),
+        };
+        bench.run(bencher, tiles.items(), &kernel, [members, 1]);
+    }
+}
+
+/// Items are Gaussians.
+mod gaussians {
+    use divan::Bencher;
+    use glam::{Vec2, Vec3, Vec4};
+    use organza::InstructionSet;
+    use organza_kernels::camera::Camera;
+    use organza_kernels::project::{ProjectKernel, ProjectParams};
+
+    use crate::common::{Bench, sets};
+
+    const GAUSSIANS: u32 = 20_000;
+
+    #[divan::bench(args = sets())]
+    fn project(bencher: Bencher, set: InstructionSet) {
+        let mut bench = Bench::new(set);
+        let camera = Camera {
+            rotation: [Vec3::X, Vec3::Y, Vec3::Z],
+            eye: Vec3::new(0.0, 0.0, -4.0),
+            focal: Vec2::splat(620.0),
+            center: Vec2::new(320.0, 240.0),
+            size: Vec2::new(640.0, 480.0),
+        };
+        let kernel = ProjectKernel {
+            params: ProjectParams { gaussians: GAUSSIANS, blur: 0.3 },
+            camera: &bench.upload(&camera.pack()),
+            position: &bench.numbers(3 * GAUSSIANS, [-1.0, 1.0]),
+            rotation: &bench.numbers(4 * GAUSSIANS, [0.1, 1.0]),
+            log_scale: &bench.numbers(3 * GAUSSIANS, [-5.0, -2.0]),
+            projection: &bench.zeros::<Vec4>(2 * GAUSSIANS),
+            degenerate: &bench.zeros::<u32>(1),
+        };
+        bench.run(bencher, GAUSSIANS.into(), &kernel, [GAUSSIANS, 1]);
+    }
+}

@@ -8,7 +8,7 @@ use organza_kernels::composite::{CompositeKernel, CompositeParams};
 use organza_kernels::hash_grid::GridLevel;
 use organza_kernels::project::{falloff, mahalanobis, project_gaussian};
 use organza_kernels::resolve::{DIVIDE_ABOVE, ResolveKernel, ResolveParams};
-use organza_kernels::segment::{clip_to_unit_cube, clipped_segment};
+use organza_kernels::segment::{clip_to_unit_cube, clipped_segment, point_along};
 use organza_kernels::tile::{Tile, distance_squared, reaches};
 use organza_kernels::unit_cube::Split;
 use organza_tests::devices;
@@ -22,6 +22,15 @@ fn coordinate() -> impl Strategy<Value = f32> + Clone {
 /// Directions with axis-parallel, tiny and denormal components.
 fn component() -> impl Strategy<Value = f32> + Clone {
     prop_oneof![6 => -3.0f32..3.0, 2 => Just(0.0), 1 => Just(-0.0), 1 => Just(1e-40), 1 => Just(1e-20), 1 => Just(-1e-20)]
+}
+
+fn split(x: Vec3) -> [Split; 3] {
+    x.to_array().map(|x| Split::new(x, 0.0))
+}
+
+/// What the two parts hold.
+fn exact(x: Split) -> f64 {
+    f64::from(x.coarse) + f64::from(x.fine)
 }
 
 fn vector(of: impl Strategy<Value = f32> + Clone) -> impl Strategy<Value = Vec3> {
@@ -49,24 +58,27 @@ proptest! {
 
     #[test]
     fn a_clipped_ray_is_what_lies_in_the_cube(p in vector(coordinate()), v in vector(component())) {
-        let clip = clip_to_unit_cube(p, v);
+        let clip = clip_to_unit_cube(split(p), split(v));
         let (t0, t1) = exact_clip(p, v);
-        prop_assert!((f64::from(clip.t0) - t0).abs() <= 2e-6, "t0 {} for {t0}", clip.t0);
-        prop_assert!((f64::from(clip.t1) - t1).abs() <= 2e-6, "t1 {} for {t1}", clip.t1);
-        prop_assert_eq!(clip.lambda, (clip.t1 - clip.t0).max(0.0));
-        if clip.lambda > 0.0 {
-            for t in [clip.t0, 0.5 * (clip.t0 + clip.t1), clip.t1] {
-                let x = p + v * t;
-                prop_assert!(x.min_element() >= -3e-6 && x.max_element() <= 1.0 + 3e-6, "{x} at {t}");
+        let [found0, found1, lambda] = [clip.t0, clip.t1, clip.lambda].map(exact);
+        prop_assert!((found0 - t0).abs() <= 1e-7, "t0 {found0} for {t0}");
+        prop_assert!((found1 - t1).abs() <= 1e-7, "t1 {found1} for {t1}");
+        prop_assert!((lambda - (found1 - found0).max(0.0)).abs() <= 1e-7, "{lambda}");
+        if lambda > 0.0 {
+            for t in [clip.t0, clip.t1] {
+                let x = point_along(split(p), t, split(v)).map(exact);
+                prop_assert!(x.iter().all(|x| (-3e-7..=1.0 + 3e-7).contains(x)), "{x:?} at {t:?}");
             }
         }
     }
 
     #[test]
     fn a_segment_has_whole_steps_of_at_most_sigma(p in vector(coordinate()), v in vector(component()), step in 0.001f32..2.0) {
-        let segment = clipped_segment(p, v, step);
-        prop_assert!(segment.w.is_finite() && segment.start.is_finite() && segment.factor.is_finite());
-        let length = segment.w.length();
+        let segment = clipped_segment(split(p), split(v), step);
+        let w = Vec3::from_array(segment.w.map(Split::value));
+        let start = Vec3::from_array(segment.start.map(Split::value));
+        prop_assert!(w.is_finite() && start.is_finite() && segment.factor.is_finite());
+        let length = w.length();
         if segment.count == 0 {
             prop_assert_eq!(segment.factor, 0.0);
             // components whose squares vanish in f32 have no length

@@ -208,23 +208,6 @@ pub fn hash_grid<L: Lane>(
         let [w0, w1, w2, w3, w4, w5, w6, w7] = corners.weight;
         let mut row = (params.first_row + id.workgroup.z * features) * stride + point;
         let mut f = 0;
-        // neighbors are read together
-        while f + 2 <= features {
-            let [a0, b0] = two_features::<L>(table, e0, features, f);
-            let [a1, b1] = two_features::<L>(table, e1, features, f);
-            let [a2, b2] = two_features::<L>(table, e2, features, f);
-            let [a3, b3] = two_features::<L>(table, e3, features, f);
-            let [a4, b4] = two_features::<L>(table, e4, features, f);
-            let [a5, b5] = two_features::<L>(table, e5, features, f);
-            let [a6, b6] = two_features::<L>(table, e6, features, f);
-            let [a7, b7] = two_features::<L>(table, e7, features, f);
-            let a = a0 * w0 + a1 * w1 + a2 * w2 + a3 * w3 + a4 * w4 + a5 * w5 + a6 * w6 + a7 * w7;
-            let b = b0 * w0 + b1 * w1 + b2 * w2 + b3 * w3 + b4 * w4 + b5 * w5 + b6 * w6 + b7 * w7;
-            a.write(output, row);
-            b.write(output, row + stride);
-            row += 2 * stride;
-            f += 2;
-        }
         while f < features {
             let value = feature::<L>(table, e0, features, f) * w0
                 + feature::<L>(table, e1, features, f) * w1
@@ -239,13 +222,6 @@ pub fn hash_grid<L: Lane>(
             f += 1;
         }
     }
-}
-
-/// A feature of each lane's entry, and the next one.
-#[inline(always)]
-fn two_features<L: Lane>(table: Read<f32>, entry: L::Index, features: u32, f: u32) -> [L; 2] {
-    let number = <L::Index as LaneIndex>::splat;
-    L::gather_two(table, entry.wrapping_mul(number(features)).wrapping_add(number(f)))
 }
 
 /// A feature of each lane's entry.

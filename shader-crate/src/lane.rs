@@ -72,8 +72,6 @@ pub trait Lane:
     fn read_written(buffer: Write<f32>, first: u32) -> Self;
     /// Values at any places.
     fn gather(buffer: Read<f32>, at: Self::Index) -> Self;
-    /// Values at any places, and those behind them.
-    fn gather_two(buffer: Read<f32>, at: Self::Index) -> [Self; 2];
     /// Stores consecutive values from `first` on.
     fn write(self, buffer: Write<f32>, first: u32);
     /// Adds the values to the [fixed-point](crate::fixed) sums at `at`, where the mask holds: see
@@ -210,11 +208,6 @@ impl Lane for f32 {
     #[inline(always)]
     fn gather(buffer: Read<f32>, at: u32) -> Self {
         buffer.read(at)
-    }
-
-    #[inline(always)]
-    fn gather_two(buffer: Read<f32>, at: u32) -> [Self; 2] {
-        [buffer.read(at), buffer.read(at + 1)]
     }
 
     #[inline(always)]

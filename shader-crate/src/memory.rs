@@ -197,35 +197,6 @@ mod host {
         }
     }
 
-    impl Read<'_, f32> {
-        /// The values at `N` places, and those behind them; panics out of range.
-        #[inline(always)]
-        #[track_caller]
-        pub fn gather_two<const N: usize>(&self, at: [u32; N]) -> [[f32; N]; 2] {
-            let largest = at.iter().fold(0, |a: u32, &b| if a > b { a } else { b });
-            if largest as usize + 1 >= self.len {
-                out_of_range(largest.saturating_add(1), self.len, self.name);
-            }
-            let two: [u64; N] = core::array::from_fn(
-                #[inline(always)]
-                // SAFETY: checked above
-                |i| unsafe { self.data.add(at[i] as usize).cast::<u64>().read_unaligned() },
-            );
-            let halves = two.map(
-                #[inline(always)]
-                |two| [two as u32, (two >> 32) as u32],
-            );
-            let [first, second] = if cfg!(target_endian = "little") { [0, 1] } else { [1, 0] };
-            let value = |half: usize| {
-                core::array::from_fn(
-                    #[inline(always)]
-                    |i: usize| f32::from_bits(halves[i][half]),
-                )
-            };
-            [value(first), value(second)]
-        }
-    }
-
     impl<'a, T: Copy> Write<'a, T> {
         /// # Safety
         /// `data` points to `len` values that are read and written through such views alone, an element

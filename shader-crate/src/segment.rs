@@ -4,72 +4,128 @@ use glam::{Vec3, Vec4};
 
 use crate::camera::{Camera, read3};
 use crate::limits::MAX_SAMPLES;
-use crate::math::{HUGE, TINY, abs, ceil, clamp, length, max, min};
+use crate::math::{TINY, abs, ceil, clamp, length};
 use crate::prelude::*;
-use crate::unit_cube::SceneBox;
+use crate::unit_cube::{SceneBox, Split};
 
 /// The part of a ray in the unit cube.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clip {
     /// Where the ray enters, in [0, 1].
-    pub t0: f32,
+    pub t0: Split,
     /// Where the ray leaves, in [0, 1].
-    pub t1: f32,
+    pub t1: Split,
     /// `max(t1 - t0, 0)`
-    pub lambda: f32,
+    pub lambda: Split,
 }
 
 /// A clipped ray, cut into steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
     /// `s = p + t0 v`
-    pub start: Vec3,
+    pub start: [Split; 3],
     /// `w = lambda v`
-    pub w: Vec3,
+    pub w: [Split; 3],
     /// K; 0 where the ray misses the cube.
     pub count: u32,
     /// `L / K / sigma`; 0 where the ray misses the cube.
     pub factor: f32,
 }
 
-/// Eq. 4 for one axis: where the ray lies between the planes 0 and 1.
+/// Vectors that a segment takes in a buffer: `(s, s_factor), (w, 0)`, the coarse parts, then the fine ones of both.
+pub const SEGMENT_VECTORS: u32 = 4;
+
+/// The earlier of two places on a ray.
+#[inline(always)]
+fn earlier(a: Split, b: Split) -> Split {
+    if a.value() < b.value() { a } else { b }
+}
+
+/// The later of two places on a ray.
+#[inline(always)]
+fn later(a: Split, b: Split) -> Split {
+    if a.value() > b.value() { a } else { b }
+}
+
+/// Eq. 4 for one axis: where the ray lies between the planes 0 and 1, limited to [0, 1] as in Eq. 6.
 ///
 /// An axis with v = 0 does not limit t where p lies between them and empties the ray where it does not.
 #[inline(always)]
-fn clip_axis(p: f32, v: f32) -> (f32, f32) {
-    let parallel = abs(v) < TINY;
-    let divisor = if parallel { 1.0 } else { v };
-    let (a, b) = (-p / divisor, (1.0 - p) / divisor);
-    let inside = p >= 0.0 && p <= 1.0;
-    let bound = if inside { -HUGE } else { HUGE };
-    if parallel { (bound, -bound) } else { (min(a, b), max(a, b)) }
+fn clip_axis(p: Split, v: Split) -> (Split, Split) {
+    let (zero, one) = (Split::whole(0.0), Split::whole(1.0));
+    let parallel = abs(v.value()) < TINY;
+    let divisor = if parallel { one } else { v };
+    let (a, b) = (zero.minus(p).place(divisor), one.minus(p).place(divisor));
+    let inside = p.value() >= 0.0 && p.value() <= 1.0;
+    let (low, high) = if inside { (zero, one) } else { (one, zero) };
+    if parallel { (low, high) } else { (earlier(a, b), later(a, b)) }
 }
 
 /// Eq. 4-6 for the ray p + t v, t in [0, 1].
 #[inline(always)]
-pub fn clip_to_unit_cube(p: Vec3, v: Vec3) -> Clip {
-    let (low_x, high_x) = clip_axis(p.x, v.x);
-    let (low_y, high_y) = clip_axis(p.y, v.y);
-    let (low_z, high_z) = clip_axis(p.z, v.z);
-    let t0 = clamp(max(max(low_x, low_y), low_z), 0.0, 1.0);
-    let t1 = clamp(min(min(high_x, high_y), high_z), 0.0, 1.0);
-    Clip { t0, t1, lambda: max(t1 - t0, 0.0) }
+pub fn clip_to_unit_cube(p: [Split; 3], v: [Split; 3]) -> Clip {
+    let (low_x, high_x) = clip_axis(p[0], v[0]);
+    let (low_y, high_y) = clip_axis(p[1], v[1]);
+    let (low_z, high_z) = clip_axis(p[2], v[2]);
+    let t0 = later(later(low_x, low_y), low_z);
+    let t1 = earlier(earlier(high_x, high_y), high_z);
+    let lambda = t1.minus(t0);
+    let hit = lambda.value() > 0.0;
+    Clip { t0, t1, lambda: if hit { lambda } else { Split::whole(0.0) } }
+}
+
+/// `p + t v` for every axis.
+#[inline(always)]
+pub fn point_along(p: [Split; 3], t: Split, v: [Split; 3]) -> [Split; 3] {
+    [p[0].along(t, v[0]), p[1].along(t, v[1]), p[2].along(t, v[2])]
 }
 
 /// Eq. 7-8: the segment of a ray and its steps of about `step` (sigma).
 #[inline(always)]
-pub fn clipped_segment(p: Vec3, v: Vec3, step: f32) -> Segment {
+pub fn clipped_segment(p: [Split; 3], v: [Split; 3], step: f32) -> Segment {
     let clip = clip_to_unit_cube(p, v);
-    let w = v * clip.lambda;
-    let l = length(w);
+    let origin = Split::whole(0.0);
+    let w = point_along([origin, origin, origin], clip.lambda, v);
+    let l = length(Vec3::new(w[0].value(), w[1].value(), w[2].value()));
     let hit = l > 0.0;
     let count = clamp(ceil(l / step), 1.0, MAX_SAMPLES as f32);
     Segment {
-        start: p + v * clip.t0,
+        start: point_along(p, clip.t0, v),
         w,
         count: if hit { count as u32 } else { 0 },
         factor: if hit { l / count / step } else { 0.0 },
     }
+}
+
+/// The coarse parts of a vector.
+#[inline(always)]
+fn coarse([x, y, z]: [Split; 3]) -> Vec3 {
+    Vec3::new(x.coarse, y.coarse, z.coarse)
+}
+
+/// The fine parts of a vector.
+#[inline(always)]
+fn fine([x, y, z]: [Split; 3]) -> Vec3 {
+    Vec3::new(x.fine, y.fine, z.fine)
+}
+
+/// A vector of its coarse and its fine parts.
+#[inline(always)]
+fn joined(coarse: Vec4, fine: Vec4) -> [Split; 3] {
+    [
+        Split { coarse: coarse.x, fine: fine.x },
+        Split { coarse: coarse.y, fine: fine.y },
+        Split { coarse: coarse.z, fine: fine.z },
+    ]
+}
+
+/// The segment s, w of a pair and its `s_factor`, of what [`segment`] wrote.
+#[inline(always)]
+pub fn read_segment(segment: Read<Vec4>, pair: u32) -> ([Split; 3], [Split; 3], f32) {
+    let first = pair * SEGMENT_VECTORS;
+    let (start, w) = (segment.read(first), segment.read(first + 1));
+    let (start_fine, w_fine) = (segment.read(first + 2), segment.read(first + 3));
+    (joined(start, start_fine), joined(w, w_fine), start.w)
 }
 
 /// Parameters of [`segment`].
@@ -84,7 +140,7 @@ pub struct SegmentParams {
     pub step: f32,
 }
 
-/// The segment of every pair: `segment [pairs, 2]` is `(s, s_factor), (w, 0)`, `count [pairs]` is K.
+/// The segment of every pair: `segment [pairs, 4]`, see [`SEGMENT_VECTORS`]; `count [pairs]` is K.
 #[kernel(threads(64))]
 pub fn segment(
     id: Invocation,
@@ -100,11 +156,15 @@ pub fn segment(
     if index < params.pairs {
         let slot = pair.read(index);
         let scene_box = SceneBox::read(scene_box);
-        let eye = scene_box.normalize(Camera::read(camera, slot / params.gaussians).eye);
-        let p = scene_box.normalize(read3(position, (slot % params.gaussians) * 3));
-        let clipped = clipped_segment(p, eye - p, params.step);
-        segment.write(2 * index, clipped.start.extend(clipped.factor));
-        segment.write(2 * index + 1, clipped.w.extend(0.0));
+        let eye = scene_box.split(Camera::read(camera, slot / params.gaussians).eye);
+        let p = scene_box.split(read3(position, (slot % params.gaussians) * 3));
+        let v = [eye[0].minus(p[0]), eye[1].minus(p[1]), eye[2].minus(p[2])];
+        let clipped = clipped_segment(p, v, params.step);
+        let first = index * SEGMENT_VECTORS;
+        segment.write(first, coarse(clipped.start).extend(clipped.factor));
+        segment.write(first + 1, coarse(clipped.w).extend(0.0));
+        segment.write(first + 2, fine(clipped.start).extend(0.0));
+        segment.write(first + 3, fine(clipped.w).extend(0.0));
         count.write(index, clipped.count);
     }
 }

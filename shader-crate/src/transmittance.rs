@@ -7,6 +7,7 @@ use crate::hash_grid::{POINT_ROWS, write_point};
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_VECTOR};
 use crate::math::{exp, log_sigmoid};
 use crate::prelude::*;
+use crate::segment::read_segment;
 use crate::unit_cube::Split;
 
 /// Parameters of [`transmittance_inputs`].
@@ -50,7 +51,7 @@ fn owner_among(first_sample: Read<u32>, low: u32, high: u32, sample: u32) -> u32
 
 /// Writes what does not come from the hash grid: the midpoint x_k (Eq. 9), its segment's `s_factor` and u.
 ///
-/// `first_sample [pairs + 1]`; `point [7, stride]` is x_k and `s_factor`; `input [rows, stride]`.
+/// `first_sample [pairs + 1]`, `segment [pairs, 4]`; `point [7, stride]` is x_k and `s_factor`; `input [rows, stride]`.
 ///
 /// Neighbors mostly have the same pair: the CPU looks for it once for all lanes, and lane by lane from where the pair ends.
 #[kernel(threads(64), iterations = u32::BITS + MAX_VECTOR, lanes(samples))]
@@ -120,21 +121,20 @@ fn write_inputs<L: Lane>(
 ) {
     let begin = first_sample.read(owner);
     let count = first_sample.read(owner + 1) - begin;
-    let (start, w) = (segment.read(2 * owner), segment.read(2 * owner + 1));
-    let number = L::splat;
-    let k = number((params.first_sample + index - begin) as f32) + L::ramp();
-    let t = (k + number(0.5)) / number(count as f32);
-    let (stride, zero) = (params.stride, number(0.0));
-    let x = Split::new(number(start.x) + t * number(w.x), zero);
-    let y = Split::new(number(start.y) + t * number(w.y), zero);
-    let z = Split::new(number(start.z) + t * number(w.z), zero);
+    let ([x, y, z], [w_x, w_y, w_z], factor) = read_segment(segment, owner);
+    let k = L::splat((params.first_sample + index - begin) as f32) + L::ramp();
+    let t = Split::whole(k + L::splat(0.5)).place(Split::whole(L::splat(count as f32)));
+    let x = Split::splat(x).along(t, Split::splat(w_x));
+    let y = Split::splat(y).along(t, Split::splat(w_y));
+    let z = Split::splat(z).along(t, Split::splat(w_z));
+    let stride = params.stride;
     write_point(point, stride, index, [x, y, z]);
-    number(start.w).write(point, POINT_ROWS * stride + index);
+    L::splat(factor).write(point, POINT_ROWS * stride + index);
 
     let gaussian = pair.read(owner) % params.gaussians;
     let mut u = 0;
     while u < params.extra {
-        let value = number(extra.read(gaussian * params.extra + u));
+        let value = L::splat(extra.read(gaussian * params.extra + u));
         value.write(input, (params.extra_row + u) * stride + index);
         u += 1;
     }

@@ -13,6 +13,10 @@ use crate::prelude::*;
 /// Parts of the cube that a coarse coordinate counts: 12 bits.
 pub const PARTS: f32 = 4096.0;
 
+/// Parts that a coarse place on a ray counts: 10 bits, so that its products with coarse coordinates and with numbers of
+/// samples are exact.
+pub const RAY_PARTS: f32 = 1024.0;
+
 /// A coordinate in two parts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Split<L = f32> {
@@ -29,6 +33,50 @@ impl<L: Lane> Split<L> {
         let parts = ((main + rest) * L::splat(PARTS)).truncate();
         let coarse = parts * L::splat(1.0 / PARTS);
         Self { coarse, fine: (main - coarse) + rest }
+    }
+
+    /// A number that has no more bits than a coarse coordinate.
+    #[inline(always)]
+    pub fn whole(coarse: L) -> Self {
+        Self { coarse, fine: L::splat(0.0) }
+    }
+
+    /// The same coordinate in every lane.
+    #[inline(always)]
+    pub fn splat(x: Split) -> Self {
+        Self { coarse: L::splat(x.coarse), fine: L::splat(x.fine) }
+    }
+
+    /// What one number holds of it.
+    #[inline(always)]
+    pub fn value(self) -> L {
+        self.coarse + self.fine
+    }
+
+    /// `self - other`
+    #[inline(always)]
+    pub fn minus(self, other: Self) -> Self {
+        Self { coarse: self.coarse - other.coarse, fine: self.fine - other.fine }
+    }
+
+    /// `self / divisor` limited to [0, 1], a place on a ray: its coarse part is a multiple of 1 / [`RAY_PARTS`].
+    #[inline(always)]
+    pub fn place(self, divisor: Self) -> Self {
+        let (zero, one, parts) = (L::splat(0.0), L::splat(1.0), L::splat(RAY_PARTS));
+        let whole = divisor.value();
+        let quotient = (self.value() / whole).max(zero).min(one);
+        let coarse = (quotient * parts).truncate() * L::splat(1.0 / RAY_PARTS);
+        // the product is exact, and so is the difference of neighbors
+        let rest = (self.coarse - coarse * divisor.coarse) + (self.fine - coarse * divisor.fine);
+        let inside = L::both(zero.less(quotient), quotient.less(one));
+        Self { coarse, fine: L::select(inside, rest / whole, zero) }
+    }
+
+    /// `self + t v`, for a [place](Self::place) t.
+    #[inline(always)]
+    pub fn along(self, t: Self, v: Self) -> Self {
+        let rest = self.fine + (t.coarse * v.fine + t.fine * v.value());
+        Self::new(self.coarse + t.coarse * v.coarse, rest)
     }
 
     /// The coordinate, limited to [0, 1].

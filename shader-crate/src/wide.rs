@@ -224,13 +224,6 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
 
     #[inline(always)]
     #[track_caller]
-    fn gather_two(buffer: Read<f32>, at: Self::Index) -> [Self; 2] {
-        let [first, second] = buffer.gather_two(at.0);
-        [Self(first), Self(second)]
-    }
-
-    #[inline(always)]
-    #[track_caller]
     fn write(self, buffer: Write<f32>, first: u32) {
         buffer.write_lanes(first, self.0);
     }

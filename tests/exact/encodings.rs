@@ -107,7 +107,8 @@ fn samples_lie_in_the_middle_of_their_steps() {
         }
         let (pair, k) = set.owner(column);
         let count = set.first_sample[pair + 1] - set.first_sample[pair];
-        let (s, w) = (set.segment[2 * pair].as_dvec4(), set.segment[2 * pair + 1].as_dvec4());
+        let vector = |part: usize| set.segment[4 * pair + part].as_dvec4();
+        let (s, w) = (vector(0) + vector(2), vector(1) + vector(3));
         let gaussian = (set.pair[pair] % set.gaussians) as usize;
         match output {
             "point" => Some(s[row] + (f64::from(k) + 0.5) / f64::from(count) * w[row]),

@@ -3,19 +3,22 @@
 use glam::{DVec3, Vec3, Vec4};
 use organza_kernels::camera::Camera;
 use organza_kernels::limits::MAX_SAMPLES;
-use organza_kernels::segment::{SegmentKernel, SegmentParams};
+use organza_kernels::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
 use organza_kernels::unit_cube::SceneBox;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::color::BOXES;
 use super::inputs::{self, Fill, ITEMS, Random};
-use super::measure::{Bound, Output};
+use super::measure::{Bound, Output, Values};
 use super::project;
 use crate::error::Result;
 
 /// How far from a decision of the kernel the inputs stay, relative to the ray.
 const AWAY: f64 = 2e-5;
+
+/// Rays up to this size have places and points of two parts.
+const NEAR: f64 = 8.0;
 
 /// Inputs of `segment`.
 #[derive(Clone)]
@@ -133,11 +136,21 @@ impl Segment {
     }
 }
 
+/// Coarse and fine parts of `[pairs, 4]` segments, added: s and `s_factor`, w and 0.
+fn joined(segment: &[Vec4]) -> Vec<f64> {
+    let (segments, _) = segment.as_chunks::<{ SEGMENT_VECTORS as usize }>();
+    let added = segments.iter().flat_map(|segment| {
+        let [start, w, start_fine, w_fine] = segment.map(|vector| vector.as_dvec4());
+        [start + start_fine, w + w_fine]
+    });
+    added.flat_map(|vector| vector.to_array()).collect()
+}
+
 impl Parity for Segment {
     const KERNEL: &'static str = "segment";
     const TOLERANCE: f64 = 5e-7;
-    const WHY: &'static str = "divisions of 3 ulp, of the ray's size; no ray within 2e-5 of its \
-        size of a whole number of steps, or of missing the cube";
+    const WHY: &'static str = "divisions of 3 ulp: of the ray's size, and of 1/250 of it up to a size of 8, where \
+        places on it have two parts; no ray within 2e-5 of its size of a whole number of steps, or of missing the cube";
 
     fn sets() -> Vec<(String, Self)> {
         let mut sets = inputs::sets(|n, fill, random| Self::new(n, fill, 0.013, BOXES[0], random));
@@ -160,7 +173,7 @@ impl Parity for Segment {
     fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
         let pairs = self.pair.len() as u32;
         let cameras: Vec<_> = self.cameras.iter().flat_map(Camera::pack).collect();
-        let segment = bench.output::<Vec4>(2 * pairs as usize)?;
+        let segment = bench.output::<Vec4>((SEGMENT_VECTORS * pairs) as usize)?;
         let count = bench.output(pairs as usize)?;
         let kernel = SegmentKernel {
             params: SegmentParams { pairs, gaussians: self.gaussians, step: self.step },
@@ -174,29 +187,32 @@ impl Parity for Segment {
         bench.items(&kernel, pairs, 1)?;
         let segment = bench.read(&segment)?;
         Ok(vec![
-            Output::float("segment", segment.iter().flat_map(|v| v.to_array())),
+            Output { name: "segment", values: Values::Float(joined(&segment)) },
             Output::exact("count", bench.read(&count)?),
         ])
     }
 
-    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+    fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {
         let Some(&slot) = self.pair.get(index / 8) else {
             return Bound { scale: 0.0, floor: 0.0 };
         };
         let ray = self.ray(slot);
-        let mut scale = 1.0 + ray.p.length() + ray.v.length();
+        let size = 1.0 + ray.p.length() + ray.v.length();
         // drivers that regroup know a coordinate in the box to 6e-8 of world space alone
         let position = &self.position[3 * (slot % self.gaussians) as usize..][..3];
         let world = (0..3).map(|axis| {
             let extent = self.aabb[1][axis] - self.aabb[0][axis];
             (f64::from(position[axis].abs()) + self.aabb[0][axis].abs()) / extent
         });
-        scale += world.fold(0.0, f64::max);
-        if index % 8 == 3 {
+        let scale = size + world.fold(0.0, f64::max);
+        Bound::of(match rounding {
             // s_factor is L / K / sigma
-            let steps = (ray.length() / f64::from(self.step)).ceil().max(1.0);
-            scale *= 1.0 / (f64::from(self.step) * steps.min(f64::from(MAX_SAMPLES)));
-        }
-        Bound::of(scale)
+            _ if index % 8 == 3 => {
+                let steps = (ray.length() / f64::from(self.step)).ceil().max(1.0);
+                scale / (f64::from(self.step) * steps.min(f64::from(MAX_SAMPLES)))
+            }
+            Rounding::AsWritten if size < NEAR => 4e-3 * size,
+            _ => scale,
+        })
     }
 }

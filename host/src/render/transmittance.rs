@@ -2,7 +2,7 @@
 
 use glam::Vec4;
 use organza_kernels::limits::MAX_SAMPLES;
-use organza_kernels::segment::{SegmentKernel, SegmentParams};
+use organza_kernels::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
 use organza_kernels::transmittance::{
     SegmentProductKernel, SegmentProductParams, TransmittanceHeadKernel, TransmittanceHeadParams,
     TransmittanceInputsKernel, TransmittanceInputsParams,
@@ -31,14 +31,14 @@ pub struct Transmittance {
     pub first_sample: Buffer<u32>,
     /// Samples of all segments.
     pub samples: u32,
-    /// `[pairs, 2]`
+    /// `[pairs, 4]`
     segment: Buffer<Vec4>,
 }
 
 impl Transmittance {
     pub fn evaluate(device: &Device, scene: &DeviceScene, pairs: &Pairs) -> Result<Self> {
         check_samples(scene, pairs)?;
-        let segment = device.zeros("segments", pairs.count as usize * 2)?;
+        let segment = device.zeros("segments", pairs.count as usize * SEGMENT_VECTORS as usize)?;
         let count = device.zeros("sample counts", pairs.count as usize)?;
         let kernel = SegmentKernel {
             params: SegmentParams {

@@ -1,5 +1,9 @@
 //! Every setting of a run: the run folder's `config.toml`, readable back with `--config`.
 
+mod check;
+#[cfg(test)]
+mod tests;
+
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
@@ -365,130 +369,5 @@ impl TrainConfig {
     /// [`Error::WriteFile`].
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         write_atomic(path, |writer| writer.write_all(self.to_toml().as_bytes()))
-    }
-
-    /// The first value that is out of range, as a sentence.
-    pub(super) fn check(&self) -> Result<(), String> {
-        let positive = |name: &str, value: u32| match value {
-            0 => Err(format!("`{name}` is 0, expected 1 or more")),
-            _ => Ok(()),
-        };
-        positive("data.downscale", self.data.downscale)?;
-        positive("run.steps", self.run.steps)?;
-        positive("run.tiles_per_step", self.run.tiles_per_step)?;
-        positive("run.tiles_per_view", self.run.tiles_per_view)?;
-        positive("run.checkpoint_every", self.run.checkpoint_every)?;
-        positive("run.log_every", self.run.log_every)?;
-        positive("start.gaussians", self.start.gaussians)?;
-        positive("growth.every", self.growth.every)?;
-        positive("growth.max_gaussians", self.growth.max_gaussians)?;
-        within("run.tile_size", f64::from(self.run.tile_size), 1.0, 512.0)?;
-        within("data.built_in_views", f64::from(self.data.built_in_views), 2.0, 1000.0)?;
-        within("data.built_in_side", f64::from(self.data.built_in_side), 16.0, 2048.0)?;
-        within("loss.ssim_weight", f64::from(self.loss.ssim_weight), 0.0, 1.0)?;
-        within("start.opacity", f64::from(self.start.opacity), 1e-4, 0.9999)?;
-        within("start.scale", f64::from(self.start.scale), 1e-4, 1e4)?;
-        within("start.spread", f64::from(self.start.spread), 0.0, 1e3)?;
-        within("start.transmittance_bias", f64::from(self.start.transmittance_bias), -50.0, 50.0)?;
-        within("growth.rate", self.growth.rate, 0.0, 1.0)?;
-        within("growth.begin", self.growth.begin, 0.0, 1.0)?;
-        within("growth.end", self.growth.end, 0.0, 1.0)?;
-        within("growth.min_opacity", f64::from(self.growth.min_opacity), 0.0, 0.5)?;
-        self.check_together()?;
-        self.optimizer.check()
-    }
-
-    /// What one value says about another.
-    fn check_together(&self) -> Result<(), String> {
-        if self.data.hold_out_every == 1 {
-            return Err(
-                "`data.hold_out_every` is 1, which leaves nothing to train on; expected 2 or \
-                        more, or 0 to hold no frame out"
-                    .to_owned(),
-            );
-        }
-        let (first, most) = (self.start.gaussians, self.growth.max_gaussians);
-        if first > most {
-            return Err(format!(
-                "`start.gaussians` is {first}, more than the {most} of `growth.max_gaussians`"
-            ));
-        }
-        Ok(())
-    }
-}
-
-fn within(name: &str, value: f64, low: f64, high: f64) -> Result<(), String> {
-    match (low..=high).contains(&value) {
-        true => Ok(()),
-        false => Err(format!("`{name}` is {value}, expected {low} to {high}")),
-    }
-}
-
-impl OptimizerConfig {
-    fn check(&self) -> Result<(), String> {
-        within("optimizer.beta1", self.beta1, 0.0, 0.999_999)?;
-        within("optimizer.beta2", self.beta2, 0.0, 0.999_999_9)?;
-        within("optimizer.epsilon", self.epsilon, 1e-30, 1.0)?;
-        let rates = [
-            ("position", self.position),
-            ("rotation", self.rotation),
-            ("log_scale", self.log_scale),
-            ("opacity", self.opacity),
-            ("material", self.material),
-            ("extra", self.extra),
-            ("grids", self.grids),
-            ("networks", self.networks),
-        ];
-        for (name, rate) in rates {
-            within(&format!("optimizer.{name}.first"), rate.first, 1e-12, 1.0)?;
-            within(&format!("optimizer.{name}.last"), rate.last, 1e-12, 1.0)?;
-        }
-        Ok(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn parse(text: &str) -> Result<TrainConfig> {
-        TrainConfig::parse(text, Path::new("config.toml"))
-    }
-
-    #[test]
-    fn a_file_reads_back() {
-        let mut config = TrainConfig::default();
-        config.data.path = Some("photographs".into());
-        config.optimizer.grids.last = 1.234_567_890_123e-5;
-        config.growth.method = GrowthMethod::Relocate;
-        assert_eq!(parse(&config.to_toml()).unwrap(), config);
-        assert_eq!(parse("").unwrap(), TrainConfig::default());
-    }
-
-    #[test]
-    fn mistakes_are_named() {
-        for (text, expected) in [
-            ("[run]\nstep = 3", "line 2: unknown field `step`"),
-            ("[run]\nsteps = 0", "`run.steps` is 0, expected 1 or more"),
-            ("[run]\nsteps = -1", "line 2:"),
-            ("[loss]\nssim_weight = 1.5", "`loss.ssim_weight` is 1.5, expected 0 to 1"),
-            ("[loss]\nssim_weight = nan", "`loss.ssim_weight` is NaN"),
-            ("[optimizer.grids]\nfirst = 0.1\nlast = 0.0", "`optimizer.grids.last` is 0"),
-            ("[growth]\nmethod = 'magic'", "unknown variant `magic`"),
-            ("[growth]\nmax_gaussians = 9", "`start.gaussians` is 4000, more than the 9 of"),
-            ("[data]\nhold_out_every = 1", "`data.hold_out_every` is 1, which leaves nothing"),
-            ("steps", "line 1:"),
-        ] {
-            let error = parse(text).unwrap_err().to_string();
-            assert!(error.contains(expected) && error.contains("config.toml"), "{error}");
-        }
-    }
-
-    #[test]
-    fn rates_fall_by_the_same_factor() {
-        let rate = Rate { first: 1e-2, last: 1e-4 };
-        for (step, expected) in [(0, 1e-2), (50, 1e-3), (100, 1e-4), (200, 1e-4)] {
-            assert!((rate.at(step, 100) / expected - 1.0).abs() < 1e-12);
-        }
     }
 }

@@ -273,7 +273,7 @@ mod tests {
             .map(|i| {
                 let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 12.0).sin_cos();
                 let eye = [1.0 + 4.0 * cos, 2.0 + 4.0 * sin, 6.0];
-                Camera::look_at(eye, [1.0, 2.0, 3.0], [0.0, 0.0, 1.0], 0.8, [64, 48])
+                Camera::look_at(eye, [1.0, 2.0, 3.0], [0.0, 0.0, 1.0], 0.8, [64, 48]).unwrap()
             })
             .collect()
     }
@@ -284,7 +284,7 @@ mod tests {
         assert!(target.center.distance(DVec3::new(1.0, 2.0, 3.0)) < 1e-2, "{target:?}");
         assert!((target.distance - 5.0).abs() < 1e-2);
         // parallel axes have no target, and yet a start
-        let parallel: Vec<_> = circle()[..1].repeat(3);
+        let parallel = vec![circle()[0].clone(); 3];
         assert!(Target::of(&parallel).center.is_finite());
     }
 

@@ -1,0 +1,76 @@
+//! Runs of seconds, and what they leave.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use organza::scene::read_tensors;
+use organza::train::metrics::{MetricsLog, Record};
+use organza::train::{CHECKPOINT, METRICS};
+
+use crate::sandbox::Sandbox;
+
+/// A run of 40 steps.
+pub const TINY: &str = "train --config tiny.toml --backend cpu -o";
+
+/// A sandbox that has `tiny.toml`.
+pub fn sandbox() -> Sandbox {
+    let sandbox = Sandbox::new("tiny");
+    fs::write(sandbox.path("tiny.toml"), include_str!("tiny.toml")).unwrap();
+    sandbox
+}
+
+/// Photographs of a case's scene, downscaled by nobody yet, in the folder `data`.
+pub fn photographs(sandbox: &Sandbox) {
+    sandbox.run("render scene.safetensors cameras.json -o data/images --backend cpu").assert_ok();
+    fs::copy(sandbox.path("cameras.json"), sandbox.path("data/transforms.json")).unwrap();
+}
+
+/// The shape and the bits of each tensor of a run's checkpoint: the scene, Adam's moments, what growth goes by.
+pub type Bits = BTreeMap<String, (Vec<usize>, Vec<u32>)>;
+
+/// What a run has come to.
+#[track_caller]
+pub fn bits(sandbox: &Sandbox, run: &str) -> Bits {
+    let tensors = read_tensors(sandbox.path(run).join(CHECKPOINT)).expect("a checkpoint");
+    let bits: Bits = tensors
+        .into_iter()
+        .map(|(name, tensor)| {
+            (name, (tensor.shape, tensor.data.into_iter().map(f32::to_bits).collect()))
+        })
+        .collect();
+    for part in ["gaussians.position", "adam.first.", "adam.second.", "train.statistics"] {
+        assert!(bits.keys().any(|name| name.starts_with(part)), "{part}: {:?}", bits.keys());
+    }
+    bits
+}
+
+/// Two runs came to the same bits.
+#[track_caller]
+pub fn assert_same(what: &str, found: &Bits, expected: &Bits) {
+    assert_eq!(found.keys().collect::<Vec<_>>(), expected.keys().collect::<Vec<_>>(), "{what}");
+    for (name, expected) in expected {
+        assert!(found[name] == *expected, "{what}: `{name}` differs");
+    }
+}
+
+/// A run's records.
+#[track_caller]
+pub fn records(folder: &Path) -> Vec<Record> {
+    MetricsLog::read(folder.join(METRICS)).expect("every line is a record")
+}
+
+/// What does not depend on the clock: each step's numbers, each change of the Gaussians, each evaluation.
+pub fn without_times(records: &[Record]) -> Vec<String> {
+    let told = |record: &Record| match record {
+        Record::Step { step, loss, psnr, gaussians, .. } => {
+            Some(format!("step {step} {loss} {psnr} {gaussians}"))
+        }
+        Record::Evaluation { step, psnr, ssim, views, .. } => {
+            Some(format!("evaluation {step} {psnr:?} {ssim:?} {views:?}"))
+        }
+        Record::Growth { .. } => Some(format!("{record:?}")),
+        Record::Timing { .. } => None,
+    };
+    records.iter().filter_map(told).collect()
+}

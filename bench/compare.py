@@ -83,8 +83,16 @@ def machine():
 
 
 def measure(pairs, rounds):
-    """The rounds of every pair: ours and the peer's (value, memory)."""
+    """The rounds of every pair, ours and the peer's (value, memory): those that were done when Ctrl-C was pressed."""
     found = {name: [] for name, *_ in pairs}
+    try:
+        measure_rounds(pairs, rounds, found)
+    except KeyboardInterrupt:
+        print("interrupted: the table has the rounds that were done", file=sys.stderr)
+    return found
+
+
+def measure_rounds(pairs, rounds, found):
     for index in range(rounds):
         for name, *commands in pairs:
             sides = [commands[:2], commands[2:]]
@@ -93,7 +101,6 @@ def measure(pairs, rounds):
             found[name].append((results[0], results[1]))
             ours, peer = results[0][0], results[1][0]
             print(f"round {index + 1}, {name}: ours {ours:.4f}, peer {peer:.4f}, {peer / ours:.2f}", file=sys.stderr)
-    return found
 
 
 def table(found):
@@ -101,6 +108,8 @@ def table(found):
     lines = ["| measured | organza | peer | peer / organza | range | memory: organza | peer | organza / peer |",
              "| --- | ---: | ---: | ---: | --- | ---: | ---: | ---: |"]
     for name, rounds in found.items():
+        if not rounds:
+            continue
         ours, peer = (statistics.median(pair[side][0] for pair in rounds) for side in (0, 1))
         ratios = sorted(pair[1][0] / pair[0][0] for pair in rounds)
         memory = [max(pair[side][1] for pair in rounds) for side in (0, 1)]
@@ -119,7 +128,9 @@ def main():
     if args.rounds < 1:
         parser.error("--rounds must be at least 1")
     where = machine()
-    print(f"{where}; {args.rounds} rounds\n\n{table(measure(args.pair, args.rounds))}")
+    found = measure(args.pair, args.rounds)
+    done = max(len(rounds) for rounds in found.values())
+    print(f"{where}; {done} {'round' if done == 1 else 'rounds'}\n\n{table(found)}")
 
 
 if __name__ == "__main__":

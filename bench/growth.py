@@ -62,6 +62,14 @@ def table(series, rows):
     return "\n".join(lines)
 
 
+def short(number):
+    """In at most two digits: 12 k."""
+    for unit, name in ((1_000_000, " M"), (1_000, " k")):
+        if number >= unit:
+            return f"{number / unit:.2g}{name}" if number < 100 * unit else f"{number / unit:.0f}{name}"
+    return str(number)
+
+
 def plot(found, path):
     """Seconds against each series' number, both axes logarithmic; a dotted line is linear."""
     import matplotlib
@@ -69,7 +77,7 @@ def plot(found, path):
     matplotlib.use("svg")
     # the same data, the same file
     matplotlib.rcParams.update({"svg.hashsalt": "organza", "svg.fonttype": "none", "font.size": 9})
-    from matplotlib import pyplot
+    from matplotlib import pyplot, ticker
 
     figure, axes = pyplot.subplots(1, len(found), figsize=(3.1 * len(found), 3.0), squeeze=False, layout="constrained")
     for axis, (series, rows) in zip(axes[0], found.items()):
@@ -81,6 +89,9 @@ def plot(found, path):
             line, = axis.plot(x, y, marker=marker, label=label)
             axis.plot(x, [y[-1] * at / x[-1] for at in x], ":", color=line.get_color(), linewidth=0.8)
         axis.set(xscale="log", yscale="log", xlabel="samples" if by_samples else SERIES[series][0], ylabel="seconds")
+        axis.set_xticks(x, [short(value) for value in x])
+        axis.xaxis.set_minor_locator(ticker.NullLocator())
+        axis.yaxis.set_minor_formatter(ticker.NullFormatter())
         axis.grid(alpha=0.3)
         axis.set_ylim(bottom=0.3 * min(row["forward_s"] for _, row in rows))
     axes[0][0].legend()

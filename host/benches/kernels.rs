@@ -123,11 +123,11 @@ mod flops {
 /// Items are samples.
 mod samples {
     use divan::Bencher;
-    use glam::Vec4;
     use organza::InstructionSet;
     use organza::scene::{GridConfig, Interpolation};
     use organza_kernels::hash_grid::{GridLevel, HashGridKernel, HashGridParams, POINT_ROWS};
     use organza_kernels::hash_grid_backward::{FLAG_BLOCK, HashGridBackwardKernel};
+    use organza_kernels::segment::SEGMENT_VECTORS;
     use organza_kernels::transmittance::{TransmittanceInputsKernel, TransmittanceInputsParams};
 
     use crate::common::{BACKWARD, Bench, FORWARD, sets};
@@ -220,14 +220,11 @@ mod samples {
             extra: 2,
             extra_row: 32,
         };
-        let segment = bench.random.values((8 * pairs) as usize, 0.0, 0.5);
-        let (segment, _) = segment.as_chunks::<4>();
-        let segment: Vec<_> = segment.iter().copied().map(Vec4::from_array).collect();
         let kernel = TransmittanceInputsKernel {
             params,
             pair: &bench.upload(&pair),
             first_sample: &bench.upload(&first_sample),
-            segment: &bench.upload(&segment),
+            segment: &bench.numbers(4 * SEGMENT_VECTORS * pairs, [0.0, 0.5]).view(),
             extra: &bench.numbers(2 * pairs, [-1.0, 1.0]),
             point: &bench.zeros::<f32>((POINT_ROWS + 1) * stride),
             input: &bench.zeros::<f32>(34 * stride),

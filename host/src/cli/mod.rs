@@ -31,6 +31,7 @@ const FAILURE: u8 = 2;
 
 const EXAMPLES: &str = "\
 Examples:
+  organza train -o run                                      no files needed
   organza demo -o demo                                      no files needed
   organza info demo/scene.safetensors
   organza render demo/scene.safetensors demo/cameras.json -o images --views 0-3

@@ -52,6 +52,7 @@ fn a_tile_takes_more_members_than_one_dispatch() {
             .expect("memory");
         let tile_first = device.upload("first", &[0, members]).expect("memory");
         let member = device.upload("member", &(0..members).collect::<Vec<_>>()).expect("memory");
+        let cells = device.upload("cells", &vec![u32::MAX; members as usize]).expect("memory");
         let splat = device.upload("splat", &splats).expect("memory");
         let sum = device.zeros("sum", (4 * SIDE * SIDE) as usize).expect("memory");
         for pass in 0..members.div_ceil(MAX_MEMBERS) {
@@ -61,6 +62,7 @@ fn a_tile_takes_more_members_than_one_dispatch() {
                 tile: &tile,
                 tile_first: &tile_first,
                 member: &member,
+                cells: &cells,
                 splat: &splat,
                 sum: &sum,
             };

@@ -16,6 +16,8 @@ mod loss;
 mod networks;
 #[path = "exact/optimizer.rs"]
 mod optimizer;
+#[path = "exact/peaks.rs"]
+mod peaks;
 
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -179,6 +179,7 @@ fn composite(
         tile: &tile,
         tile_first: &upload("first", &[0, order.len() as u32]),
         member: &upload("member", order),
+        cells: &upload("cells", &vec![u32::MAX; order.len()]),
         splat: &device.upload("splat", splats.as_flattened()).expect("memory"),
         sum: &sum,
     };

@@ -25,6 +25,7 @@ mod flops {
         DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel,
         DenseWeightBackwardParams, INPUT_BLOCK, WEIGHT_BLOCK,
     };
+    use organza_kernels::peak::{MULTIPLY_ADDS, PeakMultiplyAddKernel, PeakMultiplyAddParams};
 
     use crate::common::{BACKWARD, Bench, FORWARD, sets};
 
@@ -42,10 +43,15 @@ mod flops {
         2 * u64::from(samples) * u64::from(WIDTH * WIDTH)
     }
 
-    /// The most that there is: multiply-adds on registers, of as many lanes as the set has.
+    /// The most that there is: multiply-adds on registers.
     #[divan::bench(args = sets())]
     fn peak(bencher: Bencher, set: InstructionSet) {
-        crate::common::peak(bencher, set);
+        let bench = Bench::new(set);
+        let (count, steps) = (1_024, 512);
+        let params = PeakMultiplyAddParams { count, steps, factor: 0.5, addend: 1.0 };
+        let kernel = PeakMultiplyAddKernel { params, output: &bench.zeros::<f32>(count) };
+        let items = 2 * u64::from(count) * u64::from(steps * MULTIPLY_ADDS);
+        bench.run(bencher, items, &kernel, [count, 1]);
     }
 
     #[divan::bench(args = sets())]
@@ -158,7 +164,16 @@ mod samples {
     }
 
     fn params([samples, stride]: [u32; 2]) -> HashGridParams {
-        HashGridParams { points: samples, stride, first_row: 0, features: 2, smoothstep: 0 }
+        HashGridParams {
+            points: samples,
+            stride,
+            first_row: 0,
+            features: 2,
+            smoothstep: 0,
+            chunk: samples,
+            point_rows: POINT_ROWS,
+            rows: 0,
+        }
     }
 
     /// Points all over the unit cube, as `[6, stride]`: coarse parts, and fine ones of zero.
@@ -253,6 +268,7 @@ mod member_pixels {
             tile: &bench.upload(&tiles.tile),
             tile_first: &bench.upload(&tiles.tile_first),
             member: &bench.upload(&tiles.member),
+            cells: &bench.upload(&vec![u32::MAX; tiles.member.len()]),
             splat: &bench.upload(&tiles.splat),
             sum: &bench.zeros::<f32>(tiles.count() * SUM_PLANES * SIDE * SIDE),
         };

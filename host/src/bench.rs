@@ -1,5 +1,8 @@
 //! How long a batch takes, forward and back again, and which kernels take it.
 
+mod peak;
+mod synthetic;
+
 use std::collections::BTreeMap;
 use std::time::Instant;
 
@@ -11,6 +14,10 @@ use crate::error::Result;
 use crate::memory;
 use crate::render::{DeviceScene, RenderReport, Renderer, SceneGradient};
 use crate::tile::TileBatch;
+use crate::work::Work;
+
+pub use peak::Peaks;
+pub use synthetic::Synthetic;
 
 /// What to measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,6 +58,10 @@ pub struct Benchmark {
     pub forward_peak_memory_bytes: Option<u64>,
     /// The same until the end.
     pub peak_memory_bytes: Option<u64>,
+    /// The device's measured peak: billions of floating-point operations a second.
+    pub peak_gflops: f64,
+    /// The device's measured peak: billions of bytes that are read from memory in a second.
+    pub peak_gbs: f64,
     /// What kernels have taken of a forward pass, the slowest first.
     pub forward_kernels: Vec<KernelShare>,
     /// What kernels have taken of a pass forward and backward, the slowest first; of a forward pass where that was not
@@ -69,6 +80,21 @@ pub struct KernelShare {
     pub seconds: f64,
     /// `seconds` as a part of the same of all kernels together, 0 to 1.
     pub share: f64,
+    /// Billions of floating-point operations a second, as [`Work`] counts them; none where it does not.
+    pub gflops: Option<f64>,
+    /// Billions of bytes a second, as [`Work`] counts them; none where it does not.
+    pub gbs: Option<f64>,
+    /// The larger of the shares of the device's two peaks. What stays in caches may pass 1.
+    pub peak_share: Option<f64>,
+}
+
+impl KernelShare {
+    /// With what a device has at most beside what was found.
+    fn beside(mut self, peaks: Peaks) -> Self {
+        let shares = [self.gflops.map(|of| of / peaks.gflops), self.gbs.map(|of| of / peaks.gbs)];
+        self.peak_share = shares.into_iter().flatten().reduce(f64::max);
+        self
+    }
 }
 
 /// Measures a batch. Calls `progress` after every pass, of which there are [`passes`].
@@ -100,6 +126,12 @@ pub fn measure(
             Some(time(device, options.repeat, progress, &mut pass)?)
         }
     };
+    let peak_memory_bytes = memory::peak();
+    // last, for it takes memory of its own
+    let peaks = Peaks::measure(device)?;
+    let beside = |kernels: &[KernelShare]| -> Vec<_> {
+        kernels.iter().map(|kernel| kernel.clone().beside(peaks)).collect()
+    };
     Ok(Benchmark {
         device: device.choice().to_owned(),
         repeat: options.repeat,
@@ -113,9 +145,11 @@ pub fn measure(
         forward_s: forward.seconds,
         forward_backward_s: backward.as_ref().map(|timed| timed.seconds),
         forward_peak_memory_bytes,
-        peak_memory_bytes: memory::peak(),
-        kernels: backward.as_ref().unwrap_or(&forward).kernels.clone(),
-        forward_kernels: forward.kernels,
+        peak_memory_bytes,
+        peak_gflops: peaks.gflops,
+        peak_gbs: peaks.gbs,
+        kernels: beside(&backward.as_ref().unwrap_or(&forward).kernels),
+        forward_kernels: beside(&forward.kernels),
     })
 }
 
@@ -126,7 +160,7 @@ pub fn passes(device: &Device, options: BenchOptions) -> usize {
     (1 + timed) * (1 + usize::from(options.backward))
 }
 
-/// Whether the kernels' times must be taken in passes of their own, for they make a pass take longer.
+/// Whether the kernels' times must be taken in passes of their own, for they may make a pass take longer.
 fn times_apart(device: &Device) -> bool {
     device.backend() == "gpu"
 }
@@ -152,33 +186,35 @@ fn time(
         progress();
         Ok((seconds, device.take_timings()))
     };
+    let apart = times_apart(device);
+    device.time_dispatches(!apart);
     run()?;
     let (seconds, mut kernels): (Vec<_>, Vec<_>) =
         (0..repeat).map(|_| run()).collect::<Result<Vec<_>>>()?.into_iter().unzip();
-    if times_apart(device) {
+    if apart {
         device.time_dispatches(true);
         let passes: Result<Vec<_>> = (0..repeat).map(|_| run()).collect();
-        device.time_dispatches(false);
         kernels = passes?.into_iter().map(|(_, kernels)| kernels).collect();
     }
+    device.time_dispatches(false);
     Ok(Timed { seconds: median(seconds), kernels: shares(&kernels) })
 }
 
 /// The median of each kernel over passes.
 fn shares(passes: &[Vec<KernelTime>]) -> Vec<KernelShare> {
-    let mut times: BTreeMap<&'static str, (u64, Vec<f64>)> = BTreeMap::new();
+    let mut times: BTreeMap<&'static str, (u64, Work, Vec<f64>)> = BTreeMap::new();
     for time in passes.iter().flatten() {
-        let (dispatches, seconds) = times.entry(time.kernel).or_default();
-        *dispatches = time.dispatches;
+        let (dispatches, work, seconds) = times.entry(time.kernel).or_default();
+        (*dispatches, *work) = (time.dispatches, time.work);
         seconds.push(time.seconds);
     }
     let mut shares: Vec<_> = times
         .into_iter()
-        .map(|(name, (dispatches, seconds))| KernelShare {
-            name,
-            dispatches,
-            seconds: median(seconds),
-            share: 0.0,
+        .map(|(name, (dispatches, work, seconds))| {
+            let seconds = median(seconds);
+            let rate = |of: u64| (of > 0 && seconds > 0.0).then(|| of as f64 / seconds / 1e9);
+            let (gflops, gbs) = (rate(work.flops), rate(work.bytes));
+            KernelShare { name, dispatches, seconds, share: 0.0, gflops, gbs, peak_share: None }
         })
         .collect();
     let all: f64 = shares.iter().map(|kernel| kernel.seconds).sum();
@@ -215,15 +251,40 @@ mod tests {
 
     #[test]
     fn kernels_are_ordered_by_their_median_and_share_one() {
-        let time = |kernel, dispatches, seconds| KernelTime { kernel, dispatches, seconds };
+        let work = Work { flops: 0, bytes: 6_000_000_000 };
+        let time = |kernel, dispatches, seconds| KernelTime { kernel, dispatches, seconds, work };
         let passes = [
             vec![time("a", 2, 1.0), time("b", 5, 3.0)],
             vec![time("a", 2, 50.0), time("b", 5, 3.0)],
             vec![time("a", 2, 1.0), time("b", 5, 2.0)],
         ];
         let found = shares(&passes);
-        let share =
-            |name, dispatches, seconds, share| KernelShare { name, dispatches, seconds, share };
+        let share = |name, dispatches, seconds, share| {
+            let (gflops, gbs) = (None, Some(6.0 / seconds));
+            KernelShare { name, dispatches, seconds, share, gflops, gbs, peak_share: None }
+        };
         assert_eq!(found, [share("b", 5, 3.0, 0.75), share("a", 2, 1.0, 0.25)]);
+    }
+
+    #[test]
+    fn a_share_of_the_peaks_is_that_of_the_nearer_one() {
+        let peaks = Peaks { gflops: 100.0, gbs: 10.0 };
+        for (gflops, gbs, expected) in [
+            (None, None, None),
+            (Some(20.0), None, Some(0.2)),
+            (Some(20.0), Some(1.0), Some(0.2)),
+            (Some(20.0), Some(30.0), Some(3.0)),
+        ] {
+            let kernel = KernelShare {
+                name: "a",
+                dispatches: 1,
+                seconds: 1.0,
+                share: 1.0,
+                gflops,
+                gbs,
+                peak_share: None,
+            };
+            assert_eq!(kernel.beside(peaks).peak_share, expected);
+        }
     }
 }

@@ -24,6 +24,7 @@ pub mod render;
 pub mod scene;
 pub mod tile;
 pub mod train;
+pub mod work;
 
 pub use atomic_file::write_atomic;
 pub use backend::{BackendChoice, Device, DeviceOptions, SpirvPath};

@@ -9,6 +9,7 @@ use crate::prelude::*;
 use crate::project::{falloff, mahalanobis};
 use crate::splat::VECTORS;
 use crate::tile::Tile;
+use crate::tile_cells::Cells;
 
 /// Parameters of [`composite`].
 #[repr(C)]
@@ -52,7 +53,8 @@ pub const SUM_PLANES: u32 = 4;
 
 /// Adds up to [`MAX_MEMBERS`] members to `sum [tiles, 4, S, S]`, which holds (C, S) of Eq. 12.
 ///
-/// The members of tile t are `tile_first[t] .. tile_first[t + 1]`, in ascending order.
+/// The members of tile t are `tile_first[t] .. tile_first[t + 1]`, in ascending order; `cells [members]` as
+/// [`tile_cells`](crate::tile_cells::tile_cells()) writes them.
 #[kernel(threads(16, 4), iterations = MAX_MEMBERS, lanes(side))]
 pub fn composite<L: Lane>(
     id: Invocation,
@@ -60,6 +62,7 @@ pub fn composite<L: Lane>(
     tile: Read<i32>,
     tile_first: Read<u32>,
     member: Read<u32>,
+    cells: Read<u32>,
     splat: Read<Vec4>,
     sum: Write<f32>,
 ) {
@@ -78,17 +81,20 @@ pub fn composite<L: Lane>(
         let mut green = L::read_written(sum, at + area);
         let mut blue = L::read_written(sum, at + 2 * area);
         let mut weight = L::read_written(sum, at + 3 * area);
+        let cell = Cells::of(params.side).bit(place.x, place.y);
         let mut next = begin;
         while next < end {
-            let first_vector = member.read(next) * VECTORS;
-            let (placed, conic) = (splat.read(first_vector), splat.read(first_vector + 1));
-            if touches(placed, conic, first.x, last, first.y) {
-                let a = alpha(placed, conic, x, y);
-                let c = splat.read(first_vector + 2);
-                red = red + a * L::splat(c.x);
-                green = green + a * L::splat(c.y);
-                blue = blue + a * L::splat(c.z);
-                weight = weight + a;
+            if cells.read(next) & cell != 0 {
+                let first_vector = member.read(next) * VECTORS;
+                let (placed, conic) = (splat.read(first_vector), splat.read(first_vector + 1));
+                if touches(placed, conic, first.x, last, first.y) {
+                    let a = alpha(placed, conic, x, y);
+                    let c = splat.read(first_vector + 2);
+                    red = red + a * L::splat(c.x);
+                    green = green + a * L::splat(c.y);
+                    blue = blue + a * L::splat(c.z);
+                    weight = weight + a;
+                }
             }
             next += 1;
         }

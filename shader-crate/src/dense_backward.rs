@@ -210,7 +210,7 @@ fn add<L: Lane>(sum: Column<L>, g: Column<L>) -> Column<L> {
 /// The same sums.  On the CPU they go through memory: the compiler then keeps each of them in one register before, where
 /// otherwise the sum over lanes would have it take them apart.
 #[inline(always)]
-fn settled<L: Lane>(sum: Column<L>) -> Column<L> {
+pub fn settled<L: Lane>(sum: Column<L>) -> Column<L> {
     #[cfg(not(target_arch = "spirv"))]
     {
         let Column { x, y, z, w } = sum;

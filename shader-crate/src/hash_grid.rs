@@ -25,6 +25,8 @@ pub struct GridLevel {
 }
 
 /// Parameters of [`hash_grid`].
+///
+/// Points come in chunks: the rows of a chunk lie together, behind those of the chunk before.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct HashGridParams {
@@ -38,6 +40,32 @@ pub struct HashGridParams {
     pub features: u32,
     /// 1 for smoothstep interpolation, 0 for linear.
     pub smoothstep: u32,
+    /// Points of a chunk; a multiple of 64, so that no lanes are of two.
+    pub chunk: u32,
+    /// Rows of a chunk in `position`.
+    pub point_rows: u32,
+    /// Rows of a chunk in `output`.
+    pub rows: u32,
+}
+
+impl HashGridParams {
+    /// Where a point's column begins in `position`.
+    #[inline(always)]
+    pub fn point_column(&self, point: u32) -> u32 {
+        self.column(point, self.point_rows)
+    }
+
+    /// Where a point's features of a level begin in `output`.
+    #[inline(always)]
+    pub fn feature_column(&self, point: u32, level: u32) -> u32 {
+        let row = self.first_row + level * self.features;
+        self.column(point, self.rows) + row * self.stride
+    }
+
+    #[inline(always)]
+    fn column(&self, point: u32, rows: u32) -> u32 {
+        point / self.chunk * (rows * self.stride) + point % self.chunk
+    }
 }
 
 /// Where a point lies in a level: the cell and the weights of its upper corners.
@@ -187,7 +215,8 @@ fn read_split<L: Lane>(buffer: Read<f32>, stride: u32, coarse: u32) -> Split<L> 
 
 /// Writes the features of every (point, level): points along x and y, levels along z.
 ///
-/// `position [6, stride]`, see [`write_point`]; `table [entries, features]`; `output [rows, stride]`.
+/// `position [chunks, point_rows, stride]`, see [`write_point`]; `table [entries, features]`;
+/// `output [chunks, rows, stride]`.
 #[kernel(threads(64), iterations = MAX_FEATURES, lanes(points))]
 pub fn hash_grid<L: Lane>(
     id: Invocation,
@@ -201,12 +230,12 @@ pub fn hash_grid<L: Lane>(
     if point < params.points {
         let level = levels.read(id.workgroup.z);
         let stride = params.stride;
-        let x = read_point::<L>(position, stride, point);
+        let x = read_point::<L>(position, stride, params.point_column(point));
         let corners = Corners::of(&level, level.cell(x, params.smoothstep != 0));
         let features = params.features;
         let [e0, e1, e2, e3, e4, e5, e6, e7] = corners.entry;
         let [w0, w1, w2, w3, w4, w5, w6, w7] = corners.weight;
-        let mut row = (params.first_row + id.workgroup.z * features) * stride + point;
+        let mut row = params.feature_column(point, id.workgroup.z);
         let mut f = 0;
         while f < features {
             let value = feature::<L>(table, e0, features, f) * w0

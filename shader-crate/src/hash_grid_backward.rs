@@ -17,8 +17,8 @@ pub const FLAG_BLOCK: u32 = 64;
 /// Adds every point's gradient to the entries of its cells' corners: `sum += weight * feature_gradient`, with
 /// `dL/dtable[entry, f] = sum_points weight dL/dfeature_f`; points along x and y, levels along z.
 ///
-/// `position [6, stride]`, see [`write_point`](crate::hash_grid::write_point); `feature_gradient [rows, stride]`, from
-/// the row `params.first_row` on; `scale [3]`, see [`hash_grid_scale`](crate::hash_grid_scale::hash_grid_scale());
+/// `position [chunks, point_rows, stride]`, see [`write_point`](crate::hash_grid::write_point);
+/// `feature_gradient [chunks, rows, stride]`, from the row `params.first_row` on; `scale [3]`, see [`hash_grid_scale`](crate::hash_grid_scale::hash_grid_scale());
 /// `sum [2 entries features]`; `touched [ceil(entries features / 64)]` becomes 1 where something is added.  A point
 /// whose gradient is zero in a level adds nothing there; one above the limit, or NaN, raises `status`.
 #[kernel(threads(64), iterations = 2 * MAX_FEATURES, layers, lanes(points))]
@@ -36,7 +36,7 @@ pub fn hash_grid_backward<L: Lane>(
     let point = id.index();
     if point < params.points {
         let features = params.features;
-        let first = (params.first_row + id.workgroup.z * features) * params.stride + point;
+        let first = params.feature_column(point, id.workgroup.z);
         let (zero, one, tiny) = (L::splat(0.0), L::splat(1.0), L::splat(TINY));
         let limit = L::splat(scale.read(LIMIT));
         let (mut largest, mut excess) = (zero, zero);
@@ -57,7 +57,7 @@ pub fn hash_grid_backward<L: Lane>(
         let active = L::both(tiny.at_most(largest), excess.less(one));
         if L::any(active) {
             let level = levels.read(id.workgroup.z);
-            let x = read_point::<L>(position, params.stride, point);
+            let x = read_point::<L>(position, params.stride, params.point_column(point));
             let corners = Corners::of(&level, level.cell(x, params.smoothstep != 0));
             expect::<L>(sum, &corners, features);
             flag::<L>(touched, active, &corners, features);

@@ -28,6 +28,7 @@ pub mod loss;
 pub mod math;
 pub mod memory;
 pub mod pair;
+pub mod peak;
 #[cfg(not(target_arch = "spirv"))]
 pub mod place;
 pub mod prelude;
@@ -40,6 +41,7 @@ pub mod spherical_harmonics;
 pub mod splat;
 pub mod ssim;
 pub mod tile;
+pub mod tile_cells;
 pub mod transmittance;
 pub mod transmittance_backward;
 pub mod unit_cube;

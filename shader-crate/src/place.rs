@@ -26,6 +26,7 @@ std::thread_local! {
 }
 
 /// Says which workgroup the thread runs from here on, by its first invocation; none where no executor is at work.
+#[inline]
 pub fn begin(workgroup: Option<Place>) {
     WORKGROUP.set(workgroup);
 }

@@ -4,6 +4,7 @@ use organza::parity::Rounding;
 use organza::parity::pair::{PairFill, PairMask};
 use organza::parity::scan::{ScanAdd, ScanBlock};
 use organza::parity::tile::{TileFill, TileMask, TileRange};
+use organza::parity::tile_cells::TileCells;
 
 use super::hold::{hold, hold_all};
 
@@ -69,6 +70,36 @@ fn members_are_ascending_places_among_the_pairs() {
                 members.iter().map(|g| place(tile.camera as usize, g)).collect::<Vec<_>>()
             })
             .collect()
+    });
+}
+
+#[test]
+fn cells_are_those_of_the_members_extents() {
+    hold::<TileCells>(|set, _, index| {
+        let place = u32::try_from(index).expect("few members");
+        let splat = &set.splat[*set.member.get(index)? as usize];
+        let tile = set.tile_first.partition_point(|&first| first <= place) - 1;
+        let [x, y] = set.tiles[tile].origin.map(f64::from);
+        let (placed, conic) = (splat[0].as_dvec4(), splat[1].as_dvec4());
+        // pixels: 4 cells of whole vectors of 16 across, 8 down
+        let (width, height) = (16 * set.side.div_ceil(64), set.side.div_ceil(8));
+        let distance = |center: f64, low: f64, cell: u32, size: u32| {
+            let first = low + f64::from(cell * size) + 0.5;
+            let last = first + f64::from(size - 1);
+            (first - center).max(center - last).max(0.0)
+        };
+        let mut bits = 0_u32;
+        for cell in 0..32 {
+            let across = distance(placed.x, x, cell % 4, width) - placed.w;
+            let down = distance(placed.y, y, cell / 4, height) - conic.w;
+            // what is rounded decides where they are about the same
+            let size = |center: f64, extent: f64| 1e-6 * (4000.0 + center.abs() + extent);
+            if across.abs() < size(placed.x, placed.w) || down.abs() < size(placed.y, conic.w) {
+                return None;
+            }
+            bits |= u32::from(across < 0.0 && down < 0.0) << cell;
+        }
+        Some(f64::from(bits))
     });
 }
 

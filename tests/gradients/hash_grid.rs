@@ -99,6 +99,10 @@ impl Inputs {
                 first_row: FIRST_ROW,
                 features: self.grid.features,
                 smoothstep: u32::from(self.grid.interpolation == Interpolation::Smoothstep),
+                // one chunk
+                chunk: 1 << 20,
+                point_rows: POINT_ROWS,
+                rows: 0,
             },
             levels: &device.upload("levels", &levels).unwrap(),
             position: &device.upload("position", &position).unwrap(),

@@ -17,6 +17,38 @@ fn dispatches(kernels: &Value, name: &str) -> Option<u64> {
     kernels.iter().find(|kernel| kernel["name"] == name)?["dispatches"].as_u64()
 }
 
+/// A number of a kernel; none where it is null.
+fn number(kernels: &Value, name: &str, key: &str) -> Option<f64> {
+    let kernels = kernels.as_array().expect("a list");
+    kernels.iter().find(|kernel| kernel["name"] == name)?[key].as_f64()
+}
+
+/// What is counted of a kernel is beside the peaks, and nothing else.
+#[track_caller]
+fn assert_peaks(found: &Value) {
+    let peak = |key: &str| {
+        found[key].as_f64().filter(|&peak| peak > 0.0).unwrap_or_else(|| panic!("{key}: {found}"))
+    };
+    let (gflops, gbs) = (peak("peak_gflops"), peak("peak_gbs"));
+    let lists = ["forward_kernels", "kernels"].map(|key| found[key].as_array().unwrap());
+    for kernel in lists.into_iter().flatten() {
+        let keys: Vec<_> = kernel.as_object().unwrap().keys().map(String::as_str).collect();
+        assert_eq!(keys.join(" "), "dispatches gbs gflops name peak_share seconds share");
+        let of = |key: &str, peak: f64| kernel[key].as_f64().map(|rate| rate / peak);
+        let shares = [of("gflops", gflops), of("gbs", gbs)];
+        let expected = shares.into_iter().flatten().reduce(f64::max);
+        let share = kernel["peak_share"].as_f64();
+        assert_eq!(share.is_some(), expected.is_some(), "{kernel}");
+        let (share, expected) = (share.unwrap_or(1.0), expected.unwrap_or(1.0));
+        assert!((share / expected - 1.0).abs() < 1e-9, "{kernel}");
+    }
+}
+
+/// Billions of operations that a kernel has made.
+fn operations(kernels: &Value, name: &str) -> f64 {
+    number(kernels, name, "gflops").unwrap() * number(kernels, name, "seconds").unwrap()
+}
+
 /// Kernels are listed with positive times, the slowest first, and shares that add up to 1.
 #[track_caller]
 fn assert_shares(kernels: &Value) {
@@ -37,7 +69,8 @@ fn a_batch_is_measured() {
     let found = json(sandbox.run(&format!("{BENCH} --backend cpu --json")));
     let keys: Vec<_> = found.as_object().unwrap().keys().map(String::as_str).collect();
     let expected = "device forward_backward_s forward_kernels forward_peak_memory_bytes forward_s \
-        gaussians kernels members pairs parts peak_memory_bytes repeat samples side tiles";
+        gaussians kernels members pairs parts peak_gbs peak_gflops peak_memory_bytes repeat \
+        samples side tiles";
     assert_eq!(keys, expected.split_whitespace().collect::<Vec<_>>());
     assert_eq!(found["repeat"], 2);
     for key in ["forward_s", "forward_backward_s"] {
@@ -46,6 +79,8 @@ fn a_batch_is_measured() {
     let forward = found["forward_kernels"].clone();
     assert_shares(&forward);
     assert_shares(&found["kernels"]);
+    assert_peaks(&found);
+    assert_eq!(number(&forward, "scan_add", "gflops"), None, "nobody counts that");
     for (name, expected) in
         [("project", Some(1)), ("composite", Some(1)), ("project_backward", None)]
     {
@@ -85,8 +120,29 @@ fn tables_are_for_people() {
     let outcome = Sandbox::new("tiny").run(&format!("{BENCH} --backend cpu")).assert_ok();
     let lines: Vec<_> = outcome.stdout.lines().collect();
     assert!(lines[0].starts_with("cpu: "), "{outcome:?}");
-    for start in ["forward and backward  0.", "composite_backward  ", "forward  "] {
+    for start in ["forward and backward  0.", "composite_backward  ", "forward  ", "peaks: "] {
         assert!(lines.iter().any(|line| line.starts_with(start)), "{start}: {outcome:?}");
+    }
+}
+
+/// A multiply-add is two operations: hidden layers of 16 and 16, of 4 inputs for each pair and of 3 for each sample.
+#[test]
+fn operations_are_counted() {
+    let sandbox = Sandbox::new("tiny");
+    for (name, device) in devices::all() {
+        let backend = device.backend();
+        let found = json(sandbox.run(&format!("{BENCH} --backend {backend} --json")));
+        let count = |key: &str| found[key].as_f64().unwrap();
+        let forward =
+            2.0 * 16.0 * (count("pairs") * (4.0 + 16.0) + count("samples") * (3.0 + 16.0));
+        // on the way back all of it is computed once more
+        for (key, expected) in [("forward_kernels", forward), ("kernels", 2.0 * forward)] {
+            let counted = 1e9 * operations(&found[key], "dense");
+            assert!(
+                (counted / expected - 1.0).abs() < 1e-9,
+                "{name}, {key}: {counted}, {expected}"
+            );
+        }
     }
 }
 
@@ -102,10 +158,39 @@ fn kernels_of_a_gpu_have_times() {
     assert!(gpu["device"].as_str().unwrap().starts_with("gpu: "), "{gpu}");
     assert_shares(&gpu["forward_kernels"]);
     assert_shares(&gpu["kernels"]);
+    assert_peaks(&gpu);
     for kernel in cpu["kernels"].as_array().unwrap() {
         let name = kernel["name"].as_str().unwrap();
         assert!(dispatches(&gpu["kernels"], name).is_some(), "{name}: {gpu}");
     }
+}
+
+#[test]
+fn without_files_the_workload_is_synthetic() {
+    let sandbox = Sandbox::new("tiny");
+    let found = json(sandbox.run("bench --forward --repeat 1 --backend cpu --json"));
+    for (key, expected) in [("gaussians", 20_000), ("tiles", 64), ("side", 64)] {
+        assert_eq!(found[key], expected, "{key}");
+    }
+    assert!(found["samples"].as_u64() > Some(500_000), "{found}");
+}
+
+#[test]
+fn every_device_is_measured() {
+    let sandbox = Sandbox::new("tiny");
+    let found = json(sandbox.run(&format!("{BENCH} --every-device --json")));
+    let all = found.as_array().expect("a list");
+    let backends: Vec<_> =
+        all.iter().map(|one| one["device"].as_str().unwrap().split(':').next().unwrap()).collect();
+    assert_eq!(backends[0], "cpu");
+    assert_eq!(backends.len(), 1 + organza::backend::adapters().len(), "{backends:?}");
+    assert!(backends[1..].iter().all(|&backend| backend == "gpu"), "{backends:?}");
+    for one in all {
+        assert_peaks(one);
+        assert_eq!(one["samples"], all[0]["samples"]);
+    }
+    let text = sandbox.run(&format!("{BENCH} --every-device")).assert_ok().stdout;
+    assert_eq!(text.matches("\nforward and backward\n").count(), all.len(), "{text}");
 }
 
 #[test]
@@ -117,6 +202,10 @@ fn bad_requests() {
         (format!("{bench} absent"), ["absent", "no such file"]),
         (format!("{bench} tiles.json --backend cpu --adapter Arc"), ["--adapter", "cpu"]),
         (bench.to_owned(), ["required", "arguments"]),
+        (
+            format!("{bench} tiles.json --every-device --backend cpu"),
+            ["--every-device", "--backend"],
+        ),
     ] {
         sandbox.assert_refuses(&words, &facts);
     }

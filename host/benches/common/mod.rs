@@ -1,15 +1,14 @@
 //! What the benchmarks share: a device of one thread, its buffers, and tiles with members.
 
 use bytemuck::Pod;
+use divan::Bencher;
 use divan::counter::ItemsCount;
-use divan::{Bencher, black_box};
 use glam::Vec4;
 use organza::backend::{Buffer, Host};
 use organza::parity::composite::extent;
 use organza::parity::inputs::Random;
 use organza::{Device, DeviceOptions, InstructionSet};
 use organza_kernels::kernel::Dispatch;
-use organza_kernels::lane::{Lane, Wide};
 use organza_kernels::tile::Tile;
 
 /// A chunk of samples, and the distance of two rows of its activations.
@@ -137,68 +136,4 @@ impl Tiles {
     pub fn items(&self) -> u64 {
         u64::from(TILES * MEMBERS) * u64::from(SIDE * SIDE)
     }
-}
-
-/// Steps of a peak's loop.
-const STEPS: u64 = 4_096;
-/// Sums next to each other: a multiply-add takes several cycles, and others begin meanwhile.
-const SUMS: u64 = 10;
-
-/// Times multiply-adds on registers, each of two operations; the sets without a fused one multiply, then add.
-pub fn peak(bencher: Bencher, set: InstructionSet) {
-    let lanes = match set {
-        InstructionSet::Scalar => 1,
-        InstructionSet::Plain | InstructionSet::Avx2 => 8,
-        InstructionSet::Avx512 => 16,
-    };
-    let counter = ItemsCount::new(2 * STEPS * SUMS * lanes);
-    bencher.counter(counter).bench_local(|| match set {
-        InstructionSet::Scalar => multiply_add::<Wide<1, false>>(black_box(0.5)),
-        InstructionSet::Plain => multiply_add::<Wide<8, false>>(black_box(0.5)),
-        #[cfg(target_arch = "x86_64")]
-        // SAFETY: `sets` has what this CPU has
-        InstructionSet::Avx2 => unsafe { multiply_add_avx2(black_box(0.5)) },
-        #[cfg(target_arch = "x86_64")]
-        // SAFETY: as above
-        InstructionSet::Avx512 => unsafe { multiply_add_avx512(black_box(0.5)) },
-        #[cfg(not(target_arch = "x86_64"))]
-        _ => unreachable!("`sets` has what this CPU has"),
-    });
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma")]
-fn multiply_add_avx2(factor: f32) -> f32 {
-    multiply_add::<Wide<8, true>>(factor)
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq,avx512bw")]
-fn multiply_add_avx512(factor: f32) -> f32 {
-    multiply_add::<Wide<16, true>>(factor)
-}
-
-/// `x = x factor + 1`, again and again.
-#[inline(always)]
-fn multiply_add<L: Lane>(factor: f32) -> f32 {
-    let (factor, one) = (L::splat(factor), L::splat(1.0));
-    // variables, for an array of them would stay in memory
-    let start = |value: f32| L::splat(black_box(value));
-    let (mut a, mut b, mut c, mut d, mut e) =
-        (start(1.0), start(1.1), start(1.2), start(1.3), start(1.4));
-    let (mut f, mut g, mut h, mut i, mut j) =
-        (start(1.5), start(1.6), start(1.7), start(1.8), start(1.9));
-    for _ in 0..STEPS {
-        a = a.mul_add(factor, one);
-        b = b.mul_add(factor, one);
-        c = c.mul_add(factor, one);
-        d = d.mul_add(factor, one);
-        e = e.mul_add(factor, one);
-        f = f.mul_add(factor, one);
-        g = g.mul_add(factor, one);
-        h = h.mul_add(factor, one);
-        i = i.mul_add(factor, one);
-        j = j.mul_add(factor, one);
-    }
-    (a + b + c + d + e + f + g + h + i + j).sum()
 }

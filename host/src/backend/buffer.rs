@@ -6,7 +6,7 @@ use std::sync::Arc;
 use bytemuck::Pod;
 use organza_kernels::kernel::Storage;
 
-use super::cpu::CpuMemory;
+use super::cpu_memory::CpuMemory;
 
 /// The host's storage: its buffers live on a [`Device`](super::Device).
 #[derive(Debug)]
@@ -24,8 +24,13 @@ pub struct Buffer<T> {
 pub struct RawBuffer {
     pub(super) memory: Memory,
     pub(super) label: &'static str,
+    /// Where it begins in the memory.
+    pub(super) begin: u64,
     pub(super) bytes: u64,
 }
+
+/// What a GPU's buffer may begin at: a multiple of so many bytes of its memory.
+pub const TAIL_ALIGNMENT: usize = 256;
 
 #[derive(Clone, Debug)]
 pub(super) enum Memory {
@@ -58,6 +63,22 @@ impl<T: Pod> Buffer<T> {
             "the buffer `{label}` has {bytes} bytes"
         );
         Buffer::new(self.raw.clone())
+    }
+
+    /// The same memory from an element on.
+    ///
+    /// # Panics
+    /// Past the end, or where the element is not at a multiple of 256 bytes.
+    #[must_use]
+    pub fn tail(&self, first: usize) -> Self {
+        let skipped = first * size_of::<T>();
+        let label = self.raw.label;
+        assert!(skipped as u64 <= self.raw.bytes, "`{label}` ends before its element {first}");
+        assert!(skipped.is_multiple_of(TAIL_ALIGNMENT), "`{label}` is cut at {skipped} bytes");
+        let mut raw = self.raw.clone();
+        raw.begin += skipped as u64;
+        raw.bytes -= skipped as u64;
+        Buffer::new(raw)
     }
 
     /// Number of values.

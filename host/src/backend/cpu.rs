@@ -1,7 +1,6 @@
 //! The CPU backend: the kernels as ordinary functions, workgroups spread over threads.
 
-use std::alloc::{self, Layout};
-use std::ptr::NonNull;
+use std::ops::Range;
 
 use glam::UVec3;
 use organza_kernels::invocation::Invocation;
@@ -9,14 +8,18 @@ use organza_kernels::kernel::{
     Access, BindingInfo, CpuBinding, CpuRun, InstructionSet, KernelInfo,
 };
 use organza_kernels::memory::Watch;
-use organza_kernels::place::unlinear;
+use organza_kernels::place::{Place, begin, unlinear};
 use rayon::prelude::*;
 
 use super::buffer::{Memory, RawBuffer};
+use super::cpu_memory::{CpuMemory, Spare};
 use super::watch::Races;
 use super::{coroutine, supervise};
 use crate::error::{Error, Result};
 use crate::memory;
+
+/// Workgroups that a thread runs one after the other: what it takes to hand them over counts less.
+const AT_ONCE: u64 = 8;
 
 /// The CPU as a device.
 #[derive(Debug)]
@@ -24,6 +27,7 @@ pub struct Cpu {
     pool: rayon::ThreadPool,
     check_races: bool,
     instruction_set: InstructionSet,
+    spare: Spare,
 }
 
 impl Cpu {
@@ -47,7 +51,7 @@ impl Cpu {
             .map_err(|error| Error::Argument {
                 reason: format!("cannot start threads: {error}"),
             })?;
-        Ok(Self { pool, check_races, instruction_set })
+        Ok(Self { pool, check_races, instruction_set, spare: Spare::default() })
     }
 
     pub fn instruction_set(&self) -> InstructionSet {
@@ -59,15 +63,30 @@ impl Cpu {
     }
 
     pub fn allocate(&self, label: &'static str, bytes: u64) -> Result<CpuMemory> {
+        if let Some(memory) = self.spare.take(bytes) {
+            return Ok(memory);
+        }
         let what = format!("the buffer `{label}`");
-        memory::check(bytes, &what)?;
-        let available = memory::available();
-        CpuMemory::zeroed(bytes).ok_or(Error::OutOfMemory { needed: bytes, available, what })
+        // what lies unused counts as well
+        memory::check(bytes, &what).or_else(|_| {
+            self.spare.clear();
+            memory::check(bytes, &what)
+        })?;
+        let memory = self.spare.allocate(bytes).or_else(|| {
+            self.spare.clear();
+            self.spare.allocate(bytes)
+        });
+        memory.ok_or_else(|| Error::OutOfMemory {
+            needed: bytes,
+            available: memory::available(),
+            what,
+        })
     }
 
-    pub fn clear(&self, memory: &CpuMemory) {
+    pub fn clear(&self, memory: &CpuMemory, begin: u64, bytes: u64) {
+        assert!(begin + bytes <= memory.bytes().len() as u64);
         // SAFETY: in range, and no dispatch runs: each returns when it is done
-        unsafe { memory.data.as_ptr().write_bytes(0, memory.layout.size()) };
+        unsafe { memory.data().add(begin as usize).write_bytes(0, bytes as usize) };
     }
 
     pub fn dispatch(
@@ -102,20 +121,35 @@ impl Cpu {
                 coroutine::run_workgroup(info, run, &bindings, place(index), size)
             }
         };
-        let supervised = |index: u64| {
-            let local = UVec3::from(info.workgroup_size);
-            let first = Invocation::new(UVec3::ZERO, place(index), size, local);
-            supervise::supervise(info.name, first, || run(index))
+        let local = UVec3::from(info.workgroup_size);
+        let run_some = |mut indices: Range<u64>| {
+            supervise::supervise(|| {
+                indices.try_for_each(|index| {
+                    let first = Invocation::new(UVec3::ZERO, place(index), size, local);
+                    begin(Some(Place { kernel: info.name, id: first }));
+                    run(index)
+                })
+            })
         };
-        let layer = |z: u32| {
-            let first = x * y * u64::from(z);
-            (first..first + x * y).try_for_each(supervised)
+        // a layer is one thread's, whatever lies in it
+        let (all, at_once) = match info.layers {
+            true => (z, x * y),
+            false => ((x * y * z).div_ceil(AT_ONCE), AT_ONCE),
+        };
+        let some = |index: usize| {
+            let first = index as u64 * at_once;
+            run_some(first..(first + at_once).min(x * y * z))
         };
         let run_all = || match info.layers {
-            true => (0..workgroups[2]).into_par_iter().with_max_len(1).try_for_each(layer),
-            false => (0..x * y * z).into_par_iter().try_for_each(supervised),
+            true => (0..all as usize).into_par_iter().with_max_len(1).try_for_each(some),
+            false => (0..all as usize).into_par_iter().try_for_each(some),
         };
         self.pool.install(run_all).map_err(failed)
+    }
+
+    /// Runs `work` on one of the device's threads: its dispatches need not wake one up.
+    pub fn inside<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        self.pool.install(work)
     }
 }
 
@@ -127,24 +161,28 @@ fn bind(
 ) -> Result<Vec<CpuBinding<'static>>, String> {
     let mut buffers = buffers.iter();
     let mut bindings = Vec::with_capacity(info.bindings.len());
+    let mut memories = Vec::with_capacity(info.bindings.len());
     for binding in info.bindings {
-        let (data, bytes) = match binding.access {
-            Access::Uniform => (uniform.as_ptr().cast_mut(), uniform.len()),
+        let (whole, data, bytes) = match binding.access {
+            Access::Uniform => (uniform.as_ptr(), uniform.as_ptr().cast_mut(), uniform.len()),
             Access::Read | Access::Write => {
                 let buffer = buffers.next().expect("the typed dispatch binds every buffer");
                 let Memory::Cpu(memory) = &buffer.memory else {
                     panic!("the buffer `{}` belongs to a GPU", buffer.label)
                 };
-                (memory.data.as_ptr(), buffer.bytes as usize)
+                let whole = memory.data();
+                let begin = whole.wrapping_add(buffer.begin as usize);
+                (whole.cast_const(), begin, buffer.bytes as usize)
             }
         };
         bindings.push(CpuBinding { data, bytes, watch: None });
+        memories.push(whole);
     }
-    for (at, (binding, info_of)) in bindings.iter().zip(info.bindings).enumerate() {
-        for (other, info_of_other) in bindings.iter().zip(info.bindings).take(at) {
+    for (at, (memory, info_of)) in memories.iter().zip(info.bindings).enumerate() {
+        for (other, info_of_other) in memories.iter().zip(info.bindings).take(at) {
             let written = [info_of, info_of_other].iter().any(|info| info.access == Access::Write);
-            // GPUs refuse it, too
-            if binding.data == other.data && written {
+            // GPUs refuse it, too, even where the parts that are bound do not meet
+            if memory == other && written {
                 let names = (info_of_other.name, info_of.name);
                 return Err(format!(
                     "`{}` and `{}` are one buffer, and it is written",
@@ -169,43 +207,4 @@ fn races(
         written.then(|| Races::new(info, binding.bytes, invocations, layers))
     };
     info.bindings.iter().zip(bindings).map(watch).collect()
-}
-
-/// Aligned memory that kernels write through pointers.
-#[derive(Debug)]
-pub struct CpuMemory {
-    data: NonNull<u8>,
-    layout: Layout,
-}
-
-// SAFETY: plain bytes; kernels that run at the same time do not write to the same element
-unsafe impl Send for CpuMemory {}
-// SAFETY: as above
-unsafe impl Sync for CpuMemory {}
-
-impl CpuMemory {
-    fn zeroed(bytes: u64) -> Option<Self> {
-        // a cache line: enough for every element type, and for SIMD
-        let layout = Layout::from_size_align(usize::try_from(bytes).ok()?.max(64), 64).ok()?;
-        // SAFETY: the size is not zero
-        let data = NonNull::new(unsafe { alloc::alloc_zeroed(layout) })?;
-        Some(Self { data, layout })
-    }
-
-    pub fn bytes(&self) -> &[u8] {
-        // SAFETY: initialized at allocation, and dispatches have returned before the host reads
-        unsafe { std::slice::from_raw_parts(self.data.as_ptr(), self.layout.size()) }
-    }
-
-    pub fn bytes_mut(&mut self) -> &mut [u8] {
-        // SAFETY: as above
-        unsafe { std::slice::from_raw_parts_mut(self.data.as_ptr(), self.layout.size()) }
-    }
-}
-
-impl Drop for CpuMemory {
-    fn drop(&mut self) {
-        // SAFETY: allocated with this layout
-        unsafe { alloc::dealloc(self.data.as_ptr(), self.layout) }
-    }
 }

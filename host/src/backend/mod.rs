@@ -5,45 +5,41 @@
 mod buffer;
 mod coroutine;
 mod cpu;
+mod cpu_memory;
 mod gpu;
 mod open;
 mod supervise;
+mod timings;
 mod watch;
 
-use std::collections::BTreeMap;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use bytemuck::Pod;
-use organza_kernels::kernel::{Dispatch, KernelInfo};
+use organza_kernels::kernel::{Access, BindingInfo, Dispatch, KernelInfo};
 
+pub(crate) use buffer::TAIL_ALIGNMENT;
 pub use buffer::{Buffer, Host};
 pub use gpu::{AdapterInfo, adapters};
 pub use open::{BackendChoice, DeviceOptions, SpirvPath};
+pub use timings::KernelTime;
 
 use crate::error::Result;
+use crate::work::Work;
 use buffer::{Memory, RawBuffer};
+use timings::Timings;
 
 /// Where kernels run.
 #[derive(Debug)]
 pub struct Device {
     kind: Kind,
     choice: String,
-    /// Whether each dispatch on a GPU is waited for.
+    /// Whether dispatches are timed on a GPU, and their work is counted.
+    times: AtomicBool,
+    /// Whether a GPU's dispatches must be waited for to be timed.
     waits: AtomicBool,
-    timings: Mutex<BTreeMap<&'static str, (u64, Duration)>>,
-}
-
-/// What the dispatches of a kernel took.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct KernelTime {
-    /// The kernel.
-    pub kernel: &'static str,
-    /// How often it was dispatched.
-    pub dispatches: u64,
-    /// Seconds of all dispatches.
-    pub seconds: f64,
+    timings: Timings,
 }
 
 #[derive(Debug)]
@@ -54,7 +50,8 @@ enum Kind {
 
 impl Device {
     fn new(kind: Kind, choice: String) -> Self {
-        Self { kind, choice, waits: AtomicBool::new(false), timings: Mutex::default() }
+        let no = || AtomicBool::new(false);
+        Self { kind, choice, times: no(), waits: no(), timings: Timings::default() }
     }
 
     /// Opens the device that `options` ask for.
@@ -107,7 +104,7 @@ impl Device {
             Kind::Cpu(cpu) => Memory::Cpu(Arc::new(cpu.allocate(label, bytes)?)),
             Kind::Gpu(gpu) => Memory::Gpu(gpu.allocate(label, bytes)?),
         };
-        Ok(Buffer::new(RawBuffer { memory, label, bytes }))
+        Ok(Buffer::new(RawBuffer { memory, label, begin: 0, bytes }))
     }
 
     /// A buffer that holds `values`.
@@ -134,8 +131,8 @@ impl Device {
     pub fn clear<T: Pod>(&self, buffer: &Buffer<T>) {
         let raw = buffer.raw();
         match (&self.kind, &raw.memory) {
-            (Kind::Cpu(cpu), Memory::Cpu(memory)) => cpu.clear(memory),
-            (Kind::Gpu(gpu), Memory::Gpu(memory)) => gpu.clear(memory),
+            (Kind::Cpu(cpu), Memory::Cpu(memory)) => cpu.clear(memory, raw.begin, raw.bytes),
+            (Kind::Gpu(gpu), Memory::Gpu(memory)) => gpu.clear(memory, raw.begin, raw.bytes),
             _ => panic!("the buffer `{}` belongs to another device", raw.label),
         }
     }
@@ -162,7 +159,8 @@ impl Device {
         if len == 0 {
             return Ok(Vec::new());
         }
-        let (begin, bytes) = (first * size_of::<T>(), len * size_of::<T>());
+        let begin = buffer.raw().begin as usize + first * size_of::<T>();
+        let bytes = len * size_of::<T>();
         let mut values: Vec<T> = crate::memory::zeros(len, buffer.raw().label)?;
         let target: &mut [u8] = bytemuck::cast_slice_mut(&mut values);
         match (&self.kind, &buffer.raw().memory) {
@@ -190,23 +188,44 @@ impl Device {
         }
         let mut buffers = Vec::with_capacity(kernel.info().bindings.len());
         kernel.bind(&mut |buffer| buffers.push(buffer));
+        let (info, uniform) = (kernel.info(), kernel.uniform());
+        let times = self.times.load(Ordering::Relaxed);
+        let work = || match times {
+            true => Work::of(info, uniform, &elements(info, &buffers), workgroups[2]),
+            false => Work::default(),
+        };
         match &self.kind {
             Kind::Cpu(cpu) => {
                 let start = Instant::now();
-                let result = cpu.dispatch(kernel.info(), kernel.uniform(), &buffers, workgroups);
-                self.add_time(kernel.info().name, start.elapsed());
+                let result = cpu.dispatch(info, uniform, &buffers, workgroups);
+                self.timings.add(info.name, start.elapsed(), work());
                 result
             }
-            Kind::Gpu(gpu) if self.waits.load(Ordering::Relaxed) => {
+            Kind::Gpu(gpu) if times && self.waits.load(Ordering::Relaxed) => {
                 // what was queued before is not this kernel's time
                 gpu.wait()?;
                 let start = Instant::now();
-                gpu.dispatch(kernel.info(), kernel.uniform(), &buffers, workgroups)?;
+                gpu.dispatch(info, uniform, &buffers, workgroups)?;
                 gpu.wait()?;
-                self.add_time(kernel.info().name, start.elapsed());
+                self.timings.add(info.name, start.elapsed(), work());
                 Ok(())
             }
-            Kind::Gpu(gpu) => gpu.dispatch(kernel.info(), kernel.uniform(), &buffers, workgroups),
+            Kind::Gpu(gpu) => {
+                gpu.dispatch(info, uniform, &buffers, workgroups)?;
+                if times {
+                    // what it takes is known later
+                    self.timings.add(info.name, Duration::ZERO, work());
+                }
+                Ok(())
+            }
+        }
+    }
+
+    /// Runs `work`, which dispatches many kernels, where that is cheapest: on a CPU in one of the threads that run them.
+    pub(crate) fn inside<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        match &self.kind {
+            Kind::Cpu(cpu) => cpu.inside(work),
+            Kind::Gpu(_) => work(),
         }
     }
 
@@ -228,31 +247,27 @@ impl Device {
         self.dispatch(kernel, [size[0].div_ceil(x), size[1].div_ceil(y), size[2]])
     }
 
-    fn add_time(&self, kernel: &'static str, time: Duration) {
-        let mut timings = self.timings.lock().unwrap_or_else(PoisonError::into_inner);
-        let (dispatches, sum) = timings.entry(kernel).or_default();
-        *dispatches += 1;
-        *sum += time;
+    /// From now on, whether a GPU's dispatches are timed and every device's [`Work`] is counted; the CPU's times are always
+    /// there.  A GPU writes timestamps, so that nothing waits; where it has none, each dispatch is waited for: its time
+    /// has the way to the device and back, and the whole takes longer.
+    pub fn time_dispatches(&self, times: bool) {
+        if let Kind::Gpu(gpu) = &self.kind {
+            let has_timestamps = gpu.time_dispatches(times);
+            self.waits.store(!has_timestamps, Ordering::Relaxed);
+        }
+        self.times.store(times, Ordering::Relaxed);
     }
 
-    /// From now on, whether a GPU's dispatches are waited for one by one, so that [`Device::take_timings`] has their times,
-    /// the way to the device and back included: the whole takes longer.  The CPU's times are always there.
-    pub fn time_dispatches(&self, waits: bool) {
-        self.waits.store(waits, Ordering::Relaxed);
-    }
-
-    /// What the kernels have taken since the last call, by name.  A GPU's are queued, not waited for: there are none unless
-    /// [asked for](Device::time_dispatches).
+    /// What the kernels have taken since the last call, by name.  Waits for what was timed on a GPU; there is nothing unless
+    /// [asked for](Device::time_dispatches), nor of a device that was lost.
     #[must_use]
     pub fn take_timings(&self) -> Vec<KernelTime> {
-        let timings =
-            std::mem::take(&mut *self.timings.lock().unwrap_or_else(PoisonError::into_inner));
-        let time = |(kernel, (dispatches, time)): (&'static str, (u64, Duration))| KernelTime {
-            kernel,
-            dispatches,
-            seconds: time.as_secs_f64(),
-        };
-        timings.into_iter().map(time).collect()
+        if let Kind::Gpu(gpu) = &self.kind {
+            for (kernel, time) in gpu.take_times() {
+                self.timings.add_time(kernel, time);
+            }
+        }
+        self.timings.take()
     }
 
     /// Makes the device fail as a lost one does: for tests of what happens then.
@@ -262,6 +277,15 @@ impl Device {
             gpu.lose();
         }
     }
+}
+
+/// Elements of each buffer, in the order of the bindings.
+fn elements(info: &KernelInfo, buffers: &[&RawBuffer]) -> Vec<u64> {
+    let bindings = info.bindings.iter().filter(|binding| binding.access != Access::Uniform);
+    let count = |(binding, buffer): (&BindingInfo, &&RawBuffer)| {
+        buffer.bytes / u64::from(binding.element_bytes)
+    };
+    bindings.zip(buffers).map(count).collect()
 }
 
 /// Workgroups along x and y that hold `items` invocations; an axis ends at 65,535.

@@ -5,8 +5,7 @@ use std::cell::Cell;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Once;
 
-use organza_kernels::invocation::Invocation;
-use organza_kernels::place::{self, Place};
+use organza_kernels::place;
 
 thread_local! {
     /// Where the thread's last panic happened.
@@ -29,14 +28,9 @@ pub fn install() {
     });
 }
 
-/// Runs the workgroup that begins with an invocation.
-pub fn supervise(
-    kernel: &'static str,
-    first: Invocation,
-    workgroup: impl FnOnce() -> Result<(), String>,
-) -> Result<(), String> {
-    place::begin(Some(Place { kernel, id: first }));
-    let result = panic::catch_unwind(AssertUnwindSafe(workgroup));
+/// Runs workgroups, each of which says where it [begins](place::begin).
+pub fn supervise(workgroups: impl FnOnce() -> Result<(), String>) -> Result<(), String> {
+    let result = panic::catch_unwind(AssertUnwindSafe(workgroups));
     let result = result.unwrap_or_else(|payload| Err(describe(payload.as_ref())));
     place::begin(None);
     result

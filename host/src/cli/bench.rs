@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use organza::bench::{BenchOptions, Benchmark, KernelShare, measure, passes};
-use organza::{Camera, Result, Scene, TileBatch};
+use organza::bench::{BenchOptions, Benchmark, KernelShare, Synthetic, measure, passes};
+use organza::{Camera, DeviceOptions, Error, Result, Scene, TileBatch};
 
 use super::console::{print, print_json};
 use super::device::DeviceArgs;
@@ -13,6 +13,8 @@ use super::tiles::with_origin;
 
 const EXAMPLES: &str = "\
 Examples:
+  organza bench                                             no files needed
+  organza bench --every-device
   organza bench scene.safetensors cameras.json tiles.json
   organza bench scene.safetensors cameras.json tiles.json --backend cpu --threads 1 --json
   organza bench scene.safetensors cameras.json tiles.json --forward --repeat 20
@@ -20,20 +22,23 @@ Examples:
 Times are medians over the passes, after one that warms up. Forward ends with the tiles on the host. Forward and \
 backward is one pass, for the derivative of the tiles' sum (dLoss/dY = 1 everywhere), and ends with the gradients of \
 all tensors on the device. A kernel's share is that of the kernels' time. On the CPU kernels are timed in the same \
-passes; on a GPU in passes of their own, where each dispatch is waited for: with the way to the device and back in \
-every dispatch, they add up to more than a whole pass. Peak memory is the process's, reading the scene included; not \
-a GPU's.";
+passes; on a GPU in passes of their own, by timestamps that the GPU writes (where it has none, each dispatch is waited \
+for, and its time has the way to the device and back). GFLOP/s and GB/s are counted by formulas (docs/performance.md), \
+and `of peak` is the larger of their shares of what the device comes to in multiply-adds and in reading memory, which \
+is measured after the batch: what stays in caches may pass 100%. Peak memory is the process's, reading the scene \
+included; not a GPU's.";
 
 /// Measure how long a batch takes, forward and backward, and which kernels take it
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The scene, safetensors
-    scene: PathBuf,
+    /// The scene, safetensors [default: synthetic, 20,000 Gaussians in 64 tiles]
+    #[arg(requires = "tiles")]
+    scene: Option<PathBuf>,
     /// The cameras, nerfstudio's transforms.json
-    cameras: PathBuf,
+    cameras: Option<PathBuf>,
     /// The tiles, JSON
-    tiles: PathBuf,
+    tiles: Option<PathBuf>,
     /// Passes to take the median of
     #[arg(long, value_name = "N", default_value_t = 5)]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=100_000))]
@@ -41,6 +46,9 @@ pub struct Args {
     /// Measure forward alone
     #[arg(long)]
     forward: bool,
+    /// Measure the CPU, then each GPU that there is; JSON is a list then
+    #[arg(long, conflicts_with_all = ["backend", "adapter"])]
+    every_device: bool,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -48,21 +56,66 @@ pub struct Args {
     device: DeviceArgs,
 }
 
-pub fn run(args: &Args) -> Result<()> {
-    let console = args.device.console();
-    let batch = TileBatch::load(&args.tiles)?;
-    let cameras = Camera::load_all(&args.cameras)?;
-    batch.validate(&cameras).map_err(|error| with_origin(error, &args.tiles))?;
-    let scene = console.during("reading the scene", || Scene::load(&args.scene))?;
-    let renderer = args.device.open()?;
-    // the host's copy is not kept: it is not part of what rendering takes
-    let scene = renderer.upload(&{ scene })?;
-    let options = BenchOptions { repeat: args.repeat as usize, backward: !args.forward };
-    let benchmark = {
+/// What is rendered; the scene is read or made once for each device.
+struct Workload {
+    scene: Box<dyn Fn() -> Result<Scene>>,
+    cameras: Vec<Camera>,
+    batch: TileBatch,
+}
+
+impl Args {
+    fn workload(&self) -> Result<Workload> {
+        let (Some(scene), Some(cameras), Some(tiles)) = (&self.scene, &self.cameras, &self.tiles)
+        else {
+            let synthetic = Synthetic::new()?;
+            let (cameras, batch) = (synthetic.cameras.clone(), synthetic.batch.clone());
+            return Ok(Workload { scene: Box::new(move || synthetic.scene()), cameras, batch });
+        };
+        let batch = TileBatch::load(tiles)?;
+        let cameras = Camera::load_all(cameras)?;
+        batch.validate(&cameras).map_err(|error| with_origin(error, tiles))?;
+        let scene = scene.clone();
+        Ok(Workload { scene: Box::new(move || Scene::load(&scene)), cameras, batch })
+    }
+
+    /// What one device takes.
+    fn measure(&self, workload: &Workload, device: &DeviceOptions) -> Result<Benchmark> {
+        let console = self.device.console();
+        let scene = console.during("reading the scene", &workload.scene)?;
+        let renderer = self.device.open_as(device)?;
+        // the host's copy is not kept: it is not part of what rendering takes
+        let scene = renderer.upload(&{ scene })?;
+        let options = BenchOptions { repeat: self.repeat as usize, backward: !self.forward };
         let progress = console.progress(passes(renderer.device(), options) as u64, "passes");
         progress.say("measuring");
-        measure(&renderer, &scene, &cameras, &batch, options, &mut || progress.advance(1))?
-    };
+        let (cameras, batch) = (&workload.cameras, &workload.batch);
+        measure(&renderer, &scene, cameras, batch, options, &mut || progress.advance(1))
+    }
+
+    /// What each device takes that can be used.
+    fn measure_every(&self, workload: &Workload) -> Result<Vec<Benchmark>> {
+        let console = self.device.console();
+        let mut found = Vec::new();
+        for device in self.device.every()? {
+            match self.measure(workload, &device) {
+                Ok(benchmark) => found.push(benchmark),
+                // another may be of use
+                Err(error @ Error::NoGpu { .. }) => console.warn(&error.to_string()),
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(found)
+    }
+}
+
+pub fn run(args: &Args) -> Result<()> {
+    let workload = args.workload()?;
+    if args.every_device {
+        let found = args.measure_every(&workload)?;
+        let texts = || found.iter().map(text).collect::<Vec<_>>().join("\n");
+        return if args.json { print_json(&found) } else { print(&texts()) };
+    }
+    let benchmark = args.measure(&workload, &args.device.options()?)?;
     if args.json { print_json(&benchmark) } else { print(&text(&benchmark)) }
 }
 
@@ -89,6 +142,8 @@ fn text(benchmark: &Benchmark) -> String {
         row("forward and backward", seconds, benchmark.peak_memory_bytes);
     }
     text += &whole.to_string();
+    let (gflops, gbs) = (rate(Some(benchmark.peak_gflops)), rate(Some(benchmark.peak_gbs)));
+    text += &format!("\npeaks: {gflops} GFLOP/s, {gbs} GB/s\n");
     text += &format!("\nforward\n{}", table(&benchmark.forward_kernels));
     if benchmark.forward_backward_s.is_some() {
         text += &format!("\nforward and backward\n{}", table(&benchmark.kernels));
@@ -97,16 +152,30 @@ fn text(benchmark: &Benchmark) -> String {
 }
 
 fn table(kernels: &[KernelShare]) -> Table {
-    let mut table = Table::new(1, ["kernel", "dispatches", "seconds", "share"]);
+    let titles = ["kernel", "dispatches", "seconds", "share", "GFLOP/s", "GB/s", "of peak"];
+    let mut table = Table::new(1, titles);
     for kernel in kernels {
         table.row([
             kernel.name.to_owned(),
             grouped(kernel.dispatches),
             seconds(kernel.seconds),
             format!("{:.1}%", 100.0 * kernel.share),
+            rate(kernel.gflops),
+            rate(kernel.gbs),
+            kernel.peak_share.map_or("-".to_owned(), |share| format!("{:.0}%", 100.0 * share)),
         ]);
     }
     table
+}
+
+/// In three digits or more; a dash where it is not counted.
+fn rate(rate: Option<f64>) -> String {
+    match rate {
+        None => "-".to_owned(),
+        Some(rate) if rate < 10.0 => format!("{rate:.2}"),
+        Some(rate) if rate < 100.0 => format!("{rate:.1}"),
+        Some(rate) => grouped(rate.round() as u64),
+    }
 }
 
 /// Down to a microsecond.

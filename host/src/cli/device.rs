@@ -2,6 +2,7 @@
 
 use clap::ValueEnum;
 use clap::builder::PossibleValuesParser;
+use organza::backend::{AdapterInfo, adapters};
 use organza::{BackendChoice, Device, DeviceOptions, InstructionSet, Renderer, Result, SpirvPath};
 
 use super::console::Console;
@@ -60,14 +61,35 @@ impl DeviceArgs {
 
     /// Opens the device and says which it is.
     pub fn open(&self) -> Result<Renderer> {
-        let options = self.options()?;
+        self.open_as(&self.options()?)
+    }
+
+    /// Opens a device of [`Self::options`] or [`Self::every`] and says which it is.
+    pub fn open_as(&self, options: &DeviceOptions) -> Result<Renderer> {
         let console = self.console();
-        let device = console.during("opening the device", || Device::open(&options))?;
+        let device = console.during("opening the device", || Device::open(options))?;
         console.note(device.choice());
         Ok(Renderer::new(device))
     }
 
-    fn options(&self) -> Result<DeviceOptions> {
+    /// The CPU, then each GPU that there is.
+    pub fn every(&self) -> Result<Vec<DeviceOptions>> {
+        let options = self.options()?;
+        let cpu =
+            DeviceOptions { backend: BackendChoice::Cpu, spirv: None, adapter: None, ..options };
+        let gpu = |adapter: AdapterInfo| DeviceOptions {
+            adapter: Some(adapter.name),
+            ..DeviceOptions {
+                backend: BackendChoice::Gpu,
+                spirv: options.spirv,
+                ..Default::default()
+            }
+        };
+        Ok(std::iter::once(cpu).chain(adapters().into_iter().map(gpu)).collect())
+    }
+
+    /// What the options ask for.
+    pub fn options(&self) -> Result<DeviceOptions> {
         let asks_for_gpu = self.adapter.is_some() || self.spirv.is_some();
         let backend = match self.backend {
             Backend::Cpu if asks_for_gpu => {

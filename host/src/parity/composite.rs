@@ -179,6 +179,8 @@ impl Parity for Composite {
             tile: &bench.upload(&pack(&self.tiles))?,
             tile_first: &bench.upload(&self.tile_first)?,
             member: &bench.upload(&self.member)?,
+            // everywhere
+            cells: &bench.upload(&vec![u32::MAX; self.member.len()])?,
             splat: &bench.upload(self.splat.as_flattened())?,
             sum: &sum,
         };

@@ -12,7 +12,11 @@ use crate::error::Result;
 use crate::scene::{GridConfig, Interpolation};
 
 /// Rows before the features, which the kernel leaves alone.
-const FIRST_ROW: u32 = 3;
+const FIRST_ROW: usize = 3;
+/// Points of a chunk.
+const CHUNK: usize = 128;
+/// Distance of two rows of a chunk.
+const STRIDE: usize = CHUNK + 7;
 
 /// Inputs of `hash_grid`.
 #[derive(Clone, Debug)]
@@ -21,8 +25,6 @@ pub struct HashGrid {
     pub grid: GridConfig,
     /// Points.
     pub points: Vec<[Split; 3]>,
-    /// Distance of two rows.
-    pub stride: u32,
     /// `[entries, features]`
     pub table: Vec<f32>,
 }
@@ -48,6 +50,57 @@ pub(super) fn levels(grid: &GridConfig) -> Vec<GridLevel> {
     levels.iter().map(level).collect()
 }
 
+/// Rows of a chunk of features.
+fn rows(grid: &GridConfig) -> usize {
+    FIRST_ROW + grid.width()
+}
+
+/// Values of `[chunks, rows, STRIDE]` that hold so many points.
+fn len(rows: usize, points: usize) -> usize {
+    points.div_ceil(CHUNK) * rows * STRIDE
+}
+
+/// Where a point's value of a row lies in `[chunks, rows, STRIDE]`.
+fn at(rows: usize, row: usize, point: usize) -> usize {
+    (point / CHUNK * rows + row) * STRIDE + point % CHUNK
+}
+
+/// The parameters for so many points.
+pub(super) fn params(grid: &GridConfig, points: usize) -> HashGridParams {
+    HashGridParams {
+        points: points as u32,
+        stride: STRIDE as u32,
+        first_row: FIRST_ROW as u32,
+        features: grid.features,
+        smoothstep: u32::from(grid.interpolation == Interpolation::Smoothstep),
+        chunk: CHUNK as u32,
+        point_rows: POINT_ROWS,
+        rows: rows(grid) as u32,
+    }
+}
+
+/// Points as kernels read them.
+pub(super) fn positions(points: &[[Split; 3]]) -> Vec<f32> {
+    let mut position = vec![f32::NAN; len(POINT_ROWS as usize, points.len())];
+    for (point, coordinates) in points.iter().enumerate() {
+        for (axis, x) in coordinates.iter().enumerate() {
+            position[at(POINT_ROWS as usize, axis, point)] = x.coarse;
+            position[at(POINT_ROWS as usize, axis + 3, point)] = x.fine;
+        }
+    }
+    position
+}
+
+/// Features `[width, points]` as kernels read them.
+pub(super) fn features(grid: &GridConfig, points: usize, values: &[f32]) -> Vec<f32> {
+    let rows = rows(grid);
+    let mut features = vec![f32::NAN; len(rows, points)];
+    for (index, &value) in values.iter().enumerate() {
+        features[at(rows, FIRST_ROW + index / points, index % points)] = value;
+    }
+    features
+}
+
 impl HashGrid {
     fn new(grid: GridConfig, count: u32, points: Fill, table: Fill, random: &mut Random) -> Self {
         let x = points.values(random, 3 * count as usize, [-0.2, 1.2], 1e30);
@@ -56,7 +109,7 @@ impl HashGrid {
         let (points, _) = splits.as_chunks::<3>();
         let entries = grid.entries() * grid.features as usize;
         let table = table.values(random, entries, [-1.0, 1.0], 1e30);
-        Self { grid, points: points.to_vec(), stride: count + 7, table }
+        Self { grid, points: points.to_vec(), table }
     }
 
     /// A grid of each kind.
@@ -111,9 +164,11 @@ impl HashGrid {
     /// The place of an element of the output: level, feature and point; none where nothing is written.
     #[must_use]
     pub fn place(&self, index: usize) -> Option<(usize, usize, usize)> {
-        let (row, point) = (index / self.stride as usize, index % self.stride as usize);
-        let row = row.checked_sub(FIRST_ROW as usize)?;
-        let is_written = row < self.grid.width() && point < self.points.len();
+        let (chunk_row, column) = (index / STRIDE, index % STRIDE);
+        let rows = rows(&self.grid);
+        let point = chunk_row / rows * CHUNK + column;
+        let row = (chunk_row % rows).checked_sub(FIRST_ROW)?;
+        let is_written = column < CHUNK && point < self.points.len();
         let features = self.grid.features as usize;
         is_written.then_some((row / features, row % features, point))
     }
@@ -138,31 +193,16 @@ impl Parity for HashGrid {
     }
 
     fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let stride = self.stride as usize;
-        let mut position = vec![f32::NAN; POINT_ROWS as usize * stride];
-        for (column, point) in self.points.iter().enumerate() {
-            for (axis, x) in point.iter().enumerate() {
-                position[axis * stride + column] = x.coarse;
-                position[(axis + 3) * stride + column] = x.fine;
-            }
-        }
         let levels = self.levels();
-        let output = bench.output((FIRST_ROW as usize + self.grid.width()) * stride)?;
-        let points = self.points.len() as u32;
+        let output = bench.output(len(rows(&self.grid), self.points.len()))?;
         let kernel = HashGridKernel {
-            params: HashGridParams {
-                points,
-                stride: self.stride,
-                first_row: FIRST_ROW,
-                features: self.grid.features,
-                smoothstep: u32::from(self.grid.interpolation == Interpolation::Smoothstep),
-            },
+            params: params(&self.grid, self.points.len()),
             levels: &bench.upload(&levels)?,
             table: &bench.upload(&self.table)?,
-            position: &bench.upload(&position)?,
+            position: &bench.upload(&positions(&self.points))?,
             output: &output,
         };
-        bench.items(&kernel, points, levels.len() as u32)?;
+        bench.items(&kernel, kernel.params.points, levels.len() as u32)?;
         Ok(vec![Output::float("output", bench.read(&output)?)])
     }
 

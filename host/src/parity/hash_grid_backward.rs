@@ -1,6 +1,6 @@
 //! The cases of `hash_grid_backward` and `hash_grid_gradient`.
 
-use organza_kernels::hash_grid::{Corners, HashGridParams, POINT_ROWS};
+use organza_kernels::hash_grid::Corners;
 use organza_kernels::hash_grid_backward::{
     FLAG_BLOCK, HashGridBackwardKernel, HashGridGradientKernel, HashGridGradientParams,
 };
@@ -9,14 +9,11 @@ use organza_kernels::unit_cube::Split;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
-use super::hash_grid::{grid, levels};
+use super::hash_grid::{features, grid, levels, params, positions};
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output, Values};
 use crate::error::Result;
 use crate::scene::{GridConfig, Interpolation};
-
-/// Rows before the features' gradients, which the kernel does not read.
-const FIRST_ROW: u32 = 3;
 
 /// Inputs of `hash_grid_backward`.
 #[derive(Clone, Debug)]
@@ -102,33 +99,16 @@ impl Parity for HashGridBackward {
 
     fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
         let count = self.points.len();
-        let stride = count + 7;
-        let mut position = vec![f32::NAN; POINT_ROWS as usize * stride];
-        for (column, point) in self.points.iter().enumerate() {
-            for (axis, x) in point.iter().enumerate() {
-                position[axis * stride + column] = x.coarse;
-                position[(axis + 3) * stride + column] = x.fine;
-            }
-        }
-        let mut gradient = vec![f32::NAN; (FIRST_ROW as usize + self.grid.width()) * stride];
-        for (row, values) in self.gradient.chunks(count.max(1)).enumerate() {
-            gradient[(FIRST_ROW as usize + row) * stride..][..count].copy_from_slice(values);
-        }
+        let gradient = features(&self.grid, count, &self.gradient);
         let levels = levels(&self.grid);
         let sum = bench.output_of(&vec![0_u32; 2 * self.values()])?;
         let blocks = self.values().div_ceil(FLAG_BLOCK as usize);
         let touched = bench.output_of(&vec![0_u32; blocks])?;
         let status = bench.output_of(&[0_u32])?;
         let kernel = HashGridBackwardKernel {
-            params: HashGridParams {
-                points: count as u32,
-                stride: stride as u32,
-                first_row: FIRST_ROW,
-                features: self.grid.features,
-                smoothstep: u32::from(self.grid.interpolation == Interpolation::Smoothstep),
-            },
+            params: params(&self.grid, count),
             levels: &bench.upload(&levels)?,
-            position: &bench.upload(&position)?,
+            position: &bench.upload(&positions(&self.points))?,
             feature_gradient: &bench.upload(&gradient)?,
             scale: &bench.upload(&[self.scale, 1.0 / self.scale, f32::MAX])?,
             sum: &sum,

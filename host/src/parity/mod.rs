@@ -20,6 +20,7 @@ pub mod inputs;
 pub mod loss;
 mod measure;
 pub mod pair;
+pub mod peak;
 pub mod project;
 pub mod project_backward;
 mod report;
@@ -29,6 +30,7 @@ pub mod segment;
 pub mod splat;
 pub mod ssim;
 pub mod tile;
+pub mod tile_cells;
 pub mod transmittance;
 pub mod transmittance_backward;
 
@@ -58,6 +60,7 @@ pub fn cases() -> Vec<Case> {
         Case::of::<transmittance::TransmittanceHead>(),
         Case::of::<transmittance::SegmentProduct>(),
         Case::of::<splat::Splat>(),
+        Case::of::<tile_cells::TileCells>(),
         Case::of::<composite::Composite>(),
         Case::of::<resolve::Resolve>(),
         Case::of::<loss::LossTerms>(),
@@ -85,5 +88,7 @@ pub fn cases() -> Vec<Case> {
         Case::of::<composite_backward::CompositeBackward>(),
         Case::of::<splat::SplatBackward>(),
         Case::of::<project_backward::ProjectBackward>(),
+        Case::of::<peak::PeakMultiplyAdd>(),
+        Case::of::<peak::PeakRead>(),
     ]
 }

@@ -3,7 +3,7 @@
 use super::part::Part;
 use super::plan::{Plan, PlannedTile};
 use super::project::project_backward;
-use super::{DeviceScene, Loss, LossInputs, Renderer, SceneGradient, TileLoss, color};
+use super::{DeviceScene, Loss, LossInputs, Renderer, SceneGradient, TileLoss};
 use crate::backend::{Buffer, Device};
 use crate::camera::Camera;
 use crate::error::{Error, Result};
@@ -32,7 +32,7 @@ impl Part {
         )?;
         project_backward(device, scene, bins, &pair_gradient, gradient)?;
         let (pairs, mask) = (&bins.pairs, &bins.pair_mask);
-        color::backward(device, scene, pairs, mask, &self.color, &pair_gradient, gradient)?;
+        self.color.backward(device, scene, pairs, mask, &pair_gradient, gradient)?;
         if gradient.has_transmittance {
             transmittance.backward(device, scene, bins, &pair_gradient, gradient)?;
         }
@@ -126,12 +126,13 @@ impl Renderer {
         gradient: &SceneGradient,
     ) -> Result<()> {
         let device = self.device();
-        plans.iter().try_for_each(|plan| {
-            let part = Part::evaluate(device, scene, cameras, plan)?;
+        let add = |plan: &Plan| {
+            let part = Part::evaluate(device, scene, cameras, plan, true)?;
             let pixels = of_tiles(grad_output, &plan.tiles, 3 * (plan.side * plan.side) as usize);
             let pixels = device.upload("gradient of the tiles", &pixels)?;
             part.backward(device, scene, plan.side, &pixels, gradient)
-        })
+        };
+        device.inside(|| plans.iter().try_for_each(add))
     }
 
     /// Adds the gradients of a batch's loss to `gradient`; returns the losses of the tiles, by camera.
@@ -150,8 +151,8 @@ impl Renderer {
         let device = self.device();
         let area = (batch.side * batch.side) as usize;
         let mut losses = Vec::with_capacity(batch.tiles.len());
-        for plan in Plan::split(device, scene, batch, self.part_bytes)? {
-            let part = Part::evaluate(device, scene, cameras, &plan)?;
+        let add = |plan: &Plan| {
+            let part = Part::evaluate(device, scene, cameras, plan, true)?;
             let image =
                 device.upload("photographs", &of_tiles(target.image, &plan.tiles, 3 * area))?;
             let valid = device.upload("masks", &of_tiles(target.valid, &plan.tiles, area))?;
@@ -164,7 +165,10 @@ impl Renderer {
             };
             let output = loss.evaluate(device, &inputs)?;
             part.backward(device, scene, plan.side, &output.grad_image, gradient)?;
-            losses.extend(output.sums(device)?);
+            output.sums(device)
+        };
+        for plan in Plan::split(device, scene, batch, self.part_bytes)? {
+            losses.extend(device.inside(|| add(&plan))?);
         }
         Ok(losses)
     }

@@ -11,67 +11,82 @@ use organza_kernels::color_backward::{
 
 use super::DeviceScene;
 use super::bin::{Mask, Pairs};
-use super::field::{Rows, Scratch};
+use super::block::{Blocks, Chunk};
+use super::field::Scratch;
 use super::field_backward::BackwardScratch;
 use super::gradient::SceneGradient;
 use super::pair::sum_pairs;
 use crate::backend::{Buffer, Device};
 use crate::error::Result;
 
-/// `[pairs, 3]`
-pub fn evaluate(device: &Device, scene: &DeviceScene, pairs: &Pairs) -> Result<Buffer<f32>> {
-    evaluate_with(device, scene, pairs, &mut |_, _, _| Ok(()))
+/// Color of every pair.
+#[derive(Debug)]
+pub struct Color {
+    /// `[pairs, 3]`
+    pub color: Buffer<f32>,
+    /// Positions, and what the network reads.
+    blocks: Blocks,
 }
 
-/// As [`evaluate`]; shows `visit` the network's input of each chunk: first pair, pairs, and the scratch memory.
-pub fn evaluate_with(
-    device: &Device,
-    scene: &DeviceScene,
-    pairs: &Pairs,
-    visit: &mut dyn FnMut(u32, u32, &Scratch) -> Result<()>,
-) -> Result<Buffer<f32>> {
-    let (config, field) = (&scene.config, &scene.color);
-    let color = device.zeros("color", pairs.count as usize * 3)?;
-    let scratch = Scratch::new(device, field, config.color_inputs(), pairs.count)?;
-    let grid_row = config.sh_width() as u32;
-    let head = field.head();
-    for (first_pair, samples) in scratch.chunks(pairs.count) {
-        inputs(device, scene, pairs, first_pair, samples, scratch.rows())?;
-        field.encode(device, scratch.rows(), samples, grid_row)?;
-        visit(first_pair, samples, &scratch)?;
-        let kernel = ColorHeadKernel {
-            params: ColorHeadParams {
-                samples,
-                first_pair,
-                stride: scratch.stride,
-                inputs: head.inputs,
-                weight: head.weight,
-                bias: head.bias,
-            },
-            parameters: &field.parameters,
-            input: field.hidden(device, &scratch, samples)?,
-            color: &color,
-        };
-        device.run(&kernel, samples, 1)?;
+impl Color {
+    /// `keep` says whether [`Color::backward`] will be called: what it needs is kept, as far as there is room.
+    pub fn evaluate(
+        device: &Device,
+        scene: &DeviceScene,
+        pairs: &Pairs,
+        keep: bool,
+    ) -> Result<Self> {
+        Self::evaluate_with(device, scene, pairs, keep, &mut |_| Ok(()))
     }
-    Ok(color)
+
+    /// As [`Color::evaluate`]; shows `visit` each chunk with the network's input.
+    pub fn evaluate_with(
+        device: &Device,
+        scene: &DeviceScene,
+        pairs: &Pairs,
+        keep: bool,
+        visit: &mut dyn FnMut(&Chunk) -> Result<()>,
+    ) -> Result<Self> {
+        let (config, field) = (&scene.config, &scene.color);
+        let color = device.zeros("color", pairs.count as usize * 3)?;
+        let blocks = Blocks::new(device, config.color_inputs(), pairs.count, keep)?;
+        let scratch = Scratch::new(device, field, blocks.layout())?;
+        let head = field.head();
+        for block in blocks.iter() {
+            for chunk in block.chunks() {
+                inputs(device, scene, pairs, &chunk)?;
+            }
+            field.encode(device, block, config.sh_width() as u32)?;
+            for chunk in block.chunks() {
+                visit(&chunk)?;
+                let kernel = ColorHeadKernel {
+                    params: ColorHeadParams {
+                        samples: chunk.samples,
+                        first_pair: chunk.first,
+                        stride: chunk.stride,
+                        inputs: head.inputs,
+                        weight: head.weight,
+                        bias: head.bias,
+                    },
+                    parameters: &field.parameters,
+                    input: field.hidden(device, &scratch, &chunk)?,
+                    color: &color,
+                };
+                device.run(&kernel, chunk.samples, 1)?;
+            }
+        }
+        Ok(Self { color, blocks })
+    }
 }
 
 /// What does not come from the hash grid, for a chunk of pairs: `point [6, stride]`, `input [rows, stride]`.
-fn inputs(
-    device: &Device,
-    scene: &DeviceScene,
-    pairs: &Pairs,
-    first_pair: u32,
-    samples: u32,
-    rows: Rows<'_>,
-) -> Result<()> {
+fn inputs(device: &Device, scene: &DeviceScene, pairs: &Pairs, chunk: &Chunk) -> Result<()> {
     let config = &scene.config;
     let kernel = ColorInputsKernel {
         params: ColorInputsParams {
-            pairs: samples,
-            first_pair,
-            stride: rows.stride,
+            pairs: chunk.samples,
+            first_pair: chunk.first,
+            stride: chunk.stride,
             gaussians: scene.gaussians,
             sh_degree: config.sh_degree,
             material: config.material,
@@ -82,58 +97,84 @@ fn inputs(
         scene_box: &scene.scene_box,
         position: &scene.position,
         material: &scene.material,
-        point: rows.point,
-        input: rows.input,
+        point: &chunk.point,
+        input: &chunk.input,
     };
-    device.run(&kernel, samples, 1)
+    device.run(&kernel, chunk.samples, 1)
 }
 
-/// Adds the gradients of the color field and of the materials, of `pair_gradient [pairs, 3]` (see
-/// [`splat_backward`](organza_kernels::splat)); `color [pairs, 3]` is what [`evaluate`] returned, `mask` says which
-/// pairs there are.
-pub fn backward(
+impl Color {
+    /// Adds the gradients of the color field and of the materials, of `pair_gradient [pairs, 3]` (see
+    /// [`splat_backward`](organza_kernels::splat)); `mask` says which pairs there are.
+    pub fn backward(
+        &self,
+        device: &Device,
+        scene: &DeviceScene,
+        pairs: &Pairs,
+        mask: &Mask,
+        pair_gradient: &Buffer<Vec4>,
+        gradient: &SceneGradient,
+    ) -> Result<()> {
+        if pairs.count == 0 {
+            return Ok(());
+        }
+        let (config, field) = (&scene.config, &scene.color);
+        let (grid_row, material) = (config.sh_width() as u32, config.material);
+        let scratch = BackwardScratch::new(device, field, self.blocks.layout())?;
+        let pair_material =
+            device.zeros("gradient of the pairs' material", (pairs.count * material) as usize)?;
+        let table = &gradient.color.table;
+        table.set_scale(device, field, pair_gradient, None, pairs.count, pairs.count)?;
+        for block in self.blocks.iter() {
+            if !block.is_kept {
+                for chunk in block.chunks() {
+                    inputs(device, scene, pairs, &chunk)?;
+                }
+                field.encode(device, block, grid_row)?;
+            }
+            for chunk in block.chunks() {
+                field.activate(device, &scratch, &chunk)?;
+                let params = ColorHeadBackwardParams {
+                    samples: chunk.samples,
+                    first_pair: chunk.first,
+                    stride: chunk.stride,
+                };
+                let logit_gradient = &scratch.logit_gradient;
+                let color = &self.color;
+                let head = ColorHeadBackwardKernel { params, color, pair_gradient, logit_gradient };
+                device.run(&head, chunk.samples, 1)?;
+                field.backward(device, &scratch, &chunk, grid_row, &gradient.color)?;
+                material_backward(device, scene, &scratch, &chunk, &pair_material)?;
+            }
+            field.encode_backward(device, &scratch, block, grid_row, &gradient.color)?;
+        }
+        table.finish(device)?;
+        sum_pairs(device, scene, mask, material, &pair_material, &gradient.material)
+    }
+}
+
+/// The gradients of the pairs' materials, for a chunk of pairs.
+fn material_backward(
     device: &Device,
     scene: &DeviceScene,
-    pairs: &Pairs,
-    mask: &Mask,
-    color: &Buffer<f32>,
-    pair_gradient: &Buffer<Vec4>,
-    gradient: &SceneGradient,
+    scratch: &BackwardScratch,
+    chunk: &Chunk,
+    pair_material: &Buffer<f32>,
 ) -> Result<()> {
-    if pairs.count == 0 {
+    let config = &scene.config;
+    if config.material == 0 {
         return Ok(());
     }
-    let (config, field) = (&scene.config, &scene.color);
-    let (grid_row, material) = (config.sh_width() as u32, config.material);
-    let material_row = grid_row + config.color_grid.width() as u32;
-    let scratch = BackwardScratch::new(device, field, pairs.count)?;
-    let stride = scratch.stride;
-    let pair_material =
-        device.zeros("gradient of the pairs' material", (pairs.count * material) as usize)?;
-    let table = &gradient.color.table;
-    table.set_scale(device, field, pair_gradient, None, pairs.count, pairs.count)?;
-    for (first_pair, samples) in scratch.chunks(pairs.count) {
-        inputs(device, scene, pairs, first_pair, samples, scratch.rows())?;
-        field.activate(device, &scratch, samples, grid_row)?;
-        let head = ColorHeadBackwardKernel {
-            params: ColorHeadBackwardParams { samples, first_pair, stride },
-            color,
-            pair_gradient,
-            logit_gradient: &scratch.logit_gradient,
-        };
-        device.run(&head, samples, 1)?;
-        field.backward(device, &scratch, samples, grid_row, &gradient.color)?;
-        if material > 0 {
-            let params =
-                MaterialBackwardParams { samples, first_pair, stride, material, material_row };
-            let kernel = MaterialBackwardKernel {
-                params,
-                input_gradient: &scratch.input_gradient,
-                pair_material: &pair_material,
-            };
-            device.run(&kernel, samples, 1)?;
-        }
-    }
-    table.finish(device)?;
-    sum_pairs(device, scene, mask, material, &pair_material, &gradient.material)
+    let kernel = MaterialBackwardKernel {
+        params: MaterialBackwardParams {
+            samples: chunk.samples,
+            first_pair: chunk.first,
+            stride: chunk.stride,
+            material: config.material,
+            material_row: (config.sh_width() + config.color_grid.width()) as u32,
+        },
+        input_gradient: &scratch.input_gradient(&scene.color, chunk),
+        pair_material,
+    };
+    device.run(&kernel, chunk.samples, 1)
 }

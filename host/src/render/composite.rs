@@ -10,6 +10,7 @@ use organza_kernels::resolve::{ResolveBackwardKernel, ResolveKernel, ResolvePara
 use organza_kernels::splat::{
     SplatBackwardKernel, SplatBackwardParams, SplatKernel, SplatParams, VECTORS,
 };
+use organza_kernels::tile_cells::{TileCellsKernel, TileCellsParams};
 
 use super::DeviceScene;
 use super::bin::Bins;
@@ -51,6 +52,17 @@ impl Composite {
         device.run(&kernel, pairs.count, 1)?;
 
         let tiles = bins.first.len() - 1;
+        let cells = device.zeros("cells", bins.members() as usize)?;
+        let kernel = TileCellsKernel {
+            params: TileCellsParams { members: bins.members(), tiles: tiles as u32, side },
+            tile: &bins.tile,
+            tile_first: &bins.tile_first,
+            member: &bins.member,
+            splat: &splat,
+            cells: &cells,
+        };
+        device.run(&kernel, bins.members(), 1)?;
+
         let pixels = tiles * (side * side) as usize;
         let sum = device.zeros("sums", pixels * SUM_PLANES as usize)?;
         for pass in 0..bins.largest().div_ceil(MAX_MEMBERS) {
@@ -59,6 +71,7 @@ impl Composite {
                 tile: &bins.tile,
                 tile_first: &bins.tile_first,
                 member: &bins.member,
+                cells: &cells,
                 splat: &splat,
                 sum: &sum,
             };

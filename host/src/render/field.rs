@@ -1,9 +1,10 @@
-//! A hash grid and its network on a device, evaluated chunk by chunk.
+//! A hash grid and its network on a device: the grid block by block, the network chunk by chunk.
 
 use glam::Vec4;
 use organza_kernels::dense::{DenseKernel, DenseParams, HIDDEN_BLOCK};
-use organza_kernels::hash_grid::{GridLevel, HashGridKernel, HashGridParams, POINT_ROWS};
+use organza_kernels::hash_grid::{GridLevel, HashGridKernel, HashGridParams};
 
+use super::block::{BlockOf, Chunk, Layout, ROWS_OF_POINT};
 use crate::backend::{Buffer, Device};
 use crate::error::Result;
 use crate::scene::{Field, GridConfig, Interpolation, Network};
@@ -63,48 +64,51 @@ impl DeviceField {
         self.layers[self.layers.len() - 1]
     }
 
-    /// Rows of activations that evaluating `inputs` takes, in each of the scratch's two buffers.
-    fn rows(&self, inputs: usize) -> usize {
-        let hidden =
-            self.layers[..self.layers.len() - 1].iter().map(|layer| layer.columns as usize * 4);
-        hidden.fold(inputs, usize::max)
+    /// Rows of the widest hidden layer.
+    pub(super) fn widest(&self) -> u32 {
+        let hidden = &self.layers[..self.layers.len() - 1];
+        hidden.iter().map(|layer| layer.columns * 4).max().unwrap_or(0)
     }
 
-    /// Writes the hash features of a chunk's points to the rows of its input from `first_row` on.
-    pub fn encode(
-        &self,
-        device: &Device,
-        rows: Rows<'_>,
-        points: u32,
-        first_row: u32,
-    ) -> Result<()> {
+    /// The hash grid's parameters for a block, whose features begin at `first_row`.
+    pub(super) fn grid_params(&self, block: BlockOf<'_>, first_row: u32) -> HashGridParams {
+        let layout = block.block.layout;
+        HashGridParams {
+            points: block.samples,
+            stride: layout.stride,
+            first_row,
+            features: self.features,
+            smoothstep: u32::from(self.smoothstep),
+            chunk: layout.chunk,
+            point_rows: ROWS_OF_POINT,
+            rows: block.block.rows,
+        }
+    }
+
+    /// Writes the hash features of a block's points to the rows of its input from `first_row` on.
+    pub fn encode(&self, device: &Device, block: BlockOf<'_>, first_row: u32) -> Result<()> {
         let kernel = HashGridKernel {
-            params: HashGridParams {
-                points,
-                stride: rows.stride,
-                first_row,
-                features: self.features,
-                smoothstep: u32::from(self.smoothstep),
-            },
+            params: self.grid_params(block, first_row),
             levels: &self.levels,
             table: &self.table,
-            position: rows.point,
-            output: rows.input,
+            position: &block.block.point,
+            output: &block.block.input,
         };
-        device.run(&kernel, points, self.levels.len() as u32)
+        device.run(&kernel, block.samples, self.levels.len() as u32)
     }
 
-    /// Runs the hidden layers over `scratch.input`; returns the last one's activations.
+    /// Runs the hidden layers over a chunk's input; returns the last one's activations.
     pub fn hidden<'s>(
         &self,
         device: &Device,
         scratch: &'s Scratch,
-        samples: u32,
+        chunk: &'s Chunk,
     ) -> Result<&'s Buffer<f32>> {
-        let (mut input, mut output) = (&scratch.input, &scratch.output);
-        for layer in &self.layers[..self.layers.len() - 1] {
-            self.layer(device, layer, input, output, scratch.stride, samples)?;
-            (input, output) = (output, input);
+        let mut input = &chunk.input;
+        for (index, layer) in self.layers[..self.layers.len() - 1].iter().enumerate() {
+            let output = &scratch.activation[index % 2];
+            self.layer(device, layer, input, output, chunk.stride, chunk.samples)?;
+            input = output;
         }
         Ok(input)
     }
@@ -132,66 +136,20 @@ impl DeviceField {
     }
 }
 
-/// What a chunk's network reads.
-#[derive(Clone, Copy, Debug)]
-pub struct Rows<'a> {
-    /// `[6, stride]`, and what else a stage puts behind it.
-    pub point: &'a Buffer<f32>,
-    /// `[inputs, stride]`
-    pub input: &'a Buffer<f32>,
-    pub stride: u32,
-}
-
-/// Activations of one chunk, `[rows, stride]` each, and the chunk's points and `s_factor`, `[7, stride]`.
+/// Activations of one chunk, of two hidden layers next to each other: `[rows, stride]` each.
 #[derive(Debug)]
 pub struct Scratch {
-    pub point: Buffer<f32>,
-    pub input: Buffer<f32>,
-    output: Buffer<f32>,
-    pub stride: u32,
-    /// Samples of a chunk.
-    pub chunk: u32,
+    activation: [Buffer<f32>; 2],
 }
 
 impl Scratch {
-    /// Enough for chunks of at most `samples` samples with `inputs` inputs.
-    pub fn new(device: &Device, field: &DeviceField, inputs: usize, samples: u32) -> Result<Self> {
-        // a CPU's chunk stays in its caches; a GPU's fills it
-        let largest: u32 = if device.is_cpu_like() { 1 << 12 } else { 1 << 17 };
-        let chunk = samples.min(largest);
-        let stride = stride_of(chunk);
-        let rows = field.rows(inputs);
+    /// For chunks of this layout.
+    pub fn new(device: &Device, field: &DeviceField, layout: Layout) -> Result<Self> {
+        let len = field.widest() as usize * layout.stride as usize;
         Ok(Self {
-            point: device.zeros("points", (POINT_ROWS as usize + 1) * stride as usize)?,
-            input: device.zeros("network input", rows * stride as usize)?,
-            output: device.zeros("network output", rows * stride as usize)?,
-            stride,
-            chunk,
+            activation: [device.zeros("activations", len)?, device.zeros("activations", len)?],
         })
     }
-
-    /// What the network reads.
-    pub fn rows(&self) -> Rows<'_> {
-        Rows { point: &self.point, input: &self.input, stride: self.stride }
-    }
-
-    /// The chunks of `samples` samples: first and count.
-    pub fn chunks(&self, samples: u32) -> impl Iterator<Item = (u32, u32)> + use<> {
-        chunks(self.chunk, samples)
-    }
-}
-
-/// Distance of two rows of a chunk's activations.
-pub fn stride_of(chunk: u32) -> u32 {
-    // not a power of two: rows would fall into the same sets of a cache
-    chunk.next_multiple_of(16) + 16
-}
-
-/// `samples` samples, `chunk` at a time: first and count.
-pub fn chunks(chunk: u32, samples: u32) -> impl Iterator<Item = (u32, u32)> {
-    let chunk = chunk.max(1);
-    (0..samples.div_ceil(chunk))
-        .map(move |index| (index * chunk, chunk.min(samples - index * chunk)))
 }
 
 /// A network's parameters as [`organza_kernels::dense`] reads them.

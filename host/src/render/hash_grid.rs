@@ -20,7 +20,7 @@ const _: () = assert!(MAX_LAYERS as usize == MAX_HIDDEN_LAYERS + 1);
 
 /// Gradient of a hash grid's table.
 ///
-/// For each part of a batch: [`set_scale`](Self::set_scale), then [`accumulate`](Self::accumulate) for each chunk, then
+/// For each part of a batch: [`set_scale`](Self::set_scale), then [`accumulate`](Self::accumulate) for each block, then
 /// [`finish`](Self::finish).  Nothing of it waits for the device.
 #[derive(Debug)]
 pub struct HashGridGradient {
@@ -101,29 +101,20 @@ impl HashGridGradient {
         device.run(&kernel, 1, 1)
     }
 
-    /// Adds the gradients of a chunk of samples to the sums.
+    /// Adds the gradients of a block of samples to the sums.
     ///
-    /// `points [6, stride]`, as [`DeviceField::encode`] takes them; `feature_gradient [rows, stride]`, from `first_row` on
-    /// those of the grid's features.
-    #[allow(clippy::too_many_arguments)]
+    /// `points` as [`DeviceField::encode`] takes them; `feature_gradient [chunks, rows, stride]`, from
+    /// `params.first_row` on those of the grid's features.
     pub fn accumulate(
         &self,
         device: &Device,
         field: &DeviceField,
+        params: HashGridParams,
         points: &Buffer<f32>,
         feature_gradient: &Buffer<f32>,
-        first_row: u32,
-        stride: u32,
-        samples: u32,
     ) -> Result<()> {
         let kernel = HashGridBackwardKernel {
-            params: HashGridParams {
-                points: samples,
-                stride,
-                first_row,
-                features: field.features,
-                smoothstep: u32::from(field.smoothstep),
-            },
+            params,
             levels: &field.levels,
             position: points,
             feature_gradient,
@@ -132,7 +123,7 @@ impl HashGridGradient {
             touched: &self.touched,
             status: &self.status,
         };
-        device.run(&kernel, samples, field.levels.len() as u32)
+        device.run(&kernel, params.points, field.levels.len() as u32)
     }
 
     /// Adds the sums to the gradient, and clears them.
@@ -207,8 +198,17 @@ mod tests {
             let (pair, all) = (pair.expect("memory"), 2 * samples);
             table.set_scale(&device, &field, &pair, Some(&transmittance), 1, all).expect("a scale");
             for chunk in [samples, samples - 3] {
-                let added = table.accumulate(&device, &field, &points, &rows, 1, STRIDE, chunk);
-                added.expect("a sum");
+                let params = HashGridParams {
+                    points: chunk,
+                    stride: STRIDE,
+                    first_row: 1,
+                    features: 2,
+                    smoothstep: 0,
+                    chunk: 64,
+                    point_rows: 6,
+                    rows: 5,
+                };
+                table.accumulate(&device, &field, params, &points, &rows).expect("a sum");
             }
             table.finish(&device).expect("a gradient");
         }

@@ -7,10 +7,11 @@ use organza_kernels::splat::VECTORS;
 use organza_kernels::tile::Tile as KernelTile;
 
 use super::bin::{Pairs, project};
+use super::color::Color;
 use super::part::Part;
 use super::plan::Plan;
 use super::transmittance::Transmittance;
-use super::{DeviceScene, Renderer, color};
+use super::{DeviceScene, Renderer};
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::tile::{Tile, TileBatch};
@@ -99,14 +100,14 @@ impl Renderer {
             camera,
             projection,
         };
-        let transmittance = Transmittance::evaluate(device, scene, &pairs)?;
+        let transmittance = Transmittance::evaluate(device, scene, &pairs, false)?;
 
         let (sh_width, grid_width) = (scene.config.sh_width(), scene.config.color_grid.width());
         let (mut sh, mut color_encoding) = (Vec::new(), Vec::new());
-        let color = color::evaluate_with(device, scene, &pairs, &mut |_, count, scratch| {
-            let rows = device.read(&scratch.input)?;
-            for sample in 0..count as usize {
-                let column = |row: usize| rows[row * scratch.stride as usize + sample];
+        let color = Color::evaluate_with(device, scene, &pairs, false, &mut |chunk| {
+            let rows = device.read(&chunk.input)?;
+            for sample in 0..chunk.samples as usize {
+                let column = |row: usize| rows[row * chunk.stride as usize + sample];
                 sh.extend((0..sh_width).map(column));
                 color_encoding.extend((sh_width..sh_width + grid_width).map(column));
             }
@@ -118,7 +119,7 @@ impl Renderer {
         Ok(Stages {
             sh,
             color_encoding,
-            color: device.read(&color)?,
+            color: device.read(&color.color)?,
             sample_count: first.windows(2).map(|range| range[1] - range[0]).collect(),
             transmittance: device.read(&transmittance.transmittance)?,
             mean2d: projection.iter().step_by(2).map(|p| [p.x, p.y]).collect(),
@@ -142,12 +143,12 @@ impl Renderer {
         let batch = TileBatch { side: 1, tiles: vec![Tile { camera, origin: pixel }] };
         batch.validate(cameras)?;
         let plans = Plan::split(device, scene, &batch, self.part_bytes)?;
-        let part = Part::evaluate(device, scene, cameras, &plans[0])?;
+        let part = Part::evaluate(device, scene, cameras, &plans[0], false)?;
 
         let pair = device.read(&part.bins.pairs.pair)?;
         let first = device.read(&part.transmittance.first_sample)?;
         let transmittance = device.read(&part.transmittance.transmittance)?;
-        let color = device.read(&part.color)?;
+        let color = device.read(&part.color.color)?;
         let (color, _) = color.as_chunks::<3>();
         let splat = device.read(&part.composite.splat)?;
         let opacity = device.read(&scene.opacity)?;

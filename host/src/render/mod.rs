@@ -2,6 +2,7 @@
 
 mod backward;
 mod bin;
+mod block;
 mod color;
 mod composite;
 mod field;
@@ -137,7 +138,8 @@ impl Renderer {
         let mut report = RenderReport::default();
         let mut plans = Plan::split(&self.device, scene, batch, self.part_bytes)?;
         while let Some(plan) = plans.pop() {
-            match part::render(&self.device, scene, cameras, &plan) {
+            let device = &*self.device;
+            match device.inside(|| part::render(device, scene, cameras, &plan)) {
                 Ok((pixels, part)) => {
                     for (place, tile) in pixels.chunks_exact(area).zip(&plan.tiles) {
                         data[tile.place * area..][..area].copy_from_slice(place);

@@ -1,11 +1,12 @@
 //! Renders one part of a batch, stage by stage.
 
 use super::bin::Bins;
+use super::color::Color;
 use super::composite::Composite;
 use super::plan::Plan;
 use super::transmittance::Transmittance;
-use super::{DeviceScene, RenderReport, color};
-use crate::backend::{Buffer, Device};
+use super::{DeviceScene, RenderReport};
+use crate::backend::Device;
 use crate::camera::Camera;
 use crate::error::Result;
 
@@ -14,22 +15,30 @@ use crate::error::Result;
 pub struct Part {
     pub bins: Bins,
     pub transmittance: Transmittance,
-    pub color: Buffer<f32>,
+    pub color: Color,
     pub composite: Composite,
 }
 
 impl Part {
+    /// `keep` says whether [`Part::backward`] will be called.
     pub fn evaluate(
         device: &Device,
         scene: &DeviceScene,
         cameras: &[Camera],
         plan: &Plan,
+        keep: bool,
     ) -> Result<Self> {
         let bins = Bins::new(device, scene, cameras, plan)?;
-        let transmittance = Transmittance::evaluate(device, scene, &bins.pairs)?;
-        let color = color::evaluate(device, scene, &bins.pairs)?;
-        let composite =
-            Composite::new(device, scene, plan.side, &bins, &transmittance.transmittance, &color)?;
+        let transmittance = Transmittance::evaluate(device, scene, &bins.pairs, keep)?;
+        let color = Color::evaluate(device, scene, &bins.pairs, keep)?;
+        let composite = Composite::new(
+            device,
+            scene,
+            plan.side,
+            &bins,
+            &transmittance.transmittance,
+            &color.color,
+        )?;
         Ok(Self { bins, transmittance, color, composite })
     }
 
@@ -51,6 +60,6 @@ pub fn render(
     cameras: &[Camera],
     plan: &Plan,
 ) -> Result<(Vec<f32>, RenderReport)> {
-    let part = Part::evaluate(device, scene, cameras, plan)?;
+    let part = Part::evaluate(device, scene, cameras, plan, false)?;
     Ok((device.read(&part.composite.image)?, part.report(device)?))
 }

@@ -14,7 +14,8 @@ use organza_kernels::transmittance_backward::{
 
 use super::DeviceScene;
 use super::bin::{Bins, Pairs};
-use super::field::{Rows, Scratch};
+use super::block::{Blocks, Chunk};
+use super::field::Scratch;
 use super::field_backward::BackwardScratch;
 use super::gradient::SceneGradient;
 use super::pair::sum_pairs;
@@ -33,10 +34,18 @@ pub struct Transmittance {
     pub samples: u32,
     /// `[pairs, 4]`
     segment: Buffer<Vec4>,
+    /// Midpoints, and what the network reads.
+    blocks: Blocks,
 }
 
 impl Transmittance {
-    pub fn evaluate(device: &Device, scene: &DeviceScene, pairs: &Pairs) -> Result<Self> {
+    /// `keep` says whether [`Transmittance::backward`] will be called: what it needs is kept, as far as there is room.
+    pub fn evaluate(
+        device: &Device,
+        scene: &DeviceScene,
+        pairs: &Pairs,
+        keep: bool,
+    ) -> Result<Self> {
         check_samples(scene, pairs)?;
         let segment = device.zeros("segments", pairs.count as usize * SEGMENT_VECTORS as usize)?;
         let count = device.zeros("sample counts", pairs.count as usize)?;
@@ -57,7 +66,8 @@ impl Transmittance {
         let first_sample = exclusive_scan(device, &count, pairs.count)?;
         let samples = device.read_range(&first_sample, pairs.count as usize, 1)?[0];
 
-        let log_rho = log_rho(device, scene, pairs, &segment, &first_sample, samples)?;
+        let blocks = Blocks::new(device, scene.config.transmittance_inputs(), samples, keep)?;
+        let log_rho = log_rho(device, scene, pairs, &segment, &first_sample, &blocks)?;
         let transmittance = device.zeros("transmittance", pairs.count as usize)?;
         let kernel = SegmentProductKernel {
             params: SegmentProductParams { pairs: pairs.count },
@@ -66,7 +76,7 @@ impl Transmittance {
             transmittance: &transmittance,
         };
         device.run(&kernel, pairs.count, 1)?;
-        Ok(Self { transmittance, first_sample, samples, segment })
+        Ok(Self { transmittance, first_sample, samples, segment, blocks })
     }
 }
 
@@ -81,57 +91,60 @@ fn check_samples(scene: &DeviceScene, pairs: &Pairs) -> Result<()> {
     Ok(())
 }
 
-/// The logarithm of Eq. 11's factor for every sample, chunk by chunk.
+/// The logarithm of Eq. 11's factor for every sample.
 fn log_rho(
     device: &Device,
     scene: &DeviceScene,
     pairs: &Pairs,
     segment: &Buffer<Vec4>,
     first_sample: &Buffer<u32>,
-    samples: u32,
+    blocks: &Blocks,
 ) -> Result<Buffer<f32>> {
-    let (config, field) = (&scene.config, &scene.transmittance);
-    let log_rho = device.zeros("log rho", samples as usize)?;
-    let scratch = Scratch::new(device, field, config.transmittance_inputs(), samples)?;
+    let field = &scene.transmittance;
+    let log_rho = device.zeros("log rho", blocks.samples() as usize)?;
+    let scratch = Scratch::new(device, field, blocks.layout())?;
     let head = field.head();
-    for (first, samples) in scratch.chunks(samples) {
-        inputs(device, scene, pairs, segment, first_sample, [first, samples], scratch.rows())?;
-        field.encode(device, scratch.rows(), samples, 0)?;
-        let kernel = TransmittanceHeadKernel {
-            params: TransmittanceHeadParams {
-                samples,
-                first_sample: first,
-                stride: scratch.stride,
-                inputs: head.inputs,
-                weight: head.weight,
-                bias: head.bias,
-            },
-            parameters: &field.parameters,
-            point: &scratch.point,
-            input: field.hidden(device, &scratch, samples)?,
-            log_rho: &log_rho,
-        };
-        device.run(&kernel, samples, 1)?;
+    for block in blocks.iter() {
+        for chunk in block.chunks() {
+            inputs(device, scene, pairs, segment, first_sample, &chunk)?;
+        }
+        field.encode(device, block, 0)?;
+        for chunk in block.chunks() {
+            let kernel = TransmittanceHeadKernel {
+                params: TransmittanceHeadParams {
+                    samples: chunk.samples,
+                    first_sample: chunk.first,
+                    stride: chunk.stride,
+                    inputs: head.inputs,
+                    weight: head.weight,
+                    bias: head.bias,
+                },
+                parameters: &field.parameters,
+                point: &chunk.point,
+                input: field.hidden(device, &scratch, &chunk)?,
+                log_rho: &log_rho,
+            };
+            device.run(&kernel, chunk.samples, 1)?;
+        }
     }
     Ok(log_rho)
 }
 
-/// What does not come from the hash grid, for a chunk of samples: its first one, and how many there are.
+/// What does not come from the hash grid, for a chunk of samples.
 fn inputs(
     device: &Device,
     scene: &DeviceScene,
     pairs: &Pairs,
     segment: &Buffer<Vec4>,
     first_sample: &Buffer<u32>,
-    [first, samples]: [u32; 2],
-    rows: Rows<'_>,
+    chunk: &Chunk,
 ) -> Result<()> {
     let config = &scene.config;
     let kernel = TransmittanceInputsKernel {
         params: TransmittanceInputsParams {
-            samples,
-            first_sample: first,
-            stride: rows.stride,
+            samples: chunk.samples,
+            first_sample: chunk.first,
+            stride: chunk.stride,
             pairs: pairs.count,
             gaussians: scene.gaussians,
             extra: config.extra,
@@ -141,10 +154,10 @@ fn inputs(
         first_sample,
         segment,
         extra: &scene.extra,
-        point: rows.point,
-        input: rows.input,
+        point: &chunk.point,
+        input: &chunk.input,
     };
-    device.run(&kernel, samples, 1)
+    device.run(&kernel, chunk.samples, 1)
 }
 
 impl Transmittance {
@@ -162,8 +175,9 @@ impl Transmittance {
             return Ok(());
         }
         let (pairs, field, extra) = (&bins.pairs, &scene.transmittance, scene.config.extra);
-        let scratch = BackwardScratch::new(device, field, self.samples)?;
-        let log_rho_gradient = device.zeros("gradient of log rho", scratch.stride as usize)?;
+        let layout = self.blocks.layout();
+        let scratch = BackwardScratch::new(device, field, layout)?;
+        let log_rho_gradient = device.zeros("gradient of log rho", layout.stride as usize)?;
         let pair_extra =
             device.zeros("gradient of the pairs' extra vectors", (pairs.count * extra) as usize)?;
         // which pairs a chunk has samples of
@@ -171,37 +185,45 @@ impl Transmittance {
         let table = &gradient.transmittance.table;
         let transmittance = Some(&self.transmittance);
         table.set_scale(device, field, pair_gradient, transmittance, pairs.count, self.samples)?;
-        for (first, samples) in scratch.chunks(self.samples) {
-            let (segment, first_sample) = (&self.segment, &self.first_sample);
-            let rows = scratch.rows();
-            inputs(device, scene, pairs, segment, first_sample, [first, samples], rows)?;
-            field.activate(device, &scratch, samples, 0)?;
-
-            let first_pair = first_samples.partition_point(|&begin| begin <= first) as u32 - 1;
-            let end_pair = first_samples.partition_point(|&begin| begin < first + samples) as u32;
-            let chunk = Chunk { first, samples, first_pair, pairs: end_pair - first_pair };
-            self.head_backward(device, scene, &scratch, chunk, pair_gradient, &log_rho_gradient)?;
-            field.backward(device, &scratch, samples, 0, &gradient.transmittance)?;
-            self.extra_backward(device, scene, &scratch, chunk, &pair_extra)?;
+        for block in self.blocks.iter() {
+            if !block.is_kept {
+                for chunk in block.chunks() {
+                    let (segment, first_sample) = (&self.segment, &self.first_sample);
+                    inputs(device, scene, pairs, segment, first_sample, &chunk)?;
+                }
+                field.encode(device, block, 0)?;
+            }
+            for chunk in block.chunks() {
+                field.activate(device, &scratch, &chunk)?;
+                let owners = Owners::of(&first_samples, &chunk);
+                let chunk = &chunk;
+                let log_rho = &log_rho_gradient;
+                self.head_backward(device, scene, &scratch, chunk, owners, pair_gradient, log_rho)?;
+                field.backward(device, &scratch, chunk, 0, &gradient.transmittance)?;
+                self.extra_backward(device, scene, &scratch, chunk, owners, &pair_extra)?;
+            }
+            field.encode_backward(device, &scratch, block, 0, &gradient.transmittance)?;
         }
         table.finish(device)?;
         sum_pairs(device, scene, &bins.pair_mask, extra, &pair_extra, &gradient.extra)
     }
 
     /// The gradient of the network's output for a chunk of samples.
+    #[expect(clippy::too_many_arguments, reason = "two kernels' inputs")]
     fn head_backward(
         &self,
         device: &Device,
         scene: &DeviceScene,
         scratch: &BackwardScratch,
-        chunk: Chunk,
+        chunk: &Chunk,
+        owners: Owners,
         pair_gradient: &Buffer<Vec4>,
         log_rho_gradient: &Buffer<f32>,
     ) -> Result<()> {
         let kernel = SegmentProductBackwardKernel {
             params: SegmentProductBackwardParams {
-                pairs: chunk.pairs,
-                first_pair: chunk.first_pair,
+                pairs: owners.pairs,
+                first_pair: owners.first,
                 samples: chunk.samples,
                 first_sample: chunk.first,
             },
@@ -210,20 +232,20 @@ impl Transmittance {
             pair_gradient,
             log_rho_gradient,
         };
-        device.run(&kernel, chunk.pairs, 1)?;
+        device.run(&kernel, owners.pairs, 1)?;
         let field = &scene.transmittance;
         let head = field.head();
         let kernel = TransmittanceHeadBackwardKernel {
             params: TransmittanceHeadBackwardParams {
                 samples: chunk.samples,
-                stride: scratch.stride,
+                stride: chunk.stride,
                 inputs: head.inputs,
                 weight: head.weight,
                 bias: head.bias,
             },
             parameters: &field.parameters,
-            point: scratch.rows().point,
-            input: scratch.last_hidden(),
+            point: &chunk.point,
+            input: scratch.last_hidden(chunk),
             log_rho_gradient,
             logit_gradient: &scratch.logit_gradient,
         };
@@ -236,32 +258,41 @@ impl Transmittance {
         device: &Device,
         scene: &DeviceScene,
         scratch: &BackwardScratch,
-        chunk: Chunk,
+        chunk: &Chunk,
+        owners: Owners,
         pair_extra: &Buffer<f32>,
     ) -> Result<()> {
         let kernel = ExtraBackwardKernel {
             params: ExtraBackwardParams {
-                pairs: chunk.pairs,
-                first_pair: chunk.first_pair,
+                pairs: owners.pairs,
+                first_pair: owners.first,
                 samples: chunk.samples,
                 first_sample: chunk.first,
-                stride: scratch.stride,
+                stride: chunk.stride,
                 extra: scene.config.extra,
                 extra_row: scene.config.transmittance_grid.width() as u32,
             },
             first_sample: &self.first_sample,
-            input_gradient: &scratch.input_gradient,
+            input_gradient: &scratch.input_gradient(&scene.transmittance, chunk),
             pair_extra,
         };
-        device.run(&kernel, chunk.pairs, scene.config.extra)
+        device.run(&kernel, owners.pairs, scene.config.extra)
     }
 }
 
-/// A chunk of samples, and the pairs that have some of them.
+/// The pairs that have samples in a chunk.
 #[derive(Clone, Copy, Debug)]
-struct Chunk {
+struct Owners {
     first: u32,
-    samples: u32,
-    first_pair: u32,
     pairs: u32,
+}
+
+impl Owners {
+    /// `first_samples [pairs + 1]`
+    fn of(first_samples: &[u32], chunk: &Chunk) -> Self {
+        let first = first_samples.partition_point(|&begin| begin <= chunk.first) as u32 - 1;
+        let end = chunk.first + chunk.samples;
+        let end = first_samples.partition_point(|&begin| begin < end) as u32;
+        Self { first, pairs: end - first }
+    }
 }

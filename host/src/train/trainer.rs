@@ -145,14 +145,10 @@ impl<'a> Trainer<'a> {
             return Err(Error::Diverged { reason });
         }
         let device = self.renderer.device();
-        self.optimizer.step(
-            device,
-            &self.scene,
-            &self.gradient,
-            &config.optimizer,
-            [self.step, config.run.steps],
-            config.ablation.learn_transmittance,
-        )?;
+        let (optimizer, scene, gradient) = (&self.optimizer, &self.scene, &self.gradient);
+        let (settings, learn) = (&config.optimizer, config.ablation.learn_transmittance);
+        let steps = [self.step, config.run.steps];
+        device.inside(|| optimizer.step(device, scene, gradient, settings, steps, learn))?;
         self.gradient.clear_touched(device);
         self.step += 1;
         let grown = self.is_time_to_grow().then(|| self.grow()).transpose()?;

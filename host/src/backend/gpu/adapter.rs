@@ -128,9 +128,11 @@ pub fn request(adapter: &wgpu::Adapter, spirv: SpirvPath) -> Result<(wgpu::Devic
         }
         SpirvPath::Naga => (wgpu::Features::empty(), wgpu::ExperimentalFeatures::disabled()),
     };
+    // for who wants to know what kernels take
+    let timestamps = adapter.features() & wgpu::Features::TIMESTAMP_QUERY;
     let device = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
         label: Some("organza"),
-        required_features,
+        required_features: required_features | timestamps,
         required_limits: adapter.limits(),
         experimental_features,
         ..Default::default()

@@ -3,8 +3,10 @@
 mod adapter;
 mod pipeline;
 mod recorder;
+mod timer;
 
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
 
 use organza_kernels::KernelInfo;
 
@@ -146,7 +148,12 @@ impl Gpu {
         let buffers: Vec<_> = buffers
             .iter()
             .map(|buffer| match &buffer.memory {
-                Memory::Gpu(memory) => memory,
+                Memory::Gpu(memory) => wgpu::BufferBinding {
+                    buffer: memory,
+                    offset: buffer.begin,
+                    // one that has no bytes has memory nevertheless
+                    size: std::num::NonZero::new(buffer.bytes.next_multiple_of(4)),
+                },
                 Memory::Cpu(_) => panic!("the buffer `{}` belongs to the CPU", buffer.label),
             })
             .collect();
@@ -162,16 +169,37 @@ impl Gpu {
         Ok(())
     }
 
-    pub fn clear(&self, buffer: &wgpu::Buffer) {
-        self.recorder().clear(&self.device, buffer);
+    pub fn clear(&self, buffer: &wgpu::Buffer, begin: u64, bytes: u64) {
+        let bytes = bytes.next_multiple_of(4);
+        self.recorder().clear(&self.device, buffer, begin..begin + bytes);
     }
 
     /// Waits for everything queued.
     pub fn wait(&self) -> Result<()> {
-        self.recorder().submit(&self.queue);
+        self.recorder().submit(&self.device, &self.queue);
         let polled = self.device.poll(wgpu::PollType::wait_indefinitely());
         self.check()?;
         polled.map(drop).map_err(|error| Error::DeviceLost { reason: error.to_string() })
+    }
+
+    /// From now on, whether dispatches are timed; returns whether this device has timestamps for it.
+    pub fn time_dispatches(&self, times: bool) -> bool {
+        self.recorder().time(times)
+    }
+
+    /// Waits for what was timed, and takes what each dispatch took; nothing where the device was lost.
+    pub fn take_times(&self) -> Vec<(&'static str, Duration)> {
+        let mut recorder = self.recorder();
+        if recorder.timer().is_none_or(|timer| timer.is_empty()) {
+            return Vec::new();
+        }
+        recorder.submit(&self.device, &self.queue);
+        let Some(timer) = recorder.timer() else { return Vec::new() };
+        timer.map();
+        match self.device.poll(wgpu::PollType::wait_indefinitely()) {
+            Ok(_) => timer.take(self.queue.get_timestamp_period()),
+            Err(_) => Vec::new(),
+        }
     }
 
     pub fn lose(&self) {

@@ -1,14 +1,17 @@
 //! Dispatches, collected into command buffers.
 
+use std::ops::Range;
+
 use organza_kernels::{Access, KernelInfo};
 
 use super::pipeline::Pipeline;
+use super::timer::Timer;
 
 /// Bytes of a uniform slot: the largest alignment that an adapter may ask for.
 const SLOT: u64 = 256;
 
 /// Dispatches of one command buffer: each has its slot until it is submitted.
-const SLOTS: u64 = 256;
+pub const SLOTS: u64 = 256;
 
 /// The command buffer that is being written.
 #[derive(Debug)]
@@ -16,6 +19,10 @@ pub struct Recorder {
     encoder: Option<wgpu::CommandEncoder>,
     uniforms: wgpu::Buffer,
     used: u64,
+    /// None where the device has no timestamps.
+    timer: Option<Timer>,
+    /// Whether dispatches are timed.
+    times: bool,
 }
 
 impl Recorder {
@@ -26,14 +33,11 @@ impl Recorder {
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        Self { encoder: None, uniforms, used: 0 }
+        Self { encoder: None, uniforms, used: 0, timer: Timer::new(device), times: false }
     }
 
     fn encoder(&mut self, device: &wgpu::Device) -> &mut wgpu::CommandEncoder {
-        self.encoder.get_or_insert_with(|| {
-            device
-                .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("kernels") })
-        })
+        self.encoder.get_or_insert_with(|| new_encoder(device))
     }
 
     #[expect(clippy::too_many_arguments, reason = "a dispatch is what it is")]
@@ -41,14 +45,14 @@ impl Recorder {
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
-        kernel: &KernelInfo,
+        kernel: &'static KernelInfo,
         pipeline: &Pipeline,
         uniform: &[u8],
-        buffers: &[&wgpu::Buffer],
+        buffers: &[wgpu::BufferBinding<'_>],
         [x, y, z]: [u32; 3],
     ) {
         if self.used == SLOTS {
-            self.submit(queue);
+            self.submit(device, queue);
         }
         // such writes happen before the next submission: a slot is free again once it is submitted
         let offset = self.used * SLOT;
@@ -69,10 +73,9 @@ impl Recorder {
                         offset,
                         size: std::num::NonZero::new((uniform.len() as u64).next_multiple_of(16)),
                     }),
-                    Access::Read | Access::Write => buffers
-                        .next()
-                        .expect("the typed dispatch binds every buffer")
-                        .as_entire_binding(),
+                    Access::Read | Access::Write => wgpu::BindingResource::Buffer(
+                        buffers.next().expect("the typed dispatch binds every buffer").clone(),
+                    ),
                 };
                 wgpu::BindGroupEntry { binding, resource }
             })
@@ -83,16 +86,20 @@ impl Recorder {
             layout: &pipeline.layout,
             entries: &entries,
         });
-        let mut pass = self
-            .encoder(device)
-            .begin_compute_pass(&wgpu::ComputePassDescriptor { label, timestamp_writes: None });
+        // not `self.encoder`, which would borrow the timer as well
+        let encoder = self.encoder.get_or_insert_with(|| new_encoder(device));
+        let timer = self.timer.as_mut().filter(|_| self.times);
+        let timestamp_writes = timer.map(|timer| timer.time(kernel.name));
+        let mut pass =
+            encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label, timestamp_writes });
         pass.set_pipeline(&pipeline.pipeline);
         pass.set_bind_group(0, &bind_group, &[]);
         pass.dispatch_workgroups(x, y, z);
     }
 
-    pub fn clear(&mut self, device: &wgpu::Device, buffer: &wgpu::Buffer) {
-        self.encoder(device).clear_buffer(buffer, 0, None);
+    pub fn clear(&mut self, device: &wgpu::Device, buffer: &wgpu::Buffer, bytes: Range<u64>) {
+        let size = Some(bytes.end - bytes.start);
+        self.encoder(device).clear_buffer(buffer, bytes.start, size);
     }
 
     /// Copies into `target` after everything recorded, and submits.
@@ -105,14 +112,32 @@ impl Recorder {
         target: &wgpu::Buffer,
     ) {
         self.encoder(device).copy_buffer_to_buffer(source, begin, target, 0, target.size());
-        self.submit(queue);
+        self.submit(device, queue);
     }
 
     /// Hands what is recorded to the device.
-    pub fn submit(&mut self, queue: &wgpu::Queue) {
-        if let Some(encoder) = self.encoder.take() {
+    pub fn submit(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) {
+        if let Some(mut encoder) = self.encoder.take() {
+            if let Some(timer) = &mut self.timer {
+                timer.resolve(device, &mut encoder);
+            }
             queue.submit([encoder.finish()]);
         }
         self.used = 0;
     }
+
+    /// From now on, whether dispatches are timed; returns whether the device can.
+    pub fn time(&mut self, times: bool) -> bool {
+        self.times = times;
+        self.timer.is_some()
+    }
+
+    /// The timestamps of everything that was timed and submitted.
+    pub fn timer(&mut self) -> Option<&mut Timer> {
+        self.timer.as_mut()
+    }
+}
+
+fn new_encoder(device: &wgpu::Device) -> wgpu::CommandEncoder {
+    device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("kernels") })
 }

@@ -1,0 +1,142 @@
+//! The cases of `peak_multiply_add` and `peak_read`.
+
+use organza_kernels::math::TINY;
+use organza_kernels::peak::{
+    FIRST_SUMS, INVOCATION_SHARE, MULTIPLY_ADDS, PeakMultiplyAddKernel, PeakMultiplyAddParams,
+    PeakReadKernel, PeakReadParams, READS,
+};
+
+use super::bench::Bench;
+use super::case::{Parity, Rounding};
+use super::inputs::{self, Fill};
+use super::measure::{Bound, Output};
+use crate::error::Result;
+
+/// Sums of an invocation of `peak_multiply_add`.
+const SUMS: u32 = 12;
+/// Invocations of a workgroup.
+const WORKGROUP: u32 = 64;
+
+/// Inputs of `peak_multiply_add`.
+#[derive(Clone, Debug)]
+pub struct PeakMultiplyAdd {
+    /// Invocations.
+    pub count: u32,
+    /// Steps of each.
+    pub steps: u32,
+    /// Below 1 in size.
+    pub factor: f32,
+    /// Any number.
+    pub addend: f32,
+}
+
+impl PeakMultiplyAdd {
+    /// Multiply-adds of each of an invocation's sums.
+    #[must_use]
+    pub fn rounds(&self) -> u32 {
+        self.steps * MULTIPLY_ADDS / SUMS
+    }
+
+    /// What an invocation's sums begin with.
+    pub fn beginnings(&self, index: u32) -> impl Iterator<Item = f64> {
+        let base = f64::from(index) * f64::from(INVOCATION_SHARE);
+        (0..SUMS).map(move |sum| {
+            f64::from(4 * (sum / 4)) + f64::from(FIRST_SUMS[sum as usize % 4]) + base
+        })
+    }
+}
+
+impl Parity for PeakMultiplyAdd {
+    const KERNEL: &'static str = "peak_multiply_add";
+    const TOLERANCE: f64 = 8e-7;
+    const WHY: &'static str = "two roundings of both devices for each multiply-add, which those that follow shrink, \
+        and four of the last sum";
+
+    fn sets() -> Vec<(String, Self)> {
+        inputs::sets(|count, fill, random| Self {
+            count,
+            steps: random.below(30),
+            // the largest factor is not
+            factor: fill.values(random, 1, [-0.75, 0.75], 0.75)[0],
+            addend: fill.values(random, 1, [-2.0, 2.0], 1e30)[0],
+        })
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let Self { count, steps, factor, addend } = *self;
+        let output = bench.output(count as usize)?;
+        let params = PeakMultiplyAddParams { count, steps, factor, addend };
+        bench.items(&PeakMultiplyAddKernel { params, output: &output }, count, 1)?;
+        Ok(vec![Output::float("output", bench.read(&output)?)])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        if index >= self.count as usize {
+            return Bound { scale: 0.0, floor: 0.0 };
+        }
+        // errors are summed as the values are: 1 + f + f^2 + ..
+        let grown = 1.0 / (1.0 - f64::from(self.factor.abs()));
+        let largest = f64::from(SUMS) + f64::from(self.addend.abs()) * grown;
+        let sums = f64::from(SUMS);
+        Bound { scale: sums * largest * grown, floor: 4.0 * sums * grown * f64::from(TINY) }
+    }
+}
+
+/// Inputs of `peak_read`.
+#[derive(Clone, Debug)]
+pub struct PeakRead {
+    /// Invocations.
+    pub count: u32,
+    /// Steps of each.
+    pub steps: u32,
+    /// `[workgroups, steps, 4, 64]`
+    pub values: Vec<f32>,
+}
+
+impl PeakRead {
+    fn new(count: u32, steps: u32, fill: Fill, random: &mut inputs::Random) -> Self {
+        let len = count.div_ceil(WORKGROUP) * steps * READS * WORKGROUP;
+        Self { count, steps, values: fill.values(random, len as usize, [-1.0, 1.0], 1e30) }
+    }
+
+    /// What an invocation reads.
+    pub fn read_by(&self, index: u32) -> impl Iterator<Item = f64> {
+        let (rows, local) = (self.steps * READS, index % WORKGROUP);
+        let first = index / WORKGROUP * rows;
+        (first..first + rows)
+            .map(move |row| f64::from(self.values[(row * WORKGROUP + local) as usize]))
+    }
+}
+
+impl Parity for PeakRead {
+    const KERNEL: &'static str = "peak_read";
+    const TOLERANCE: f64 = 1.2e-7;
+    const WHY: &'static str = "a rounding of both devices for each value, of the values' sizes";
+
+    fn sets() -> Vec<(String, Self)> {
+        inputs::sets(|count, fill, random| {
+            let steps = random.below(5);
+            Self::new(count, steps, fill, random)
+        })
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let output = bench.output(self.count as usize)?;
+        let kernel = PeakReadKernel {
+            params: PeakReadParams { count: self.count, steps: self.steps },
+            values: &bench.upload(&self.values)?,
+            output: &output,
+        };
+        bench.items(&kernel, self.count, 1)?;
+        Ok(vec![Output::float("output", bench.read(&output)?)])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        if index >= self.count as usize {
+            return Bound { scale: 0.0, floor: 0.0 };
+        }
+        let terms = f64::from(self.steps * READS);
+        let size: f64 = self.read_by(index as u32).map(f64::abs).sum();
+        Bound { scale: terms * size, floor: terms * f64::from(TINY) }
+    }
+}

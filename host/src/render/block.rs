@@ -1,0 +1,182 @@
+//! The samples of a field, in blocks: what its hash grid and its network read.
+//!
+//! A grid is evaluated level by level for a whole block, so that a level's entries are read from memory once for many
+//! samples; a network chunk by chunk, so that a chunk's activations stay in a CPU's caches.
+
+use organza_kernels::hash_grid::POINT_ROWS;
+use organza_kernels::limits::MAX_SLICE;
+
+use crate::backend::{Buffer, Device, TAIL_ALIGNMENT};
+use crate::error::Result;
+
+/// Samples of a block, in whole chunks.
+const BLOCK: u32 = 1 << 17;
+/// Samples of a chunk on a CPU: with its gradients, about 300 rows that its second cache holds.
+const CPU_CHUNK: u32 = 1 << 11;
+/// Samples of a chunk on a GPU: enough to fill it.
+const GPU_CHUNK: u32 = 1 << 16;
+/// What the blocks of a field may take that are kept for the way back, in bytes; others are computed again.
+const KEPT_BYTES: u64 = 256 << 20;
+/// Rows of a point: its place, and what else a stage puts behind it.
+pub const ROWS_OF_POINT: u32 = POINT_ROWS + 1;
+
+const _: () = assert!(CPU_CHUNK <= MAX_SLICE && BLOCK.is_multiple_of(GPU_CHUNK));
+
+/// How samples lie in memory: `[chunks, rows, stride]`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Layout {
+    /// Samples of a chunk.
+    pub chunk: u32,
+    /// Distance of two rows of a chunk.
+    pub stride: u32,
+    /// Chunks of a block.
+    chunks: u32,
+}
+
+impl Layout {
+    /// For `samples` samples, in as many blocks as it takes.
+    pub fn new(device: &Device, samples: u32) -> Self {
+        const ALIGNED: u32 = (TAIL_ALIGNMENT / size_of::<f32>()) as u32;
+        let largest = if device.is_cpu_like() { CPU_CHUNK } else { GPU_CHUNK };
+        let chunk = samples.clamp(1, largest).next_multiple_of(ALIGNED);
+        // not a power of two: rows would fall into the same sets of a cache
+        let stride = chunk + ALIGNED;
+        Self { chunk, stride, chunks: samples.min(BLOCK).div_ceil(chunk) }
+    }
+
+    /// Zeros for a block: `[chunks, rows, stride]`.
+    pub fn zeros(&self, device: &Device, label: &'static str, rows: u32) -> Result<Buffer<f32>> {
+        device.zeros(label, self.first(self.chunks, rows))
+    }
+
+    /// What a chunk has of a buffer `[chunks, rows, stride]`.
+    pub fn of_chunk(&self, buffer: &Buffer<f32>, chunk: u32, rows: u32) -> Buffer<f32> {
+        buffer.tail(self.first(chunk, rows))
+    }
+
+    fn first(&self, chunk: u32, rows: u32) -> usize {
+        chunk as usize * rows as usize * self.stride as usize
+    }
+
+    /// Samples of a block.
+    fn block(&self) -> u32 {
+        self.chunk * self.chunks
+    }
+}
+
+/// A block's samples, as they lie on a device.
+#[derive(Debug)]
+pub struct Block {
+    /// `[chunks, 7, stride]`
+    pub point: Buffer<f32>,
+    /// `[chunks, rows, stride]`
+    pub input: Buffer<f32>,
+    /// Rows of the network's input.
+    pub rows: u32,
+    pub layout: Layout,
+}
+
+impl Block {
+    fn new(device: &Device, layout: Layout, rows: u32) -> Result<Self> {
+        Ok(Self {
+            point: layout.zeros(device, "points", ROWS_OF_POINT)?,
+            input: layout.zeros(device, "network input", rows)?,
+            rows,
+            layout,
+        })
+    }
+}
+
+/// Some of the blocks' samples.
+#[derive(Debug)]
+pub struct Chunk {
+    /// The first, counted from the first block's.
+    pub first: u32,
+    pub samples: u32,
+    /// Its place in its block.
+    pub index: u32,
+    /// `[7, stride]`
+    pub point: Buffer<f32>,
+    /// `[rows, stride]`
+    pub input: Buffer<f32>,
+    pub stride: u32,
+}
+
+/// All samples of a field: some of their blocks have memory of their own, the others share the last one's.
+#[derive(Debug)]
+pub struct Blocks {
+    layout: Layout,
+    samples: u32,
+    blocks: Vec<Block>,
+}
+
+/// A block that is being worked on.
+#[derive(Clone, Copy, Debug)]
+pub struct BlockOf<'a> {
+    /// Its memory.
+    pub block: &'a Block,
+    /// Whether what was written there before is still there.
+    pub is_kept: bool,
+    /// Its first sample.
+    pub first: u32,
+    /// How many it has.
+    pub samples: u32,
+}
+
+impl Blocks {
+    /// For `samples` samples, and as many `rows` of inputs.  Where they are to be kept, as many blocks as
+    /// [`KEPT_BYTES`] holds have memory of their own.
+    pub fn new(device: &Device, rows: usize, samples: u32, keep: bool) -> Result<Self> {
+        let (layout, rows) = (Layout::new(device, samples), rows as u32);
+        let first = Block::new(device, layout, rows)?;
+        let mut blocks = vec![first];
+        if keep {
+            let bytes = blocks[0].point.bytes() + blocks[0].input.bytes();
+            let kept =
+                samples.div_ceil(layout.block().max(1)).min((KEPT_BYTES / bytes.max(1)) as u32);
+            for _ in 1..kept {
+                blocks.push(Block::new(device, layout, rows)?);
+            }
+        }
+        Ok(Self { layout, samples, blocks })
+    }
+
+    pub fn layout(&self) -> Layout {
+        self.layout
+    }
+
+    pub fn samples(&self) -> u32 {
+        self.samples
+    }
+
+    /// In order.
+    pub fn iter(&self) -> impl Iterator<Item = BlockOf<'_>> {
+        let (size, samples) = (self.layout.block(), self.samples);
+        let count = samples.div_ceil(size.max(1)) as usize;
+        let last = self.blocks.len() - 1;
+        (0..count).map(move |index| {
+            let first = index as u32 * size;
+            let is_kept = index < last || count == self.blocks.len();
+            let block = &self.blocks[index.min(last)];
+            BlockOf { block, is_kept, first, samples: size.min(samples - first) }
+        })
+    }
+}
+
+impl BlockOf<'_> {
+    /// Its chunks, in order.
+    pub fn chunks(&self) -> impl Iterator<Item = Chunk> + use<'_> {
+        let layout = self.block.layout;
+        (0..self.samples.div_ceil(layout.chunk)).map(move |index| {
+            let begin = index * layout.chunk;
+            Chunk {
+                first: self.first + begin,
+                samples: layout.chunk.min(self.samples - begin),
+                index,
+                point: layout.of_chunk(&self.block.point, index, ROWS_OF_POINT),
+                input: layout.of_chunk(&self.block.input, index, self.block.rows),
+                stride: layout.stride,
+            }
+        })
+    }
+}

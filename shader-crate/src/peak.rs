@@ -1,0 +1,136 @@
+//! The most that a device computes and reads: `organza bench` says how much of that each kernel comes to.
+
+use glam::Vec4;
+
+use crate::dense::Column;
+use crate::dense_backward::settled;
+use crate::limits::MAX_PEAK_STEPS;
+use crate::prelude::*;
+
+/// Multiply-adds of an invocation of [`peak_multiply_add`] in a step: twelve sums, four times each.
+pub const MULTIPLY_ADDS: u32 = 48;
+
+/// Values that an invocation of [`peak_read`] reads in a step.
+pub const READS: u32 = 4;
+
+/// Parameters of [`peak_multiply_add`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PeakMultiplyAddParams {
+    /// Invocations.
+    pub count: u32,
+    /// Steps of each.
+    pub steps: u32,
+    /// What a sum is multiplied by, below 1 in size: nothing grows.
+    pub factor: f32,
+    /// What is added to it.
+    pub addend: f32,
+}
+
+/// `sum factor + addend` for four sums.
+#[inline(always)]
+fn next<L: Lane>(sum: Column<L>, factor: L, addend: L) -> Column<L> {
+    Column {
+        x: sum.x.mul_add(factor, addend),
+        y: sum.y.mul_add(factor, addend),
+        z: sum.z.mul_add(factor, addend),
+        w: sum.w.mul_add(factor, addend),
+    }
+}
+
+/// `sum factor + addend`, four times.
+#[inline(always)]
+fn next_four<L: Lane>(sum: Column<L>, factor: L, addend: L) -> Column<L> {
+    let sum = next(next(sum, factor, addend), factor, addend);
+    next(next(sum, factor, addend), factor, addend)
+}
+
+/// Four sums to begin with: `base` and the numbers of a vector.
+#[inline(always)]
+fn start<L: Lane>(base: L, first: Vec4) -> Column<L> {
+    let number = L::splat;
+    Column {
+        x: base + number(first.x),
+        y: base + number(first.y),
+        z: base + number(first.z),
+        w: base + number(first.w),
+    }
+}
+
+/// What the first of twelve sums begin with; the others add 4 and 8.
+pub const FIRST_SUMS: Vec4 = Vec4::new(0.0, 1.0, 2.0, 3.0);
+
+/// What the number of an invocation is multiplied by in its sums' beginnings.
+pub const INVOCATION_SHARE: f32 = 1.0 / 4_194_304.0;
+
+/// Multiply-adds on registers, `x = x factor + addend` again and again: `output [count]`, the sum of an invocation's
+/// twelve.  They begin with 0 to 11 and a little of the invocation's number, so that no compiler finds two of them the
+/// same, and no GPU two invocations.
+#[kernel(threads(64), iterations = MAX_PEAK_STEPS, fused, lanes(count))]
+pub fn peak_multiply_add<L: Lane>(
+    id: Invocation,
+    params: &PeakMultiplyAddParams,
+    output: Write<f32>,
+) {
+    let index = id.index();
+    if index < params.count {
+        let base = (L::splat(index as f32) + L::ramp()) * L::splat(INVOCATION_SHARE);
+        let (factor, addend) = (L::splat(params.factor), L::splat(params.addend));
+        // twelve: a multiply-add takes several cycles, and others begin meanwhile
+        let mut a = settled(start(base, FIRST_SUMS));
+        let mut b = settled(start(base, FIRST_SUMS + 4.0));
+        let mut c = settled(start(base, FIRST_SUMS + 8.0));
+        let mut step = 0;
+        while step < params.steps {
+            a = next_four(a, factor, addend);
+            b = next_four(b, factor, addend);
+            c = next_four(c, factor, addend);
+            step += 1;
+        }
+        let (a, b, c) = (settled(a), settled(b), settled(c));
+        let sum = (a.x + a.y) + (a.z + a.w);
+        let sum = sum + ((b.x + b.y) + (b.z + b.w));
+        (sum + ((c.x + c.y) + (c.z + c.w))).write(output, index);
+    }
+}
+
+/// Parameters of [`peak_read`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PeakReadParams {
+    /// Invocations.
+    pub count: u32,
+    /// Steps of each.
+    pub steps: u32,
+}
+
+/// Reads memory from one end to the other: `output [count]`, the sum of what an invocation has read.
+///
+/// `values [workgroups, steps, 4, 64]`: a workgroup of a GPU reads 64 neighbors at once, and on the CPU its block stays in
+/// the innermost cache until all of its lines are used up.
+#[kernel(threads(64), iterations = MAX_PEAK_STEPS, lanes(count))]
+pub fn peak_read<L: Lane>(
+    id: Invocation,
+    params: &PeakReadParams,
+    values: Read<f32>,
+    output: Write<f32>,
+) {
+    let index = id.index();
+    if index < params.count {
+        let row = id.size.x;
+        let mut at = id.workgroup_index() * params.steps * READS * row + id.local.x;
+        let zero = L::splat(0.0);
+        // four: an addition takes several cycles
+        let (mut a, mut b, mut c, mut d) = (zero, zero, zero, zero);
+        let mut step = 0;
+        while step < params.steps {
+            a = a + L::read(values, at);
+            b = b + L::read(values, at + row);
+            c = c + L::read(values, at + 2 * row);
+            d = d + L::read(values, at + 3 * row);
+            at += READS * row;
+            step += 1;
+        }
+        ((a + b) + (c + d)).write(output, index);
+    }
+}

@@ -1,0 +1,109 @@
+//! B3. Which cells of its tile a member may reach: so that a pixel passes over those that are elsewhere.
+//!
+//! A tile is cut into 4 columns of cells and 8 rows, and a member's cells are the bits of a word.  They leave nothing
+//! out that [`touches`] lets through, as both round alike: an image does not depend on them.
+
+use glam::Vec4;
+
+use crate::composite::{pixel_center, touches};
+use crate::prelude::*;
+use crate::splat::VECTORS;
+use crate::tile::Tile;
+use crate::transmittance::owner;
+
+/// Columns of cells.
+const COLUMNS: u32 = 4;
+/// Rows of cells.
+const ROWS: u32 = u32::BITS / COLUMNS;
+
+/// How the pixels of a tile fall into cells.
+#[derive(Clone, Copy)]
+pub struct Cells {
+    /// Of a cell, in pixels; no lanes lie in two columns.
+    width: u32,
+    /// Of a cell, in pixels.
+    height: u32,
+}
+
+impl Cells {
+    /// Of a tile of a side, in pixels.
+    #[inline(always)]
+    pub fn of(side: u32) -> Self {
+        // the widest lanes
+        let lanes = 16;
+        Self { width: side.div_ceil(COLUMNS * lanes) * lanes, height: side.div_ceil(ROWS) }
+    }
+
+    /// The cell of a pixel of the tile, as a bit.
+    #[inline(always)]
+    pub fn bit(&self, column: u32, row: u32) -> u32 {
+        1 << (row / self.height * COLUMNS + column / self.width)
+    }
+}
+
+/// Parameters of [`tile_cells`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct TileCellsParams {
+    /// Members of all tiles.
+    pub members: u32,
+    /// Tiles of the part.
+    pub tiles: u32,
+    /// S, in pixels.
+    pub side: u32,
+}
+
+/// Writes the cells of every member, `cells [members]`, by its splat's extent.
+///
+/// `tile_first [tiles + 1]`, `member [members]`, `splat [pairs, 3]`.
+#[kernel(threads(64), iterations = 2 * u32::BITS + ROWS)]
+pub fn tile_cells(
+    id: Invocation,
+    params: &TileCellsParams,
+    tile: Read<i32>,
+    tile_first: Read<u32>,
+    member: Read<u32>,
+    splat: Read<Vec4>,
+    cells: Write<u32>,
+) {
+    let index = id.index();
+    if index < params.members {
+        let tile = Tile::read(tile, owner(tile_first, params.tiles, index));
+        let first = member.read(index) * VECTORS;
+        let (placed, conic) = (splat.read(first), splat.read(first + 1));
+        let grid = Cells::of(params.side);
+        let mut bits = 0;
+        let mut cell = 0;
+        while cell < COLUMNS * ROWS {
+            let (column, row) = (cell % COLUMNS * grid.width, cell / COLUMNS * grid.height);
+            if reaches_cell(&tile, &grid, column, row, placed, conic) {
+                bits |= 1 << cell;
+            }
+            cell += 1;
+        }
+        cells.write(index, bits);
+    }
+}
+
+/// Whether a splat's extent meets the pixel centers of the cell that begins at a pixel.
+#[inline(always)]
+fn reaches_cell(
+    tile: &Tile,
+    grid: &Cells,
+    column: u32,
+    row: u32,
+    placed: Vec4,
+    conic: Vec4,
+) -> bool {
+    let first = pixel_center(tile, column, row);
+    let last = pixel_center(tile, column + grid.width - 1, row + grid.height - 1);
+    // the nearest of its rows
+    let y = if placed.y < first.y {
+        first.y
+    } else if placed.y > last.y {
+        last.y
+    } else {
+        placed.y
+    };
+    touches(placed, conic, first.x, last.x, y)
+}

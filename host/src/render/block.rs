@@ -11,6 +11,9 @@ use crate::error::Result;
 
 /// Samples of a block, in whole chunks.
 const BLOCK: u32 = 1 << 17;
+/// Samples whose gradients go to the hash grid at once, in whole chunks: what is read again for each level stays in a
+/// CPU's last cache.
+const GROUP: u32 = 1 << 14;
 /// Samples of a chunk on a CPU: with its gradients, about 300 rows that its second cache holds.
 const CPU_CHUNK: u32 = 1 << 11;
 /// Samples of a chunk on a GPU: enough to fill it.
@@ -31,6 +34,8 @@ pub struct Layout {
     pub stride: u32,
     /// Chunks of a block.
     chunks: u32,
+    /// Chunks of a group.
+    group: u32,
 }
 
 impl Layout {
@@ -41,12 +46,23 @@ impl Layout {
         let chunk = samples.clamp(1, largest).next_multiple_of(ALIGNED);
         // not a power of two: rows would fall into the same sets of a cache
         let stride = chunk + ALIGNED;
-        Self { chunk, stride, chunks: samples.min(BLOCK).div_ceil(chunk) }
+        let chunks = samples.min(BLOCK).div_ceil(chunk);
+        Self { chunk, stride, chunks, group: (GROUP / chunk).clamp(1, chunks.max(1)) }
     }
 
     /// Zeros for a block: `[chunks, rows, stride]`.
-    pub fn zeros(&self, device: &Device, label: &'static str, rows: u32) -> Result<Buffer<f32>> {
+    fn zeros(&self, device: &Device, label: &'static str, rows: u32) -> Result<Buffer<f32>> {
         device.zeros(label, self.first(self.chunks, rows))
+    }
+
+    /// Zeros for a group: `[chunks, rows, stride]`.
+    pub fn zeros_for_group(
+        &self,
+        device: &Device,
+        label: &'static str,
+        rows: u32,
+    ) -> Result<Buffer<f32>> {
+        device.zeros(label, self.first(self.group, rows))
     }
 
     /// What a chunk has of a buffer `[chunks, rows, stride]`.
@@ -68,9 +84,9 @@ impl Layout {
 #[derive(Debug)]
 pub struct Block {
     /// `[chunks, 7, stride]`
-    pub point: Buffer<f32>,
+    point: Buffer<f32>,
     /// `[chunks, rows, stride]`
-    pub input: Buffer<f32>,
+    input: Buffer<f32>,
     /// Rows of the network's input.
     pub rows: u32,
     pub layout: Layout,
@@ -93,7 +109,7 @@ pub struct Chunk {
     /// The first, counted from the first block's.
     pub first: u32,
     pub samples: u32,
-    /// Its place in its block.
+    /// Its place in its block or group.
     pub index: u32,
     /// `[7, stride]`
     pub point: Buffer<f32>,
@@ -110,11 +126,13 @@ pub struct Blocks {
     blocks: Vec<Block>,
 }
 
-/// A block that is being worked on.
+/// A block that is being worked on, or a group of its chunks.
 #[derive(Clone, Copy, Debug)]
 pub struct BlockOf<'a> {
     /// Its memory.
     pub block: &'a Block,
+    /// The first chunk's place in it.
+    first_chunk: u32,
     /// Whether what was written there before is still there.
     pub is_kept: bool,
     /// Its first sample.
@@ -158,14 +176,36 @@ impl Blocks {
             let first = index as u32 * size;
             let is_kept = index < last || count == self.blocks.len();
             let block = &self.blocks[index.min(last)];
-            BlockOf { block, is_kept, first, samples: size.min(samples - first) }
+            BlockOf { block, first_chunk: 0, is_kept, first, samples: size.min(samples - first) }
         })
     }
 }
 
-impl BlockOf<'_> {
+impl<'a> BlockOf<'a> {
+    /// Its points: `[chunks, 7, stride]`.
+    pub fn point(&self) -> Buffer<f32> {
+        self.block.layout.of_chunk(&self.block.point, self.first_chunk, ROWS_OF_POINT)
+    }
+
+    /// Its inputs: `[chunks, rows, stride]`.
+    pub fn input(&self) -> Buffer<f32> {
+        self.block.layout.of_chunk(&self.block.input, self.first_chunk, self.block.rows)
+    }
+
+    /// Its groups, in order.
+    pub fn groups(self) -> impl Iterator<Item = BlockOf<'a>> {
+        let layout = self.block.layout;
+        let size = layout.group * layout.chunk;
+        (0..self.samples.div_ceil(size)).map(move |index| BlockOf {
+            first_chunk: self.first_chunk + index * layout.group,
+            first: self.first + index * size,
+            samples: size.min(self.samples - index * size),
+            ..self
+        })
+    }
+
     /// Its chunks, in order.
-    pub fn chunks(&self) -> impl Iterator<Item = Chunk> + use<'_> {
+    pub fn chunks(self) -> impl Iterator<Item = Chunk> + use<'a> {
         let layout = self.block.layout;
         (0..self.samples.div_ceil(layout.chunk)).map(move |index| {
             let begin = index * layout.chunk;
@@ -173,8 +213,8 @@ impl BlockOf<'_> {
                 first: self.first + begin,
                 samples: layout.chunk.min(self.samples - begin),
                 index,
-                point: layout.of_chunk(&self.block.point, index, ROWS_OF_POINT),
-                input: layout.of_chunk(&self.block.input, index, self.block.rows),
+                point: layout.of_chunk(&self.point(), index, ROWS_OF_POINT),
+                input: layout.of_chunk(&self.input(), index, self.block.rows),
                 stride: layout.stride,
             }
         })

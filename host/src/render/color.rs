@@ -132,24 +132,39 @@ impl Color {
                 }
                 field.encode(device, block, grid_row)?;
             }
-            for chunk in block.chunks() {
-                field.activate(device, &scratch, &chunk)?;
-                let params = ColorHeadBackwardParams {
-                    samples: chunk.samples,
-                    first_pair: chunk.first,
-                    stride: chunk.stride,
-                };
-                let logit_gradient = &scratch.logit_gradient;
-                let color = &self.color;
-                let head = ColorHeadBackwardKernel { params, color, pair_gradient, logit_gradient };
-                device.run(&head, chunk.samples, 1)?;
-                field.backward(device, &scratch, &chunk, grid_row, &gradient.color)?;
-                material_backward(device, scene, &scratch, &chunk, &pair_material)?;
+            for group in block.groups() {
+                for chunk in group.chunks() {
+                    field.activate(device, &scratch, &chunk)?;
+                    self.head_backward(device, &scratch, &chunk, pair_gradient)?;
+                    field.backward(device, &scratch, &chunk, grid_row, &gradient.color)?;
+                    material_backward(device, scene, &scratch, &chunk, &pair_material)?;
+                }
+                field.encode_backward(device, &scratch, group, grid_row, &gradient.color)?;
             }
-            field.encode_backward(device, &scratch, block, grid_row, &gradient.color)?;
         }
         table.finish(device)?;
         sum_pairs(device, scene, mask, material, &pair_material, &gradient.material)
+    }
+
+    /// The gradient of the network's outputs for a chunk of pairs.
+    fn head_backward(
+        &self,
+        device: &Device,
+        scratch: &BackwardScratch,
+        chunk: &Chunk,
+        pair_gradient: &Buffer<Vec4>,
+    ) -> Result<()> {
+        let kernel = ColorHeadBackwardKernel {
+            params: ColorHeadBackwardParams {
+                samples: chunk.samples,
+                first_pair: chunk.first,
+                stride: chunk.stride,
+            },
+            color: &self.color,
+            pair_gradient,
+            logit_gradient: &scratch.logit_gradient,
+        };
+        device.run(&kernel, chunk.samples, 1)
     }
 }
 

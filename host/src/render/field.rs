@@ -91,8 +91,8 @@ impl DeviceField {
             params: self.grid_params(block, first_row),
             levels: &self.levels,
             table: &self.table,
-            position: &block.block.point,
-            output: &block.block.input,
+            position: &block.point(),
+            output: &block.input(),
         };
         device.run(&kernel, block.samples, self.levels.len() as u32)
     }

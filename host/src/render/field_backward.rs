@@ -1,5 +1,5 @@
-//! The derivatives of a field: chunk by chunk from its network's output back to its parameters and inputs, and block by
-//! block from there to its hash grid.
+//! The derivatives of a field: chunk by chunk from its network's output back to its parameters and inputs, and group by
+//! group from there to its hash grid.
 
 use glam::Vec4;
 use organza_kernels::dense_backward::{
@@ -17,14 +17,14 @@ use crate::error::Result;
 /// Samples of a slice on a GPU: a chunk has enough of them to fill it.
 const GPU_SLICE: u32 = 1 << 8;
 
-/// What going back takes: the activations of a chunk's layers and their gradients, and those of a block's inputs.
+/// What going back takes: the activations of a chunk's layers and their gradients, and those of a group's inputs.
 #[derive(Debug)]
 pub struct BackwardScratch {
     /// Each hidden layer's output: `[rows, stride]` each.
     activation: Vec<Buffer<f32>>,
     /// Gradient of the network's outputs, which the stage's head writes: `[4, stride]`, and 0 where there is no output.
     pub logit_gradient: Buffer<f32>,
-    /// Gradients of a block's inputs: `[chunks, rows, stride]`.
+    /// Gradients of a group's inputs: `[chunks, rows, stride]`.
     input_gradient: Buffer<f32>,
     /// Gradients of two hidden layers next to each other: `[rows, stride]`.
     hidden_gradient: [Buffer<f32>; 2],
@@ -47,7 +47,11 @@ impl BackwardScratch {
         Ok(Self {
             activation: activation.collect::<Result<_>>()?,
             logit_gradient: rows("gradient of logits", 4)?,
-            input_gradient: layout.zeros(device, "gradient of inputs", field.layers[0].inputs)?,
+            input_gradient: layout.zeros_for_group(
+                device,
+                "gradient of inputs",
+                field.layers[0].inputs,
+            )?,
             hidden_gradient: [rows(label, field.widest())?, rows(label, field.widest())?],
             partial: device.zeros("gradients of slices", partial)?,
             layout,
@@ -138,18 +142,17 @@ impl DeviceField {
         device.run(&kernel, kernel.params.parameters, 1)
     }
 
-    /// Adds the gradients of a block's features, which begin at `grid_row`, to those of the hash grid.
+    /// Adds the gradients of a group's features, which begin at `grid_row`, to those of the hash grid.
     pub fn encode_backward(
         &self,
         device: &Device,
         scratch: &BackwardScratch,
-        block: BlockOf<'_>,
+        group: BlockOf<'_>,
         grid_row: u32,
         gradient: &FieldGradient,
     ) -> Result<()> {
-        let params = self.grid_params(block, grid_row);
-        let (points, features) = (&block.block.point, &scratch.input_gradient);
-        gradient.table.accumulate(device, self, params, points, features)
+        let params = self.grid_params(group, grid_row);
+        gradient.table.accumulate(device, self, params, &group.point(), &scratch.input_gradient)
     }
 
     /// The gradients of a layer's weights and biases in each slice of a chunk.

@@ -177,7 +177,7 @@ impl Transmittance {
         let (pairs, field, extra) = (&bins.pairs, &scene.transmittance, scene.config.extra);
         let layout = self.blocks.layout();
         let scratch = BackwardScratch::new(device, field, layout)?;
-        let log_rho_gradient = device.zeros("gradient of log rho", layout.stride as usize)?;
+        let log_rho = device.zeros("gradient of log rho", layout.stride as usize)?;
         let pair_extra =
             device.zeros("gradient of the pairs' extra vectors", (pairs.count * extra) as usize)?;
         // which pairs a chunk has samples of
@@ -193,30 +193,28 @@ impl Transmittance {
                 }
                 field.encode(device, block, 0)?;
             }
-            for chunk in block.chunks() {
-                field.activate(device, &scratch, &chunk)?;
-                let owners = Owners::of(&first_samples, &chunk);
-                let chunk = &chunk;
-                let log_rho = &log_rho_gradient;
-                self.head_backward(device, scene, &scratch, chunk, owners, pair_gradient, log_rho)?;
-                field.backward(device, &scratch, chunk, 0, &gradient.transmittance)?;
-                self.extra_backward(device, scene, &scratch, chunk, owners, &pair_extra)?;
+            for group in block.groups() {
+                for chunk in group.chunks() {
+                    field.activate(device, &scratch, &chunk)?;
+                    let of = OfChunk { chunk: &chunk, owners: Owners::of(&first_samples, &chunk) };
+                    self.head_backward(device, scene, &scratch, of, pair_gradient, &log_rho)?;
+                    field.backward(device, &scratch, &chunk, 0, &gradient.transmittance)?;
+                    self.extra_backward(device, scene, &scratch, of, &pair_extra)?;
+                }
+                field.encode_backward(device, &scratch, group, 0, &gradient.transmittance)?;
             }
-            field.encode_backward(device, &scratch, block, 0, &gradient.transmittance)?;
         }
         table.finish(device)?;
         sum_pairs(device, scene, &bins.pair_mask, extra, &pair_extra, &gradient.extra)
     }
 
     /// The gradient of the network's output for a chunk of samples.
-    #[expect(clippy::too_many_arguments, reason = "two kernels' inputs")]
     fn head_backward(
         &self,
         device: &Device,
         scene: &DeviceScene,
         scratch: &BackwardScratch,
-        chunk: &Chunk,
-        owners: Owners,
+        OfChunk { chunk, owners }: OfChunk<'_>,
         pair_gradient: &Buffer<Vec4>,
         log_rho_gradient: &Buffer<f32>,
     ) -> Result<()> {
@@ -258,8 +256,7 @@ impl Transmittance {
         device: &Device,
         scene: &DeviceScene,
         scratch: &BackwardScratch,
-        chunk: &Chunk,
-        owners: Owners,
+        OfChunk { chunk, owners }: OfChunk<'_>,
         pair_extra: &Buffer<f32>,
     ) -> Result<()> {
         let kernel = ExtraBackwardKernel {
@@ -278,6 +275,13 @@ impl Transmittance {
         };
         device.run(&kernel, owners.pairs, scene.config.extra)
     }
+}
+
+/// A chunk, and whose samples it has.
+#[derive(Clone, Copy, Debug)]
+struct OfChunk<'a> {
+    chunk: &'a Chunk,
+    owners: Owners,
 }
 
 /// The pairs that have samples in a chunk.

@@ -1,11 +1,14 @@
 //! Every case of the float64 reference, on every backend: the tiles and each stage on its own.
 
+use organza::render::SceneGradient;
 use organza::{DeviceScene, Renderer};
 use organza_tests::cases::{self, Case};
 use organza_tests::compare::{assert_close, assert_close_relative, difference};
 
 /// Absolute, on the tiles.
 const TILES: f64 = 2e-4;
+/// Absolute, on the tiles of scenes whose grids are halves.
+const HALF_TILES: f32 = 2e-4;
 /// Relative, on each stage.
 const STAGE: f64 = 1e-4;
 
@@ -15,6 +18,22 @@ fn tiles_are_those_of_the_reference() {
         let tiles = renderer.render(scene, &case.cameras, &case.tiles).expect("it renders");
         let what = format!("{}, tiles on {backend}", case.name);
         assert_close(&what, &tiles.data, case.expected("tiles"), TILES);
+    });
+}
+
+/// Features are off by 2^-11 of the entries around them; what that does to a pixel is for the networks to say.
+#[test]
+fn tiles_of_half_grids_are_close() {
+    cases::on_every_device(|backend, renderer, case, full| {
+        let scene = renderer.upload_with_half_grids(&case.scene).expect("it is uploaded");
+        assert!(scene.bytes() < full.bytes(), "{}: no smaller on {backend}", case.name);
+        let tiles = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
+        let expected = case.expected("tiles");
+        let error = tiles.data.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+        println!("{}, tiles of half grids on {backend}: off by {error:.1e}", case.name);
+        assert!(error < HALF_TILES, "{}: {error} on {backend}", case.name);
+        let more = SceneGradient::new(renderer.device(), &scene);
+        assert!(more.is_err(), "halves have gradients");
     });
 }
 

@@ -73,7 +73,7 @@ const COMPOSITE_BACKWARD: u64 = 30;
 type Count = fn(Call<'_>) -> Work;
 
 /// The kernels that are counted, and how.
-const COUNTED: [(&str, Count); 21] = [
+const COUNTED: [(&str, Count); 22] = [
     ("dense", dense),
     ("dense_backward", dense_backward),
     ("dense_weight_backward", dense_weight_backward),
@@ -86,6 +86,7 @@ const COUNTED: [(&str, Count); 21] = [
     ("color_head_backward", color_head_backward),
     ("material_backward", material_backward),
     ("hash_grid", hash_grid),
+    ("hash_grid_half", hash_grid_half),
     ("hash_grid_backward", hash_grid_backward),
     ("composite", composite),
     ("composite_backward", composite_backward),
@@ -212,6 +213,16 @@ fn hash_grid(call: Call<'_>) -> Work {
         flops: cells * (cell(&params) + 15 * features),
         bytes: points * POINT + cells * (8 + 1) * features * NUMBER,
     }
+}
+
+fn hash_grid_half(call: Call<'_>) -> Work {
+    let params: HashGridParams = call.params();
+    let [points, features] = wide([params.points, params.features]);
+    // a word holds two of a corner's features; a product of two powers of two makes a half a number
+    let words = 8 * call.layers * features.div_ceil(2);
+    let full = hash_grid(call);
+    let halved = NUMBER * points * (8 * call.layers * features - words);
+    Work { flops: full.flops + 2 * points * words, bytes: full.bytes - halved }
 }
 
 fn hash_grid_backward(call: Call<'_>) -> Work {

@@ -9,6 +9,7 @@ use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
 #[cfg(target_arch = "spirv")]
 use spirv_std::num_traits::Float;
 
+use crate::hash_grid_half::half_value;
 use crate::prelude::*;
 use crate::{atomic, fixed};
 
@@ -72,6 +73,8 @@ pub trait Lane:
     fn read_written(buffer: Write<f32>, first: u32) -> Self;
     /// Values at any places.
     fn gather(buffer: Read<f32>, at: Self::Index) -> Self;
+    /// The two [halves](crate::hash_grid_half::half_value) of words at any places, the lower one first.
+    fn gather_halves(buffer: Read<u32>, at: Self::Index) -> [Self; 2];
     /// Stores consecutive values from `first` on.
     fn write(self, buffer: Write<f32>, first: u32);
     /// Adds the values to the [fixed-point](crate::fixed) sums at `at`, where the mask holds: see
@@ -208,6 +211,12 @@ impl Lane for f32 {
     #[inline(always)]
     fn gather(buffer: Read<f32>, at: u32) -> Self {
         buffer.read(at)
+    }
+
+    #[inline(always)]
+    fn gather_halves(buffer: Read<u32>, at: u32) -> [Self; 2] {
+        let word = buffer.read(at);
+        [half_value(word & 0xffff), half_value(word >> 16)]
     }
 
     #[inline(always)]

@@ -18,6 +18,7 @@ pub mod dense_backward;
 pub mod fixed;
 pub mod hash_grid;
 pub mod hash_grid_backward;
+pub mod hash_grid_half;
 pub mod hash_grid_scale;
 pub mod invocation;
 #[cfg(not(target_arch = "spirv"))]

@@ -3,6 +3,7 @@
 use core::array::from_fn;
 use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
 
+use crate::hash_grid_half::half_value;
 use crate::prelude::*;
 use crate::wide_math::{exp, fma, pairwise, wholes};
 use crate::{atomic, fixed};
@@ -220,6 +221,21 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     #[track_caller]
     fn gather(buffer: Read<f32>, at: Self::Index) -> Self {
         Self(buffer.gather(at.0))
+    }
+
+    #[inline(always)]
+    #[track_caller]
+    fn gather_halves(buffer: Read<u32>, at: Self::Index) -> [Self; 2] {
+        let words = buffer.gather(at.0);
+        let lower = from_fn(
+            #[inline(always)]
+            |i| half_value(words[i] & 0xffff),
+        );
+        let upper = from_fn(
+            #[inline(always)]
+            |i| half_value(words[i] >> 16),
+        );
+        [Self(lower), Self(upper)]
     }
 
     #[inline(always)]

@@ -3,6 +3,7 @@
 use organza::parity::Canary;
 use organza::parity::color::ColorInputs;
 use organza::parity::hash_grid::HashGrid;
+use organza::parity::hash_grid_half::HashGridHalf;
 use organza::parity::transmittance::TransmittanceInputs;
 use organza::scene::Interpolation;
 
@@ -62,40 +63,44 @@ fn inputs_are_harmonics_points_and_materials() {
     });
 }
 
+/// An interpolated feature.
+fn feature(set: &HashGrid, index: usize) -> Option<f64> {
+    let (level, feature, point) = set.place(index)?;
+    // the level's place in the table
+    let (mut first, mut scale, mut resolution, mut entries) = (0, 0.0, 0u64, 0);
+    for l in 0..=level {
+        first += entries;
+        scale = set.grid.base_resolution * set.grid.growth.powf(l as f64) - 1.0;
+        resolution = scale.ceil() as u64 + 1;
+        entries = resolution.pow(3).next_multiple_of(8).min(1 << set.grid.log2_table);
+    }
+    let is_hashed = resolution.pow(3) > entries;
+    let position = set.points[point]
+        .map(|x| (f64::from(x.coarse) + f64::from(x.fine)).clamp(0.0, 1.0) * scale + 0.5);
+    let weight = |axis: usize, upper: u64| {
+        let t = position[axis] - position[axis].floor();
+        let smooth = set.grid.interpolation == Interpolation::Smoothstep;
+        let t = if smooth { t * t * (3.0 - 2.0 * t) } else { t };
+        if upper == 1 { t } else { 1.0 - t }
+    };
+    let corner = |corner: u64| {
+        let upper = [corner & 1, corner >> 1 & 1, corner >> 2];
+        let [x, y, z] = [0, 1, 2].map(|axis| position[axis].floor() as u64 + upper[axis]);
+        let wrap = |x: u64, prime: u64| (x * prime) & u64::from(u32::MAX);
+        let hashed = x ^ wrap(y, 2_654_435_761) ^ wrap(z, 805_459_861);
+        let dense = x + y * resolution + z * resolution * resolution;
+        let entry = first + if is_hashed { hashed } else { dense } % entries;
+        let value = set.table[entry as usize * set.grid.features as usize + feature];
+        let weights: f64 = (0..3).map(|axis| weight(axis, upper[axis])).product();
+        weights * f64::from(value)
+    };
+    Some((0..8).map(corner).sum())
+}
+
 #[test]
 fn features_are_interpolated_between_corners() {
-    hold::<HashGrid>(|set, _, index| {
-        let (level, feature, point) = set.place(index)?;
-        // the level's place in the table
-        let (mut first, mut scale, mut resolution, mut entries) = (0, 0.0, 0u64, 0);
-        for l in 0..=level {
-            first += entries;
-            scale = set.grid.base_resolution * set.grid.growth.powf(l as f64) - 1.0;
-            resolution = scale.ceil() as u64 + 1;
-            entries = resolution.pow(3).next_multiple_of(8).min(1 << set.grid.log2_table);
-        }
-        let is_hashed = resolution.pow(3) > entries;
-        let position = set.points[point]
-            .map(|x| (f64::from(x.coarse) + f64::from(x.fine)).clamp(0.0, 1.0) * scale + 0.5);
-        let weight = |axis: usize, upper: u64| {
-            let t = position[axis] - position[axis].floor();
-            let smooth = set.grid.interpolation == Interpolation::Smoothstep;
-            let t = if smooth { t * t * (3.0 - 2.0 * t) } else { t };
-            if upper == 1 { t } else { 1.0 - t }
-        };
-        let corner = |corner: u64| {
-            let upper = [corner & 1, corner >> 1 & 1, corner >> 2];
-            let [x, y, z] = [0, 1, 2].map(|axis| position[axis].floor() as u64 + upper[axis]);
-            let wrap = |x: u64, prime: u64| (x * prime) & u64::from(u32::MAX);
-            let hashed = x ^ wrap(y, 2_654_435_761) ^ wrap(z, 805_459_861);
-            let dense = x + y * resolution + z * resolution * resolution;
-            let entry = first + if is_hashed { hashed } else { dense } % entries;
-            let value = set.table[entry as usize * set.grid.features as usize + feature];
-            let weights: f64 = (0..3).map(|axis| weight(axis, upper[axis])).product();
-            weights * f64::from(value)
-        };
-        Some((0..8).map(corner).sum())
-    });
+    hold::<HashGrid>(|set, _, index| feature(set, index));
+    hold::<HashGridHalf>(|set, _, index| feature(&set.full, index));
 }
 
 #[test]

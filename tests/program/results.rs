@@ -36,6 +36,22 @@ fn tiles_are_those_of_the_reference() {
 }
 
 #[test]
+fn half_grids_are_close_and_have_no_gradients() {
+    let sandbox = Sandbox::new("basic");
+    sandbox.run(&format!("{TILES} -o full.safetensors")).assert_ok();
+    sandbox.run(&format!("{TILES} --half-grids -o half.safetensors")).assert_ok();
+    let [full, half] = ["full", "half"].map(|name| {
+        read_tensors(sandbox.path(&format!("{name}.safetensors"))).unwrap()["tiles"].data.clone()
+    });
+    assert!(full != half, "nothing was rounded");
+    assert_close("tiles", &half, &full, 2e-4);
+    let words = "--half-grids --grad-output full.safetensors --grad grad.safetensors";
+    sandbox.assert_refuses(&format!("{TILES} {words}"), &["--half-grids", "--grad"]);
+    let bench = "bench scene.safetensors cameras.json tiles.json --half-grids";
+    sandbox.assert_refuses(bench, &["--half-grids", "--forward"]);
+}
+
+#[test]
 fn images_do_not_depend_on_the_tile_size() {
     let sandbox = Sandbox::new("crowded");
     for side in [16, 32, 50, 64] {

@@ -6,7 +6,8 @@ use organza::bench::{BenchOptions, Benchmark, KernelShare, Synthetic, measure, p
 use organza::{Camera, DeviceOptions, Error, Result, Scene, TileBatch};
 
 use super::console::{print, print_json};
-use super::device::DeviceArgs;
+use super::device::{DeviceArgs, SceneArgs};
+use super::refuse;
 use super::summary::{count, grouped};
 use super::table::Table;
 use super::tiles::with_origin;
@@ -53,6 +54,8 @@ pub struct Args {
     #[arg(long)]
     json: bool,
     #[command(flatten)]
+    scene_args: SceneArgs,
+    #[command(flatten)]
     device: DeviceArgs,
 }
 
@@ -84,7 +87,7 @@ impl Args {
         let scene = console.during("reading the scene", &workload.scene)?;
         let renderer = self.device.open_as(device)?;
         // the host's copy is not kept: it is not part of what rendering takes
-        let scene = renderer.upload(&{ scene })?;
+        let scene = self.scene_args.upload(&renderer, &{ scene })?;
         let options = BenchOptions { repeat: self.repeat as usize, backward: !self.forward };
         let progress = console.progress(passes(renderer.device(), options) as u64, "passes");
         progress.say("measuring");
@@ -109,6 +112,9 @@ impl Args {
 }
 
 pub fn run(args: &Args) -> Result<()> {
+    if args.scene_args.half_grids && !args.forward {
+        return refuse("`--half-grids` has no gradients: measure `--forward` alone");
+    }
     let workload = args.workload()?;
     if args.every_device {
         let found = args.measure_every(&workload)?;

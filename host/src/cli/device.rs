@@ -3,10 +3,31 @@
 use clap::ValueEnum;
 use clap::builder::PossibleValuesParser;
 use organza::backend::{AdapterInfo, adapters};
-use organza::{BackendChoice, Device, DeviceOptions, InstructionSet, Renderer, Result, SpirvPath};
+use organza::{
+    BackendChoice, Device, DeviceOptions, DeviceScene, InstructionSet, Renderer, Result, Scene,
+    SpirvPath,
+};
 
 use super::console::Console;
 use super::refuse;
+
+/// How a scene lies on the device.
+#[derive(Debug, clap::Args)]
+pub struct SceneArgs {
+    /// Keep both hash grids in half precision: half their memory, each feature off by 1/2048 at most; not for gradients
+    #[arg(long, help_heading = "Device")]
+    pub half_grids: bool,
+}
+
+impl SceneArgs {
+    /// Copies the scene to the renderer's device.
+    pub fn upload(&self, renderer: &Renderer, scene: &Scene) -> Result<DeviceScene> {
+        match self.half_grids {
+            false => renderer.upload(scene),
+            true => renderer.upload_with_half_grids(scene),
+        }
+    }
+}
 
 /// Options of the subcommands that render.
 #[derive(Debug, clap::Args)]

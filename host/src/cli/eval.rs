@@ -12,7 +12,7 @@ use organza::train::{self, CHECKPOINT, CONFIG, TrainConfig};
 use organza::{DeviceScene, Error, Evaluation, Renderer, Result, Scene};
 
 use super::console::{Console, print, print_json};
-use super::device::DeviceArgs;
+use super::device::{DeviceArgs, SceneArgs};
 use super::picture::warn_not_finite;
 use super::summary::count;
 use super::table::Table;
@@ -58,6 +58,8 @@ pub struct Args {
     #[arg(long)]
     json: bool,
     #[command(flatten)]
+    scene_args: SceneArgs,
+    #[command(flatten)]
     device: DeviceArgs,
 }
 
@@ -98,7 +100,7 @@ pub fn run(args: &Args) -> Result<()> {
     let renderer = args.device.open()?;
     let dataset = load(args, &data, &renderer, &scene, console)?;
     let frames = frames(args, &dataset)?;
-    let scene = renderer.upload(&scene)?;
+    let scene = args.scene_args.upload(&renderer, &scene)?;
     let evaluation = measure(&renderer, &scene, &frames, console)?;
     if args.json { print_json(&evaluation) } else { print(&table(&evaluation)) }
 }

@@ -6,7 +6,7 @@ use organza::tile::MAX_TILE_SIDE;
 use organza::{Camera, Result, Scene};
 
 use super::console::Console;
-use super::device::DeviceArgs;
+use super::device::{DeviceArgs, SceneArgs};
 use super::output::{self, Folder};
 use super::picture::{Pictures, sizes, warn_not_finite};
 use super::refuse;
@@ -40,6 +40,8 @@ pub struct Args {
     #[arg(value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_TILE_SIDE)))]
     tile_size: u32,
     #[command(flatten)]
+    scene_args: SceneArgs,
+    #[command(flatten)]
     device: DeviceArgs,
 }
 
@@ -56,7 +58,7 @@ pub fn run(args: &Args) -> Result<()> {
     let files = files(args, &folder, &cameras, &views)?;
 
     let renderer = args.device.open()?;
-    let scene = renderer.upload(&scene)?;
+    let scene = args.scene_args.upload(&renderer, &scene)?;
     let (cameras, tile_size) = (&cameras[..], args.tile_size);
     let pictures = Pictures { renderer: &renderer, scene: &scene, cameras, tile_size };
     write_all(&pictures, &views, &files, console)?;

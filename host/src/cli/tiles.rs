@@ -6,7 +6,7 @@ use organza::scene::{TensorRef, read_tensors, write_tensors};
 use organza::{Camera, DeviceScene, Error, Renderer, Result, Scene, TileBatch, memory};
 
 use super::console::Console;
-use super::device::DeviceArgs;
+use super::device::{DeviceArgs, SceneArgs};
 use super::summary::{Summary, count, grouped};
 use super::views::warn_distorted;
 use super::{output, refuse};
@@ -40,8 +40,10 @@ pub struct Args {
     #[arg(long, value_name = "G", requires = "grad")]
     grad_output: Option<PathBuf>,
     /// Where to write the loss's derivative by every tensor of the scene, safetensors
-    #[arg(long, value_name = "GRAD", requires = "grad_output")]
+    #[arg(long, value_name = "GRAD", requires = "grad_output", conflicts_with = "half_grids")]
     grad: Option<PathBuf>,
+    #[command(flatten)]
+    scene_args: SceneArgs,
     #[command(flatten)]
     device: DeviceArgs,
 }
@@ -73,7 +75,7 @@ pub fn run(args: &Args) -> Result<()> {
     let scene = console.during("reading the scene", || Scene::load(&args.scene))?;
 
     let renderer = args.device.open()?;
-    let scene = renderer.upload(&scene)?;
+    let scene = args.scene_args.upload(&renderer, &scene)?;
     if let Some(output) = &args.output {
         write_tiles(console, &renderer, &scene, &cameras, &batch, output)?;
     }

@@ -155,6 +155,19 @@ impl HashGrid {
         set
     }
 
+    /// Values of the output.
+    pub(super) fn output_len(&self) -> usize {
+        len(rows(&self.grid), self.points.len())
+    }
+
+    pub(super) fn params(&self) -> HashGridParams {
+        params(&self.grid, self.points.len())
+    }
+
+    pub(super) fn positions(&self) -> Vec<f32> {
+        positions(&self.points)
+    }
+
     /// The levels as the kernel reads them.
     #[must_use]
     pub fn levels(&self) -> Vec<GridLevel> {
@@ -194,12 +207,12 @@ impl Parity for HashGrid {
 
     fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
         let levels = self.levels();
-        let output = bench.output(len(rows(&self.grid), self.points.len()))?;
+        let output = bench.output(self.output_len())?;
         let kernel = HashGridKernel {
-            params: params(&self.grid, self.points.len()),
+            params: self.params(),
             levels: &bench.upload(&levels)?,
             table: &bench.upload(&self.table)?,
-            position: &bench.upload(&positions(&self.points))?,
+            position: &bench.upload(&self.positions())?,
             output: &output,
         };
         bench.items(&kernel, kernel.params.points, levels.len() as u32)?;

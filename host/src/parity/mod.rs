@@ -15,6 +15,7 @@ pub mod dense;
 pub mod dense_backward;
 pub mod hash_grid;
 pub mod hash_grid_backward;
+pub mod hash_grid_half;
 pub mod hash_grid_scale;
 pub mod inputs;
 pub mod loss;
@@ -53,6 +54,7 @@ pub fn cases() -> Vec<Case> {
         Case::of::<scan::ScanAdd>(),
         Case::of::<color::ColorInputs>(),
         Case::of::<hash_grid::HashGrid>(),
+        Case::of::<hash_grid_half::HashGridHalf>(),
         Case::of::<dense::Dense>(),
         Case::of::<color::ColorHead>(),
         Case::of::<segment::Segment>(),

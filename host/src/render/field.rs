@@ -3,6 +3,7 @@
 use glam::Vec4;
 use organza_kernels::dense::{DenseKernel, DenseParams, HIDDEN_BLOCK};
 use organza_kernels::hash_grid::{GridLevel, HashGridKernel, HashGridParams};
+use organza_kernels::hash_grid_half::HashGridHalfKernel;
 
 use super::block::{BlockOf, Chunk, Layout, ROWS_OF_POINT};
 use crate::backend::{Buffer, Device};
@@ -14,6 +15,8 @@ use crate::scene::{Field, GridConfig, Interpolation, Network};
 pub struct DeviceField {
     pub(super) levels: Buffer<GridLevel>,
     pub(super) table: Buffer<f32>,
+    /// Instead of `table`: the same as halves.
+    pub(super) half_table: Option<Buffer<u32>>,
     pub parameters: Buffer<Vec4>,
     pub(super) features: u32,
     pub(super) smoothstep: bool,
@@ -30,7 +33,20 @@ pub struct LayerPlace {
 }
 
 impl DeviceField {
+    /// With the table as it is; [`DeviceField::upload_halves`] packs it.
     pub fn upload(device: &Device, grid: &GridConfig, field: &Field) -> Result<Self> {
+        let table = device.upload("hash grid", &field.grid)?;
+        Self::around(device, grid, field, table, None)
+    }
+
+    /// All but the table.
+    pub(super) fn around(
+        device: &Device,
+        grid: &GridConfig,
+        field: &Field,
+        table: Buffer<f32>,
+        half_table: Option<Buffer<u32>>,
+    ) -> Result<Self> {
         let levels: Vec<_> = grid
             .levels_geometry()
             .iter()
@@ -47,7 +63,8 @@ impl DeviceField {
         let (parameters, layers) = pack_network(&field.network);
         Ok(Self {
             levels: device.upload("grid levels", &levels)?,
-            table: device.upload("hash grid", &field.grid)?,
+            table,
+            half_table,
             parameters: device.upload("network", &parameters)?,
             features: grid.features,
             smoothstep: grid.interpolation == Interpolation::Smoothstep,
@@ -56,7 +73,8 @@ impl DeviceField {
     }
 
     pub fn bytes(&self) -> u64 {
-        self.levels.bytes() + self.table.bytes() + self.parameters.bytes()
+        let half_table = self.half_table.as_ref().map_or(0, Buffer::bytes);
+        self.levels.bytes() + self.table.bytes() + half_table + self.parameters.bytes()
     }
 
     /// The last layer, which each head evaluates on its own.
@@ -87,14 +105,20 @@ impl DeviceField {
 
     /// Writes the hash features of a block's points to the rows of its input from `first_row` on.
     pub fn encode(&self, device: &Device, block: BlockOf<'_>, first_row: u32) -> Result<()> {
-        let kernel = HashGridKernel {
-            params: self.grid_params(block, first_row),
-            levels: &self.levels,
-            table: &self.table,
-            position: &block.point(),
-            output: &block.input(),
-        };
-        device.run(&kernel, block.samples, self.levels.len() as u32)
+        let params = self.grid_params(block, first_row);
+        let (position, output) = (&block.point(), &block.input());
+        let (levels, samples, layers) = (&self.levels, block.samples, self.levels.len() as u32);
+        match &self.half_table {
+            None => {
+                let table = &self.table;
+                let kernel = HashGridKernel { params, levels, table, position, output };
+                device.run(&kernel, samples, layers)
+            }
+            Some(table) => {
+                let kernel = HashGridHalfKernel { params, levels, table, position, output };
+                device.run(&kernel, samples, layers)
+            }
+        }
     }
 
     /// Runs the hidden layers over a chunk's input; returns the last one's activations.

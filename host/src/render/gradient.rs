@@ -38,7 +38,11 @@ pub struct FieldGradient {
 
 impl SceneGradient {
     /// Zeros, for a scene.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] where the scene's grids are halves; as [`Device::zeros`].
     pub fn new(device: &Device, scene: &DeviceScene) -> Result<Self> {
+        scene.require_full_grids()?;
         let gaussians = scene.len();
         Ok(Self {
             gaussians: device.zeros("gradient of the Gaussians", 11 * gaussians)?,

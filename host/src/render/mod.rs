@@ -9,6 +9,7 @@ mod field;
 mod field_backward;
 mod gradient;
 mod hash_grid;
+mod hash_grid_half;
 mod inspect;
 mod loss;
 mod pair;
@@ -30,6 +31,7 @@ use crate::tile::TileBatch;
 
 pub(crate) use backward::LossTarget;
 pub use gradient::SceneGradient;
+pub(crate) use hash_grid_half::pack_halves;
 pub use inspect::{Contribution, Inspection, Stages};
 pub use loss::{Loss, LossInputs, LossOutput, TileLoss};
 pub use parameters::Parameter;

@@ -63,8 +63,9 @@ impl DeviceScene {
     /// The scene as it is now.
     ///
     /// # Errors
-    /// As [`Device::read`].
+    /// As [`Device::read`]; [`Error::Argument`](crate::Error::Argument) where the grids are halves.
     pub fn download(&self, device: &Device) -> Result<Scene> {
+        self.require_full_grids()?;
         let mut scene = Scene::zeros(self.config.clone(), self.len())?;
         let gaussians = &mut scene.gaussians;
         let copy = |target: &mut [f32], source: &Buffer<f32>| -> Result<()> {

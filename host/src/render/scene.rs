@@ -7,7 +7,7 @@ use super::Renderer;
 use super::field::DeviceField;
 use crate::backend::Buffer;
 use crate::error::Result;
-use crate::scene::{Scene, SceneConfig};
+use crate::scene::{Field, GridConfig, Scene, SceneConfig};
 
 /// A scene whose tensors lie on a device.
 #[derive(Debug)]
@@ -39,6 +39,15 @@ impl Renderer {
 
     /// As [`Renderer::upload`], for tensors that are no scene, such as an optimizer's.
     pub(crate) fn upload_moments(&self, scene: &Scene) -> Result<DeviceScene> {
+        self.upload_fields(scene, &|grid, field, _| DeviceField::upload(self.device(), grid, field))
+    }
+
+    /// As [`Renderer::upload`]; `upload` copies a field, of which it is told the grid's name.
+    pub(super) fn upload_fields(
+        &self,
+        scene: &Scene,
+        upload: &dyn Fn(&GridConfig, &Field, &str) -> Result<DeviceField>,
+    ) -> Result<DeviceScene> {
         let device = self.device();
         let config = &scene.config;
         let gaussians = &scene.gaussians;
@@ -52,11 +61,11 @@ impl Renderer {
             opacity: device.upload("gaussians.opacity", &gaussians.opacity)?,
             material: device.upload("gaussians.material", &gaussians.material)?,
             extra: device.upload("gaussians.extra", &gaussians.extra)?,
-            color: DeviceField::upload(device, &config.color_grid, &scene.color)?,
-            transmittance: DeviceField::upload(
-                device,
+            color: upload(&config.color_grid, &scene.color, "color.grid")?,
+            transmittance: upload(
                 &config.transmittance_grid,
                 &scene.transmittance,
+                "transmittance.grid",
             )?,
             config: config.clone(),
         })

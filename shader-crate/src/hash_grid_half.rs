@@ -1,0 +1,79 @@
+//! The hash grid with entries of half precision: half the memory, and half the reads.
+//!
+//! Two features are one word: an entry takes half as many words as it has features, rounded up.  Features are
+//! rounded once, to 11 bits, when the table is packed; all else is as in [`hash_grid`](crate::hash_grid).
+
+use crate::hash_grid::{Corners, GridLevel, HashGridParams, read_point};
+use crate::limits::MAX_FEATURES;
+use crate::prelude::*;
+
+/// The largest number that a table may hold.
+pub const MAX_HALF: f32 = 65_504.0;
+
+/// The value of a half, of its 16 bits; one below 2^-14, of which drivers make zero, must not be there.
+#[inline(always)]
+pub fn half_value(bits: u32) -> f32 {
+    // the exponent moves to where a float has it, short of the biases' difference
+    let moved = f32::from_bits((bits & 0x8000) << 16 | (bits & 0x7fff) << 13);
+    moved * TWO_TO_112
+}
+
+/// 2^112, the ratio of the biases: 127 - 15 = 112.
+const TWO_TO_112: f32 = f32::from_bits((127 + 112) << 23);
+
+/// As [`hash_grid`](crate::hash_grid::hash_grid()), with `table [entries, ceil(features / 2)]`: the feature of even
+/// number in the lower half of a word.
+#[kernel(threads(64), iterations = MAX_FEATURES, lanes(points))]
+pub fn hash_grid_half<L: Lane>(
+    id: Invocation,
+    params: &HashGridParams,
+    levels: Read<GridLevel>,
+    table: Read<u32>,
+    position: Read<f32>,
+    output: Write<f32>,
+) {
+    let point = id.index();
+    if point < params.points {
+        let level = levels.read(id.workgroup.z);
+        let x = read_point::<L>(position, params.stride, params.point_column(point));
+        let corners = Corners::of(&level, level.cell(x, params.smoothstep != 0));
+        let words = params.features.div_ceil(2);
+        let mut row = params.feature_column(point, id.workgroup.z);
+        let mut word = 0;
+        while word < words {
+            let [first, second] = interpolated(table, &corners, words, word);
+            first.write(output, row);
+            if 2 * word + 1 < params.features {
+                second.write(output, row + params.stride);
+            }
+            row += 2 * params.stride;
+            word += 1;
+        }
+    }
+}
+
+/// Two features between the corners of a cell, summed as [`hash_grid`](crate::hash_grid) does.
+#[inline(always)]
+fn interpolated<L: Lane>(table: Read<u32>, corners: &Corners<L>, words: u32, word: u32) -> [L; 2] {
+    let [e0, e1, e2, e3, e4, e5, e6, e7] = corners.entry;
+    let [w0, w1, w2, w3, w4, w5, w6, w7] = corners.weight;
+    let [a0, b0] = features::<L>(table, e0, words, word);
+    let [a1, b1] = features::<L>(table, e1, words, word);
+    let [a2, b2] = features::<L>(table, e2, words, word);
+    let [a3, b3] = features::<L>(table, e3, words, word);
+    let [a4, b4] = features::<L>(table, e4, words, word);
+    let [a5, b5] = features::<L>(table, e5, words, word);
+    let [a6, b6] = features::<L>(table, e6, words, word);
+    let [a7, b7] = features::<L>(table, e7, words, word);
+    [
+        a0 * w0 + a1 * w1 + a2 * w2 + a3 * w3 + a4 * w4 + a5 * w5 + a6 * w6 + a7 * w7,
+        b0 * w0 + b1 * w1 + b2 * w2 + b3 * w3 + b4 * w4 + b5 * w5 + b6 * w6 + b7 * w7,
+    ]
+}
+
+/// Two features of each lane's entry.
+#[inline(always)]
+fn features<L: Lane>(table: Read<u32>, entry: L::Index, words: u32, word: u32) -> [L; 2] {
+    let number = <L::Index as LaneIndex>::splat;
+    L::gather_halves(table, entry.wrapping_mul(number(words)).wrapping_add(number(word)))
+}

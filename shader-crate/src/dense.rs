@@ -90,7 +90,7 @@ pub fn column<L: Lane>(
 /// A hidden layer: `output = max(W input + b, 0)`, samples along x and y, blocks of 16 outputs along z.
 ///
 /// `input [inputs, stride]`, `output [4 columns, stride]`.
-#[kernel(threads(64), iterations = MAX_INPUTS, fused, lanes(samples))]
+#[kernel(threads(64), iterations = MAX_INPUTS, fused, stacks, lanes(samples))]
 pub fn dense<L: Lane>(
     id: Invocation,
     params: &DenseParams,

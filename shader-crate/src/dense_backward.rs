@@ -78,7 +78,7 @@ fn least(a: u32, b: u32) -> u32 {
 /// eight inputs from `first_input` on along z.
 ///
 /// `input [inputs, stride]`, `output_gradient [4 columns, stride]`, `input_gradient [end_input, stride]`.
-#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH / 4, fused, lanes(samples))]
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH / 4, fused, stacks, lanes(samples))]
 pub fn dense_backward<L: Lane>(
     id: Invocation,
     params: &DenseBackwardParams,

@@ -73,6 +73,8 @@ pub struct KernelInfo {
     pub fused: bool,
     /// Whether the CPU runs a layer of workgroups, those of one z, on one thread.
     pub layers: bool,
+    /// Whether the CPU runs a stack of workgroups, those of one x and y, one after another.
+    pub stacks: bool,
     /// Bindings, by number.
     pub bindings: &'static [BindingInfo],
     /// Workgroup memory.

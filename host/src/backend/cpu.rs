@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use glam::UVec3;
+use glam::{UVec3, Vec3Swizzles};
 use organza_kernels::invocation::Invocation;
 use organza_kernels::kernel::{
     Access, BindingInfo, CpuBinding, CpuRun, InstructionSet, KernelInfo,
@@ -104,7 +104,11 @@ impl Cpu {
         }
         let [x, y, z] = workgroups.map(u64::from);
         let size = UVec3::from(workgroups);
-        let place = |index: u64| unlinear(index, size);
+        let place = |index: u64| match info.stacks {
+            // z counts fastest
+            true => unlinear(index, size.zxy()).yzx(),
+            false => unlinear(index, size),
+        };
         let run_of_lanes = match info.run {
             CpuRun::Lanes(runs) => CpuRun::Workgroup(runs.of(self.instruction_set)),
             run => run,

@@ -138,7 +138,7 @@ fn info(kernel: &Kernel) -> TokenStream {
         None => quote!(::core::option::Option::None),
     };
     let (count, run) = (kernel.parameters.len(), cpu_run(kernel));
-    let (fused, layers) = (kernel.fused, kernel.layers);
+    let (fused, layers, stacks) = (kernel.fused, kernel.layers, kernel.stacks);
     quote! {
         #[cfg(not(target_arch = "spirv"))]
         #[::linkme::distributed_slice(crate::kernel::KERNELS)]
@@ -151,6 +151,7 @@ fn info(kernel: &Kernel) -> TokenStream {
                 iterations: #iterations,
                 fused: #fused,
                 layers: #layers,
+                stacks: #stacks,
                 bindings: &[#(#bindings),*],
                 shared: &[#(#shared),*],
                 run: run(),

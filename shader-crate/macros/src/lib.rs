@@ -32,7 +32,8 @@
 //! lanes as it likes.
 //!
 //! With `layers`, the CPU runs the workgroups of one z one after another on one thread: the kernel may change what only
-//! invocations of one z touch with `atomic::add_wide`, which is atomic on a GPU alone.
+//! invocations of one z touch with `atomic::add_wide`, which is atomic on a GPU alone.  With `stacks`, it runs those of
+//! one x and y one after another: what they all read is in a cache but for the first.
 //!
 //! Binding numbers are positions in the parameter list, in descriptor set 0.  From this one
 //! declaration follow the SPIR-V entry point, the typed dispatch of the host (`SquareKernel`), the CPU

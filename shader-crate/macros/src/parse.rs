@@ -42,6 +42,8 @@ pub struct Kernel {
     pub fused: bool,
     /// On the CPU a layer of workgroups, those of one z, runs on one thread.
     pub layers: bool,
+    /// On the CPU a stack of workgroups, those of one x and y, runs together.
+    pub stacks: bool,
     pub lanes: Option<Lanes>,
     /// The most iterations of one invocation.
     pub iterations: Option<Expr>,
@@ -53,7 +55,8 @@ pub struct Kernel {
 impl Kernel {
     pub fn parse(attribute: TokenStream, item: TokenStream) -> Result<Self> {
         let function: ItemFn = syn::parse2(item)?;
-        let Attribute { threads, fused, layers, lanes, iterations } = parse_attribute(attribute)?;
+        let Attribute { threads, fused, layers, stacks, lanes, iterations } =
+            parse_attribute(attribute)?;
         let mut inputs = function.sig.inputs.iter();
         let id = inputs.next().and_then(invocation).ok_or_else(|| {
             Error::new(function.sig.span(), "the first parameter of a kernel is `id: Invocation`")
@@ -72,7 +75,8 @@ impl Kernel {
                 "a kernel with `lanes` is generic over one `Lane`",
             ));
         }
-        let kernel = Self { function, threads, fused, layers, lanes, iterations, id, parameters };
+        let kernel =
+            Self { function, threads, fused, layers, stacks, lanes, iterations, id, parameters };
         if kernel.lanes.is_some() && kernel.has_shared() {
             let message = "a kernel with workgroup memory has no `lanes`";
             return Err(Error::new(kernel.function.sig.span(), message));
@@ -89,15 +93,18 @@ struct Attribute {
     threads: [u32; 3],
     fused: bool,
     layers: bool,
+    stacks: bool,
     lanes: Option<Lanes>,
     iterations: Option<Expr>,
 }
 
-/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `layers`, and `lanes` or `lanes(field)`
+/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `layers` or `stacks`, and `lanes` or
+/// `lanes(field)`
 fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     let mut threads = None;
     let mut fused = false;
     let mut layers = false;
+    let mut stacks = false;
     let mut lanes = None;
     let mut iterations = None;
     let parser = syn::meta::parser(|meta| {
@@ -107,6 +114,10 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
         }
         if meta.path.is_ident("layers") {
             layers = true;
+            return Ok(());
+        }
+        if meta.path.is_ident("stacks") {
+            stacks = true;
             return Ok(());
         }
         if meta.path.is_ident("iterations") {
@@ -125,7 +136,7 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
         }
         if !meta.path.is_ident("threads") {
             let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `layers`, \
-                `lanes` or `lanes(field)`";
+                `stacks`, `lanes` or `lanes(field)`";
             return Err(meta.error(expected));
         }
         let content;
@@ -155,7 +166,10 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
             "a layer is one workgroup thick: `threads(x, y)`",
         ));
     }
-    Ok(Attribute { threads, fused, layers, lanes, iterations })
+    if layers && stacks {
+        return Err(Error::new(attribute.span(), "workgroups run by `layers` or by `stacks`"));
+    }
+    Ok(Attribute { threads, fused, layers, stacks, lanes, iterations })
 }
 
 /// The name of `id: Invocation`.

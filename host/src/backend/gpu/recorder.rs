@@ -10,15 +10,17 @@ use super::timer::Timer;
 /// Bytes of a uniform slot: the largest alignment that an adapter may ask for.
 const SLOT: u64 = 256;
 
-/// Dispatches of one command buffer: each has its slot until it is submitted.
-pub const SLOTS: u64 = 256;
+/// Dispatches of one command buffer: each has its slot until it is submitted.  Enough for a training step, of which what
+/// is read in between makes a few command buffers; and as many timestamps as a query set takes.
+pub const SLOTS: u64 = 2048;
 
 /// The command buffer that is being written.
 #[derive(Debug)]
 pub struct Recorder {
     encoder: Option<wgpu::CommandEncoder>,
     uniforms: wgpu::Buffer,
-    used: u64,
+    /// What the slots will hold.
+    slots: Vec<u8>,
     /// None where the device has no timestamps.
     timer: Option<Timer>,
     /// Whether dispatches are timed.
@@ -33,7 +35,7 @@ impl Recorder {
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        Self { encoder: None, uniforms, used: 0, timer: Timer::new(device), times: false }
+        Self { encoder: None, uniforms, slots: Vec::new(), timer: Timer::new(device), times: false }
     }
 
     fn encoder(&mut self, device: &wgpu::Device) -> &mut wgpu::CommandEncoder {
@@ -51,15 +53,12 @@ impl Recorder {
         buffers: &[wgpu::BufferBinding<'_>],
         [x, y, z]: [u32; 3],
     ) {
-        if self.used == SLOTS {
+        if self.slots.len() as u64 == SLOT * SLOTS {
             self.submit(device, queue);
         }
-        // such writes happen before the next submission: a slot is free again once it is submitted
-        let offset = self.used * SLOT;
-        let mut slot = [0; SLOT as usize];
-        slot[..uniform.len()].copy_from_slice(uniform);
-        queue.write_buffer(&self.uniforms, offset, &slot);
-        self.used += 1;
+        let offset = self.slots.len() as u64;
+        self.slots.extend_from_slice(uniform);
+        self.slots.resize((offset + SLOT) as usize, 0);
 
         let mut buffers = buffers.iter();
         let entries: Vec<_> = kernel
@@ -121,9 +120,13 @@ impl Recorder {
             if let Some(timer) = &mut self.timer {
                 timer.resolve(device, &mut encoder);
             }
+            // happens before what is submitted next, and after what was submitted before
+            if !self.slots.is_empty() {
+                queue.write_buffer(&self.uniforms, 0, &self.slots);
+                self.slots.clear();
+            }
             queue.submit([encoder.finish()]);
         }
-        self.used = 0;
     }
 
     /// From now on, whether dispatches are timed; returns whether the device can.

@@ -113,6 +113,7 @@ mod flops {
             weight: 0,
             bias: BIAS,
             slice: BACKWARD.samples,
+            first_slice: 0,
             parameters: PARAMETERS,
         };
         let kernel = DenseWeightBackwardKernel {

@@ -186,6 +186,8 @@ pub struct DenseWeightBackwardParams {
     pub bias: u32,
     /// Samples of a slice.
     pub slice: u32,
+    /// The first slice's place in `partial`.
+    pub first_slice: u32,
     /// Distance of two slices in `partial`: the parameters of the whole network.
     pub parameters: u32,
 }
@@ -238,7 +240,8 @@ fn total<L: Lane, M: Lane>(sum: Column<L>, rest: Column<M>) -> Vec4 {
 /// 10, the sums over the samples of a slice: blocks of four inputs and a column of outputs along x and y (the column
 /// counts fastest; behind the last block the biases), slices along z.
 ///
-/// `input [inputs, stride]`, `output_gradient [4 columns, stride]`, `partial [slices, parameters]`.
+/// `input [inputs, stride]`, `output_gradient [4 columns, stride]`, `partial [slices, parameters]`, from
+/// the slice `params.first_slice` on.
 #[kernel(threads(16), iterations = MAX_SLICE, fused, lanes)]
 pub fn dense_weight_backward<L: Lane>(
     id: Invocation,
@@ -255,7 +258,7 @@ pub fn dense_weight_backward<L: Lane>(
         let slice = id.workgroup.z;
         let begin = slice * params.slice;
         let end = least(begin + params.slice, params.samples);
-        let to = slice * params.parameters + column;
+        let to = (params.first_slice + slice) * params.parameters + column;
         let g = 4 * column * params.stride;
         if block < blocks {
             let first = block * WEIGHT_BLOCK;

@@ -125,6 +125,7 @@ impl Layer {
                 weight: 0,
                 bias: self.inputs * self.columns,
                 slice,
+                first_slice: 0,
                 parameters,
             },
             input: &device.upload("input", &self.input()).unwrap(),

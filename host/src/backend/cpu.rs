@@ -1,5 +1,6 @@
 //! The CPU backend: the kernels as ordinary functions, workgroups spread over threads.
 
+use std::cell::Cell;
 use std::ops::Range;
 
 use glam::{UVec3, Vec3Swizzles};
@@ -17,6 +18,27 @@ use super::watch::Races;
 use super::{coroutine, supervise};
 use crate::error::{Error, Result};
 use crate::memory;
+
+thread_local! {
+    /// Threads that have work of their own, this one among them; 0 where a dispatch is everyone's.
+    static ALONE: Cell<u32> = const { Cell::new(0) };
+}
+
+/// While it lives, the thread's dispatches are its own.
+struct Alone;
+
+impl Alone {
+    fn among(threads: u32) -> Self {
+        ALONE.set(threads);
+        Self
+    }
+}
+
+impl Drop for Alone {
+    fn drop(&mut self) {
+        ALONE.set(0);
+    }
+}
 
 /// Workgroups that a thread runs one after the other: what it takes to hand them over counts less.
 const AT_ONCE: u64 = 8;
@@ -144,11 +166,33 @@ impl Cpu {
             let first = index as u64 * at_once;
             run_some(first..(first + at_once).min(x * y * z))
         };
+        if ALONE.get() > 0 {
+            return (0..all as usize).try_for_each(some).map_err(failed);
+        }
         let run_all = || match info.layers {
             true => (0..all as usize).into_par_iter().with_max_len(1).try_for_each(some),
             false => (0..all as usize).into_par_iter().try_for_each(some),
         };
         self.pool.install(run_all).map_err(failed)
+    }
+
+    /// Runs `work` for every item, on all threads at once; what an item dispatches runs on its thread alone.
+    pub fn each<T: Send>(
+        &self,
+        items: Vec<T>,
+        work: impl Fn(T) -> Result<()> + Sync,
+    ) -> Result<()> {
+        let at_once = self.threads().min(items.len()) as u32;
+        let alone = |item| {
+            let _alone = Alone::among(at_once);
+            work(item)
+        };
+        self.pool.install(|| items.into_par_iter().with_max_len(1).try_for_each(alone))
+    }
+
+    /// Threads that share the device with this one: more than one for an item of [`Cpu::each`].
+    pub fn at_once() -> u32 {
+        ALONE.get().max(1)
     }
 
     /// Runs `work` on one of the device's threads: its dispatches need not wake one up.

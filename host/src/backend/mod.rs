@@ -12,8 +12,8 @@ mod supervise;
 mod timings;
 mod watch;
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use bytemuck::Pod;
@@ -198,7 +198,8 @@ impl Device {
             Kind::Cpu(cpu) => {
                 let start = Instant::now();
                 let result = cpu.dispatch(info, uniform, &buffers, workgroups);
-                self.timings.add(info.name, start.elapsed(), work());
+                // of the device's time
+                self.timings.add(info.name, start.elapsed() / cpu::Cpu::at_once(), work());
                 result
             }
             Kind::Gpu(gpu) if times && self.waits.load(Ordering::Relaxed) => {
@@ -226,6 +227,38 @@ impl Device {
         match &self.kind {
             Kind::Cpu(cpu) => cpu.inside(work),
             Kind::Gpu(_) => work(),
+        }
+    }
+
+    /// Does `work` for every item, with scratch memory of `scratches`, of which `new` makes more.  On a CPU as many items
+    /// as there are threads at once, each on its thread alone, so that what it computes stays in that core's caches: items
+    /// must not write to the same memory.
+    pub(crate) fn each<T: Send, S: Send>(
+        &self,
+        items: impl Iterator<Item = T>,
+        scratches: &Mutex<Vec<S>>,
+        new: impl Fn() -> Result<S> + Sync,
+        work: impl Fn(&S, T) -> Result<()> + Sync,
+    ) -> Result<()> {
+        let unused = || scratches.lock().unwrap_or_else(PoisonError::into_inner);
+        let work = |item| {
+            let found = unused().pop();
+            let scratch = found.map_or_else(&new, Ok)?;
+            let result = work(&scratch, item);
+            unused().push(scratch);
+            result
+        };
+        match &self.kind {
+            Kind::Cpu(cpu) => cpu.each(items.collect(), work),
+            Kind::Gpu(_) => items.into_iter().try_for_each(work),
+        }
+    }
+
+    /// Threads of a CPU; 1 for a GPU.
+    pub(crate) fn threads(&self) -> usize {
+        match &self.kind {
+            Kind::Cpu(cpu) => cpu.threads(),
+            Kind::Gpu(_) => 1,
         }
     }
 

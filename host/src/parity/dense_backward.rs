@@ -189,6 +189,7 @@ impl Parity for DenseWeightBackward {
                 weight: places.weight,
                 bias: places.bias,
                 slice: self.slice,
+                first_slice: 0,
                 parameters,
             },
             input: &bench.upload(&layer.input)?,

@@ -4,7 +4,7 @@
 //! samples; a network chunk by chunk, so that a chunk's activations stay in a CPU's caches.
 
 use organza_kernels::hash_grid::POINT_ROWS;
-use organza_kernels::limits::MAX_SLICE;
+use organza_kernels::limits::{MAX_SLICE, MAX_SLICES};
 
 use crate::backend::{Buffer, Device, TAIL_ALIGNMENT};
 use crate::error::Result;
@@ -35,7 +35,7 @@ pub struct Layout {
     /// Chunks of a block.
     chunks: u32,
     /// Chunks of a group.
-    group: u32,
+    pub group: u32,
 }
 
 impl Layout {
@@ -47,7 +47,9 @@ impl Layout {
         // not a power of two: rows would fall into the same sets of a cache
         let stride = chunk + ALIGNED;
         let chunks = samples.min(BLOCK).div_ceil(chunk);
-        Self { chunk, stride, chunks, group: (GROUP / chunk).clamp(1, chunks.max(1)) }
+        // enough for every thread
+        let group = (GROUP / chunk).max(2 * device.threads() as u32).min(MAX_SLICES);
+        Self { chunk, stride, chunks, group: group.clamp(1, chunks.max(1)) }
     }
 
     /// Zeros for a block: `[chunks, rows, stride]`.

@@ -1,5 +1,7 @@
 //! A: the color of every pair.
 
+use std::sync::Mutex;
+
 use glam::Vec4;
 use organza_kernels::color::{
     ColorHeadKernel, ColorHeadParams, ColorInputsKernel, ColorInputsParams,
@@ -11,9 +13,9 @@ use organza_kernels::color_backward::{
 
 use super::DeviceScene;
 use super::bin::{Mask, Pairs};
-use super::block::{Blocks, Chunk};
+use super::block::{BlockOf, Blocks, Chunk};
 use super::field::Scratch;
-use super::field_backward::BackwardScratch;
+use super::field_backward::{ChunkScratch, GroupScratch};
 use super::gradient::SceneGradient;
 use super::pair::sum_pairs;
 use crate::backend::{Buffer, Device};
@@ -50,15 +52,13 @@ impl Color {
         let (config, field) = (&scene.config, &scene.color);
         let color = device.zeros("color", pairs.count as usize * 3)?;
         let blocks = Blocks::new(device, config.color_inputs(), pairs.count, keep)?;
-        let scratch = Scratch::new(device, field, blocks.layout())?;
+        let scratches = Mutex::default();
         let head = field.head();
         for block in blocks.iter() {
-            for chunk in block.chunks() {
-                inputs(device, scene, pairs, &chunk)?;
-            }
-            field.encode(device, block, config.sh_width() as u32)?;
-            for chunk in block.chunks() {
-                visit(&chunk)?;
+            encode(device, scene, pairs, block)?;
+            block.chunks().try_for_each(|chunk| visit(&chunk))?;
+            let new = || Scratch::new(device, field, blocks.layout());
+            device.each(block.chunks(), &scratches, new, |scratch, chunk| {
                 let kernel = ColorHeadKernel {
                     params: ColorHeadParams {
                         samples: chunk.samples,
@@ -69,14 +69,26 @@ impl Color {
                         bias: head.bias,
                     },
                     parameters: &field.parameters,
-                    input: field.hidden(device, &scratch, &chunk)?,
+                    input: field.hidden(device, scratch, &chunk)?,
                     color: &color,
                 };
-                device.run(&kernel, chunk.samples, 1)?;
-            }
+                device.run(&kernel, chunk.samples, 1)
+            })?;
         }
         Ok(Self { color, blocks })
     }
+}
+
+/// What the network reads, for a block of pairs.
+fn encode(device: &Device, scene: &DeviceScene, pairs: &Pairs, block: BlockOf<'_>) -> Result<()> {
+    let none = Mutex::new(Vec::new());
+    device.each(
+        block.chunks(),
+        &none,
+        || Ok(()),
+        |_, chunk| inputs(device, scene, pairs, &chunk),
+    )?;
+    scene.color.encode(device, block, scene.config.sh_width() as u32)
 }
 
 /// What does not come from the hash grid, for a chunk of pairs: `point [6, stride]`, `input [rows, stride]`.
@@ -120,26 +132,27 @@ impl Color {
         }
         let (config, field) = (&scene.config, &scene.color);
         let (grid_row, material) = (config.sh_width() as u32, config.material);
-        let scratch = BackwardScratch::new(device, field, self.blocks.layout())?;
+        let layout = self.blocks.layout();
+        let group_scratch = GroupScratch::new(device, field, layout)?;
+        let scratches = Mutex::default();
         let pair_material =
             device.zeros("gradient of the pairs' material", (pairs.count * material) as usize)?;
         let table = &gradient.color.table;
         table.set_scale(device, field, pair_gradient, None, pairs.count, pairs.count)?;
         for block in self.blocks.iter() {
             if !block.is_kept {
-                for chunk in block.chunks() {
-                    inputs(device, scene, pairs, &chunk)?;
-                }
-                field.encode(device, block, grid_row)?;
+                encode(device, scene, pairs, block)?;
             }
             for group in block.groups() {
-                for chunk in group.chunks() {
-                    field.activate(device, &scratch, &chunk)?;
-                    self.head_backward(device, &scratch, &chunk, pair_gradient)?;
-                    field.backward(device, &scratch, &chunk, grid_row, &gradient.color)?;
-                    material_backward(device, scene, &scratch, &chunk, &pair_material)?;
-                }
-                field.encode_backward(device, &scratch, group, grid_row, &gradient.color)?;
+                let new = || ChunkScratch::new(device, field, layout);
+                device.each(group.chunks(), &scratches, new, |scratch, chunk| {
+                    field.activate(device, scratch, &chunk)?;
+                    self.head_backward(device, scratch, &chunk, pair_gradient)?;
+                    field.backward(device, &group_scratch, scratch, &chunk, grid_row)?;
+                    let inputs = group_scratch.input_gradient(field, &chunk);
+                    material_backward(device, scene, &inputs, &chunk, &pair_material)
+                })?;
+                field.group_backward(device, &group_scratch, group, grid_row, &gradient.color)?;
             }
         }
         table.finish(device)?;
@@ -150,7 +163,7 @@ impl Color {
     fn head_backward(
         &self,
         device: &Device,
-        scratch: &BackwardScratch,
+        scratch: &ChunkScratch,
         chunk: &Chunk,
         pair_gradient: &Buffer<Vec4>,
     ) -> Result<()> {
@@ -172,7 +185,7 @@ impl Color {
 fn material_backward(
     device: &Device,
     scene: &DeviceScene,
-    scratch: &BackwardScratch,
+    input_gradient: &Buffer<f32>,
     chunk: &Chunk,
     pair_material: &Buffer<f32>,
 ) -> Result<()> {
@@ -188,7 +201,7 @@ fn material_backward(
             material: config.material,
             material_row: (config.sh_width() + config.color_grid.width()) as u32,
         },
-        input_gradient: &scratch.input_gradient(&scene.color, chunk),
+        input_gradient,
         pair_material,
     };
     device.run(&kernel, chunk.samples, 1)

@@ -17,51 +17,32 @@ use crate::error::Result;
 /// Samples of a slice on a GPU: a chunk has enough of them to fill it.
 const GPU_SLICE: u32 = 1 << 8;
 
-/// What going back takes: the activations of a chunk's layers and their gradients, and those of a group's inputs.
+/// What going back through a group takes that its chunks share: each writes its own part.
 #[derive(Debug)]
-pub struct BackwardScratch {
-    /// Each hidden layer's output: `[rows, stride]` each.
-    activation: Vec<Buffer<f32>>,
-    /// Gradient of the network's outputs, which the stage's head writes: `[4, stride]`, and 0 where there is no output.
-    pub logit_gradient: Buffer<f32>,
-    /// Gradients of a group's inputs: `[chunks, rows, stride]`.
+pub struct GroupScratch {
+    /// Gradients of the inputs: `[chunks, rows, stride]`.
     input_gradient: Buffer<f32>,
-    /// Gradients of two hidden layers next to each other: `[rows, stride]`.
-    hidden_gradient: [Buffer<f32>; 2],
     /// Gradients of the network's parameters, a slice's each: `[slices, parameters]`.
     partial: Buffer<Vec4>,
     layout: Layout,
+    /// Samples of a slice.
     slice: u32,
 }
 
-impl BackwardScratch {
+impl GroupScratch {
     /// For blocks of this layout.
     pub fn new(device: &Device, field: &DeviceField, layout: Layout) -> Result<Self> {
         let slice = if device.is_cpu_like() { layout.chunk } else { GPU_SLICE };
-        assert!(slice <= MAX_SLICE && layout.chunk.div_ceil(slice) <= MAX_SLICES);
-        let rows = |label, rows: u32| device.zeros(label, (rows * layout.stride) as usize);
-        let hidden = &field.layers[..field.layers.len() - 1];
-        let activation = hidden.iter().map(|layer| rows("activations", layer.columns * 4));
-        let partial = layout.chunk.div_ceil(slice) as usize * field.parameters.len();
-        let label = "gradient of activations";
+        let slices = layout.group * layout.chunk.div_ceil(slice);
+        assert!(slice <= MAX_SLICE && slices <= MAX_SLICES, "{slices} slices of {slice} samples");
+        let (label, rows) = ("gradient of inputs", field.layers[0].inputs);
+        let partial = slices as usize * field.parameters.len();
         Ok(Self {
-            activation: activation.collect::<Result<_>>()?,
-            logit_gradient: rows("gradient of logits", 4)?,
-            input_gradient: layout.zeros_for_group(
-                device,
-                "gradient of inputs",
-                field.layers[0].inputs,
-            )?,
-            hidden_gradient: [rows(label, field.widest())?, rows(label, field.widest())?],
+            input_gradient: layout.zeros_for_group(device, label, rows)?,
             partial: device.zeros("gradients of slices", partial)?,
             layout,
             slice,
         })
-    }
-
-    /// What the last layer of a chunk reads.
-    pub fn last_hidden<'a>(&'a self, chunk: &'a Chunk) -> &'a Buffer<f32> {
-        self.activation.last().unwrap_or(&chunk.input)
     }
 
     /// Gradients of a chunk's inputs: `[rows, stride]`.
@@ -70,14 +51,40 @@ impl BackwardScratch {
     }
 }
 
+/// What going back through a chunk takes: the activations of its layers and their gradients.
+#[derive(Debug)]
+pub struct ChunkScratch {
+    /// Each hidden layer's output: `[rows, stride]` each.
+    activation: Vec<Buffer<f32>>,
+    /// Gradient of the network's outputs, which the stage's head writes: `[4, stride]`, and 0 where there is no output.
+    pub logit_gradient: Buffer<f32>,
+    /// Gradients of two hidden layers next to each other: `[rows, stride]`.
+    hidden_gradient: [Buffer<f32>; 2],
+}
+
+impl ChunkScratch {
+    /// For chunks of this layout.
+    pub fn new(device: &Device, field: &DeviceField, layout: Layout) -> Result<Self> {
+        let rows = |label, rows: u32| device.zeros(label, (rows * layout.stride) as usize);
+        let hidden = &field.layers[..field.layers.len() - 1];
+        let activation = hidden.iter().map(|layer| rows("activations", layer.columns * 4));
+        let label = "gradient of activations";
+        Ok(Self {
+            activation: activation.collect::<Result<_>>()?,
+            logit_gradient: rows("gradient of logits", 4)?,
+            hidden_gradient: [rows(label, field.widest())?, rows(label, field.widest())?],
+        })
+    }
+
+    /// What the last layer of a chunk reads.
+    pub fn last_hidden<'a>(&'a self, chunk: &'a Chunk) -> &'a Buffer<f32> {
+        self.activation.last().unwrap_or(&chunk.input)
+    }
+}
+
 impl DeviceField {
     /// Computes the hidden layers' activations of a chunk.
-    pub fn activate(
-        &self,
-        device: &Device,
-        scratch: &BackwardScratch,
-        chunk: &Chunk,
-    ) -> Result<()> {
+    pub fn activate(&self, device: &Device, scratch: &ChunkScratch, chunk: &Chunk) -> Result<()> {
         let mut input = &chunk.input;
         for (layer, output) in self.layers.iter().zip(&scratch.activation) {
             self.layer(device, layer, input, output, chunk.stride, chunk.samples)?;
@@ -86,23 +93,23 @@ impl DeviceField {
         Ok(())
     }
 
-    /// From `scratch.logit_gradient` back through all layers of a chunk: adds the gradients of the network's parameters,
-    /// and leaves those of its inputs from the row `grid_row` on, where the grid's features begin, in the scratch memory.
+    /// From `scratch.logit_gradient` back through all layers of a chunk: leaves the gradients of the network's parameters,
+    /// and those of its inputs from the row `grid_row` on, where the grid's features begin, in `group`.
     pub fn backward(
         &self,
         device: &Device,
-        scratch: &BackwardScratch,
+        group: &GroupScratch,
+        scratch: &ChunkScratch,
         chunk: &Chunk,
         grid_row: u32,
-        gradient: &FieldGradient,
     ) -> Result<()> {
         let samples = chunk.samples;
-        let of_chunk = scratch.input_gradient(self, chunk);
+        let of_chunk = group.input_gradient(self, chunk);
         let mut output = &scratch.logit_gradient;
         for (index, layer) in self.layers.iter().enumerate().rev() {
             let input =
                 index.checked_sub(1).map_or(&chunk.input, |below| &scratch.activation[below]);
-            self.weights_backward(device, scratch, layer, samples, input, output)?;
+            self.weights_backward(device, group, layer, chunk, input, output)?;
             let target = match index {
                 0 => &of_chunk,
                 _ => &scratch.hidden_gradient[index % 2],
@@ -131,26 +138,28 @@ impl DeviceField {
             device.run(&kernel, samples, (end_input - first_input).div_ceil(INPUT_BLOCK))?;
             output = target;
         }
-        let kernel = DenseWeightSumKernel {
-            params: DenseWeightSumParams {
-                parameters: self.parameters.len() as u32,
-                slices: samples.div_ceil(scratch.slice),
-            },
-            partial: &scratch.partial,
-            gradient: &gradient.parameters,
-        };
-        device.run(&kernel, kernel.params.parameters, 1)
+        Ok(())
     }
 
-    /// Adds the gradients of a group's features, which begin at `grid_row`, to those of the hash grid.
-    pub fn encode_backward(
+    /// Adds what [`DeviceField::backward`] has left of a group: the gradients of the network's parameters, chunk by chunk
+    /// in their order, and those of the hash grid, whose features begin at `grid_row`.
+    pub fn group_backward(
         &self,
         device: &Device,
-        scratch: &BackwardScratch,
+        scratch: &GroupScratch,
         group: BlockOf<'_>,
         grid_row: u32,
         gradient: &FieldGradient,
     ) -> Result<()> {
+        let kernel = DenseWeightSumKernel {
+            params: DenseWeightSumParams {
+                parameters: self.parameters.len() as u32,
+                slices: group.samples.div_ceil(scratch.slice),
+            },
+            partial: &scratch.partial,
+            gradient: &gradient.parameters,
+        };
+        device.run(&kernel, kernel.params.parameters, 1)?;
         let params = self.grid_params(group, grid_row);
         gradient.table.accumulate(device, self, params, &group.point(), &scratch.input_gradient)
     }
@@ -159,28 +168,31 @@ impl DeviceField {
     fn weights_backward(
         &self,
         device: &Device,
-        scratch: &BackwardScratch,
+        group: &GroupScratch,
         layer: &LayerPlace,
-        samples: u32,
+        chunk: &Chunk,
         input: &Buffer<f32>,
         output_gradient: &Buffer<f32>,
     ) -> Result<()> {
+        // all chunks before are full
+        let first_slice = chunk.index * group.layout.chunk.div_ceil(group.slice);
         let kernel = DenseWeightBackwardKernel {
             params: DenseWeightBackwardParams {
-                samples,
-                stride: scratch.layout.stride,
+                samples: chunk.samples,
+                stride: chunk.stride,
                 inputs: layer.inputs,
                 columns: layer.columns,
                 weight: layer.weight,
                 bias: layer.bias,
-                slice: scratch.slice,
+                slice: group.slice,
+                first_slice,
                 parameters: self.parameters.len() as u32,
             },
             input,
             output_gradient,
-            partial: &scratch.partial,
+            partial: &group.partial,
         };
         let blocks = layer.inputs.div_ceil(WEIGHT_BLOCK) + 1;
-        device.run(&kernel, blocks * layer.columns, samples.div_ceil(scratch.slice))
+        device.run(&kernel, blocks * layer.columns, chunk.samples.div_ceil(group.slice))
     }
 }

@@ -1,5 +1,7 @@
 //! B1 and B2: the segments of all pairs, their samples as one flat list, and the products.
 
+use std::sync::Mutex;
+
 use glam::Vec4;
 use organza_kernels::limits::MAX_SAMPLES;
 use organza_kernels::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
@@ -14,9 +16,9 @@ use organza_kernels::transmittance_backward::{
 
 use super::DeviceScene;
 use super::bin::{Bins, Pairs};
-use super::block::{Blocks, Chunk};
-use super::field::Scratch;
-use super::field_backward::BackwardScratch;
+use super::block::{BlockOf, Blocks, Chunk, Layout};
+use super::field::{DeviceField, Scratch};
+use super::field_backward::{ChunkScratch, GroupScratch};
 use super::gradient::SceneGradient;
 use super::pair::sum_pairs;
 use super::scan::exclusive_scan;
@@ -102,14 +104,12 @@ fn log_rho(
 ) -> Result<Buffer<f32>> {
     let field = &scene.transmittance;
     let log_rho = device.zeros("log rho", blocks.samples() as usize)?;
-    let scratch = Scratch::new(device, field, blocks.layout())?;
+    let scratches = Mutex::default();
     let head = field.head();
     for block in blocks.iter() {
-        for chunk in block.chunks() {
-            inputs(device, scene, pairs, segment, first_sample, &chunk)?;
-        }
-        field.encode(device, block, 0)?;
-        for chunk in block.chunks() {
+        encode(device, scene, pairs, segment, first_sample, block)?;
+        let new = || Scratch::new(device, field, blocks.layout());
+        device.each(block.chunks(), &scratches, new, |scratch, chunk| {
             let kernel = TransmittanceHeadKernel {
                 params: TransmittanceHeadParams {
                     samples: chunk.samples,
@@ -121,13 +121,32 @@ fn log_rho(
                 },
                 parameters: &field.parameters,
                 point: &chunk.point,
-                input: field.hidden(device, &scratch, &chunk)?,
+                input: field.hidden(device, scratch, &chunk)?,
                 log_rho: &log_rho,
             };
-            device.run(&kernel, chunk.samples, 1)?;
-        }
+            device.run(&kernel, chunk.samples, 1)
+        })?;
     }
     Ok(log_rho)
+}
+
+/// What the network reads, for a block of samples.
+fn encode(
+    device: &Device,
+    scene: &DeviceScene,
+    pairs: &Pairs,
+    segment: &Buffer<Vec4>,
+    first_sample: &Buffer<u32>,
+    block: BlockOf<'_>,
+) -> Result<()> {
+    let none = Mutex::new(Vec::new());
+    device.each(
+        block.chunks(),
+        &none,
+        || Ok(()),
+        |_, chunk| inputs(device, scene, pairs, segment, first_sample, &chunk),
+    )?;
+    scene.transmittance.encode(device, block, 0)
 }
 
 /// What does not come from the hash grid, for a chunk of samples.
@@ -176,8 +195,8 @@ impl Transmittance {
         }
         let (pairs, field, extra) = (&bins.pairs, &scene.transmittance, scene.config.extra);
         let layout = self.blocks.layout();
-        let scratch = BackwardScratch::new(device, field, layout)?;
-        let log_rho = device.zeros("gradient of log rho", layout.stride as usize)?;
+        let group_scratch = GroupScratch::new(device, field, layout)?;
+        let scratches = Mutex::default();
         let pair_extra =
             device.zeros("gradient of the pairs' extra vectors", (pairs.count * extra) as usize)?;
         // which pairs a chunk has samples of
@@ -187,21 +206,24 @@ impl Transmittance {
         table.set_scale(device, field, pair_gradient, transmittance, pairs.count, self.samples)?;
         for block in self.blocks.iter() {
             if !block.is_kept {
-                for chunk in block.chunks() {
-                    let (segment, first_sample) = (&self.segment, &self.first_sample);
-                    inputs(device, scene, pairs, segment, first_sample, &chunk)?;
-                }
-                field.encode(device, block, 0)?;
+                encode(device, scene, pairs, &self.segment, &self.first_sample, block)?;
             }
             for group in block.groups() {
+                let new = || TransmittanceScratch::new(device, field, layout);
+                device.each(group.chunks(), &scratches, new, |scratch, chunk| {
+                    field.activate(device, &scratch.network, &chunk)?;
+                    let owners = Owners::of(&first_samples, &chunk);
+                    self.head_backward(device, scene, scratch, &chunk, owners, pair_gradient)?;
+                    field.backward(device, &group_scratch, &scratch.network, &chunk, 0)
+                })?;
+                // in their order: a pair may have samples of two
                 for chunk in group.chunks() {
-                    field.activate(device, &scratch, &chunk)?;
-                    let of = OfChunk { chunk: &chunk, owners: Owners::of(&first_samples, &chunk) };
-                    self.head_backward(device, scene, &scratch, of, pair_gradient, &log_rho)?;
-                    field.backward(device, &scratch, &chunk, 0, &gradient.transmittance)?;
-                    self.extra_backward(device, scene, &scratch, of, &pair_extra)?;
+                    let owners = Owners::of(&first_samples, &chunk);
+                    let inputs = group_scratch.input_gradient(field, &chunk);
+                    self.extra_backward(device, scene, &inputs, &chunk, owners, &pair_extra)?;
                 }
-                field.encode_backward(device, &scratch, group, 0, &gradient.transmittance)?;
+                let gradient = &gradient.transmittance;
+                field.group_backward(device, &group_scratch, group, 0, gradient)?;
             }
         }
         table.finish(device)?;
@@ -213,11 +235,12 @@ impl Transmittance {
         &self,
         device: &Device,
         scene: &DeviceScene,
-        scratch: &BackwardScratch,
-        OfChunk { chunk, owners }: OfChunk<'_>,
+        scratch: &TransmittanceScratch,
+        chunk: &Chunk,
+        owners: Owners,
         pair_gradient: &Buffer<Vec4>,
-        log_rho_gradient: &Buffer<f32>,
     ) -> Result<()> {
+        let log_rho_gradient = &scratch.log_rho_gradient;
         let kernel = SegmentProductBackwardKernel {
             params: SegmentProductBackwardParams {
                 pairs: owners.pairs,
@@ -243,9 +266,9 @@ impl Transmittance {
             },
             parameters: &field.parameters,
             point: &chunk.point,
-            input: scratch.last_hidden(chunk),
+            input: scratch.network.last_hidden(chunk),
             log_rho_gradient,
-            logit_gradient: &scratch.logit_gradient,
+            logit_gradient: &scratch.network.logit_gradient,
         };
         device.run(&kernel, chunk.samples, 1)
     }
@@ -255,8 +278,9 @@ impl Transmittance {
         &self,
         device: &Device,
         scene: &DeviceScene,
-        scratch: &BackwardScratch,
-        OfChunk { chunk, owners }: OfChunk<'_>,
+        input_gradient: &Buffer<f32>,
+        chunk: &Chunk,
+        owners: Owners,
         pair_extra: &Buffer<f32>,
     ) -> Result<()> {
         let kernel = ExtraBackwardKernel {
@@ -270,18 +294,27 @@ impl Transmittance {
                 extra_row: scene.config.transmittance_grid.width() as u32,
             },
             first_sample: &self.first_sample,
-            input_gradient: &scratch.input_gradient(&scene.transmittance, chunk),
+            input_gradient,
             pair_extra,
         };
         device.run(&kernel, owners.pairs, scene.config.extra)
     }
 }
 
-/// A chunk, and whose samples it has.
-#[derive(Clone, Copy, Debug)]
-struct OfChunk<'a> {
-    chunk: &'a Chunk,
-    owners: Owners,
+/// What going back through a chunk of samples takes.
+#[derive(Debug)]
+struct TransmittanceScratch {
+    network: ChunkScratch,
+    /// `[samples]`
+    log_rho_gradient: Buffer<f32>,
+}
+
+impl TransmittanceScratch {
+    fn new(device: &Device, field: &DeviceField, layout: Layout) -> Result<Self> {
+        let network = ChunkScratch::new(device, field, layout)?;
+        let log_rho_gradient = device.zeros("gradient of log rho", layout.chunk as usize)?;
+        Ok(Self { network, log_rho_gradient })
+    }
 }
 
 /// The pairs that have samples in a chunk.

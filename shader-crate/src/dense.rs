@@ -100,31 +100,77 @@ pub fn dense<L: Lane>(
 ) {
     let sample = id.index();
     if sample < params.samples {
-        // four columns at once: each input is read once for sixteen outputs
         let first = id.workgroup.z * (HIDDEN_BLOCK / 4);
-        let mut a = Column::<L>::splat(parameters.read(params.bias + first));
-        let mut b = Column::<L>::splat(parameters.read(params.bias + first + 1));
-        let mut c = Column::<L>::splat(parameters.read(params.bias + first + 2));
-        let mut d = Column::<L>::splat(parameters.read(params.bias + first + 3));
-        let mut weight = params.weight + first;
-        let mut at = sample;
-        let mut i = 0;
-        while i < params.inputs {
-            let x = L::read(input, at);
-            a = a.add_product(parameters.read(weight), x);
-            b = b.add_product(parameters.read(weight + 1), x);
-            c = c.add_product(parameters.read(weight + 2), x);
-            d = d.add_product(parameters.read(weight + 3), x);
-            weight += params.columns;
-            at += params.stride;
-            i += 1;
+        if L::WIDTH == 8 {
+            // what has so many lanes has 16 registers, too few for sixteen sums and what is added to them
+            two_columns::<L>(params, parameters, input, output, sample, first);
+            two_columns::<L>(params, parameters, input, output, sample, first + 2);
+        } else {
+            four_columns::<L>(params, parameters, input, output, sample, first);
         }
-        let row = first * 4;
-        write_rectified(output, a, row, params.stride, sample);
-        write_rectified(output, b, row + 4, params.stride, sample);
-        write_rectified(output, c, row + 8, params.stride, sample);
-        write_rectified(output, d, row + 12, params.stride, sample);
     }
+}
+
+/// Sixteen outputs of a hidden layer, from a column on: each input is read once for all of them.
+#[inline(always)]
+fn four_columns<L: Lane>(
+    params: &DenseParams,
+    parameters: Read<Vec4>,
+    input: Read<f32>,
+    output: Write<f32>,
+    sample: u32,
+    first: u32,
+) {
+    let mut a = Column::<L>::splat(parameters.read(params.bias + first));
+    let mut b = Column::<L>::splat(parameters.read(params.bias + first + 1));
+    let mut c = Column::<L>::splat(parameters.read(params.bias + first + 2));
+    let mut d = Column::<L>::splat(parameters.read(params.bias + first + 3));
+    let mut weight = params.weight + first;
+    let mut at = sample;
+    let mut i = 0;
+    while i < params.inputs {
+        let x = L::read(input, at);
+        a = a.add_product(parameters.read(weight), x);
+        b = b.add_product(parameters.read(weight + 1), x);
+        c = c.add_product(parameters.read(weight + 2), x);
+        d = d.add_product(parameters.read(weight + 3), x);
+        weight += params.columns;
+        at += params.stride;
+        i += 1;
+    }
+    let row = first * 4;
+    write_rectified(output, a, row, params.stride, sample);
+    write_rectified(output, b, row + 4, params.stride, sample);
+    write_rectified(output, c, row + 8, params.stride, sample);
+    write_rectified(output, d, row + 12, params.stride, sample);
+}
+
+/// Eight outputs of a hidden layer, from a column on.
+#[inline(always)]
+fn two_columns<L: Lane>(
+    params: &DenseParams,
+    parameters: Read<Vec4>,
+    input: Read<f32>,
+    output: Write<f32>,
+    sample: u32,
+    first: u32,
+) {
+    let mut a = Column::<L>::splat(parameters.read(params.bias + first));
+    let mut b = Column::<L>::splat(parameters.read(params.bias + first + 1));
+    let mut weight = params.weight + first;
+    let mut at = sample;
+    let mut i = 0;
+    while i < params.inputs {
+        let x = L::read(input, at);
+        a = a.add_product(parameters.read(weight), x);
+        b = b.add_product(parameters.read(weight + 1), x);
+        weight += params.columns;
+        at += params.stride;
+        i += 1;
+    }
+    let row = first * 4;
+    write_rectified(output, a, row, params.stride, sample);
+    write_rectified(output, b, row + 4, params.stride, sample);
 }
 
 #[inline(always)]

@@ -5,7 +5,6 @@ use organza::backend::Buffer;
 use organza::{Device, scene::GridConfig, scene::Interpolation};
 use organza_kernels::camera::Camera;
 use organza_kernels::composite::{CompositeKernel, CompositeParams};
-use organza_kernels::hash_grid::GridLevel;
 use organza_kernels::project::{falloff, mahalanobis, project_gaussian};
 use organza_kernels::resolve::{DIVIDE_ABOVE, ResolveKernel, ResolveParams};
 use organza_kernels::segment::{clip_to_unit_cube, clipped_segment, point_along};
@@ -100,7 +99,7 @@ proptest! {
             levels, features: 2, log2_table, base_resolution: f64::from(base), growth, interpolation: Interpolation::Linear,
         };
         for level in grid.levels_geometry() {
-            let kernel = GridLevel::new(level.scale, level.resolution, level.first, level.count, level.hashed);
+            let kernel = level.for_kernels();
             let cell = kernel.cell::<f32>(x.to_array().map(|x| Split::new(x, 0.0)), false);
             prop_assert!(cell.weight.iter().all(|weight| (0.0..=1.0).contains(weight)));
             for corner in 0..8u32 {

@@ -132,7 +132,7 @@ mod samples {
     use divan::Bencher;
     use organza::InstructionSet;
     use organza::scene::{GridConfig, Interpolation};
-    use organza_kernels::hash_grid::{GridLevel, HashGridKernel, HashGridParams, POINT_ROWS};
+    use organza_kernels::hash_grid::{HashGridKernel, HashGridParams, POINT_ROWS};
     use organza_kernels::hash_grid_backward::{FLAG_BLOCK, HashGridBackwardKernel};
     use organza_kernels::segment::SEGMENT_VECTORS;
     use organza_kernels::transmittance::{TransmittanceInputsKernel, TransmittanceInputsParams};
@@ -151,17 +151,6 @@ mod samples {
             growth: 1.447_269_2,
             interpolation: Interpolation::Linear,
         }
-    }
-
-    fn levels(grid: &GridConfig) -> Vec<GridLevel> {
-        let geometry = grid.levels_geometry();
-        let levels = geometry.iter();
-        levels
-            .map(|level| {
-                let (scale, resolution) = (level.scale, level.resolution);
-                GridLevel::new(scale, resolution, level.first, level.count, level.hashed)
-            })
-            .collect()
     }
 
     fn params([samples, stride]: [u32; 2]) -> HashGridParams {
@@ -191,7 +180,7 @@ mod samples {
         let points = points(&mut bench, stride);
         let kernel = HashGridKernel {
             params: params([FORWARD.samples, stride]),
-            levels: &bench.upload(&levels(&grid)),
+            levels: &bench.upload(&grid.levels_for_kernels()),
             table: &bench.numbers(2 * grid.entries() as u32, [-1.0, 1.0]),
             position: &bench.upload(&points),
             output: &bench.zeros::<f32>(grid.width() as u32 * stride),
@@ -209,7 +198,7 @@ mod samples {
         let unit = f32::from_bits((127 + 20) << 23);
         let kernel = HashGridBackwardKernel {
             params: params([BACKWARD.samples, stride]),
-            levels: &bench.upload(&levels(&grid)),
+            levels: &bench.upload(&grid.levels_for_kernels()),
             position: &bench.upload(&points),
             feature_gradient: &bench.numbers(grid.width() as u32 * stride, [-1.0, 1.0]),
             scale: &bench.upload(&[unit, unit.recip(), 2.0]),

@@ -18,7 +18,6 @@ use organza_kernels::project::ProjectParams;
 use organza_kernels::resolve::ResolveParams;
 use organza_kernels::splat::SplatParams;
 use organza_kernels::transmittance::{TransmittanceHeadParams, TransmittanceInputsParams};
-use organza_kernels::transmittance_backward::TransmittanceHeadBackwardParams;
 
 /// What was computed and moved; zeros where that is not counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -164,7 +163,7 @@ fn transmittance_head(call: Call<'_>) -> Work {
 }
 
 fn transmittance_head_backward(call: Call<'_>) -> Work {
-    let params: TransmittanceHeadBackwardParams = call.params();
+    let params: TransmittanceHeadParams = call.params();
     head(params.samples, params.inputs, 1, 3)
 }
 

@@ -140,7 +140,8 @@ fn write_inputs<L: Lane>(
     }
 }
 
-/// Parameters of [`transmittance_head`].
+/// Parameters of [`transmittance_head`] and of
+/// [`transmittance_head_backward`](crate::transmittance_backward::transmittance_head_backward()).
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct TransmittanceHeadParams {
@@ -158,6 +159,27 @@ pub struct TransmittanceHeadParams {
     pub bias: u32,
 }
 
+/// a_k, the output of the scalar network's last layer, and the `s_factor` of the sample's segment.
+#[inline(always)]
+pub fn logit_and_factor<L: Lane>(
+    params: &TransmittanceHeadParams,
+    parameters: Read<Vec4>,
+    point: Read<f32>,
+    input: Read<f32>,
+    sample: u32,
+) -> (L, L) {
+    let layer = DenseParams {
+        samples: params.samples,
+        stride: params.stride,
+        inputs: params.inputs,
+        columns: 1,
+        weight: params.weight,
+        bias: params.bias,
+    };
+    let a = column::<L>(&layer, parameters, input, sample, 0).x;
+    (a, L::read(point, POINT_ROWS * params.stride + sample))
+}
+
 /// The last layer of the scalar network and the logarithm of Eq. 11's factor:
 /// `log_rho [samples] = s_factor * log_sigmoid(a_k)`.
 #[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples))]
@@ -171,16 +193,7 @@ pub fn transmittance_head<L: Lane>(
 ) {
     let sample = id.index();
     if sample < params.samples {
-        let layer = DenseParams {
-            samples: params.samples,
-            stride: params.stride,
-            inputs: params.inputs,
-            columns: 1,
-            weight: params.weight,
-            bias: params.bias,
-        };
-        let a = column::<L>(&layer, parameters, input, sample, 0).x;
-        let factor = L::read(point, POINT_ROWS * params.stride + sample);
+        let (a, factor) = logit_and_factor::<L>(params, parameters, point, input, sample);
         (factor * log_sigmoid(a)).write(log_rho, params.first_sample + sample);
     }
 }

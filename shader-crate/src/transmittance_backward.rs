@@ -2,12 +2,11 @@
 
 use glam::Vec4;
 
-use crate::dense::{DenseParams, column};
-use crate::hash_grid::POINT_ROWS;
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES};
 use crate::math::sigmoid;
 use crate::prelude::*;
 use crate::splat::VECTORS;
+use crate::transmittance::{TransmittanceHeadParams, logit_and_factor};
 
 /// Parameters of [`segment_product_backward`].
 #[repr(C)]
@@ -59,30 +58,15 @@ pub fn segment_product_backward(
     }
 }
 
-/// Parameters of [`transmittance_head_backward`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct TransmittanceHeadBackwardParams {
-    /// Samples in this chunk.
-    pub samples: u32,
-    /// See [`DenseParams::stride`].
-    pub stride: u32,
-    /// See [`DenseParams::inputs`].
-    pub inputs: u32,
-    /// See [`DenseParams::weight`].
-    pub weight: u32,
-    /// See [`DenseParams::bias`].
-    pub bias: u32,
-}
-
 /// The gradient of the scalar network's output, which is computed once more: `dL/da_k = dL/dlog_rho_k s_factor
 /// sigmoid(-a_k)` of Eq. 11.
 ///
-/// `point [7, stride]`, `input [inputs, stride]`, `log_rho_gradient [samples]`, `logit_gradient [samples]`.
+/// `point [7, stride]`, `input [inputs, stride]`, `log_rho_gradient [samples]`, `logit_gradient [samples]`: those of
+/// the chunk, wherever it begins.
 #[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples))]
 pub fn transmittance_head_backward<L: Lane>(
     id: Invocation,
-    params: &TransmittanceHeadBackwardParams,
+    params: &TransmittanceHeadParams,
     parameters: Read<Vec4>,
     point: Read<f32>,
     input: Read<f32>,
@@ -91,16 +75,7 @@ pub fn transmittance_head_backward<L: Lane>(
 ) {
     let sample = id.index();
     if sample < params.samples {
-        let layer = DenseParams {
-            samples: params.samples,
-            stride: params.stride,
-            inputs: params.inputs,
-            columns: 1,
-            weight: params.weight,
-            bias: params.bias,
-        };
-        let a = column::<L>(&layer, parameters, input, sample, 0).x;
-        let factor = L::read(point, POINT_ROWS * params.stride + sample);
+        let (a, factor) = logit_and_factor::<L>(params, parameters, point, input, sample);
         let gradient = L::read(log_rho_gradient, sample) * factor * sigmoid(-a);
         gradient.write(logit_gradient, sample);
     }

@@ -2,7 +2,7 @@
 
 use organza::scene::{GridConfig, GridLevelGeometry, Interpolation};
 use organza::{Device, DeviceOptions};
-use organza_kernels::hash_grid::{GridLevel, HashGridParams, POINT_ROWS};
+use organza_kernels::hash_grid::{HashGridParams, POINT_ROWS};
 use organza_kernels::hash_grid_backward::{
     FLAG_BLOCK, HashGridBackwardKernel, HashGridGradientKernel, HashGridGradientParams,
 };
@@ -80,12 +80,7 @@ impl Inputs {
             rows.extend(row);
             rows.extend([f32::NAN; 3]);
         }
-        let levels: Vec<_> = self
-            .grid
-            .levels_geometry()
-            .iter()
-            .map(|l| GridLevel::new(l.scale, l.resolution, l.first, l.count, l.hashed))
-            .collect();
+        let levels = self.grid.levels_for_kernels();
         let values = self.grid.entries() * self.grid.features as usize;
         let scale = 2_f32.powi(self.exponent);
         let scale = device.upload("scale", &[scale, 1.0 / scale, self.limit]).unwrap();

@@ -4,9 +4,10 @@ use glam::Vec4;
 use organza::Device;
 use organza::parity::inputs::Random;
 use organza_kernels::hash_grid::POINT_ROWS;
+use organza_kernels::transmittance::TransmittanceHeadParams;
 use organza_kernels::transmittance_backward::{
     ExtraBackwardKernel, ExtraBackwardParams, SegmentProductBackwardKernel,
-    SegmentProductBackwardParams, TransmittanceHeadBackwardKernel, TransmittanceHeadBackwardParams,
+    SegmentProductBackwardParams, TransmittanceHeadBackwardKernel,
 };
 
 use super::numeric::{central, everywhere, hold};
@@ -127,8 +128,9 @@ impl Segments {
                 }
                 let found = device.zeros::<f32>("logit gradient", stride).unwrap();
                 let kernel = TransmittanceHeadBackwardKernel {
-                    params: TransmittanceHeadBackwardParams {
+                    params: TransmittanceHeadParams {
                         samples: count as u32,
+                        first_sample: first as u32,
                         stride: stride as u32,
                         inputs: INPUTS as u32,
                         weight: 0,

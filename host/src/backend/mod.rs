@@ -230,10 +230,21 @@ impl Device {
         }
     }
 
-    /// Does `work` for every item, with scratch memory of `scratches`, of which `new` makes more.  On a CPU as many items
-    /// as there are threads at once, each on its thread alone, so that what it computes stays in that core's caches: items
-    /// must not write to the same memory.
-    pub(crate) fn each<T: Send, S: Send>(
+    /// Does `work` for every item.  On a CPU as many items as there are threads at once, each on its thread alone, so that
+    /// what it computes stays in that core's caches: items must not write to the same memory.
+    pub(crate) fn each<T: Send>(
+        &self,
+        items: impl Iterator<Item = T>,
+        work: impl Fn(T) -> Result<()> + Sync,
+    ) -> Result<()> {
+        match &self.kind {
+            Kind::Cpu(cpu) => cpu.each(items.collect(), work),
+            Kind::Gpu(_) => items.into_iter().try_for_each(work),
+        }
+    }
+
+    /// As [`Device::each`], with scratch memory of `scratches`, of which `new` makes more.
+    pub(crate) fn each_with<T: Send, S: Send>(
         &self,
         items: impl Iterator<Item = T>,
         scratches: &Mutex<Vec<S>>,
@@ -241,17 +252,13 @@ impl Device {
         work: impl Fn(&S, T) -> Result<()> + Sync,
     ) -> Result<()> {
         let unused = || scratches.lock().unwrap_or_else(PoisonError::into_inner);
-        let work = |item| {
+        self.each(items, |item| {
             let found = unused().pop();
             let scratch = found.map_or_else(&new, Ok)?;
             let result = work(&scratch, item);
             unused().push(scratch);
             result
-        };
-        match &self.kind {
-            Kind::Cpu(cpu) => cpu.each(items.collect(), work),
-            Kind::Gpu(_) => items.into_iter().try_for_each(work),
-        }
+        })
     }
 
     /// Threads of a CPU; 1 for a GPU.

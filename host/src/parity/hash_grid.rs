@@ -41,15 +41,6 @@ pub(super) fn grid() -> GridConfig {
     }
 }
 
-/// A grid's levels as kernels read them.
-pub(super) fn levels(grid: &GridConfig) -> Vec<GridLevel> {
-    let levels = grid.levels_geometry();
-    let level = |l: &crate::scene::GridLevelGeometry| {
-        GridLevel::new(l.scale, l.resolution, l.first, l.count, l.hashed)
-    };
-    levels.iter().map(level).collect()
-}
-
 /// Rows of a chunk of features.
 fn rows(grid: &GridConfig) -> usize {
     FIRST_ROW + grid.width()
@@ -171,7 +162,7 @@ impl HashGrid {
     /// The levels as the kernel reads them.
     #[must_use]
     pub fn levels(&self) -> Vec<GridLevel> {
-        levels(&self.grid)
+        self.grid.levels_for_kernels()
     }
 
     /// The place of an element of the output: level, feature and point; none where nothing is written.

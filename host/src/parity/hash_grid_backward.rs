@@ -9,7 +9,7 @@ use organza_kernels::unit_cube::Split;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
-use super::hash_grid::{features, grid, levels, params, positions};
+use super::hash_grid::{features, grid, params, positions};
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output, Values};
 use crate::error::Result;
@@ -58,7 +58,7 @@ impl HashGridBackward {
     fn sizes(&self) -> Vec<f64> {
         let features = self.grid.features as usize;
         let mut sizes = vec![0.0; self.values()];
-        for (index, level) in levels(&self.grid).iter().enumerate() {
+        for (index, level) in self.grid.levels_for_kernels().iter().enumerate() {
             for (column, &point) in self.points.iter().enumerate() {
                 let entries = Corners::of(level, level.cell::<f32>(point, false)).entry;
                 for (entry, f) in entries.iter().flat_map(|e| (0..features).map(move |f| (e, f))) {
@@ -100,7 +100,7 @@ impl Parity for HashGridBackward {
     fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
         let count = self.points.len();
         let gradient = features(&self.grid, count, &self.gradient);
-        let levels = levels(&self.grid);
+        let levels = self.grid.levels_for_kernels();
         let sum = bench.output_of(&vec![0_u32; 2 * self.values()])?;
         let blocks = self.values().div_ceil(FLAG_BLOCK as usize);
         let touched = bench.output_of(&vec![0_u32; blocks])?;

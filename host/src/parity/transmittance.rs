@@ -169,6 +169,37 @@ impl Parity for TransmittanceInputs {
     }
 }
 
+/// The scalar network's last layer.
+pub(super) fn head_params(layer: &Layer) -> TransmittanceHeadParams {
+    let params = layer.params();
+    TransmittanceHeadParams {
+        samples: layer.samples,
+        first_sample: FIRST_SAMPLE,
+        stride: layer.stride,
+        inputs: layer.inputs,
+        weight: params.weight,
+        bias: params.bias,
+    }
+}
+
+/// The layers whose logits are of all sizes, and samples of every kind.
+pub(super) fn head_sets<S>(new: impl Fn(Layer, Fill, &mut Random) -> S) -> Vec<(String, S)> {
+    let mut sets =
+        inputs::sets(|n, fill, random| new(Layer::new(n, 16, 1, fill, random), fill, random));
+    for size in [0.01, 10.0, 50.0, 1e4] {
+        let set = new(layer_of_size(size), Fill::Random, &mut Random::new(6));
+        sets.push((format!("logits of {size}"), set));
+    }
+    sets
+}
+
+/// Points `[7, stride]` of which the heads read the factors alone.
+pub(super) fn points(layer: &Layer, factor: &[f32]) -> Vec<f32> {
+    let mut point = vec![f32::NAN; (POINT_ROWS * layer.stride) as usize];
+    point.extend(factor);
+    point
+}
+
 /// Inputs of `transmittance_head`.
 #[derive(Clone, Debug)]
 pub struct TransmittanceHead {
@@ -192,33 +223,16 @@ impl Parity for TransmittanceHead {
         much relatively, and by exp's 3 + 2 abs(x) ulp";
 
     fn sets() -> Vec<(String, Self)> {
-        let mut sets = inputs::sets(|n, fill, random| {
-            Self::new(Layer::new(n, 16, 1, fill, random), fill, random)
-        });
-        for size in [0.01, 10.0, 50.0, 1e4] {
-            let set = Self::new(layer_of_size(size), Fill::Random, &mut Random::new(6));
-            sets.push((format!("logits of {size}"), set));
-        }
-        sets
+        head_sets(Self::new)
     }
 
     fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
-        let params = layer.params();
-        let mut point = vec![f32::NAN; (POINT_ROWS * layer.stride) as usize];
-        point.extend(&self.factor);
         let log_rho = bench.output((FIRST_SAMPLE + layer.samples) as usize)?;
         let kernel = TransmittanceHeadKernel {
-            params: TransmittanceHeadParams {
-                samples: layer.samples,
-                first_sample: FIRST_SAMPLE,
-                stride: layer.stride,
-                inputs: layer.inputs,
-                weight: params.weight,
-                bias: params.bias,
-            },
+            params: head_params(layer),
             parameters: &bench.upload(&layer.parameters)?,
-            point: &bench.upload(&point)?,
+            point: &bench.upload(&points(layer, &self.factor))?,
             input: &bench.upload(&layer.input)?,
             log_rho: &log_rho,
         };

@@ -1,20 +1,18 @@
 //! Cases of `segment_product_backward`, `transmittance_head_backward` and `extra_backward`.
 
 use glam::Vec4;
-use organza_kernels::hash_grid::POINT_ROWS;
 use organza_kernels::math::TINY;
 use organza_kernels::transmittance_backward::{
     ExtraBackwardKernel, ExtraBackwardParams, SegmentProductBackwardKernel,
-    SegmentProductBackwardParams, TransmittanceHeadBackwardKernel, TransmittanceHeadBackwardParams,
+    SegmentProductBackwardParams, TransmittanceHeadBackwardKernel,
 };
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
-use super::color::layer_of_size;
 use super::dense::Layer;
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output};
-use super::transmittance::{counts, prefix};
+use super::transmittance::{counts, head_params, head_sets, points, prefix};
 use crate::error::Result;
 
 /// Nothing may be off.
@@ -178,32 +176,16 @@ impl Parity for TransmittanceHeadBackward {
         exp's 3 + 2 abs(x) ulp";
 
     fn sets() -> Vec<(String, Self)> {
-        let mut sets = inputs::sets(|n, fill, random| {
-            Self::new(Layer::new(n, 16, 1, fill, random), fill, random)
-        });
-        for size in [0.01, 10.0, 50.0, 1e4] {
-            let set = Self::new(layer_of_size(size), Fill::Random, &mut Random::new(6));
-            sets.push((format!("logits of {size}"), set));
-        }
-        sets
+        head_sets(Self::new)
     }
 
     fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
-        let params = layer.params();
-        let mut point = vec![f32::NAN; (POINT_ROWS * layer.stride) as usize];
-        point.extend(&self.factor);
         let logit_gradient = bench.output(layer.samples as usize)?;
         let kernel = TransmittanceHeadBackwardKernel {
-            params: TransmittanceHeadBackwardParams {
-                samples: layer.samples,
-                stride: layer.stride,
-                inputs: layer.inputs,
-                weight: params.weight,
-                bias: params.bias,
-            },
+            params: head_params(layer),
             parameters: &bench.upload(&layer.parameters)?,
-            point: &bench.upload(&point)?,
+            point: &bench.upload(&points(layer, &self.factor))?,
             input: &bench.upload(&layer.input)?,
             log_rho_gradient: &bench.upload(&self.gradient)?,
             logit_gradient: &logit_gradient,

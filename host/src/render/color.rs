@@ -58,7 +58,7 @@ impl Color {
             encode(device, scene, pairs, block)?;
             block.chunks().try_for_each(|chunk| visit(&chunk))?;
             let new = || Scratch::new(device, field, blocks.layout());
-            device.each(block.chunks(), &scratches, new, |scratch, chunk| {
+            device.each_with(block.chunks(), &scratches, new, |scratch, chunk| {
                 let kernel = ColorHeadKernel {
                     params: ColorHeadParams {
                         samples: chunk.samples,
@@ -81,13 +81,7 @@ impl Color {
 
 /// What the network reads, for a block of pairs.
 fn encode(device: &Device, scene: &DeviceScene, pairs: &Pairs, block: BlockOf<'_>) -> Result<()> {
-    let none = Mutex::new(Vec::new());
-    device.each(
-        block.chunks(),
-        &none,
-        || Ok(()),
-        |_, chunk| inputs(device, scene, pairs, &chunk),
-    )?;
+    device.each(block.chunks(), |chunk| inputs(device, scene, pairs, &chunk))?;
     scene.color.encode(device, block, scene.config.sh_width() as u32)
 }
 
@@ -145,7 +139,7 @@ impl Color {
             }
             for group in block.groups() {
                 let new = || ChunkScratch::new(device, field, layout);
-                device.each(group.chunks(), &scratches, new, |scratch, chunk| {
+                device.each_with(group.chunks(), &scratches, new, |scratch, chunk| {
                     field.activate(device, scratch, &chunk)?;
                     self.head_backward(device, scratch, &chunk, pair_gradient)?;
                     field.backward(device, &group_scratch, scratch, &chunk, grid_row)?;

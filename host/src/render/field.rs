@@ -47,22 +47,9 @@ impl DeviceField {
         table: Buffer<f32>,
         half_table: Option<Buffer<u32>>,
     ) -> Result<Self> {
-        let levels: Vec<_> = grid
-            .levels_geometry()
-            .iter()
-            .map(|level| {
-                GridLevel::new(
-                    level.scale,
-                    level.resolution,
-                    level.first,
-                    level.count,
-                    level.hashed,
-                )
-            })
-            .collect();
         let (parameters, layers) = pack_network(&field.network);
         Ok(Self {
-            levels: device.upload("grid levels", &levels)?,
+            levels: device.upload("grid levels", &grid.levels_for_kernels())?,
             table,
             half_table,
             parameters: device.upload("network", &parameters)?,

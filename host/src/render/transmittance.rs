@@ -11,7 +11,7 @@ use organza_kernels::transmittance::{
 };
 use organza_kernels::transmittance_backward::{
     ExtraBackwardKernel, ExtraBackwardParams, SegmentProductBackwardKernel,
-    SegmentProductBackwardParams, TransmittanceHeadBackwardKernel, TransmittanceHeadBackwardParams,
+    SegmentProductBackwardParams, TransmittanceHeadBackwardKernel,
 };
 
 use super::DeviceScene;
@@ -105,20 +105,12 @@ fn log_rho(
     let field = &scene.transmittance;
     let log_rho = device.zeros("log rho", blocks.samples() as usize)?;
     let scratches = Mutex::default();
-    let head = field.head();
     for block in blocks.iter() {
         encode(device, scene, pairs, segment, first_sample, block)?;
         let new = || Scratch::new(device, field, blocks.layout());
-        device.each(block.chunks(), &scratches, new, |scratch, chunk| {
+        device.each_with(block.chunks(), &scratches, new, |scratch, chunk| {
             let kernel = TransmittanceHeadKernel {
-                params: TransmittanceHeadParams {
-                    samples: chunk.samples,
-                    first_sample: chunk.first,
-                    stride: chunk.stride,
-                    inputs: head.inputs,
-                    weight: head.weight,
-                    bias: head.bias,
-                },
+                params: head_params(field, &chunk),
                 parameters: &field.parameters,
                 point: &chunk.point,
                 input: field.hidden(device, scratch, &chunk)?,
@@ -130,6 +122,19 @@ fn log_rho(
     Ok(log_rho)
 }
 
+/// The last layer's parameters, for a chunk of samples.
+fn head_params(field: &DeviceField, chunk: &Chunk) -> TransmittanceHeadParams {
+    let head = field.head();
+    TransmittanceHeadParams {
+        samples: chunk.samples,
+        first_sample: chunk.first,
+        stride: chunk.stride,
+        inputs: head.inputs,
+        weight: head.weight,
+        bias: head.bias,
+    }
+}
+
 /// What the network reads, for a block of samples.
 fn encode(
     device: &Device,
@@ -139,13 +144,9 @@ fn encode(
     first_sample: &Buffer<u32>,
     block: BlockOf<'_>,
 ) -> Result<()> {
-    let none = Mutex::new(Vec::new());
-    device.each(
-        block.chunks(),
-        &none,
-        || Ok(()),
-        |_, chunk| inputs(device, scene, pairs, segment, first_sample, &chunk),
-    )?;
+    device.each(block.chunks(), |chunk| {
+        inputs(device, scene, pairs, segment, first_sample, &chunk)
+    })?;
     scene.transmittance.encode(device, block, 0)
 }
 
@@ -210,7 +211,7 @@ impl Transmittance {
             }
             for group in block.groups() {
                 let new = || TransmittanceScratch::new(device, field, layout);
-                device.each(group.chunks(), &scratches, new, |scratch, chunk| {
+                device.each_with(group.chunks(), &scratches, new, |scratch, chunk| {
                     field.activate(device, &scratch.network, &chunk)?;
                     let owners = Owners::of(&first_samples, &chunk);
                     self.head_backward(device, scene, scratch, &chunk, owners, pair_gradient)?;
@@ -255,15 +256,8 @@ impl Transmittance {
         };
         device.run(&kernel, owners.pairs, 1)?;
         let field = &scene.transmittance;
-        let head = field.head();
         let kernel = TransmittanceHeadBackwardKernel {
-            params: TransmittanceHeadBackwardParams {
-                samples: chunk.samples,
-                stride: chunk.stride,
-                inputs: head.inputs,
-                weight: head.weight,
-                bias: head.bias,
-            },
+            params: head_params(field, chunk),
             parameters: &field.parameters,
             point: &chunk.point,
             input: scratch.network.last_hidden(chunk),

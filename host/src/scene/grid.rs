@@ -1,5 +1,6 @@
 //! The multiresolution hash grids: their configuration and the geometry of their levels.
 
+use organza_kernels::hash_grid::GridLevel;
 use organza_kernels::limits::MAX_FEATURES;
 pub use organza_kernels::limits::MAX_LEVELS;
 use serde::{Deserialize, Serialize};
@@ -59,6 +60,14 @@ pub struct GridLevelGeometry {
     pub hashed: bool,
 }
 
+impl GridLevelGeometry {
+    /// The level as kernels read it.
+    #[must_use]
+    pub fn for_kernels(&self) -> GridLevel {
+        GridLevel::new(self.scale, self.resolution, self.first, self.count, self.hashed)
+    }
+}
+
 impl GridConfig {
     /// The geometry of every level, coarsest first, computed in f64.
     ///
@@ -83,6 +92,12 @@ impl GridConfig {
             geometry
         };
         (0..self.levels.min(MAX_LEVELS)).map(level_geometry).collect()
+    }
+
+    /// The levels as kernels read them, coarsest first.
+    #[must_use]
+    pub fn levels_for_kernels(&self) -> Vec<GridLevel> {
+        self.levels_geometry().iter().map(GridLevelGeometry::for_kernels).collect()
     }
 
     /// Number of entries of all levels: the table has shape `[entries, features]`.

@@ -18,3 +18,5 @@ mod runs;
 mod sandbox;
 #[path = "train/settings.rs"]
 mod settings;
+#[path = "train/waits.rs"]
+mod waits;

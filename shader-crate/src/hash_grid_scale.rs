@@ -124,14 +124,14 @@ pub fn hash_grid_norm(
 pub struct HashGridScaleParams {
     /// Layers of the network.
     pub layers: u32,
-    /// Bits of the number of samples: there are at most 2^bits.
-    pub sample_bits: u32,
+    /// Samples in the batch, or more.
+    pub samples: u32,
 }
 
 /// The scale from `bound [1 + layers]`, which is cleared for the next time: a single invocation.
 ///
-/// With 2^e above the product of the bounds, the scale is `2^(62 - e - sample_bits)`, and 2^126 at most: no sum comes
-/// to 2^63.  Where a bound is infinite or NaN, the limit is 0, so that nothing is added, and `status` is raised.
+/// With 2^e above the product of the bounds and 2^b the next power of two of the samples, the scale is `2^(62 - e - b)`,
+/// and 2^126 at most: no sum comes to 2^63.  Where a bound is infinite or NaN, the limit is 0, so that nothing is added, and `status` is raised.
 #[kernel(threads(1), iterations = MAX_LAYERS + 1)]
 pub fn hash_grid_scale(
     id: Invocation,
@@ -158,7 +158,9 @@ pub fn hash_grid_scale(
         // what is infinite or NaN is above the limit, whatever it is
         let above = if above > 128 { 128 } else { above };
         let above = if above < -125 { -125 } else { above };
-        let unit = 62 - above - params.sample_bits as i32;
+        let sample_bits =
+            if params.samples > 1 { u32::BITS - (params.samples - 1).leading_zeros() } else { 0 };
+        let unit = 62 - above - sample_bits as i32;
         let unit = if unit > 126 { 126 } else { unit };
         scale.write(SCALE, power_of_two(unit));
         scale.write(INVERSE, power_of_two(-unit));

@@ -4,7 +4,7 @@
 //! storage buffers, and for the host, where they are views of slices and every access is checked.
 #![no_std]
 // what clippy would have instead is more than the shader compiler takes
-#![allow(clippy::manual_range_contains, clippy::manual_clamp)]
+#![allow(clippy::implicit_saturating_sub, clippy::manual_range_contains, clippy::manual_clamp)]
 
 pub mod adam;
 pub mod atomic;
@@ -13,6 +13,7 @@ pub mod color;
 pub mod color_backward;
 pub mod composite;
 pub mod composite_backward;
+pub mod count;
 pub mod dense;
 pub mod dense_backward;
 pub mod fixed;

@@ -16,7 +16,7 @@ fn scale_of(
     pairs: &[Vec4],
     transmittance: Option<&[f32]>,
     layers: &[(u32, Vec<Vec4>)],
-    sample_bits: u32,
+    samples: u32,
 ) -> (Vec<f32>, u32) {
     let bound = device.zeros("bound", 1 + layers.len()).unwrap();
     let scale = device.zeros("scale", 3).unwrap();
@@ -40,7 +40,7 @@ fn scale_of(
             device.run(&kernel, *inputs, 1).unwrap();
         }
         let kernel = HashGridScaleKernel {
-            params: HashGridScaleParams { layers: layers.len() as u32, sample_bits },
+            params: HashGridScaleParams { layers: layers.len() as u32, samples },
             bound: &bound,
             scale: &scale,
             status: &status,
@@ -81,9 +81,13 @@ fn the_scale_is_the_largest_that_is_safe() {
             (0.0, 1.0, 10),
         ] {
             let layers = layers(size);
-            let (scale, status) = scale_of(&device, &pairs(color, 1e20), None, &layers, bits);
+            // the most that these bits hold, and with one more than half of them as well
+            let (most, half) =
+                (((1_u64 << bits) - u64::from(bits == 32)) as u32, (1_u64 << bits) / 2);
+            let (scale, status) = scale_of(&device, &pairs(color, 1e20), None, &layers, most);
+            let samples = if bits > 1 { half as u32 + 1 } else { most };
             let (other, _) =
-                scale_of(&device, &pairs(1e20, color), Some(&[0.5, 0.25, 0.5]), &layers, bits);
+                scale_of(&device, &pairs(1e20, color), Some(&[0.5, 0.25, 0.5]), &layers, samples);
             // 0.25 color and 0.25 dL/dT
             assert_eq!(scale, other, "{name}: {color:e}");
             assert_eq!(status, 0, "{name}: {color:e}");
@@ -93,7 +97,7 @@ fn the_scale_is_the_largest_that_is_safe() {
             assert_eq!(unit.log2().fract(), 0.0);
             assert_eq!(unit * f64::from(scale[1]), 1.0);
             assert!(limit >= 1.005 * bound, "{name}: {limit:e} for {bound:e}");
-            let most = unit * limit * 2_f64.powi(bits as i32);
+            let most = unit * limit * 2_f64.powi(bits);
             assert!(most <= 2_f64.powi(62), "{name}: {color:e}, {bits}: {most:e}");
             let expected = unit >= 2_f64.powi(126) || most >= 2_f64.powi(61);
             assert!(expected || bound == 0.0, "{name}: {color:e}, {bits}: {most:e}");
@@ -108,7 +112,7 @@ fn a_bound_that_is_no_number_is_told() {
             let mut broken = layers(1.0);
             broken[0].1[1].y = bad;
             for (pairs, layers) in [(pairs(bad, 0.0), layers(1.0)), (pairs(1.0, 0.0), broken)] {
-                let (scale, status) = scale_of(&device, &pairs, None, &layers, 4);
+                let (scale, status) = scale_of(&device, &pairs, None, &layers, 16);
                 assert_eq!(status, STATUS_NOT_FINITE, "{name}: {bad}");
                 assert_eq!(scale[LIMIT as usize], 0.0, "{name}: {bad}");
                 assert!(scale.iter().all(|value| value.is_finite()), "{name}: {bad}");
@@ -123,7 +127,7 @@ fn the_largest_sums_do_not_overflow() {
     const BITS: u32 = 12;
     for (name, device) in all() {
         for color in [1e-33, 3.7, 3e35] {
-            let (scale, _) = scale_of(&device, &pairs(color, 0.0), None, &layers(1.0), BITS);
+            let (scale, _) = scale_of(&device, &pairs(color, 0.0), None, &layers(1.0), 1 << BITS);
             let mut config = grid(1, Interpolation::Linear);
             config.levels = 1;
             let mut inputs = Inputs::random(config, 1 << BITS);

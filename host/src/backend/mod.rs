@@ -4,23 +4,26 @@
 
 mod buffer;
 mod coroutine;
+mod count;
 mod cpu;
 mod cpu_memory;
 mod gpu;
 mod open;
 mod supervise;
 mod timings;
+mod transfer;
 mod watch;
 
+use std::borrow::Cow;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use bytemuck::Pod;
 use organza_kernels::kernel::{Access, BindingInfo, Dispatch, KernelInfo};
 
 pub(crate) use buffer::TAIL_ALIGNMENT;
 pub use buffer::{Buffer, Host};
+pub(crate) use count::Count;
 pub use gpu::{AdapterInfo, adapters};
 pub use open::{BackendChoice, DeviceOptions, SpirvPath};
 pub use timings::KernelTime;
@@ -94,85 +97,6 @@ impl Device {
         }
     }
 
-    /// A buffer of `len` zeros.
-    ///
-    /// # Errors
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), with what was needed.
-    pub fn zeros<T: Pod>(&self, label: &'static str, len: usize) -> Result<Buffer<T>> {
-        let bytes = len as u64 * size_of::<T>() as u64;
-        let memory = match &self.kind {
-            Kind::Cpu(cpu) => Memory::Cpu(Arc::new(cpu.allocate(label, bytes)?)),
-            Kind::Gpu(gpu) => Memory::Gpu(gpu.allocate(label, bytes)?),
-        };
-        Ok(Buffer::new(RawBuffer { memory, label, begin: 0, bytes }))
-    }
-
-    /// A buffer that holds `values`.
-    ///
-    /// # Errors
-    /// As [`Device::zeros`].
-    pub fn upload<T: Pod>(&self, label: &'static str, values: &[T]) -> Result<Buffer<T>> {
-        let mut buffer = self.zeros(label, values.len())?;
-        match (&self.kind, &mut buffer.raw_mut().memory) {
-            (Kind::Cpu(_), Memory::Cpu(memory)) => {
-                let memory = Arc::get_mut(memory).expect("nobody else has it yet");
-                memory.bytes_mut()[..size_of_val(values)]
-                    .copy_from_slice(bytemuck::cast_slice(values));
-            }
-            (Kind::Gpu(gpu), Memory::Gpu(memory)) => {
-                gpu.write(memory, bytemuck::cast_slice(values))
-            }
-            _ => unreachable!("the buffer was made by this device"),
-        }
-        Ok(buffer)
-    }
-
-    /// Makes a buffer all zeros again, after everything that was dispatched before.
-    pub fn clear<T: Pod>(&self, buffer: &Buffer<T>) {
-        let raw = buffer.raw();
-        match (&self.kind, &raw.memory) {
-            (Kind::Cpu(cpu), Memory::Cpu(memory)) => cpu.clear(memory, raw.begin, raw.bytes),
-            (Kind::Gpu(gpu), Memory::Gpu(memory)) => gpu.clear(memory, raw.begin, raw.bytes),
-            _ => panic!("the buffer `{}` belongs to another device", raw.label),
-        }
-    }
-
-    /// What a buffer holds, after everything that was dispatched before.
-    ///
-    /// # Errors
-    /// [`Error::DeviceLost`](crate::Error::DeviceLost), or what an earlier dispatch ran into.
-    pub fn read<T: Pod>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
-        self.read_range(buffer, 0, buffer.len())
-    }
-
-    /// `len` elements from `first` on; as [`Device::read`].
-    ///
-    /// # Errors
-    /// As [`Device::read`].
-    pub fn read_range<T: Pod>(
-        &self,
-        buffer: &Buffer<T>,
-        first: usize,
-        len: usize,
-    ) -> Result<Vec<T>> {
-        assert!(first + len <= buffer.len(), "read past the end of `{}`", buffer.raw().label);
-        if len == 0 {
-            return Ok(Vec::new());
-        }
-        let begin = buffer.raw().begin as usize + first * size_of::<T>();
-        let bytes = len * size_of::<T>();
-        let mut values: Vec<T> = crate::memory::zeros(len, buffer.raw().label)?;
-        let target: &mut [u8] = bytemuck::cast_slice_mut(&mut values);
-        match (&self.kind, &buffer.raw().memory) {
-            (Kind::Cpu(_), Memory::Cpu(memory)) => {
-                target.copy_from_slice(&memory.bytes()[begin..begin + bytes])
-            }
-            (Kind::Gpu(gpu), Memory::Gpu(memory)) => gpu.read(memory, begin as u64, target)?,
-            _ => panic!("the buffer `{}` belongs to another device", buffer.raw().label),
-        }
-        Ok(values)
-    }
-
     /// Runs a kernel over `workgroups`; on the GPU it is queued.  None of the sizes may pass 65,535.
     ///
     /// # Errors
@@ -183,12 +107,24 @@ impl Device {
         kernel: &impl Dispatch<'a, Host>,
         workgroups: [u32; 3],
     ) -> Result<()> {
+        self.dispatch_counted(kernel, &[], workgroups)
+    }
+
+    /// As [`Device::dispatch`]; `counts` are parameters that the device may know alone, by their place in the uniform
+    /// buffer: what stands there is not read.
+    fn dispatch_counted<'a>(
+        &self,
+        kernel: &impl Dispatch<'a, Host>,
+        counts: &[(usize, &Count)],
+        workgroups: [u32; 3],
+    ) -> Result<()> {
         if workgroups.contains(&0) {
             return Ok(());
         }
         let mut buffers = Vec::with_capacity(kernel.info().bindings.len());
         kernel.bind(&mut |buffer| buffers.push(buffer));
-        let (info, uniform) = (kernel.info(), kernel.uniform());
+        let (info, uniform) = (kernel.info(), self.fill_in(kernel.uniform(), counts));
+        let uniform = &*uniform;
         let times = self.times.load(Ordering::Relaxed);
         let work = || match times {
             true => Work::of(info, uniform, &elements(info, &buffers), workgroups[2]),
@@ -206,13 +142,13 @@ impl Device {
                 // what was queued before is not this kernel's time
                 gpu.wait()?;
                 let start = Instant::now();
-                gpu.dispatch(info, uniform, &buffers, workgroups)?;
+                gpu.dispatch(info, uniform, counts, &buffers, workgroups)?;
                 gpu.wait()?;
                 self.timings.add(info.name, start.elapsed(), work());
                 Ok(())
             }
             Kind::Gpu(gpu) => {
-                gpu.dispatch(info, uniform, &buffers, workgroups)?;
+                gpu.dispatch(info, uniform, counts, &buffers, workgroups)?;
                 if times {
                     // what it takes is known later
                     self.timings.add(info.name, Duration::ZERO, work());
@@ -220,6 +156,35 @@ impl Device {
                 Ok(())
             }
         }
+    }
+
+    /// A kernel's parameters with the numbers that are known here.
+    fn fill_in<'u>(&self, uniform: &'u [u8], counts: &[(usize, &Count)]) -> Cow<'u, [u8]> {
+        if counts.is_empty() {
+            return Cow::Borrowed(uniform);
+        }
+        let mut filled = uniform.to_vec();
+        for (offset, count) in counts {
+            let number = match &self.kind {
+                Kind::Cpu(_) => count.on_cpu(),
+                // the device fills it in, where it is not this
+                Kind::Gpu(_) => count.at_most(),
+            };
+            filled[*offset..][..size_of::<u32>()].copy_from_slice(&number.to_ne_bytes());
+        }
+        Cow::Owned(filled)
+    }
+
+    /// Says that what was dispatched before has written all [`Count`]s that are used from here on.
+    pub(crate) fn settle_counts(&self) {
+        if let Kind::Gpu(gpu) = &self.kind {
+            gpu.settle_counts();
+        }
+    }
+
+    /// Whether the host waits for what it reads.
+    pub(crate) fn reads_wait(&self) -> bool {
+        matches!(self.kind, Kind::Gpu(_))
     }
 
     /// Runs `work`, which dispatches many kernels, where that is cheapest: on a CPU in one of the threads that run them.
@@ -278,6 +243,21 @@ impl Device {
         self.dispatch(kernel, [workgroups[0], workgroups[1], layers])
     }
 
+    /// As [`Device::run`]; `counts` are parameters that the device may know alone, by their place in the uniform buffer.
+    ///
+    /// # Errors
+    /// As [`Device::dispatch`].
+    pub(crate) fn run_counted<'a>(
+        &self,
+        kernel: &impl Dispatch<'a, Host>,
+        counts: &[(usize, &Count)],
+        items: u32,
+        layers: u32,
+    ) -> Result<()> {
+        let workgroups = workgroups_for(kernel.info(), items);
+        self.dispatch_counted(kernel, counts, [workgroups[0], workgroups[1], layers])
+    }
+
     /// Runs a kernel with at least `size` invocations along x and y, and `size[2]` workgroups along z.
     ///
     /// # Errors
@@ -308,6 +288,16 @@ impl Device {
             }
         }
         self.timings.take()
+    }
+
+    /// How often the host has waited for what it read from a GPU; 0 on a CPU.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn waits(&self) -> u64 {
+        match &self.kind {
+            Kind::Cpu(_) => 0,
+            Kind::Gpu(gpu) => gpu.waits(),
+        }
     }
 
     /// Makes the device fail as a lost one does: for tests of what happens then.

@@ -122,8 +122,8 @@ impl Parity for HashGridNorm {
 pub struct HashGridScale {
     /// `[1 + layers]`, as numbers.
     pub bound: Vec<f32>,
-    /// Bits of the number of samples.
-    pub sample_bits: u32,
+    /// How many samples.
+    pub samples: u32,
 }
 
 impl Parity for HashGridScale {
@@ -139,12 +139,17 @@ impl Parity for HashGridScale {
             .map(|(fill, layers)| {
                 let bound = fill.values(&mut random, 1 + layers as usize, [0.0, 20.0], 3e38);
                 let bound = bound.into_iter().map(f32::abs).collect();
-                let set = Self { bound, sample_bits: random.below(33) };
+                // around a power of two
+                let samples = (1 << random.below(32)) + random.below(3) - 1;
+                let set = Self { bound, samples };
                 (format!("{}, {layers} layers", fill.name()), set)
             })
             .collect();
+        for samples in [0, u32::MAX] {
+            sets.push((format!("{samples} samples"), Self { bound: vec![1.0, 3.0], samples }));
+        }
         for bad in [f32::NAN, f32::INFINITY] {
-            sets.push((format!("{bad}"), Self { bound: vec![1.0, bad, 2.0], sample_bits: 9 }));
+            sets.push((format!("{bad}"), Self { bound: vec![1.0, bad, 2.0], samples: 300 }));
         }
         sets
     }
@@ -156,7 +161,7 @@ impl Parity for HashGridScale {
         let status = bench.output_of(&[0_u32])?;
         let layers = self.bound.len() as u32 - 1;
         let kernel = HashGridScaleKernel {
-            params: HashGridScaleParams { layers, sample_bits: self.sample_bits },
+            params: HashGridScaleParams { layers, samples: self.samples },
             bound: &bound,
             scale: &scale,
             status: &status,

@@ -11,6 +11,7 @@ pub mod color;
 pub mod color_backward;
 pub mod composite;
 pub mod composite_backward;
+pub mod count;
 pub mod dense;
 pub mod dense_backward;
 pub mod hash_grid;
@@ -48,6 +49,9 @@ pub fn cases() -> Vec<Case> {
         Case::of::<tile::TileMask>(),
         Case::of::<tile::TileFill>(),
         Case::of::<tile::TileRange>(),
+        Case::of::<count::CountAdmit>(),
+        Case::of::<count::CountWithhold>(),
+        Case::of::<count::CountFill>(),
         Case::of::<pair::PairMask>(),
         Case::of::<pair::PairFill>(),
         Case::of::<scan::ScanBlock>(),

@@ -3,6 +3,7 @@
 use super::part::Part;
 use super::plan::{Plan, PlannedTile};
 use super::project::project_backward;
+use super::tally::Room;
 use super::{DeviceScene, Loss, LossInputs, Renderer, SceneGradient, TileLoss};
 use crate::backend::{Buffer, Device};
 use crate::camera::Camera;
@@ -126,16 +127,23 @@ impl Renderer {
         gradient: &SceneGradient,
     ) -> Result<()> {
         let device = self.device();
-        let add = |plan: &Plan| {
-            let part = Part::evaluate(device, scene, cameras, plan, true)?;
+        let add = |plan: &Plan, room: Option<Room>| {
+            let part = Part::evaluate(device, scene, cameras, plan, true, room)?;
             let pixels = of_tiles(grad_output, &plan.tiles, 3 * (plan.side * plan.side) as usize);
             let pixels = device.upload("gradient of the tiles", &pixels)?;
-            part.backward(device, scene, plan.side, &pixels, gradient)
+            part.backward(device, scene, plan.side, &pixels, gradient)?;
+            part.read(device, Vec::new())
         };
-        device.inside(|| plans.iter().try_for_each(add))
+        device.inside(|| {
+            plans
+                .iter()
+                .try_for_each(|plan| self.foreseen(scene, plan, |room| add(plan, room)).map(drop))
+        })
     }
 
     /// Adds the gradients of a batch's loss to `gradient`; returns the losses of the tiles, by camera.
+    ///
+    /// On a GPU a part is one submission and one wait, for the losses, after a first one that has found out what such batches need.
     ///
     /// # Errors
     /// As [`Renderer::render`].
@@ -151,8 +159,8 @@ impl Renderer {
         let device = self.device();
         let area = (batch.side * batch.side) as usize;
         let mut losses = Vec::with_capacity(batch.tiles.len());
-        let add = |plan: &Plan| {
-            let part = Part::evaluate(device, scene, cameras, plan, true)?;
+        let add = |plan: &Plan, room: Option<Room>| {
+            let part = Part::evaluate(device, scene, cameras, plan, true, room)?;
             let image =
                 device.upload("photographs", &of_tiles(target.image, &plan.tiles, 3 * area))?;
             let valid = device.upload("masks", &of_tiles(target.valid, &plan.tiles, area))?;
@@ -165,10 +173,10 @@ impl Renderer {
             };
             let output = loss.evaluate(device, &inputs)?;
             part.backward(device, scene, plan.side, &output.grad_image, gradient)?;
-            output.sums(device)
+            output.sums_and_needed(device, &part)
         };
         for plan in Plan::split(device, scene, batch, self.part_bytes)? {
-            losses.extend(device.inside(|| add(&plan))?);
+            losses.extend(device.inside(|| self.foreseen(scene, &plan, |room| add(&plan, room)))?);
         }
         Ok(losses)
     }

@@ -2,6 +2,7 @@
 
 use glam::{Vec2, Vec3, Vec4};
 use organza_kernels::camera::Camera as KernelCamera;
+use organza_kernels::count::{MEMBERS, PAIRS, SAMPLES};
 use organza_kernels::pair::{PairFillKernel, PairFillParams, PairMaskKernel, PairMaskParams};
 use organza_kernels::project::{ProjectKernel, ProjectParams};
 use organza_kernels::tile::{
@@ -12,14 +13,15 @@ use organza_kernels::tile::{
 use super::DeviceScene;
 use super::plan::{Plan, words};
 use super::scan::exclusive_scan;
-use crate::backend::{Buffer, Device};
+use super::tally::{Room, Tally};
+use crate::backend::{Buffer, Count, Device};
 use crate::camera::Camera;
 use crate::error::Result;
 
 /// The (Gaussian, camera) pairs to evaluate.
 #[derive(Debug)]
 pub struct Pairs {
-    pub count: u32,
+    pub count: Count,
     /// `camera slot * gaussians + gaussian`, ascending.
     pub pair: Buffer<u32>,
     /// Packed cameras.
@@ -28,10 +30,19 @@ pub struct Pairs {
     pub projection: Buffer<Vec4>,
 }
 
+impl Pairs {
+    /// The number of samples, of the exclusive sums of the pairs' `first_sample [pairs + 1]`: waits for the device.
+    pub fn read_samples(&self, device: &Device, first_sample: &Buffer<u32>) -> Result<Count> {
+        let pairs = self.count.at_most() as usize;
+        Ok(Count::known(device.read_range(first_sample, pairs, 1)?[0]))
+    }
+}
+
 /// Which pairs each tile sums up.
 #[derive(Debug)]
 pub struct Bins {
     pub pairs: Pairs,
+    pub tiles: u32,
     pub tile: Buffer<i32>,
     /// Where each camera's tiles begin.
     pub first_tile: Buffer<u32>,
@@ -39,11 +50,16 @@ pub struct Bins {
     pub tile_mask: Mask,
     /// `[cameras, words]`: the Gaussians that each camera's tiles need.
     pub pair_mask: Mask,
-    /// Where each tile's members begin; on the device and here.
+    /// Where each tile's members begin.
     pub tile_first: Buffer<u32>,
-    pub first: Vec<u32>,
     /// Indices of pairs.
     pub member: Buffer<u32>,
+    /// Memberships of all tiles.
+    pub members: Count,
+    /// Members of the fullest tile, or more.
+    pub largest: u32,
+    /// Where the host does not know how many there are.
+    pub tally: Option<Tally>,
     /// Gaussians that could not be projected.
     pub degenerate: Buffer<u32>,
 }
@@ -134,12 +150,59 @@ fn pair_mask(
     Mask::new(device, mask, &count)
 }
 
+/// How many pairs and members there are.
+struct Numbers {
+    pairs: Count,
+    members: Count,
+    /// Members of the fullest tile, or more.
+    largest: u32,
+    tally: Option<Tally>,
+}
+
+impl Numbers {
+    /// Waits for the device: a number for each tile, and one.
+    fn read(device: &Device, pair_mask: &Mask, tile_first: &Buffer<u32>) -> Result<Self> {
+        let first = device.read(tile_first)?;
+        let pairs = device.read_range(&pair_mask.first, pair_mask.bits.len(), 1)?[0];
+        let members = first.windows(2).map(|range| range[1] - range[0]);
+        Ok(Self {
+            pairs: Count::known(pairs),
+            members: Count::known(first[first.len() - 1]),
+            largest: members.max().unwrap_or(0),
+            tally: None,
+        })
+    }
+
+    /// Leaves them on the device; where there is no room for them, there are none.
+    fn keep(
+        device: &Device,
+        pair_mask: &Mask,
+        tile_mask: &Mask,
+        tile_first: &Buffer<u32>,
+        gaussians: u32,
+        room: Room,
+    ) -> Result<Self> {
+        let tally = Tally::new(device, room)?;
+        tally.admit(device, PAIRS, &pair_mask.first, pair_mask.bits.len())?;
+        tally.admit(device, MEMBERS, &tile_mask.first, tile_mask.bits.len())?;
+        let tables = [&pair_mask.bits, &pair_mask.first, &tile_mask.bits, &tile_mask.first];
+        tally.withhold(device, &tables)?;
+        tally.withhold(device, &[tile_first])?;
+        device.settle_counts();
+        let (pairs, members) = (tally.count(PAIRS), tally.count(MEMBERS));
+        let largest = members.at_most().min(gaussians);
+        Ok(Self { pairs, members, largest, tally: Some(tally) })
+    }
+}
+
 impl Bins {
+    /// With `room` for so many, or for as many as there are: that waits for the device.
     pub fn new(
         device: &Device,
         scene: &DeviceScene,
         cameras: &[Camera],
         plan: &Plan,
+        room: Option<Room>,
     ) -> Result<Self> {
         let used: Vec<_> = plan.cameras().iter().map(|&index| &cameras[index]).collect();
         let (camera, projection, degenerate) = project(device, scene, &used)?;
@@ -153,25 +216,28 @@ impl Bins {
         let tile_mask = tile_mask(device, params, &tile, tiles, &projection)?;
         let pair_mask = pair_mask(device, words, slots, &first_tile, &tile_mask)?;
 
-        // what sizes the buffers to come is read back: a number for each tile, and one
         let tile_first = device.zeros("tile members", tiles as usize + 1)?;
         let params = TileRangeParams { tiles, words };
         let kernel =
             TileRangeKernel { params, first_member: &tile_mask.first, tile_first: &tile_first };
         device.run(&kernel, tiles + 1, 1)?;
-        let first = device.read(&tile_first)?;
-        let pairs = device.read_range(&pair_mask.first, pair_mask.bits.len(), 1)?[0];
+        let numbers = match room {
+            None => Numbers::read(device, &pair_mask, &tile_first)?,
+            Some(room) => {
+                Numbers::keep(device, &pair_mask, &tile_mask, &tile_first, gaussians, room)?
+            }
+        };
+        let Numbers { pairs: count, members, largest, tally } = numbers;
 
-        let pair = device.zeros("pairs", pairs as usize)?;
-        let params = PairFillParams { words, gaussians };
+        let pair = device.zeros("pairs", count.at_most() as usize)?;
         let kernel = PairFillKernel {
-            params,
+            params: PairFillParams { words, gaussians },
             mask: &pair_mask.bits,
             first_pair: &pair_mask.first,
             pair: &pair,
         };
         device.run(&kernel, words, slots)?;
-        let member = device.zeros("members", first[tiles as usize] as usize)?;
+        let member = device.zeros("members", members.at_most() as usize)?;
         let kernel = TileFillKernel {
             params: TileFillParams { words },
             tile: &tile,
@@ -182,27 +248,34 @@ impl Bins {
             member: &member,
         };
         device.run(&kernel, words, tiles)?;
-        let pairs = Pairs { count: pairs, pair, camera, projection };
+        let pairs = Pairs { count, pair, camera, projection };
         Ok(Self {
             pairs,
+            tiles,
             tile,
             first_tile,
             tile_mask,
             pair_mask,
             tile_first,
-            first,
             member,
+            members,
+            largest,
+            tally,
             degenerate,
         })
     }
 
-    /// Memberships of all tiles.
-    pub fn members(&self) -> u32 {
-        self.first[self.first.len() - 1]
-    }
-
-    /// Members of the fullest tile.
-    pub fn largest(&self) -> u32 {
-        self.first.windows(2).map(|range| range[1] - range[0]).max().unwrap_or(0)
+    /// The number of samples, of the exclusive sums of the pairs' `first_sample [pairs + 1]`.
+    pub fn count_samples(&self, device: &Device, first_sample: &Buffer<u32>) -> Result<Count> {
+        let Some(tally) = &self.tally else {
+            return self.pairs.read_samples(device, first_sample);
+        };
+        tally.admit(device, SAMPLES, first_sample, self.pairs.count.at_most() as usize)?;
+        let (pair_mask, tile_mask) = (&self.pair_mask, &self.tile_mask);
+        let tables = [&pair_mask.bits, &pair_mask.first, &tile_mask.bits, &tile_mask.first];
+        tally.withhold(device, &tables)?;
+        tally.withhold(device, &[&self.tile_first, first_sample])?;
+        device.settle_counts();
+        Ok(tally.count(SAMPLES))
     }
 }

@@ -6,7 +6,7 @@
 use organza_kernels::hash_grid::POINT_ROWS;
 use organza_kernels::limits::{MAX_SLICE, MAX_SLICES};
 
-use crate::backend::{Buffer, Device, TAIL_ALIGNMENT};
+use crate::backend::{Buffer, Count, Device, TAIL_ALIGNMENT};
 use crate::error::Result;
 
 /// Samples of a block, in whole chunks.
@@ -110,7 +110,9 @@ impl Block {
 pub struct Chunk {
     /// The first, counted from the first block's.
     pub first: u32,
+    /// How many there are, or room for.
     pub samples: u32,
+    pub count: Count,
     /// Its place in its block or group.
     pub index: u32,
     /// `[7, stride]`
@@ -124,7 +126,7 @@ pub struct Chunk {
 #[derive(Debug)]
 pub struct Blocks {
     layout: Layout,
-    samples: u32,
+    count: Count,
     blocks: Vec<Block>,
 }
 
@@ -139,14 +141,17 @@ pub struct BlockOf<'a> {
     pub is_kept: bool,
     /// Its first sample.
     pub first: u32,
-    /// How many it has.
+    /// How many it has, or room for.
     pub samples: u32,
+    /// All blocks together.
+    total: &'a Count,
 }
 
 impl Blocks {
-    /// For `samples` samples, and as many `rows` of inputs.  Where they are to be kept, as many blocks as
+    /// For `count` samples, and as many `rows` of inputs.  Where they are to be kept, as many blocks as
     /// [`KEPT_BYTES`] holds have memory of their own.
-    pub fn new(device: &Device, rows: usize, samples: u32, keep: bool) -> Result<Self> {
+    pub fn new(device: &Device, rows: usize, count: Count, keep: bool) -> Result<Self> {
+        let samples = count.at_most();
         let (layout, rows) = (Layout::new(device, samples), rows as u32);
         let first = Block::new(device, layout, rows)?;
         let mut blocks = vec![first];
@@ -158,32 +163,39 @@ impl Blocks {
                 blocks.push(Block::new(device, layout, rows)?);
             }
         }
-        Ok(Self { layout, samples, blocks })
+        Ok(Self { layout, count, blocks })
     }
 
     pub fn layout(&self) -> Layout {
         self.layout
     }
 
+    /// How many there are, or room for.
     pub fn samples(&self) -> u32 {
-        self.samples
+        self.count.at_most()
     }
 
     /// In order.
     pub fn iter(&self) -> impl Iterator<Item = BlockOf<'_>> {
-        let (size, samples) = (self.layout.block(), self.samples);
+        let (size, samples, total) = (self.layout.block(), self.samples(), &self.count);
         let count = samples.div_ceil(size.max(1)) as usize;
         let last = self.blocks.len() - 1;
         (0..count).map(move |index| {
             let first = index as u32 * size;
             let is_kept = index < last || count == self.blocks.len();
             let block = &self.blocks[index.min(last)];
-            BlockOf { block, first_chunk: 0, is_kept, first, samples: size.min(samples - first) }
+            let samples = size.min(samples - first);
+            BlockOf { block, first_chunk: 0, is_kept, first, samples, total }
         })
     }
 }
 
 impl<'a> BlockOf<'a> {
+    /// How many samples it has.
+    pub fn count(&self) -> Count {
+        self.total.piece(self.first, self.samples)
+    }
+
     /// Its points: `[chunks, 7, stride]`.
     pub fn point(&self) -> Buffer<f32> {
         self.block.layout.of_chunk(&self.block.point, self.first_chunk, ROWS_OF_POINT)
@@ -214,6 +226,7 @@ impl<'a> BlockOf<'a> {
             Chunk {
                 first: self.first + begin,
                 samples: layout.chunk.min(self.samples - begin),
+                count: self.total.piece(self.first + begin, layout.chunk),
                 index,
                 point: layout.of_chunk(&self.point(), index, ROWS_OF_POINT),
                 input: layout.of_chunk(&self.input(), index, self.block.rows),

@@ -1,5 +1,6 @@
 //! A: the color of every pair.
 
+use std::mem::offset_of;
 use std::sync::Mutex;
 
 use glam::Vec4;
@@ -50,8 +51,8 @@ impl Color {
         visit: &mut dyn FnMut(&Chunk) -> Result<()>,
     ) -> Result<Self> {
         let (config, field) = (&scene.config, &scene.color);
-        let color = device.zeros("color", pairs.count as usize * 3)?;
-        let blocks = Blocks::new(device, config.color_inputs(), pairs.count, keep)?;
+        let color = device.zeros("color", pairs.count.at_most() as usize * 3)?;
+        let blocks = Blocks::new(device, config.color_inputs(), pairs.count.clone(), keep)?;
         let scratches = Mutex::default();
         let head = field.head();
         for block in blocks.iter() {
@@ -72,7 +73,8 @@ impl Color {
                     input: field.hidden(device, scratch, &chunk)?,
                     color: &color,
                 };
-                device.run(&kernel, chunk.samples, 1)
+                let counts = [(offset_of!(ColorHeadParams, samples), &chunk.count)];
+                device.run_counted(&kernel, &counts, chunk.samples, 1)
             })?;
         }
         Ok(Self { color, blocks })
@@ -106,7 +108,8 @@ fn inputs(device: &Device, scene: &DeviceScene, pairs: &Pairs, chunk: &Chunk) ->
         point: &chunk.point,
         input: &chunk.input,
     };
-    device.run(&kernel, chunk.samples, 1)
+    let counts = [(offset_of!(ColorInputsParams, pairs), &chunk.count)];
+    device.run_counted(&kernel, &counts, chunk.samples, 1)
 }
 
 impl Color {
@@ -121,7 +124,8 @@ impl Color {
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
     ) -> Result<()> {
-        if pairs.count == 0 {
+        let room = pairs.count.at_most();
+        if room == 0 {
             return Ok(());
         }
         let (config, field) = (&scene.config, &scene.color);
@@ -130,9 +134,9 @@ impl Color {
         let group_scratch = GroupScratch::new(device, field, layout)?;
         let scratches = Mutex::default();
         let pair_material =
-            device.zeros("gradient of the pairs' material", (pairs.count * material) as usize)?;
+            device.zeros("gradient of the pairs' material", (room * material) as usize)?;
         let table = &gradient.color.table;
-        table.set_scale(device, field, pair_gradient, None, pairs.count, pairs.count)?;
+        table.set_scale(device, field, pair_gradient, None, &pairs.count, &pairs.count)?;
         for block in self.blocks.iter() {
             if !block.is_kept {
                 encode(device, scene, pairs, block)?;
@@ -171,7 +175,8 @@ impl Color {
             pair_gradient,
             logit_gradient: &scratch.logit_gradient,
         };
-        device.run(&kernel, chunk.samples, 1)
+        let counts = [(offset_of!(ColorHeadBackwardParams, samples), &chunk.count)];
+        device.run_counted(&kernel, &counts, chunk.samples, 1)
     }
 }
 
@@ -198,5 +203,6 @@ fn material_backward(
         input_gradient,
         pair_material,
     };
-    device.run(&kernel, chunk.samples, 1)
+    let counts = [(offset_of!(MaterialBackwardParams, samples), &chunk.count)];
+    device.run_counted(&kernel, &counts, chunk.samples, 1)
 }

@@ -1,5 +1,7 @@
 //! B3 and C: the weighted sums of all tiles, and the image.
 
+use std::mem::offset_of;
+
 use glam::Vec4;
 use organza_kernels::composite::{CompositeKernel, CompositeParams, SUM_PLANES};
 use organza_kernels::composite_backward::{
@@ -39,9 +41,10 @@ impl Composite {
         color: &Buffer<f32>,
     ) -> Result<Self> {
         let pairs = &bins.pairs;
-        let splat = device.zeros("splats", (pairs.count * VECTORS) as usize)?;
+        let room = pairs.count.at_most();
+        let splat = device.zeros("splats", (room * VECTORS) as usize)?;
         let kernel = SplatKernel {
-            params: SplatParams { pairs: pairs.count, gaussians: scene.gaussians },
+            params: SplatParams { pairs: room, gaussians: scene.gaussians },
             pair: &pairs.pair,
             projection: &pairs.projection,
             opacity: &scene.opacity,
@@ -49,23 +52,25 @@ impl Composite {
             color,
             splat: &splat,
         };
-        device.run(&kernel, pairs.count, 1)?;
+        let counts = [(offset_of!(SplatParams, pairs), &pairs.count)];
+        device.run_counted(&kernel, &counts, room, 1)?;
 
-        let tiles = bins.first.len() - 1;
-        let cells = device.zeros("cells", bins.members() as usize)?;
+        let (tiles, members) = (bins.tiles, bins.members.at_most());
+        let cells = device.zeros("cells", members as usize)?;
         let kernel = TileCellsKernel {
-            params: TileCellsParams { members: bins.members(), tiles: tiles as u32, side },
+            params: TileCellsParams { members, tiles, side },
             tile: &bins.tile,
             tile_first: &bins.tile_first,
             member: &bins.member,
             splat: &splat,
             cells: &cells,
         };
-        device.run(&kernel, bins.members(), 1)?;
+        let counts = [(offset_of!(TileCellsParams, members), &bins.members)];
+        device.run_counted(&kernel, &counts, members, 1)?;
 
-        let pixels = tiles * (side * side) as usize;
+        let pixels = tiles as usize * (side * side) as usize;
         let sum = device.zeros("sums", pixels * SUM_PLANES as usize)?;
-        for pass in 0..bins.largest().div_ceil(MAX_MEMBERS) {
+        for pass in 0..bins.largest.div_ceil(MAX_MEMBERS) {
             let kernel = CompositeKernel {
                 params: CompositeParams { side, skip: pass * MAX_MEMBERS },
                 tile: &bins.tile,
@@ -75,7 +80,7 @@ impl Composite {
                 splat: &splat,
                 sum: &sum,
             };
-            device.run_over(&kernel, [side, side, tiles as u32])?;
+            device.run_over(&kernel, [side, side, tiles])?;
         }
 
         let image = device.zeros("tiles", pixels * 3)?;
@@ -85,7 +90,7 @@ impl Composite {
             sum: &sum,
             image: &image,
         };
-        device.run_over(&kernel, [side, side, tiles as u32])?;
+        device.run_over(&kernel, [side, side, tiles])?;
         Ok(Self { sum, image, splat })
     }
 
@@ -100,7 +105,7 @@ impl Composite {
         transmittance: &Buffer<f32>,
         image_gradient: &Buffer<f32>,
     ) -> Result<Buffer<Vec4>> {
-        let tiles = (bins.first.len() - 1) as u32;
+        let tiles = bins.tiles;
         let sum_gradient = device.zeros("gradient of the sums", self.sum.len())?;
         let kernel = ResolveBackwardKernel {
             params: resolve_params(scene, side),
@@ -113,11 +118,11 @@ impl Composite {
         let member_gradient = self.members_backward(device, side, bins, &sum_gradient)?;
 
         let pairs = &bins.pairs;
-        let pair_gradient =
-            device.zeros("gradient of the pairs", (pairs.count * VECTORS) as usize)?;
+        let room = pairs.count.at_most();
+        let pair_gradient = device.zeros("gradient of the pairs", (room * VECTORS) as usize)?;
         let kernel = SplatBackwardKernel {
             params: SplatBackwardParams {
-                pairs: pairs.count,
+                pairs: room,
                 gaussians: scene.gaussians,
                 words: words(scene.gaussians),
             },
@@ -130,7 +135,8 @@ impl Composite {
             member_gradient: &member_gradient,
             pair_gradient: &pair_gradient,
         };
-        device.run(&kernel, pairs.count, 1)?;
+        let counts = [(offset_of!(SplatBackwardParams, pairs), &pairs.count)];
+        device.run_counted(&kernel, &counts, room, 1)?;
         Ok(pair_gradient)
     }
 
@@ -142,7 +148,7 @@ impl Composite {
         bins: &Bins,
         sum_gradient: &Buffer<f32>,
     ) -> Result<Buffer<Vec4>> {
-        let members = bins.members();
+        let members = bins.members.at_most();
         let bytes = u64::from(members) * u64::from(VECTORS) * size_of::<Vec4>() as u64;
         // kernels number the vectors in 32 bits
         if members > u32::MAX / VECTORS {
@@ -156,7 +162,7 @@ impl Composite {
             let kernel = CompositeBackwardKernel {
                 params: CompositeBackwardParams {
                     members,
-                    tiles: (bins.first.len() - 1) as u32,
+                    tiles: bins.tiles,
                     side,
                     first_row,
                     rows: band.min(side - first_row),
@@ -168,7 +174,8 @@ impl Composite {
                 sum_gradient,
                 member_gradient: &member_gradient,
             };
-            device.run(&kernel, members, 1)?;
+            let counts = [(offset_of!(CompositeBackwardParams, members), &bins.members)];
+            device.run_counted(&kernel, &counts, members, 1)?;
         }
         Ok(member_gradient)
     }

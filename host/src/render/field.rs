@@ -1,5 +1,7 @@
 //! A hash grid and its network on a device: the grid block by block, the network chunk by chunk.
 
+use std::mem::offset_of;
+
 use glam::Vec4;
 use organza_kernels::dense::{DenseKernel, DenseParams, HIDDEN_BLOCK};
 use organza_kernels::hash_grid::{GridLevel, HashGridKernel, HashGridParams};
@@ -95,15 +97,16 @@ impl DeviceField {
         let params = self.grid_params(block, first_row);
         let (position, output) = (&block.point(), &block.input());
         let (levels, samples, layers) = (&self.levels, block.samples, self.levels.len() as u32);
+        let counts = [(offset_of!(HashGridParams, points), &block.count())];
         match &self.half_table {
             None => {
                 let table = &self.table;
                 let kernel = HashGridKernel { params, levels, table, position, output };
-                device.run(&kernel, samples, layers)
+                device.run_counted(&kernel, &counts, samples, layers)
             }
             Some(table) => {
                 let kernel = HashGridHalfKernel { params, levels, table, position, output };
-                device.run(&kernel, samples, layers)
+                device.run_counted(&kernel, &counts, samples, layers)
             }
         }
     }
@@ -118,32 +121,32 @@ impl DeviceField {
         let mut input = &chunk.input;
         for (index, layer) in self.layers[..self.layers.len() - 1].iter().enumerate() {
             let output = &scratch.activation[index % 2];
-            self.layer(device, layer, input, output, chunk.stride, chunk.samples)?;
+            self.layer(device, layer, input, output, chunk)?;
             input = output;
         }
         Ok(input)
     }
 
-    /// A hidden layer: `input [inputs, stride]` to `output [4 columns, stride]`.
+    /// A hidden layer for a chunk: `input [inputs, stride]` to `output [4 columns, stride]`.
     pub fn layer(
         &self,
         device: &Device,
         layer: &LayerPlace,
         input: &Buffer<f32>,
         output: &Buffer<f32>,
-        stride: u32,
-        samples: u32,
+        chunk: &Chunk,
     ) -> Result<()> {
         let params = DenseParams {
-            samples,
-            stride,
+            samples: chunk.samples,
+            stride: chunk.stride,
             inputs: layer.inputs,
             columns: layer.columns,
             weight: layer.weight,
             bias: layer.bias,
         };
         let kernel = DenseKernel { params, parameters: &self.parameters, input, output };
-        device.run(&kernel, samples, layer.columns * 4 / HIDDEN_BLOCK)
+        let counts = [(offset_of!(DenseParams, samples), &chunk.count)];
+        device.run_counted(&kernel, &counts, chunk.samples, layer.columns * 4 / HIDDEN_BLOCK)
     }
 }
 

@@ -1,6 +1,8 @@
 //! The derivatives of a field: chunk by chunk from its network's output back to its parameters and inputs, and group by
 //! group from there to its hash grid.
 
+use std::mem::offset_of;
+
 use glam::Vec4;
 use organza_kernels::dense_backward::{
     DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
@@ -87,7 +89,7 @@ impl DeviceField {
     pub fn activate(&self, device: &Device, scratch: &ChunkScratch, chunk: &Chunk) -> Result<()> {
         let mut input = &chunk.input;
         for (layer, output) in self.layers.iter().zip(&scratch.activation) {
-            self.layer(device, layer, input, output, chunk.stride, chunk.samples)?;
+            self.layer(device, layer, input, output, chunk)?;
             input = output;
         }
         Ok(())
@@ -135,7 +137,9 @@ impl DeviceField {
                 output_gradient: output,
                 input_gradient: target,
             };
-            device.run(&kernel, samples, (end_input - first_input).div_ceil(INPUT_BLOCK))?;
+            let counts = [(offset_of!(DenseBackwardParams, samples), &chunk.count)];
+            let layers = (end_input - first_input).div_ceil(INPUT_BLOCK);
+            device.run_counted(&kernel, &counts, samples, layers)?;
             output = target;
         }
         Ok(())
@@ -161,7 +165,9 @@ impl DeviceField {
         };
         device.run(&kernel, kernel.params.parameters, 1)?;
         let params = self.grid_params(group, grid_row);
-        gradient.table.accumulate(device, self, params, &group.point(), &scratch.input_gradient)
+        let points = &group.point();
+        let count = &group.count();
+        gradient.table.accumulate(device, self, params, count, points, &scratch.input_gradient)
     }
 
     /// The gradients of a layer's weights and biases in each slice of a chunk.
@@ -193,6 +199,8 @@ impl DeviceField {
             partial: &group.partial,
         };
         let blocks = layer.inputs.div_ceil(WEIGHT_BLOCK) + 1;
-        device.run(&kernel, blocks * layer.columns, chunk.samples.div_ceil(group.slice))
+        let counts = [(offset_of!(DenseWeightBackwardParams, samples), &chunk.count)];
+        let slices = chunk.samples.div_ceil(group.slice);
+        device.run_counted(&kernel, &counts, blocks * layer.columns, slices)
     }
 }

@@ -1,5 +1,7 @@
 //! The gradient of a hash grid's table: scale, sums in fixed point, and the gradient as numbers.
 
+use std::mem::offset_of;
+
 use glam::Vec4;
 use organza_kernels::hash_grid::HashGridParams;
 use organza_kernels::hash_grid_backward::{
@@ -12,7 +14,7 @@ use organza_kernels::hash_grid_scale::{
 use organza_kernels::limits::MAX_LAYERS;
 
 use super::field::DeviceField;
-use crate::backend::{Buffer, Device};
+use crate::backend::{Buffer, Count, Device};
 use crate::error::{Error, Result};
 use crate::scene::MAX_HIDDEN_LAYERS;
 
@@ -67,17 +69,19 @@ impl HashGridGradient {
         field: &DeviceField,
         pair_gradient: &Buffer<Vec4>,
         transmittance: Option<&Buffer<f32>>,
-        pairs: u32,
-        samples: u32,
+        pairs: &Count,
+        samples: &Count,
     ) -> Result<()> {
+        let room = pairs.at_most();
         let kernel = HashGridPeakKernel {
-            params: HashGridPeakParams { pairs, color: u32::from(transmittance.is_none()) },
+            params: HashGridPeakParams { pairs: room, color: u32::from(transmittance.is_none()) },
             pair_gradient,
             // a binding must be bound
             transmittance: transmittance.unwrap_or(&self.scale),
             bound: &self.bound,
         };
-        device.run(&kernel, pairs, 1)?;
+        let counts = [(offset_of!(HashGridPeakParams, pairs), pairs)];
+        device.run_counted(&kernel, &counts, room, 1)?;
         for (layer, slot) in field.layers.iter().zip(1..) {
             let params = HashGridNormParams {
                 inputs: layer.inputs,
@@ -90,18 +94,17 @@ impl HashGridGradient {
             device.run(&kernel, layer.inputs, 1)?;
         }
         let layers = field.layers.len() as u32;
-        // 2^bits is the next power of two
-        let sample_bits = u32::BITS - samples.saturating_sub(1).leading_zeros();
         let kernel = HashGridScaleKernel {
-            params: HashGridScaleParams { layers, sample_bits },
+            params: HashGridScaleParams { layers, samples: samples.at_most() },
             bound: &self.bound,
             scale: &self.scale,
             status: &self.status,
         };
-        device.run(&kernel, 1, 1)
+        let counts = [(offset_of!(HashGridScaleParams, samples), samples)];
+        device.run_counted(&kernel, &counts, 1, 1)
     }
 
-    /// Adds the gradients of a block of samples to the sums.
+    /// Adds the gradients of a block of `count` samples to the sums.
     ///
     /// `points` as [`DeviceField::encode`] takes them; `feature_gradient [chunks, rows, stride]`, from
     /// `params.first_row` on those of the grid's features.
@@ -110,6 +113,7 @@ impl HashGridGradient {
         device: &Device,
         field: &DeviceField,
         params: HashGridParams,
+        count: &Count,
         points: &Buffer<f32>,
         feature_gradient: &Buffer<f32>,
     ) -> Result<()> {
@@ -123,7 +127,8 @@ impl HashGridGradient {
             touched: &self.touched,
             status: &self.status,
         };
-        device.run(&kernel, params.points, field.levels.len() as u32)
+        let counts = [(offset_of!(HashGridParams, points), count)];
+        device.run_counted(&kernel, &counts, params.points, field.levels.len() as u32)
     }
 
     /// Adds the sums to the gradient, and clears them.
@@ -196,7 +201,10 @@ mod tests {
             let pair = device.upload("pair", &[Vec4::W * size, Vec4::ZERO, Vec4::ZERO]);
             let transmittance = device.upload("transmittance", &[0.5]).expect("memory");
             let (pair, all) = (pair.expect("memory"), 2 * samples);
-            table.set_scale(&device, &field, &pair, Some(&transmittance), 1, all).expect("a scale");
+            let counts = [1, all].map(Count::known);
+            table
+                .set_scale(&device, &field, &pair, Some(&transmittance), &counts[0], &counts[1])
+                .expect("a scale");
             for chunk in [samples, samples - 3] {
                 let params = HashGridParams {
                     points: chunk,
@@ -208,7 +216,8 @@ mod tests {
                     point_rows: 6,
                     rows: 5,
                 };
-                table.accumulate(&device, &field, params, &points, &rows).expect("a sum");
+                let count = Count::known(chunk);
+                table.accumulate(&device, &field, params, &count, &points, &rows).expect("a sum");
             }
             table.finish(&device).expect("a gradient");
         }

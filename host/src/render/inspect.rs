@@ -12,6 +12,7 @@ use super::part::Part;
 use super::plan::Plan;
 use super::transmittance::Transmittance;
 use super::{DeviceScene, Renderer};
+use crate::backend::Count;
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::tile::{Tile, TileBatch};
@@ -95,12 +96,14 @@ impl Renderer {
         let (camera, projection, _) = project(device, scene, &[camera])?;
         let every: Vec<u32> = (0..scene.gaussians).collect();
         let pairs = Pairs {
-            count: scene.gaussians,
+            count: Count::known(scene.gaussians),
             pair: device.upload("pairs", &every)?,
             camera,
             projection,
         };
-        let transmittance = Transmittance::evaluate(device, scene, &pairs, false)?;
+        let transmittance = Transmittance::evaluate(device, scene, &pairs, false, |first| {
+            pairs.read_samples(device, first)
+        })?;
 
         let (sh_width, grid_width) = (scene.config.sh_width(), scene.config.color_grid.width());
         let (mut sh, mut color_encoding) = (Vec::new(), Vec::new());
@@ -143,7 +146,7 @@ impl Renderer {
         let batch = TileBatch { side: 1, tiles: vec![Tile { camera, origin: pixel }] };
         batch.validate(cameras)?;
         let plans = Plan::split(device, scene, &batch, self.part_bytes)?;
-        let part = Part::evaluate(device, scene, cameras, &plans[0], false)?;
+        let part = Part::evaluate(device, scene, cameras, &plans[0], false, None)?;
 
         let pair = device.read(&part.bins.pairs.pair)?;
         let first = device.read(&part.transmittance.first_sample)?;

@@ -9,6 +9,8 @@ use organza_kernels::ssim::{
     MOMENTS, SLOPES, SsimColumnsKernel, SsimParams, SsimRowsBackwardKernel, SsimRowsKernel,
 };
 
+use super::part::Part;
+use super::tally::Needed;
 use crate::backend::{Buffer, Device};
 use crate::error::{Error, Result};
 use crate::metrics;
@@ -232,12 +234,25 @@ impl LossOutput {
     /// # Errors
     /// As [`Device::read`].
     pub fn sums(&self, device: &Device) -> Result<Vec<TileLoss>> {
-        let rows = device.read(&self.row_sum)?;
+        Ok(self.sums_of(&device.read(&self.row_sum)?))
+    }
+
+    /// As [`LossOutput::sums`], and what a part has needed: waits once.
+    pub(crate) fn sums_and_needed(
+        &self,
+        device: &Device,
+        part: &Part,
+    ) -> Result<(Vec<TileLoss>, Needed)> {
+        let (mut found, needed) = part.read(device, vec![self.row_sum.view()])?;
+        Ok((self.sums_of(&bytemuck::pod_collect_to_vec(&found.remove(0))), needed))
+    }
+
+    fn sums_of(&self, rows: &[Vec4]) -> Vec<TileLoss> {
         let row = |row: &Vec4| {
             let [absolute, dissimilarity, squared, valid] = row.to_array().map(f64::from);
             TileLoss { absolute, dissimilarity, squared, valid }
         };
         let tile = |rows: &[Vec4]| TileLoss::total(&rows.iter().map(row).collect::<Vec<_>>());
-        Ok(rows.chunks_exact(self.side as usize).map(tile).collect())
+        rows.chunks_exact(self.side as usize).map(tile).collect()
     }
 }

@@ -7,6 +7,7 @@ mod color;
 mod composite;
 mod field;
 mod field_backward;
+mod foresight;
 mod gradient;
 mod hash_grid;
 mod hash_grid_half;
@@ -19,9 +20,12 @@ mod plan;
 mod project;
 mod scan;
 mod scene;
+mod tally;
+#[cfg(test)]
+mod tests;
 mod transmittance;
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::backend::Device;
 use crate::camera::Camera;
@@ -37,7 +41,9 @@ pub use loss::{Loss, LossInputs, LossOutput, TileLoss};
 pub use parameters::Parameter;
 pub use scene::DeviceScene;
 
+use foresight::Foresight;
 use plan::Plan;
+use tally::{Needed, Room};
 
 /// Renders scenes on a device.
 ///
@@ -55,6 +61,7 @@ use plan::Plan;
 pub struct Renderer {
     device: Arc<Device>,
     part_bytes: u64,
+    foresight: Arc<Mutex<Foresight>>,
 }
 
 /// A rendered batch, the tensor Y of Eq. 16.
@@ -89,7 +96,7 @@ impl Renderer {
     /// A renderer on `device`.
     #[must_use]
     pub fn new(device: Device) -> Self {
-        Self { device: Arc::new(device), part_bytes: plan::PART_BYTES }
+        Self { device: Arc::new(device), part_bytes: plan::PART_BYTES, foresight: Arc::default() }
     }
 
     /// The same renderer, whose batches are cut into parts with tables of about this many bytes; 512 MiB unless set.
@@ -141,7 +148,8 @@ impl Renderer {
         let mut plans = Plan::split(&self.device, scene, batch, self.part_bytes)?;
         while let Some(plan) = plans.pop() {
             let device = &*self.device;
-            match device.inside(|| part::render(device, scene, cameras, &plan)) {
+            let render = |room| part::render(device, scene, cameras, &plan, room);
+            match device.inside(|| self.foreseen(scene, &plan, render)) {
                 Ok((pixels, part)) => {
                     for (place, tile) in pixels.chunks_exact(area).zip(&plan.tiles) {
                         data[tile.place * area..][..area].copy_from_slice(place);
@@ -156,6 +164,33 @@ impl Renderer {
             }
         }
         Ok(RenderedTiles { side: batch.side, count: batch.tiles.len(), data, report })
+    }
+}
+
+impl Renderer {
+    /// Does `work` for a part with as much room as it will need, by what others have needed, so that nothing waits for the
+    /// device before the work is done; where that was not enough and all was empty, or where nobody can tell, with room
+    /// for all.
+    fn foreseen<R>(
+        &self,
+        scene: &DeviceScene,
+        plan: &Plan,
+        work: impl Fn(Option<Room>) -> Result<(R, Needed)>,
+    ) -> Result<R> {
+        let foresight = || self.foresight.lock().unwrap_or_else(PoisonError::into_inner);
+        let (kind, tiles) = ([scene.gaussians, plan.side], plan.tiles.len());
+        // who does not wait for what it reads need not guess
+        let guess = self.device.reads_wait().then(|| foresight().room(kind, tiles));
+        let mut room = guess.flatten();
+        loop {
+            match work(room)? {
+                (result, Needed::Room(needed)) => {
+                    foresight().saw(kind, tiles, needed);
+                    return Ok(result);
+                }
+                (_, Needed::More) => room = None,
+            }
+        }
     }
 }
 

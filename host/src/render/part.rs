@@ -4,9 +4,10 @@ use super::bin::Bins;
 use super::color::Color;
 use super::composite::Composite;
 use super::plan::Plan;
+use super::tally::{Needed, Room};
 use super::transmittance::Transmittance;
 use super::{DeviceScene, RenderReport};
-use crate::backend::Device;
+use crate::backend::{Buffer, Device};
 use crate::camera::Camera;
 use crate::error::Result;
 
@@ -20,16 +21,20 @@ pub struct Part {
 }
 
 impl Part {
-    /// `keep` says whether [`Part::backward`] will be called.
+    /// `keep` says whether [`Part::backward`] will be called.  With `room` for so much nothing waits for the device, and
+    /// where that is not enough, all is empty; without, there is room for all.
     pub fn evaluate(
         device: &Device,
         scene: &DeviceScene,
         cameras: &[Camera],
         plan: &Plan,
         keep: bool,
+        room: Option<Room>,
     ) -> Result<Self> {
-        let bins = Bins::new(device, scene, cameras, plan)?;
-        let transmittance = Transmittance::evaluate(device, scene, &bins.pairs, keep)?;
+        let bins = Bins::new(device, scene, cameras, plan, room)?;
+        let count_samples = |first: &_| bins.count_samples(device, first);
+        let transmittance =
+            Transmittance::evaluate(device, scene, &bins.pairs, keep, count_samples)?;
         let color = Color::evaluate(device, scene, &bins.pairs, keep)?;
         let composite = Composite::new(
             device,
@@ -42,24 +47,42 @@ impl Part {
         Ok(Self { bins, transmittance, color, composite })
     }
 
-    pub fn report(&self, device: &Device) -> Result<RenderReport> {
-        Ok(RenderReport {
-            parts: 1,
-            pairs: u64::from(self.bins.pairs.count),
-            members: u64::from(self.bins.members()),
-            samples: u64::from(self.transmittance.samples),
-            degenerate: u64::from(device.read(&self.bins.degenerate)?[0]),
-        })
+    /// Reads buffers, and what the part has needed: waits once.
+    pub fn read(
+        &self,
+        device: &Device,
+        mut buffers: Vec<Buffer<u32>>,
+    ) -> Result<(Vec<Vec<u32>>, Needed)> {
+        let Some(tally) = &self.bins.tally else {
+            let needed = Needed::Room(Room {
+                pairs: self.bins.pairs.count.at_most(),
+                members: self.bins.members.at_most(),
+                samples: self.transmittance.samples.at_most(),
+            });
+            return Ok((device.read_all(&buffers)?, needed));
+        };
+        buffers.push(tally.counts().view());
+        let mut values = device.read_all(&buffers)?;
+        let counts = values.pop().expect("pushed above");
+        Ok((values, Needed::of(&counts)))
     }
 }
 
-/// The pixels of a part, `[tiles, 3, S, S]`, and what it took.
+/// The pixels of a part, `[tiles, 3, S, S]`, what it took, and what it needed; with `room` as [`Part::evaluate`].
 pub fn render(
     device: &Device,
     scene: &DeviceScene,
     cameras: &[Camera],
     plan: &Plan,
-) -> Result<(Vec<f32>, RenderReport)> {
-    let part = Part::evaluate(device, scene, cameras, plan, false)?;
-    Ok((device.read(&part.composite.image)?, part.report(device)?))
+    room: Option<Room>,
+) -> Result<((Vec<f32>, RenderReport), Needed)> {
+    let part = Part::evaluate(device, scene, cameras, plan, false, room)?;
+    let buffers = vec![part.composite.image.view(), part.bins.degenerate.view()];
+    let (values, needed) = part.read(device, buffers)?;
+    let mut report =
+        RenderReport { parts: 1, degenerate: u64::from(values[1][0]), ..RenderReport::default() };
+    if let Needed::Room(Room { pairs, members, samples }) = needed {
+        [report.pairs, report.members, report.samples] = [pairs, members, samples].map(u64::from);
+    }
+    Ok(((bytemuck::pod_collect_to_vec(&values[0]), report), needed))
 }

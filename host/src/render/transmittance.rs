@@ -1,5 +1,6 @@
 //! B1 and B2: the segments of all pairs, their samples as one flat list, and the products.
 
+use std::mem::offset_of;
 use std::sync::Mutex;
 
 use glam::Vec4;
@@ -22,7 +23,7 @@ use super::field_backward::{ChunkScratch, GroupScratch};
 use super::gradient::SceneGradient;
 use super::pair::sum_pairs;
 use super::scan::exclusive_scan;
-use crate::backend::{Buffer, Device};
+use crate::backend::{Buffer, Count, Device};
 use crate::error::{Error, Result};
 
 /// Transmittance of every pair.
@@ -33,7 +34,7 @@ pub struct Transmittance {
     /// `[pairs + 1]`
     pub first_sample: Buffer<u32>,
     /// Samples of all segments.
-    pub samples: u32,
+    pub samples: Count,
     /// `[pairs, 4]`
     segment: Buffer<Vec4>,
     /// Midpoints, and what the network reads.
@@ -42,18 +43,21 @@ pub struct Transmittance {
 
 impl Transmittance {
     /// `keep` says whether [`Transmittance::backward`] will be called: what it needs is kept, as far as there is room.
+    /// `count_samples` says how many samples there are, of the exclusive sums `[pairs + 1]`.
     pub fn evaluate(
         device: &Device,
         scene: &DeviceScene,
         pairs: &Pairs,
         keep: bool,
+        count_samples: impl FnOnce(&Buffer<u32>) -> Result<Count>,
     ) -> Result<Self> {
         check_samples(scene, pairs)?;
-        let segment = device.zeros("segments", pairs.count as usize * SEGMENT_VECTORS as usize)?;
-        let count = device.zeros("sample counts", pairs.count as usize)?;
+        let room = pairs.count.at_most();
+        let segment = device.zeros("segments", room as usize * SEGMENT_VECTORS as usize)?;
+        let count = device.zeros("sample counts", room as usize)?;
         let kernel = SegmentKernel {
             params: SegmentParams {
-                pairs: pairs.count,
+                pairs: room,
                 gaussians: scene.gaussians,
                 step: scene.config.step as f32,
             },
@@ -64,20 +68,23 @@ impl Transmittance {
             segment: &segment,
             count: &count,
         };
-        device.run(&kernel, pairs.count, 1)?;
-        let first_sample = exclusive_scan(device, &count, pairs.count)?;
-        let samples = device.read_range(&first_sample, pairs.count as usize, 1)?[0];
+        let counts = [(offset_of!(SegmentParams, pairs), &pairs.count)];
+        device.run_counted(&kernel, &counts, room, 1)?;
+        let first_sample = exclusive_scan(device, &count, room)?;
+        let samples = count_samples(&first_sample)?;
 
-        let blocks = Blocks::new(device, scene.config.transmittance_inputs(), samples, keep)?;
+        let inputs = scene.config.transmittance_inputs();
+        let blocks = Blocks::new(device, inputs, samples.clone(), keep)?;
         let log_rho = log_rho(device, scene, pairs, &segment, &first_sample, &blocks)?;
-        let transmittance = device.zeros("transmittance", pairs.count as usize)?;
+        let transmittance = device.zeros("transmittance", room as usize)?;
         let kernel = SegmentProductKernel {
-            params: SegmentProductParams { pairs: pairs.count },
+            params: SegmentProductParams { pairs: room },
             first_sample: &first_sample,
             log_rho: &log_rho,
             transmittance: &transmittance,
         };
-        device.run(&kernel, pairs.count, 1)?;
+        let counts = [(offset_of!(SegmentProductParams, pairs), &pairs.count)];
+        device.run_counted(&kernel, &counts, room, 1)?;
         Ok(Self { transmittance, first_sample, samples, segment, blocks })
     }
 }
@@ -85,9 +92,10 @@ impl Transmittance {
 /// Samples are numbered in 32 bits.
 fn check_samples(scene: &DeviceScene, pairs: &Pairs) -> Result<()> {
     let longest = (3f64.sqrt() / scene.config.step).ceil().min(f64::from(MAX_SAMPLES));
-    let most = f64::from(pairs.count) * longest;
+    let pairs = pairs.count.at_most();
+    let most = f64::from(pairs) * longest;
     if most > f64::from(u32::MAX) {
-        let what = format!("the samples of {} segments with up to {longest} each", pairs.count);
+        let what = format!("the samples of {pairs} segments with up to {longest} each");
         return Err(Error::OutOfMemory { needed: most as u64 * 4, available: None, what });
     }
     Ok(())
@@ -116,7 +124,8 @@ fn log_rho(
                 input: field.hidden(device, scratch, &chunk)?,
                 log_rho: &log_rho,
             };
-            device.run(&kernel, chunk.samples, 1)
+            let counts = [(offset_of!(TransmittanceHeadParams, samples), &chunk.count)];
+            device.run_counted(&kernel, &counts, chunk.samples, 1)
         })?;
     }
     Ok(log_rho)
@@ -165,7 +174,7 @@ fn inputs(
             samples: chunk.samples,
             first_sample: chunk.first,
             stride: chunk.stride,
-            pairs: pairs.count,
+            pairs: pairs.count.at_most(),
             gaussians: scene.gaussians,
             extra: config.extra,
             extra_row: config.transmittance_grid.width() as u32,
@@ -177,7 +186,11 @@ fn inputs(
         point: &chunk.point,
         input: &chunk.input,
     };
-    device.run(&kernel, chunk.samples, 1)
+    let counts = [
+        (offset_of!(TransmittanceInputsParams, samples), &chunk.count),
+        (offset_of!(TransmittanceInputsParams, pairs), &pairs.count),
+    ];
+    device.run_counted(&kernel, &counts, chunk.samples, 1)
 }
 
 impl Transmittance {
@@ -191,20 +204,27 @@ impl Transmittance {
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
     ) -> Result<()> {
-        if self.samples == 0 {
+        if self.samples.at_most() == 0 {
             return Ok(());
         }
         let (pairs, field, extra) = (&bins.pairs, &scene.transmittance, scene.config.extra);
         let layout = self.blocks.layout();
         let group_scratch = GroupScratch::new(device, field, layout)?;
         let scratches = Mutex::default();
+        let room = pairs.count.at_most();
         let pair_extra =
-            device.zeros("gradient of the pairs' extra vectors", (pairs.count * extra) as usize)?;
-        // which pairs a chunk has samples of
-        let first_samples = device.read(&self.first_sample)?;
+            device.zeros("gradient of the pairs' extra vectors", (room * extra) as usize)?;
+        let owners = AllOwners::of(device, bins, &self.first_sample)?;
         let table = &gradient.transmittance.table;
         let transmittance = Some(&self.transmittance);
-        table.set_scale(device, field, pair_gradient, transmittance, pairs.count, self.samples)?;
+        table.set_scale(
+            device,
+            field,
+            pair_gradient,
+            transmittance,
+            &pairs.count,
+            &self.samples,
+        )?;
         for block in self.blocks.iter() {
             if !block.is_kept {
                 encode(device, scene, pairs, &self.segment, &self.first_sample, block)?;
@@ -213,15 +233,15 @@ impl Transmittance {
                 let new = || TransmittanceScratch::new(device, field, layout);
                 device.each_with(group.chunks(), &scratches, new, |scratch, chunk| {
                     field.activate(device, &scratch.network, &chunk)?;
-                    let owners = Owners::of(&first_samples, &chunk);
-                    self.head_backward(device, scene, scratch, &chunk, owners, pair_gradient)?;
+                    let owners = owners.of_chunk(&chunk);
+                    self.head_backward(device, scene, scratch, &chunk, &owners, pair_gradient)?;
                     field.backward(device, &group_scratch, &scratch.network, &chunk, 0)
                 })?;
                 // in their order: a pair may have samples of two
                 for chunk in group.chunks() {
-                    let owners = Owners::of(&first_samples, &chunk);
+                    let owners = owners.of_chunk(&chunk);
                     let inputs = group_scratch.input_gradient(field, &chunk);
-                    self.extra_backward(device, scene, &inputs, &chunk, owners, &pair_extra)?;
+                    self.extra_backward(device, scene, &inputs, &chunk, &owners, &pair_extra)?;
                 }
                 let gradient = &gradient.transmittance;
                 field.group_backward(device, &group_scratch, group, 0, gradient)?;
@@ -238,13 +258,13 @@ impl Transmittance {
         scene: &DeviceScene,
         scratch: &TransmittanceScratch,
         chunk: &Chunk,
-        owners: Owners,
+        owners: &Owners,
         pair_gradient: &Buffer<Vec4>,
     ) -> Result<()> {
         let log_rho_gradient = &scratch.log_rho_gradient;
         let kernel = SegmentProductBackwardKernel {
             params: SegmentProductBackwardParams {
-                pairs: owners.pairs,
+                pairs: owners.pairs.at_most(),
                 first_pair: owners.first,
                 samples: chunk.samples,
                 first_sample: chunk.first,
@@ -254,7 +274,11 @@ impl Transmittance {
             pair_gradient,
             log_rho_gradient,
         };
-        device.run(&kernel, owners.pairs, 1)?;
+        let counts = [
+            (offset_of!(SegmentProductBackwardParams, pairs), &owners.pairs),
+            (offset_of!(SegmentProductBackwardParams, samples), &chunk.count),
+        ];
+        device.run_counted(&kernel, &counts, owners.pairs.at_most(), 1)?;
         let field = &scene.transmittance;
         let kernel = TransmittanceHeadBackwardKernel {
             params: head_params(field, chunk),
@@ -264,7 +288,8 @@ impl Transmittance {
             log_rho_gradient,
             logit_gradient: &scratch.network.logit_gradient,
         };
-        device.run(&kernel, chunk.samples, 1)
+        let counts = [(offset_of!(TransmittanceHeadParams, samples), &chunk.count)];
+        device.run_counted(&kernel, &counts, chunk.samples, 1)
     }
 
     /// Adds the gradients of the pairs' extra vectors that come from a chunk of samples.
@@ -274,12 +299,12 @@ impl Transmittance {
         scene: &DeviceScene,
         input_gradient: &Buffer<f32>,
         chunk: &Chunk,
-        owners: Owners,
+        owners: &Owners,
         pair_extra: &Buffer<f32>,
     ) -> Result<()> {
         let kernel = ExtraBackwardKernel {
             params: ExtraBackwardParams {
-                pairs: owners.pairs,
+                pairs: owners.pairs.at_most(),
                 first_pair: owners.first,
                 samples: chunk.samples,
                 first_sample: chunk.first,
@@ -291,7 +316,11 @@ impl Transmittance {
             input_gradient,
             pair_extra,
         };
-        device.run(&kernel, owners.pairs, scene.config.extra)
+        let counts = [
+            (offset_of!(ExtraBackwardParams, pairs), &owners.pairs),
+            (offset_of!(ExtraBackwardParams, samples), &chunk.count),
+        ];
+        device.run_counted(&kernel, &counts, owners.pairs.at_most(), scene.config.extra)
     }
 }
 
@@ -311,19 +340,39 @@ impl TransmittanceScratch {
     }
 }
 
-/// The pairs that have samples in a chunk.
-#[derive(Clone, Copy, Debug)]
-struct Owners {
-    first: u32,
-    pairs: u32,
+/// Which pairs have samples in which chunk.
+enum AllOwners {
+    /// Where each pair's samples begin.
+    Known(Vec<u32>),
+    /// Any of them may: kernels find out.
+    OnDevice(Count),
 }
 
-impl Owners {
-    /// `first_samples [pairs + 1]`
-    fn of(first_samples: &[u32], chunk: &Chunk) -> Self {
-        let first = first_samples.partition_point(|&begin| begin <= chunk.first) as u32 - 1;
-        let end = chunk.first + chunk.samples;
-        let end = first_samples.partition_point(|&begin| begin < end) as u32;
-        Self { first, pairs: end - first }
+/// The pairs that have samples in a chunk, and maybe others.
+#[derive(Debug)]
+struct Owners {
+    first: u32,
+    pairs: Count,
+}
+
+impl AllOwners {
+    /// `first_sample [pairs + 1]`
+    fn of(device: &Device, bins: &Bins, first_sample: &Buffer<u32>) -> Result<Self> {
+        Ok(match &bins.tally {
+            None => Self::Known(device.read(first_sample)?),
+            Some(_) => Self::OnDevice(bins.pairs.count.clone()),
+        })
+    }
+
+    fn of_chunk(&self, chunk: &Chunk) -> Owners {
+        match self {
+            Self::Known(first) => {
+                let begin = first.partition_point(|&begin| begin <= chunk.first) as u32 - 1;
+                let end = chunk.first + chunk.samples;
+                let end = first.partition_point(|&begin| begin < end) as u32;
+                Owners { first: begin, pairs: Count::known(end - begin) }
+            }
+            Self::OnDevice(pairs) => Owners { first: 0, pairs: pairs.clone() },
+        }
     }
 }

@@ -1,21 +1,24 @@
 //! The GPU backend: wgpu buffers, and dispatches queued into command buffers.
 
 mod adapter;
+mod fill;
 mod pipeline;
 mod recorder;
 mod timer;
 
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use organza_kernels::KernelInfo;
 
+use super::Count;
 use super::buffer::{Memory, RawBuffer};
 use super::open::{DeviceOptions, SpirvPath};
 use crate::error::{Error, Result};
 pub use adapter::{AdapterInfo, adapters};
 use pipeline::Pipelines;
-use recorder::Recorder;
+use recorder::{Counted, Recorder};
 
 /// A GPU as a device.
 #[derive(Debug)]
@@ -28,6 +31,8 @@ pub struct Gpu {
     pipelines: Pipelines,
     recorder: Mutex<Recorder>,
     failures: Arc<Mutex<Failures>>,
+    /// How often someone has waited for what was read.
+    waits: AtomicU64,
 }
 
 impl Gpu {
@@ -47,6 +52,7 @@ impl Gpu {
             limits,
             spirv,
             failures,
+            waits: AtomicU64::new(0),
         })
     }
 
@@ -107,16 +113,26 @@ impl Gpu {
         }
     }
 
-    /// Waits for everything queued and copies bytes from `begin` on.
-    pub fn read(&self, buffer: &wgpu::Buffer, begin: u64, target: &mut [u8]) -> Result<()> {
-        let size = target.len() as u64;
+    /// Waits for everything queued and copies bytes of each buffer, from a place on.
+    pub fn read(&self, ranges: &mut [(&wgpu::Buffer, u64, &mut [u8])]) -> Result<()> {
+        self.waits.fetch_add(1, Ordering::Relaxed);
+        let size = ranges.iter().map(|(_, _, target)| target.len() as u64).sum();
         let staging = self.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("read back"),
             size,
             usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
             mapped_at_creation: false,
         });
-        self.recorder().copy(&self.device, &self.queue, buffer, begin, &staging);
+        {
+            let mut recorder = self.recorder();
+            let mut at = 0;
+            for (buffer, begin, target) in ranges.iter() {
+                let bytes = *begin..*begin + target.len() as u64;
+                recorder.copy(&self.device, buffer, bytes, &staging, at);
+                at += target.len() as u64;
+            }
+            recorder.submit(&self.device, &self.queue);
+        }
         let (sender, receiver) = std::sync::mpsc::channel();
         staging.slice(..).map_async(wgpu::MapMode::Read, move |result| {
             // the receiver is gone only if this function has returned an error
@@ -130,9 +146,12 @@ impl Gpu {
             .map_err(|_| Error::DeviceLost { reason: "it did not answer".into() })?;
         mapped.map_err(|error| Error::DeviceLost { reason: error.to_string() })?;
         let range = staging.slice(..).get_mapped_range();
-        target.copy_from_slice(
-            &range.map_err(|error| Error::DeviceLost { reason: error.to_string() })?,
-        );
+        let range = range.map_err(|error| Error::DeviceLost { reason: error.to_string() })?;
+        let mut at = 0;
+        for (_, _, target) in ranges {
+            target.copy_from_slice(&range[at..at + target.len()]);
+            at += target.len();
+        }
         Ok(())
     }
 
@@ -140,11 +159,17 @@ impl Gpu {
         &self,
         kernel: &'static KernelInfo,
         uniform: &[u8],
+        counts: &[(usize, &Count)],
         buffers: &[&RawBuffer],
         workgroups: [u32; 3],
     ) -> Result<()> {
         self.check()?;
         let pipeline = self.pipelines.get(&self.device, kernel)?;
+        let fill = match counts {
+            [] => None,
+            _ => Some(self.pipelines.get(&self.device, fill::kernel())?),
+        };
+        let counts = fill.as_ref().map(|fill| Counted { counts, fill });
         let buffers: Vec<_> = buffers
             .iter()
             .map(|buffer| match &buffer.memory {
@@ -163,6 +188,7 @@ impl Gpu {
             kernel,
             &pipeline,
             uniform,
+            counts,
             &buffers,
             workgroups,
         );
@@ -172,6 +198,11 @@ impl Gpu {
     pub fn clear(&self, buffer: &wgpu::Buffer, begin: u64, bytes: u64) {
         let bytes = bytes.next_multiple_of(4);
         self.recorder().clear(&self.device, buffer, begin..begin + bytes);
+    }
+
+    /// What was dispatched so far has written the numbers that are filled in from here on.
+    pub fn settle_counts(&self) {
+        self.recorder().settle_counts(&self.device);
     }
 
     /// Waits for everything queued.
@@ -200,6 +231,11 @@ impl Gpu {
             Ok(_) => timer.take(self.queue.get_timestamp_period()),
             Err(_) => Vec::new(),
         }
+    }
+
+    /// How often someone has waited for what was read.
+    pub fn waits(&self) -> u64 {
+        self.waits.load(Ordering::Relaxed)
     }
 
     pub fn lose(&self) {

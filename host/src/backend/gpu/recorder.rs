@@ -1,11 +1,14 @@
 //! Dispatches, collected into command buffers.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use organza_kernels::{Access, KernelInfo};
 
+use super::fill::Fills;
 use super::pipeline::Pipeline;
 use super::timer::Timer;
+use crate::backend::Count;
 
 /// Bytes of a uniform slot: the largest alignment that an adapter may ask for.
 const SLOT: u64 = 256;
@@ -14,9 +17,22 @@ const SLOT: u64 = 256;
 /// is read in between makes a few command buffers; and as many timestamps as a query set takes.
 pub const SLOTS: u64 = 2048;
 
-/// The command buffer that is being written.
+/// Parameters of a dispatch that the device fills in.
+#[derive(Clone, Copy, Debug)]
+pub struct Counted<'a> {
+    /// By their place in the uniform buffer.
+    pub counts: &'a [(usize, &'a Count)],
+    /// Of `count_fill`.
+    pub fill: &'a Arc<Pipeline>,
+}
+
+/// The command buffers that are being written: they are submitted together.
 #[derive(Debug)]
 pub struct Recorder {
+    /// What comes before `encoder`.
+    finished: Vec<wgpu::CommandBuffer>,
+    /// Parameters that the device fills in between `finished` and `encoder`.
+    fills: Fills,
     encoder: Option<wgpu::CommandEncoder>,
     uniforms: wgpu::Buffer,
     /// What the slots will hold.
@@ -32,10 +48,20 @@ impl Recorder {
         let uniforms = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("uniforms"),
             size: SLOT * SLOTS,
-            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+            usage: wgpu::BufferUsages::UNIFORM
+                | wgpu::BufferUsages::STORAGE
+                | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        Self { encoder: None, uniforms, slots: Vec::new(), timer: Timer::new(device), times: false }
+        Self {
+            finished: Vec::new(),
+            fills: Fills::default(),
+            encoder: None,
+            uniforms,
+            slots: Vec::new(),
+            timer: Timer::new(device),
+            times: false,
+        }
     }
 
     fn encoder(&mut self, device: &wgpu::Device) -> &mut wgpu::CommandEncoder {
@@ -50,6 +76,7 @@ impl Recorder {
         kernel: &'static KernelInfo,
         pipeline: &Pipeline,
         uniform: &[u8],
+        counts: Option<Counted<'_>>,
         buffers: &[wgpu::BufferBinding<'_>],
         [x, y, z]: [u32; 3],
     ) {
@@ -59,6 +86,12 @@ impl Recorder {
         let offset = self.slots.len() as u64;
         self.slots.extend_from_slice(uniform);
         self.slots.resize((offset + SLOT) as usize, 0);
+        for counted in counts.iter() {
+            for (place, count) in counted.counts {
+                let word = (offset as usize + place) / size_of::<u32>();
+                self.fills.add(counted.fill, word as u32, count);
+            }
+        }
 
         let mut buffers = buffers.iter();
         let entries: Vec<_> = kernel
@@ -101,32 +134,43 @@ impl Recorder {
         self.encoder(device).clear_buffer(buffer, bytes.start, size);
     }
 
-    /// Copies into `target` after everything recorded, and submits.
+    /// Copies bytes into `target` after everything recorded.
     pub fn copy(
         &mut self,
         device: &wgpu::Device,
-        queue: &wgpu::Queue,
         source: &wgpu::Buffer,
-        begin: u64,
+        bytes: Range<u64>,
         target: &wgpu::Buffer,
+        to: u64,
     ) {
-        self.encoder(device).copy_buffer_to_buffer(source, begin, target, 0, target.size());
-        self.submit(device, queue);
+        let size = bytes.end - bytes.start;
+        self.encoder(device).copy_buffer_to_buffer(source, bytes.start, target, to, size);
+    }
+
+    /// What is recorded so far writes the numbers that later dispatches have filled in.
+    pub fn settle_counts(&mut self, device: &wgpu::Device) {
+        if let Some(encoder) = self.encoder.take() {
+            self.finished.extend(self.fills.take(device, &self.uniforms));
+            self.finished.push(encoder.finish());
+        }
     }
 
     /// Hands what is recorded to the device.
     pub fn submit(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) {
-        if let Some(mut encoder) = self.encoder.take() {
-            if let Some(timer) = &mut self.timer {
-                timer.resolve(device, &mut encoder);
-            }
-            // happens before what is submitted next, and after what was submitted before
-            if !self.slots.is_empty() {
-                queue.write_buffer(&self.uniforms, 0, &self.slots);
-                self.slots.clear();
-            }
-            queue.submit([encoder.finish()]);
+        if let Some(timer) = self.timer.as_mut().filter(|timer| timer.has_unresolved()) {
+            // not `self.encoder()`, which would borrow the timer as well
+            timer.resolve(device, self.encoder.get_or_insert_with(|| new_encoder(device)));
         }
+        self.settle_counts(device);
+        if self.finished.is_empty() {
+            return;
+        }
+        // happens before what is submitted next, and after what was submitted before
+        if !self.slots.is_empty() {
+            queue.write_buffer(&self.uniforms, 0, &self.slots);
+            self.slots.clear();
+        }
+        queue.submit(self.finished.drain(..));
     }
 
     /// From now on, whether dispatches are timed; returns whether the device can.

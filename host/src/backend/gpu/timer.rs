@@ -51,6 +51,11 @@ impl Timer {
         self.kernels.is_empty() && self.submitted.is_empty()
     }
 
+    /// Whether something was timed since the last [`Timer::resolve`].
+    pub fn has_unresolved(&self) -> bool {
+        !self.kernels.is_empty()
+    }
+
     /// What the pass of a kernel's dispatch is to write.
     pub fn time(&mut self, kernel: &'static str) -> wgpu::ComputePassTimestampWrites<'_> {
         let begin = 2 * self.kernels.len() as u32;

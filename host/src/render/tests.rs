@@ -1,0 +1,122 @@
+//! A part whose numbers stay on the device, beside one that the host knows all about.
+
+use super::part::Part;
+use super::plan::Plan;
+use super::tally::{Needed, Room};
+use super::{DeviceScene, Renderer, SceneGradient};
+use crate::backend::{Buffer, Device, DeviceOptions, SpirvPath};
+use crate::camera::Camera;
+use crate::demo;
+use crate::error::Error;
+use crate::scene::Scene;
+use crate::tile::{Tile, TileBatch};
+
+/// The CPU, and what GPU there is; `ORGANZA_REQUIRE_GPU=1` says that there must be one.
+fn devices() -> Vec<Device> {
+    let mut devices = vec![Device::open(&DeviceOptions::cpu(Some(2))).expect("the CPU")];
+    for path in [SpirvPath::Passthrough, SpirvPath::Naga] {
+        match Device::open(&DeviceOptions::gpu(path)) {
+            Ok(device) => devices.push(device),
+            Err(Error::NoGpu { reason }) => {
+                let required = std::env::var_os("ORGANZA_REQUIRE_GPU").is_some_and(|v| v != "0");
+                assert!(!required, "ORGANZA_REQUIRE_GPU is set, but {reason}");
+            }
+            Err(error) => panic!("{error}"),
+        }
+    }
+    devices
+}
+
+fn tiles() -> TileBatch {
+    let at = |camera, x, y| Tile { camera, origin: [x, y] };
+    TileBatch { side: 16, tiles: vec![at(0, 20, 30), at(0, 40, 32), at(1, 24, 24), at(1, -8, -8)] }
+}
+
+/// Every eighth Gaussian of the built-in scene.
+fn some() -> Scene {
+    fn some_of<T: Copy>(values: &mut Vec<T>, width: usize) {
+        *values = values.chunks_exact(width.max(1)).step_by(8).flatten().copied().collect();
+    }
+    let mut scene = demo::scene();
+    let (material, extra) = (scene.config.material as usize, scene.config.extra as usize);
+    let gaussians = &mut scene.gaussians;
+    some_of(&mut gaussians.position, 1);
+    some_of(&mut gaussians.rotation, 1);
+    some_of(&mut gaussians.log_scale, 1);
+    some_of(&mut gaussians.opacity, 1);
+    some_of(&mut gaussians.material, material);
+    some_of(&mut gaussians.extra, extra);
+    scene
+}
+
+/// The values of a buffer as bits.
+fn bits<T: bytemuck::Pod>(device: &Device, buffer: &Buffer<T>) -> Vec<u32> {
+    device.read(&buffer.view()).expect("a buffer")
+}
+
+/// The image, and all gradients of its pixels taken as their own gradient.
+fn evaluate(
+    device: &Device,
+    scene: &DeviceScene,
+    cameras: &[Camera],
+    plan: &Plan,
+    room: Option<Room>,
+) -> (Vec<Vec<u32>>, Needed) {
+    let part = Part::evaluate(device, scene, cameras, plan, true, room).expect("a part");
+    let gradient = SceneGradient::new(device, scene).expect("memory");
+    let image = &part.composite.image;
+    part.backward(device, scene, plan.side, image, &gradient).expect("a gradient");
+    let (_, needed) = part.read(device, Vec::new()).expect("counts");
+    let mut values = vec![bits(device, image), bits(device, &gradient.gaussians)];
+    values.push(bits(device, &gradient.statistics));
+    values.push(bits(device, &gradient.material));
+    values.push(bits(device, &gradient.extra));
+    for field in [&gradient.color, &gradient.transmittance] {
+        values.push(bits(device, &field.parameters));
+        values.push(bits(device, &field.table.gradient));
+        values.push(bits(device, &field.table.touched));
+    }
+    (values, needed)
+}
+
+#[test]
+fn what_is_not_waited_for_has_the_same_bits() {
+    let (scene, cameras) = (some(), demo::turntable(2, 64));
+    for device in devices() {
+        let renderer = Renderer::new(device);
+        let device = renderer.device();
+        let scene = renderer.upload(&scene).expect("a scene");
+        let plans = Plan::split(device, &scene, &tiles(), renderer.part_bytes).expect("a plan");
+        assert_eq!(plans.len(), 1);
+        let (expected, needed) = evaluate(device, &scene, &cameras, &plans[0], None);
+        let Needed::Room(room) = needed else { panic!("there is room for all") };
+        let Room { pairs, members, samples } = room;
+        assert!(pairs > 100 && members > pairs && samples > 2 * pairs, "{room:?}");
+
+        // enough
+        let more = Room { pairs: pairs * 2, members: members + 100, samples: samples * 3 };
+        for room in [room, more] {
+            let (found, told) = evaluate(device, &scene, &cameras, &plans[0], Some(room));
+            assert_eq!(told, needed, "{}", device.choice());
+            for (index, (found, expected)) in found.iter().zip(&expected).enumerate() {
+                assert!(found == expected, "{}: value {index}, {room:?}", device.choice());
+            }
+        }
+        // too little of one: background, and no gradient at all
+        let background = scene.config.background.map(|channel| (channel as f32).to_bits());
+        let (pairs, members, samples) = (pairs - 1, members - 1, samples - 1);
+        for room in [Room { pairs, ..more }, Room { members, ..more }, Room { samples, ..more }] {
+            let (found, told) = evaluate(device, &scene, &cameras, &plans[0], Some(room));
+            assert_eq!(told, Needed::More, "{}: {room:?}", device.choice());
+            let planes = found[0].chunks(16 * 16).zip(background.into_iter().cycle());
+            for (plane, value) in planes {
+                // pixels beside the image are black
+                assert!(plane.iter().all(|&bits| bits == value || bits == 0), "{room:?}");
+            }
+            for (index, values) in found.iter().enumerate().skip(1) {
+                let is_zero = values.iter().all(|&bits| f32::from_bits(bits) == 0.0);
+                assert!(is_zero, "{}: value {index}, {room:?}", device.choice());
+            }
+        }
+    }
+}

@@ -182,9 +182,10 @@ impl Device {
         }
     }
 
-    /// Whether the host waits for what it reads.
-    pub(crate) fn reads_wait(&self) -> bool {
-        matches!(self.kind, Kind::Gpu(_))
+    /// Whether numbers are better left on the device than read: on a GPU reading waits.  Where dispatches are timed, their
+    /// work is counted by those numbers.
+    pub(crate) fn keeps_counts(&self) -> bool {
+        matches!(self.kind, Kind::Gpu(_)) && !self.times.load(Ordering::Relaxed)
     }
 
     /// Runs `work`, which dispatches many kernels, where that is cheapest: on a CPU in one of the threads that run them.

@@ -179,8 +179,7 @@ impl Renderer {
     ) -> Result<R> {
         let foresight = || self.foresight.lock().unwrap_or_else(PoisonError::into_inner);
         let (kind, tiles) = ([scene.gaussians, plan.side], plan.tiles.len());
-        // who does not wait for what it reads need not guess
-        let guess = self.device.reads_wait().then(|| foresight().room(kind, tiles));
+        let guess = self.device.keeps_counts().then(|| foresight().room(kind, tiles));
         let mut room = guess.flatten();
         loop {
             match work(room)? {

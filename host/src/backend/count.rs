@@ -49,6 +49,11 @@ impl Count {
         Self { at_most, total: self.total.as_ref().map(further) }
     }
 
+    /// Whether the host knows it.
+    pub fn is_known(&self) -> bool {
+        self.total.is_none()
+    }
+
     pub(super) fn total(&self) -> Option<&Total> {
         self.total.as_ref()
     }

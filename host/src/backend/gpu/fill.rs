@@ -1,7 +1,7 @@
 //! Numbers that a dispatch reads as its parameters and the device alone knows: a kernel writes them into the uniform
 //! buffer, after the dispatches that count and before those that read.
 
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use organza_kernels::KernelInfo;
 use organza_kernels::count::PLACEMENT_VALUES;
@@ -14,9 +14,9 @@ use crate::backend::buffer::Memory;
 use crate::backend::count::Total;
 
 /// The kernel that does it.
-pub fn kernel() -> &'static KernelInfo {
+pub static KERNEL: LazyLock<&'static KernelInfo> = LazyLock::new(|| {
     organza_kernels::kernels().find(|kernel| kernel.name == "count_fill").expect("it is declared")
-}
+});
 
 /// Numbers to fill in, by the buffer that holds them.
 #[derive(Debug, Default)]
@@ -60,7 +60,7 @@ impl Fills {
         if self.fills.is_empty() {
             return None;
         }
-        let label = Some(kernel().name);
+        let label = Some(KERNEL.name);
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label });
         for fill in self.fills.drain(..) {
             let numbers = fill.placement.len() as u32 / PLACEMENT_VALUES;
@@ -86,7 +86,7 @@ impl Fills {
                 .begin_compute_pass(&wgpu::ComputePassDescriptor { label, timestamp_writes: None });
             pass.set_pipeline(&fill.pipeline.pipeline);
             pass.set_bind_group(0, &bind_group, &[]);
-            pass.dispatch_workgroups(numbers.div_ceil(kernel().workgroup_size[0]), 1, 1);
+            pass.dispatch_workgroups(numbers.div_ceil(KERNEL.workgroup_size[0]), 1, 1);
         }
         Some(encoder.finish())
     }

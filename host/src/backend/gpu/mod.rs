@@ -165,9 +165,10 @@ impl Gpu {
     ) -> Result<()> {
         self.check()?;
         let pipeline = self.pipelines.get(&self.device, kernel)?;
-        let fill = match counts {
-            [] => None,
-            _ => Some(self.pipelines.get(&self.device, fill::kernel())?),
+        let is_known = counts.iter().all(|(_, count)| count.is_known());
+        let fill = match is_known {
+            true => None,
+            false => Some(self.pipelines.get(&self.device, &fill::KERNEL)?),
         };
         let counts = fill.as_ref().map(|fill| Counted { counts, fill });
         let buffers: Vec<_> = buffers

@@ -6,6 +6,8 @@ mod bits;
 mod endings;
 #[path = "train/eval.rs"]
 mod eval;
+#[path = "train/memory.rs"]
+mod memory;
 #[path = "train/mistakes.rs"]
 mod mistakes;
 #[path = "train/results.rs"]

@@ -111,6 +111,16 @@ impl Cpu {
         unsafe { memory.data().add(begin as usize).write_bytes(0, bytes as usize) };
     }
 
+    pub fn copy(&self, from: &CpuMemory, range: Range<u64>, to: &CpuMemory, begin: u64) {
+        let bytes = (range.end - range.start) as usize;
+        assert!(range.end <= from.bytes().len() as u64);
+        assert!(begin as usize + bytes <= to.bytes().len());
+        // SAFETY: in range, and no dispatch runs: each returns when it is done
+        unsafe {
+            to.data().add(begin as usize).copy_from(from.data().add(range.start as usize), bytes)
+        };
+    }
+
     pub fn dispatch(
         &self,
         info: &'static KernelInfo,

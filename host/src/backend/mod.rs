@@ -15,7 +15,7 @@ mod transfer;
 mod watch;
 
 use std::borrow::Cow;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -43,6 +43,8 @@ pub struct Device {
     /// Whether a GPU's dispatches must be waited for to be timed.
     waits: AtomicBool,
     timings: Timings,
+    /// Buffers until memory is refused; 0 where it is not.
+    refused: AtomicU64,
 }
 
 #[derive(Debug)]
@@ -54,7 +56,8 @@ enum Kind {
 impl Device {
     fn new(kind: Kind, choice: String) -> Self {
         let no = || AtomicBool::new(false);
-        Self { kind, choice, times: no(), waits: no(), timings: Timings::default() }
+        let (timings, refused) = (Timings::default(), AtomicU64::new(0));
+        Self { kind, choice, times: no(), waits: no(), timings, refused }
     }
 
     /// Opens the device that `options` ask for.

@@ -1,12 +1,13 @@
 //! Buffers of a device: made, filled, cleared and read.
 
 use std::sync::Arc;
+use std::sync::atomic::Ordering;
 
 use bytemuck::Pod;
 
 use super::buffer::{Buffer, Memory, RawBuffer};
 use super::{Device, Kind};
-use crate::error::Result;
+use crate::error::{Error, Result};
 
 impl Device {
     /// A buffer of `len` zeros.
@@ -15,11 +16,32 @@ impl Device {
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), with what was needed.
     pub fn zeros<T: Pod>(&self, label: &'static str, len: usize) -> Result<Buffer<T>> {
         let bytes = len as u64 * size_of::<T>() as u64;
+        self.refuse(label, bytes)?;
         let memory = match &self.kind {
             Kind::Cpu(cpu) => Memory::Cpu(Arc::new(cpu.allocate(label, bytes)?)),
             Kind::Gpu(gpu) => Memory::Gpu(gpu.allocate(label, bytes)?),
         };
         Ok(Buffer::new(RawBuffer { memory, label, begin: 0, bytes }))
+    }
+
+    /// Fails where [`Device::refuse_one`] has said so.
+    fn refuse(&self, label: &'static str, bytes: u64) -> Result<()> {
+        let is_due = |left: u64| left.checked_sub(1);
+        match self.refused.fetch_update(Ordering::Relaxed, Ordering::Relaxed, is_due) {
+            Ok(1) => Err(Error::OutOfMemory {
+                needed: bytes,
+                available: None,
+                what: format!("the buffer `{label}`"),
+            }),
+            _ => Ok(()),
+        }
+    }
+
+    /// Makes the device refuse memory once, for the buffer of this number from now on, counted from 1: for tests of what
+    /// happens then.  Returns whether one that was asked for before is still to be refused.
+    #[doc(hidden)]
+    pub fn refuse_one(&self, number: u64) -> bool {
+        self.refused.swap(number, Ordering::Relaxed) > 0
     }
 
     /// A buffer that holds `values`.
@@ -49,6 +71,22 @@ impl Device {
             (Kind::Cpu(cpu), Memory::Cpu(memory)) => cpu.clear(memory, raw.begin, raw.bytes),
             (Kind::Gpu(gpu), Memory::Gpu(memory)) => gpu.clear(memory, raw.begin, raw.bytes),
             _ => panic!("the buffer `{}` belongs to another device", raw.label),
+        }
+    }
+
+    /// Copies a buffer into another of its size, after everything that was dispatched before.
+    pub(crate) fn copy<T: Pod>(&self, from: &Buffer<T>, to: &Buffer<T>) {
+        let (from, to) = (from.raw(), to.raw());
+        assert_eq!(from.bytes, to.bytes, "`{}` and `{}` are of one size", from.label, to.label);
+        let range = from.begin..from.begin + from.bytes;
+        match (&self.kind, &from.memory, &to.memory) {
+            (Kind::Cpu(cpu), Memory::Cpu(source), Memory::Cpu(target)) => {
+                cpu.copy(source, range, target, to.begin);
+            }
+            (Kind::Gpu(gpu), Memory::Gpu(source), Memory::Gpu(target)) => {
+                gpu.copy(source, range, target, to.begin);
+            }
+            _ => panic!("the buffer `{}` belongs to another device", from.label),
         }
     }
 

@@ -1,5 +1,7 @@
 //! From what a batch's pixels are worth to the gradient of every tensor: the stages of [`Part`] in reverse.
 
+use std::sync::atomic::Ordering;
+
 use super::part::Part;
 use super::plan::{Plan, PlannedTile};
 use super::project::project_backward;
@@ -83,20 +85,38 @@ impl Renderer {
             return Err(Error::Argument { reason });
         }
         let device = self.device();
-        let mut part_bytes = self.part_bytes;
-        loop {
+        let gradient = self.in_parts(scene, batch, |plans| {
             let gradient = SceneGradient::new(device, scene)?;
-            let plans = Plan::split(device, scene, batch, part_bytes)?;
-            match self.add_parts(scene, cameras, &plans, grad_output, &gradient) {
-                // what a part has added already would count twice: all over again, in smaller parts
+            self.add_parts(scene, cameras, plans, grad_output, &gradient)?;
+            Ok(gradient)
+        })?;
+        gradient.check(device)?;
+        gradient.download(device, &scene.config, scene.len())
+    }
+
+    /// Does `work` with the parts of a batch; where one does not fit, all over again with smaller ones: what parts have
+    /// added before would count twice.
+    fn in_parts<R>(
+        &self,
+        scene: &DeviceScene,
+        batch: &TileBatch,
+        work: impl Fn(&[Plan]) -> Result<R>,
+    ) -> Result<R> {
+        let split = |bytes| Plan::split(self.device(), scene, batch, bytes);
+        let mut part_bytes = self.part_bytes.load(Ordering::Relaxed);
+        let mut plans = split(part_bytes)?;
+        loop {
+            match work(&plans) {
                 Err(Error::OutOfMemory { .. }) if plans.len() < batch.tiles.len() => {
-                    part_bytes /= 2
+                    let before = plans.len();
+                    while plans.len() == before {
+                        part_bytes /= 2;
+                        plans = split(part_bytes)?;
+                    }
+                    // the next batch will not fit, either
+                    self.part_bytes.fetch_min(part_bytes, Ordering::Relaxed);
                 }
-                Err(error) => return Err(error),
-                Ok(()) => {
-                    gradient.check(device)?;
-                    return gradient.download(device, &scene.config, scene.len());
-                }
+                result => return result,
             }
         }
     }
@@ -113,7 +133,8 @@ impl Renderer {
         grad_output: &[f32],
         gradient: &SceneGradient,
     ) -> Result<()> {
-        let plans = Plan::split(self.device(), scene, batch, self.part_bytes)?;
+        let bytes = self.part_bytes.load(Ordering::Relaxed);
+        let plans = Plan::split(self.device(), scene, batch, bytes)?;
         self.add_parts(scene, cameras, &plans, grad_output, gradient)?;
         gradient.check(self.device())
     }
@@ -143,7 +164,8 @@ impl Renderer {
 
     /// Adds the gradients of a batch's loss to `gradient`; returns the losses of the tiles, by camera.
     ///
-    /// On a GPU a part is one submission and one wait, for the losses, after a first one that has found out what such batches need.
+    /// On a GPU a part is one submission and one wait, for the losses, after a first one that has found out what such
+    /// batches need.  `gradient` is that of a step: but for the statistics, zero before.
     ///
     /// # Errors
     /// As [`Renderer::render`].
@@ -158,7 +180,6 @@ impl Renderer {
     ) -> Result<Vec<TileLoss>> {
         let device = self.device();
         let area = (batch.side * batch.side) as usize;
-        let mut losses = Vec::with_capacity(batch.tiles.len());
         let add = |plan: &Plan, room: Option<Room>| {
             let part = Part::evaluate(device, scene, cameras, plan, true, room)?;
             let image =
@@ -175,9 +196,14 @@ impl Renderer {
             part.backward(device, scene, plan.side, &output.grad_image, gradient)?;
             output.sums_and_needed(device, &part)
         };
-        for plan in Plan::split(device, scene, batch, self.part_bytes)? {
-            losses.extend(device.inside(|| self.foreseen(scene, &plan, |room| add(&plan, room)))?);
-        }
-        Ok(losses)
+        gradient.begin(device);
+        self.in_parts(scene, batch, |plans| {
+            let mut losses = Vec::with_capacity(batch.tiles.len());
+            for plan in plans {
+                let found = device.inside(|| self.foreseen(scene, plan, |room| add(plan, room)));
+                losses.extend(found.inspect_err(|_| gradient.restart(device))?);
+            }
+            Ok(losses)
+        })
     }
 }

@@ -15,6 +15,8 @@ pub struct SceneGradient {
     pub gaussians: Buffer<f32>,
     /// `[N]`: the sum of |dL/dmean2d| over cameras, the cameras that saw the Gaussian, its largest radius in pixels, 0.
     pub statistics: Buffer<Vec4>,
+    /// The statistics as they were when the step began.
+    statistics_before: Buffer<Vec4>,
     /// `[N, M]`
     pub material: Buffer<f32>,
     /// `[N, U]`
@@ -47,6 +49,7 @@ impl SceneGradient {
         Ok(Self {
             gaussians: device.zeros("gradient of the Gaussians", 11 * gaussians)?,
             statistics: device.zeros("statistics", gaussians)?,
+            statistics_before: device.zeros("statistics before", gaussians)?,
             material: device.zeros("gradient of the material", scene.material.len())?,
             extra: device.zeros("gradient of the extra vectors", scene.extra.len())?,
             color: FieldGradient::new(device, &scene.color)?,
@@ -67,6 +70,21 @@ impl SceneGradient {
             }
         }
         Ok(())
+    }
+
+    /// A step begins.
+    pub(crate) fn begin(&self, device: &Device) {
+        device.copy(&self.statistics, &self.statistics_before);
+    }
+
+    /// As it was when the step began.
+    pub(crate) fn restart(&self, device: &Device) {
+        device.copy(&self.statistics_before, &self.statistics);
+        [&self.gaussians, &self.material, &self.extra].into_iter().for_each(|b| device.clear(b));
+        for field in [&self.color, &self.transmittance] {
+            device.clear(&field.parameters);
+            field.table.clear(device);
+        }
     }
 
     /// Clears what says which blocks of the tables have a gradient: for the next step.

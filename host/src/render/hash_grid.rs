@@ -144,6 +144,12 @@ impl HashGridGradient {
         device.run(&kernel, values, 1)
     }
 
+    /// Makes it as new, but for the status.
+    pub fn clear(&self, device: &Device) {
+        device.clear(&self.gradient);
+        [&self.touched, &self.sum, &self.bound].into_iter().for_each(|b| device.clear(b));
+    }
+
     /// Bytes on the device.
     pub fn bytes(&self) -> u64 {
         self.gradient.bytes() + self.touched.bytes() + self.sum.bytes()

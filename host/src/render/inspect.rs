@@ -9,7 +9,7 @@ use organza_kernels::tile::Tile as KernelTile;
 use super::bin::{Pairs, project};
 use super::color::Color;
 use super::part::Part;
-use super::plan::Plan;
+use super::plan::{PART_BYTES, Plan};
 use super::transmittance::Transmittance;
 use super::{DeviceScene, Renderer};
 use crate::backend::Count;
@@ -145,7 +145,7 @@ impl Renderer {
         let device = self.device();
         let batch = TileBatch { side: 1, tiles: vec![Tile { camera, origin: pixel }] };
         batch.validate(cameras)?;
-        let plans = Plan::split(device, scene, &batch, self.part_bytes)?;
+        let plans = Plan::split(device, scene, &batch, PART_BYTES)?;
         let part = Part::evaluate(device, scene, cameras, &plans[0], false, None)?;
 
         let pair = device.read(&part.bins.pairs.pair)?;

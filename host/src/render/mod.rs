@@ -25,6 +25,7 @@ mod tally;
 mod tests;
 mod transmittance;
 
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::backend::Device;
@@ -60,7 +61,7 @@ use tally::{Needed, Room};
 #[derive(Clone, Debug)]
 pub struct Renderer {
     device: Arc<Device>,
-    part_bytes: u64,
+    part_bytes: Arc<AtomicU64>,
     foresight: Arc<Mutex<Foresight>>,
 }
 
@@ -96,7 +97,11 @@ impl Renderer {
     /// A renderer on `device`.
     #[must_use]
     pub fn new(device: Device) -> Self {
-        Self { device: Arc::new(device), part_bytes: plan::PART_BYTES, foresight: Arc::default() }
+        Self {
+            device: Arc::new(device),
+            part_bytes: Arc::new(plan::PART_BYTES.into()),
+            foresight: Arc::default(),
+        }
     }
 
     /// The same renderer, whose batches are cut into parts with tables of about this many bytes; 512 MiB unless set.
@@ -105,7 +110,7 @@ impl Renderer {
     /// pairs and samples of its tiles.
     #[must_use]
     pub fn with_part_bytes(mut self, bytes: u64) -> Self {
-        self.part_bytes = bytes;
+        self.part_bytes = Arc::new(bytes.into());
         self
     }
 
@@ -145,7 +150,8 @@ impl Renderer {
         let area = 3 * (batch.side * batch.side) as usize;
         let mut data = memory::zeros(batch.tiles.len() * area, "the rendered batch")?;
         let mut report = RenderReport::default();
-        let mut plans = Plan::split(&self.device, scene, batch, self.part_bytes)?;
+        let mut plans =
+            Plan::split(&self.device, scene, batch, self.part_bytes.load(Ordering::Relaxed))?;
         while let Some(plan) = plans.pop() {
             let device = &*self.device;
             let render = |room| part::render(device, scene, cameras, &plan, room);

@@ -1,7 +1,7 @@
 //! A part whose numbers stay on the device, beside one that the host knows all about.
 
 use super::part::Part;
-use super::plan::Plan;
+use super::plan::{PART_BYTES, Plan};
 use super::tally::{Needed, Room};
 use super::{DeviceScene, Renderer, SceneGradient};
 use crate::backend::{Buffer, Device, DeviceOptions, SpirvPath};
@@ -86,7 +86,7 @@ fn what_is_not_waited_for_has_the_same_bits() {
         let renderer = Renderer::new(device);
         let device = renderer.device();
         let scene = renderer.upload(&scene).expect("a scene");
-        let plans = Plan::split(device, &scene, &tiles(), renderer.part_bytes).expect("a plan");
+        let plans = Plan::split(device, &scene, &tiles(), PART_BYTES).expect("a plan");
         assert_eq!(plans.len(), 1);
         let (expected, needed) = evaluate(device, &scene, &cameras, &plans[0], None);
         let Needed::Room(room) = needed else { panic!("there is room for all") };

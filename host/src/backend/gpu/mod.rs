@@ -6,6 +6,7 @@ mod pipeline;
 mod recorder;
 mod timer;
 
+use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
@@ -199,6 +200,11 @@ impl Gpu {
     pub fn clear(&self, buffer: &wgpu::Buffer, begin: u64, bytes: u64) {
         let bytes = bytes.next_multiple_of(4);
         self.recorder().clear(&self.device, buffer, begin..begin + bytes);
+    }
+
+    pub fn copy(&self, from: &wgpu::Buffer, range: Range<u64>, to: &wgpu::Buffer, begin: u64) {
+        let range = range.start..range.start + (range.end - range.start).next_multiple_of(4);
+        self.recorder().copy(&self.device, from, range, to, begin);
     }
 
     /// What was dispatched so far has written the numbers that are filled in from here on.

@@ -58,7 +58,7 @@ fn a_step_that_does_not_fit_goes_in_parts() {
                     split += 1;
                     assert!(bits == in_parts, "{name}: buffer {number}");
                 }
-                // what is not a part's: of the loss, of the scene when it is read
+                // what is not a part's: the scene, when it is read
                 Err(Error::OutOfMemory { .. }) => refused += 1,
                 Err(error) => panic!("{name}: buffer {number}: {error}"),
             }

@@ -100,7 +100,7 @@ impl Renderer {
         &self,
         scene: &DeviceScene,
         batch: &TileBatch,
-        work: impl Fn(&[Plan]) -> Result<R>,
+        mut work: impl FnMut(&[Plan]) -> Result<R>,
     ) -> Result<R> {
         let split = |bytes| Plan::split(self.device(), scene, batch, bytes);
         let mut part_bytes = self.part_bytes.load(Ordering::Relaxed);
@@ -165,7 +165,8 @@ impl Renderer {
     /// Adds the gradients of a batch's loss to `gradient`; returns the losses of the tiles, by camera.
     ///
     /// On a GPU a part is one submission and one wait, for the losses, after a first one that has found out what such
-    /// batches need.  `gradient` is that of a step: but for the statistics, zero before.
+    /// batches need.  `gradient` is that of a step: but for the statistics, zero before.  `loss` is kept from
+    /// step to step.
     ///
     /// # Errors
     /// As [`Renderer::render`].
@@ -174,13 +175,13 @@ impl Renderer {
         scene: &DeviceScene,
         cameras: &[Camera],
         batch: &TileBatch,
-        loss: &Loss,
+        loss: &mut Option<Loss>,
         target: &LossTarget<'_>,
         gradient: &SceneGradient,
     ) -> Result<Vec<TileLoss>> {
         let device = self.device();
         let area = (batch.side * batch.side) as usize;
-        let add = |plan: &Plan, room: Option<Room>| {
+        let add = |loss: &Loss, plan: &Plan, room: Option<Room>| {
             let part = Part::evaluate(device, scene, cameras, plan, true, room)?;
             let image =
                 device.upload("photographs", &of_tiles(target.image, &plan.tiles, 3 * area))?;
@@ -200,7 +201,11 @@ impl Renderer {
         self.in_parts(scene, batch, |plans| {
             let mut losses = Vec::with_capacity(batch.tiles.len());
             for plan in plans {
-                let found = device.inside(|| self.foreseen(scene, plan, |room| add(plan, room)));
+                let found =
+                    Loss::of_tiles(loss, device, batch.side, plan.tiles.len()).and_then(|loss| {
+                        let add = |room| add(loss, plan, room);
+                        device.inside(|| self.foreseen(scene, plan, add))
+                    });
                 losses.extend(found.inspect_err(|_| gradient.restart(device))?);
             }
             Ok(losses)

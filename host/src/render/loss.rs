@@ -133,6 +133,23 @@ impl Loss {
         })
     }
 
+    /// One for at least `tiles` tiles: the one that is there, or a new one in its place.
+    pub(crate) fn of_tiles<'a>(
+        slot: &'a mut Option<Self>,
+        device: &Device,
+        side: u32,
+        tiles: usize,
+    ) -> Result<&'a Self> {
+        if slot.as_ref().is_none_or(|loss| loss.side != side || (loss.tiles as usize) < tiles) {
+            // not both at once
+            *slot = None;
+        }
+        match slot {
+            Some(loss) => Ok(loss),
+            None => Ok(slot.insert(Self::new(device, side, tiles as u32)?)),
+        }
+    }
+
     /// The most tiles that there is memory for.
     #[must_use]
     pub fn tiles(&self) -> u32 {

@@ -158,11 +158,6 @@ impl<'a> Trainer<'a> {
 
     fn add_gradient(&mut self, batch: &TileBatch) -> Result<Vec<TileLoss>> {
         let target = Target::of(batch, &self.frames);
-        let tiles = batch.tiles.len() as u32;
-        let loss = match &self.loss {
-            Some(loss) if loss.tiles() >= tiles => loss,
-            _ => self.loss.insert(Loss::new(self.renderer.device(), batch.side, tiles)?),
-        };
         let target = LossTarget {
             image: &target.image,
             valid: &target.valid,
@@ -170,6 +165,7 @@ impl<'a> Trainer<'a> {
             ssim_weight: self.config.loss.ssim_weight,
         };
         let (scene, gradient) = (&self.scene, &self.gradient);
+        let loss = &mut self.loss;
         self.renderer.add_loss_gradient(scene, &self.cameras, batch, loss, &target, gradient)
     }
 

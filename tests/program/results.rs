@@ -52,6 +52,24 @@ fn half_grids_are_close_and_have_no_gradients() {
 }
 
 #[test]
+fn half_networks_are_close_and_have_no_gradients() {
+    let sandbox = Sandbox::new("basic");
+    sandbox.run(&format!("{TILES} -o full.safetensors")).assert_ok();
+    sandbox.run(&format!("{TILES} --half-networks -o half.safetensors")).assert_ok();
+    sandbox.run(&format!("{TILES} --half-networks --half-grids -o both.safetensors")).assert_ok();
+    let [full, half, both] = ["full", "half", "both"].map(|name| {
+        read_tensors(sandbox.path(&format!("{name}.safetensors"))).unwrap()["tiles"].data.clone()
+    });
+    assert!(full != half && half != both, "nothing was rounded");
+    assert_close("tiles", &half, &full, 5e-4);
+    assert_close("tiles", &both, &full, 5e-4);
+    let words = "--half-networks --grad-output full.safetensors --grad grad.safetensors";
+    sandbox.assert_refuses(&format!("{TILES} {words}"), &["--half-networks", "--grad"]);
+    let bench = "bench scene.safetensors cameras.json tiles.json --half-networks";
+    sandbox.assert_refuses(bench, &["--half-networks", "--forward"]);
+}
+
+#[test]
 fn images_do_not_depend_on_the_tile_size() {
     let sandbox = Sandbox::new("crowded");
     for side in [16, 32, 50, 64] {

@@ -5,9 +5,11 @@ mod bin;
 mod block;
 mod color;
 mod composite;
+mod dense_half;
 mod field;
 mod field_backward;
 mod gradient;
+mod halves;
 mod hash_grid;
 mod hash_grid_half;
 mod inspect;
@@ -20,6 +22,7 @@ mod project;
 mod scan;
 mod scene;
 mod transmittance;
+mod upload;
 
 use std::sync::Arc;
 
@@ -30,12 +33,14 @@ use crate::memory;
 use crate::tile::TileBatch;
 
 pub(crate) use backward::LossTarget;
+pub(crate) use dense_half::half_vectors;
 pub use gradient::SceneGradient;
 pub(crate) use hash_grid_half::pack_halves;
 pub use inspect::{Contribution, Inspection, Stages};
 pub use loss::{Loss, LossInputs, LossOutput, TileLoss};
 pub use parameters::Parameter;
 pub use scene::DeviceScene;
+pub use upload::UploadOptions;
 
 use plan::Plan;
 

@@ -41,7 +41,7 @@ fn tiles_of_half_grids_are_close() {
     });
 }
 
-/// Each layer's outputs are off by up to 0.5% of the sum of their terms' sizes; what that does to a pixel is for the scene to
+/// Each layer's outputs are off by up to 0.9% of the sum of their terms' sizes; what that does to a pixel is for the scene to
 /// say.
 #[test]
 fn tiles_of_half_networks_are_close() {

@@ -18,7 +18,7 @@ pub struct SceneArgs {
     #[arg(long, help_heading = "Device")]
     pub half_grids: bool,
 
-    /// Compute the hidden layers of both networks in half precision: for GPUs, slower on the CPU; an output is off by 0.5% of
+    /// Compute the hidden layers of both networks in half precision: for GPUs, slower on the CPU; an output is off by 0.9% of
     /// its terms' sizes at most; not for gradients
     #[arg(long, help_heading = "Device")]
     pub half_networks: bool,

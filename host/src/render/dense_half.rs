@@ -9,7 +9,7 @@ use organza_kernels::half::HalfVector;
 use super::field::{DeviceField, LayerPlace};
 use super::halves::halves;
 use crate::backend::{Buffer, Device};
-use crate::error::{Error, Result};
+use crate::error::{Error, IN_MEMORY, Result};
 use crate::scene::{Layer, Network};
 
 /// Weights as [`organza_kernels::dense_half`] reads them: each rounded to the nearest half, or to zero below 2^-14.
@@ -23,7 +23,7 @@ pub fn half_vectors(weights: &[Vec4]) -> Vec<HalfVector> {
 /// those of the biases.
 ///
 /// # Errors
-/// [`Error::Argument`] where sums of a layer, whose tensor has a name that begins with `name`, could pass the halves.
+/// [`Error::Invalid`] where sums of a layer, whose tensor has a name that begins with `name`, could pass the halves.
 pub(super) fn half_weights(
     network: &Network,
     parameters: &[Vec4],
@@ -51,7 +51,8 @@ fn require_small(layer: &Layer, tensor: &str) -> Result<()> {
     if largest <= MAX_WEIGHTS {
         return Ok(());
     }
-    Err(Error::Argument {
+    Err(Error::Invalid {
+        origin: IN_MEMORY.into(),
         reason: format!(
             "`{tensor}` has weights that add up to {largest} in size ({GROUP} inputs of an output), above \
              {MAX_WEIGHTS} their sums may pass what halves hold: leave `--half-networks` away"

@@ -42,7 +42,7 @@ impl DeviceField {
     /// `name` is what the names of the field's tensors begin with.
     ///
     /// # Errors
-    /// As [`Device::upload`]; [`Error::Argument`](crate::Error::Argument) where a value is too large for a half.
+    /// As [`Device::upload`]; [`Error::Invalid`](crate::Error::Invalid) where a value is too large for a half.
     pub fn upload(
         device: &Device,
         grid: &GridConfig,

@@ -4,19 +4,19 @@ use half::f16;
 use organza_kernels::hash_grid_half::MAX_HALF;
 
 use super::halves::halves;
-use crate::error::{Error, Result};
+use crate::error::{Error, IN_MEMORY, Result};
 
 /// A table `[entries, features]` as [`hash_grid_half`](organza_kernels::hash_grid_half) reads it,
 /// `[entries, ceil(features / 2)]`: each value rounded to the nearest half, or to zero below 2^-14.
 ///
 /// # Errors
-/// [`Error::Argument`] where a value is too large for a half.
+/// [`Error::Invalid`] where a value is too large for a half.
 pub fn pack_halves(table: &[f32], features: usize, name: &str) -> Result<Vec<u32>> {
     if let Some(value) = table.iter().find(|value| value.abs() > MAX_HALF) {
         let reason = format!(
             "`{name}` has a value of {value}: halves end at {MAX_HALF}, keep the grids as they are"
         );
-        return Err(Error::Argument { reason });
+        return Err(Error::Invalid { origin: IN_MEMORY.into(), reason });
     }
     let word = |pair: &[f16]| {
         let upper = pair.get(1).map_or(0, |half| half.to_bits());

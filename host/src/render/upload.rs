@@ -1,7 +1,7 @@
 //! How a scene lies on a device, and what cannot lie there so.
 
 use super::{DeviceScene, Renderer};
-use crate::error::{Error, Result};
+use crate::error::{Error, IN_MEMORY, Result};
 use crate::scene::Scene;
 
 /// How a scene lies on a device; the default is as it is, which alone has gradients.
@@ -11,7 +11,7 @@ pub struct UploadOptions {
     /// around it.  Refused where a value is above 65,504.
     pub half_grids: bool,
     /// The hidden layers of both networks computed in half precision
-    /// ([`dense_half`](organza_kernels::dense_half)): for GPUs, slower on the CPU.  A layer's output is off by up to 0.5%
+    /// ([`dense_half`](organza_kernels::dense_half)): for GPUs, slower on the CPU.  A layer's output is off by up to 0.9%
     /// of the sum of its terms' sizes, and an input beyond 1,024 counts as that.  Refused where a layer's weights add up to
     /// more than halves hold, and on a GPU that does not compute with halves.
     pub half_networks: bool,
@@ -21,7 +21,7 @@ impl Renderer {
     /// As [`Renderer::upload`], with choices that are for rendering alone.
     ///
     /// # Errors
-    /// As [`Renderer::upload`]; [`Error::Argument`] where [`UploadOptions`] says that it is refused.
+    /// As [`Renderer::upload`]; [`Error::Invalid`] where [`UploadOptions`] says that it is refused.
     pub fn upload_with(&self, scene: &Scene, options: UploadOptions) -> Result<DeviceScene> {
         scene.validate()?;
         if options.half_networks {
@@ -63,10 +63,12 @@ fn require_halves(computes_halves: bool, device: &str) -> Result<()> {
     if computes_halves {
         return Ok(());
     }
-    let reason = format!(
-        "{device} does not compute with halves (16-bit floats): leave `--half-networks` away"
-    );
-    Err(Error::Argument { reason })
+    Err(Error::Invalid {
+        origin: IN_MEMORY.into(),
+        reason: format!(
+            "{device} does not compute with halves (16-bit floats): leave `--half-networks` away"
+        ),
+    })
 }
 
 #[cfg(test)]

@@ -89,6 +89,8 @@ fn modules_keep_the_rules() {
     const VULKAN_MEMORY_MODEL: u32 = 5345;
     const POW: u32 = 26;
     const FUNCTION_STORAGE: u32 = 7;
+    const FLOAT16: u32 = 9;
+    const STORAGE_16_BIT: u32 = 4433;
     for kernel in kernels::all() {
         let (name, words) = (&kernel.entry().name, kernel.spirv_words());
         let all: Vec<_> = instructions(&words).collect();
@@ -98,6 +100,10 @@ fn modules_keep_the_rules() {
         assert_eq!(count(&op::FLOAT_ATOMICS), 0, "{name}: float sums depend on their order");
         let vulkan = |i: &&_| is(i, op::CAPABILITY) && i.operands[0] == VULKAN_MEMORY_MODEL;
         assert_eq!(all.iter().filter(vulkan).count(), 0, "{name}: Vulkan's memory model");
+        let of_halves =
+            |i: &&_| is(i, op::CAPABILITY) && [FLOAT16, STORAGE_16_BIT].contains(&i.operands[0]);
+        let expected = if name.starts_with("dense_half") { 2 } else { 0 };
+        assert_eq!(all.iter().filter(of_halves).count(), expected, "{name}: asks for halves");
         let pow = |i: &&_| is(i, op::EXTENDED) && i.operands[3] == POW;
         assert_eq!(all.iter().filter(pow).count(), 0, "{name}: `pow` differs between devices");
         // local arrays: a variable whose type is a pointer to an array

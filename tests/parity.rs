@@ -52,7 +52,7 @@ fn every_device_is_within_tolerance_of_the_cpu() {
             true => Rounding::Regrouped,
             false => Rounding::AsWritten,
         };
-        for case in parity::cases() {
+        for case in parity::cases().into_iter().filter(|case| case.is_offered(&device)) {
             let measure = case.measure(&cpu, &device, rounding).expect("the kernel runs");
             let kernel = case.kernel;
             println!(

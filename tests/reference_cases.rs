@@ -1,7 +1,7 @@
 //! Every case of the float64 reference, on every backend: the tiles and each stage on its own.
 
 use organza::render::SceneGradient;
-use organza::{DeviceScene, Renderer};
+use organza::{DeviceScene, Renderer, UploadOptions};
 use organza_tests::cases::{self, Case};
 use organza_tests::compare::{assert_close, assert_close_relative, difference};
 
@@ -9,6 +9,8 @@ use organza_tests::compare::{assert_close, assert_close_relative, difference};
 const TILES: f64 = 2e-4;
 /// Absolute, on the tiles of scenes whose grids are halves.
 const HALF_TILES: f32 = 2e-4;
+/// Absolute, on the tiles of scenes whose networks are computed with halves.
+const HALF_NETWORK_TILES: f32 = 5e-4;
 /// Relative, on each stage.
 const STAGE: f64 = 1e-4;
 
@@ -25,7 +27,9 @@ fn tiles_are_those_of_the_reference() {
 #[test]
 fn tiles_of_half_grids_are_close() {
     cases::on_every_device(|backend, renderer, case, full| {
-        let scene = renderer.upload_with_half_grids(&case.scene).expect("it is uploaded");
+        let scene = renderer
+            .upload_with(&case.scene, UploadOptions { half_grids: true, ..Default::default() })
+            .expect("it is uploaded");
         assert!(scene.bytes() < full.bytes(), "{}: no smaller on {backend}", case.name);
         let tiles = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
         let expected = case.expected("tiles");
@@ -34,6 +38,23 @@ fn tiles_of_half_grids_are_close() {
         assert!(error < HALF_TILES, "{}: {error} on {backend}", case.name);
         let more = SceneGradient::new(renderer.device(), &scene);
         assert!(more.is_err(), "halves have gradients");
+    });
+}
+
+/// Each layer's outputs are off by up to 0.9% of the sum of their terms' sizes; what that does to a pixel is for the scene to
+/// say.
+#[test]
+fn tiles_of_half_networks_are_close() {
+    cases::on_every_device(|backend, renderer, case, _| {
+        let options = UploadOptions { half_networks: true, ..Default::default() };
+        let scene = renderer.upload_with(&case.scene, options).expect("it is uploaded");
+        let tiles = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
+        let expected = case.expected("tiles");
+        let error = tiles.data.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+        println!("{}, tiles of half networks on {backend}: off by {error:.1e}", case.name);
+        assert!(error < HALF_NETWORK_TILES, "{}: {error} on {backend}", case.name);
+        let more = SceneGradient::new(renderer.device(), &scene);
+        assert!(more.is_err(), "networks of halves have gradients");
     });
 }
 

@@ -34,6 +34,8 @@ pub use error::{Error, Result};
 pub use evaluate::{Evaluation, evaluate};
 pub use image::Image;
 pub use organza_kernels::kernel::InstructionSet;
-pub use render::{DeviceScene, Inspection, RenderReport, RenderedTiles, Renderer, Stages};
+pub use render::{
+    DeviceScene, Inspection, RenderReport, RenderedTiles, Renderer, Stages, UploadOptions,
+};
 pub use scene::Scene;
 pub use tile::{Tile, TileBatch};

@@ -72,8 +72,9 @@ const COMPOSITE_BACKWARD: u64 = 30;
 type Count = fn(Call<'_>) -> Work;
 
 /// The kernels that are counted, and how.
-const COUNTED: [(&str, Count); 22] = [
+const COUNTED: [(&str, Count); 23] = [
     ("dense", dense),
+    ("dense_half", dense_half),
     ("dense_backward", dense_backward),
     ("dense_weight_backward", dense_weight_backward),
     ("dense_weight_sum", dense_weight_sum),
@@ -120,6 +121,14 @@ fn dense(call: Call<'_>) -> Work {
         flops: 2 * samples * inputs * outputs,
         bytes: NUMBER * (samples * (inputs + outputs) + (inputs + 1) * outputs),
     }
+}
+
+fn dense_half(call: Call<'_>) -> Work {
+    let Work { flops, bytes } = dense(call);
+    let params: DenseParams = call.params();
+    let [inputs, outputs] = wide([params.inputs, 4 * params.columns]);
+    // of a weight half of the bytes
+    Work { flops, bytes: bytes - NUMBER / 2 * inputs * outputs }
 }
 
 fn dense_backward(call: Call<'_>) -> Work {

@@ -3,6 +3,7 @@
 //! The crate is compiled twice: to SPIR-V by Rust-GPU, where [`memory::Read`] and [`memory::Write`] are
 //! storage buffers, and for the host, where they are views of slices and every access is checked.
 #![no_std]
+#![cfg_attr(target_arch = "spirv", feature(f16, asm_experimental_arch))]
 // what clippy would have instead is more than the shader compiler takes
 #![allow(clippy::implicit_saturating_sub, clippy::manual_range_contains, clippy::manual_clamp)]
 
@@ -16,7 +17,9 @@ pub mod composite_backward;
 pub mod count;
 pub mod dense;
 pub mod dense_backward;
+pub mod dense_half;
 pub mod fixed;
+pub mod half;
 pub mod hash_grid;
 pub mod hash_grid_backward;
 pub mod hash_grid_half;

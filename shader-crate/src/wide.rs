@@ -3,6 +3,7 @@
 use core::array::from_fn;
 use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
 
+use crate::half::Rounded;
 use crate::hash_grid_half::half_value;
 use crate::prelude::*;
 use crate::wide_math::{exp, fma, pairwise, wholes};
@@ -86,6 +87,7 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     type One = Wide<1, FUSED>;
     type Mask = WideMask<N>;
     type Index = WideIndex<N>;
+    type Halves = Rounded<Self>;
 
     #[inline(always)]
     fn splat(value: f32) -> Self {

@@ -1,9 +1,14 @@
 //! Eq. 2, 3, 10 and 11: layers, heads, and the product over a segment.
 
-use organza::parity::Rounding;
+use organza::Device;
 use organza::parity::color::ColorHead;
 use organza::parity::dense::{Dense, Layer};
+use organza::parity::dense_half::DenseHalf;
 use organza::parity::transmittance::{SegmentProduct, TransmittanceHead};
+use organza::parity::{Bench, Parity, Rounding};
+
+use organza_kernels::dense_half::{GROUP, UNIT};
+use organza_tests::devices;
 
 use super::hold::{hold, hold_to};
 
@@ -26,6 +31,55 @@ fn hidden_layers_are_rectified_sums() {
         let is_output = row < 4 * set.layer.columns as usize && sample < set.layer.samples as usize;
         is_output.then(|| affine(&set.layer, row, sample).max(0.0))
     });
+}
+
+#[test]
+fn hidden_layers_of_halves_are_rectified_sums() {
+    hold::<DenseHalf>(|set, _, index| {
+        let layer = &set.rounded;
+        let (row, sample) = (index / layer.stride as usize, index % layer.stride as usize);
+        let is_output = row < 4 * layer.columns as usize && sample < layer.samples as usize;
+        is_output.then(|| affine(layer, row, sample).max(0.0))
+    });
+}
+
+/// What docs/numerics.md says of half networks, of the weights before they are rounded.
+#[test]
+fn hidden_layers_of_halves_are_within_the_bound() {
+    for (name, device) in devices::all().into_iter().chain(devices::cpus()) {
+        if device.computes_halves() {
+            let worst = share_of_the_bound(&device);
+            println!("{name}: {:.0}% of the bound", 100.0 * worst);
+            assert!(worst <= 1.0, "{name}: {worst} of the bound");
+            assert!(worst > 0.01, "{name}: nothing was rounded");
+        }
+    }
+}
+
+/// The most that an output takes of its bound.
+fn share_of_the_bound(device: &Device) -> f64 {
+    let growth = (1.0 + f64::from(UNIT)).powi(GROUP as i32 + 2) - 1.0;
+    let mut worst: f64 = 0.0;
+    for (_, set) in DenseHalf::sets() {
+        let layer = &set.full;
+        let outputs = set.run(&Bench::new(device, DenseHalf::KERNEL)).expect("the kernel runs");
+        let found = outputs[0].floats();
+        for (row, sample) in (0..4 * layer.columns)
+            .flat_map(|row| (0..layer.samples).map(move |sample| (row, sample)))
+        {
+            let sizes = layer.bound(sample, row).scale;
+            let terms = sizes - layer.bias(row).abs();
+            let flushed: f64 = (0..layer.inputs)
+                .map(|i| layer.weight(i, row).abs() + layer.value(i, sample).abs() + 2.0)
+                .sum();
+            let single = 2.0_f64.powi(-24) * f64::from(layer.inputs.div_ceil(GROUP) + 1) * sizes;
+            let allowed = growth * terms + flushed / 16_384.0 + single;
+            let expected = affine(layer, row as usize, sample as usize).max(0.0);
+            let off = (found[(row * layer.stride + sample) as usize] - expected).abs();
+            worst = worst.max(off / allowed);
+        }
+    }
+    worst
 }
 
 #[test]

@@ -8,7 +8,7 @@ use anyhow::{Context, Result, bail};
 use organza_kernels::KernelInfo;
 use organza_manifest as manifest;
 use organza_manifest::{Interface, KernelEntry, Manifest};
-use spirv_builder::{ModuleResult, SpirvBuilder, SpirvMetadata};
+use spirv_builder::{Capability, ModuleResult, SpirvBuilder, SpirvMetadata};
 
 use crate::Workspace;
 use crate::artifacts::Artifacts;
@@ -61,6 +61,9 @@ pub fn build(
     let mut builder = SpirvBuilder::new(shader_crate, TARGET)
         .release(true)
         .multimodule(true)
+        // for `half.rs`; `capabilities.rs` takes them from the others
+        .capability(Capability::Float16)
+        .capability(Capability::StorageBuffer16BitAccess)
         .spirv_metadata(SpirvMetadata::None)
         .target_dir_path(workspace.target.join("spirv"));
     compiler.configure(&mut builder);

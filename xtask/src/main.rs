@@ -2,6 +2,7 @@
 //! crate embeds. Everybody else builds organza without a SPIR-V compiler.
 
 mod artifacts;
+mod capabilities;
 mod compile;
 mod compiler;
 mod contraction;

@@ -100,6 +100,15 @@ impl Device {
         }
     }
 
+    /// Whether kernels may compute with halves (16-bit floats): a GPU may lack that.
+    #[must_use]
+    pub fn computes_halves(&self) -> bool {
+        match &self.kind {
+            Kind::Cpu(_) => true,
+            Kind::Gpu(gpu) => gpu.computes_halves(),
+        }
+    }
+
     /// Runs a kernel over `workgroups`; on the GPU it is queued.  None of the sizes may pass 65,535.
     ///
     /// # Errors

@@ -112,8 +112,11 @@ impl Args {
 }
 
 pub fn run(args: &Args) -> Result<()> {
-    if args.scene_args.half_grids && !args.forward {
-        return refuse("`--half-grids` has no gradients: measure `--forward` alone");
+    let SceneArgs { half_grids, half_networks } = args.scene_args;
+    for (option, is_given) in [("--half-grids", half_grids), ("--half-networks", half_networks)] {
+        if is_given && !args.forward {
+            return refuse(format!("`{option}` has no gradients: measure `--forward` alone"));
+        }
     }
     let workload = args.workload()?;
     if args.every_device {

@@ -40,7 +40,7 @@ pub struct Args {
     #[arg(long, value_name = "G", requires = "grad")]
     grad_output: Option<PathBuf>,
     /// Where to write the loss's derivative by every tensor of the scene, safetensors
-    #[arg(long, value_name = "GRAD", requires = "grad_output", conflicts_with = "half_grids")]
+    #[arg(long, value_name = "GRAD", requires = "grad_output", conflicts_with_all = ["half_grids", "half_networks"])]
     grad: Option<PathBuf>,
     #[command(flatten)]
     scene_args: SceneArgs,

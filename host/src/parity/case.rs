@@ -13,6 +13,8 @@ pub trait Parity: Sized + 'static {
     const TOLERANCE: f64;
     /// Where the tolerance comes from, and what the inputs stay away from.
     const WHY: &'static str;
+    /// Whether it computes with halves: a GPU that [does not](Device::computes_halves) leaves it out.
+    const NEEDS_HALVES: bool = false;
 
     /// The sets, each with a name.
     fn sets() -> Vec<(String, Self)>;
@@ -48,6 +50,7 @@ pub struct Case {
     pub tolerance: f64,
     /// See [`Parity::WHY`].
     pub why: &'static str,
+    needs_halves: bool,
     measure: fn(&Device, &Device, Rounding) -> Result<Measure>,
 }
 
@@ -55,7 +58,19 @@ impl Case {
     /// The case of a kernel.
     #[must_use]
     pub fn of<P: Parity>() -> Self {
-        Self { kernel: P::KERNEL, tolerance: P::TOLERANCE, why: P::WHY, measure: measure::<P> }
+        Self {
+            kernel: P::KERNEL,
+            tolerance: P::TOLERANCE,
+            why: P::WHY,
+            needs_halves: P::NEEDS_HALVES,
+            measure: measure::<P>,
+        }
+    }
+
+    /// Whether a device can run the kernel.
+    #[must_use]
+    pub fn is_offered(&self, device: &Device) -> bool {
+        !self.needs_halves || device.computes_halves()
     }
 
     /// Runs all sets on both devices.

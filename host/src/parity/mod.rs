@@ -14,6 +14,7 @@ pub mod composite_backward;
 pub mod count;
 pub mod dense;
 pub mod dense_backward;
+pub mod dense_half;
 pub mod hash_grid;
 pub mod hash_grid_backward;
 pub mod hash_grid_half;
@@ -60,6 +61,7 @@ pub fn cases() -> Vec<Case> {
         Case::of::<hash_grid::HashGrid>(),
         Case::of::<hash_grid_half::HashGridHalf>(),
         Case::of::<dense::Dense>(),
+        Case::of::<dense_half::DenseHalf>(),
         Case::of::<color::ColorHead>(),
         Case::of::<segment::Segment>(),
         Case::of::<transmittance::TransmittanceInputs>(),

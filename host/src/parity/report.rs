@@ -17,7 +17,9 @@ pub struct Report {
     pub driver: String,
     /// How the kernels reach it.
     pub path: &'static str,
-    /// A row for each kernel.
+    /// Kernels that the device does not offer what they need.
+    pub left_out: Vec<&'static str>,
+    /// A row for each of the others.
     pub kernels: Vec<Row>,
 }
 
@@ -54,12 +56,9 @@ impl Report {
             SpirvPath::Passthrough => Rounding::AsWritten,
             SpirvPath::Naga => Rounding::Regrouped,
         };
-        Ok(Self {
-            adapter: adapter.name.clone(),
-            driver: adapter.driver.clone(),
-            path: path.as_str(),
-            kernels: rows(cpu, &device, rounding, done)?,
-        })
+        let (kernels, left_out) = rows(cpu, &device, rounding, done)?;
+        let (adapter, driver) = (adapter.name.clone(), adapter.driver.clone());
+        Ok(Self { adapter, driver, path: path.as_str(), left_out, kernels })
     }
 
     /// Runs all cases on one thread of the CPU, beside all of them.
@@ -68,12 +67,9 @@ impl Report {
     /// What a device runs into.
     pub fn of_cpu(cpu: &Device, done: impl FnMut(&'static str)) -> Result<Self> {
         let one = Device::open(&DeviceOptions::cpu(Some(1)))?;
-        Ok(Self {
-            adapter: "cpu".into(),
-            driver: std::env::consts::ARCH.into(),
-            path: "one thread",
-            kernels: rows(cpu, &one, Rounding::AsWritten, done)?,
-        })
+        let (kernels, left_out) = rows(cpu, &one, Rounding::AsWritten, done)?;
+        let (adapter, driver) = ("cpu".into(), std::env::consts::ARCH.into());
+        Ok(Self { adapter, driver, path: "one thread", left_out, kernels })
     }
 
     /// Whether every kernel is within its tolerance.
@@ -88,12 +84,15 @@ fn rows(
     device: &Device,
     rounding: Rounding,
     mut done: impl FnMut(&'static str),
-) -> Result<Vec<Row>> {
+) -> Result<(Vec<Row>, Vec<&'static str>)> {
+    let (offered, left_out): (Vec<_>, Vec<_>) =
+        cases().into_iter().partition(|case| case.is_offered(device));
     let row = |case: super::Case| {
         let measure = case.measure(cpu, device, rounding)?;
         done(case.kernel);
         let (kernel, tolerance, why) = (case.kernel, case.tolerance, case.why);
         Ok(Row { kernel, tolerance, why, ok: measure.is_ok(), measure })
     };
-    cases().into_iter().map(row).collect()
+    let rows = offered.into_iter().map(row).collect::<Result<_>>()?;
+    Ok((rows, left_out.into_iter().map(|case| case.kernel).collect()))
 }

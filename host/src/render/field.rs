@@ -4,10 +4,14 @@ use std::mem::offset_of;
 
 use glam::Vec4;
 use organza_kernels::dense::{DenseKernel, DenseParams, HIDDEN_BLOCK};
+use organza_kernels::half::HalfVector;
 use organza_kernels::hash_grid::{GridLevel, HashGridKernel, HashGridParams};
 use organza_kernels::hash_grid_half::HashGridHalfKernel;
 
+use super::UploadOptions;
 use super::block::{BlockOf, Chunk, Layout, ROWS_OF_POINT};
+use super::dense_half::half_weights;
+use super::hash_grid_half::pack_halves;
 use crate::backend::{Buffer, Device};
 use crate::error::Result;
 use crate::scene::{Field, GridConfig, Interpolation, Network};
@@ -20,6 +24,8 @@ pub struct DeviceField {
     /// Instead of `table`: the same as halves.
     pub(super) half_table: Option<Buffer<u32>>,
     pub parameters: Buffer<Vec4>,
+    /// Instead of the hidden layers' weights among `parameters`: the same as halves.
+    pub(super) half_weights: Option<Buffer<HalfVector>>,
     pub(super) features: u32,
     pub(super) smoothstep: bool,
     pub(super) layers: Vec<LayerPlace>,
@@ -35,26 +41,36 @@ pub struct LayerPlace {
 }
 
 impl DeviceField {
-    /// With the table as it is; [`DeviceField::upload_halves`] packs it.
-    pub fn upload(device: &Device, grid: &GridConfig, field: &Field) -> Result<Self> {
-        let table = device.upload("hash grid", &field.grid)?;
-        Self::around(device, grid, field, table, None)
-    }
-
-    /// All but the table.
-    pub(super) fn around(
+    /// `name` is what the names of the field's tensors begin with.
+    ///
+    /// # Errors
+    /// As [`Device::upload`]; [`Error::Invalid`](crate::Error::Invalid) where a value is too large for a half.
+    pub fn upload(
         device: &Device,
         grid: &GridConfig,
         field: &Field,
-        table: Buffer<f32>,
-        half_table: Option<Buffer<u32>>,
+        options: UploadOptions,
+        name: &str,
     ) -> Result<Self> {
+        let (table, half_table) = if options.half_grids {
+            let words = pack_halves(&field.grid, grid.features as usize, &format!("{name}.grid"))?;
+            (device.zeros("hash grid", 0)?, Some(device.upload("hash grid of halves", &words)?))
+        } else {
+            (device.upload("hash grid", &field.grid)?, None)
+        };
         let (parameters, layers) = pack_network(&field.network);
+        let half_weights = if options.half_networks {
+            let weights = half_weights(&field.network, &parameters, &layers, name)?;
+            Some(device.upload("network of halves", &weights)?)
+        } else {
+            None
+        };
         Ok(Self {
             levels: device.upload("grid levels", &grid.levels_for_kernels())?,
             table,
             half_table,
             parameters: device.upload("network", &parameters)?,
+            half_weights,
             features: grid.features,
             smoothstep: grid.interpolation == Interpolation::Smoothstep,
             layers,
@@ -62,8 +78,9 @@ impl DeviceField {
     }
 
     pub fn bytes(&self) -> u64 {
-        let half_table = self.half_table.as_ref().map_or(0, Buffer::bytes);
-        self.levels.bytes() + self.table.bytes() + half_table + self.parameters.bytes()
+        let halves = self.half_table.as_ref().map_or(0, Buffer::bytes)
+            + self.half_weights.as_ref().map_or(0, Buffer::bytes);
+        self.levels.bytes() + self.table.bytes() + self.parameters.bytes() + halves
     }
 
     /// The last layer, which each head evaluates on its own.
@@ -144,6 +161,9 @@ impl DeviceField {
             weight: layer.weight,
             bias: layer.bias,
         };
+        if let Some(weights) = &self.half_weights {
+            return self.half_layer(device, params, &chunk.count, weights, [input, output]);
+        }
         let kernel = DenseKernel { params, parameters: &self.parameters, input, output };
         let counts = [(offset_of!(DenseParams, samples), &chunk.count)];
         device.run_counted(&kernel, &counts, chunk.samples, layer.columns * 4 / HIDDEN_BLOCK)

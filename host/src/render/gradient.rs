@@ -42,9 +42,9 @@ impl SceneGradient {
     /// Zeros, for a scene.
     ///
     /// # Errors
-    /// [`Error::Argument`] where the scene's grids are halves; as [`Device::zeros`].
+    /// [`Error::Argument`] where the scene's grids or networks are halves; as [`Device::zeros`].
     pub fn new(device: &Device, scene: &DeviceScene) -> Result<Self> {
-        scene.require_full_grids()?;
+        scene.require_gradients()?;
         let gaussians = scene.len();
         Ok(Self {
             gaussians: device.zeros("gradient of the Gaussians", 11 * gaussians)?,

@@ -160,6 +160,7 @@ impl HashGridGradient {
 mod tests {
     use super::*;
     use crate::backend::DeviceOptions;
+    use crate::render::UploadOptions;
     use crate::scene::{Field, GridConfig, Interpolation, Layer, Network};
 
     /// A grid with a network of two inputs, one hidden layer and one output.
@@ -180,7 +181,8 @@ mod tests {
         };
         let network = Network { layers: vec![layer(4, 3), layer(3, 1)] };
         let table = vec![0.0; grid.entries() * 2];
-        DeviceField::upload(device, &grid, &Field { grid: table, network }).expect("a field")
+        let (field, options) = (Field { grid: table, network }, UploadOptions::default());
+        DeviceField::upload(device, &grid, &field, options, "color").expect("a field")
     }
 
     #[test]

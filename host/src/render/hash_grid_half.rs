@@ -1,78 +1,29 @@
 //! Hash grids whose entries are packed as two halves.
 
 use half::f16;
-use half::slice::HalfFloatSliceExt;
 use organza_kernels::hash_grid_half::MAX_HALF;
 
-use super::field::DeviceField;
-use super::{DeviceScene, Renderer};
-use crate::backend::Device;
-use crate::error::{Error, Result};
-use crate::scene::{Field, GridConfig, Scene};
+use super::halves::halves;
+use crate::error::{Error, IN_MEMORY, Result};
 
 /// A table `[entries, features]` as [`hash_grid_half`](organza_kernels::hash_grid_half) reads it,
 /// `[entries, ceil(features / 2)]`: each value rounded to the nearest half, or to zero below 2^-14.
 ///
 /// # Errors
-/// [`Error::Argument`] where a value is too large for a half.
+/// [`Error::Invalid`] where a value is too large for a half.
 pub fn pack_halves(table: &[f32], features: usize, name: &str) -> Result<Vec<u32>> {
     if let Some(value) = table.iter().find(|value| value.abs() > MAX_HALF) {
         let reason = format!(
             "`{name}` has a value of {value}: halves end at {MAX_HALF}, keep the grids as they are"
         );
-        return Err(Error::Argument { reason });
+        return Err(Error::Invalid { origin: IN_MEMORY.into(), reason });
     }
-    let mut halves = vec![f16::ZERO; table.len()];
-    halves.convert_from_f32_slice(table);
-    // drivers may make zero of them
-    halves.iter_mut().filter(|half| !half.is_normal()).for_each(|half| *half = f16::ZERO);
     let word = |pair: &[f16]| {
         let upper = pair.get(1).map_or(0, |half| half.to_bits());
         u32::from(upper) << 16 | u32::from(pair[0].to_bits())
     };
-    Ok(halves.chunks(features).flat_map(|entry| entry.chunks(2).map(word)).collect())
-}
-
-impl DeviceField {
-    /// With a table of halves; see [`Renderer::upload_with_half_grids`].
-    pub fn upload_halves(
-        device: &Device,
-        grid: &GridConfig,
-        field: &Field,
-        name: &str,
-    ) -> Result<Self> {
-        let words = pack_halves(&field.grid, grid.features as usize, name)?;
-        let half_table = Some(device.upload("hash grid of halves", &words)?);
-        Self::around(device, grid, field, device.zeros("hash grid", 0)?, half_table)
-    }
-}
-
-impl Renderer {
-    /// As [`Renderer::upload`], with both hash grids in half precision: half their memory, for rendering alone.  Each
-    /// feature is off by up to 2^-11 of the largest entry around it.
-    ///
-    /// # Errors
-    /// As [`Renderer::upload`]; [`Error::Argument`] where a value is above 65,504.
-    pub fn upload_with_half_grids(&self, scene: &Scene) -> Result<DeviceScene> {
-        scene.validate()?;
-        self.upload_fields(scene, &|grid, field, name| {
-            DeviceField::upload_halves(self.device(), grid, field, name)
-        })
-    }
-}
-
-impl DeviceScene {
-    /// Fails where the grids are halves, which cannot be moved.
-    pub(crate) fn require_full_grids(&self) -> Result<()> {
-        match self.color.half_table {
-            None => Ok(()),
-            Some(_) => {
-                let reason =
-                    "the scene's grids are halves, which have no gradients: upload it as it is";
-                Err(Error::Argument { reason: reason.into() })
-            }
-        }
-    }
+    let entries = halves(table);
+    Ok(entries.chunks(features).flat_map(|entry| entry.chunks(2).map(word)).collect())
 }
 
 #[cfg(test)]

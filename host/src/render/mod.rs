@@ -5,10 +5,12 @@ mod bin;
 mod block;
 mod color;
 mod composite;
+mod dense_half;
 mod field;
 mod field_backward;
 mod foresight;
 mod gradient;
+mod halves;
 mod hash_grid;
 mod hash_grid_half;
 mod inspect;
@@ -24,6 +26,7 @@ mod tally;
 #[cfg(test)]
 mod tests;
 mod transmittance;
+mod upload;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -35,12 +38,14 @@ use crate::memory;
 use crate::tile::TileBatch;
 
 pub(crate) use backward::LossTarget;
+pub(crate) use dense_half::half_vectors;
 pub use gradient::SceneGradient;
 pub(crate) use hash_grid_half::pack_halves;
 pub use inspect::{Contribution, Inspection, Stages};
 pub use loss::{Loss, LossInputs, LossOutput, TileLoss};
 pub use parameters::Parameter;
 pub use scene::DeviceScene;
+pub use upload::UploadOptions;
 
 use foresight::Foresight;
 use plan::Plan;

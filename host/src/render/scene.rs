@@ -3,11 +3,11 @@
 use organza_kernels::resolve::DIVIDE_ABOVE;
 use organza_kernels::unit_cube::SceneBox;
 
-use super::Renderer;
 use super::field::DeviceField;
+use super::{Renderer, UploadOptions};
 use crate::backend::Buffer;
 use crate::error::Result;
-use crate::scene::{Field, GridConfig, Scene, SceneConfig};
+use crate::scene::{Scene, SceneConfig};
 
 /// A scene whose tensors lie on a device.
 #[derive(Debug)]
@@ -28,7 +28,7 @@ pub struct DeviceScene {
 }
 
 impl Renderer {
-    /// Copies a scene to the device.
+    /// Copies a scene to the device, as it is; [`Renderer::upload_with`] has choices.
     ///
     /// # Errors
     /// What [`Scene::validate`] finds, and [`Error::OutOfMemory`](crate::Error::OutOfMemory).
@@ -39,18 +39,19 @@ impl Renderer {
 
     /// As [`Renderer::upload`], for tensors that are no scene, such as an optimizer's.
     pub(crate) fn upload_moments(&self, scene: &Scene) -> Result<DeviceScene> {
-        self.upload_fields(scene, &|grid, field, _| DeviceField::upload(self.device(), grid, field))
+        self.upload_fields(scene, UploadOptions::default())
     }
 
-    /// As [`Renderer::upload`]; `upload` copies a field, of which it is told the grid's name.
+    /// As [`Renderer::upload_with`], without looking at the scene or the device.
     pub(super) fn upload_fields(
         &self,
         scene: &Scene,
-        upload: &dyn Fn(&GridConfig, &Field, &str) -> Result<DeviceField>,
+        options: UploadOptions,
     ) -> Result<DeviceScene> {
         let device = self.device();
         let config = &scene.config;
         let gaussians = &scene.gaussians;
+        let upload = |grid, field, name| DeviceField::upload(device, grid, field, options, name);
         Ok(DeviceScene {
             gaussians: gaussians.len() as u32,
             divide_above: DIVIDE_ABOVE,
@@ -61,11 +62,11 @@ impl Renderer {
             opacity: device.upload("gaussians.opacity", &gaussians.opacity)?,
             material: device.upload("gaussians.material", &gaussians.material)?,
             extra: device.upload("gaussians.extra", &gaussians.extra)?,
-            color: upload(&config.color_grid, &scene.color, "color.grid")?,
+            color: upload(&config.color_grid, &scene.color, "color")?,
             transmittance: upload(
                 &config.transmittance_grid,
                 &scene.transmittance,
-                "transmittance.grid",
+                "transmittance",
             )?,
             config: config.clone(),
         })

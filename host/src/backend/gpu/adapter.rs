@@ -128,11 +128,11 @@ pub fn request(adapter: &wgpu::Adapter, spirv: SpirvPath) -> Result<(wgpu::Devic
         }
         SpirvPath::Naga => (wgpu::Features::empty(), wgpu::ExperimentalFeatures::disabled()),
     };
-    // for who wants to know what kernels take
-    let timestamps = adapter.features() & wgpu::Features::TIMESTAMP_QUERY;
+    // for who wants to know what kernels take, and for networks in half precision
+    let optional = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::SHADER_F16;
     let device = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
         label: Some("organza"),
-        required_features: required_features | timestamps,
+        required_features: required_features | (adapter.features() & optional),
         required_limits: adapter.limits(),
         experimental_features,
         ..Default::default()

@@ -1,0 +1,108 @@
+//! The case of `dense_half`.
+
+use glam::Vec4;
+use organza_kernels::dense::HIDDEN_BLOCK;
+use organza_kernels::dense_half::{DenseHalfKernel, GROUP, MAX_INPUT, MAX_WEIGHTS};
+use organza_kernels::half::HalfVector;
+
+use super::bench::Bench;
+use super::case::{Parity, Rounding};
+use super::dense::{Dense, Layer};
+use super::measure::{Bound, Output};
+use crate::error::Result;
+use crate::render::half_vectors;
+
+/// The smallest half that no driver makes zero of.
+const NORMAL: f64 = 1.0 / 16_384.0;
+
+/// Inputs of `dense_half`.
+#[derive(Clone, Debug)]
+pub struct DenseHalf {
+    /// The layer in numbers: weights that halves' sums hold, and inputs as they count.
+    pub full: Layer,
+    /// The same with the weights that the halves stand for.
+    pub rounded: Layer,
+    /// The weights, at their places.
+    weights: Vec<HalfVector>,
+    /// `[inputs, stride]`: also such that are too large.
+    input: Vec<f32>,
+}
+
+impl DenseHalf {
+    fn new(mut full: Layer) -> Self {
+        let input = full.input.clone();
+        full.input.iter_mut().for_each(|x| *x = x.clamp(-MAX_INPUT, MAX_INPUT));
+        let params = full.params();
+        let place = params.weight as usize..params.bias as usize;
+        let most = Vec4::splat(MAX_WEIGHTS / GROUP as f32);
+        let weights = &mut full.parameters[place.clone()];
+        weights.iter_mut().for_each(|weight| *weight = weight.clamp(-most, most));
+        let halves = half_vectors(weights);
+        let mut rounded = full.clone();
+        let numbers = halves.iter().map(|vector| Vec4::from_array(vector.values()));
+        rounded.parameters.splice(place.clone(), numbers);
+        // no number: nothing before the weights is read
+        let nothing = HalfVector([u16::MAX; 4]);
+        let weights = std::iter::repeat_n(nothing, place.start).chain(halves).collect();
+        Self { full, rounded, weights, input }
+    }
+
+    /// The sizes of all numbers that are rounded to halves for an output: of each input and product a term's, and of
+    /// the sums in each group.
+    #[must_use]
+    pub fn rounded_sizes(&self, sample: u32, output: u32) -> f64 {
+        let mut sizes = 0.0;
+        let mut sum = 0.0;
+        for input in 0..self.rounded.inputs {
+            let term = self.rounded.weight(input, output) * self.rounded.value(input, sample);
+            sum = if input % GROUP == 0 { term } else { sum + term };
+            sizes += 2.0 * term.abs() + sum.abs();
+        }
+        sizes
+    }
+
+    /// What numbers below the normal halves may come to in an output, and the roundings of the `f32` sum.
+    #[must_use]
+    pub fn floor(&self, sample: u32, output: u32) -> f64 {
+        let layer = &self.rounded;
+        let lost: f64 = (0..layer.inputs).map(|i| layer.weight(i, output).abs() + 2.0).sum();
+        let sums = f64::from(layer.inputs.div_ceil(GROUP) + 1);
+        NORMAL * lost + Dense::TOLERANCE * sums * layer.bound(sample, output).scale
+    }
+}
+
+impl Parity for DenseHalf {
+    const KERNEL: &'static str = "dense_half";
+    const TOLERANCE: f64 = 1.02e-3;
+    const WHY: &'static str = "a rounding of both devices to a half, 2^-11 each, of each input, product and sum's size, and 4% \
+        for what roundings do to those sizes";
+    const NEEDS_HALVES: bool = true;
+
+    fn sets() -> Vec<(String, Self)> {
+        Dense::sets().into_iter().map(|(name, set)| (name, Self::new(set.layer))).collect()
+    }
+
+    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+        let layer = self.full.params();
+        let output = bench.output((4 * layer.columns * layer.stride) as usize)?;
+        let kernel = DenseHalfKernel {
+            params: layer,
+            parameters: &bench.upload(&self.full.parameters)?,
+            weights: &bench.upload(&self.weights)?,
+            input: &bench.upload(&self.input)?,
+            output: &output,
+        };
+        bench.items(&kernel, layer.samples, layer.columns * 4 / HIDDEN_BLOCK)?;
+        Ok(vec![Output::float("output", bench.read(&output)?)])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let layer = &self.full;
+        let (row, sample) = (index as u32 / layer.stride, index as u32 % layer.stride);
+        if row < 4 * layer.columns && sample < layer.samples {
+            Bound { scale: self.rounded_sizes(sample, row), floor: self.floor(sample, row) }
+        } else {
+            Bound { scale: 0.0, floor: 0.0 }
+        }
+    }
+}

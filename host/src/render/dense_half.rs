@@ -1,0 +1,132 @@
+//! Networks whose hidden layers are computed in half precision.
+
+use std::mem::offset_of;
+
+use glam::Vec4;
+use half::f16;
+use organza_kernels::dense::{DenseParams, HIDDEN_BLOCK};
+use organza_kernels::dense_half::{DenseHalfKernel, GROUP, MAX_WEIGHTS};
+use organza_kernels::half::HalfVector;
+
+use super::field::{DeviceField, LayerPlace};
+use super::halves::halves;
+use crate::backend::{Buffer, Count, Device};
+use crate::error::{Error, IN_MEMORY, Result};
+use crate::scene::{Layer, Network};
+
+/// Weights as [`organza_kernels::dense_half`] reads them: each rounded to the nearest half, or to zero below 2^-14.
+pub fn half_vectors(weights: &[Vec4]) -> Vec<HalfVector> {
+    let halves = halves(bytemuck::cast_slice(weights));
+    let (vectors, _) = halves.as_chunks::<4>();
+    vectors.iter().map(|vector| HalfVector(vector.map(f16::to_bits))).collect()
+}
+
+/// The weights of a network's hidden layers as halves, at the places that they have among `parameters`; there are none at
+/// those of the biases.
+///
+/// # Errors
+/// [`Error::Invalid`] where sums of a layer, whose tensor has a name that begins with `name`, could pass the halves.
+pub(super) fn half_weights(
+    network: &Network,
+    parameters: &[Vec4],
+    places: &[LayerPlace],
+    name: &str,
+) -> Result<Vec<HalfVector>> {
+    let hidden = &places[..places.len() - 1];
+    for (index, layer) in network.layers[..hidden.len()].iter().enumerate() {
+        require_small(layer, &format!("{name}.mlp.{index}.weight"))?;
+    }
+    let mut weights = Vec::new();
+    for place in hidden {
+        weights.resize(place.weight as usize, HalfVector([0; 4]));
+        weights.extend(half_vectors(&parameters[place.weight as usize..place.bias as usize]));
+    }
+    Ok(weights)
+}
+
+/// Fails where the weights of an output and of a group of inputs add up to more than [`MAX_WEIGHTS`].
+fn require_small(layer: &Layer, tensor: &str) -> Result<()> {
+    let rows = layer.weight.chunks(layer.inputs.max(1));
+    let groups = rows.flat_map(|row| row.chunks(GROUP as usize));
+    let sum = |group: &[f32]| group.iter().map(|weight| weight.abs()).sum::<f32>();
+    let largest = groups.map(sum).fold(0.0, f32::max);
+    if largest <= MAX_WEIGHTS {
+        return Ok(());
+    }
+    Err(Error::Invalid {
+        origin: IN_MEMORY.into(),
+        reason: format!(
+            "`{tensor}` has weights that add up to {largest} in size ({GROUP} inputs of an output), above \
+             {MAX_WEIGHTS} their sums may pass what halves hold: leave `--half-networks` away"
+        ),
+    })
+}
+
+impl DeviceField {
+    /// As [`DeviceField::layer`], in half precision.
+    pub(super) fn half_layer(
+        &self,
+        device: &Device,
+        params: DenseParams,
+        samples: &Count,
+        weights: &Buffer<HalfVector>,
+        [input, output]: [&Buffer<f32>; 2],
+    ) -> Result<()> {
+        let parameters = &self.parameters;
+        let kernel = DenseHalfKernel { params, parameters, weights, input, output };
+        let counts = [(offset_of!(DenseParams, samples), samples)];
+        device.run_counted(&kernel, &counts, params.samples, params.columns * 4 / HIDDEN_BLOCK)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::render::field::pack_network;
+
+    fn layer(inputs: usize, outputs: usize, weight: impl Fn(usize) -> f32) -> Layer {
+        Layer {
+            weight: (0..inputs * outputs).map(weight).collect(),
+            bias: vec![9.0; outputs],
+            inputs,
+            outputs,
+        }
+    }
+
+    #[test]
+    fn weights_keep_their_places() {
+        let (first, second) = (|i| 1.0 + i as f32 / 8.0, |i| -0.5 - i as f32 / 64.0);
+        let layers = vec![layer(3, 5, first), layer(5, 20, second), layer(20, 3, |_| 1e6)];
+        let network = Network { layers };
+        let (parameters, places) = pack_network(&network);
+        let packed = half_weights(&network, &parameters, &places, "color").unwrap();
+        for (place, layer) in places.iter().zip(&network.layers[..2]) {
+            for (at, &weight) in layer.weight.iter().enumerate() {
+                let (output, input) = (at / layer.inputs, at % layer.inputs);
+                let vector = place.weight as usize + input * place.columns as usize + output / 4;
+                assert_eq!(packed[vector].values()[output % 4], weight, "{output} of {input}");
+            }
+        }
+        assert_eq!(packed.len() as u32, places[1].bias);
+    }
+
+    #[test]
+    fn weights_whose_sums_halves_do_not_hold_are_refused() {
+        // of an output, each group of sixteen inputs adds up to 60 at most
+        let just = |i: usize| if i % 20 < 16 { 3.75_f32 } else { -15.0 };
+        for (weight, refused) in [(&just as &dyn Fn(usize) -> f32, false), (&|_| -8.0, true)] {
+            let network = Network { layers: vec![layer(20, 4, weight), layer(4, 1, |_| 1.0)] };
+            let (parameters, places) = pack_network(&network);
+            match half_weights(&network, &parameters, &places, "color") {
+                Ok(_) => assert!(!refused),
+                Err(error) => {
+                    let text = error.to_string();
+                    assert!(refused, "{text}");
+                    for part in ["color.mlp.0.weight", "128", "leave `--half-networks` away"] {
+                        assert!(text.contains(part), "{text}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! How a scene lies on a device, and what cannot lie there so.
+
+use super::{DeviceScene, Renderer};
+use crate::error::{Error, IN_MEMORY, Result};
+use crate::scene::Scene;
+
+/// How a scene lies on a device; the default is as it is, which alone has gradients.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct UploadOptions {
+    /// Both hash grids in half precision: half their memory.  Each feature is off by up to 2^-11 of the largest entry
+    /// around it.  Refused where a value is above 65,504.
+    pub half_grids: bool,
+    /// The hidden layers of both networks computed in half precision
+    /// ([`dense_half`](organza_kernels::dense_half)): for GPUs, slower on the CPU.  A layer's output is off by up to 0.9%
+    /// of the sum of its terms' sizes, and an input beyond 1,024 counts as that.  Refused where a layer's weights add up to
+    /// more than halves hold, and on a GPU that does not compute with halves.
+    pub half_networks: bool,
+}
+
+impl Renderer {
+    /// As [`Renderer::upload`], with choices that are for rendering alone.
+    ///
+    /// # Errors
+    /// As [`Renderer::upload`]; [`Error::Invalid`] where [`UploadOptions`] says that it is refused.
+    pub fn upload_with(&self, scene: &Scene, options: UploadOptions) -> Result<DeviceScene> {
+        scene.validate()?;
+        if options.half_networks {
+            require_halves(self.device().computes_halves(), self.device().choice())?;
+        }
+        self.upload_fields(scene, options)
+    }
+}
+
+impl DeviceScene {
+    /// Fails where a part of the scene is halves, which cannot be moved.
+    pub(crate) fn require_gradients(&self) -> Result<()> {
+        self.require_full_grids()?;
+        match self.color.half_weights {
+            None => Ok(()),
+            Some(_) => {
+                let reason = "the scene's networks are computed in half precision, which has no \
+                    gradients: upload it as it is";
+                Err(Error::Argument { reason: reason.into() })
+            }
+        }
+    }
+
+    /// Fails where the grids are halves: the numbers that they were are not there.
+    pub(crate) fn require_full_grids(&self) -> Result<()> {
+        match self.color.half_table {
+            None => Ok(()),
+            Some(_) => {
+                let reason =
+                    "the scene's grids are halves, which have no gradients: upload it as it is";
+                Err(Error::Argument { reason: reason.into() })
+            }
+        }
+    }
+}
+
+/// Fails where a device does not compute with halves.
+fn require_halves(computes_halves: bool, device: &str) -> Result<()> {
+    if computes_halves {
+        return Ok(());
+    }
+    Err(Error::Invalid {
+        origin: IN_MEMORY.into(),
+        reason: format!(
+            "{device} does not compute with halves (16-bit floats): leave `--half-networks` away"
+        ),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_device_without_halves_is_refused() {
+        assert!(require_halves(true, "gpu: A").is_ok());
+        let text = require_halves(false, "gpu: A").unwrap_err().to_string();
+        assert!(text.contains("gpu: A") && text.contains("leave `--half-networks` away"), "{text}");
+    }
+}

@@ -5,9 +5,9 @@ use std::panic;
 use std::path::Path;
 
 use organza::kernels::{self, CodeSize};
-use organza_kernels::kernels as declared;
 use organza_kernels::limits::MAX_ITERATIONS;
 use organza_kernels::transmittance::{SegmentProductKernel, SegmentProductParams};
+use organza_kernels::{EntryPoint, KernelInfo, kernels as declared};
 use organza_tests::devices;
 use organza_tests::spirv::instructions;
 use wgpu::naga;
@@ -32,6 +32,11 @@ fn page(name: &str) -> String {
     fs::read_to_string(path).expect("a page of the docs")
 }
 
+/// Every entry point of every kernel.
+fn entry_points() -> impl Iterator<Item = (&'static KernelInfo, EntryPoint)> {
+    declared().flat_map(|kernel| kernel.entry_points().map(move |point| (kernel, point)))
+}
+
 fn naga_module(words: &[u32]) -> Result<naga::Module, String> {
     let options = naga::front::spv::Options::default();
     let parser = naga::front::spv::Frontend::new(words.iter().copied(), &options);
@@ -48,9 +53,9 @@ fn naga_module(words: &[u32]) -> Result<naga::Module, String> {
 
 #[test]
 fn every_loop_is_bounded() {
-    for kernel in declared() {
-        let loops = CodeSize::of(&kernels::of(kernel).unwrap().spirv_words()).loops;
-        let name = kernel.name;
+    for (kernel, point) in entry_points() {
+        let loops = CodeSize::of(&kernels::of(kernel, &point).unwrap().spirv_words()).loops;
+        let name = point.name;
         match kernel.iterations {
             None => assert!(
                 loops == 0,
@@ -187,10 +192,10 @@ fn naga_drops_no_contraction() {
             .filter(|i| i.opcode == op::DECORATE && i.operands[1] == NO_CONTRACTION)
             .count()
     };
-    for kernel in declared() {
-        let words = kernels::of(kernel).unwrap().spirv_words();
+    for (kernel, point) in entry_points() {
+        let words = kernels::of(kernel, &point).unwrap().spirv_words();
         let arithmetic = instructions(&words).any(|i| matches!(i.opcode, 129 | 131 | 133 | 136));
-        assert_eq!(decorated(&words) > 0, !kernel.fused && arithmetic, "{}", kernel.name);
+        assert_eq!(decorated(&words) > 0, !kernel.fused && arithmetic, "{}", point.name);
     }
     let words = kernels::find("project").unwrap().spirv_words();
     let module = naga_module(&words).unwrap();

@@ -12,6 +12,9 @@ use crate::prelude::*;
 /// Outputs of a hidden layer that one invocation computes.
 pub const HIDDEN_BLOCK: u32 = 16;
 
+/// Vectors of weights that a stage of [`dense`] holds: those of 64 inputs.
+const STAGED: usize = 256;
+
 /// Parameters of [`dense`].
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -87,26 +90,46 @@ pub fn column<L: Lane>(
     sum
 }
 
+/// The weights of a block's columns, input by input.
+#[derive(Clone, Copy)]
+struct BlockWeights<'a> {
+    parameters: Read<'a, Vec4>,
+    /// Where those of the first input begin.
+    first: u32,
+    /// Distance of two inputs.
+    pitch: u32,
+}
+
+impl Source<Vec4> for BlockWeights<'_> {
+    #[inline(always)]
+    fn element(self, k: u32) -> Vec4 {
+        const COLUMNS: u32 = HIDDEN_BLOCK / 4;
+        self.parameters.read(self.first + k / COLUMNS * self.pitch + k % COLUMNS)
+    }
+}
+
 /// A hidden layer: `output = max(W input + b, 0)`, samples along x and y, blocks of 16 outputs along z.
 ///
 /// `input [inputs, stride]`, `output [4 columns, stride]`.
-#[kernel(threads(64), iterations = MAX_INPUTS, fused, stacks, lanes(samples))]
+#[kernel(threads(64), iterations = 3 * MAX_INPUTS, fused, stacks, lanes(samples))]
 pub fn dense<L: Lane>(
     id: Invocation,
     params: &DenseParams,
     parameters: Read<Vec4>,
     input: Read<f32>,
     output: Write<f32>,
+    weights: &mut impl Stage<Vec4, STAGED>,
 ) {
-    let sample = id.index();
-    if sample < params.samples {
+    let inside = id.index() < params.samples;
+    if weights.is_shared() || inside {
         let first = id.workgroup.z * (HIDDEN_BLOCK / 4);
         if L::WIDTH == 8 {
             // what has so many lanes has 16 registers, too few for sixteen sums and what is added to them
+            let sample = id.index();
             two_columns::<L>(params, parameters, input, output, sample, first);
             two_columns::<L>(params, parameters, input, output, sample, first + 2);
         } else {
-            four_columns::<L>(params, parameters, input, output, sample, first);
+            four_columns::<L>(id, params, parameters, input, output, weights, first);
         }
     }
 }
@@ -114,35 +137,49 @@ pub fn dense<L: Lane>(
 /// Sixteen outputs of a hidden layer, from a column on: each input is read once for all of them.
 #[inline(always)]
 fn four_columns<L: Lane>(
+    id: Invocation,
     params: &DenseParams,
     parameters: Read<Vec4>,
     input: Read<f32>,
     output: Write<f32>,
-    sample: u32,
+    weights: &mut impl Stage<Vec4, STAGED>,
     first: u32,
 ) {
     let mut a = Column::<L>::splat(parameters.read(params.bias + first));
     let mut b = Column::<L>::splat(parameters.read(params.bias + first + 1));
     let mut c = Column::<L>::splat(parameters.read(params.bias + first + 2));
     let mut d = Column::<L>::splat(parameters.read(params.bias + first + 3));
+    let inside = id.index() < params.samples;
+    let sample = if inside { id.index() } else { 0 };
     let mut weight = params.weight + first;
     let mut at = sample;
-    let mut i = 0;
-    while i < params.inputs {
-        let x = L::read(input, at);
-        a = a.add_product(parameters.read(weight), x);
-        b = b.add_product(parameters.read(weight + 1), x);
-        c = c.add_product(parameters.read(weight + 2), x);
-        d = d.add_product(parameters.read(weight + 3), x);
-        weight += params.columns;
-        at += params.stride;
-        i += 1;
+    let mut begin = 0;
+    while begin < params.inputs {
+        let end = weights.end(begin, params.inputs, HIDDEN_BLOCK / 4);
+        let source = BlockWeights { parameters, first: weight, pitch: params.columns };
+        weights.wait(id);
+        weights.fill(id, (end - begin) * (HIDDEN_BLOCK / 4), source);
+        weights.wait(id);
+        let mut k = 0;
+        while begin < end {
+            let x = L::read(input, at);
+            a = a.add_product(weights.at(k, parameters, weight), x);
+            b = b.add_product(weights.at(k + 1, parameters, weight + 1), x);
+            c = c.add_product(weights.at(k + 2, parameters, weight + 2), x);
+            d = d.add_product(weights.at(k + 3, parameters, weight + 3), x);
+            k += HIDDEN_BLOCK / 4;
+            weight += params.columns;
+            at += params.stride;
+            begin += 1;
+        }
     }
-    let row = first * 4;
-    write_rectified(output, a, row, params.stride, sample);
-    write_rectified(output, b, row + 4, params.stride, sample);
-    write_rectified(output, c, row + 8, params.stride, sample);
-    write_rectified(output, d, row + 12, params.stride, sample);
+    if inside {
+        let row = first * 4;
+        write_rectified(output, a, row, params.stride, sample);
+        write_rectified(output, b, row + 4, params.stride, sample);
+        write_rectified(output, c, row + 8, params.stride, sample);
+        write_rectified(output, d, row + 12, params.stride, sample);
+    }
 }
 
 /// Eight outputs of a hidden layer, from a column on.

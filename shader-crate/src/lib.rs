@@ -16,6 +16,7 @@ pub mod composite_backward;
 pub mod dense;
 pub mod dense_backward;
 pub mod fixed;
+pub mod group;
 pub mod hash_grid;
 pub mod hash_grid_backward;
 pub mod hash_grid_half;
@@ -41,6 +42,7 @@ pub mod segment;
 pub mod spherical_harmonics;
 pub mod splat;
 pub mod ssim;
+pub mod stage;
 pub mod tile;
 pub mod tile_cells;
 pub mod transmittance;
@@ -52,4 +54,6 @@ mod wide;
 mod wide_math;
 
 #[cfg(not(target_arch = "spirv"))]
-pub use kernel::{Access, BindingInfo, KernelInfo, SharedInfo, kernels};
+pub use kernel::{
+    Access, BindingInfo, EntryPoint, KernelInfo, SharedInfo, Variant, VariantInfo, kernels,
+};

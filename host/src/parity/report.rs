@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::case::Rounding;
+use super::case::{Case, Rounding};
 use super::cases;
 use super::measure::Measure;
 use crate::backend::{AdapterInfo, Device, DeviceOptions, SpirvPath};
@@ -17,14 +17,14 @@ pub struct Report {
     pub driver: String,
     /// How the kernels reach it.
     pub path: &'static str,
-    /// A row for each kernel.
+    /// A row for each entry point that the device can run.
     pub kernels: Vec<Row>,
 }
 
 /// What a kernel's case has found.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
-    /// The entry point.
+    /// The entry point that ran: the kernel's name, or that of its variant.
     pub kernel: &'static str,
     /// The tolerance, in units of each output's scale; 0 where all outputs are integers.
     pub tolerance: f64,
@@ -48,8 +48,12 @@ impl Report {
         path: SpirvPath,
         done: impl FnMut(&'static str),
     ) -> Result<Self> {
-        let name = Some(adapter.name.clone());
-        let device = Device::open(&DeviceOptions { adapter: name, ..DeviceOptions::gpu(path) })?;
+        let open = |variants| {
+            let adapter = Some(adapter.name.clone());
+            let variants = Some(variants);
+            Device::open(&DeviceOptions { adapter, variants, ..DeviceOptions::gpu(path) })
+        };
+        let (plain, variants) = (open(false)?, open(true)?);
         let rounding = match path {
             SpirvPath::Passthrough => Rounding::AsWritten,
             SpirvPath::Naga => Rounding::Regrouped,
@@ -58,7 +62,7 @@ impl Report {
             adapter: adapter.name.clone(),
             driver: adapter.driver.clone(),
             path: path.as_str(),
-            kernels: rows(cpu, &device, rounding, done)?,
+            kernels: rows(cpu, &[&plain, &variants], rounding, done)?,
         })
     }
 
@@ -72,7 +76,7 @@ impl Report {
             adapter: "cpu".into(),
             driver: std::env::consts::ARCH.into(),
             path: "one thread",
-            kernels: rows(cpu, &one, Rounding::AsWritten, done)?,
+            kernels: rows(cpu, &[&one], Rounding::AsWritten, done)?,
         })
     }
 
@@ -83,17 +87,25 @@ impl Report {
     }
 }
 
+/// The cases on each of the devices that runs another entry point than those before it.
 fn rows(
     cpu: &Device,
-    device: &Device,
+    devices: &[&Device],
     rounding: Rounding,
     mut done: impl FnMut(&'static str),
 ) -> Result<Vec<Row>> {
-    let row = |case: super::Case| {
-        let measure = case.measure(cpu, device, rounding)?;
+    let mut rows: Vec<Row> = Vec::new();
+    for case in cases() {
+        let Case { tolerance, why, .. } = case;
+        let first = rows.len();
+        for device in devices {
+            let kernel = case.entry_point(device);
+            if rows[first..].iter().all(|row| row.kernel != kernel) {
+                let measure = case.measure(cpu, device, rounding)?;
+                rows.push(Row { kernel, tolerance, why, ok: measure.is_ok(), measure });
+            }
+        }
         done(case.kernel);
-        let (kernel, tolerance, why) = (case.kernel, case.tolerance, case.why);
-        Ok(Row { kernel, tolerance, why, ok: measure.is_ok(), measure })
-    };
-    cases().into_iter().map(row).collect()
+    }
+    Ok(rows)
 }

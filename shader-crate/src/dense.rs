@@ -6,14 +6,20 @@
 
 use glam::Vec4;
 
-use crate::limits::MAX_INPUTS;
+use crate::limits::{MAX_HIDDEN_WIDTH, MAX_INPUTS};
 use crate::prelude::*;
 
 /// Outputs of a hidden layer that one invocation computes.
 pub const HIDDEN_BLOCK: u32 = 16;
 
+/// Columns of them.
+const BLOCK_COLUMNS: u32 = HIDDEN_BLOCK / 4;
+
 /// Vectors of weights that a stage of [`dense`] holds: those of 64 inputs.
 const STAGED: usize = 256;
+
+/// Vectors of weights that a stage of a network's last layer holds.
+pub const HEAD_STAGED: usize = MAX_HIDDEN_WIDTH as usize;
 
 /// Parameters of [`dense`].
 #[repr(C)]
@@ -66,46 +72,56 @@ impl<L: Lane> Column<L> {
     }
 }
 
-/// Four outputs of a layer for each lane's sample, before the activation: `b + sum_i W_i x_i`.
-///
-/// Inputs are summed in ascending order on every device.
-#[inline(always)]
-pub fn column<L: Lane>(
-    params: &DenseParams,
-    parameters: Read<Vec4>,
-    input: Read<f32>,
-    sample: u32,
-    column: u32,
-) -> Column<L> {
-    let mut sum = Column::splat(parameters.read(params.bias + column));
-    let mut weight = params.weight + column;
-    let mut at = sample;
-    let mut i = 0;
-    while i < params.inputs {
-        sum = sum.add_product(parameters.read(weight), L::read(input, at));
-        weight += params.columns;
-        at += params.stride;
-        i += 1;
-    }
-    sum
-}
-
-/// The weights of a block's columns, input by input.
+/// The weights of some columns, input by input.
 #[derive(Clone, Copy)]
-struct BlockWeights<'a> {
+struct Weights<'a> {
     parameters: Read<'a, Vec4>,
     /// Where those of the first input begin.
     first: u32,
+    /// Columns that are taken.
+    columns: u32,
     /// Distance of two inputs.
     pitch: u32,
 }
 
-impl Source<Vec4> for BlockWeights<'_> {
+impl Source<Vec4> for Weights<'_> {
     #[inline(always)]
     fn element(self, k: u32) -> Vec4 {
-        const COLUMNS: u32 = HIDDEN_BLOCK / 4;
-        self.parameters.read(self.first + k / COLUMNS * self.pitch + k % COLUMNS)
+        self.parameters.read(self.first + k / self.columns * self.pitch + k % self.columns)
     }
+}
+
+/// The four outputs of a layer that has no more, for each lane's sample, before the activation: `b + sum_i W_i x_i`.
+///
+/// Inputs are summed in ascending order on every device.
+#[inline(always)]
+pub fn column<L: Lane>(
+    id: Invocation,
+    params: &DenseParams,
+    parameters: Read<Vec4>,
+    input: Read<f32>,
+    sample: u32,
+    weights: &mut impl Stage<Vec4, HEAD_STAGED>,
+) -> Column<L> {
+    let mut sum = Column::splat(parameters.read(params.bias));
+    let mut weight = params.weight;
+    let mut at = sample;
+    let mut i = 0;
+    while i < params.inputs {
+        let end = weights.end(i, params.inputs, 1);
+        weights.wait(id);
+        weights.fill(id, end - i, Weights { parameters, first: weight, columns: 1, pitch: 1 });
+        weights.wait(id);
+        let mut k = 0;
+        while i < end {
+            sum = sum.add_product(weights.at(k, parameters, weight), L::read(input, at));
+            k += 1;
+            weight += 1;
+            at += params.stride;
+            i += 1;
+        }
+    }
+    sum
 }
 
 /// A hidden layer: `output = max(W input + b, 0)`, samples along x and y, blocks of 16 outputs along z.
@@ -122,7 +138,7 @@ pub fn dense<L: Lane>(
 ) {
     let inside = id.index() < params.samples;
     if weights.is_shared() || inside {
-        let first = id.workgroup.z * (HIDDEN_BLOCK / 4);
+        let first = id.workgroup.z * BLOCK_COLUMNS;
         if L::WIDTH == 8 {
             // what has so many lanes has 16 registers, too few for sixteen sums and what is added to them
             let sample = id.index();
@@ -155,10 +171,11 @@ fn four_columns<L: Lane>(
     let mut at = sample;
     let mut begin = 0;
     while begin < params.inputs {
-        let end = weights.end(begin, params.inputs, HIDDEN_BLOCK / 4);
-        let source = BlockWeights { parameters, first: weight, pitch: params.columns };
+        let end = weights.end(begin, params.inputs, BLOCK_COLUMNS);
+        let source =
+            Weights { parameters, first: weight, columns: BLOCK_COLUMNS, pitch: params.columns };
         weights.wait(id);
-        weights.fill(id, (end - begin) * (HIDDEN_BLOCK / 4), source);
+        weights.fill(id, (end - begin) * BLOCK_COLUMNS, source);
         weights.wait(id);
         let mut k = 0;
         while begin < end {
@@ -167,7 +184,7 @@ fn four_columns<L: Lane>(
             b = b.add_product(weights.at(k + 1, parameters, weight + 1), x);
             c = c.add_product(weights.at(k + 2, parameters, weight + 2), x);
             d = d.add_product(weights.at(k + 3, parameters, weight + 3), x);
-            k += HIDDEN_BLOCK / 4;
+            k += BLOCK_COLUMNS;
             weight += params.columns;
             at += params.stride;
             begin += 1;

@@ -34,6 +34,23 @@ fn every_gpu_has_a_table() {
     }
 }
 
+/// llvmpipe takes the size of its subgroups from this variable, others do not know it.
+#[test]
+fn subgroups_of_any_size_give_the_same() {
+    for (bits, size) in [("128", 4), ("256", 8)] {
+        if devices::all().len() == 1 {
+            return;
+        }
+        let sandbox = Sandbox::new("tiny");
+        let outcome = sandbox.command("parity").env("LP_NATIVE_VECTOR_WIDTH", bits).output();
+        let outcome = outcome.expect("the program runs");
+        let text = String::from_utf8_lossy(&outcome.stdout);
+        assert!(outcome.status.success(), "subgroups of {size}: {text}");
+        let rows = text.lines().filter(|line| line.contains("_subgroups "));
+        assert!(rows.count() >= 3 || !text.contains("llvmpipe"), "subgroups of {size}: {text}");
+    }
+}
+
 #[test]
 fn what_is_not_there_is_refused() {
     let sandbox = Sandbox::new("tiny");

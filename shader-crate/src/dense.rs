@@ -18,7 +18,7 @@ const BLOCK_COLUMNS: u32 = HIDDEN_BLOCK / 4;
 /// Vectors of weights that a stage of [`dense`] holds: those of 64 inputs.
 const STAGED: usize = 256;
 
-/// Vectors of weights that a stage of a network's last layer holds.
+/// Vectors of weights that a stage of a network's last layer holds: all that it has.
 pub const HEAD_STAGED: usize = MAX_HIDDEN_WIDTH as usize;
 
 /// Parameters of [`dense`].
@@ -107,19 +107,14 @@ pub fn column<L: Lane>(
     let mut weight = params.weight;
     let mut at = sample;
     let mut i = 0;
+    weights.wait(id);
+    weights.fill(id, params.inputs, Weights { parameters, first: weight, columns: 1, pitch: 1 });
+    weights.wait(id);
     while i < params.inputs {
-        let end = weights.end(i, params.inputs, 1);
-        weights.wait(id);
-        weights.fill(id, end - i, Weights { parameters, first: weight, columns: 1, pitch: 1 });
-        weights.wait(id);
-        let mut k = 0;
-        while i < end {
-            sum = sum.add_product(weights.at(k, parameters, weight), L::read(input, at));
-            k += 1;
-            weight += 1;
-            at += params.stride;
-            i += 1;
-        }
+        sum = sum.add_product(weights.at(i, parameters, weight), L::read(input, at));
+        weight += 1;
+        at += params.stride;
+        i += 1;
     }
     sum
 }
@@ -161,42 +156,79 @@ fn four_columns<L: Lane>(
     weights: &mut impl Stage<Vec4, STAGED>,
     first: u32,
 ) {
-    let mut a = Column::<L>::splat(parameters.read(params.bias + first));
-    let mut b = Column::<L>::splat(parameters.read(params.bias + first + 1));
-    let mut c = Column::<L>::splat(parameters.read(params.bias + first + 2));
-    let mut d = Column::<L>::splat(parameters.read(params.bias + first + 3));
     let inside = id.index() < params.samples;
     let sample = if inside { id.index() } else { 0 };
-    let mut weight = params.weight + first;
-    let mut at = sample;
-    let mut begin = 0;
-    while begin < params.inputs {
-        let end = weights.end(begin, params.inputs, BLOCK_COLUMNS);
-        let source =
-            Weights { parameters, first: weight, columns: BLOCK_COLUMNS, pitch: params.columns };
-        weights.wait(id);
-        weights.fill(id, (end - begin) * BLOCK_COLUMNS, source);
-        weights.wait(id);
-        let mut k = 0;
-        while begin < end {
-            let x = L::read(input, at);
-            a = a.add_product(weights.at(k, parameters, weight), x);
-            b = b.add_product(weights.at(k + 1, parameters, weight + 1), x);
-            c = c.add_product(weights.at(k + 2, parameters, weight + 2), x);
-            d = d.add_product(weights.at(k + 3, parameters, weight + 3), x);
-            k += BLOCK_COLUMNS;
-            weight += params.columns;
-            at += params.stride;
-            begin += 1;
-        }
+    let mut sums = Block {
+        a: Column::<L>::splat(parameters.read(params.bias + first)),
+        b: Column::<L>::splat(parameters.read(params.bias + first + 1)),
+        c: Column::<L>::splat(parameters.read(params.bias + first + 2)),
+        d: Column::<L>::splat(parameters.read(params.bias + first + 3)),
+    };
+    // the first pass is not in a loop of passes: llvmpipe takes an eighth longer for one that has a single pass
+    let mut end = weights.end(0, params.inputs, BLOCK_COLUMNS);
+    sums = add_inputs(id, params, parameters, input, weights, [first, sample], [0, end], sums);
+    while weights.is_shared() && end < params.inputs {
+        let begin = end;
+        end = weights.end(begin, params.inputs, BLOCK_COLUMNS);
+        let inputs = [begin, end];
+        sums = add_inputs(id, params, parameters, input, weights, [first, sample], inputs, sums);
     }
     if inside {
         let row = first * 4;
-        write_rectified(output, a, row, params.stride, sample);
-        write_rectified(output, b, row + 4, params.stride, sample);
-        write_rectified(output, c, row + 8, params.stride, sample);
-        write_rectified(output, d, row + 12, params.stride, sample);
+        write_rectified(output, sums.a, row, params.stride, sample);
+        write_rectified(output, sums.b, row + 4, params.stride, sample);
+        write_rectified(output, sums.c, row + 8, params.stride, sample);
+        write_rectified(output, sums.d, row + 12, params.stride, sample);
     }
+}
+
+/// Sixteen sums.
+#[derive(Clone, Copy)]
+struct Block<L> {
+    a: Column<L>,
+    b: Column<L>,
+    c: Column<L>,
+    d: Column<L>,
+}
+
+/// A pass: adds what some of the inputs come to in a block's outputs.
+#[inline(always)]
+#[allow(clippy::too_many_arguments)]
+fn add_inputs<L: Lane>(
+    id: Invocation,
+    params: &DenseParams,
+    parameters: Read<Vec4>,
+    input: Read<f32>,
+    weights: &mut impl Stage<Vec4, STAGED>,
+    [first, sample]: [u32; 2],
+    [begin, end]: [u32; 2],
+    sums: Block<L>,
+) -> Block<L> {
+    let Block { mut a, mut b, mut c, mut d } = sums;
+    let mut weight = params.weight + first + begin * params.columns;
+    let mut at = sample + begin * params.stride;
+    let (columns, pitch) = (BLOCK_COLUMNS, params.columns);
+    weights.wait(id);
+    weights.fill(
+        id,
+        (end - begin) * columns,
+        Weights { parameters, first: weight, columns, pitch },
+    );
+    weights.wait(id);
+    let mut k = 0;
+    let mut i = begin;
+    while i < end {
+        let x = L::read(input, at);
+        a = a.add_product(weights.at(k, parameters, weight), x);
+        b = b.add_product(weights.at(k + 1, parameters, weight + 1), x);
+        c = c.add_product(weights.at(k + 2, parameters, weight + 2), x);
+        d = d.add_product(weights.at(k + 3, parameters, weight + 3), x);
+        k += columns;
+        weight += pitch;
+        at += params.stride;
+        i += 1;
+    }
+    Block { a, b, c, d }
 }
 
 /// Eight outputs of a hidden layer, from a column on.

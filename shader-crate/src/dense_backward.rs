@@ -71,15 +71,12 @@ fn read_column<L: Lane>(buffer: Read<f32>, first: u32, stride: u32) -> Column<L>
 /// Vectors of weights that a stage of [`dense_backward`] holds: those of a block of inputs to the widest layer's outputs.
 const STAGED: usize = (INPUT_BLOCK * MAX_HIDDEN_WIDTH / 4) as usize;
 
-/// The weights of a block's inputs in some columns, input by input; inputs past the last repeat it.
+/// The weights of a block's inputs, input by input; inputs past the last repeat it.
 #[derive(Clone, Copy)]
 struct InputWeights<'a> {
     parameters: Read<'a, Vec4>,
-    /// Where the first column's weights begin.
+    /// Where the layer's weights begin.
     weight: u32,
-    /// Distance of two inputs.
-    pitch: u32,
-    /// Columns that are taken.
     columns: u32,
     /// The block's first input.
     first: u32,
@@ -91,7 +88,7 @@ impl Source<Vec4> for InputWeights<'_> {
     #[inline(always)]
     fn element(self, k: u32) -> Vec4 {
         let input = least(self.first + k / self.columns, self.last);
-        self.parameters.read(self.weight + input * self.pitch + k % self.columns)
+        self.parameters.read(self.weight + input * self.columns + k % self.columns)
     }
 }
 
@@ -134,36 +131,28 @@ pub fn dense_backward<L: Lane>(
         let mut high = Column::<L>::splat(Vec4::ZERO);
         let mut at = sample;
         let mut c = 0;
+        weights.wait(id);
+        let source = InputWeights { parameters, weight, columns, first, last };
+        weights.fill(id, columns * INPUT_BLOCK, source);
+        weights.wait(id);
         while c < columns {
-            let end = weights.end(c, columns, INPUT_BLOCK);
-            let taken = end - c;
-            let weight = weight + c;
-            let source =
-                InputWeights { parameters, weight, pitch: columns, columns: taken, first, last };
-            weights.wait(id);
-            weights.fill(id, taken * INPUT_BLOCK, source);
-            weights.wait(id);
-            let mut k = 0;
-            while c < end {
-                let g = read_column::<L>(output_gradient, at, params.stride);
-                let rows = [
-                    weights.at(k, parameters, at0 + c),
-                    weights.at(k + taken, parameters, at1 + c),
-                    weights.at(k + 2 * taken, parameters, at2 + c),
-                    weights.at(k + 3 * taken, parameters, at3 + c),
-                ];
-                low = add_transposed(low, rows, g);
-                let rows = [
-                    weights.at(k + 4 * taken, parameters, at4 + c),
-                    weights.at(k + 5 * taken, parameters, at5 + c),
-                    weights.at(k + 6 * taken, parameters, at6 + c),
-                    weights.at(k + 7 * taken, parameters, at7 + c),
-                ];
-                high = add_transposed(high, rows, g);
-                at += 4 * params.stride;
-                k += 1;
-                c += 1;
-            }
+            let g = read_column::<L>(output_gradient, at, params.stride);
+            let rows = [
+                weights.at(c, parameters, at0 + c),
+                weights.at(c + columns, parameters, at1 + c),
+                weights.at(c + 2 * columns, parameters, at2 + c),
+                weights.at(c + 3 * columns, parameters, at3 + c),
+            ];
+            low = add_transposed(low, rows, g);
+            let rows = [
+                weights.at(c + 4 * columns, parameters, at4 + c),
+                weights.at(c + 5 * columns, parameters, at5 + c),
+                weights.at(c + 6 * columns, parameters, at6 + c),
+                weights.at(c + 7 * columns, parameters, at7 + c),
+            ];
+            high = add_transposed(high, rows, g);
+            at += 4 * params.stride;
+            c += 1;
         }
         if inside {
             write_gradient(params, input, input_gradient, low, first, sample);

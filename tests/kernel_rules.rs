@@ -5,9 +5,9 @@ use std::panic;
 use std::path::Path;
 
 use organza::kernels::{self, CodeSize};
-use organza_kernels::kernels as declared;
 use organza_kernels::limits::MAX_ITERATIONS;
 use organza_kernels::transmittance::{SegmentProductKernel, SegmentProductParams};
+use organza_kernels::{EntryPoint, KernelInfo, Variant, kernels as declared};
 use organza_tests::devices;
 use organza_tests::spirv::instructions;
 use wgpu::naga;
@@ -20,6 +20,9 @@ mod op {
     pub const TYPE_ARRAY: u32 = 28;
     pub const TYPE_POINTER: u32 = 32;
     pub const CONSTANT: u32 = 43;
+    pub const COPY: u32 = 83;
+    pub const BARRIER: u32 = 224;
+    pub const SUBGROUP_ADD: u32 = 349;
     pub const FUNCTION: u32 = 54;
     pub const VARIABLE: u32 = 59;
     pub const DECORATE: u32 = 71;
@@ -32,14 +35,17 @@ fn page(name: &str) -> String {
     fs::read_to_string(path).expect("a page of the docs")
 }
 
+/// Every entry point of every kernel.
+fn entry_points() -> impl Iterator<Item = (&'static KernelInfo, EntryPoint)> {
+    declared().flat_map(|kernel| kernel.entry_points().map(move |point| (kernel, point)))
+}
+
 fn naga_module(words: &[u32]) -> Result<naga::Module, String> {
     let options = naga::front::spv::Options::default();
     let parser = naga::front::spv::Frontend::new(words.iter().copied(), &options);
     let module = parser.parse().map_err(|error| error.to_string())?;
-    let mut validator = naga::valid::Validator::new(
-        naga::valid::ValidationFlags::all(),
-        naga::valid::Capabilities::default(),
-    );
+    let flags = naga::valid::ValidationFlags::all();
+    let mut validator = naga::valid::Validator::new(flags, naga::valid::Capabilities::SUBGROUP);
     match validator.validate(&module) {
         Ok(_) => Ok(module),
         Err(error) => Err(format!("{:?}", error.into_inner())),
@@ -48,9 +54,9 @@ fn naga_module(words: &[u32]) -> Result<naga::Module, String> {
 
 #[test]
 fn every_loop_is_bounded() {
-    for kernel in declared() {
-        let loops = CodeSize::of(&kernels::of(kernel).unwrap().spirv_words()).loops;
-        let name = kernel.name;
+    for (kernel, point) in entry_points() {
+        let loops = CodeSize::of(&kernels::of(kernel, &point).unwrap().spirv_words()).loops;
+        let name = point.name;
         match kernel.iterations {
             None => assert!(
                 loops == 0,
@@ -123,6 +129,51 @@ fn modules_keep_the_rules() {
     }
 }
 
+/// Subgroups and barriers are for who asks for them.
+#[test]
+fn plain_entry_points_need_nothing() {
+    const SUBGROUPS: [u32; 2] = [61, 63];
+    for (kernel, point) in entry_points() {
+        let words = kernels::of(kernel, &point).unwrap().spirv_words();
+        let needs = |i: &organza_tests::spirv::Instruction<'_>| {
+            is(i, op::CAPABILITY) && SUBGROUPS.contains(&i.operands[0])
+        };
+        let has_subgroups = point.variant == Some(Variant::Subgroups);
+        assert_eq!(instructions(&words).any(|i| needs(&i)), has_subgroups, "{}", point.name);
+        let barriers = instructions(&words).any(|i| is(&i, op::BARRIER));
+        assert_eq!(barriers, !point.shared.is_empty(), "{}", point.name);
+    }
+}
+
+#[test]
+fn naga_takes_every_entry_point() {
+    for (kernel, point) in entry_points() {
+        let words = kernels::of(kernel, &point).unwrap().spirv_words();
+        let module = naga_module(&words).unwrap_or_else(|error| panic!("{}: {error}", point.name));
+        assert_eq!(module.entry_points.len(), 1, "{}", point.name);
+    }
+}
+
+/// The trap: an operation of subgroups whose argument comes from another block, such as a loop before.
+#[test]
+fn naga_wants_arguments_from_the_same_block() {
+    let name = "scan_block_subgroups";
+    let words = kernels::find(name).unwrap().spirv_words().into_owned();
+    naga_module(&words).expect("a module as it is");
+    let all: Vec<_> = instructions(&words).collect();
+    let mut broken = words.clone();
+    for operation in all.iter().filter(|i| is(i, op::SUBGROUP_ADD)) {
+        let argument = operation.operands[4];
+        let copy = all.iter().find(|i| is(i, op::COPY) && i.operands[1] == argument);
+        broken[operation.at + 5] = copy.expect("xtask copies the argument").operands[2];
+    }
+    let hook = panic::take_hook();
+    panic::set_hook(Box::new(|_| {}));
+    let module = panic::catch_unwind(|| naga_module(&broken).is_ok());
+    panic::set_hook(hook);
+    assert!(module.is_err(), "naga takes it now: docs/kernels.md, xtask/src/subgroups.rs");
+}
+
 /// Exits through several levels of control flow are what naga's reader miscompiles.
 #[test]
 fn kernels_have_no_early_exits() {
@@ -193,10 +244,10 @@ fn naga_drops_no_contraction() {
             .filter(|i| i.opcode == op::DECORATE && i.operands[1] == NO_CONTRACTION)
             .count()
     };
-    for kernel in declared() {
-        let words = kernels::of(kernel).unwrap().spirv_words();
+    for (kernel, point) in entry_points() {
+        let words = kernels::of(kernel, &point).unwrap().spirv_words();
         let arithmetic = instructions(&words).any(|i| matches!(i.opcode, 129 | 131 | 133 | 136));
-        assert_eq!(decorated(&words) > 0, !kernel.fused && arithmetic, "{}", kernel.name);
+        assert_eq!(decorated(&words) > 0, !kernel.fused && arithmetic, "{}", point.name);
     }
     let words = kernels::find("project").unwrap().spirv_words();
     let module = naga_module(&words).unwrap();

@@ -24,22 +24,27 @@ fn kernels_are_compiled_from_these_sources() {
 #[test]
 fn every_kernel_is_compiled_as_it_is_declared() {
     for kernel in organza_kernels::kernels() {
-        let name = kernel.name;
-        let Some(entry) = kernels::manifest().find(name) else {
-            panic!("the kernel `{name}` is not compiled: {REMEDY}");
-        };
-        assert_eq!(
-            entry.interface,
-            Interface::of(kernel),
-            "the compiled kernel `{name}` (left) is not the declared one (right): {REMEDY}"
-        );
-        assert_eq!(entry.file, kernel.file.replace('\\', "/"), "`{name}` has moved: {REMEDY}");
+        for point in kernel.entry_points() {
+            let name = point.name;
+            let Some(entry) = kernels::manifest().find(name) else {
+                panic!("the kernel `{name}` is not compiled: {REMEDY}");
+            };
+            assert_eq!(
+                entry.interface,
+                Interface::of(kernel, &point),
+                "the compiled kernel `{name}` (left) is not the declared one (right): {REMEDY}"
+            );
+            assert_eq!(entry.file, kernel.file.replace('\\', "/"), "`{name}` has moved: {REMEDY}");
+        }
     }
 }
 
 #[test]
 fn nothing_else_is_compiled() {
-    let declared: BTreeSet<_> = organza_kernels::kernels().map(|kernel| kernel.name).collect();
+    let declared: BTreeSet<_> = organza_kernels::kernels()
+        .flat_map(|kernel| kernel.entry_points())
+        .map(|point| point.name)
+        .collect();
     assert!(!declared.is_empty(), "the registry of kernels is empty");
     for kernel in &kernels::manifest().kernels {
         assert!(

@@ -47,14 +47,15 @@ fn a_kernel_without_a_case_is_told_where_to_add_it() {
 fn every_device_is_within_tolerance_of_the_cpu() {
     let cpu = devices::cpu(None);
     let mut failures = Vec::new();
-    for (name, device) in devices::all().into_iter().chain(devices::cpus()) {
+    let variants = devices::variants().into_iter().map(|(name, [_, variants])| (name, variants));
+    for (name, device) in devices::all().into_iter().chain(devices::cpus()).chain(variants) {
         let rounding = match name.contains(SpirvPath::Naga.as_str()) {
             true => Rounding::Regrouped,
             false => Rounding::AsWritten,
         };
         for case in parity::cases().into_iter().filter(|case| case.is_offered(&device)) {
             let measure = case.measure(&cpu, &device, rounding).expect("the kernel runs");
-            let kernel = case.kernel;
+            let kernel = case.entry_point(&device);
             println!(
                 "{name} {kernel}: {:.1e} absolute, {:.1e} relative, {:.1} ulp, {:.1e} of what is allowed",
                 measure.absolute.value,

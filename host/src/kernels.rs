@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::sync::LazyLock;
 
-use organza_kernels::KernelInfo;
+use organza_kernels::{EntryPoint, KernelInfo};
 use organza_manifest::{Interface, KernelEntry, Manifest};
 
 use crate::error::{Error, Result};
@@ -110,15 +110,15 @@ pub fn find(name: &str) -> Result<EmbeddedKernel> {
     kernel.copied().ok_or_else(|| stale(format!("`{name}` is not among them")))
 }
 
-/// The compiled form of a kernel, which must expect of the host what the sources declare: a driver
+/// The compiled form of a kernel's entry point, which must expect of the host what the sources declare: a driver
 /// trusts the bindings it is given.
 ///
 /// # Errors
 /// [`Error::StaleKernels`] when the kernel was not compiled since its declaration changed.
-pub fn of(kernel: &KernelInfo) -> Result<EmbeddedKernel> {
-    let embedded = find(kernel.name)?;
-    if embedded.entry.interface != Interface::of(kernel) {
-        return Err(stale(format!("the declaration of `{}` has changed", kernel.name)));
+pub fn of(kernel: &KernelInfo, point: &EntryPoint) -> Result<EmbeddedKernel> {
+    let embedded = find(point.name)?;
+    if embedded.entry.interface != Interface::of(kernel, point) {
+        return Err(stale(format!("the declaration of `{}` has changed", point.name)));
     }
     Ok(embedded)
 }

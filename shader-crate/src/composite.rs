@@ -1,7 +1,7 @@
 //! B3. The weighted sum over a tile's members (Eq. 12), for all tiles of a batch at once: pixels along x and y, tiles
 //! along z.
 
-use glam::{Vec2, Vec3, Vec4};
+use glam::{UVec3, Vec2, Vec3, Vec4};
 
 use crate::limits::MAX_MEMBERS;
 use crate::math::abs;
@@ -51,11 +51,48 @@ pub fn pixel_center(tile: &Tile, column: u32, row: u32) -> Vec2 {
 /// Planes of a tile's sums: the channels of C, then S.
 pub const SUM_PLANES: u32 = 4;
 
+/// Members that a stage of [`composite`] holds.
+const STAGED: usize = 64;
+
+/// Their vectors.
+const STAGED_VECTORS: usize = STAGED * VECTORS as usize;
+
+/// The vectors of a stage's members.
+#[derive(Clone, Copy)]
+struct MemberSplats<'a> {
+    member: Read<'a, u32>,
+    splat: Read<'a, Vec4>,
+    /// The first one.
+    first: u32,
+}
+
+impl Source<Vec4> for MemberSplats<'_> {
+    #[inline(always)]
+    fn element(self, k: u32) -> Vec4 {
+        self.splat.read(self.member.read(self.first + k / VECTORS) * VECTORS + k % VECTORS)
+    }
+}
+
+/// The cells of a stage's members.
+#[derive(Clone, Copy)]
+struct MemberCells<'a> {
+    cells: Read<'a, u32>,
+    /// The first one.
+    first: u32,
+}
+
+impl Source<u32> for MemberCells<'_> {
+    #[inline(always)]
+    fn element(self, k: u32) -> u32 {
+        self.cells.read(self.first + k)
+    }
+}
+
 /// Adds up to [`MAX_MEMBERS`] members to `sum [tiles, 4, S, S]`, which holds (C, S) of Eq. 12.
 ///
 /// The members of tile t are `tile_first[t] .. tile_first[t + 1]`, in ascending order; `cells [members]` as
 /// [`tile_cells`](crate::tile_cells::tile_cells()) writes them.
-#[kernel(threads(16, 4), iterations = MAX_MEMBERS, lanes(side))]
+#[kernel(threads(16, 4), iterations = MAX_MEMBERS + MAX_MEMBERS / 8, lanes(side))]
 pub fn composite<L: Lane>(
     id: Invocation,
     params: &CompositeParams,
@@ -65,9 +102,13 @@ pub fn composite<L: Lane>(
     cells: Read<u32>,
     splat: Read<Vec4>,
     sum: Write<f32>,
+    near_cells: &mut impl Stage<u32, STAGED>,
+    near_splats: &mut impl Stage<Vec4, STAGED_VECTORS>,
 ) {
     let place = id.global();
-    if place.x < params.side && place.y < params.side {
+    let inside = place.x < params.side && place.y < params.side;
+    if near_cells.is_shared() || inside {
+        let place = if inside { place } else { UVec3::ZERO };
         let t = id.workgroup.z;
         let first = pixel_center(&Tile::read(tile, t), place.x, place.y);
         let last = first.x + (L::WIDTH - 1) as f32;
@@ -84,23 +125,36 @@ pub fn composite<L: Lane>(
         let cell = Cells::of(params.side).bit(place.x, place.y);
         let mut next = begin;
         while next < end {
-            if cells.read(next) & cell != 0 {
-                let first_vector = member.read(next) * VECTORS;
-                let (placed, conic) = (splat.read(first_vector), splat.read(first_vector + 1));
-                if touches(placed, conic, first.x, last, first.y) {
-                    let a = alpha(placed, conic, x, y);
-                    let c = splat.read(first_vector + 2);
-                    red = red + a * L::splat(c.x);
-                    green = green + a * L::splat(c.y);
-                    blue = blue + a * L::splat(c.z);
-                    weight = weight + a;
+            let pass_end = near_cells.end(next, end, 1);
+            near_cells.wait(id);
+            near_cells.fill(id, pass_end - next, MemberCells { cells, first: next });
+            let source = MemberSplats { member, splat, first: next };
+            near_splats.fill(id, (pass_end - next) * VECTORS, source);
+            near_cells.wait(id);
+            let mut k = 0;
+            while next < pass_end {
+                if near_cells.at(k, cells, next) & cell != 0 {
+                    let (near, far) = (k * VECTORS, member.read(next) * VECTORS);
+                    let placed = near_splats.at(near, splat, far);
+                    let conic = near_splats.at(near + 1, splat, far + 1);
+                    if touches(placed, conic, first.x, last, first.y) {
+                        let a = alpha(placed, conic, x, y);
+                        let c = near_splats.at(near + 2, splat, far + 2);
+                        red = red + a * L::splat(c.x);
+                        green = green + a * L::splat(c.y);
+                        blue = blue + a * L::splat(c.z);
+                        weight = weight + a;
+                    }
                 }
+                k += 1;
+                next += 1;
             }
-            next += 1;
         }
-        red.write(sum, at);
-        green.write(sum, at + area);
-        blue.write(sum, at + 2 * area);
-        weight.write(sum, at + 3 * area);
+        if inside {
+            red.write(sum, at);
+            green.write(sum, at + area);
+            blue.write(sum, at + 2 * area);
+            weight.write(sum, at + 3 * area);
+        }
     }
 }

@@ -68,6 +68,30 @@ fn read_column<L: Lane>(buffer: Read<f32>, first: u32, stride: u32) -> Column<L>
     }
 }
 
+/// Vectors of weights that a stage of [`dense_backward`] holds: those of a block of inputs to the widest layer's outputs.
+const STAGED: usize = (INPUT_BLOCK * MAX_HIDDEN_WIDTH / 4) as usize;
+
+/// The weights of a block's inputs, input by input; inputs past the last repeat it.
+#[derive(Clone, Copy)]
+struct InputWeights<'a> {
+    parameters: Read<'a, Vec4>,
+    /// Where the layer's weights begin.
+    weight: u32,
+    columns: u32,
+    /// The block's first input.
+    first: u32,
+    /// The layer's last one.
+    last: u32,
+}
+
+impl Source<Vec4> for InputWeights<'_> {
+    #[inline(always)]
+    fn element(self, k: u32) -> Vec4 {
+        let input = least(self.first + k / self.columns, self.last);
+        self.parameters.read(self.weight + input * self.columns + k % self.columns)
+    }
+}
+
 /// The smaller of two numbers.
 #[inline(always)]
 fn least(a: u32, b: u32) -> u32 {
@@ -78,7 +102,7 @@ fn least(a: u32, b: u32) -> u32 {
 /// eight inputs from `first_input` on along z.
 ///
 /// `input [inputs, stride]`, `output_gradient [4 columns, stride]`, `input_gradient [end_input, stride]`.
-#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH / 4, fused, stacks, lanes(samples))]
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, stacks, lanes(samples))]
 pub fn dense_backward<L: Lane>(
     id: Invocation,
     params: &DenseBackwardParams,
@@ -86,9 +110,11 @@ pub fn dense_backward<L: Lane>(
     input: Read<f32>,
     output_gradient: Read<f32>,
     input_gradient: Write<f32>,
+    weights: &mut impl Stage<Vec4, STAGED>,
 ) {
-    let sample = id.index();
-    if sample < params.samples {
+    let inside = id.index() < params.samples;
+    if weights.is_shared() || inside {
+        let sample = if inside { id.index() } else { 0 };
         let first = params.first_input + id.workgroup.z * INPUT_BLOCK;
         // inputs past the last repeat it, and are not written
         let last = params.inputs - 1;
@@ -105,27 +131,33 @@ pub fn dense_backward<L: Lane>(
         let mut high = Column::<L>::splat(Vec4::ZERO);
         let mut at = sample;
         let mut c = 0;
+        weights.wait(id);
+        let source = InputWeights { parameters, weight, columns, first, last };
+        weights.fill(id, columns * INPUT_BLOCK, source);
+        weights.wait(id);
         while c < columns {
             let g = read_column::<L>(output_gradient, at, params.stride);
             let rows = [
-                parameters.read(at0 + c),
-                parameters.read(at1 + c),
-                parameters.read(at2 + c),
-                parameters.read(at3 + c),
+                weights.at(c, parameters, at0 + c),
+                weights.at(c + columns, parameters, at1 + c),
+                weights.at(c + 2 * columns, parameters, at2 + c),
+                weights.at(c + 3 * columns, parameters, at3 + c),
             ];
             low = add_transposed(low, rows, g);
             let rows = [
-                parameters.read(at4 + c),
-                parameters.read(at5 + c),
-                parameters.read(at6 + c),
-                parameters.read(at7 + c),
+                weights.at(c + 4 * columns, parameters, at4 + c),
+                weights.at(c + 5 * columns, parameters, at5 + c),
+                weights.at(c + 6 * columns, parameters, at6 + c),
+                weights.at(c + 7 * columns, parameters, at7 + c),
             ];
             high = add_transposed(high, rows, g);
             at += 4 * params.stride;
             c += 1;
         }
-        write_gradient(params, input, input_gradient, low, first, sample);
-        write_gradient(params, input, input_gradient, high, first + 4, sample);
+        if inside {
+            write_gradient(params, input, input_gradient, low, first, sample);
+            write_gradient(params, input, input_gradient, high, first + 4, sample);
+        }
     }
 }
 

@@ -69,6 +69,7 @@ pub fn hash_grid_peak(
     pair_gradient: Read<Vec4>,
     transmittance: Read<f32>,
     bound: Write<u32>,
+    group: impl Group,
 ) {
     let pair = id.index();
     if pair < params.pairs {
@@ -78,7 +79,7 @@ pub fn hash_grid_peak(
         } else {
             size_bits(pair_gradient.read(3 * pair).w * transmittance.read(pair))
         };
-        atomic::raise(bound, 0, bits);
+        group.raise(bound, 0, bits);
     }
 }
 
@@ -103,6 +104,7 @@ pub fn hash_grid_norm(
     params: &HashGridNormParams,
     parameters: Read<Vec4>,
     bound: Write<u32>,
+    group: impl Group,
 ) {
     let input = id.index();
     if input < params.inputs {
@@ -114,7 +116,7 @@ pub fn hash_grid_norm(
             sum += abs(w.x) + abs(w.y) + abs(w.z) + abs(w.w);
             column += 1;
         }
-        atomic::raise(bound, params.slot, size_bits(sum));
+        group.raise(bound, params.slot, size_bits(sum));
     }
 }
 

@@ -53,6 +53,12 @@ impl Invocation {
         self.workgroup_index() * self.size.x + self.local.x
     }
 
+    /// Number of the invocation in its workgroup.
+    #[inline(always)]
+    pub fn local_index(&self) -> u32 {
+        self.local.x + self.size.x * (self.local.y + self.size.y * self.local.z)
+    }
+
     /// Waits for the whole workgroup; what it wrote to workgroup memory is visible afterwards.
     #[inline(always)]
     #[cfg_attr(not(target_arch = "spirv"), track_caller)]

@@ -59,9 +59,53 @@ pub struct SharedInfo {
     pub bytes: u32,
 }
 
+/// The most bytes of workgroup memory that a kernel has: what every implementation of WebGPU offers.
+pub const MAX_WORKGROUP_BYTES: u32 = 16_384;
+
+/// Bytes of all arrays in workgroup memory.
+pub const fn workgroup_bytes(shared: &[SharedInfo]) -> u32 {
+    let (mut bytes, mut i) = (0, 0);
+    while i < shared.len() {
+        bytes += shared[i].bytes;
+        i += 1;
+    }
+    bytes
+}
+
+/// What a kernel's second entry point has, of which the plain one and the CPU have nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Variant {
+    /// [Stages](crate::stage) in workgroup memory.
+    Staged,
+    /// [Subgroups](crate::group).
+    Subgroups,
+}
+
+/// A kernel's second entry point: the same body and bindings.
+#[derive(Clone, Copy, Debug)]
+pub struct VariantInfo {
+    /// Name of the SPIR-V entry point.
+    pub name: &'static str,
+    /// What it has.
+    pub needs: Variant,
+    /// Workgroup memory, the kernel's own and that of stages.
+    pub shared: &'static [SharedInfo],
+}
+
+/// One of a kernel's SPIR-V entry points.
+#[derive(Clone, Copy, Debug)]
+pub struct EntryPoint {
+    /// Its name, and that of its module.
+    pub name: &'static str,
+    /// What it has beside the plain one; none for that.
+    pub variant: Option<Variant>,
+    /// Workgroup memory.
+    pub shared: &'static [SharedInfo],
+}
+
 /// Everything about a kernel that its declaration says.
 pub struct KernelInfo {
-    /// Name of the function and of the SPIR-V entry point.
+    /// Name of the function and of the plain SPIR-V entry point.
     pub name: &'static str,
     /// The source file.
     pub file: &'static str,
@@ -79,8 +123,27 @@ pub struct KernelInfo {
     pub bindings: &'static [BindingInfo],
     /// Workgroup memory.
     pub shared: &'static [SharedInfo],
+    /// The second entry point of kernels that have one.
+    pub variant: Option<VariantInfo>,
     /// The CPU execution.
     pub run: CpuRun,
+}
+
+impl KernelInfo {
+    /// The plain entry point.
+    pub const fn plain(&self) -> EntryPoint {
+        EntryPoint { name: self.name, variant: None, shared: self.shared }
+    }
+
+    /// All entry points, the plain one first.
+    pub fn entry_points(&self) -> impl Iterator<Item = EntryPoint> {
+        let variant = self.variant.map(|VariantInfo { name, needs, shared }| EntryPoint {
+            name,
+            variant: Some(needs),
+            shared,
+        });
+        core::iter::once(self.plain()).chain(variant)
+    }
 }
 
 /// How the CPU runs a kernel.

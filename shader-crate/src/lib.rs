@@ -19,6 +19,7 @@ pub mod dense;
 pub mod dense_backward;
 pub mod dense_half;
 pub mod fixed;
+pub mod group;
 pub mod half;
 pub mod hash_grid;
 pub mod hash_grid_backward;
@@ -45,6 +46,7 @@ pub mod segment;
 pub mod spherical_harmonics;
 pub mod splat;
 pub mod ssim;
+pub mod stage;
 pub mod tile;
 pub mod tile_cells;
 pub mod transmittance;
@@ -56,4 +58,6 @@ mod wide;
 mod wide_math;
 
 #[cfg(not(target_arch = "spirv"))]
-pub use kernel::{Access, BindingInfo, KernelInfo, SharedInfo, kernels};
+pub use kernel::{
+    Access, BindingInfo, EntryPoint, KernelInfo, SharedInfo, Variant, VariantInfo, kernels,
+};

@@ -1,9 +1,7 @@
 //! Exclusive prefix sums.
 
+use crate::group::THREADS;
 use crate::prelude::*;
-
-/// Invocations of a workgroup of [`scan_block`].
-const THREADS: u32 = 64;
 
 /// Values that one invocation sums on its own.
 const VALUES: u32 = 16;
@@ -21,7 +19,7 @@ pub struct ScanParams {
 
 /// Scans blocks of [`BLOCK`] values: `prefix [count + 1]` is exclusive and starts at 0 in each block, `block_sum` has
 /// the sum of each block.  The value at `count` is taken as 0, so that the last prefix becomes the total.
-#[kernel(threads(64), iterations = 2 * VALUES + THREADS.ilog2())]
+#[kernel(threads(64), iterations = 2 * VALUES + 2 * THREADS)]
 pub fn scan_block(
     id: Invocation,
     params: &ScanParams,
@@ -29,9 +27,11 @@ pub fn scan_block(
     prefix: Write<u32>,
     block_sum: Write<u32>,
     sums: Shared<u32, 64>,
+    group: impl Group,
 ) {
-    let thread = id.local.x;
-    let first = id.index() * VALUES;
+    let thread = group.number(id, sums);
+    let block = id.workgroup_index();
+    let first = (block * THREADS + thread) * VALUES;
     let mut sum = 0;
     let mut i = 0;
     while i < VALUES {
@@ -40,21 +40,8 @@ pub fn scan_block(
         }
         i += 1;
     }
-    sums.write(thread, sum);
-    id.barrier();
-    // Hillis and Steele
-    let mut step = 1;
-    while step < THREADS {
-        let mut inclusive = sums.read(thread);
-        if thread >= step {
-            inclusive += sums.read(thread - step);
-        }
-        id.barrier();
-        sums.write(thread, inclusive);
-        id.barrier();
-        step *= 2;
-    }
-    let mut next = sums.read(thread) - sum;
+    let inclusive = group.inclusive_sum(id, thread, sum, sums);
+    let mut next = inclusive - sum;
     let mut i = 0;
     while i < VALUES {
         if first + i <= params.count {
@@ -66,9 +53,8 @@ pub fn scan_block(
         i += 1;
     }
     // a dispatch along two axes may end with workgroups that have no block
-    let block = id.workgroup_index();
     if thread == THREADS - 1 && block * BLOCK <= params.count {
-        block_sum.write(block, sums.read(thread));
+        block_sum.write(block, inclusive);
     }
 }
 

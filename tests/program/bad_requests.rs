@@ -38,6 +38,7 @@ fn options_that_contradict_each_other() {
     let tiles = "tiles scene.safetensors cameras.json tiles.json -o out";
     for (words, fact) in [
         ("--backend cpu --adapter Arc", "`--backend` is cpu"),
+        ("--backend cpu --variants best", "`--backend` is cpu"),
         ("--backend cpu --spirv naga", "`--backend` is cpu"),
         ("--backend gpu --threads 2", "`--backend` is gpu"),
         ("--adapter nobody-has-this", "no usable GPU"),

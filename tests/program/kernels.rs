@@ -12,9 +12,11 @@ fn every_kernel_is_listed() {
     let listed: Value =
         serde_json::from_str(&sandbox.run("kernels --json").assert_ok().stdout).unwrap();
     let listed = listed.as_array().unwrap();
-    assert_eq!(listed.len(), organza_kernels::kernels().count());
-    for kernel in organza_kernels::kernels() {
-        let name = kernel.name;
+    let points = organza_kernels::kernels().flat_map(|kernel| kernel.entry_points());
+    assert_eq!(listed.len(), points.count());
+    let all = organza_kernels::kernels();
+    let all = all.flat_map(|kernel| kernel.entry_points().map(move |point| (kernel, point.name)));
+    for (kernel, name) in all {
         assert!(text.lines().any(|line| line.starts_with(&format!("{name} "))), "{name}: {text}");
         let found = listed.iter().find(|listed| listed["name"] == name).unwrap();
         assert_eq!(found["workgroup_size"], serde_json::json!(kernel.workgroup_size), "{name}");
@@ -34,4 +36,7 @@ fn every_kernel_is_listed() {
     }
     let scan = listed.iter().find(|listed| listed["name"] == "scan_block").unwrap();
     assert_eq!(scan["shared_bytes"], 256);
+    let dense = |name| listed.iter().find(|listed| listed["name"] == name).unwrap();
+    assert_eq!(dense("dense")["shared_bytes"], 0);
+    assert_eq!(dense("dense_staged")["shared_bytes"], 4096);
 }

@@ -2,6 +2,10 @@
 
 use organza::{Device, DeviceOptions, Error, InstructionSet, SpirvPath};
 
+/// How SPIR-V reaches a GPU, by name.
+const GPUS: [(&str, SpirvPath); 2] =
+    [("gpu passthrough", SpirvPath::Passthrough), ("gpu naga", SpirvPath::Naga)];
+
 /// Every way to run a kernel: `cpu`, and `gpu` passed through and through naga where there is one.
 ///
 /// Without a GPU the tests run on the CPU alone, and say so; `ORGANZA_REQUIRE_GPU=1` makes that a failure.
@@ -11,8 +15,7 @@ use organza::{Device, DeviceOptions, Error, InstructionSet, SpirvPath};
 #[must_use]
 pub fn all() -> Vec<(&'static str, Device)> {
     let mut devices = vec![("cpu", cpu(None))];
-    for (name, path) in [("gpu passthrough", SpirvPath::Passthrough), ("gpu naga", SpirvPath::Naga)]
-    {
+    for (name, path) in GPUS {
         match Device::open(&DeviceOptions::gpu(path)) {
             Ok(device) => devices.push((name, device)),
             Err(Error::NoGpu { reason }) => {
@@ -25,6 +28,26 @@ pub fn all() -> Vec<(&'static str, Device)> {
         }
     }
     devices
+}
+
+/// The same GPU with plain kernels and with the variants that it can take, passed through and through naga where there is one.
+///
+/// # Panics
+/// As [`all`].
+#[must_use]
+pub fn variants() -> Vec<(&'static str, [Device; 2])> {
+    let open = |path, variants| {
+        let options = DeviceOptions { variants: Some(variants), ..DeviceOptions::gpu(path) };
+        Device::open(&options).expect("it was there a moment ago")
+    };
+    let pair = |path| [open(path, false), open(path, true)];
+    let gpus = all().into_iter().filter_map(|(name, _)| Some((name, pair(path_of(name)?))));
+    gpus.collect()
+}
+
+/// How SPIR-V reaches a device of [`all`].
+fn path_of(name: &str) -> Option<SpirvPath> {
+    GPUS.into_iter().find(|gpu| gpu.0 == name).map(|gpu| gpu.1)
 }
 
 /// The CPU with a number of threads.

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
-use organza_kernels::KernelInfo;
+use organza_kernels::{EntryPoint, KernelInfo};
 use organza_manifest as manifest;
 use organza_manifest::{Interface, KernelEntry, Manifest};
 use spirv_builder::{Capability, ModuleResult, SpirvBuilder, SpirvMetadata};
@@ -26,15 +26,17 @@ pub fn compile(workspace: &Workspace, compiler: &Compiler) -> Result<Artifacts> 
     let mut modules = build(&workspace.shader_crate, workspace, compiler)?;
     let mut entries = Vec::new();
     let mut files = BTreeMap::new();
-    for kernel in organza_kernels::kernels() {
-        let name = kernel.name;
+    let kernels = organza_kernels::kernels();
+    let all = kernels.flat_map(|kernel| kernel.entry_points().map(move |entry| (kernel, entry)));
+    for (kernel, point) in all {
+        let name = point.name;
         let Some(spirv) = modules.remove(name) else {
             bail!("{}: the kernel `{name}` has no entry point in the SPIR-V", kernel.file);
         };
         let context = || format!("{}: kernel `{name}`", kernel.file);
         let spirv = lower(&spirv, kernel.fused).with_context(context)?;
-        module::check(kernel, &spirv).with_context(context)?;
-        let entry = entry(kernel, &spirv)?;
+        module::check(kernel, &point, &spirv).with_context(context)?;
+        let entry = entry(kernel, &point, &spirv)?;
         files.insert(entry.spirv.clone(), spirv);
         entries.push(entry);
     }
@@ -65,6 +67,9 @@ pub fn build(
         .capability(Capability::Float16)
         .capability(Capability::StorageBuffer16BitAccess)
         .spirv_metadata(SpirvMetadata::None)
+        // of all modules at first: `lower` takes them from those that need none
+        .capability(Capability::GroupNonUniform)
+        .capability(Capability::GroupNonUniformArithmetic)
         .target_dir_path(workspace.target.join("spirv"));
     compiler.configure(&mut builder);
     let result = builder.build().context("the kernels do not compile")?;
@@ -75,18 +80,18 @@ pub fn build(
     paths.into_iter().map(read).collect()
 }
 
-fn entry(kernel: &KernelInfo, spirv: &[u8]) -> Result<KernelEntry> {
+fn entry(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> Result<KernelEntry> {
     let file = kernel.file.replace('\\', "/");
     // Modules and manifest are to be the same wherever the workspace lies.
     if !file.starts_with("shader-crate/") {
         bail!("the kernel `{}` was compiled from outside the workspace: {file}", kernel.name);
     }
     Ok(KernelEntry {
-        name: kernel.name.to_owned(),
+        name: point.name.to_owned(),
         file,
-        spirv: format!("{}.spv", kernel.name),
+        spirv: format!("{}.spv", point.name),
         spirv_bytes: spirv.len() as u64,
         spirv_sha256: manifest::sha256(spirv),
-        interface: Interface::of(kernel),
+        interface: Interface::of(kernel, point),
     })
 }

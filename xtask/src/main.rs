@@ -10,6 +10,7 @@ mod guide;
 mod lower;
 mod memory_model;
 mod module;
+mod subgroups;
 mod validate;
 mod watch;
 

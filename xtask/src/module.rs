@@ -3,17 +3,17 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use anyhow::{Context, Result, anyhow, bail, ensure};
-use organza_kernels::KernelInfo;
+use organza_kernels::{EntryPoint, KernelInfo};
 use rspirv::dr::{self, Instruction, Module, Operand};
 use rspirv::spirv::{Decoration, ExecutionMode, ExecutionModel, Op, StorageClass, Word};
 
-/// Checks that a module holds the kernel's one entry point, with its workgroup size, and no
+/// Checks that a module holds that entry point of the kernel alone, with its workgroup size, and no
 /// buffers besides the kernel's bindings.
-pub fn check(kernel: &KernelInfo, spirv: &[u8]) -> Result<()> {
+pub fn check(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> Result<()> {
     ensure!(spirv.len().is_multiple_of(4), "the module is no sequence of words");
     let module = dr::load_bytes(spirv).map_err(|error| anyhow!("the module is broken: {error}"))?;
     let (id, name) = entry_point(&module)?;
-    ensure!(name == kernel.name, "the module's entry point is `{name}`");
+    ensure!(name == point.name, "the module's entry point is `{name}`");
     let size = local_size(&module, id)?;
     ensure!(
         size == kernel.workgroup_size,

@@ -74,7 +74,7 @@ pub struct Compiler {
 /// One compiled kernel.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct KernelEntry {
-    /// The kernel's name, which is also its SPIR-V entry point.
+    /// The name of the SPIR-V entry point: the kernel's, or that of its variant.
     pub name: String,
     /// The Rust source that declares it, relative to the workspace.
     pub file: String,
@@ -174,8 +174,8 @@ impl Manifest {
 
 #[cfg(feature = "kernels")]
 impl Interface {
-    /// The interface that a kernel declares in the sources.
-    pub fn of(kernel: &organza_kernels::KernelInfo) -> Self {
+    /// The interface that a kernel declares in the sources, by one of its entry points.
+    pub fn of(kernel: &organza_kernels::KernelInfo, point: &organza_kernels::EntryPoint) -> Self {
         let binding = |binding: &organza_kernels::BindingInfo| Binding {
             name: binding.name.to_owned(),
             access: binding.access.as_str().to_owned(),
@@ -191,7 +191,7 @@ impl Interface {
         Self {
             workgroup_size: kernel.workgroup_size,
             bindings: kernel.bindings.iter().map(binding).collect(),
-            shared: kernel.shared.iter().map(shared).collect(),
+            shared: point.shared.iter().map(shared).collect(),
         }
     }
 }

@@ -19,7 +19,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use organza_kernels::kernel::{Access, BindingInfo, Dispatch, KernelInfo};
+use organza_kernels::kernel::{Access, BindingInfo, Dispatch, EntryPoint, KernelInfo};
 
 pub(crate) use buffer::TAIL_ALIGNMENT;
 pub use buffer::{Buffer, Host};
@@ -88,6 +88,15 @@ impl Device {
         match &self.kind {
             Kind::Cpu(_) => true,
             Kind::Gpu(gpu) => gpu.is_software(),
+        }
+    }
+
+    /// Which of a kernel's entry points it runs: on the CPU, the plain one stands for the function.
+    #[must_use]
+    pub fn entry_point(&self, kernel: &KernelInfo) -> EntryPoint {
+        match &self.kind {
+            Kind::Cpu(_) => kernel.plain(),
+            Kind::Gpu(gpu) => gpu.entry_point(kernel),
         }
     }
 

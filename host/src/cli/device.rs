@@ -48,6 +48,11 @@ pub struct DeviceArgs {
     #[arg(long, value_name = "NAME", help_heading = "Device")]
     adapter: Option<String>,
 
+    /// Which kernels a GPU runs: `plain` ones, or the `best` it can take, with workgroup memory and subgroups
+    /// [default: best, plain on a software device]
+    #[arg(long, value_enum, help_heading = "Device")]
+    variants: Option<Variants>,
+
     /// Threads of the CPU backend [default: one for each core]
     #[arg(long, value_name = "N", help_heading = "Device")]
     #[arg(value_parser = clap::value_parser!(u16).range(1..=1024))]
@@ -78,6 +83,12 @@ enum Spirv {
     Naga,
 }
 
+#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
+enum Variants {
+    Plain,
+    Best,
+}
+
 impl DeviceArgs {
     pub fn console(&self) -> Console {
         Console::new(self.quiet)
@@ -106,6 +117,7 @@ impl DeviceArgs {
             ..DeviceOptions {
                 backend: BackendChoice::Gpu,
                 spirv: options.spirv,
+                variants: options.variants,
                 ..Default::default()
             }
         };
@@ -114,10 +126,13 @@ impl DeviceArgs {
 
     /// What the options ask for.
     pub fn options(&self) -> Result<DeviceOptions> {
-        let asks_for_gpu = self.adapter.is_some() || self.spirv.is_some();
+        let asks_for_gpu =
+            self.adapter.is_some() || self.spirv.is_some() || self.variants.is_some();
         let backend = match self.backend {
             Backend::Cpu if asks_for_gpu => {
-                return refuse("`--adapter` and `--spirv` are about GPUs, but `--backend` is cpu");
+                return refuse(
+                    "`--adapter`, `--spirv` and `--variants` are about GPUs, but `--backend` is cpu",
+                );
             }
             Backend::Gpu if self.threads.is_some() => {
                 return refuse("`--threads` is about the CPU, but `--backend` is gpu");
@@ -138,7 +153,15 @@ impl DeviceArgs {
         let adapter = self.adapter.clone();
         let named = |set: &InstructionSet| Some(set.as_str()) == self.instruction_set.as_deref();
         let instruction_set = InstructionSet::ALL.into_iter().find(named);
-        let check_races = false;
-        Ok(DeviceOptions { backend, spirv, threads, adapter, check_races, instruction_set })
+        let variants = self.variants.map(|variants| variants == Variants::Best);
+        Ok(DeviceOptions {
+            backend,
+            spirv,
+            threads,
+            adapter,
+            check_races: false,
+            instruction_set,
+            variants,
+        })
     }
 }

@@ -2,8 +2,9 @@
 
 use organza::Result;
 use organza::kernels::{self, CodeSize};
-use organza_kernels::KernelInfo;
+use organza_kernels::kernel::workgroup_bytes;
 use organza_kernels::limits::MAX_ITERATIONS;
+use organza_kernels::{EntryPoint, KernelInfo};
 use serde::Serialize;
 
 use super::console::{print, print_json};
@@ -45,7 +46,10 @@ struct Binding {
 pub fn run(args: &Args) -> Result<()> {
     let mut declared: Vec<_> = organza_kernels::kernels().collect();
     declared.sort_by_key(|kernel| kernel.name);
-    let listed = declared.into_iter().map(Listed::of).collect::<Result<Vec<_>>>()?;
+    let all =
+        declared.iter().flat_map(|kernel| kernel.entry_points().map(|point| (*kernel, point)));
+    let listed =
+        all.map(|(kernel, point)| Listed::of(kernel, point)).collect::<Result<Vec<_>>>()?;
     if args.json {
         return print_json(&listed);
     }
@@ -53,8 +57,8 @@ pub fn run(args: &Args) -> Result<()> {
 }
 
 impl Listed {
-    fn of(kernel: &'static KernelInfo) -> Result<Self> {
-        let compiled = kernels::of(kernel)?;
+    fn of(kernel: &'static KernelInfo, point: EntryPoint) -> Result<Self> {
+        let compiled = kernels::of(kernel, &point)?;
         let bindings = kernel.bindings.iter().enumerate().map(|(binding, info)| Binding {
             binding,
             name: info.name,
@@ -63,11 +67,11 @@ impl Listed {
             element_bytes: info.element_bytes,
         });
         Ok(Self {
-            name: kernel.name,
+            name: point.name,
             file: kernel.file,
             workgroup_size: kernel.workgroup_size,
             fused: kernel.fused,
-            shared_bytes: kernel.shared.iter().map(|shared| shared.bytes).sum(),
+            shared_bytes: workgroup_bytes(point.shared),
             spirv_bytes: compiled.spirv().len(),
             code: CodeSize::of(&compiled.spirv_words()),
             worst_case_iterations: kernel.iterations.unwrap_or(0),

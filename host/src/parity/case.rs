@@ -7,7 +7,7 @@ use crate::error::Result;
 
 /// One kernel's inputs, of which there are many sets.
 pub trait Parity: Sized + 'static {
-    /// The entry point.
+    /// The kernel.
     const KERNEL: &'static str;
     /// How far an output may be off, in units of [`Parity::bound`]'s scale; 0 where all are integers.
     const TOLERANCE: f64;
@@ -44,7 +44,7 @@ pub enum Rounding {
 /// A kernel's case, whatever its inputs' type.
 #[derive(Clone, Copy, Debug)]
 pub struct Case {
-    /// The entry point.
+    /// The kernel.
     pub kernel: &'static str,
     /// See [`Parity::TOLERANCE`].
     pub tolerance: f64,
@@ -73,6 +73,13 @@ impl Case {
         !self.needs_halves || device.computes_halves()
     }
 
+    /// The name of the entry point that a device runs.
+    #[must_use]
+    pub fn entry_point(&self, device: &Device) -> &'static str {
+        let kernel = organza_kernels::kernels().find(|kernel| kernel.name == self.kernel);
+        kernel.map_or(self.kernel, |kernel| device.entry_point(kernel).name)
+    }
+
     /// Runs all sets on both devices.
     ///
     /// # Errors
@@ -97,7 +104,7 @@ fn measure<P: Parity>(cpu: &Device, device: &Device, rounding: Rounding) -> Resu
     Ok(measure)
 }
 
-/// The entry points that have no case, and the cases that have no entry point.
+/// The kernels that have no case, and the cases that have no kernel.
 #[must_use]
 pub fn missing(cases: &[Case]) -> Vec<String> {
     let declared = || organza_kernels::kernels();

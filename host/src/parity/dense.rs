@@ -104,7 +104,7 @@ impl Parity for Dense {
     fn sets() -> Vec<(String, Self)> {
         let mut sets =
             inputs::sets(|n, fill, random| Self { layer: Layer::new(n, 19, 8, fill, random) });
-        for (inputs, columns) in [(1, 4), (64, 4), (3, 16)] {
+        for (inputs, columns) in [(1, 4), (64, 4), (150, 8), (3, 16)] {
             let layer = Layer::new(65, inputs, columns, Fill::Random, &mut Random::new(7));
             sets.push((format!("random, {inputs} inputs, {columns} columns"), Self { layer }));
         }

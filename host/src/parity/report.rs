@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::case::Rounding;
+use super::case::{Case, Rounding};
 use super::cases;
 use super::measure::Measure;
 use crate::backend::{AdapterInfo, Device, DeviceOptions, SpirvPath};
@@ -19,14 +19,14 @@ pub struct Report {
     pub path: &'static str,
     /// Kernels that the device does not offer what they need.
     pub left_out: Vec<&'static str>,
-    /// A row for each of the others.
+    /// A row for each entry point of the others that the device can run.
     pub kernels: Vec<Row>,
 }
 
 /// What a kernel's case has found.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
-    /// The entry point.
+    /// The entry point that ran: the kernel's name, or that of its variant.
     pub kernel: &'static str,
     /// The tolerance, in units of each output's scale; 0 where all outputs are integers.
     pub tolerance: f64,
@@ -50,13 +50,17 @@ impl Report {
         path: SpirvPath,
         done: impl FnMut(&'static str),
     ) -> Result<Self> {
-        let name = Some(adapter.name.clone());
-        let device = Device::open(&DeviceOptions { adapter: name, ..DeviceOptions::gpu(path) })?;
+        let open = |variants| {
+            let adapter = Some(adapter.name.clone());
+            let variants = Some(variants);
+            Device::open(&DeviceOptions { adapter, variants, ..DeviceOptions::gpu(path) })
+        };
+        let (plain, variants) = (open(false)?, open(true)?);
         let rounding = match path {
             SpirvPath::Passthrough => Rounding::AsWritten,
             SpirvPath::Naga => Rounding::Regrouped,
         };
-        let (kernels, left_out) = rows(cpu, &device, rounding, done)?;
+        let (kernels, left_out) = rows(cpu, &[&plain, &variants], rounding, done)?;
         let (adapter, driver) = (adapter.name.clone(), adapter.driver.clone());
         Ok(Self { adapter, driver, path: path.as_str(), left_out, kernels })
     }
@@ -67,7 +71,7 @@ impl Report {
     /// What a device runs into.
     pub fn of_cpu(cpu: &Device, done: impl FnMut(&'static str)) -> Result<Self> {
         let one = Device::open(&DeviceOptions::cpu(Some(1)))?;
-        let (kernels, left_out) = rows(cpu, &one, Rounding::AsWritten, done)?;
+        let (kernels, left_out) = rows(cpu, &[&one], Rounding::AsWritten, done)?;
         let (adapter, driver) = ("cpu".into(), std::env::consts::ARCH.into());
         Ok(Self { adapter, driver, path: "one thread", left_out, kernels })
     }
@@ -79,20 +83,29 @@ impl Report {
     }
 }
 
+/// The cases on each of the devices that runs another entry point than those before it.
 fn rows(
     cpu: &Device,
-    device: &Device,
+    devices: &[&Device],
     rounding: Rounding,
     mut done: impl FnMut(&'static str),
 ) -> Result<(Vec<Row>, Vec<&'static str>)> {
-    let (offered, left_out): (Vec<_>, Vec<_>) =
-        cases().into_iter().partition(|case| case.is_offered(device));
-    let row = |case: super::Case| {
-        let measure = case.measure(cpu, device, rounding)?;
+    let mut rows: Vec<Row> = Vec::new();
+    let mut left_out = Vec::new();
+    for case in cases() {
+        let Case { tolerance, why, .. } = case;
+        let first = rows.len();
+        for device in devices.iter().filter(|device| case.is_offered(device)) {
+            let kernel = case.entry_point(device);
+            if rows[first..].iter().all(|row| row.kernel != kernel) {
+                let measure = case.measure(cpu, device, rounding)?;
+                rows.push(Row { kernel, tolerance, why, ok: measure.is_ok(), measure });
+            }
+        }
+        if rows.len() == first {
+            left_out.push(case.kernel);
+        }
         done(case.kernel);
-        let (kernel, tolerance, why) = (case.kernel, case.tolerance, case.why);
-        Ok(Row { kernel, tolerance, why, ok: measure.is_ok(), measure })
-    };
-    let rows = offered.into_iter().map(row).collect::<Result<_>>()?;
-    Ok((rows, left_out.into_iter().map(|case| case.kernel).collect()))
+    }
+    Ok((rows, left_out))
 }

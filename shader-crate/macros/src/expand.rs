@@ -4,11 +4,13 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use syn::parse_quote;
 
-use crate::parse::{Kernel, Lanes, Role};
+use crate::cpu::cpu_run;
+use crate::parse::{Kernel, Parameter, Role, Variant};
 
 pub fn expand(kernel: &Kernel) -> TokenStream {
     let function = function(kernel);
-    let entry = entry_point(kernel);
+    let entries = std::iter::once(None).chain(kernel.variant().map(Some));
+    let entries = entries.map(|variant| entry_point(kernel, variant));
     let info = info(kernel);
     let dispatch = dispatch(kernel);
     let iterations = kernel.iterations.iter();
@@ -18,7 +20,7 @@ pub fn expand(kernel: &Kernel) -> TokenStream {
         #function
         // names what the declaration names, on the GPU too
         #(const _: u32 = #iterations;)*
-        #entry
+        #(#entries)*
         #info
         #dispatch
     }
@@ -28,7 +30,7 @@ pub fn expand(kernel: &Kernel) -> TokenStream {
 fn function(kernel: &Kernel) -> syn::ItemFn {
     let mut function = kernel.function.clone();
     let (name, id) = (function.sig.ident.to_string(), &kernel.id);
-    let buffers = kernel.parameters.iter().filter(|p| !matches!(p.role, Role::Uniform));
+    let buffers = kernel.parameters.iter().filter(|parameter| parameter.role.is_named());
     let named = buffers.map(|parameter| {
         let (name, text) = (&parameter.name, parameter.name.to_string());
         parse_quote! { #[cfg(not(target_arch = "spirv"))] let #name = #name.named(#text); }
@@ -59,27 +61,48 @@ fn info_name(kernel: &Kernel) -> syn::Ident {
     format_ident!("{}_KERNEL", kernel.function.sig.ident.to_string().to_uppercase())
 }
 
-/// The SPIR-V entry point: the built-ins and bindings as Rust-GPU wants them, then the function.
-fn entry_point(kernel: &Kernel) -> TokenStream {
+/// An entry point's name.
+fn entry_name(kernel: &Kernel, variant: Option<Variant>) -> String {
     let name = &kernel.function.sig.ident;
-    let entry = format_ident!("{name}_entry_point");
-    let entry_point_name = name.to_string();
+    variant.map_or(name.to_string(), |variant| format!("{name}_{}", variant.suffix()))
+}
+
+/// A SPIR-V entry point: the built-ins and bindings as Rust-GPU wants them, then the function.
+fn entry_point(kernel: &Kernel, variant: Option<Variant>) -> TokenStream {
+    let name = &kernel.function.sig.ident;
+    let entry_point_name = entry_name(kernel, variant);
+    let entry = format_ident!("{entry_point_name}_entry_point");
     let [x, y, z] = kernel.threads.map(Literal::u32_unsuffixed);
     let mut binding = 0;
-    let parameters = kernel.parameters.iter().map(|parameter| {
+    let parameters = kernel.parameters.iter().filter_map(|parameter| {
         let (name, element) = (&parameter.name, &parameter.element);
         let number = Literal::u32_unsuffixed(binding);
-        binding += u32::from(!matches!(parameter.role, Role::Shared(_)));
-        match &parameter.role {
+        binding += u32::from(parameter.role.is_binding());
+        Some(match &parameter.role {
             Role::Uniform => quote! { #[spirv(uniform, descriptor_set = 0, binding = #number)] #name: &#element },
             Role::Read => quote! { #[spirv(storage_buffer, descriptor_set = 0, binding = #number)] #name: &[#element] },
             Role::Write => {
                 quote! { #[spirv(storage_buffer, descriptor_set = 0, binding = #number)] #name: &mut [#element] }
             }
             Role::Shared(len) => quote! { #[spirv(workgroup)] #name: &mut [#element; #len] },
+            Role::Stage(len) => {
+                variant?;
+                quote! { #[spirv(workgroup)] #name: &mut [#element; #len] }
+            }
+            Role::Group => {
+                variant?;
+                quote! { #[spirv(subgroup_id)] #name: u32 }
+            }
+        })
+    });
+    let arguments = kernel.parameters.iter().map(|parameter| {
+        let name = &parameter.name;
+        match (&parameter.role, variant) {
+            (Role::Group, Some(_)) => quote!(crate::group::Subgroup { number: #name }),
+            (Role::Stage(_), Some(_)) => quote!(#name),
+            _ => plain_argument(parameter),
         }
     });
-    let names = kernel.parameters.iter().map(|parameter| &parameter.name);
     // an invocation of a GPU is a lane
     let lane = kernel.lanes.is_some().then(|| quote!(::<f32>));
     quote! {
@@ -93,8 +116,18 @@ fn entry_point(kernel: &Kernel) -> TokenStream {
             #(#parameters),*
         ) {
             let id = crate::invocation::Invocation::new(local, workgroup, workgroups, ::glam::UVec3::new(#x, #y, #z));
-            self::#name #lane (id, #(#names),*);
+            self::#name #lane (id, #(#arguments),*);
         }
+    }
+}
+
+/// What the plain entry point and the CPU pass for a parameter.
+pub fn plain_argument(parameter: &Parameter) -> TokenStream {
+    let name = &parameter.name;
+    match parameter.role {
+        Role::Stage(_) => quote!(&mut crate::stage::InPlace),
+        Role::Group => quote!(crate::group::Alone),
+        _ => quote!(#name),
     }
 }
 
@@ -110,7 +143,7 @@ fn info(kernel: &Kernel) -> TokenStream {
             Role::Uniform => quote!(Uniform),
             Role::Read => quote!(Read),
             Role::Write => quote!(Write),
-            Role::Shared(_) => return None,
+            Role::Shared(_) | Role::Stage(_) | Role::Group => return None,
         };
         Some(quote! {
             crate::kernel::BindingInfo {
@@ -121,23 +154,14 @@ fn info(kernel: &Kernel) -> TokenStream {
             }
         })
     });
-    let shared = kernel.parameters.iter().filter_map(|parameter| {
-        let (name, element) = (parameter.name.to_string(), &parameter.element);
-        let Role::Shared(len) = &parameter.role else { return None };
-        Some(quote! {
-            crate::kernel::SharedInfo {
-                name: #name,
-                element: ::core::stringify!(#element),
-                len: #len as u32,
-                bytes: ::core::mem::size_of::<[#element; #len]>() as u32,
-            }
-        })
-    });
+    let (all_shared, shared) = (shared(kernel, true), shared(kernel, false));
+    let variant = variant(kernel);
     let iterations = match &kernel.iterations {
         Some(iterations) => quote!(::core::option::Option::Some(#iterations)),
         None => quote!(::core::option::Option::None),
     };
-    let (count, run) = (kernel.parameters.len(), cpu_run(kernel));
+    let count = kernel.parameters.iter().filter(|parameter| parameter.role.is_binding()).count();
+    let run = cpu_run(kernel);
     let (fused, layers, stacks) = (kernel.fused, kernel.layers, kernel.stacks);
     quote! {
         #[cfg(not(target_arch = "spirv"))]
@@ -153,142 +177,56 @@ fn info(kernel: &Kernel) -> TokenStream {
                 layers: #layers,
                 stacks: #stacks,
                 bindings: &[#(#bindings),*],
-                shared: &[#(#shared),*],
+                shared: &#shared,
+                variant: #variant,
                 run: run(),
             }
         };
         #[cfg(not(target_arch = "spirv"))]
-        const _: () = ::core::assert!(#count <= 12, "a kernel has at most 12 bindings");
+        const _: () = {
+            ::core::assert!(#count <= 12, "a kernel has at most 12 bindings");
+            let bytes = crate::kernel::workgroup_bytes(&#all_shared);
+            ::core::assert!(bytes <= crate::kernel::MAX_WORKGROUP_BYTES, "a workgroup has 16 KiB of memory");
+        };
     }
 }
 
-/// `const fn run()`: a workgroup at a time where no invocation waits for another, else one invocation.
-fn cpu_run(kernel: &Kernel) -> TokenStream {
-    let name = &kernel.function.sig.ident;
-    let [x, y, z] = kernel.threads;
-    // workgroup memory follows the bindings
-    let mut binding = 0usize;
-    let mut shared =
-        kernel.parameters.iter().filter(|p| !matches!(p.role, Role::Shared(_))).count();
-    let views = kernel.parameters.iter().map(|parameter| {
-        let (name, element) = (&parameter.name, &parameter.element);
-        let slot =
-            if matches!(parameter.role, Role::Shared(_)) { &mut shared } else { &mut binding };
-        let index = *slot;
-        *slot += 1;
-        let view = match &parameter.role {
-            Role::Uniform => quote!(uniform::<#element>()),
-            Role::Read => quote!(read::<#element>()),
-            Role::Write => quote!(write::<#element>()),
-            Role::Shared(len) => quote!(shared::<#element, {#len}>()),
+/// The arrays in workgroup memory, those of stages with them or without.
+fn shared(kernel: &Kernel, stages: bool) -> TokenStream {
+    let arrays = kernel.parameters.iter().filter_map(|parameter| {
+        let (name, element) = (parameter.name.to_string(), &parameter.element);
+        let len = match &parameter.role {
+            Role::Shared(len) => len,
+            Role::Stage(len) if stages => len,
+            _ => return None,
         };
-        // SAFETY: of the generated code, see `CpuRun`: the caller passes bindings of the declared types.
-        quote! { let #name = unsafe { bindings[#index].#view }; }
+        Some(quote! {
+            crate::kernel::SharedInfo {
+                name: #name,
+                element: ::core::stringify!(#element),
+                len: #len as u32,
+                bytes: ::core::mem::size_of::<[#element; #len]>() as u32,
+            }
+        })
     });
-    let names: Vec<_> = kernel.parameters.iter().map(|parameter| &parameter.name).collect();
-    if kernel.has_shared() {
-        return quote! {
-            unsafe fn run_invocation(bindings: &[crate::kernel::CpuBinding], id: crate::invocation::Invocation) {
-                #(
-                    // SAFETY: the caller passes bindings of the declared types
-                    #views
-                )*
-                self::#name(id, #(#names),*);
-            }
-            const fn run() -> crate::kernel::CpuRun { crate::kernel::CpuRun::Invocation(run_invocation) }
-        };
-    }
-    if let Some(lanes) = &kernel.lanes {
-        return lane_run(kernel, lanes, &views.collect::<Vec<_>>());
-    }
-    quote! {
-        unsafe fn run_workgroup(
-            bindings: &[crate::kernel::CpuBinding],
-            workgroup: ::glam::UVec3,
-            workgroups: ::glam::UVec3,
-        ) {
-            #(
-                // SAFETY: the caller passes bindings of the declared types
-                #views
-            )*
-            let size = ::glam::UVec3::new(#x, #y, #z);
-            for local_z in 0..#z {
-                for local_y in 0..#y {
-                    for local_x in 0..#x {
-                        let local = ::glam::UVec3::new(local_x, local_y, local_z);
-                        let id = crate::invocation::Invocation::new(local, workgroup, workgroups, size);
-                        crate::kernel::enter(local_x + #x * (local_y + #y * local_z));
-                        self::#name(id, #(#names),*);
-                    }
-                }
-            }
-        }
-        const fn run() -> crate::kernel::CpuRun { crate::kernel::CpuRun::Workgroup(run_workgroup) }
-    }
+    quote!([#(#arrays),*])
 }
 
-/// `const fn run()` of a kernel that is generic over lanes: one function for each instruction set.
-fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStream {
-    let name = &kernel.function.sig.ident;
-    let names: Vec<_> = kernel.parameters.iter().map(|parameter| &parameter.name).collect();
-    let [x, y, z] = kernel.threads;
-    let flat = y == 1 && z == 1;
-    let uniform = kernel.parameters.iter().find(|p| matches!(p.role, Role::Uniform));
-    let uniform = uniform.map(|parameter| &parameter.name);
-    let step = match lanes {
-        Lanes::Inside => quote! {
-            self::#name::<L>(id, #(#names),*);
-            local_x += 1;
-        },
-        Lanes::Invocations(end) => {
-            let at = if flat { quote!(id.index()) } else { quote!(id.global().x) };
-            quote! {
-                let end: u32 = #uniform.#end;
-                if end >= L::WIDTH && #at <= end - L::WIDTH {
-                    self::#name::<L>(id, #(#names),*);
-                    local_x += L::WIDTH;
-                } else {
-                    // what is left over, lane by lane
-                    self::#name::<L::One>(id, #(#names),*);
-                    local_x += 1;
-                }
-            }
-        }
+/// What the registry says of the second entry point.
+fn variant(kernel: &Kernel) -> TokenStream {
+    let Some(variant) = kernel.variant() else { return quote!(::core::option::Option::None) };
+    let name = entry_name(kernel, Some(variant));
+    let needs = match variant {
+        Variant::Staged => quote!(Staged),
+        Variant::Subgroups => quote!(Subgroups),
     };
-    let whole = match lanes {
-        Lanes::Inside => quote!(),
-        Lanes::Invocations(_) => quote! {
-            const _: () = ::core::assert!(#x % crate::lane::MAX_WIDTH == 0, "lanes fill a workgroup");
-        },
-    };
+    let shared = shared(kernel, true);
     quote! {
-        #whole
-        #[inline(always)]
-        unsafe fn run_lanes<L: crate::lane::Lane>(
-            bindings: &[crate::kernel::CpuBinding],
-            workgroup: ::glam::UVec3,
-            workgroups: ::glam::UVec3,
-        ) {
-            #(
-                // SAFETY: the caller passes bindings of the declared types
-                #views
-            )*
-            let size = ::glam::UVec3::new(#x, #y, #z);
-            for local_z in 0..#z {
-                for local_y in 0..#y {
-                    let mut local_x = 0;
-                    while local_x < #x {
-                        let local = ::glam::UVec3::new(local_x, local_y, local_z);
-                        let id = crate::invocation::Invocation::new(local, workgroup, workgroups, size);
-                        crate::kernel::enter(local_x + #x * (local_y + #y * local_z));
-                        #step
-                    }
-                }
-            }
-        }
-        const fn run() -> crate::kernel::CpuRun {
-            crate::kernel::lane_runs!(run_lanes)
-        }
+        ::core::option::Option::Some(crate::kernel::VariantInfo {
+            name: #name,
+            needs: crate::kernel::Variant::#needs,
+            shared: &#shared,
+        })
     }
 }
 
@@ -317,7 +255,7 @@ fn dispatch(kernel: &Kernel) -> TokenStream {
                 fields.push(quote! { #[doc = #access] pub #name: &'a S::Buffer<#element> });
                 binds.push(quote! { visit(S::bind(self.#name)); });
             }
-            Role::Shared(_) => {}
+            Role::Shared(_) | Role::Stage(_) | Role::Group => {}
         }
     }
     quote! {

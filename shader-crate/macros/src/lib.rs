@@ -19,6 +19,8 @@
 //! | `name: Read<T>`    | a storage buffer of `T` that is only read                   |
 //! | `name: Write<T>`   | a storage buffer of `T` that is read and written            |
 //! | `name: Shared<T, N>` | `N` values of `T` in workgroup memory                     |
+//! | `name: &mut impl Stage<T, N>` | nothing, and in the variant `_staged` `N` values of `T` in workgroup memory |
+//! | `name: impl Group` | an invocation on its own, and in the variant `_subgroups` a subgroup |
 //!
 //! Drivers compute what is written: they neither fuse nor regroup arithmetic, so that results agree between devices.
 //! `#[kernel(threads(64), fused)]` lets them, where speed counts for more.
@@ -35,10 +37,14 @@
 //! invocations of one z touch with `atomic::add_wide`, which is atomic on a GPU alone.  With `stacks`, it runs those of
 //! one x and y one after another: what they all read is in a cache but for the first.
 //!
+//! A kernel with a stage or a group has a second SPIR-V entry point of the same body and bindings, its variant; the CPU
+//! always runs the plain one.
+//!
 //! Binding numbers are positions in the parameter list, in descriptor set 0.  From this one
-//! declaration follow the SPIR-V entry point, the typed dispatch of the host (`SquareKernel`), the CPU
+//! declaration follow the SPIR-V entry points, the typed dispatch of the host (`SquareKernel`), the CPU
 //! execution and the entry in the manifest.
 
+mod cpu;
 mod expand;
 mod parse;
 

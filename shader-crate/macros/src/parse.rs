@@ -4,7 +4,8 @@ use proc_macro2::TokenStream;
 use syn::parse::Parser;
 use syn::spanned::Spanned;
 use syn::{
-    Error, Expr, FnArg, GenericArgument, Ident, ItemFn, LitInt, Pat, PathArguments, Result, Type,
+    Error, Expr, FnArg, GenericArgument, Ident, ItemFn, LitInt, Pat, PathArguments, PathSegment,
+    Result, Type, TypeParamBound,
 };
 
 /// What a parameter of a kernel stands for.
@@ -17,13 +18,48 @@ pub enum Role {
     Write,
     /// `Shared<T, N>`, with its length
     Shared(Box<GenericArgument>),
+    /// `&mut impl Stage<T, N>`, with its length
+    Stage(Box<GenericArgument>),
+    /// `impl Group`
+    Group,
+}
+
+impl Role {
+    /// Whether the host binds a buffer to it.
+    pub fn is_binding(&self) -> bool {
+        matches!(self, Self::Uniform | Self::Read | Self::Write)
+    }
+
+    /// Whether it is a view of memory that the CPU run names in its messages.
+    pub fn is_named(&self) -> bool {
+        matches!(self, Self::Read | Self::Write | Self::Shared(_))
+    }
+}
+
+/// What a kernel's second entry point has.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Variant {
+    /// Stages in workgroup memory.
+    Staged,
+    /// Subgroups.
+    Subgroups,
+}
+
+impl Variant {
+    /// What follows the kernel's name in the entry point's.
+    pub fn suffix(self) -> &'static str {
+        match self {
+            Self::Staged => "staged",
+            Self::Subgroups => "subgroups",
+        }
+    }
 }
 
 /// One parameter after the invocation.
 pub struct Parameter {
     pub name: Ident,
     pub role: Role,
-    /// `P` or `T` of [`Role`].
+    /// `P` or `T` of [`Role`]; of a group, its trait.
     pub element: Type,
 }
 
@@ -81,11 +117,31 @@ impl Kernel {
             let message = "a kernel with workgroup memory has no `lanes`";
             return Err(Error::new(kernel.function.sig.span(), message));
         }
+        if kernel.has(|role| matches!(role, Role::Stage(_)))
+            && kernel.has(|role| matches!(role, Role::Group))
+        {
+            let message = "a kernel has stages or a group: one variant";
+            return Err(Error::new(kernel.function.sig.span(), message));
+        }
         Ok(kernel)
     }
 
     pub fn has_shared(&self) -> bool {
-        self.parameters.iter().any(|p| matches!(p.role, Role::Shared(_)))
+        self.has(|role| matches!(role, Role::Shared(_)))
+    }
+
+    /// The second entry point's, by the parameters.
+    pub fn variant(&self) -> Option<Variant> {
+        let variant = |role: &Role| match role {
+            Role::Stage(_) => Some(Variant::Staged),
+            Role::Group => Some(Variant::Subgroups),
+            _ => None,
+        };
+        self.parameters.iter().find_map(|parameter| variant(&parameter.role))
+    }
+
+    fn has(&self, what: impl Fn(&Role) -> bool) -> bool {
+        self.parameters.iter().any(|parameter| what(&parameter.role))
     }
 }
 
@@ -187,6 +243,15 @@ fn last_segment(ty: &Type) -> Option<&syn::PathSegment> {
     }
 }
 
+/// The trait of `impl Trait`.
+fn implemented(ty: &Type) -> Option<&PathSegment> {
+    let Type::ImplTrait(ty) = ty else { return None };
+    ty.bounds.iter().find_map(|bound| match bound {
+        TypeParamBound::Trait(bound) => bound.path.segments.last(),
+        _ => None,
+    })
+}
+
 fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
     let FnArg::Typed(argument) = argument else {
         return Err(Error::new(argument.span(), "a kernel is a free function"));
@@ -195,31 +260,44 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
         return Err(Error::new(argument.pat.span(), "a binding is a plain name"));
     };
     let name = pattern.ident.clone();
-    let unexpected = || {
+    let (role, element) = role(&argument.ty).ok_or_else(|| {
         Error::new(
             argument.ty.span(),
-            "a binding is `&Params`, `Read<T>`, `Write<T>` or `Shared<T, N>`",
+            "a parameter is `&Params`, `Read<T>`, `Write<T>`, `Shared<T, N>`, `&mut impl Stage<T, N>` or \
+             `impl Group`",
         )
-    };
-    if let Type::Reference(reference) = &*argument.ty {
-        if reference.mutability.is_some() {
-            return Err(unexpected());
+    })?;
+    Ok(Parameter { name, role, element })
+}
+
+/// What a parameter's type stands for, and the type of its elements.
+fn role(ty: &Type) -> Option<(Role, Type)> {
+    if let Type::Reference(reference) = ty {
+        if reference.mutability.is_none() {
+            return Some((Role::Uniform, (*reference.elem).clone()));
         }
-        return Ok(Parameter { name, role: Role::Uniform, element: (*reference.elem).clone() });
+        let segment = implemented(&reference.elem).filter(|segment| segment.ident == "Stage")?;
+        let (element, length) = arguments(segment)?;
+        return Some((Role::Stage(Box::new(length?)), element));
     }
-    let segment = last_segment(&argument.ty).ok_or_else(unexpected)?;
-    let PathArguments::AngleBracketed(generics) = &segment.arguments else {
-        return Err(unexpected());
-    };
-    let mut generics = generics.args.iter().filter(|a| !matches!(a, GenericArgument::Lifetime(_)));
-    let Some(GenericArgument::Type(element)) = generics.next() else {
-        return Err(unexpected());
-    };
+    if implemented(ty).is_some_and(|segment| segment.ident == "Group") {
+        return Some((Role::Group, ty.clone()));
+    }
+    let segment = last_segment(ty)?;
+    let (element, length) = arguments(segment)?;
     let role = match segment.ident.to_string().as_str() {
         "Read" => Role::Read,
         "Write" => Role::Write,
-        "Shared" => Role::Shared(Box::new(generics.next().ok_or_else(unexpected)?.clone())),
-        _ => return Err(unexpected()),
+        "Shared" => Role::Shared(Box::new(length?)),
+        _ => return None,
     };
-    Ok(Parameter { name, role, element: element.clone() })
+    Some((role, element))
+}
+
+/// `T` and N of `Name<T, N>`.
+fn arguments(segment: &PathSegment) -> Option<(Type, Option<GenericArgument>)> {
+    let PathArguments::AngleBracketed(generics) = &segment.arguments else { return None };
+    let mut generics = generics.args.iter().filter(|a| !matches!(a, GenericArgument::Lifetime(_)));
+    let Some(GenericArgument::Type(element)) = generics.next() else { return None };
+    Some((element.clone(), generics.next().cloned()))
 }

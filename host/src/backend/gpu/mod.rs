@@ -5,13 +5,14 @@ mod fill;
 mod pipeline;
 mod recorder;
 mod timer;
+mod variants;
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use organza_kernels::KernelInfo;
+use organza_kernels::{EntryPoint, KernelInfo};
 
 use super::Count;
 use super::buffer::{Memory, RawBuffer};
@@ -20,6 +21,7 @@ use crate::error::{Error, Result};
 pub use adapter::{AdapterInfo, adapters};
 use pipeline::Pipelines;
 use recorder::{Counted, Recorder};
+use variants::Variants;
 
 /// A GPU as a device.
 #[derive(Debug)]
@@ -29,6 +31,7 @@ pub struct Gpu {
     info: wgpu::AdapterInfo,
     limits: wgpu::Limits,
     spirv: SpirvPath,
+    variants: Variants,
     pipelines: Pipelines,
     recorder: Mutex<Recorder>,
     failures: Arc<Mutex<Failures>>,
@@ -40,18 +43,20 @@ impl Gpu {
     /// Takes the adapter that `options` name, else the most capable one.
     pub fn open(options: &DeviceOptions) -> Result<Self> {
         let (adapter, spirv) = adapter::choose(options)?;
-        let (device, queue) = adapter::request(&adapter, spirv)?;
+        let variants = Variants::of(&adapter, options.variants);
+        let (device, queue) = adapter::request(&adapter, spirv, variants)?;
         let limits = device.limits();
         let failures = Arc::default();
         record_failures(&device, &failures);
         Ok(Self {
             recorder: Mutex::new(Recorder::new(&device)),
-            pipelines: Pipelines::new(spirv),
+            pipelines: Pipelines::new(spirv, variants),
             info: adapter.get_info(),
             device,
             queue,
             limits,
             spirv,
+            variants,
             failures,
             waits: AtomicU64::new(0),
         })
@@ -63,14 +68,19 @@ impl Gpu {
 
     pub fn description(&self) -> String {
         format!(
-            "{}, {}, SPIR-V {}",
+            "{}, {}, SPIR-V {}, {}",
             self.info.name,
             self.info.backend,
             match self.spirv {
                 SpirvPath::Passthrough => "passed through",
                 SpirvPath::Naga => "through naga",
-            }
+            },
+            self.variants.as_str()
         )
+    }
+
+    pub fn entry_point(&self, kernel: &KernelInfo) -> EntryPoint {
+        self.variants.entry_point(kernel)
     }
 
     pub fn is_software(&self) -> bool {

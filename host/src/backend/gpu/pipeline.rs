@@ -4,8 +4,9 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use organza_kernels::{Access, KernelInfo};
+use organza_kernels::{Access, EntryPoint, KernelInfo};
 
+use super::variants::Variants;
 use crate::backend::open::SpirvPath;
 use crate::error::{Error, Result};
 use crate::kernels;
@@ -14,6 +15,7 @@ use crate::kernels;
 #[derive(Debug)]
 pub struct Pipelines {
     spirv: SpirvPath,
+    variants: Variants,
     made: Mutex<HashMap<&'static str, Arc<Pipeline>>>,
 }
 
@@ -25,8 +27,8 @@ pub struct Pipeline {
 }
 
 impl Pipelines {
-    pub fn new(spirv: SpirvPath) -> Self {
-        Self { spirv, made: Mutex::default() }
+    pub fn new(spirv: SpirvPath, variants: Variants) -> Self {
+        Self { spirv, variants, made: Mutex::default() }
     }
 
     pub fn get(&self, device: &wgpu::Device, kernel: &'static KernelInfo) -> Result<Arc<Pipeline>> {
@@ -34,18 +36,24 @@ impl Pipelines {
         if let Some(pipeline) = made.get(kernel.name) {
             return Ok(pipeline.clone());
         }
+        let point = self.variants.entry_point(kernel);
         let scope = device.push_error_scope(wgpu::ErrorFilter::Validation);
-        let pipeline = Arc::new(make(device, kernel, self.spirv)?);
+        let pipeline = Arc::new(make(device, kernel, &point, self.spirv)?);
         if let Some(error) = pollster::block_on(scope.pop()) {
-            return Err(Error::Kernel { kernel: kernel.name.into(), reason: error.to_string() });
+            return Err(Error::Kernel { kernel: point.name.into(), reason: error.to_string() });
         }
         made.insert(kernel.name, pipeline.clone());
         Ok(pipeline)
     }
 }
 
-fn make(device: &wgpu::Device, kernel: &KernelInfo, spirv: SpirvPath) -> Result<Pipeline> {
-    let module = module(device, kernel, spirv)?;
+fn make(
+    device: &wgpu::Device,
+    kernel: &KernelInfo,
+    point: &EntryPoint,
+    spirv: SpirvPath,
+) -> Result<Pipeline> {
+    let module = module(device, kernel, point, spirv)?;
     let entries: Vec<_> = kernel
         .bindings
         .iter()
@@ -65,7 +73,7 @@ fn make(device: &wgpu::Device, kernel: &KernelInfo, spirv: SpirvPath) -> Result<
             count: None,
         })
         .collect();
-    let label = Some(kernel.name);
+    let label = Some(point.name);
     let layout = device
         .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label, entries: &entries });
     let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -77,7 +85,7 @@ fn make(device: &wgpu::Device, kernel: &KernelInfo, spirv: SpirvPath) -> Result<
         label,
         layout: Some(&pipeline_layout),
         module: &module,
-        entry_point: Some(kernel.name),
+        entry_point: Some(point.name),
         // kernels write workgroup memory before they read it: the CPU run fills it with rubbish to show that
         compilation_options: wgpu::PipelineCompilationOptions {
             zero_initialize_workgroup_memory: false,
@@ -91,10 +99,11 @@ fn make(device: &wgpu::Device, kernel: &KernelInfo, spirv: SpirvPath) -> Result<
 fn module(
     device: &wgpu::Device,
     kernel: &KernelInfo,
+    point: &EntryPoint,
     spirv: SpirvPath,
 ) -> Result<wgpu::ShaderModule> {
-    let words = kernels::of(kernel)?.spirv_words();
-    let label = Some(kernel.name);
+    let words = kernels::of(kernel, point)?.spirv_words();
+    let label = Some(point.name);
     let [x, y, z] = kernel.workgroup_size;
     Ok(match spirv {
         // SAFETY: our own compiler's output, validated when it was built; the CPU run checks every index
@@ -102,7 +111,7 @@ fn module(
             device.create_shader_module_passthrough(wgpu::ShaderModuleDescriptorPassthrough {
                 label,
                 entry_points: Cow::Owned(vec![wgpu::PassthroughShaderEntryPoint {
-                    name: kernel.name.into(),
+                    name: point.name.into(),
                     workgroup_size: (x, y, z),
                 }]),
                 spirv: Some(words),

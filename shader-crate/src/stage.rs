@@ -1,0 +1,213 @@
+//! Workgroup memory as a cache.
+//!
+//! A kernel with a parameter `weights: &mut impl Stage<Vec4, 256>` has two entry points of one body.  In the plain one, and
+//! on the CPU, the stage is [`InPlace`]: it holds nothing, and reads go to the buffer.  In the one named `_staged` it
+//! is workgroup memory: an invocation copies its share of what all of them will read, and reads go there.
+
+use crate::prelude::*;
+
+/// Where a stage's elements come from.
+pub trait Source<T>: Copy {
+    /// Element `k` of the stage.
+    fn element(self, k: u32) -> T;
+}
+
+/// Up to `N` elements that all invocations of a workgroup read.
+pub trait Stage<T: Copy, const N: usize> {
+    /// Whether invocations without an item must come along: they copy, and the others wait for them.
+    fn is_shared(&self) -> bool;
+
+    /// Where a pass ends that begins at `begin`, of `end` items of `size` elements each: as many as there is room for,
+    /// and all of them where nothing is copied.
+    fn end(&self, begin: u32, end: u32, size: u32) -> u32;
+
+    /// Waits for the workgroup: before a stage is filled, until nobody reads it any more, and afterwards, until it is
+    /// full.  One wait does for all stages of a kernel.
+    fn wait(&self, id: Invocation);
+
+    /// Copies the first `count` elements, each of them by one invocation.
+    fn fill(&mut self, id: Invocation, count: u32, source: impl Source<T>);
+
+    /// Element `k`, which is that of `buffer` at `index`.
+    fn at(&self, k: u32, buffer: Read<T>, index: u32) -> T;
+}
+
+/// A stage that holds nothing.
+pub struct InPlace;
+
+impl<T: Copy, const N: usize> Stage<T, N> for InPlace {
+    #[inline(always)]
+    fn is_shared(&self) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn end(&self, _: u32, end: u32, _: u32) -> u32 {
+        end
+    }
+
+    #[inline(always)]
+    fn wait(&self, _: Invocation) {}
+
+    #[inline(always)]
+    fn fill(&mut self, _: Invocation, _: u32, _: impl Source<T>) {}
+
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    fn at(&self, _: u32, buffer: Read<T>, index: u32) -> T {
+        buffer.read(index)
+    }
+}
+
+/// Workgroup memory.
+#[cfg(target_arch = "spirv")]
+impl<T: Copy, const N: usize> Stage<T, N> for [T; N] {
+    #[inline(always)]
+    fn is_shared(&self) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn end(&self, begin: u32, end: u32, size: u32) -> u32 {
+        let full = begin + N as u32 / size;
+        if full < end { full } else { end }
+    }
+
+    #[inline(always)]
+    fn wait(&self, id: Invocation) {
+        id.barrier();
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, id: Invocation, count: u32, source: impl Source<T>) {
+        let mut k = id.local_index();
+        while k < count {
+            self.write(k, source.element(k));
+            k += id.size.x * id.size.y * id.size.z;
+        }
+    }
+
+    #[inline(always)]
+    fn at(&self, k: u32, _: Read<T>, _: u32) -> T {
+        self.read(k)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use std::cell::Cell;
+    use std::fmt::Debug;
+    use std::vec::Vec;
+
+    use glam::{UVec3, Vec4};
+
+    use super::*;
+    use crate::dense::{DenseParams, dense};
+    use crate::dense_backward::{DenseBackwardParams, dense_backward};
+
+    /// Workgroup memory of an invocation that copies all of it: what a GPU reads without a check must have been copied
+    /// since the last wait, and be what lies in the buffer.
+    struct Copied<T, const N: usize> {
+        elements: Vec<T>,
+        passes: u32,
+        largest: Cell<u32>,
+    }
+
+    impl<T, const N: usize> Copied<T, N> {
+        fn new() -> Self {
+            Self { elements: Vec::new(), passes: 0, largest: Cell::new(0) }
+        }
+    }
+
+    impl<T: Copy + PartialEq + Debug, const N: usize> Stage<T, N> for Copied<T, N> {
+        fn is_shared(&self) -> bool {
+            true
+        }
+
+        fn end(&self, begin: u32, end: u32, size: u32) -> u32 {
+            end.min(begin + N as u32 / size)
+        }
+
+        fn wait(&self, _: Invocation) {}
+
+        fn fill(&mut self, _: Invocation, count: u32, source: impl Source<T>) {
+            assert!(count as usize <= N, "{count} elements");
+            self.elements = (0..count).map(|k| source.element(k)).collect();
+            self.passes += 1;
+        }
+
+        fn at(&self, k: u32, buffer: Read<T>, index: u32) -> T {
+            self.largest.set(self.largest.get().max(k));
+            assert_eq!(self.elements[k as usize], buffer.read(index), "element {k}");
+            self.elements[k as usize]
+        }
+    }
+
+    fn numbers(count: u32) -> Vec<f32> {
+        (0..count).map(|i| (i * 37 % 101) as f32 / 50.0 - 1.0).collect()
+    }
+
+    fn vectors(count: u32) -> Vec<Vec4> {
+        numbers(4 * count).as_chunks::<4>().0.iter().copied().map(Vec4::from_array).collect()
+    }
+
+    /// The invocations of two workgroups.
+    fn invocations(workgroup_z: u32) -> impl Iterator<Item = Invocation> {
+        (0..128).map(move |x| {
+            let workgroup = UVec3::new(x / 64, 0, workgroup_z);
+            let local = UVec3::new(x % 64, 0, 0);
+            Invocation::new(local, workgroup, UVec3::new(2, 1, 2), UVec3::new(64, 1, 1))
+        })
+    }
+
+    #[test]
+    fn layers_copy_what_they_read() {
+        let (samples, stride, inputs, columns) = (70, 75, 150, 8);
+        let params =
+            DenseParams { samples, stride, inputs, columns, weight: 3, bias: 3 + inputs * columns };
+        let parameters = vectors(3 + (inputs + 1) * columns);
+        let input = numbers(inputs * stride);
+        let (mut plain, mut staged) = ([0.0; 32 * 75], [0.0; 32 * 75]);
+        for id in [0, 1].into_iter().flat_map(invocations) {
+            let read = (Read::from(&parameters[..]), Read::from(&input[..]));
+            dense::<f32>(id, &params, read.0, read.1, Write::from(&mut plain[..]), &mut InPlace);
+            let mut weights = Copied::<Vec4, 256>::new();
+            dense::<f32>(id, &params, read.0, read.1, Write::from(&mut staged[..]), &mut weights);
+            assert_eq!((weights.passes, weights.largest.get()), (3, 255));
+        }
+        assert_eq!(plain, staged);
+        assert!(plain.iter().any(|&value| value > 0.0));
+    }
+
+    #[test]
+    fn the_way_back_copies_what_it_reads() {
+        // eleven inputs of blocks of eight: the second block repeats its last one
+        let (samples, stride, inputs, columns) = (70, 75, 11, 32);
+        let params = DenseBackwardParams {
+            samples,
+            stride,
+            inputs,
+            columns,
+            weight: 2,
+            first_input: 0,
+            end_input: inputs,
+            rectified: 1,
+        };
+        let parameters = vectors(2 + inputs * columns);
+        let (input, gradient) = (numbers(inputs * stride), numbers(4 * columns * stride));
+        let (mut plain, mut staged) = ([0.0; 11 * 75], [0.0; 11 * 75]);
+        for id in [0, 1].into_iter().flat_map(invocations) {
+            let weights = Read::from(&parameters[..]);
+            let (input, gradient) = (Read::from(&input[..]), Read::from(&gradient[..]));
+            let output = Write::from(&mut plain[..]);
+            dense_backward::<f32>(id, &params, weights, input, gradient, output, &mut InPlace);
+            let (output, mut stage) = (Write::from(&mut staged[..]), Copied::<Vec4, 256>::new());
+            dense_backward::<f32>(id, &params, weights, input, gradient, output, &mut stage);
+            assert_eq!((stage.passes, stage.largest.get()), (1, 255));
+        }
+        assert_eq!(plain, staged);
+        assert!(plain.iter().any(|&value| value != 0.0));
+    }
+}

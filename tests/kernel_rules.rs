@@ -45,7 +45,9 @@ fn naga_module(words: &[u32]) -> Result<naga::Module, String> {
     let parser = naga::front::spv::Frontend::new(words.iter().copied(), &options);
     let module = parser.parse().map_err(|error| error.to_string())?;
     let flags = naga::valid::ValidationFlags::all();
-    let mut validator = naga::valid::Validator::new(flags, naga::valid::Capabilities::SUBGROUP);
+    // what wgpu asks an adapter for, where a kernel needs it
+    let offered = naga::valid::Capabilities::SUBGROUP | naga::valid::Capabilities::SHADER_FLOAT16;
+    let mut validator = naga::valid::Validator::new(flags, offered);
     match validator.validate(&module) {
         Ok(_) => Ok(module),
         Err(error) => Err(format!("{:?}", error.into_inner())),

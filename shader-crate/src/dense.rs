@@ -8,6 +8,7 @@ use glam::Vec4;
 
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_INPUTS};
 use crate::prelude::*;
+use crate::samples::Samples;
 
 /// Outputs of a hidden layer that one invocation computes.
 pub const HIDDEN_BLOCK: u32 = 16;
@@ -39,7 +40,7 @@ pub struct DenseParams {
     pub bias: u32,
 }
 
-/// Four outputs of a layer for each lane's sample.
+/// Four outputs of a layer for each sample.
 #[derive(Clone, Copy)]
 pub struct Column<L> {
     /// First output.
@@ -52,22 +53,22 @@ pub struct Column<L> {
     pub w: L,
 }
 
-impl<L: Lane> Column<L> {
+impl<S: Samples> Column<S> {
     /// The same four values in every lane.
     #[inline(always)]
     pub fn splat(values: Vec4) -> Self {
-        let number = L::splat;
+        let number = S::splat;
         Self { x: number(values.x), y: number(values.y), z: number(values.z), w: number(values.w) }
     }
 
     /// `self + weight x`
     #[inline(always)]
-    pub fn add_product(self, weight: Vec4, x: L) -> Self {
+    pub fn add_product(self, weight: Vec4, x: S) -> Self {
         Self {
-            x: x.mul_add(L::splat(weight.x), self.x),
-            y: x.mul_add(L::splat(weight.y), self.y),
-            z: x.mul_add(L::splat(weight.z), self.z),
-            w: x.mul_add(L::splat(weight.w), self.w),
+            x: x.mul_add(S::splat(weight.x), self.x),
+            y: x.mul_add(S::splat(weight.y), self.y),
+            z: x.mul_add(S::splat(weight.z), self.z),
+            w: x.mul_add(S::splat(weight.w), self.w),
         }
     }
 }
@@ -123,7 +124,7 @@ pub fn column<L: Lane>(
 ///
 /// `input [inputs, stride]`, `output [4 columns, stride]`.
 #[kernel(threads(64), iterations = 3 * MAX_INPUTS, fused, stacks, lanes(samples))]
-pub fn dense<L: Lane>(
+pub fn dense<S: Samples>(
     id: Invocation,
     params: &DenseParams,
     parameters: Read<Vec4>,
@@ -134,20 +135,20 @@ pub fn dense<L: Lane>(
     let inside = id.index() < params.samples;
     if weights.is_shared() || inside {
         let first = id.workgroup.z * BLOCK_COLUMNS;
-        if L::WIDTH == 8 {
+        if S::WIDTH == 8 {
             // what has so many lanes has 16 registers, too few for sixteen sums and what is added to them
             let sample = id.index();
-            two_columns::<L>(params, parameters, input, output, sample, first);
-            two_columns::<L>(params, parameters, input, output, sample, first + 2);
+            two_columns::<S>(params, parameters, input, output, sample, first);
+            two_columns::<S>(params, parameters, input, output, sample, first + 2);
         } else {
-            four_columns::<L>(id, params, parameters, input, output, weights, first);
+            four_columns::<S>(id, params, parameters, input, output, weights, first);
         }
     }
 }
 
 /// Sixteen outputs of a hidden layer, from a column on: each input is read once for all of them.
 #[inline(always)]
-fn four_columns<L: Lane>(
+fn four_columns<S: Samples>(
     id: Invocation,
     params: &DenseParams,
     parameters: Read<Vec4>,
@@ -159,10 +160,10 @@ fn four_columns<L: Lane>(
     let inside = id.index() < params.samples;
     let sample = if inside { id.index() } else { 0 };
     let mut sums = Block {
-        a: Column::<L>::splat(parameters.read(params.bias + first)),
-        b: Column::<L>::splat(parameters.read(params.bias + first + 1)),
-        c: Column::<L>::splat(parameters.read(params.bias + first + 2)),
-        d: Column::<L>::splat(parameters.read(params.bias + first + 3)),
+        a: Column::<S>::splat(parameters.read(params.bias + first)),
+        b: Column::<S>::splat(parameters.read(params.bias + first + 1)),
+        c: Column::<S>::splat(parameters.read(params.bias + first + 2)),
+        d: Column::<S>::splat(parameters.read(params.bias + first + 3)),
     };
     // the first pass is not in a loop of passes: llvmpipe takes an eighth longer for one that has a single pass
     let mut end = weights.end(0, params.inputs, BLOCK_COLUMNS);
@@ -175,10 +176,10 @@ fn four_columns<L: Lane>(
     }
     if inside {
         let row = first * 4;
-        write_rectified(output, sums.a, row, params.stride, sample);
-        write_rectified(output, sums.b, row + 4, params.stride, sample);
-        write_rectified(output, sums.c, row + 8, params.stride, sample);
-        write_rectified(output, sums.d, row + 12, params.stride, sample);
+        write_rectified(output, sums.a, row, params, sample);
+        write_rectified(output, sums.b, row + 4, params, sample);
+        write_rectified(output, sums.c, row + 8, params, sample);
+        write_rectified(output, sums.d, row + 12, params, sample);
     }
 }
 
@@ -194,7 +195,7 @@ struct Block<L> {
 /// A pass: adds what some of the inputs come to in a block's outputs.
 #[inline(always)]
 #[allow(clippy::too_many_arguments)]
-fn add_inputs<L: Lane>(
+fn add_inputs<S: Samples>(
     id: Invocation,
     params: &DenseParams,
     parameters: Read<Vec4>,
@@ -202,8 +203,8 @@ fn add_inputs<L: Lane>(
     weights: &mut impl Stage<Vec4, STAGED>,
     [first, sample]: [u32; 2],
     [begin, end]: [u32; 2],
-    sums: Block<L>,
-) -> Block<L> {
+    sums: Block<S>,
+) -> Block<S> {
     let Block { mut a, mut b, mut c, mut d } = sums;
     let mut weight = params.weight + first + begin * params.columns;
     let mut at = sample + begin * params.stride;
@@ -218,7 +219,7 @@ fn add_inputs<L: Lane>(
     let mut k = 0;
     let mut i = begin;
     while i < end {
-        let x = L::read(input, at);
+        let x = S::read(input, at);
         a = a.add_product(weights.at(k, parameters, weight), x);
         b = b.add_product(weights.at(k + 1, parameters, weight + 1), x);
         c = c.add_product(weights.at(k + 2, parameters, weight + 2), x);
@@ -233,7 +234,7 @@ fn add_inputs<L: Lane>(
 
 /// Eight outputs of a hidden layer, from a column on.
 #[inline(always)]
-fn two_columns<L: Lane>(
+fn two_columns<S: Samples>(
     params: &DenseParams,
     parameters: Read<Vec4>,
     input: Read<f32>,
@@ -241,13 +242,13 @@ fn two_columns<L: Lane>(
     sample: u32,
     first: u32,
 ) {
-    let mut a = Column::<L>::splat(parameters.read(params.bias + first));
-    let mut b = Column::<L>::splat(parameters.read(params.bias + first + 1));
+    let mut a = Column::<S>::splat(parameters.read(params.bias + first));
+    let mut b = Column::<S>::splat(parameters.read(params.bias + first + 1));
     let mut weight = params.weight + first;
     let mut at = sample;
     let mut i = 0;
     while i < params.inputs {
-        let x = L::read(input, at);
+        let x = S::read(input, at);
         a = a.add_product(parameters.read(weight), x);
         b = b.add_product(parameters.read(weight + 1), x);
         weight += params.columns;
@@ -255,22 +256,23 @@ fn two_columns<L: Lane>(
         i += 1;
     }
     let row = first * 4;
-    write_rectified(output, a, row, params.stride, sample);
-    write_rectified(output, b, row + 4, params.stride, sample);
+    write_rectified(output, a, row, params, sample);
+    write_rectified(output, b, row + 4, params, sample);
 }
 
 #[inline(always)]
-fn write_rectified<L: Lane>(
+fn write_rectified<S: Samples>(
     output: Write<f32>,
-    value: Column<L>,
+    value: Column<S>,
     row: u32,
-    stride: u32,
+    params: &DenseParams,
     sample: u32,
 ) {
-    let zero = L::splat(0.0);
+    let zero = S::splat(0.0);
+    let (stride, count) = (params.stride, params.samples - sample);
     let first = row * stride + sample;
-    value.x.max(zero).write(output, first);
-    value.y.max(zero).write(output, first + stride);
-    value.z.max(zero).write(output, first + 2 * stride);
-    value.w.max(zero).write(output, first + 3 * stride);
+    value.x.max(zero).write(output, first, count);
+    value.y.max(zero).write(output, first + stride, count);
+    value.z.max(zero).write(output, first + 2 * stride, count);
+    value.w.max(zero).write(output, first + 3 * stride, count);
 }

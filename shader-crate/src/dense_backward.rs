@@ -8,6 +8,7 @@ use glam::Vec4;
 use crate::dense::Column;
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SLICE, MAX_SLICES};
 use crate::prelude::*;
+use crate::samples::Samples;
 
 /// Inputs of a layer whose gradient one invocation of [`dense_backward`] computes.
 pub const INPUT_BLOCK: u32 = 8;
@@ -39,7 +40,7 @@ pub struct DenseBackwardParams {
 
 /// `sum + g W^T` for the four outputs of a column and four inputs.
 #[inline(always)]
-fn add_transposed<L: Lane>(sum: Column<L>, weight: [Vec4; 4], g: Column<L>) -> Column<L> {
+fn add_transposed<S: Samples>(sum: Column<S>, weight: [Vec4; 4], g: Column<S>) -> Column<S> {
     let [x, y, z, w] = weight;
     Column {
         x: add_dot(sum.x, x, g),
@@ -50,21 +51,21 @@ fn add_transposed<L: Lane>(sum: Column<L>, weight: [Vec4; 4], g: Column<L>) -> C
 }
 
 #[inline(always)]
-fn add_dot<L: Lane>(sum: L, weight: Vec4, g: Column<L>) -> L {
-    let sum = g.x.mul_add(L::splat(weight.x), sum);
-    let sum = g.y.mul_add(L::splat(weight.y), sum);
-    let sum = g.z.mul_add(L::splat(weight.z), sum);
-    g.w.mul_add(L::splat(weight.w), sum)
+fn add_dot<S: Samples>(sum: S, weight: Vec4, g: Column<S>) -> S {
+    let sum = g.x.mul_add(S::splat(weight.x), sum);
+    let sum = g.y.mul_add(S::splat(weight.y), sum);
+    let sum = g.z.mul_add(S::splat(weight.z), sum);
+    g.w.mul_add(S::splat(weight.w), sum)
 }
 
 /// Four rows of a buffer, from a row on.
 #[inline(always)]
-fn read_column<L: Lane>(buffer: Read<f32>, first: u32, stride: u32) -> Column<L> {
+fn read_column<S: Samples>(buffer: Read<f32>, first: u32, stride: u32) -> Column<S> {
     Column {
-        x: L::read(buffer, first),
-        y: L::read(buffer, first + stride),
-        z: L::read(buffer, first + 2 * stride),
-        w: L::read(buffer, first + 3 * stride),
+        x: S::read(buffer, first),
+        y: S::read(buffer, first + stride),
+        z: S::read(buffer, first + 2 * stride),
+        w: S::read(buffer, first + 3 * stride),
     }
 }
 
@@ -103,7 +104,7 @@ fn least(a: u32, b: u32) -> u32 {
 ///
 /// `input [inputs, stride]`, `output_gradient [4 columns, stride]`, `input_gradient [end_input, stride]`.
 #[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, stacks, lanes(samples))]
-pub fn dense_backward<L: Lane>(
+pub fn dense_backward<S: Samples>(
     id: Invocation,
     params: &DenseBackwardParams,
     parameters: Read<Vec4>,
@@ -127,8 +128,8 @@ pub fn dense_backward<L: Lane>(
         let at5 = weight + least(first + 5, last) * columns;
         let at6 = weight + least(first + 6, last) * columns;
         let at7 = weight + least(first + 7, last) * columns;
-        let mut low = Column::<L>::splat(Vec4::ZERO);
-        let mut high = Column::<L>::splat(Vec4::ZERO);
+        let mut low = Column::<S>::splat(Vec4::ZERO);
+        let mut high = Column::<S>::splat(Vec4::ZERO);
         let mut at = sample;
         let mut c = 0;
         weights.wait(id);
@@ -136,7 +137,7 @@ pub fn dense_backward<L: Lane>(
         weights.fill(id, columns * INPUT_BLOCK, source);
         weights.wait(id);
         while c < columns {
-            let g = read_column::<L>(output_gradient, at, params.stride);
+            let g = read_column::<S>(output_gradient, at, params.stride);
             let rows = [
                 weights.at(c, parameters, at0 + c),
                 weights.at(c + columns, parameters, at1 + c),
@@ -163,41 +164,37 @@ pub fn dense_backward<L: Lane>(
 
 /// Writes four rows of a gradient, as many of them as there are.
 #[inline(always)]
-fn write_gradient<L: Lane>(
+fn write_gradient<S: Samples>(
     params: &DenseBackwardParams,
     input: Read<f32>,
     output: Write<f32>,
-    value: Column<L>,
+    value: Column<S>,
     row: u32,
     sample: u32,
 ) {
+    let count = params.samples - sample;
     let at = row * params.stride + sample;
     if row < params.end_input {
-        masked(params, input, value.x, at).write(output, at);
+        masked(params, input, value.x, at).write(output, at, count);
     }
     let at = at + params.stride;
     if row + 1 < params.end_input {
-        masked(params, input, value.y, at).write(output, at);
+        masked(params, input, value.y, at).write(output, at, count);
     }
     let at = at + params.stride;
     if row + 2 < params.end_input {
-        masked(params, input, value.z, at).write(output, at);
+        masked(params, input, value.z, at).write(output, at, count);
     }
     let at = at + params.stride;
     if row + 3 < params.end_input {
-        masked(params, input, value.w, at).write(output, at);
+        masked(params, input, value.w, at).write(output, at, count);
     }
 }
 
 /// Derivative of the layer below's max(x, 0), where there is one: an output of 0 passes nothing on.
 #[inline(always)]
-fn masked<L: Lane>(params: &DenseBackwardParams, input: Read<f32>, value: L, at: u32) -> L {
-    if params.rectified != 0 {
-        let zero = L::splat(0.0);
-        L::select(zero.less(L::read(input, at)), value, zero)
-    } else {
-        value
-    }
+fn masked<S: Samples>(params: &DenseBackwardParams, input: Read<f32>, value: S, at: u32) -> S {
+    if params.rectified != 0 { value.where_positive(S::read(input, at)) } else { value }
 }
 
 /// Parameters of [`dense_weight_backward`].
@@ -313,10 +310,10 @@ pub fn dense_weight_backward<L: Lane>(
             let (mut rest0, mut rest1, mut rest2, mut rest3) = (none, none, none, none);
             while sample < end {
                 let g = read_column::<L::One>(output_gradient, g + sample, params.stride);
-                rest0 = add_scaled(rest0, L::One::read(input, row0 + sample), g);
-                rest1 = add_scaled(rest1, L::One::read(input, row1 + sample), g);
-                rest2 = add_scaled(rest2, L::One::read(input, row2 + sample), g);
-                rest3 = add_scaled(rest3, L::One::read(input, row3 + sample), g);
+                rest0 = add_scaled(rest0, <L::One as Lane>::read(input, row0 + sample), g);
+                rest1 = add_scaled(rest1, <L::One as Lane>::read(input, row1 + sample), g);
+                rest2 = add_scaled(rest2, <L::One as Lane>::read(input, row2 + sample), g);
+                rest3 = add_scaled(rest3, <L::One as Lane>::read(input, row3 + sample), g);
                 sample += 1;
             }
             let to = to + params.weight + first * columns;

@@ -16,6 +16,8 @@ pub struct Invocation {
     pub workgroups: UVec3,
     /// Invocations in a workgroup.
     pub size: UVec3,
+    /// Items along x that an invocation takes.
+    pub each: u32,
     /// What [`Invocation::barrier`] calls: the executor sets it.
     #[cfg(not(target_arch = "spirv"))]
     pub wait: fn(&'static Location<'static>),
@@ -30,9 +32,17 @@ impl Invocation {
             workgroup,
             workgroups,
             size,
+            each: 1,
             #[cfg(not(target_arch = "spirv"))]
             wait: no_barrier,
         }
+    }
+
+    /// The same invocation where each takes `each` items.
+    #[inline(always)]
+    #[must_use]
+    pub fn of(self, each: u32) -> Self {
+        Self { each, ..self }
     }
 
     /// Place in the dispatch, per axis.
@@ -47,10 +57,10 @@ impl Invocation {
         self.workgroup.x + self.workgroup.y * self.workgroups.x
     }
 
-    /// Number of the invocation in a dispatch of one-dimensional workgroups.
+    /// Number of the invocation's item, or of the first one, in a dispatch of one-dimensional workgroups.
     #[inline(always)]
     pub fn index(&self) -> u32 {
-        self.workgroup_index() * self.size.x + self.local.x
+        (self.workgroup_index() * self.size.x + self.local.x) * self.each
     }
 
     /// Number of the invocation in its workgroup.

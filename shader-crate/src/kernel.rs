@@ -119,6 +119,8 @@ pub struct KernelInfo {
     pub layers: bool,
     /// Whether the CPU runs a stack of workgroups, those of one x and y, one after another.
     pub stacks: bool,
+    /// Items along x that an invocation of a GPU takes.
+    pub each: u32,
     /// Bindings, by number.
     pub bindings: &'static [BindingInfo],
     /// Workgroup memory.

@@ -41,6 +41,7 @@ pub mod prelude;
 pub mod project;
 pub mod project_backward;
 pub mod resolve;
+pub mod samples;
 pub mod scan;
 pub mod segment;
 pub mod spherical_harmonics;

@@ -94,6 +94,8 @@ pub struct KernelEntry {
 pub struct Interface {
     /// The invocations of one workgroup along x, y and z.
     pub workgroup_size: [u32; 3],
+    /// The items along x that an invocation takes.
+    pub each: u32,
     /// The buffers, all in descriptor set 0: a buffer's position is its binding number.
     pub bindings: Vec<Binding>,
     /// The workgroup's shared arrays.
@@ -190,6 +192,7 @@ impl Interface {
         };
         Self {
             workgroup_size: kernel.workgroup_size,
+            each: kernel.each,
             bindings: kernel.bindings.iter().map(binding).collect(),
             shared: point.shared.iter().map(shared).collect(),
         }
@@ -218,6 +221,7 @@ mod tests {
             spirv_sha256: sha256(b"test"),
             interface: Interface {
                 workgroup_size: [64, 1, 1],
+                each: 1,
                 bindings: vec![Binding {
                     name: "data".into(),
                     access: "write".into(),

@@ -256,12 +256,21 @@ impl Device {
         }
     }
 
-    /// Runs a kernel with at least `items` invocations along x and y, and `layers` workgroups along z.
+    /// Workgroups along x and y for so many items.
+    fn workgroups_for(&self, info: &KernelInfo, items: u32) -> [u32; 2] {
+        match self.kind {
+            Kind::Cpu(_) => workgroups_for(info, items),
+            Kind::Gpu(_) => workgroups_for(info, items.div_ceil(info.each)),
+        }
+    }
+
+    /// Runs a kernel over at least `items` items along x and y, one for each invocation or as many as it takes, and `layers`
+    /// workgroups along z.
     ///
     /// # Errors
     /// As [`Device::dispatch`].
     pub fn run<'a>(&self, kernel: &impl Dispatch<'a, Host>, items: u32, layers: u32) -> Result<()> {
-        let workgroups = workgroups_for(kernel.info(), items);
+        let workgroups = self.workgroups_for(kernel.info(), items);
         self.dispatch(kernel, [workgroups[0], workgroups[1], layers])
     }
 
@@ -276,7 +285,7 @@ impl Device {
         items: u32,
         layers: u32,
     ) -> Result<()> {
-        let workgroups = workgroups_for(kernel.info(), items);
+        let workgroups = self.workgroups_for(kernel.info(), items);
         self.dispatch_counted(kernel, counts, [workgroups[0], workgroups[1], layers])
     }
 

@@ -103,8 +103,14 @@ fn entry_point(kernel: &Kernel, variant: Option<Variant>) -> TokenStream {
             _ => plain_argument(parameter),
         }
     });
-    // an invocation of a GPU is a lane
-    let lane = kernel.lanes.is_some().then(|| quote!(::<f32>));
+    // an invocation of a GPU is a lane, or takes four samples
+    let lane = kernel.lanes.is_some().then(|| match kernel.samples {
+        true => quote!(::<crate::samples::Four>),
+        false => quote!(::<f32>),
+    });
+    let each = kernel
+        .samples
+        .then(|| quote!(.of(<crate::samples::Four as crate::samples::Samples>::WIDTH)));
     quote! {
         #[cfg(target_arch = "spirv")]
         #[allow(missing_docs, clippy::too_many_arguments)]
@@ -115,7 +121,7 @@ fn entry_point(kernel: &Kernel, variant: Option<Variant>) -> TokenStream {
             #[spirv(num_workgroups)] workgroups: ::glam::UVec3,
             #(#parameters),*
         ) {
-            let id = crate::invocation::Invocation::new(local, workgroup, workgroups, ::glam::UVec3::new(#x, #y, #z));
+            let id = crate::invocation::Invocation::new(local, workgroup, workgroups, ::glam::UVec3::new(#x, #y, #z)) #each;
             self::#name #lane (id, #(#arguments),*);
         }
     }
@@ -163,6 +169,10 @@ fn info(kernel: &Kernel) -> TokenStream {
     let count = kernel.parameters.iter().filter(|parameter| parameter.role.is_binding()).count();
     let run = cpu_run(kernel);
     let (fused, layers, stacks) = (kernel.fused, kernel.layers, kernel.stacks);
+    let each = match kernel.samples {
+        true => quote!(<crate::samples::Four as crate::samples::Samples>::WIDTH),
+        false => quote!(1),
+    };
     quote! {
         #[cfg(not(target_arch = "spirv"))]
         #[::linkme::distributed_slice(crate::kernel::KERNELS)]
@@ -176,6 +186,7 @@ fn info(kernel: &Kernel) -> TokenStream {
                 fused: #fused,
                 layers: #layers,
                 stacks: #stacks,
+                each: #each,
                 bindings: &[#(#bindings),*],
                 shared: &#shared,
                 variant: #variant,

@@ -81,6 +81,8 @@ pub struct Kernel {
     /// On the CPU a stack of workgroups, those of one x and y, runs together.
     pub stacks: bool,
     pub lanes: Option<Lanes>,
+    /// Whether it is generic over `Samples`, of which an invocation of a GPU takes four.
+    pub samples: bool,
     /// The most iterations of one invocation.
     pub iterations: Option<Expr>,
     /// What the kernel calls its invocation.
@@ -108,11 +110,27 @@ impl Kernel {
         if lanes.is_some() && (generics.params.len() != 1 || generics.type_params().count() != 1) {
             return Err(Error::new(
                 function.sig.span(),
-                "a kernel with `lanes` is generic over one `Lane`",
+                "a kernel with `lanes` is generic over one `Lane` or `Samples`",
             ));
         }
-        let kernel =
-            Self { function, threads, fused, layers, stacks, lanes, iterations, id, parameters };
+        let samples =
+            generics.type_params().flat_map(|parameter| &parameter.bounds).any(is_samples);
+        let kernel = Self {
+            function,
+            threads,
+            fused,
+            layers,
+            stacks,
+            lanes,
+            samples,
+            iterations,
+            id,
+            parameters,
+        };
+        if kernel.samples && !matches!(kernel.lanes, Some(Lanes::Invocations(_))) {
+            let message = "a kernel that is generic over `Samples` has `lanes(field)`";
+            return Err(Error::new(kernel.function.sig.span(), message));
+        }
         if kernel.lanes.is_some() && kernel.has_shared() {
             let message = "a kernel with workgroup memory has no `lanes`";
             return Err(Error::new(kernel.function.sig.span(), message));
@@ -241,6 +259,12 @@ fn last_segment(ty: &Type) -> Option<&syn::PathSegment> {
         Type::Path(path) => path.path.segments.last(),
         _ => None,
     }
+}
+
+/// `Samples`
+fn is_samples(bound: &TypeParamBound) -> bool {
+    let TypeParamBound::Trait(bound) = bound else { return false };
+    bound.path.segments.last().is_some_and(|segment| segment.ident == "Samples")
 }
 
 /// The trait of `impl Trait`.

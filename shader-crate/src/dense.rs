@@ -28,7 +28,7 @@ pub const HEAD_STAGED: usize = MAX_HIDDEN_WIDTH as usize;
 pub struct DenseParams {
     /// Samples in the batch.
     pub samples: u32,
-    /// Distance of two rows in `input` and `output`.
+    /// Distance of two rows in `input` and `output`: at least three more than there are samples.
     pub stride: u32,
     /// Inputs of the layer.
     pub inputs: u32,
@@ -260,8 +260,9 @@ fn two_columns<S: Samples>(
     write_rectified(output, b, row + 4, params, sample);
 }
 
+/// Writes four rows of `max(value, 0)`, those of a layer's outputs from a row on.
 #[inline(always)]
-fn write_rectified<S: Samples>(
+pub fn write_rectified<S: Samples>(
     output: Write<f32>,
     value: Column<S>,
     row: u32,

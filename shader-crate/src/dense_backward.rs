@@ -22,7 +22,7 @@ pub const WEIGHT_BLOCK: u32 = 4;
 pub struct DenseBackwardParams {
     /// Samples in the chunk.
     pub samples: u32,
-    /// Distance of two rows in `input`, `output_gradient` and `input_gradient`.
+    /// Distance of two rows in `input`, `output_gradient` and `input_gradient`: at least three more than there are samples.
     pub stride: u32,
     /// Inputs of the layer.
     pub inputs: u32,
@@ -234,7 +234,7 @@ fn add_scaled<L: Lane>(sum: Column<L>, x: L, g: Column<L>) -> Column<L> {
 
 /// `sum + g`
 #[inline(always)]
-fn add<L: Lane>(sum: Column<L>, g: Column<L>) -> Column<L> {
+pub fn add<L: Lane>(sum: Column<L>, g: Column<L>) -> Column<L> {
     Column { x: sum.x + g.x, y: sum.y + g.y, z: sum.z + g.z, w: sum.w + g.w }
 }
 

@@ -8,7 +8,8 @@
 
 use glam::Vec4;
 
-use crate::dense::{Column, DenseParams, HIDDEN_BLOCK};
+use crate::dense::{Column, DenseParams, HIDDEN_BLOCK, write_rectified};
+use crate::dense_backward::add;
 use crate::half::{HalfVector, Halves};
 use crate::limits::MAX_INPUTS;
 use crate::prelude::*;
@@ -94,36 +95,15 @@ pub fn dense_half<L: Lane>(
                 at += params.stride;
                 of_group -= 1;
             }
-            a = plus(a, part.a.column());
-            b = plus(b, part.b.column());
-            c = plus(c, part.c.column());
-            d = plus(d, part.d.column());
+            a = add(a, part.a.column());
+            b = add(b, part.b.column());
+            c = add(c, part.c.column());
+            d = add(d, part.d.column());
         }
         let row = block * HIDDEN_BLOCK;
-        write_rectified(output, a, row, params.stride, sample);
-        write_rectified(output, b, row + 4, params.stride, sample);
-        write_rectified(output, c, row + 8, params.stride, sample);
-        write_rectified(output, d, row + 12, params.stride, sample);
+        write_rectified(output, a, row, params, sample);
+        write_rectified(output, b, row + 4, params, sample);
+        write_rectified(output, c, row + 8, params, sample);
+        write_rectified(output, d, row + 12, params, sample);
     }
-}
-
-#[inline(always)]
-fn plus<L: Lane>(a: Column<L>, b: Column<L>) -> Column<L> {
-    Column { x: a.x + b.x, y: a.y + b.y, z: a.z + b.z, w: a.w + b.w }
-}
-
-#[inline(always)]
-fn write_rectified<L: Lane>(
-    output: Write<f32>,
-    value: Column<L>,
-    row: u32,
-    stride: u32,
-    sample: u32,
-) {
-    let zero = L::splat(0.0);
-    let first = row * stride + sample;
-    value.x.max(zero).write(output, first);
-    value.y.max(zero).write(output, first + stride);
-    value.z.max(zero).write(output, first + 2 * stride);
-    value.w.max(zero).write(output, first + 3 * stride);
 }

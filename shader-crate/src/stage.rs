@@ -106,6 +106,7 @@ mod tests {
     use super::*;
     use crate::dense::{DenseParams, dense};
     use crate::dense_backward::{DenseBackwardParams, dense_backward};
+    use crate::samples::Four;
 
     /// Workgroup memory of an invocation that copies all of it: what a GPU reads without a check must have been copied
     /// since the last wait, and be what lies in the buffer.
@@ -179,6 +180,49 @@ mod tests {
         }
         assert_eq!(plain, staged);
         assert!(plain.iter().any(|&value| value > 0.0));
+    }
+
+    /// An invocation of a GPU, which reads without a check: here every index is checked.
+    #[test]
+    fn layers_of_four_samples_are_those_of_one() {
+        for samples in [1, 2, 3, 4, 63, 70] {
+            let (stride, inputs, columns) = (samples + 3, 11, 8);
+            let (weight, bias) = (3, 3 + inputs * columns);
+            let params = DenseParams { samples, stride, inputs, columns, weight, bias };
+            let parameters = vectors(3 + (inputs + 1) * columns);
+            let input = numbers(inputs * stride);
+            let len = (4 * columns * stride) as usize;
+            let (mut one, mut four) = (std::vec![9.0; len], std::vec![9.0; len]);
+            let back = DenseBackwardParams {
+                samples,
+                stride,
+                inputs,
+                columns,
+                weight,
+                first_input: 0,
+                end_input: inputs,
+                rectified: 1,
+            };
+            let gradient = numbers(4 * columns * stride);
+            let back_len = (inputs * stride) as usize;
+            let (mut back_one, mut back_four) =
+                (std::vec![9.0; back_len], std::vec![9.0; back_len]);
+            let (weights, input) = (Read::from(&parameters[..]), Read::from(&input[..]));
+            let gradient = Read::from(&gradient[..]);
+            for id in [0, 1].into_iter().flat_map(invocations) {
+                let (output, stage) = (Write::from(&mut one[..]), &mut InPlace);
+                dense::<f32>(id, &params, weights, input, output, stage);
+                let output = Write::from(&mut four[..]);
+                dense::<Four>(id.of(4), &params, weights, input, output, stage);
+                let output = Write::from(&mut back_one[..]);
+                dense_backward::<f32>(id, &back, weights, input, gradient, output, stage);
+                let output = Write::from(&mut back_four[..]);
+                dense_backward::<Four>(id.of(4), &back, weights, input, gradient, output, stage);
+            }
+            assert_eq!(one, four, "{samples} samples");
+            assert_eq!(back_one, back_four, "{samples} samples on the way back");
+            assert!(four.iter().any(|&value| value > 0.0 && value != 9.0));
+        }
     }
 
     #[test]

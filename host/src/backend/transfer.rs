@@ -13,7 +13,7 @@ impl Device {
     /// A buffer of `len` zeros.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), with what was needed.
+    /// [`Error::OutOfMemory`], with what was needed.
     pub fn zeros<T: Pod>(&self, label: &'static str, len: usize) -> Result<Buffer<T>> {
         let bytes = len as u64 * size_of::<T>() as u64;
         self.refuse(label, bytes)?;
@@ -93,7 +93,7 @@ impl Device {
     /// What a buffer holds, after everything that was dispatched before.
     ///
     /// # Errors
-    /// [`Error::DeviceLost`](crate::Error::DeviceLost), or what an earlier dispatch ran into.
+    /// [`Error::DeviceLost`], or what an earlier dispatch ran into.
     pub fn read<T: Pod>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
         self.read_range(buffer, 0, buffer.len())
     }

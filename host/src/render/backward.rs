@@ -116,6 +116,7 @@ impl Renderer {
                     // the next batch will not fit, either
                     self.part_bytes.fetch_min(part_bytes, Ordering::Relaxed);
                 }
+                Err(Error::OutOfMemory { .. }) if self.forget() => {}
                 result => return result,
             }
         }

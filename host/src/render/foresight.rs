@@ -14,7 +14,7 @@ const LEAST: f64 = 1024.0;
 const MOST: f64 = (u32::MAX / 4) as f64;
 
 /// What batches have needed, for each of their tiles.
-#[derive(Debug, Default)]
+#[derive(Debug, Default, PartialEq)]
 pub struct Foresight {
     /// Gaussians of the scene and the tiles' side: others need something else.
     kind: [u32; 2],

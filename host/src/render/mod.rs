@@ -29,7 +29,7 @@ mod transmittance;
 mod upload;
 
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use crate::backend::Device;
 use crate::camera::Camera;
@@ -171,6 +171,7 @@ impl Renderer {
                 Err(Error::OutOfMemory { .. }) if plan.tiles.len() > 1 => {
                     plans.extend(plan.halves())
                 }
+                Err(Error::OutOfMemory { .. }) if self.forget() => plans.push(plan),
                 Err(error) => return Err(error),
             }
         }
@@ -188,19 +189,29 @@ impl Renderer {
         plan: &Plan,
         work: impl Fn(Option<Room>) -> Result<(R, Needed)>,
     ) -> Result<R> {
-        let foresight = || self.foresight.lock().unwrap_or_else(PoisonError::into_inner);
         let (kind, tiles) = ([scene.gaussians, plan.side], plan.tiles.len());
-        let guess = self.device.keeps_counts().then(|| foresight().room(kind, tiles));
-        let mut room = guess.flatten();
+        let guesses = self.device.keeps_counts();
+        let mut room = if guesses { self.foresight().room(kind, tiles) } else { None };
         loop {
             match work(room)? {
                 (result, Needed::Room(needed)) => {
-                    foresight().saw(kind, tiles, needed);
+                    if guesses {
+                        self.foresight().saw(kind, tiles, needed);
+                    }
                     return Ok(result);
                 }
                 (_, Needed::More) => room = None,
             }
         }
+    }
+
+    /// Forgets what others have needed, for what does not fit: it may need less.  Returns whether there was anything.
+    fn forget(&self) -> bool {
+        std::mem::take(&mut *self.foresight()) != Foresight::default()
+    }
+
+    fn foresight(&self) -> MutexGuard<'_, Foresight> {
+        self.foresight.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 

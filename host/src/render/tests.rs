@@ -120,3 +120,25 @@ fn what_is_not_waited_for_has_the_same_bits() {
         }
     }
 }
+
+#[test]
+fn a_tile_that_does_not_fit_with_more_room_is_tried_with_what_it_needs() {
+    let (scene, cameras) = (some(), demo::turntable(1, 64));
+    let tiles = vec![Tile { camera: 0, origin: [20, 30] }];
+    let batch = TileBatch { side: 16, tiles };
+    for device in devices() {
+        let renderer = Renderer::new(device);
+        let device = renderer.device();
+        let scene = renderer.upload(&scene).expect("a scene");
+        let expected = renderer.render(&scene, &cameras, &batch).expect("a tile");
+        device.refuse_one(12);
+        let found = renderer.render(&scene, &cameras, &batch);
+        assert!(!device.refuse_one(0), "{}: so few buffers", device.choice());
+        match (device.backend(), found) {
+            // nobody has guessed
+            ("cpu", Err(Error::OutOfMemory { .. })) => {}
+            ("gpu", Ok(found)) => assert_eq!(found, expected, "{}", device.choice()),
+            (_, found) => panic!("{}: {found:?}", device.choice()),
+        }
+    }
+}

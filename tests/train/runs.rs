@@ -4,9 +4,12 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
+use organza::Renderer;
+use organza::data::Dataset;
 use organza::scene::read_tensors;
 use organza::train::metrics::{MetricsLog, Record};
-use organza::train::{CHECKPOINT, METRICS};
+use organza::train::{CHECKPOINT, Checkpoint, METRICS, TrainConfig, built_in};
+use organza_tests::devices;
 
 use crate::sandbox::Sandbox;
 
@@ -18,6 +21,29 @@ pub fn sandbox() -> Sandbox {
     let sandbox = Sandbox::new("tiny");
     fs::write(sandbox.path("tiny.toml"), include_str!("tiny.toml")).unwrap();
     sandbox
+}
+
+/// A run after five steps: its settings, its state, and what it is trained on.
+pub fn begun() -> (TrainConfig, Checkpoint, Dataset) {
+    let sandbox = sandbox();
+    sandbox.run(&format!("{TINY} run --steps 5")).assert_ok();
+    let config = TrainConfig::load(sandbox.path("run/config.toml")).expect("settings");
+    let checkpoint = Checkpoint::load(sandbox.path("run").join(CHECKPOINT)).expect("a checkpoint");
+    let cpu = Renderer::new(devices::cpu(None));
+    let (views, side) = (config.data.built_in_views, config.data.built_in_side);
+    let dataset = built_in::dataset(&cpu, views, side, config.data.hold_out_every, &|_, _| {});
+    (config, checkpoint, dataset.expect("views"))
+}
+
+/// All that a state has, as bits.
+pub fn state_bits(state: &Checkpoint) -> Vec<Vec<u32>> {
+    let [first, second] = &state.moments;
+    let scenes = [&state.scene, first, second];
+    let values = scenes.into_iter().flat_map(|scene| scene.tensors());
+    let mut bits: Vec<Vec<u32>> =
+        values.map(|(_, values)| values.iter().map(|value| value.to_bits()).collect()).collect();
+    bits.push(state.statistics.iter().flatten().map(|value| value.to_bits()).collect());
+    bits
 }
 
 /// Photographs of a case's scene, downscaled by nobody yet, in the folder `data`.

@@ -1,27 +1,14 @@
 //! How often a step waits for the device.
 
 use organza::Renderer;
-use organza::train::{CHECKPOINT, Checkpoint, TrainConfig, Trainer, built_in};
+use organza::train::Trainer;
 use organza_tests::devices;
 
-use crate::runs::{TINY, sandbox};
-
-/// What a scene's tensors have, as bits.
-fn bits(checkpoint: &Checkpoint) -> Vec<Vec<u32>> {
-    let tensors = checkpoint.scene.tensors();
-    tensors.iter().map(|(_, values)| values.iter().map(|value| value.to_bits()).collect()).collect()
-}
+use crate::runs::{begun, state_bits};
 
 #[test]
 fn a_step_waits_once_and_that_changes_nothing() {
-    let sandbox = sandbox();
-    sandbox.run(&format!("{TINY} run --steps 5")).assert_ok();
-    let config = TrainConfig::load(sandbox.path("run/config.toml")).expect("settings");
-    let checkpoint = Checkpoint::load(sandbox.path("run").join(CHECKPOINT)).expect("a checkpoint");
-    let cpu = Renderer::new(devices::cpu(None));
-    let (views, side) = (config.data.built_in_views, config.data.built_in_side);
-    let dataset = built_in::dataset(&cpu, views, side, config.data.hold_out_every, &|_, _| {});
-    let dataset = dataset.expect("views");
+    let (config, checkpoint, dataset) = begun();
     let frames = || dataset.train.iter().map(|&index| &dataset.frames[index]).collect();
     for (name, device) in devices::all() {
         let renderer = Renderer::new(device);
@@ -52,6 +39,6 @@ fn a_step_waits_once_and_that_changes_nothing() {
         }
         let found = trainer.checkpoint(0.0).expect("a state");
         assert_eq!(found.progress.step, state.progress.step);
-        assert!(bits(&found) == bits(&state), "{name}");
+        assert!(state_bits(&found) == state_bits(&state), "{name}");
     }
 }

@@ -1,7 +1,6 @@
-//! Takes from a module the capabilities that none of its own types needs.
+//! Takes from a module the capabilities that it does not need.
 //!
-//! The compiler is given those of halves for all kernels at once, and looks at the types of all of them before it makes a
-//! module of each.  A driver refuses a module that asks for a capability whose feature its device lacks, used or not.
+//! The compiler is given those of all kernels at once: it looks at all of them before it makes a module of each.  A driver refuses a module that asks for a capability whose feature its device lacks, used or not.
 
 use rspirv::dr::{Instruction, Module, Operand};
 use rspirv::spirv::{Capability, Op};
@@ -16,10 +15,15 @@ pub fn drop_unused(module: &mut Module) {
             && instruction.operands.first() == Some(&Operand::LiteralBit32(16))
     };
     if !module.types_global_values.iter().any(is_half) {
-        module.capabilities.retain(|instruction| {
-            OF_HALVES.iter().all(|&it| instruction.operands != [Operand::Capability(it)])
-        });
+        forget(module, &OF_HALVES);
     }
+}
+
+/// Takes capabilities from a module.
+pub fn forget(module: &mut Module, capabilities: &[Capability]) {
+    module.capabilities.retain(|instruction| {
+        capabilities.iter().all(|&it| instruction.operands != [Operand::Capability(it)])
+    });
 }
 
 #[cfg(test)]

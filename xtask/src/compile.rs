@@ -63,11 +63,10 @@ pub fn build(
     let mut builder = SpirvBuilder::new(shader_crate, TARGET)
         .release(true)
         .multimodule(true)
-        // for `half.rs`; `capabilities.rs` takes them from the others
-        .capability(Capability::Float16)
-        .capability(Capability::StorageBuffer16BitAccess)
         .spirv_metadata(SpirvMetadata::None)
         // of all modules at first: `lower` takes them from those that need none
+        .capability(Capability::Float16)
+        .capability(Capability::StorageBuffer16BitAccess)
         .capability(Capability::GroupNonUniform)
         .capability(Capability::GroupNonUniformArithmetic)
         .target_dir_path(workspace.target.join("spirv"));

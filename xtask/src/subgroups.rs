@@ -4,6 +4,8 @@ use anyhow::{Context, Result};
 use rspirv::dr::{Instruction, Module, Operand};
 use rspirv::spirv::{BuiltIn, Capability, Decoration, Op, Word};
 
+use crate::capabilities;
+
 /// What operations and built-ins of subgroups need.
 const CAPABILITIES: [Capability; 2] =
     [Capability::GroupNonUniform, Capability::GroupNonUniformArithmetic];
@@ -14,7 +16,7 @@ const OPERATIONS: [Op; 2] = [Op::GroupNonUniformIAdd, Op::GroupNonUniformUMax];
 /// Makes a module one that devices and naga take.
 pub fn lower(module: &mut Module) -> Result<()> {
     if !uses_subgroups(module) {
-        forget(module);
+        capabilities::forget(module, &CAPABILITIES);
     }
     copy_arguments(module)
 }
@@ -28,15 +30,6 @@ fn uses_subgroups(module: &Module) -> bool {
     };
     code.any(|instruction| OPERATIONS.contains(&instruction.class.opcode))
         || module.annotations.iter().any(is_built_in)
-}
-
-/// Takes the capabilities from a module: Rust-GPU declares what the crate may use in all of them, and a device
-/// without subgroups refuses that.
-fn forget(module: &mut Module) {
-    module.capabilities.retain(|instruction| {
-        let [Operand::Capability(capability)] = instruction.operands[..] else { return true };
-        !CAPABILITIES.contains(&capability)
-    });
 }
 
 /// Has every operation take a copy of its argument, made right before it: naga's reader panics where the argument comes

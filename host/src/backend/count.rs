@@ -4,9 +4,8 @@ use std::sync::Arc;
 
 use organza_kernels::count::{self, MISFIT};
 
+use super::Memory;
 use super::buffer::Buffer;
-use super::{Device, Memory};
-use crate::error::Result;
 
 /// How many there are of something: a number that is known, or what a kernel has written on the device.
 #[derive(Clone, Debug)]
@@ -58,22 +57,13 @@ impl Count {
         self.total.as_ref()
     }
 
-    /// The number: waits for the device where it alone knows.
-    pub fn read(&self, device: &Device) -> Result<u32> {
-        let Some(total) = &self.total else { return Ok(self.at_most) };
-        Ok(self.of(total, &device.read(&total.counts)?))
-    }
-
     /// The number, where the CPU is the device.
     pub(super) fn on_cpu(&self) -> u32 {
         let Some(total) = &self.total else { return self.at_most };
         let Memory::Cpu(memory) = &total.counts.raw().memory else {
             panic!("the counts belong to a GPU")
         };
-        self.of(total, bytemuck::cast_slice(&memory.bytes()[..total.counts.bytes() as usize]))
-    }
-
-    fn of(&self, total: &Total, counts: &[u32]) -> u32 {
+        let counts: &[u32] = bytemuck::cast_slice(&memory.bytes()[..total.counts.bytes() as usize]);
         match counts[MISFIT as usize] {
             0 => count::piece(counts[total.place as usize], total.first, self.at_most),
             _ => 0,

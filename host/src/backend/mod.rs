@@ -132,7 +132,7 @@ impl Device {
     }
 
     /// As [`Device::dispatch`]; `counts` are parameters that the device may know alone, by their place in the uniform
-    /// buffer: what stands there is not read.
+    /// buffer, where what they are at most stands.
     fn dispatch_counted<'a>(
         &self,
         kernel: &impl Dispatch<'a, Host>,
@@ -179,19 +179,15 @@ impl Device {
         }
     }
 
-    /// A kernel's parameters with the numbers that are known here.
+    /// A kernel's parameters with the numbers that kernels have written on the CPU; a GPU fills in its own.
     fn fill_in<'u>(&self, uniform: &'u [u8], counts: &[(usize, &Count)]) -> Cow<'u, [u8]> {
-        if counts.is_empty() {
+        let is_known = counts.iter().all(|(_, count)| count.is_known());
+        if is_known || matches!(self.kind, Kind::Gpu(_)) {
             return Cow::Borrowed(uniform);
         }
         let mut filled = uniform.to_vec();
         for (offset, count) in counts {
-            let number = match &self.kind {
-                Kind::Cpu(_) => count.on_cpu(),
-                // the device fills it in, where it is not this
-                Kind::Gpu(_) => count.at_most(),
-            };
-            filled[*offset..][..size_of::<u32>()].copy_from_slice(&number.to_ne_bytes());
+            filled[*offset..][..size_of::<u32>()].copy_from_slice(&count.on_cpu().to_ne_bytes());
         }
         Cow::Owned(filled)
     }
@@ -274,7 +270,8 @@ impl Device {
         self.dispatch(kernel, [workgroups[0], workgroups[1], layers])
     }
 
-    /// As [`Device::run`]; `counts` are parameters that the device may know alone, by their place in the uniform buffer.
+    /// As [`Device::run`]; `counts` are parameters that the device may know alone, by their place in the uniform buffer,
+    /// where what they are [at most](Count::at_most) stands.
     ///
     /// # Errors
     /// As [`Device::dispatch`].

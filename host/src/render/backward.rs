@@ -102,19 +102,17 @@ impl Renderer {
         batch: &TileBatch,
         mut work: impl FnMut(&[Plan]) -> Result<R>,
     ) -> Result<R> {
-        let split = |bytes| Plan::split(self.device(), scene, batch, bytes);
-        let mut part_bytes = self.part_bytes.load(Ordering::Relaxed);
-        let mut plans = split(part_bytes)?;
+        let mut plans = self.plans(scene, batch)?;
         loop {
             match work(&plans) {
                 Err(Error::OutOfMemory { .. }) if plans.len() < batch.tiles.len() => {
                     let before = plans.len();
-                    while plans.len() == before {
-                        part_bytes /= 2;
-                        plans = split(part_bytes)?;
-                    }
                     // the next batch will not fit, either
-                    self.part_bytes.fetch_min(part_bytes, Ordering::Relaxed);
+                    while plans.len() == before {
+                        let half = self.part_bytes.load(Ordering::Relaxed) / 2;
+                        self.part_bytes.store(half, Ordering::Relaxed);
+                        plans = self.plans(scene, batch)?;
+                    }
                 }
                 Err(Error::OutOfMemory { .. }) if self.forget() => {}
                 result => return result,
@@ -134,8 +132,7 @@ impl Renderer {
         grad_output: &[f32],
         gradient: &SceneGradient,
     ) -> Result<()> {
-        let bytes = self.part_bytes.load(Ordering::Relaxed);
-        let plans = Plan::split(self.device(), scene, batch, bytes)?;
+        let plans = self.plans(scene, batch)?;
         self.add_parts(scene, cameras, &plans, grad_output, gradient)?;
         gradient.check(self.device())
     }

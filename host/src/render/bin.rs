@@ -185,10 +185,7 @@ impl Numbers {
         let tally = Tally::new(device, room)?;
         tally.admit(device, PAIRS, &pair_mask.first, pair_mask.bits.len())?;
         tally.admit(device, MEMBERS, &tile_mask.first, tile_mask.bits.len())?;
-        let tables = [&pair_mask.bits, &pair_mask.first, &tile_mask.bits, &tile_mask.first];
-        tally.withhold(device, &tables)?;
-        tally.withhold(device, &[tile_first])?;
-        device.settle_counts();
+        tally.settle(device, [pair_mask, tile_mask], &[tile_first])?;
         let (pairs, members) = (tally.count(PAIRS), tally.count(MEMBERS));
         let largest = members.at_most().min(gaussians);
         Ok(Self { pairs, members, largest, tally: Some(tally) })
@@ -271,11 +268,8 @@ impl Bins {
             return self.pairs.read_samples(device, first_sample);
         };
         tally.admit(device, SAMPLES, first_sample, self.pairs.count.at_most() as usize)?;
-        let (pair_mask, tile_mask) = (&self.pair_mask, &self.tile_mask);
-        let tables = [&pair_mask.bits, &pair_mask.first, &tile_mask.bits, &tile_mask.first];
-        tally.withhold(device, &tables)?;
-        tally.withhold(device, &[&self.tile_first, first_sample])?;
-        device.settle_counts();
+        let ranges = [&self.tile_first, first_sample];
+        tally.settle(device, [&self.pair_mask, &self.tile_mask], &ranges)?;
         Ok(tally.count(SAMPLES))
     }
 }

@@ -155,8 +155,7 @@ impl Renderer {
         let area = 3 * (batch.side * batch.side) as usize;
         let mut data = memory::zeros(batch.tiles.len() * area, "the rendered batch")?;
         let mut report = RenderReport::default();
-        let mut plans =
-            Plan::split(&self.device, scene, batch, self.part_bytes.load(Ordering::Relaxed))?;
+        let mut plans = self.plans(scene, batch)?;
         while let Some(plan) = plans.pop() {
             let device = &*self.device;
             let render = |room| part::render(device, scene, cameras, &plan, room);
@@ -180,6 +179,11 @@ impl Renderer {
 }
 
 impl Renderer {
+    /// The parts of a batch, last first.
+    fn plans(&self, scene: &DeviceScene, batch: &TileBatch) -> Result<Vec<Plan>> {
+        Plan::split(&self.device, scene, batch, self.part_bytes.load(Ordering::Relaxed))
+    }
+
     /// Does `work` for a part with as much room as it will need, by what others have needed, so that nothing waits for the
     /// device before the work is done; where that was not enough and all was empty, or where nobody can tell, with room
     /// for all.

@@ -7,6 +7,7 @@ use organza_kernels::count::{
     MISFIT, PAIRS, SAMPLES,
 };
 
+use super::bin::Mask;
 use crate::backend::{Buffer, Count, Device};
 use crate::error::Result;
 
@@ -68,13 +69,21 @@ impl Tally {
         device.run(&CountAdmitKernel { params, first, counts: &*self.counts }, 1, 1)
     }
 
-    /// Empties tables where something did not fit.
-    pub fn withhold(&self, device: &Device, tables: &[&Buffer<u32>]) -> Result<()> {
-        tables.iter().try_for_each(|table| {
+    /// What was admitted counts from here on; where something did not fit, masks and ranges are empty.
+    pub fn settle(
+        &self,
+        device: &Device,
+        masks: [&Mask; 2],
+        ranges: &[&Buffer<u32>],
+    ) -> Result<()> {
+        let of_masks = masks.into_iter().flat_map(|mask| [&mask.bits, &mask.first]);
+        for table in of_masks.chain(ranges.iter().copied()) {
             let params = CountWithholdParams { len: table.len() as u32 };
-            let kernel = CountWithholdKernel { params, counts: &*self.counts, table: *table };
-            device.run(&kernel, params.len, 1)
-        })
+            let kernel = CountWithholdKernel { params, counts: &*self.counts, table };
+            device.run(&kernel, params.len, 1)?;
+        }
+        device.settle_counts();
+        Ok(())
     }
 
     /// The number at a place.

@@ -9,7 +9,6 @@ use crate::parse::{Kernel, Lanes, Role};
 /// `const fn run()`: a workgroup at a time where no invocation waits for another, else one invocation.
 pub fn cpu_run(kernel: &Kernel) -> TokenStream {
     let name = &kernel.function.sig.ident;
-    let [x, y, z] = kernel.threads;
     // workgroup memory follows the bindings
     let mut binding = 0usize;
     let mut shared = kernel.parameters.iter().filter(|p| p.role.is_binding()).count();
@@ -44,8 +43,23 @@ pub fn cpu_run(kernel: &Kernel) -> TokenStream {
     if let Some(lanes) = &kernel.lanes {
         return lane_run(kernel, lanes, &views.collect::<Vec<_>>());
     }
+    let step = quote! {
+        self::#name(id, #(#names),*);
+        local_x += 1;
+    };
+    let body = workgroup(kernel, &views.collect::<Vec<_>>(), &step);
     quote! {
-        unsafe fn run_workgroup(
+        unsafe fn run_workgroup #body
+        const fn run() -> crate::kernel::CpuRun { crate::kernel::CpuRun::Workgroup(run_workgroup) }
+    }
+}
+
+/// Parameters and body of a function that runs a workgroup: `step` runs the invocation `id`, or several from it on, and
+/// adds their number to `local_x`.
+fn workgroup(kernel: &Kernel, views: &[TokenStream], step: &TokenStream) -> TokenStream {
+    let [x, y, z] = kernel.threads;
+    quote! {
+        (
             bindings: &[crate::kernel::CpuBinding],
             workgroup: ::glam::UVec3,
             workgroups: ::glam::UVec3,
@@ -57,16 +71,16 @@ pub fn cpu_run(kernel: &Kernel) -> TokenStream {
             let size = ::glam::UVec3::new(#x, #y, #z);
             for local_z in 0..#z {
                 for local_y in 0..#y {
-                    for local_x in 0..#x {
+                    let mut local_x = 0;
+                    while local_x < #x {
                         let local = ::glam::UVec3::new(local_x, local_y, local_z);
                         let id = crate::invocation::Invocation::new(local, workgroup, workgroups, size);
                         crate::kernel::enter(local_x + #x * (local_y + #y * local_z));
-                        self::#name(id, #(#names),*);
+                        #step
                     }
                 }
             }
         }
-        const fn run() -> crate::kernel::CpuRun { crate::kernel::CpuRun::Workgroup(run_workgroup) }
     }
 }
 
@@ -104,31 +118,11 @@ fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStrea
             const _: () = ::core::assert!(#x % crate::lane::MAX_WIDTH == 0, "lanes fill a workgroup");
         },
     };
+    let body = workgroup(kernel, views, &step);
     quote! {
         #whole
         #[inline(always)]
-        unsafe fn run_lanes<L: crate::lane::Lane>(
-            bindings: &[crate::kernel::CpuBinding],
-            workgroup: ::glam::UVec3,
-            workgroups: ::glam::UVec3,
-        ) {
-            #(
-                // SAFETY: the caller passes bindings of the declared types
-                #views
-            )*
-            let size = ::glam::UVec3::new(#x, #y, #z);
-            for local_z in 0..#z {
-                for local_y in 0..#y {
-                    let mut local_x = 0;
-                    while local_x < #x {
-                        let local = ::glam::UVec3::new(local_x, local_y, local_z);
-                        let id = crate::invocation::Invocation::new(local, workgroup, workgroups, size);
-                        crate::kernel::enter(local_x + #x * (local_y + #y * local_z));
-                        #step
-                    }
-                }
-            }
-        }
+        unsafe fn run_lanes<L: crate::lane::Lane> #body
         const fn run() -> crate::kernel::CpuRun {
             crate::kernel::lane_runs!(run_lanes)
         }

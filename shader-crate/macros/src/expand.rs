@@ -108,9 +108,7 @@ fn entry_point(kernel: &Kernel, variant: Option<Variant>) -> TokenStream {
         true => quote!(::<crate::samples::Four>),
         false => quote!(::<f32>),
     });
-    let each = kernel
-        .samples
-        .then(|| quote!(.of(<crate::samples::Four as crate::samples::Samples>::WIDTH)));
+    let each = each(kernel);
     quote! {
         #[cfg(target_arch = "spirv")]
         #[allow(missing_docs, clippy::too_many_arguments)]
@@ -121,9 +119,17 @@ fn entry_point(kernel: &Kernel, variant: Option<Variant>) -> TokenStream {
             #[spirv(num_workgroups)] workgroups: ::glam::UVec3,
             #(#parameters),*
         ) {
-            let id = crate::invocation::Invocation::new(local, workgroup, workgroups, ::glam::UVec3::new(#x, #y, #z)) #each;
+            let id = crate::invocation::Invocation::new(local, workgroup, workgroups, ::glam::UVec3::new(#x, #y, #z)).of(#each);
             self::#name #lane (id, #(#arguments),*);
         }
+    }
+}
+
+/// Items along x that an invocation of a GPU takes.
+fn each(kernel: &Kernel) -> TokenStream {
+    match kernel.samples {
+        true => quote!(<crate::samples::Four as crate::samples::Samples>::WIDTH),
+        false => quote!(1),
     }
 }
 
@@ -169,10 +175,7 @@ fn info(kernel: &Kernel) -> TokenStream {
     let count = kernel.parameters.iter().filter(|parameter| parameter.role.is_binding()).count();
     let run = cpu_run(kernel);
     let (fused, layers, stacks) = (kernel.fused, kernel.layers, kernel.stacks);
-    let each = match kernel.samples {
-        true => quote!(<crate::samples::Four as crate::samples::Samples>::WIDTH),
-        false => quote!(1),
-    };
+    let each = each(kernel);
     quote! {
         #[cfg(not(target_arch = "spirv"))]
         #[::linkme::distributed_slice(crate::kernel::KERNELS)]

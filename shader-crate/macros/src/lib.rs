@@ -37,6 +37,9 @@
 //! invocations of one z touch with `atomic::add_wide`, which is atomic on a GPU alone.  With `stacks`, it runs those of
 //! one x and y one after another: what they all read is in a cache but for the first.
 //!
+//! A kernel with `lanes(field)` that is generic over `Samples` rather than over `Lane` takes four samples in an invocation of
+//! a GPU.
+//!
 //! A kernel with a stage or a group has a second SPIR-V entry point of the same body and bindings, its variant; the CPU
 //! always runs the plain one.
 //!

@@ -5,13 +5,11 @@ use std::sync::{Arc, LazyLock};
 
 use organza_kernels::KernelInfo;
 use organza_kernels::count::PLACEMENT_VALUES;
-
 use wgpu::util::DeviceExt;
 
 use super::pipeline::Pipeline;
-use crate::backend::Count;
 use crate::backend::buffer::Memory;
-use crate::backend::count::Total;
+use crate::backend::count::{Count, Total};
 
 /// The kernel that does it.
 pub static KERNEL: LazyLock<&'static KernelInfo> = LazyLock::new(|| {

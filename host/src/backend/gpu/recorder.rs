@@ -13,8 +13,8 @@ use crate::backend::Count;
 /// Bytes of a uniform slot: the largest alignment that an adapter may ask for.
 const SLOT: u64 = 256;
 
-/// Dispatches of one command buffer: each has its slot until it is submitted.  Enough for a training step, of which what
-/// is read in between makes a few command buffers; and as many timestamps as a query set takes.
+/// Dispatches of one submission: each has its slot until then.  Enough for a training step; and as many timestamps as a
+/// query set takes.
 pub const SLOTS: u64 = 2048;
 
 /// Parameters of a dispatch that the device fills in.

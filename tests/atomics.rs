@@ -1,8 +1,8 @@
 //! Atomics count exactly, however many invocations and threads there are.
 
 use glam::{Vec2, Vec3};
-use organza_kernels::camera::Camera;
-use organza_kernels::project::{ProjectKernel, ProjectParams};
+use organza_shaders::camera::Camera;
+use organza_shaders::project::{ProjectKernel, ProjectParams};
 use organza_tests::devices;
 
 #[test]

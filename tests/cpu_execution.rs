@@ -9,12 +9,11 @@ mod broken;
 use std::process::Command;
 
 use glam::UVec3;
-use organza::{Device, DeviceOptions, Error, InstructionSet, Renderer};
-use organza_kernels::invocation::Invocation;
-use organza_kernels::kernel::Dispatch;
-use organza_kernels::memory::{Read, Write};
-// `#[kernel]` writes paths of the crate that kernels are in
-use organza_kernels::{invocation, kernel};
+use organza::error::DeviceError;
+use organza::{Device, DeviceOptions, InstructionSet, Renderer};
+use organza_kernel::invocation::Invocation;
+use organza_kernel::kernel::Dispatch;
+use organza_kernel::memory::{Read, Write};
 use organza_tests::{cases, devices};
 
 use broken::*;
@@ -22,11 +21,11 @@ use broken::*;
 /// The message of a kernel that must fail.
 fn failure<'a>(
     device: &Device,
-    kernel: &impl Dispatch<'a, organza::backend::Host>,
+    kernel: &impl Dispatch<'a, organza_device::Host>,
     items: u32,
 ) -> String {
     match device.run(kernel, items, 1) {
-        Err(error @ Error::Kernel { .. }) => error.to_string(),
+        Err(error @ DeviceError::Kernel { .. }) => error.to_string(),
         other => panic!("`{}` gave {other:?}", kernel.info().name),
     }
 }
@@ -39,7 +38,7 @@ fn assert_contains(message: &str, parts: &[&str]) {
 
 fn checked() -> Device {
     let options = DeviceOptions { check_races: true, ..DeviceOptions::cpu(None) };
-    Device::open(&options).expect("the CPU")
+    organza::open_device(&options).expect("the CPU")
 }
 
 /// The line of this crate's broken kernels that has a text.

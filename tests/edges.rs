@@ -2,8 +2,8 @@
 
 use glam::Vec2;
 use organza::{Renderer, Scene};
-use organza_kernels::tile::reaches;
-use organza_kernels::unit_cube::Split;
+use organza_shaders::tile::reaches;
+use organza_shaders::unit_cube::Split;
 use organza_tests::cases::Case;
 use organza_tests::{cases, devices};
 

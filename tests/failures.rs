@@ -1,6 +1,7 @@
 //! Devices that fail: lost, or with too little memory.
 
-use organza::{Device, DeviceOptions, Error, Renderer, SpirvPath};
+use organza::error::DeviceError;
+use organza::{DeviceOptions, Error, Renderer, SpirvPath};
 use organza_tests::{cases, devices};
 
 #[test]
@@ -18,7 +19,7 @@ fn a_lost_device_is_an_error() {
                 .render(&scene, &case.cameras, &case.tiles)
                 .expect_err("the device is gone");
             assert!(
-                matches!(error, Error::DeviceLost { .. }),
+                matches!(error, Error::Device(DeviceError::DeviceLost { .. })),
                 "{backend}, attempt {attempt}: {error:?}"
             );
             assert!(error.to_string().contains("lost"), "{error}");
@@ -33,7 +34,9 @@ fn too_little_memory_is_an_error_that_says_how_much() {
         let needed = 1u64 << 50;
         let error = device.zeros::<u32>("test", (needed / 4) as usize).expect_err("a pebibyte");
         match &error {
-            Error::OutOfMemory { needed: found, .. } => assert_eq!(*found, needed, "{backend}"),
+            DeviceError::OutOfMemory { needed: found, .. } => {
+                assert_eq!(*found, needed, "{backend}")
+            }
             other => panic!("{backend}: {other:?}"),
         }
         let text = error.to_string();
@@ -50,8 +53,8 @@ fn an_adapter_that_is_not_there_is_named() {
         adapter: Some("no such adapter".into()),
         ..DeviceOptions::gpu(SpirvPath::Naga)
     };
-    let error = Device::open(&options).expect_err("there is none of that name");
-    assert!(matches!(&error, Error::NoGpu { .. }), "{error:?}");
+    let error = organza::open_device(&options).expect_err("there is none of that name");
+    assert!(matches!(&error, Error::Device(DeviceError::NoGpu { .. })), "{error:?}");
     let without_driver = error.to_string().contains("driver");
     assert!(without_driver || error.to_string().contains("no such adapter"), "{error}");
 }

@@ -4,34 +4,21 @@
 use std::fs;
 use std::path::Path;
 
-// what the kernel finds in the crate of the kernels, and the parity case in the host's
-use organza::error;
-use organza_kernels::{invocation, kernel, prelude};
-
 #[path = "guide/blend.rs"]
 pub mod blend;
 
 mod parity {
-    pub use organza::parity::{bench, inputs};
-    pub mod case {
-        pub use organza::parity::{Parity, Rounding};
-    }
-    pub mod measure {
-        pub use organza::parity::{Bound, Output};
-    }
-    pub mod blend {
-        use crate::with_blend as organza_kernels;
-        include!("guide/parity.rs");
-    }
+    use crate::with_blend as organza_shaders;
+    include!("guide/parity.rs");
 }
 
 mod snapshot {
-    use crate::with_blend as organza_kernels;
+    use crate::with_blend as organza_shaders;
     use crate::with_cpu as organza_tests;
     include!("guide/snapshot.rs");
 }
 
-/// `organza_kernels` as it would be with the kernel.
+/// `organza_shaders` as it would be with the kernel.
 mod with_blend {
     pub use crate::blend;
 }
@@ -72,8 +59,8 @@ fn the_page_shows_the_files() {
 
 #[test]
 fn the_parity_case_runs() {
-    use organza::parity::{Case, Rounding};
-    let case = Case::of::<parity::blend::Blend>();
+    use organza_check::{Case, Rounding};
+    let case = Case::of::<parity::Blend>();
     let (one, many) = (organza_tests::devices::cpu(Some(1)), organza_tests::devices::cpu(None));
     let measure = case.measure(&one, &many, Rounding::AsWritten).unwrap();
     assert!(measure.is_ok());

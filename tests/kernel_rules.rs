@@ -4,10 +4,11 @@ use std::fs;
 use std::panic;
 use std::path::Path;
 
-use organza::kernels::{self, CodeSize};
-use organza_kernels::limits::MAX_ITERATIONS;
-use organza_kernels::transmittance::{SegmentProductKernel, SegmentProductParams};
-use organza_kernels::{EntryPoint, KernelInfo, Variant, kernels as declared};
+use organza::MODULES;
+use organza_device::CodeSize;
+use organza_kernel::{EntryPoint, KernelInfo, Variant, kernels as declared};
+use organza_shaders::limits::MAX_ITERATIONS;
+use organza_shaders::transmittance::{SegmentProductKernel, SegmentProductParams};
 use organza_tests::devices;
 use organza_tests::spirv::instructions;
 use wgpu::naga;
@@ -57,7 +58,7 @@ fn naga_module(words: &[u32]) -> Result<naga::Module, String> {
 #[test]
 fn every_loop_is_bounded() {
     for (kernel, point) in entry_points() {
-        let loops = CodeSize::of(&kernels::of(kernel, &point).unwrap().spirv_words()).loops;
+        let loops = CodeSize::of(&MODULES.of(kernel, &point).unwrap().spirv_words()).loops;
         let name = point.name;
         match kernel.iterations {
             None => assert!(
@@ -99,7 +100,7 @@ fn modules_keep_the_rules() {
     const FUNCTION_STORAGE: u32 = 7;
     const FLOAT16: u32 = 9;
     const STORAGE_16_BIT: u32 = 4433;
-    for kernel in kernels::all() {
+    for kernel in MODULES.all() {
         let (name, words) = (&kernel.entry().name, kernel.spirv_words());
         let all: Vec<_> = instructions(&words).collect();
         let count = |opcodes: &[u32]| all.iter().filter(|i| opcodes.contains(&i.opcode)).count();
@@ -136,7 +137,7 @@ fn modules_keep_the_rules() {
 fn plain_entry_points_need_nothing() {
     const SUBGROUPS: [u32; 2] = [61, 63];
     for (kernel, point) in entry_points() {
-        let words = kernels::of(kernel, &point).unwrap().spirv_words();
+        let words = MODULES.of(kernel, &point).unwrap().spirv_words();
         let needs = |i: &organza_tests::spirv::Instruction<'_>| {
             is(i, op::CAPABILITY) && SUBGROUPS.contains(&i.operands[0])
         };
@@ -150,7 +151,7 @@ fn plain_entry_points_need_nothing() {
 #[test]
 fn naga_takes_every_entry_point() {
     for (kernel, point) in entry_points() {
-        let words = kernels::of(kernel, &point).unwrap().spirv_words();
+        let words = MODULES.of(kernel, &point).unwrap().spirv_words();
         let module = naga_module(&words).unwrap_or_else(|error| panic!("{}: {error}", point.name));
         assert_eq!(module.entry_points.len(), 1, "{}", point.name);
     }
@@ -160,7 +161,7 @@ fn naga_takes_every_entry_point() {
 #[test]
 fn naga_wants_arguments_from_the_same_block() {
     let name = "scan_block_subgroups";
-    let words = kernels::find(name).unwrap().spirv_words().into_owned();
+    let words = MODULES.find(name).unwrap().spirv_words().into_owned();
     naga_module(&words).expect("a module as it is");
     let all: Vec<_> = instructions(&words).collect();
     let mut broken = words.clone();
@@ -201,7 +202,7 @@ fn is(instruction: &organza_tests::spirv::Instruction<'_>, opcode: u32) -> bool 
 #[test]
 fn elements_lie_as_in_rust() {
     const ARRAY_STRIDE: u32 = 6;
-    for kernel in kernels::all() {
+    for kernel in MODULES.all() {
         let words = kernel.spirv_words();
         let mut strides: Vec<_> = instructions(&words)
             .filter(|i| i.opcode == op::DECORATE && i.operands[1] == ARRAY_STRIDE)
@@ -222,7 +223,7 @@ fn elements_lie_as_in_rust() {
 /// The trap: NaN and infinity as literals.
 #[test]
 fn naga_refuses_literals_that_are_no_numbers() {
-    let module = kernels::find("project").unwrap().spirv_words().into_owned();
+    let module = MODULES.find("project").unwrap().spirv_words().into_owned();
     naga_module(&module).expect("a module as it is");
     let float = instructions(&module).find(|i| i.opcode == op::TYPE_FLOAT).unwrap().operands[0];
     let constant = instructions(&module)
@@ -247,11 +248,11 @@ fn naga_drops_no_contraction() {
             .count()
     };
     for (kernel, point) in entry_points() {
-        let words = kernels::of(kernel, &point).unwrap().spirv_words();
+        let words = MODULES.of(kernel, &point).unwrap().spirv_words();
         let arithmetic = instructions(&words).any(|i| matches!(i.opcode, 129 | 131 | 133 | 136));
         assert_eq!(decorated(&words) > 0, !kernel.fused && arithmetic, "{}", point.name);
     }
-    let words = kernels::find("project").unwrap().spirv_words();
+    let words = MODULES.find("project").unwrap().spirv_words();
     let module = naga_module(&words).unwrap();
     let info = naga::valid::Validator::new(
         naga::valid::ValidationFlags::all(),

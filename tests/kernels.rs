@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use organza::kernels;
+use organza::MODULES;
 use organza_manifest::{Interface, sha256, source_hash};
 
 const REMEDY: &str = "run `cargo xtask kernels` and commit what it writes to host/kernels \
@@ -11,9 +11,9 @@ const REMEDY: &str = "run `cargo xtask kernels` and commit what it writes to hos
 
 #[test]
 fn kernels_are_compiled_from_these_sources() {
-    let shader_crate = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shader-crate");
-    let sources = source_hash(&shader_crate).unwrap();
-    let compiled = &kernels::manifest().source_hash;
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let sources = source_hash(&workspace, &MODULES.manifest().sources).unwrap();
+    let compiled = &MODULES.manifest().source_hash;
     assert!(
         *compiled == sources,
         "the compiled kernels are not from these sources: {REMEDY}\n  \
@@ -23,10 +23,10 @@ fn kernels_are_compiled_from_these_sources() {
 
 #[test]
 fn every_kernel_is_compiled_as_it_is_declared() {
-    for kernel in organza_kernels::kernels() {
+    for kernel in organza_kernel::kernels() {
         for point in kernel.entry_points() {
             let name = point.name;
-            let Some(entry) = kernels::manifest().find(name) else {
+            let Some(entry) = MODULES.manifest().find(name) else {
                 panic!("the kernel `{name}` is not compiled: {REMEDY}");
             };
             assert_eq!(
@@ -41,12 +41,12 @@ fn every_kernel_is_compiled_as_it_is_declared() {
 
 #[test]
 fn nothing_else_is_compiled() {
-    let declared: BTreeSet<_> = organza_kernels::kernels()
+    let declared: BTreeSet<_> = organza_kernel::kernels()
         .flat_map(|kernel| kernel.entry_points())
         .map(|point| point.name)
         .collect();
     assert!(!declared.is_empty(), "the registry of kernels is empty");
-    for kernel in &kernels::manifest().kernels {
+    for kernel in &MODULES.manifest().kernels {
         assert!(
             declared.contains(kernel.name.as_str()),
             "`{}` is compiled but no longer declared: {REMEDY}",
@@ -58,11 +58,11 @@ fn nothing_else_is_compiled() {
 #[test]
 fn modules_are_those_of_the_manifest() {
     assert_eq!(
-        kernels::all().len(),
-        kernels::manifest().kernels.len(),
+        MODULES.all().count(),
+        MODULES.manifest().kernels.len(),
         "modules are missing from host/kernels: {REMEDY}"
     );
-    for kernel in kernels::all() {
+    for kernel in MODULES.all() {
         let (entry, spirv) = (kernel.entry(), kernel.spirv());
         assert_eq!(entry.spirv_bytes, spirv.len() as u64, "{}: {REMEDY}", entry.spirv);
         assert_eq!(entry.spirv_sha256, sha256(spirv), "{}: {REMEDY}", entry.spirv);

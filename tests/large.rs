@@ -1,10 +1,10 @@
 //! Sizes past what one dispatch, one workgroup or one invocation takes.
 
 use glam::{Vec2, Vec4};
-use organza_kernels::composite::{CompositeKernel, CompositeParams};
-use organza_kernels::limits::MAX_MEMBERS;
-use organza_kernels::scan::{BLOCK, ScanBlockKernel, ScanParams};
-use organza_kernels::tile::Tile;
+use organza_shaders::composite::{CompositeKernel, CompositeParams};
+use organza_shaders::limits::MAX_MEMBERS;
+use organza_shaders::scan::{BLOCK, ScanBlockKernel, ScanParams};
+use organza_shaders::tile::Tile;
 use organza_tests::devices;
 
 /// Numbers without a pattern, in [0, 1).

@@ -22,13 +22,14 @@ mod peaks;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use organza::parity::{self, Bench, Output, Parity, Rounding, Values};
-use organza::{Device, DeviceOptions, InstructionSet, SpirvPath};
+use organza::parity;
+use organza::{DeviceOptions, InstructionSet, SpirvPath};
+use organza_check::{Bench, Output, Parity, Rounding, Values, missing};
 use organza_tests::devices;
 
 #[test]
 fn every_kernel_has_a_case() {
-    let missing = parity::missing(&parity::cases());
+    let missing = missing(&parity::cases(), "host/src/parity");
     assert!(missing.is_empty(), "{}", missing.join("\n"));
 }
 
@@ -36,7 +37,7 @@ fn every_kernel_has_a_case() {
 fn a_kernel_without_a_case_is_told_where_to_add_it() {
     let mut cases = parity::cases();
     let removed = cases.remove(0);
-    let missing = parity::missing(&cases);
+    let missing = missing(&cases, "host/src/parity");
     assert_eq!(missing.len(), 1);
     for part in [removed.kernel, "host/src/parity/project.rs", "cases()"] {
         assert!(missing[0].contains(part), "{}", missing[0]);
@@ -80,7 +81,7 @@ fn every_device_is_within_tolerance_of_the_cpu() {
 fn no_two_invocations_get_in_each_others_way() {
     let options = DeviceOptions { check_races: true, ..DeviceOptions::cpu(None) };
     let scalar = devices::with(InstructionSet::Scalar);
-    let checked = Device::open(&options).expect("the CPU");
+    let checked = organza::open_device(&options).expect("the CPU");
     for case in parity::cases() {
         let measure = case.measure(&scalar, &checked, Rounding::AsWritten).expect("no race");
         assert_eq!(measure.share.value, 0.0, "{}: checking changes the result", case.kernel);

@@ -1,15 +1,15 @@
 //! What holds for every input: the clip, the hash index, tile membership, the composite.
 
 use glam::{Vec2, Vec3, Vec4};
-use organza::backend::Buffer;
 use organza::{Device, scene::GridConfig, scene::Interpolation};
-use organza_kernels::camera::Camera;
-use organza_kernels::composite::{CompositeKernel, CompositeParams};
-use organza_kernels::project::{falloff, mahalanobis, project_gaussian};
-use organza_kernels::resolve::{DIVIDE_ABOVE, ResolveKernel, ResolveParams};
-use organza_kernels::segment::{clip_to_unit_cube, clipped_segment, point_along};
-use organza_kernels::tile::{Tile, distance_squared, reaches};
-use organza_kernels::unit_cube::Split;
+use organza_device::Buffer;
+use organza_shaders::camera::Camera;
+use organza_shaders::composite::{CompositeKernel, CompositeParams};
+use organza_shaders::project::{falloff, mahalanobis, project_gaussian};
+use organza_shaders::resolve::{DIVIDE_ABOVE, ResolveKernel, ResolveParams};
+use organza_shaders::segment::{clip_to_unit_cube, clipped_segment, point_along};
+use organza_shaders::tile::{Tile, distance_squared, reaches};
+use organza_shaders::unit_cube::Split;
 use organza_tests::devices;
 use proptest::prelude::*;
 

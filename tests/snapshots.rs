@@ -14,6 +14,7 @@ use std::sync::{Arc, LazyLock, Mutex};
 
 use insta::{Settings, Snapshot};
 use organza::Renderer;
+use organza::image::to_8_bit;
 use organza_tests::devices;
 
 use snapshot::compare::{Held, Mismatch, Rule, Tolerance};
@@ -58,7 +59,9 @@ fn assert_tensors(
 
 /// Holds `[K, 3, S, S]` to the picture `name`.
 fn assert_picture([name, description]: [&str; 2], backend: &str, data: &[f32], montage: Montage) {
-    let content = Content::Png(picture::encode(&montage.draw(data)));
+    let content = Content::Png(picture::encode(
+        &montage.draw(&data.iter().copied().map(to_8_bit).collect::<Vec<_>>()),
+    ));
     assert_record(backend, &Record { name, description, rule: Rule::Picture(montage), content });
 }
 

@@ -1,9 +1,9 @@
 //! What kernels take and compute, on every device.
 
 use organza::Device;
-use organza::backend::KernelTime;
-use organza_kernels::peak::{PeakReadKernel, PeakReadParams};
-use organza_kernels::scan::{ScanAddKernel, ScanParams};
+use organza_device::KernelTime;
+use organza_shaders::peak::{PeakReadKernel, PeakReadParams};
+use organza_shaders::scan::{ScanAddKernel, ScanParams};
 use organza_tests::devices;
 
 const COUNT: u32 = 1_000;

@@ -1,9 +1,10 @@
 //! The variants of kernels: what they give beside the plain entry points, and who runs them.
 
-use organza::parity::{self, Rounding};
-use organza::{Device, DeviceOptions, Renderer, SpirvPath};
-use organza_kernels::KernelInfo;
-use organza_kernels::kernel::{MAX_WORKGROUP_BYTES, workgroup_bytes};
+use organza::parity;
+use organza::{DeviceOptions, Renderer, SpirvPath};
+use organza_check::Rounding;
+use organza_kernel::KernelInfo;
+use organza_kernel::kernel::{MAX_WORKGROUP_BYTES, workgroup_bytes};
 use organza_tests::compare::assert_close;
 use organza_tests::{cases, devices};
 
@@ -11,7 +12,7 @@ use organza_tests::{cases, devices};
 const TILES: f64 = 2e-4;
 
 fn kernel(name: &str) -> &'static KernelInfo {
-    organza_kernels::kernels().find(|kernel| kernel.name == name).expect("a kernel")
+    organza_kernel::kernels().find(|kernel| kernel.name == name).expect("a kernel")
 }
 
 #[test]
@@ -67,7 +68,7 @@ fn a_device_says_which_kernels_it_runs() {
     for (name, [plain, variants]) in devices::variants() {
         assert!(plain.choice().contains("plain kernels"), "{name}: {}", plain.choice());
         assert!(variants.choice().contains("variants with"), "{name}: {}", variants.choice());
-        for kernel in organza_kernels::kernels() {
+        for kernel in organza_kernel::kernels() {
             assert_eq!(plain.entry_point(kernel).name, kernel.name, "{name}");
         }
         let Some(composite) = kernel("composite").variant else { panic!("it has a variant") };
@@ -75,13 +76,13 @@ fn a_device_says_which_kernels_it_runs() {
     }
     // who asks for variants does not ask for a GPU
     let options = DeviceOptions { variants: Some(true), ..DeviceOptions::cpu(None) };
-    let cpu = Device::open(&options).expect("the CPU");
+    let cpu = organza::open_device(&options).expect("the CPU");
     assert_eq!(cpu.entry_point(kernel("dense")).name, "dense");
 }
 
 #[test]
 fn workgroup_memory_is_what_every_gpu_has() {
-    let points = || organza_kernels::kernels().flat_map(KernelInfo::entry_points);
+    let points = || organza_kernel::kernels().flat_map(KernelInfo::entry_points);
     assert!(points().any(|point| point.variant.is_some() && workgroup_bytes(point.shared) > 1_000));
     for point in points() {
         let bytes = workgroup_bytes(point.shared);

@@ -1,6 +1,6 @@
 //! Adam (Kingma and Ba 2015, Algorithm 1), one kernel for the parameters of every kind.
 
-use crate::prelude::*;
+use organza_kernel::prelude::*;
 
 /// Values that share a flag in [`adam`]'s `touched`.
 pub const TOUCHED_BLOCK: u32 = 64;

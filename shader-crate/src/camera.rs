@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::prelude::*;
+use organza_kernel::prelude::*;
 
 /// A pinhole camera, with OpenCV axes: x right, y down, z forward.
 #[derive(Clone, Copy)]

@@ -1,7 +1,7 @@
 //! Exclusive prefix sums.
 
-use crate::group::THREADS;
-use crate::prelude::*;
+use organza_kernel::group::THREADS;
+use organza_kernel::prelude::*;
 
 /// Values that one invocation sums on its own.
 const VALUES: u32 = 16;

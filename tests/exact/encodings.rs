@@ -1,11 +1,11 @@
 //! Eq. 1 and 9: the unit cube, spherical harmonics, the hash grid and the samples of a segment.
 
-use organza::parity::Canary;
 use organza::parity::color::ColorInputs;
 use organza::parity::hash_grid::HashGrid;
 use organza::parity::hash_grid_half::HashGridHalf;
 use organza::parity::transmittance::TransmittanceInputs;
 use organza::scene::Interpolation;
+use organza_check::Canary;
 
 use super::hold::hold;
 

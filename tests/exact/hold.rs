@@ -1,7 +1,7 @@
 //! Holds a kernel's CPU outputs to numbers that were computed otherwise.
 
 use organza::Device;
-use organza::parity::{Bench, Bound, Canary, Measure, Output, Parity, Rounding, Values};
+use organza_check::{Bench, Bound, Canary, Measure, Output, Parity, Rounding, Values};
 use organza_tests::devices;
 
 /// Compares every set of a kernel's case on the CPU with `exact`, within the case's own tolerance.

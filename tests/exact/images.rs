@@ -1,9 +1,9 @@
 //! Eq. 12, 13 and 16: splats, sums and pixels.
 
-use organza::parity::Rounding;
 use organza::parity::composite::Composite;
 use organza::parity::resolve::Resolve;
 use organza::parity::splat::Splat;
+use organza_check::Rounding;
 
 use super::hold::{hold, hold_to};
 

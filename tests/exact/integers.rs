@@ -1,10 +1,10 @@
 //! Eq. 14 and 15, and what counts, scans and lists members: integers that must be right to the bit.
 
-use organza::parity::Rounding;
 use organza::parity::pair::{PairFill, PairMask};
 use organza::parity::scan::{ScanAdd, ScanBlock};
 use organza::parity::tile::{TileFill, TileMask, TileRange};
 use organza::parity::tile_cells::TileCells;
+use organza_check::Rounding;
 
 use super::hold::{hold, hold_all};
 

@@ -1,9 +1,9 @@
 //! The loss and its windows: sums as they are defined, slopes as differences.
 
 use glam::Vec4;
-use organza::parity::Rounding;
 use organza::parity::loss::{LossGradient, LossRows, LossTerms, Terms};
 use organza::parity::ssim::{SsimColumns, SsimRows, SsimRowsBackward};
+use organza_check::Rounding;
 
 use super::hold::{hold, hold_to};
 

@@ -5,9 +5,9 @@ use organza::parity::color::ColorHead;
 use organza::parity::dense::{Dense, Layer};
 use organza::parity::dense_half::DenseHalf;
 use organza::parity::transmittance::{SegmentProduct, TransmittanceHead};
-use organza::parity::{Bench, Parity, Rounding};
+use organza_check::{Bench, Parity, Rounding};
 
-use organza_kernels::dense_half::{GROUP, UNIT};
+use organza_shaders::dense_half::{GROUP, UNIT};
 use organza_tests::devices;
 
 use super::hold::{hold, hold_to};

@@ -20,7 +20,7 @@ fn every_value_is_read_once() {
         let is_output = index < set.count as usize;
         is_output.then(|| set.read_by(index as u32).sum())
     });
-    for (_, set) in <PeakRead as organza::parity::Parity>::sets() {
+    for (_, set) in <PeakRead as organza_check::Parity>::sets() {
         let read = (0..set.count.next_multiple_of(64)).map(|index| set.read_by(index).count());
         assert_eq!(read.sum::<usize>(), set.values.len());
     }

@@ -2,7 +2,7 @@
 
 use glam::Vec4;
 use organza::parity::inputs::Random;
-use organza_kernels::color_backward::{
+use organza_shaders::color_backward::{
     ColorHeadBackwardKernel, ColorHeadBackwardParams, MaterialBackwardKernel,
     MaterialBackwardParams,
 };

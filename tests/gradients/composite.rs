@@ -4,10 +4,10 @@ use glam::Vec4;
 use organza::Device;
 use organza::parity::composite::extent;
 use organza::parity::inputs::Random;
-use organza_kernels::composite_backward::{
+use organza_shaders::composite_backward::{
     CompositeBackwardKernel, CompositeBackwardParams, band_rows,
 };
-use organza_kernels::tile::Tile;
+use organza_shaders::tile::Tile;
 
 use super::numeric::{central, everywhere, hold};
 

@@ -3,7 +3,7 @@
 use glam::Vec4;
 use organza::Device;
 use organza::parity::inputs::Random;
-use organza_kernels::dense_backward::{
+use organza_shaders::dense_backward::{
     DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
     DenseWeightSumKernel, DenseWeightSumParams, INPUT_BLOCK, WEIGHT_BLOCK,
 };

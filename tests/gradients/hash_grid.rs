@@ -2,12 +2,12 @@
 
 use organza::scene::{GridConfig, GridLevelGeometry, Interpolation};
 use organza::{Device, DeviceOptions};
-use organza_kernels::hash_grid::{HashGridParams, POINT_ROWS};
-use organza_kernels::hash_grid_backward::{
+use organza_shaders::hash_grid::{HashGridParams, POINT_ROWS};
+use organza_shaders::hash_grid_backward::{
     FLAG_BLOCK, HashGridBackwardKernel, HashGridGradientKernel, HashGridGradientParams,
 };
-use organza_kernels::hash_grid_scale::STATUS_LIMIT;
-use organza_kernels::unit_cube::Split;
+use organza_shaders::hash_grid_scale::STATUS_LIMIT;
+use organza_shaders::unit_cube::Split;
 use organza_tests::devices;
 
 /// Rows before the features' gradients.
@@ -184,7 +184,7 @@ pub fn all() -> Vec<(String, Device)> {
     let mut all = vec![("one thread".to_owned(), devices::cpu(Some(1)))];
     all.push(("five threads".to_owned(), devices::cpu(Some(5))));
     let checked = DeviceOptions { check_races: true, ..DeviceOptions::cpu(None) };
-    all.push(("checked".to_owned(), Device::open(&checked).unwrap()));
+    all.push(("checked".to_owned(), organza::open_device(&checked).unwrap()));
     all.extend(devices::cpus().into_iter().map(|(name, device)| (name.to_owned(), device)));
     let gpus = devices::all().into_iter().filter(|(name, _)| *name != "cpu");
     all.extend(gpus.map(|(name, device)| (name.to_owned(), device)));

@@ -3,7 +3,7 @@
 use glam::Vec4;
 use organza::Device;
 use organza::scene::Interpolation;
-use organza_kernels::hash_grid_scale::{
+use organza_shaders::hash_grid_scale::{
     HashGridNormKernel, HashGridNormParams, HashGridPeakKernel, HashGridPeakParams,
     HashGridScaleKernel, HashGridScaleParams, LIMIT, SCALE, STATUS_NOT_FINITE,
 };

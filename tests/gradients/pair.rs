@@ -1,7 +1,7 @@
 //! What the pairs of a Gaussian share: `L = sum over pairs of g sin(vector of its Gaussian)`.
 
 use organza::parity::inputs::Random;
-use organza_kernels::pair::{PairSumKernel, PairSumParams};
+use organza_shaders::pair::{PairSumKernel, PairSumParams};
 
 use super::numeric::{central, everywhere, hold};
 

@@ -4,8 +4,8 @@ use glam::{DMat3, DQuat, DVec3, DVec4, Vec3, Vec4};
 use organza::Device;
 use organza::parity::inputs::Random;
 use organza::parity::project::cameras;
-use organza_kernels::camera::Camera;
-use organza_kernels::project_backward::{ProjectBackwardKernel, ProjectBackwardParams};
+use organza_shaders::camera::Camera;
+use organza_shaders::project_backward::{ProjectBackwardKernel, ProjectBackwardParams};
 
 use super::numeric::{central, everywhere, hold};
 

@@ -2,8 +2,8 @@
 
 use organza::Device;
 use organza::parity::inputs::Random;
-use organza_kernels::resolve::{DIVIDE_ABOVE, ResolveBackwardKernel, ResolveParams};
-use organza_kernels::tile::Tile;
+use organza_shaders::resolve::{DIVIDE_ABOVE, ResolveBackwardKernel, ResolveParams};
+use organza_shaders::tile::Tile;
 
 use super::numeric::{central, everywhere, hold};
 

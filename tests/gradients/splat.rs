@@ -3,7 +3,7 @@
 use glam::Vec4;
 use organza::Device;
 use organza::parity::inputs::Random;
-use organza_kernels::splat::{SplatBackwardKernel, SplatBackwardParams};
+use organza_shaders::splat::{SplatBackwardKernel, SplatBackwardParams};
 
 use super::numeric::{central, everywhere, hold};
 

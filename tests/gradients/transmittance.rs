@@ -3,9 +3,9 @@
 use glam::Vec4;
 use organza::Device;
 use organza::parity::inputs::Random;
-use organza_kernels::hash_grid::POINT_ROWS;
-use organza_kernels::transmittance::TransmittanceHeadParams;
-use organza_kernels::transmittance_backward::{
+use organza_shaders::hash_grid::POINT_ROWS;
+use organza_shaders::transmittance::TransmittanceHeadParams;
+use organza_shaders::transmittance_backward::{
     ExtraBackwardKernel, ExtraBackwardParams, SegmentProductBackwardKernel,
     SegmentProductBackwardParams, TransmittanceHeadBackwardKernel,
 };

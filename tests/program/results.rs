@@ -4,7 +4,7 @@ use std::fs;
 
 use organza::image::to_8_bit;
 use organza::scene::read_tensors;
-use organza::{Device, DeviceOptions, Renderer, Scene};
+use organza::{DeviceOptions, Renderer, Scene};
 use organza_tests::cases::{self, Case};
 use organza_tests::compare::assert_close;
 use serde_json::{Value, json};
@@ -155,7 +155,7 @@ fn gaussians_without_effect_are_hidden_unless_asked_for() {
 
 #[test]
 fn info_tells_what_every_file_holds() {
-    let device = Device::open(&DeviceOptions::cpu(Some(1))).unwrap();
+    let device = organza::open_device(&DeviceOptions::cpu(Some(1))).unwrap();
     let renderer = Renderer::new(device);
     for name in names() {
         let sandbox = Sandbox::new(&name);

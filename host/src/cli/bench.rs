@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use organza::bench::{BenchOptions, Benchmark, KernelShare, Synthetic, measure, passes};
+use organza::error::DeviceError;
 use organza::{Camera, DeviceOptions, Error, Result, Scene, TileBatch};
 
 use super::console::{print, print_json};
@@ -103,7 +104,9 @@ impl Args {
             match self.measure(workload, &device) {
                 Ok(benchmark) => found.push(benchmark),
                 // another may be of use
-                Err(error @ Error::NoGpu { .. }) => console.warn(&error.to_string()),
+                Err(error @ Error::Device(DeviceError::NoGpu { .. })) => {
+                    console.warn(&error.to_string())
+                }
                 Err(error) => return Err(error),
             }
         }

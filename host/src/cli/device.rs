@@ -2,11 +2,11 @@
 
 use clap::ValueEnum;
 use clap::builder::PossibleValuesParser;
-use organza::backend::{AdapterInfo, adapters};
 use organza::{
-    BackendChoice, Device, DeviceOptions, DeviceScene, InstructionSet, Renderer, Result, Scene,
-    SpirvPath, UploadOptions,
+    BackendChoice, DeviceOptions, DeviceScene, InstructionSet, Renderer, Result, Scene, SpirvPath,
+    UploadOptions,
 };
+use organza_device::{AdapterInfo, adapters};
 
 use super::console::Console;
 use super::refuse;
@@ -102,7 +102,7 @@ impl DeviceArgs {
     /// Opens a device of [`Self::options`] or [`Self::every`] and says which it is.
     pub fn open_as(&self, options: &DeviceOptions) -> Result<Renderer> {
         let console = self.console();
-        let device = console.during("opening the device", || Device::open(options))?;
+        let device = console.during("opening the device", || organza::open_device(options))?;
         console.note(device.choice());
         Ok(Renderer::new(device))
     }

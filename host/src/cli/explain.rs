@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use organza::image::to_8_bit;
 use organza::render::Contribution;
-use organza::{Camera, Device, DeviceOptions, Inspection, Renderer, Result, Scene};
+use organza::{Camera, DeviceOptions, Inspection, Renderer, Result, Scene};
 use serde::Serialize;
 
 use super::console::{Console, print, print_json};
@@ -69,7 +69,7 @@ pub fn run(args: &Args) -> Result<()> {
     }
     warn_distorted(Console::new(false), &cameras, &[args.view]);
     let scene = Scene::load(&args.scene)?;
-    let renderer = Renderer::new(Device::open(&DeviceOptions::cpu(None))?);
+    let renderer = Renderer::new(organza::open_device(&DeviceOptions::cpu(None))?);
     let scene = renderer.upload(&scene)?;
     let mut inspection = renderer.inspect(&scene, &cameras, args.view, args.pixel)?;
     let reaching = inspection.contributions.len();

@@ -1,10 +1,10 @@
 //! `organza kernels`: what the program carries for GPUs.
 
-use organza::Result;
-use organza::kernels::{self, CodeSize};
-use organza_kernels::kernel::workgroup_bytes;
-use organza_kernels::limits::MAX_ITERATIONS;
-use organza_kernels::{EntryPoint, KernelInfo};
+use organza::{MODULES, Result};
+use organza_device::CodeSize;
+use organza_kernel::kernel::workgroup_bytes;
+use organza_kernel::{EntryPoint, KernelInfo};
+use organza_shaders::limits::MAX_ITERATIONS;
 use serde::Serialize;
 
 use super::console::{print, print_json};
@@ -44,7 +44,7 @@ struct Binding {
 }
 
 pub fn run(args: &Args) -> Result<()> {
-    let mut declared: Vec<_> = organza_kernels::kernels().collect();
+    let mut declared: Vec<_> = organza_kernel::kernels().collect();
     declared.sort_by_key(|kernel| kernel.name);
     let all =
         declared.iter().flat_map(|kernel| kernel.entry_points().map(|point| (*kernel, point)));
@@ -58,7 +58,7 @@ pub fn run(args: &Args) -> Result<()> {
 
 impl Listed {
     fn of(kernel: &'static KernelInfo, point: EntryPoint) -> Result<Self> {
-        let compiled = kernels::of(kernel, &point)?;
+        let compiled = MODULES.of(kernel, &point)?;
         let bindings = kernel.bindings.iter().enumerate().map(|(binding, info)| Binding {
             binding,
             name: info.name,

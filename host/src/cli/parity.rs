@@ -4,9 +4,11 @@ use std::fmt::Write as _;
 use std::process::ExitCode;
 
 use clap::ValueEnum;
-use organza::backend::{AdapterInfo, adapters};
-use organza::parity::{Report, Row, Worst, cases};
-use organza::{Device, DeviceOptions, Error, Result, SpirvPath};
+use organza::error::DeviceError;
+use organza::parity::cases;
+use organza::{DeviceOptions, Error, MODULES, Result, SpirvPath};
+use organza_check::{Report, Row, Worst};
+use organza_device::{AdapterInfo, adapters};
 
 use super::console::{Console, print, print_json};
 use super::refuse;
@@ -58,23 +60,24 @@ enum Backend {
 
 pub fn run(args: &Args) -> Result<ExitCode> {
     let console = Console::new(args.quiet);
-    let cpu = Device::open(&DeviceOptions::cpu(None))?;
+    let cpu = organza::open_device(&DeviceOptions::cpu(None))?;
     let (mut reports, mut unusable) = (Vec::new(), Vec::new());
     if args.backend == Backend::Cpu {
         if args.adapter.is_some() {
             return refuse("`--adapter` is about GPUs, but `--backend` is cpu");
         }
-        reports.push(measured(console, "cpu", |done| Report::of_cpu(&cpu, done))?);
+        reports.push(measured(console, "cpu", |done| Ok(Report::of_cpu(&cases(), &cpu, done)?))?);
     } else {
         for adapter in chosen(args.adapter.as_deref())? {
             for path in paths(&adapter) {
                 let what = format!("{}, {}", adapter.name, path.as_str());
-                let report =
-                    measured(console, &what, |done| Report::of_gpu(&cpu, &adapter, path, done));
+                let report = measured(console, &what, |done| {
+                    Ok(Report::of_gpu(&cases(), &MODULES, &cpu, &adapter, path, done)?)
+                });
                 match report {
                     Ok(report) => reports.push(report),
                     // another may be of use
-                    Err(error @ Error::NoGpu { .. }) => unusable.push(error),
+                    Err(error @ Error::Device(DeviceError::NoGpu { .. })) => unusable.push(error),
                     Err(error) => return Err(error),
                 }
             }
@@ -107,8 +110,9 @@ fn chosen(name: Option<&str>) -> Result<Vec<AdapterInfo>> {
     if found.is_empty() {
         // opening it says why it cannot be had
         let adapter = name.map(str::to_owned);
-        Device::open(&DeviceOptions { adapter, ..DeviceOptions::gpu(SpirvPath::Naga) })?;
-        return Err(Error::NoGpu { reason: "it was there a moment ago only".into() });
+        organza::open_device(&DeviceOptions { adapter, ..DeviceOptions::gpu(SpirvPath::Naga) })?;
+        let reason = "it was there a moment ago only".into();
+        return Err(DeviceError::NoGpu { reason }.into());
     }
     Ok(found)
 }

@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use organza::scene::{TensorRef, read_tensors, write_tensors};
-use organza::{Camera, DeviceScene, Error, Renderer, Result, Scene, TileBatch, memory};
+use organza::{Camera, DeviceScene, Error, Renderer, Result, Scene, TileBatch};
+use organza_device::memory;
 
 use super::console::Console;
 use super::device::{DeviceArgs, SceneArgs};

@@ -1,12 +1,12 @@
 //! The optimizer's step.
 
-use organza_kernels::adam::{AdamKernel, AdamParams, TOUCHED_BLOCK};
+use organza_shaders::adam::{AdamKernel, AdamParams, TOUCHED_BLOCK};
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Inputs of `adam`.
 #[derive(Clone, Debug)]

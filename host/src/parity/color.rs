@@ -1,12 +1,12 @@
 //! Cases of `color_inputs` and `color_head`.
 
 use glam::Vec3;
-use organza_kernels::camera::Camera;
-use organza_kernels::color::{
+use organza_shaders::camera::Camera;
+use organza_shaders::color::{
     ColorHeadKernel, ColorHeadParams, ColorInputsKernel, ColorInputsParams,
 };
-use organza_kernels::hash_grid::POINT_ROWS;
-use organza_kernels::unit_cube::SceneBox;
+use organza_shaders::hash_grid::POINT_ROWS;
+use organza_shaders::unit_cube::SceneBox;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
@@ -14,7 +14,7 @@ use super::dense::Layer;
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output, Values};
 use super::project;
-use crate::error::Result;
+use organza_device::Result;
 
 /// Boxes around the origin, far from it and small, and large.
 pub const BOXES: [[[f64; 3]; 2]; 3] = [

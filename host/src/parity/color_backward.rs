@@ -1,7 +1,7 @@
 //! Cases of `color_head_backward` and `material_backward`.
 
 use glam::Vec4;
-use organza_kernels::color_backward::{
+use organza_shaders::color_backward::{
     ColorHeadBackwardKernel, ColorHeadBackwardParams, MaterialBackwardKernel,
     MaterialBackwardParams,
 };
@@ -10,7 +10,7 @@ use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Pairs before the chunk.
 const FIRST_PAIR: u32 = 2;

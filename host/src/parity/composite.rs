@@ -1,18 +1,18 @@
 //! The case of `composite`.
 
 use glam::Vec4;
-use organza_kernels::composite::{CompositeKernel, CompositeParams};
-use organza_kernels::limits::MAX_MEMBERS;
-use organza_kernels::math::TINY;
-use organza_kernels::project::FALLOFF_CUTOFF;
-use organza_kernels::tile::Tile;
+use organza_kernel::math::TINY;
+use organza_shaders::composite::{CompositeKernel, CompositeParams};
+use organza_shaders::limits::MAX_MEMBERS;
+use organza_shaders::project::FALLOFF_CUTOFF;
+use organza_shaders::tile::Tile;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::inputs::{Fill, Random};
 use super::measure::{Bound, Output};
 use super::tile::pack;
-use crate::error::Result;
+use organza_device::Result;
 
 /// Sides around the workgroup's.
 pub(super) const SIDES: [u32; 5] = [1, 7, 8, 9, 17];

@@ -1,8 +1,8 @@
 //! The case of `composite_backward`.
 
 use glam::{DVec4, Vec4};
-use organza_kernels::composite_backward::{CompositeBackwardKernel, CompositeBackwardParams};
-use organza_kernels::math::TINY;
+use organza_kernel::math::TINY;
+use organza_shaders::composite_backward::{CompositeBackwardKernel, CompositeBackwardParams};
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
@@ -10,7 +10,7 @@ use super::composite::{Composite, SIDES, falloff};
 use super::inputs::{Fill, Random};
 use super::measure::{Bound, Output};
 use super::tile::pack;
-use crate::error::Result;
+use organza_device::Result;
 
 /// Inputs of `composite_backward`.
 #[derive(Clone, Debug)]

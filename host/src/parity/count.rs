@@ -1,15 +1,16 @@
 //! Cases of `count_admit`, `count_withhold` and `count_fill`.
 
-use organza_kernels::count::{
-    COUNTS, CountAdmitKernel, CountAdmitParams, CountFillKernel, CountWithholdKernel,
-    CountWithholdParams, MEMBERS, MISFIT, PAIRS, PLACEMENT_VALUES, SAMPLES,
+use organza_kernel::count::{CountFillKernel, MISFIT, PLACEMENT_VALUES};
+use organza_shaders::count::{
+    COUNTS, CountAdmitKernel, CountAdmitParams, CountWithholdKernel, CountWithholdParams, MEMBERS,
+    PAIRS, SAMPLES,
 };
 
 use super::bench::Bench;
 use super::case::Parity;
 use super::inputs::{Random, SIZES};
 use super::measure::Output;
-use crate::error::Result;
+use organza_device::Result;
 
 /// Inputs of `count_admit`.
 #[derive(Clone, Debug)]

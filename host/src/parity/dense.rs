@@ -1,14 +1,14 @@
 //! The case of `dense`, and the sum that both heads share with it.
 
 use glam::Vec4;
-use organza_kernels::dense::{DenseKernel, DenseParams, HIDDEN_BLOCK};
-use organza_kernels::math::TINY;
+use organza_kernel::math::TINY;
+use organza_shaders::dense::{DenseKernel, DenseParams, HIDDEN_BLOCK};
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Where a layer's weights begin: not at 0.
 const WEIGHT: u32 = 3;

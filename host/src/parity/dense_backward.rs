@@ -1,18 +1,18 @@
 //! Cases of `dense_backward`, `dense_weight_backward` and `dense_weight_sum`.
 
 use glam::Vec4;
-use organza_kernels::dense_backward::{
+use organza_kernel::math::TINY;
+use organza_shaders::dense_backward::{
     DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
     DenseWeightSumKernel, DenseWeightSumParams, INPUT_BLOCK, WEIGHT_BLOCK,
 };
-use organza_kernels::math::TINY;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::dense::Layer;
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Nothing may be off.
 const EXACT: Bound = Bound { scale: 0.0, floor: 0.0 };

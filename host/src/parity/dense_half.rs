@@ -1,16 +1,16 @@
 //! The case of `dense_half`.
 
 use glam::Vec4;
-use organza_kernels::dense::HIDDEN_BLOCK;
-use organza_kernels::dense_half::{DenseHalfKernel, GROUP, MAX_INPUT, MAX_WEIGHTS};
-use organza_kernels::half::HalfVector;
+use organza_kernel::half::HalfVector;
+use organza_shaders::dense::HIDDEN_BLOCK;
+use organza_shaders::dense_half::{DenseHalfKernel, GROUP, MAX_INPUT, MAX_WEIGHTS};
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::dense::{Dense, Layer};
 use super::measure::{Bound, Output};
-use crate::error::Result;
 use crate::render::half_vectors;
+use organza_device::Result;
 
 /// The smallest half that no driver makes zero of.
 const NORMAL: f64 = 1.0 / 16_384.0;

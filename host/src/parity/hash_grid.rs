@@ -1,15 +1,15 @@
 //! The case of `hash_grid`.
 
-use organza_kernels::hash_grid::{GridLevel, HashGridKernel, HashGridParams, POINT_ROWS};
-use organza_kernels::math::TINY;
-use organza_kernels::unit_cube::Split;
+use organza_kernel::math::TINY;
+use organza_shaders::hash_grid::{GridLevel, HashGridKernel, HashGridParams, POINT_ROWS};
+use organza_shaders::unit_cube::Split;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output};
-use crate::error::Result;
 use crate::scene::{GridConfig, Interpolation};
+use organza_device::Result;
 
 /// Rows before the features, which the kernel leaves alone.
 const FIRST_ROW: usize = 3;

@@ -1,19 +1,19 @@
 //! The cases of `hash_grid_backward` and `hash_grid_gradient`.
 
-use organza_kernels::hash_grid::Corners;
-use organza_kernels::hash_grid_backward::{
+use organza_kernel::math::TINY;
+use organza_shaders::hash_grid::Corners;
+use organza_shaders::hash_grid_backward::{
     FLAG_BLOCK, HashGridBackwardKernel, HashGridGradientKernel, HashGridGradientParams,
 };
-use organza_kernels::math::TINY;
-use organza_kernels::unit_cube::Split;
+use organza_shaders::unit_cube::Split;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::hash_grid::{features, grid, params, positions};
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output, Values};
-use crate::error::Result;
 use crate::scene::{GridConfig, Interpolation};
+use organza_device::Result;
 
 /// Inputs of `hash_grid_backward`.
 #[derive(Clone, Debug)]

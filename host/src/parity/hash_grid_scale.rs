@@ -1,18 +1,18 @@
 //! The cases of `hash_grid_peak`, `hash_grid_norm` and `hash_grid_scale`.
 
 use glam::Vec4;
-use organza_kernels::hash_grid_scale::{
+use organza_kernel::math::TINY;
+use organza_shaders::hash_grid_scale::{
     HashGridNormKernel, HashGridNormParams, HashGridPeakKernel, HashGridPeakParams,
     HashGridScaleKernel, HashGridScaleParams, SCALE_VALUES,
 };
-use organza_kernels::limits::MAX_LAYERS;
-use organza_kernels::math::TINY;
+use organza_shaders::limits::MAX_LAYERS;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Four numbers at a time.
 fn vectors(fill: Fill, random: &mut Random, len: usize, huge: f32) -> Vec<Vec4> {

@@ -1,18 +1,18 @@
 //! Cases of `loss_terms`, `loss_rows` and `loss_gradient`.
 
 use glam::Vec4;
-use organza_kernels::loss::{
+use organza_kernel::math::TINY;
+use organza_shaders::loss::{
     LossGradientKernel, LossGradientParams, LossParams, LossRowsKernel, LossTermsKernel,
 };
-use organza_kernels::math::TINY;
-use organza_kernels::ssim::SLOPES;
+use organza_shaders::ssim::SLOPES;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::inputs::{Fill, Random};
 use super::measure::{Bound, Output};
 use super::ssim::{tap_sum, window};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Sides around the workgroup's, and around the window's.
 pub const SIDES: [u32; 7] = [1, 7, 8, 9, 11, 12, 17];

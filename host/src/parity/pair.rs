@@ -1,7 +1,7 @@
 //! Cases of `pair_mask`, `pair_fill` and `pair_sum`.
 
-use organza_kernels::math::TINY;
-use organza_kernels::pair::{
+use organza_kernel::math::TINY;
+use organza_shaders::pair::{
     PairFillKernel, PairFillParams, PairMaskKernel, PairMaskParams, PairSumKernel, PairSumParams,
 };
 
@@ -9,7 +9,7 @@ use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::inputs::{Fill, Random, SIZES};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use organza_device::Result;
 
 /// How masks are filled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

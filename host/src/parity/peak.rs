@@ -1,7 +1,7 @@
 //! The cases of `peak_multiply_add` and `peak_read`.
 
-use organza_kernels::math::TINY;
-use organza_kernels::peak::{
+use organza_kernel::math::TINY;
+use organza_shaders::peak::{
     FIRST_SUMS, INVOCATION_SHARE, MULTIPLY_ADDS, PeakMultiplyAddKernel, PeakMultiplyAddParams,
     PeakReadKernel, PeakReadParams, READS,
 };
@@ -10,7 +10,7 @@ use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::inputs::{self, Fill};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Sums of an invocation of `peak_multiply_add`.
 const SUMS: u32 = 12;

@@ -1,8 +1,8 @@
 //! The case of `project`, and cameras for the others.
 
 use glam::{DQuat, DVec3, DVec4, Vec2, Vec3, Vec4};
-use organza_kernels::camera::Camera;
-use organza_kernels::project::{
+use organza_shaders::camera::Camera;
+use organza_shaders::project::{
     BEHIND, DEGENERATE, FALLOFF_CUTOFF, NEAR_PLANE, ProjectKernel, ProjectParams, rotation_columns,
 };
 
@@ -10,7 +10,7 @@ use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Three cameras around the origin, the first of them axis-parallel.
 pub fn cameras(random: &mut Random) -> Vec<Camera> {

@@ -1,17 +1,17 @@
 //! The case of `project_backward`.
 
 use glam::{DVec3, Vec3, Vec4};
-use organza_kernels::camera::Camera;
-use organza_kernels::math::TINY;
-use organza_kernels::project::project_gaussian;
-use organza_kernels::project_backward::{ProjectBackwardKernel, ProjectBackwardParams};
+use organza_kernel::math::TINY;
+use organza_shaders::camera::Camera;
+use organza_shaders::project::project_gaussian;
+use organza_shaders::project_backward::{ProjectBackwardKernel, ProjectBackwardParams};
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::inputs::Random;
 use super::measure::{Bound, Output};
 use super::project::{Project, axes, rows};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Inputs of `project_backward`.
 #[derive(Clone)]

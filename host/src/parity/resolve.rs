@@ -1,9 +1,9 @@
 //! Cases of `resolve` and `resolve_backward`.
 
 use glam::Vec4;
-use organza_kernels::math::TINY;
-use organza_kernels::resolve::{DIVIDE_ABOVE, ResolveBackwardKernel, ResolveKernel, ResolveParams};
-use organza_kernels::tile::Tile;
+use organza_kernel::math::TINY;
+use organza_shaders::resolve::{DIVIDE_ABOVE, ResolveBackwardKernel, ResolveKernel, ResolveParams};
+use organza_shaders::tile::Tile;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
@@ -11,7 +11,7 @@ use super::composite::{SIDES, pixels, planes, tiles};
 use super::inputs::{Fill, Random};
 use super::measure::{Bound, Output};
 use super::tile::pack;
-use crate::error::Result;
+use organza_device::Result;
 
 /// Inputs of `resolve`.
 #[derive(Clone, Debug)]

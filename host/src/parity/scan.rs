@@ -1,12 +1,12 @@
 //! Cases of `scan_block` and `scan_add`.
 
-use organza_kernels::scan::{BLOCK, ScanAddKernel, ScanBlockKernel, ScanParams};
+use organza_shaders::scan::{BLOCK, ScanAddKernel, ScanBlockKernel, ScanParams};
 
 use super::bench::Bench;
 use super::case::Parity;
 use super::inputs::{Random, SIZES};
 use super::measure::Output;
-use crate::error::Result;
+use organza_device::Result;
 
 /// Sizes around the workgroup and around the block.
 fn sizes() -> impl Iterator<Item = u32> {

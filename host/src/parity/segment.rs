@@ -1,10 +1,10 @@
 //! The case of `segment`.
 
 use glam::{DVec3, Vec3, Vec4};
-use organza_kernels::camera::Camera;
-use organza_kernels::limits::MAX_SAMPLES;
-use organza_kernels::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
-use organza_kernels::unit_cube::SceneBox;
+use organza_shaders::camera::Camera;
+use organza_shaders::limits::MAX_SAMPLES;
+use organza_shaders::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
+use organza_shaders::unit_cube::SceneBox;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
@@ -12,7 +12,7 @@ use super::color::BOXES;
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output, Values};
 use super::project;
-use crate::error::Result;
+use organza_device::Result;
 
 /// How far from a decision of the kernel the inputs stay, relative to the ray.
 const AWAY: f64 = 2e-5;

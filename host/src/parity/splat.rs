@@ -1,8 +1,8 @@
 //! The cases of `splat` and `splat_backward`.
 
 use glam::Vec4;
-use organza_kernels::math::TINY;
-use organza_kernels::splat::{
+use organza_kernel::math::TINY;
+use organza_shaders::splat::{
     SplatBackwardKernel, SplatBackwardParams, SplatKernel, SplatParams, VECTORS,
 };
 
@@ -10,7 +10,7 @@ use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Inputs of `splat`.
 #[derive(Clone, Debug)]

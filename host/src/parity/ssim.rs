@@ -1,8 +1,8 @@
 //! Cases of `ssim_rows`, `ssim_columns` and `ssim_rows_backward`.
 
 use glam::Vec4;
-use organza_kernels::math::TINY;
-use organza_kernels::ssim::{
+use organza_kernel::math::TINY;
+use organza_shaders::ssim::{
     C1, C2, MOMENTS, RADIUS, SLOPES, SsimColumnsKernel, SsimParams, SsimRowsBackwardKernel,
     SsimRowsKernel, WINDOW,
 };
@@ -12,8 +12,8 @@ use super::case::{Parity, Rounding};
 use super::inputs::{Fill, Random};
 use super::loss::{TILES, Terms, sets};
 use super::measure::{Bound, Output};
-use crate::error::Result;
 use crate::metrics;
+use organza_device::Result;
 
 /// The window's weights, as kernels have them.
 #[must_use]
@@ -135,7 +135,7 @@ impl SsimColumns {
     }
 }
 
-/// `1 - SSIM` and its three slopes in f64 from a window's sums, as [`organza_kernels::ssim`] has them, and the sizes of
+/// `1 - SSIM` and its three slopes in f64 from a window's sums, as [`organza_shaders::ssim`] has them, and the sizes of
 /// what they are sums of.
 fn similarity([d, s, dd, ss, weight]: [f64; 5]) -> [[f64; 4]; 2] {
     let (mean_d, mean_s) = (d / weight, s / weight);

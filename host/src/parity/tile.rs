@@ -1,8 +1,8 @@
 //! Cases of `tile_mask`, `tile_fill` and `tile_range`.
 
 use glam::Vec4;
-use organza_kernels::project::{BEHIND, DEGENERATE};
-use organza_kernels::tile::{
+use organza_shaders::project::{BEHIND, DEGENERATE};
+use organza_shaders::tile::{
     Tile, TileFillKernel, TileFillParams, TileMaskKernel, TileMaskParams, TileRangeKernel,
     TileRangeParams,
 };
@@ -12,7 +12,7 @@ use super::case::Parity;
 use super::inputs::{Fill, Random, SIZES};
 use super::measure::Output;
 use super::pair::{mask_sets, scanned};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Tiles as they lie in a buffer.
 #[must_use]

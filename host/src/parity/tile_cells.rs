@@ -1,8 +1,8 @@
 //! The case of `tile_cells`.
 
 use glam::Vec4;
-use organza_kernels::tile::Tile;
-use organza_kernels::tile_cells::{TileCellsKernel, TileCellsParams};
+use organza_shaders::tile::Tile;
+use organza_shaders::tile_cells::{TileCellsKernel, TileCellsParams};
 
 use super::bench::Bench;
 use super::case::Parity;
@@ -10,7 +10,7 @@ use super::composite::{Composite, SIDES};
 use super::inputs::Fill;
 use super::measure::Output;
 use super::tile::pack;
-use crate::error::Result;
+use organza_device::Result;
 
 /// Inputs of `tile_cells`.
 #[derive(Clone, Debug)]

@@ -1,13 +1,13 @@
 //! Cases of `transmittance_inputs`, `transmittance_head` and `segment_product`.
 
 use glam::Vec4;
-use organza_kernels::hash_grid::POINT_ROWS;
-use organza_kernels::math::TINY;
-use organza_kernels::transmittance::{
+use organza_kernel::math::TINY;
+use organza_shaders::hash_grid::POINT_ROWS;
+use organza_shaders::transmittance::{
     SegmentProductKernel, SegmentProductParams, TransmittanceHeadKernel, TransmittanceHeadParams,
     TransmittanceInputsKernel, TransmittanceInputsParams,
 };
-use organza_kernels::unit_cube::Split;
+use organza_shaders::unit_cube::Split;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
@@ -15,7 +15,7 @@ use super::color::{joined, layer_of_size};
 use super::dense::Layer;
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output, Values};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Samples before the chunk.
 const FIRST_SAMPLE: u32 = 3;

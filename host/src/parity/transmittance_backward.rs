@@ -1,8 +1,8 @@
 //! Cases of `segment_product_backward`, `transmittance_head_backward` and `extra_backward`.
 
 use glam::Vec4;
-use organza_kernels::math::TINY;
-use organza_kernels::transmittance_backward::{
+use organza_kernel::math::TINY;
+use organza_shaders::transmittance_backward::{
     ExtraBackwardKernel, ExtraBackwardParams, SegmentProductBackwardKernel,
     SegmentProductBackwardParams, TransmittanceHeadBackwardKernel,
 };
@@ -13,7 +13,7 @@ use super::dense::Layer;
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output};
 use super::transmittance::{counts, head_params, head_sets, points, prefix};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Nothing may be off.
 const EXACT: Bound = Bound { scale: 0.0, floor: 0.0 };

@@ -4,10 +4,10 @@ use std::mem::offset_of;
 use std::sync::Mutex;
 
 use glam::Vec4;
-use organza_kernels::color::{
+use organza_shaders::color::{
     ColorHeadKernel, ColorHeadParams, ColorInputsKernel, ColorInputsParams,
 };
-use organza_kernels::color_backward::{
+use organza_shaders::color_backward::{
     ColorHeadBackwardKernel, ColorHeadBackwardParams, MaterialBackwardKernel,
     MaterialBackwardParams,
 };
@@ -19,8 +19,8 @@ use super::field::Scratch;
 use super::field_backward::{ChunkScratch, GroupScratch};
 use super::gradient::SceneGradient;
 use super::pair::sum_pairs;
-use crate::backend::{Buffer, Device};
-use crate::error::Result;
+use organza_device::Result;
+use organza_device::{Buffer, Device};
 
 /// Color of every pair.
 #[derive(Debug)]
@@ -114,7 +114,7 @@ fn inputs(device: &Device, scene: &DeviceScene, pairs: &Pairs, chunk: &Chunk) ->
 
 impl Color {
     /// Adds the gradients of the color field and of the materials, of `pair_gradient [pairs, 3]` (see
-    /// [`splat_backward`](organza_kernels::splat)); `mask` says which pairs there are.
+    /// [`splat_backward`](organza_shaders::splat)); `mask` says which pairs there are.
     pub fn backward(
         &self,
         device: &Device,

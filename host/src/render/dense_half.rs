@@ -4,17 +4,17 @@ use std::mem::offset_of;
 
 use glam::Vec4;
 use half::f16;
-use organza_kernels::dense::{DenseParams, HIDDEN_BLOCK};
-use organza_kernels::dense_half::{DenseHalfKernel, GROUP, MAX_WEIGHTS};
-use organza_kernels::half::HalfVector;
+use organza_kernel::half::HalfVector;
+use organza_shaders::dense::{DenseParams, HIDDEN_BLOCK};
+use organza_shaders::dense_half::{DenseHalfKernel, GROUP, MAX_WEIGHTS};
 
 use super::field::{DeviceField, LayerPlace};
 use super::halves::halves;
-use crate::backend::{Buffer, Count, Device};
 use crate::error::{Error, IN_MEMORY, Result};
 use crate::scene::{Layer, Network};
+use organza_device::{Buffer, Count, Device};
 
-/// Weights as [`organza_kernels::dense_half`] reads them: each rounded to the nearest half, or to zero below 2^-14.
+/// Weights as [`organza_shaders::dense_half`] reads them: each rounded to the nearest half, or to zero below 2^-14.
 pub fn half_vectors(weights: &[Vec4]) -> Vec<HalfVector> {
     let halves = halves(bytemuck::cast_slice(weights));
     let (vectors, _) = halves.as_chunks::<4>();
@@ -71,7 +71,7 @@ impl DeviceField {
         samples: &Count,
         weights: &Buffer<HalfVector>,
         [input, output]: [&Buffer<f32>; 2],
-    ) -> Result<()> {
+    ) -> organza_device::Result<()> {
         let parameters = &self.parameters;
         let kernel = DenseHalfKernel { params, parameters, weights, input, output };
         let counts = [(offset_of!(DenseParams, samples), samples)];

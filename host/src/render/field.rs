@@ -3,18 +3,18 @@
 use std::mem::offset_of;
 
 use glam::Vec4;
-use organza_kernels::dense::{DenseKernel, DenseParams, HIDDEN_BLOCK};
-use organza_kernels::half::HalfVector;
-use organza_kernels::hash_grid::{GridLevel, HashGridKernel, HashGridParams};
-use organza_kernels::hash_grid_half::HashGridHalfKernel;
+use organza_kernel::half::HalfVector;
+use organza_shaders::dense::{DenseKernel, DenseParams, HIDDEN_BLOCK};
+use organza_shaders::hash_grid::{GridLevel, HashGridKernel, HashGridParams};
+use organza_shaders::hash_grid_half::HashGridHalfKernel;
 
 use super::UploadOptions;
 use super::block::{BlockOf, Chunk, Layout, ROWS_OF_POINT};
 use super::dense_half::half_weights;
 use super::hash_grid_half::pack_halves;
-use crate::backend::{Buffer, Device};
-use crate::error::Result;
 use crate::scene::{Field, GridConfig, Interpolation, Network};
+use organza_device::Result;
+use organza_device::{Buffer, Device};
 
 /// A field whose tensors lie on a device.
 #[derive(Debug)]
@@ -51,7 +51,7 @@ impl DeviceField {
         field: &Field,
         options: UploadOptions,
         name: &str,
-    ) -> Result<Self> {
+    ) -> crate::error::Result<Self> {
         let (table, half_table) = if options.half_grids {
             let words = pack_halves(&field.grid, grid.features as usize, &format!("{name}.grid"))?;
             (device.zeros("hash grid", 0)?, Some(device.upload("hash grid of halves", &words)?))
@@ -186,7 +186,7 @@ impl Scratch {
     }
 }
 
-/// A network's parameters as [`organza_kernels::dense`] reads them.
+/// A network's parameters as [`organza_shaders::dense`] reads them.
 pub(super) fn pack_network(network: &Network) -> (Vec<Vec4>, Vec<LayerPlace>) {
     let mut parameters = Vec::new();
     let mut places: Vec<LayerPlace> = Vec::new();

@@ -5,8 +5,8 @@ use glam::Vec4;
 use super::DeviceScene;
 use super::field::DeviceField;
 use super::hash_grid::HashGridGradient;
-use crate::backend::{Buffer, Device};
 use crate::error::{Error, Result};
+use organza_device::{Buffer, Device};
 
 /// Gradients of all tensors of a scene; kernels add to them.
 #[derive(Debug)]

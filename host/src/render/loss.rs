@@ -1,20 +1,20 @@
-//! The loss of rendered tiles and its gradient by their pixels: [`organza_kernels::loss`] has the formula.
+//! The loss of rendered tiles and its gradient by their pixels: [`organza_shaders::loss`] has the formula.
 
 use glam::Vec4;
-use organza_kernels::limits;
-use organza_kernels::loss::{
+use organza_shaders::limits;
+use organza_shaders::loss::{
     LossGradientKernel, LossGradientParams, LossParams, LossRowsKernel, LossTermsKernel,
 };
-use organza_kernels::ssim::{
+use organza_shaders::ssim::{
     MOMENTS, SLOPES, SsimColumnsKernel, SsimParams, SsimRowsBackwardKernel, SsimRowsKernel,
 };
 
 use super::part::Part;
 use super::tally::Needed;
-use crate::backend::{Buffer, Device};
 use crate::error::{Error, Result};
 use crate::metrics;
 use crate::tile::MAX_TILE_SIDE;
+use organza_device::{Buffer, Device};
 
 const _: () = assert!(limits::MAX_TILE_SIDE == MAX_TILE_SIDE, "the longest row of `loss_rows`");
 
@@ -59,7 +59,7 @@ pub struct LossInputs<'a> {
 pub struct LossOutput {
     /// `[K, 3, S, S]`: the derivative of the loss by each value of the image; 0 at masked pixels.
     pub grad_image: Buffer<f32>,
-    /// `[K, S]`: sums of rows, as [`organza_kernels::loss::loss_rows`] writes them.
+    /// `[K, S]`: sums of rows, as [`organza_shaders::loss::loss_rows`] writes them.
     row_sum: Buffer<Vec4>,
     side: u32,
 }
@@ -222,7 +222,7 @@ impl Loss {
         };
         device.run_over(&columns, size)?;
         let (slopes, row_slopes) = (&self.slopes, &self.row_slopes);
-        device.run_over(&SsimRowsBackwardKernel { params, window, slopes, row_slopes }, size)
+        Ok(device.run_over(&SsimRowsBackwardKernel { params, window, slopes, row_slopes }, size)?)
     }
 
     /// K

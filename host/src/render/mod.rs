@@ -31,11 +31,11 @@ mod upload;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use crate::backend::Device;
 use crate::camera::Camera;
-use crate::error::{Error, Result};
-use crate::memory;
+use crate::error::Result;
 use crate::tile::TileBatch;
+use organza_device::Device;
+use organza_device::memory;
 
 pub(crate) use backward::LossTarget;
 pub(crate) use dense_half::half_vectors;
@@ -56,7 +56,7 @@ use tally::{Needed, Room};
 /// ```no_run
 /// use organza::{Camera, Device, DeviceOptions, Renderer, Scene, TileBatch};
 ///
-/// let renderer = Renderer::new(Device::open(&DeviceOptions::default())?);
+/// let renderer = Renderer::new(crate::open_device(&DeviceOptions::default())?);
 /// let scene = renderer.upload(&Scene::load("scene.safetensors")?)?;
 /// let cameras = Camera::load_all("cameras.json")?;
 /// let tiles = renderer.render(&scene, &cameras, &TileBatch::load("tiles.json")?)?;
@@ -129,8 +129,8 @@ impl Renderer {
     /// not change the image.
     ///
     /// # Errors
-    /// [`Error::Tile`] where a tile has no camera or an impossible place, [`Error::OutOfMemory`] where a single tile
-    /// does not fit, [`Error::DeviceLost`].
+    /// [`Error::Tile`](crate::Error::Tile) where a tile has no camera or an impossible place, [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory) where a single tile
+    /// does not fit, [`DeviceError::DeviceLost`](crate::error::DeviceError::DeviceLost).
     pub fn render(
         &self,
         scene: &DeviceScene,
@@ -158,7 +158,7 @@ impl Renderer {
         let mut plans = self.plans(scene, batch)?;
         while let Some(plan) = plans.pop() {
             let device = &*self.device;
-            let render = |room| part::render(device, scene, cameras, &plan, room);
+            let render = |room| Ok(part::render(device, scene, cameras, &plan, room)?);
             match device.inside(|| self.foreseen(scene, &plan, render)) {
                 Ok((pixels, part)) => {
                     for (place, tile) in pixels.chunks_exact(area).zip(&plan.tiles) {
@@ -167,10 +167,10 @@ impl Renderer {
                     report.add(&part);
                     progress(plan.tiles.len());
                 }
-                Err(Error::OutOfMemory { .. }) if plan.tiles.len() > 1 => {
+                Err(error) if error.is_out_of_memory() && plan.tiles.len() > 1 => {
                     plans.extend(plan.halves())
                 }
-                Err(Error::OutOfMemory { .. }) if self.forget() => plans.push(plan),
+                Err(error) if error.is_out_of_memory() && self.forget() => plans.push(plan),
                 Err(error) => return Err(error),
             }
         }
@@ -181,7 +181,7 @@ impl Renderer {
 impl Renderer {
     /// The parts of a batch, last first.
     fn plans(&self, scene: &DeviceScene, batch: &TileBatch) -> Result<Vec<Plan>> {
-        Plan::split(&self.device, scene, batch, self.part_bytes.load(Ordering::Relaxed))
+        Ok(Plan::split(&self.device, scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
     }
 
     /// Does `work` for a part with as much room as it will need, by what others have needed, so that nothing waits for the

@@ -5,9 +5,9 @@ use glam::Vec4;
 use super::DeviceScene;
 use super::field::DeviceField;
 use super::gradient::{FieldGradient, SceneGradient};
-use crate::backend::{Buffer, Device};
 use crate::error::Result;
 use crate::scene::{Field, Network, Scene, SceneConfig};
+use organza_device::{Buffer, Device};
 
 /// A group of parameters that share a learning rate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,9 +7,9 @@ use super::plan::Plan;
 use super::tally::{Needed, Room};
 use super::transmittance::Transmittance;
 use super::{DeviceScene, RenderReport};
-use crate::backend::{Buffer, Device};
 use crate::camera::Camera;
-use crate::error::Result;
+use organza_device::Result;
+use organza_device::{Buffer, Device};
 
 /// Everything that the stages leave on the device.
 #[derive(Debug)]

@@ -1,15 +1,15 @@
 //! The projection's derivative, for the pairs of a part.
 
 use glam::Vec4;
-use organza_kernels::camera::Camera;
-use organza_kernels::project_backward::{ProjectBackwardKernel, ProjectBackwardParams};
+use organza_shaders::camera::Camera;
+use organza_shaders::project_backward::{ProjectBackwardKernel, ProjectBackwardParams};
 
 use super::DeviceScene;
 use super::bin::Bins;
 use super::gradient::SceneGradient;
 use super::plan::words;
-use crate::backend::{Buffer, Device};
-use crate::error::Result;
+use organza_device::Result;
+use organza_device::{Buffer, Device};
 
 /// Adds what `pair_gradient [pairs, 3]` makes of positions, rotations, scales and opacities to `gradient`, and the
 /// statistics of the part's cameras.

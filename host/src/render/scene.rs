@@ -1,13 +1,13 @@
 //! A scene on a device.
 
-use organza_kernels::resolve::DIVIDE_ABOVE;
-use organza_kernels::unit_cube::SceneBox;
+use organza_shaders::resolve::DIVIDE_ABOVE;
+use organza_shaders::unit_cube::SceneBox;
 
 use super::field::DeviceField;
 use super::{Renderer, UploadOptions};
-use crate::backend::Buffer;
 use crate::error::Result;
 use crate::scene::{Scene, SceneConfig};
+use organza_device::Buffer;
 
 /// A scene whose tensors lie on a device.
 #[derive(Debug)]

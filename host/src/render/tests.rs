@@ -4,20 +4,20 @@ use super::part::Part;
 use super::plan::{PART_BYTES, Plan};
 use super::tally::{Needed, Room};
 use super::{DeviceScene, Renderer, SceneGradient};
-use crate::backend::{Buffer, Device, DeviceOptions, SpirvPath};
 use crate::camera::Camera;
 use crate::demo;
-use crate::error::Error;
+use crate::error::{DeviceError, Error};
 use crate::scene::Scene;
 use crate::tile::{Tile, TileBatch};
+use organza_device::{Buffer, Device, DeviceOptions, SpirvPath};
 
 /// The CPU, and what GPU there is; `ORGANZA_REQUIRE_GPU=1` says that there must be one.
 fn devices() -> Vec<Device> {
-    let mut devices = vec![Device::open(&DeviceOptions::cpu(Some(2))).expect("the CPU")];
+    let mut devices = vec![crate::open_device(&DeviceOptions::cpu(Some(2))).expect("the CPU")];
     for path in [SpirvPath::Passthrough, SpirvPath::Naga] {
-        match Device::open(&DeviceOptions::gpu(path)) {
+        match crate::open_device(&DeviceOptions::gpu(path)) {
             Ok(device) => devices.push(device),
-            Err(Error::NoGpu { reason }) => {
+            Err(Error::Device(DeviceError::NoGpu { reason })) => {
                 let required = std::env::var_os("ORGANZA_REQUIRE_GPU").is_some_and(|v| v != "0");
                 assert!(!required, "ORGANZA_REQUIRE_GPU is set, but {reason}");
             }
@@ -136,7 +136,7 @@ fn a_tile_that_does_not_fit_with_more_room_is_tried_with_what_it_needs() {
         assert!(!device.refuse_one(0), "{}: so few buffers", device.choice());
         match (device.backend(), found) {
             // nobody has guessed
-            ("cpu", Err(Error::OutOfMemory { .. })) => {}
+            ("cpu", Err(error)) if error.is_out_of_memory() => {}
             ("gpu", Ok(found)) => assert_eq!(found, expected, "{}", device.choice()),
             (_, found) => panic!("{}: {found:?}", device.choice()),
         }

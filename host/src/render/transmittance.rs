@@ -4,13 +4,13 @@ use std::mem::offset_of;
 use std::sync::Mutex;
 
 use glam::Vec4;
-use organza_kernels::limits::MAX_SAMPLES;
-use organza_kernels::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
-use organza_kernels::transmittance::{
+use organza_shaders::limits::MAX_SAMPLES;
+use organza_shaders::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
+use organza_shaders::transmittance::{
     SegmentProductKernel, SegmentProductParams, TransmittanceHeadKernel, TransmittanceHeadParams,
     TransmittanceInputsKernel, TransmittanceInputsParams,
 };
-use organza_kernels::transmittance_backward::{
+use organza_shaders::transmittance_backward::{
     ExtraBackwardKernel, ExtraBackwardParams, SegmentProductBackwardKernel,
     SegmentProductBackwardParams, TransmittanceHeadBackwardKernel,
 };
@@ -23,8 +23,8 @@ use super::field_backward::{ChunkScratch, GroupScratch};
 use super::gradient::SceneGradient;
 use super::pair::sum_pairs;
 use super::scan::exclusive_scan;
-use crate::backend::{Buffer, Count, Device};
-use crate::error::{Error, Result};
+use organza_device::{Buffer, Count, Device};
+use organza_device::{Error, Result};
 
 /// Transmittance of every pair.
 #[derive(Debug)]
@@ -195,7 +195,7 @@ fn inputs(
 
 impl Transmittance {
     /// Adds the gradients of the transmittance field and of the extra vectors, of `pair_gradient [pairs, 3]` (see
-    /// [`splat_backward`](organza_kernels::splat)).
+    /// [`splat_backward`](organza_shaders::splat)).
     pub fn backward(
         &self,
         device: &Device,

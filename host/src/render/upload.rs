@@ -11,7 +11,7 @@ pub struct UploadOptions {
     /// around it.  Refused where a value is above 65,504.
     pub half_grids: bool,
     /// The hidden layers of both networks computed in half precision
-    /// ([`dense_half`](organza_kernels::dense_half)): for GPUs, slower on the CPU.  A layer's output is off by up to 0.9%
+    /// ([`dense_half`](organza_shaders::dense_half)): for GPUs, slower on the CPU.  A layer's output is off by up to 0.9%
     /// of the sum of its terms' sizes, and an input beyond 1,024 counts as that.  Refused where a layer's weights add up to
     /// more than halves hold, and on a GPU that does not compute with halves.
     pub half_networks: bool,

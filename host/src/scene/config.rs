@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-pub use organza_kernels::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE, MAX_VECTOR};
+pub use organza_shaders::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE, MAX_VECTOR};
 use serde::{Deserialize, Serialize};
 
 use super::grid::GridConfig;

@@ -26,7 +26,7 @@ pub(crate) use tensor_file::read_metadata;
 pub use tensor_file::{Tensor, TensorRef, read_tensors, write_tensors};
 
 use crate::error::Result;
-use crate::memory;
+use organza_device::memory;
 
 /// A scene: its configuration and all its tensors.
 #[derive(Clone, Debug, PartialEq)]
@@ -87,7 +87,7 @@ impl Scene {
         let values: u64 = specs.iter().map(|spec| spec.values() as u64).sum();
         // All at once: each tensor alone may fit.
         memory::check(values * size_of::<f32>() as u64, "the scene")?;
-        let field = |name: &str, grid: &GridConfig, widths: &[usize]| {
+        let field = |name: &str, grid: &GridConfig, widths: &[usize]| -> Result<Field> {
             let table = memory::zeros(grid.entries() * grid.features as usize, name)?;
             Ok(Field { grid: table, network: Network::zeros(widths) })
         };

@@ -1,11 +1,11 @@
 //! Adam for every tensor of a scene: which rate, which gradient, which flags.
 
-use organza_kernels::adam::{AdamKernel, AdamParams};
+use organza_shaders::adam::{AdamKernel, AdamParams};
 
 use super::config::{OptimizerConfig, Rate};
-use crate::backend::{Buffer, Device};
 use crate::error::Result;
 use crate::render::{DeviceScene, SceneGradient};
+use organza_device::{Buffer, Device};
 
 /// Both moments of every parameter, and the flag of groups that are never sparse.
 #[derive(Debug)]

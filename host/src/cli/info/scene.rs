@@ -6,8 +6,8 @@ use std::path::Path;
 use organza::error::format_bytes;
 use organza::scene::{GridConfig, Interpolation, SceneConfig};
 use organza::{Result, Scene};
-use organza_kernels::dense::HIDDEN_BLOCK;
-use organza_kernels::hash_grid::GridLevel;
+use organza_shaders::dense::HIDDEN_BLOCK;
+use organza_shaders::hash_grid::GridLevel;
 use serde::Serialize;
 
 use super::tensors::{self, TensorInfo};

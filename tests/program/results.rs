@@ -250,9 +250,9 @@ fn outputs_are_replaced_whole() {
 #[test]
 fn help_has_examples() {
     let sandbox = Sandbox::new("tiny");
-    for words in ["--help", "tiles -h", "render -h", "demo -h", "info -h", "explain -h", "eval -h"]
-    {
-        let help = sandbox.run(words).assert_ok().stdout;
+    let commands = "train tiles render demo info explain eval kernels parity bench";
+    for command in commands.split(' ').map(|name| format!("help {name}")).chain(["--help".into()]) {
+        let help = sandbox.run(&command).assert_ok().stdout;
         assert!(help.contains("Examples:\n  organza "), "{help}");
     }
 }

@@ -68,7 +68,7 @@ fn half_networks_are_close_and_have_no_gradients() {
     scene.save(sandbox.path("steep.safetensors")).unwrap();
     let steep = TILES.replace("scene.", "steep.") + " -o steep.tiles";
     sandbox.run(&steep).assert_ok();
-    let facts = ["transmittance.mlp.0.weight", "62", "leave `--half-networks` away"];
+    let facts = ["transmittance.mlp.0.weight", "62", "leave out `--half-networks`"];
     sandbox.assert_refuses(&format!("{steep} --half-networks"), &facts);
     let words = "--half-networks --grad-output full.safetensors --grad grad.safetensors";
     sandbox.assert_refuses(&format!("{TILES} {words}"), &["--half-networks", "--grad"]);

@@ -68,7 +68,7 @@ fn half_networks_are_close_and_have_no_gradients() {
     scene.save(sandbox.path("steep.safetensors")).unwrap();
     let steep = TILES.replace("scene.", "steep.") + " -o steep.tiles";
     sandbox.run(&steep).assert_ok();
-    let facts = ["transmittance.mlp.0.weight", "62", "leave `--half-networks` away"];
+    let facts = ["transmittance.mlp.0.weight", "62", "leave out `--half-networks`"];
     sandbox.assert_refuses(&format!("{steep} --half-networks"), &facts);
     let words = "--half-networks --grad-output full.safetensors --grad grad.safetensors";
     sandbox.assert_refuses(&format!("{TILES} {words}"), &["--half-networks", "--grad"]);
@@ -250,9 +250,9 @@ fn outputs_are_replaced_whole() {
 #[test]
 fn help_has_examples() {
     let sandbox = Sandbox::new("tiny");
-    for words in ["--help", "tiles -h", "render -h", "demo -h", "info -h", "explain -h", "eval -h"]
-    {
-        let help = sandbox.run(words).assert_ok().stdout;
+    let commands = "train tiles render demo info explain eval kernels parity bench";
+    for command in commands.split(' ').map(|name| format!("help {name}")).chain(["--help".into()]) {
+        let help = sandbox.run(&command).assert_ok().stdout;
         assert!(help.contains("Examples:\n  organza "), "{help}");
     }
 }

@@ -72,7 +72,7 @@ fn a_run_that_is_told_to_stop_goes_on_to_the_same_bits() {
         words = "train --resume run --backend cpu".to_owned();
     }
     let outcome = sandbox.run(&words).assert_ok();
-    assert!(outcome.stderr.contains("goes on after step"), "{outcome:?}");
+    assert!(outcome.stderr.contains("continuing after step"), "{outcome:?}");
     assert_like_whole(&sandbox, "run");
 }
 

@@ -23,9 +23,9 @@ fn bad_requests() {
     for (words, facts) in [
         ("absent -o new", ["absent", "no such file"]),
         (". -o deep/new", ["no data set", "transforms.json"]),
-        ("-o old", ["old", "holds a run already (config.toml)"]),
-        ("--resume absent", ["absent: the folder holds no config.toml", "organza train -o"]),
-        ("--resume .", ["the folder holds no config.toml", "no training run's"]),
+        ("-o old", ["old", "already holds a run (config.toml)"]),
+        ("--resume absent", ["absent: the folder has no config.toml", "organza train -o"]),
+        ("--resume .", ["the folder has no config.toml", "not a training run's"]),
         ("--resume old --steps 5", ["'--resume <RUN>'", "'--steps <N>'"]),
         ("--config absent.toml -o new", ["absent.toml", "no such file"]),
         ("-o tiny.toml", ["tiny.toml", "file"]),

@@ -83,7 +83,7 @@ fn the_table_of_settings_is_that_of_the_program() {
 #[test]
 fn the_settings_of_the_built_in_scene_are_those_of_the_program() {
     let page = page();
-    let (_, text) = page.split_once("these differ from the\ndefaults below:").expect("a sentence");
+    let (_, text) = page.split_once("### The built-in scene\n").expect("a heading");
     let (_, text) = text.split_once("```toml\n").expect("settings");
     let (text, _) = text.split_once("```").expect("an end");
     let found = TrainConfig::parse(text, Path::new("docs/training.md")).expect("settings");

@@ -10,8 +10,19 @@ use serde::Serialize;
 use super::console::{print, print_json};
 use super::table::Table;
 
+const EXAMPLES: &str = "\
+Examples:
+  organza kernels
+  organza kernels | grep dense
+  organza kernels --json
+
+`shared` is the workgroup memory and `SPIR-V` the compiled module, both in bytes. `iterations` is the most that one \
+invocation needs, all its loops together. A name that ends in `_staged` or `_subgroups` is a variant that uses workgroup \
+memory or subgroups (docs/kernels.md).";
+
 /// List the kernels: their bindings, workgroups, code and loops
 #[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub struct Args {
     /// Print JSON
     #[arg(long)]
@@ -96,8 +107,8 @@ fn code(listed: &[Listed]) -> String {
         ]);
     }
     format!(
-        "{table}\nshared and SPIR-V in bytes; iterations are the most that one invocation takes, of {MAX_ITERATIONS} \
-         at most\n"
+        "{table}\nshared and SPIR-V are in bytes; iterations is the most that one invocation needs, and may be up to \
+         {MAX_ITERATIONS}\n"
     )
 }
 

@@ -166,7 +166,7 @@ impl Dataset {
             let (all, missing) = (listing.missing.len(), missing.display());
             return invalid(
                 path,
-                format!("none of the {all} photographs is there; the first should be {missing}"),
+                format!("none of the {all} photographs exists; the first should be {missing}"),
             );
         }
         check_memory(&listing.shots, options)?;

@@ -56,8 +56,8 @@ fn require_small(layer: &Layer, tensor: &str) -> Result<()> {
     Err(Error::Invalid {
         origin: IN_MEMORY.into(),
         reason: format!(
-            "`{tensor}` has weights that add up to {largest} in size ({GROUP} inputs of an output), above \
-             {MAX_WEIGHTS} their sums may pass what halves hold: leave `--half-networks` away"
+            "`{tensor}` has {GROUP} weights of an output whose sizes add up to {largest}; above {MAX_WEIGHTS}, sums may \
+             overflow halves: leave out `--half-networks`"
         ),
     })
 }
@@ -122,7 +122,7 @@ mod tests {
                 Err(error) => {
                     let text = error.to_string();
                     assert!(refused, "{text}");
-                    for part in ["color.mlp.0.weight", "128", "leave `--half-networks` away"] {
+                    for part in ["color.mlp.0.weight", "128", "leave out `--half-networks`"] {
                         assert!(text.contains(part), "{text}");
                     }
                 }

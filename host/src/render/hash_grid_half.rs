@@ -14,7 +14,7 @@ use crate::error::{Error, IN_MEMORY, Result};
 pub fn pack_halves(table: &[f32], features: usize, name: &str) -> Result<Vec<u32>> {
     if let Some(value) = table.iter().find(|value| value.abs() > MAX_HALF) {
         let reason = format!(
-            "`{name}` has a value of {value}: halves end at {MAX_HALF}, keep the grids as they are"
+            "`{name}` has the value {value}, but halves end at {MAX_HALF}; leave out `--half-grids`"
         );
         return Err(Error::Invalid { origin: IN_MEMORY.into(), reason });
     }

@@ -115,7 +115,8 @@ impl Loss {
         let pixels = u64::from(tiles) * u64::from(side) * u64::from(side);
         let is_addressed = pixels * u64::from(MOMENTS) < 1 << 32;
         if side == 0 || side > MAX_TILE_SIDE || tiles > 65_535 || !is_addressed {
-            let reason = format!("the loss takes no {tiles} tiles of side {side}: take fewer");
+            let reason =
+                format!("{tiles} tiles of side {side} are too many for the loss; use fewer");
             return Err(Error::Argument { reason });
         }
         let pixels = pixels as usize;

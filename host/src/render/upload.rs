@@ -39,7 +39,7 @@ impl DeviceScene {
             None => Ok(()),
             Some(_) => {
                 let reason = "the scene's networks are computed in half precision, which has no \
-                    gradients: upload it as it is";
+                    gradients; upload it without `half_networks`";
                 Err(Error::Argument { reason: reason.into() })
             }
         }
@@ -50,8 +50,7 @@ impl DeviceScene {
         match self.color.half_table {
             None => Ok(()),
             Some(_) => {
-                let reason =
-                    "the scene's grids are halves, which have no gradients: upload it as it is";
+                let reason = "the scene's grids are halves, without gradients; upload it without `half_grids`";
                 Err(Error::Argument { reason: reason.into() })
             }
         }
@@ -66,7 +65,7 @@ fn require_halves(computes_halves: bool, device: &str) -> Result<()> {
     Err(Error::Invalid {
         origin: IN_MEMORY.into(),
         reason: format!(
-            "{device} does not compute with halves (16-bit floats): leave `--half-networks` away"
+            "{device} does not support halves (16-bit floats); leave out `--half-networks`"
         ),
     })
 }
@@ -79,6 +78,6 @@ mod tests {
     fn a_device_without_halves_is_refused() {
         assert!(require_halves(true, "gpu: A").is_ok());
         let text = require_halves(false, "gpu: A").unwrap_err().to_string();
-        assert!(text.contains("gpu: A") && text.contains("leave `--half-networks` away"), "{text}");
+        assert!(text.contains("gpu: A") && text.contains("leave out `--half-networks`"), "{text}");
     }
 }

@@ -74,7 +74,7 @@ impl Checkpoint {
         let path = path.as_ref();
         let lacks = |what: &str| Error::Invalid {
             origin: path.to_owned(),
-            reason: format!("it lacks {what}: it is a scene, but no checkpoint to go on from"),
+            reason: format!("it lacks {what}: it is a scene, but not a checkpoint to resume from"),
         };
         let progress = read_metadata(path, PROGRESS)?.ok_or_else(|| lacks("`train` metadata"))?;
         let progress = serde_json::from_str(&progress).map_err(|_| lacks("`train` metadata"))?;

@@ -29,6 +29,7 @@ pub mod invocation;
 #[cfg(not(target_arch = "spirv"))]
 pub mod kernel;
 pub mod lane;
+pub mod lens;
 pub mod limits;
 pub mod loss;
 pub mod math;

@@ -20,6 +20,7 @@ pub mod hash_grid_backward;
 pub mod hash_grid_half;
 pub mod hash_grid_scale;
 pub mod inputs;
+pub mod lens;
 pub mod loss;
 mod measure;
 pub mod pair;

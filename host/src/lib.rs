@@ -27,7 +27,7 @@ pub mod train;
 pub mod work;
 
 pub use atomic_file::write_atomic;
-pub use backend::{BackendChoice, Device, DeviceOptions, SpirvPath};
+pub use backend::{BackendChoice, Count, Device, DeviceOptions, SpirvPath};
 pub use camera::Camera;
 pub use data::{Dataset, DatasetOptions};
 pub use error::{Error, Result};

@@ -33,7 +33,7 @@ pub struct ColorInputsParams {
 
 /// Writes what does not come from the hash grid: the point to encode, the harmonics of the view direction and
 /// the material (Eq. 1).  `point [7, stride]`, `input [rows, stride]`.
-#[kernel(threads(64), iterations = SH_ITERATIONS + MAX_VECTOR)]
+#[kernel(threads(64), iterations = SH_ITERATIONS + MAX_VECTOR, counts(pairs))]
 pub fn color_inputs(
     id: Invocation,
     params: &ColorInputsParams,
@@ -68,7 +68,7 @@ pub fn color_inputs(
 }
 
 /// The last layer of the color network and its sigmoid (Eq. 3): `color [pairs, 3]`.
-#[kernel(threads(64), iterations = 2 * MAX_HIDDEN_WIDTH, fused)]
+#[kernel(threads(64), iterations = 2 * MAX_HIDDEN_WIDTH, fused, counts(samples))]
 pub fn color_head(
     id: Invocation,
     params: &ColorHeadParams,

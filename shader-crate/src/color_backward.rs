@@ -21,7 +21,7 @@ pub struct ColorHeadBackwardParams {
 /// The gradient of the color network's outputs, `dL/dc~ = dL/dc c (1 - c)` of Eq. 3.
 ///
 /// `color [pairs, 3]`; `pair_gradient [pairs, 3]`, dL/dc in the third; `logit_gradient [3, stride]`.
-#[kernel(threads(64))]
+#[kernel(threads(64), counts(samples))]
 pub fn color_head_backward(
     id: Invocation,
     params: &ColorHeadBackwardParams,
@@ -58,7 +58,7 @@ pub struct MaterialBackwardParams {
 
 /// The gradient of every pair's material, taken from that of the color network's input (Eq. 1): `input_gradient
 /// [rows, stride]` to `pair_material [pairs, material]`.
-#[kernel(threads(64), iterations = MAX_VECTOR)]
+#[kernel(threads(64), iterations = MAX_VECTOR, counts(samples))]
 pub fn material_backward(
     id: Invocation,
     params: &MaterialBackwardParams,

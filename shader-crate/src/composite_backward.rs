@@ -165,7 +165,7 @@ fn all_moments<L: Lane>(
 /// The derivative of Eq. 12: with `alpha = weight falloff(q)`, `dL/dalpha = dL/dC . c + dL/dS`, and
 /// `dL/dq = -alpha/2 dL/dalpha` where the falloff is not 0.  One invocation for each member of a tile: pixels are summed
 /// in an order that nothing changes.
-#[kernel(threads(64), iterations = u32::BITS + MAX_BAND, lanes)]
+#[kernel(threads(64), iterations = u32::BITS + MAX_BAND, lanes, counts(members))]
 pub fn composite_backward<L: Lane>(
     id: Invocation,
     params: &CompositeBackwardParams,

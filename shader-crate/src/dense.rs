@@ -123,7 +123,7 @@ pub fn column<L: Lane>(
 /// A hidden layer: `output = max(W input + b, 0)`, samples along x and y, blocks of 16 outputs along z.
 ///
 /// `input [inputs, stride]`, `output [4 columns, stride]`.
-#[kernel(threads(64), iterations = 3 * MAX_INPUTS, fused, stacks, lanes(samples))]
+#[kernel(threads(64), iterations = 3 * MAX_INPUTS, fused, stacks, lanes(samples), counts(samples))]
 pub fn dense<S: Samples>(
     id: Invocation,
     params: &DenseParams,

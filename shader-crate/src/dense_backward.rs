@@ -103,7 +103,7 @@ fn least(a: u32, b: u32) -> u32 {
 /// eight inputs from `first_input` on along z.
 ///
 /// `input [inputs, stride]`, `output_gradient [4 columns, stride]`, `input_gradient [end_input, stride]`.
-#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, stacks, lanes(samples))]
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, stacks, lanes(samples), counts(samples))]
 pub fn dense_backward<S: Samples>(
     id: Invocation,
     params: &DenseBackwardParams,
@@ -271,7 +271,7 @@ fn total<L: Lane, M: Lane>(sum: Column<L>, rest: Column<M>) -> Vec4 {
 ///
 /// `input [inputs, stride]`, `output_gradient [4 columns, stride]`, `partial [slices, parameters]`, from
 /// the slice `params.first_slice` on.
-#[kernel(threads(16), iterations = MAX_SLICE, fused, lanes)]
+#[kernel(threads(16), iterations = MAX_SLICE, fused, lanes, counts(samples))]
 pub fn dense_weight_backward<L: Lane>(
     id: Invocation,
     params: &DenseWeightBackwardParams,

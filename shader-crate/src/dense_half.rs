@@ -64,7 +64,7 @@ impl<L: Lane> Part<L> {
 ///
 /// `parameters` as in [`dense`](crate::dense), of which the biases are read; `weights` likewise, of halves.
 /// `input [inputs, stride]`, `output [4 columns, stride]`.
-#[kernel(threads(64), iterations = MAX_INPUTS / GROUP + MAX_INPUTS, fused, stacks, lanes(samples))]
+#[kernel(threads(64), iterations = MAX_INPUTS / GROUP + MAX_INPUTS, fused, stacks, lanes(samples), counts(samples))]
 pub fn dense_half<L: Lane>(
     id: Invocation,
     params: &DenseParams,

@@ -217,7 +217,7 @@ fn read_split<L: Lane>(buffer: Read<f32>, stride: u32, coarse: u32) -> Split<L> 
 ///
 /// `position [chunks, point_rows, stride]`, see [`write_point`]; `table [entries, features]`;
 /// `output [chunks, rows, stride]`.
-#[kernel(threads(64), iterations = MAX_FEATURES, lanes(points))]
+#[kernel(threads(64), iterations = MAX_FEATURES, lanes(points), counts(points))]
 pub fn hash_grid<L: Lane>(
     id: Invocation,
     params: &HashGridParams,

@@ -21,7 +21,7 @@ pub const FLAG_BLOCK: u32 = 64;
 /// `feature_gradient [chunks, rows, stride]`, from the row `params.first_row` on; `scale [3]`, see [`hash_grid_scale`](crate::hash_grid_scale::hash_grid_scale());
 /// `sum [2 entries features]`; `touched [ceil(entries features / 64)]` becomes 1 where something is added.  A point
 /// whose gradient is zero in a level adds nothing there; one above the limit, or NaN, raises `status`.
-#[kernel(threads(64), iterations = 2 * MAX_FEATURES, layers, lanes(points))]
+#[kernel(threads(64), iterations = 2 * MAX_FEATURES, layers, lanes(points), counts(points))]
 pub fn hash_grid_backward<L: Lane>(
     id: Invocation,
     params: &HashGridParams,

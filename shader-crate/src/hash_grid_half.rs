@@ -23,7 +23,7 @@ const TWO_TO_112: f32 = f32::from_bits((127 + 112) << 23);
 
 /// As [`hash_grid`](crate::hash_grid::hash_grid()), with `table [entries, ceil(features / 2)]`: the feature of even
 /// number in the lower half of a word.
-#[kernel(threads(64), iterations = MAX_FEATURES, lanes(points))]
+#[kernel(threads(64), iterations = MAX_FEATURES, lanes(points), counts(points))]
 pub fn hash_grid_half<L: Lane>(
     id: Invocation,
     params: &HashGridParams,

@@ -62,7 +62,7 @@ fn larger(a: u32, b: u32) -> u32 {
 /// `dT/da_k = T s_factor (1 - sigmoid(a_k))` and s_factor is at most 1.
 /// `pair_gradient [pairs, 3]` is `(dL/dmean2d, dL/dopacity, dL/dT), (dL/dconic, 0), (dL/dc, 0)`; `transmittance [pairs]` is
 /// not read for colors.
-#[kernel(threads(64))]
+#[kernel(threads(64), counts(pairs))]
 pub fn hash_grid_peak(
     id: Invocation,
     params: &HashGridPeakParams,
@@ -135,7 +135,7 @@ pub struct HashGridScaleParams {
 /// With 2^e above the product of the bounds and 2^b the next power of two of the samples, the scale is `2^(62 - e - b)`,
 /// and 2^126 at most: no sum comes to 2^63.  Where a bound is infinite or NaN, the limit is 0, so that nothing is added,
 /// and `status` is raised.
-#[kernel(threads(1), iterations = MAX_LAYERS + 1)]
+#[kernel(threads(1), iterations = MAX_LAYERS + 1, counts(samples))]
 pub fn hash_grid_scale(
     id: Invocation,
     params: &HashGridScaleParams,

@@ -345,8 +345,12 @@ pub trait Storage {
     type Buffer<T: Pod>;
     /// A buffer whose element type is forgotten.
     type Binding<'a>;
+    /// How many there are of something, where the device alone may know.
+    type Count;
     /// Forgets the element type.
     fn bind<T: Pod>(buffer: &Self::Buffer<T>) -> Self::Binding<'_>;
+    /// The number, or what there is room for.
+    fn at_most(count: &Self::Count) -> u32;
 }
 
 /// A kernel with all its bindings, ready to run.  `#[kernel]` implements it.
@@ -357,6 +361,42 @@ pub trait Dispatch<'a, S: Storage> {
     fn uniform(&self) -> &[u8];
     /// Visits the storage buffers in order.
     fn bind(&self, visit: &mut dyn FnMut(S::Binding<'a>));
+    /// Parameters that the device may know alone, by their place in the uniform buffer, where what they are at most stands.
+    fn counts(&self) -> &[(usize, &'a S::Count)] {
+        &[]
+    }
+}
+
+/// A dispatch with parameters that the device may know alone: `counted` of a kernel that declares `counts(..)` makes it.
+pub struct Counted<'a, S: Storage, K, const N: usize> {
+    kernel: K,
+    counts: [(usize, &'a S::Count); N],
+}
+
+impl<'a, S: Storage, K, const N: usize> Counted<'a, S, K, N> {
+    /// The kernel, and its counts by their place in the uniform buffer.
+    #[doc(hidden)]
+    pub const fn new(kernel: K, counts: [(usize, &'a S::Count); N]) -> Self {
+        Self { kernel, counts }
+    }
+}
+
+impl<'a, S: Storage, K: Dispatch<'a, S>, const N: usize> Dispatch<'a, S> for Counted<'a, S, K, N> {
+    fn info(&self) -> &'static KernelInfo {
+        self.kernel.info()
+    }
+
+    fn uniform(&self) -> &[u8] {
+        self.kernel.uniform()
+    }
+
+    fn bind(&self, visit: &mut dyn FnMut(S::Binding<'a>)) {
+        self.kernel.bind(visit);
+    }
+
+    fn counts(&self) -> &[(usize, &'a S::Count)] {
+        &self.counts
+    }
 }
 
 /// Every kernel; `#[kernel]` adds to it.

@@ -37,7 +37,7 @@ fn samples_of(first_sample: Read<u32>, pair: u32, chunk: u32, samples: u32) -> (
 ///
 /// `first_sample [all pairs + 1]`, `transmittance [all pairs]`; `pair_gradient [all pairs, 3]`, dL/dT in the first one's
 /// last place; `log_rho_gradient [samples]`.
-#[kernel(threads(64), iterations = MAX_SAMPLES)]
+#[kernel(threads(64), iterations = MAX_SAMPLES, counts(pairs, samples))]
 pub fn segment_product_backward(
     id: Invocation,
     params: &SegmentProductBackwardParams,
@@ -64,7 +64,7 @@ pub fn segment_product_backward(
 ///
 /// `point [7, stride]`, `input [inputs, stride]`, `log_rho_gradient [samples]`, `logit_gradient [samples]`: those of
 /// the chunk, wherever it begins.
-#[kernel(threads(64), iterations = 2 * MAX_HIDDEN_WIDTH, fused, lanes(samples))]
+#[kernel(threads(64), iterations = 2 * MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples))]
 pub fn transmittance_head_backward<L: Lane>(
     id: Invocation,
     params: &TransmittanceHeadParams,
@@ -111,7 +111,7 @@ pub struct ExtraBackwardParams {
 /// vector: pairs along x and y, the vector's values along z.
 ///
 /// `first_sample [all pairs + 1]`, `input_gradient [rows, stride]`, `pair_extra [all pairs, extra]`.
-#[kernel(threads(64), iterations = MAX_SAMPLES, lanes)]
+#[kernel(threads(64), iterations = MAX_SAMPLES, lanes, counts(pairs, samples))]
 pub fn extra_backward<L: Lane>(
     id: Invocation,
     params: &ExtraBackwardParams,

@@ -27,21 +27,24 @@ pub(super) struct Total {
 
 impl Count {
     /// A number that is known.
+    #[must_use]
     pub fn known(number: u32) -> Self {
         Self { at_most: number, total: None }
     }
 
     /// A number at a place of `counts`, of which there is room for `at_most`.
-    pub fn on_device(counts: &Arc<Buffer<u32>>, place: u32, at_most: u32) -> Self {
+    pub(crate) fn on_device(counts: &Arc<Buffer<u32>>, place: u32, at_most: u32) -> Self {
         Self { at_most, total: Some(Total { counts: counts.clone(), place, first: 0 }) }
     }
 
     /// What tables and dispatches are made for.
+    #[must_use]
     pub fn at_most(&self) -> u32 {
         self.at_most
     }
 
     /// How many of them there are from `first` on, at most `most`.
+    #[must_use]
     pub fn piece(&self, first: u32, most: u32) -> Self {
         let at_most = count::piece(self.at_most, first, most);
         let further = |total: &Total| Total { first: total.first + first, ..total.clone() };
@@ -49,6 +52,7 @@ impl Count {
     }
 
     /// Whether the host knows it.
+    #[must_use]
     pub fn is_known(&self) -> bool {
         self.total.is_none()
     }

@@ -272,7 +272,10 @@ fn dispatch(kernel: &Kernel) -> TokenStream {
             Role::Shared(_) | Role::Stage(_) | Role::Group => {}
         }
     }
+    let counted = counted(kernel, &struct_name);
     quote! {
+        #counted
+
         #[cfg(not(target_arch = "spirv"))]
         #[doc = #doc]
         pub struct #struct_name<'a, S: crate::kernel::Storage> { #(#fields),* }
@@ -282,6 +285,26 @@ fn dispatch(kernel: &Kernel) -> TokenStream {
             fn info(&self) -> &'static crate::kernel::KernelInfo { &#info_name }
             fn uniform(&self) -> &[u8] { #uniform }
             fn bind(&self, visit: &mut dyn FnMut(S::Binding<'a>)) { #(#binds)* }
+        }
+    }
+}
+
+/// `counted(self, ..)` of the typed dispatch, where the kernel declares counts.
+fn counted(kernel: &Kernel, struct_name: &syn::Ident) -> TokenStream {
+    let (fields, Some(uniform)) = (&kernel.counts, kernel.uniform()) else { return quote!() };
+    if fields.is_empty() {
+        return quote!();
+    }
+    let (params, element, n) = (&uniform.name, &uniform.element, fields.len());
+    quote! {
+        #[cfg(not(target_arch = "spirv"))]
+        impl<'a, S: crate::kernel::Storage> #struct_name<'a, S> {
+            /// The same dispatch, of numbers that the device may know alone: they take the place of the parameters'.
+            #[must_use]
+            pub fn counted(mut self, #(#fields: &'a S::Count),*) -> crate::kernel::Counted<'a, S, Self, #n> {
+                #(self.#params.#fields = S::at_most(#fields);)*
+                crate::kernel::Counted::new(self, [#((::core::mem::offset_of!(#element, #fields), #fields)),*])
+            }
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Reads a kernel's declaration.
 
 use proc_macro2::TokenStream;
-use syn::parse::Parser;
+use syn::parse::{Parse, Parser};
 use syn::spanned::Spanned;
 use syn::{
     Error, Expr, FnArg, GenericArgument, Ident, ItemFn, LitInt, Pat, PathArguments, PathSegment,
@@ -85,6 +85,8 @@ pub struct Kernel {
     pub samples: bool,
     /// The most iterations of one invocation.
     pub iterations: Option<Expr>,
+    /// Fields of the uniform buffer that the device may know alone.
+    pub counts: Vec<Ident>,
     /// What the kernel calls its invocation.
     pub id: Ident,
     pub parameters: Vec<Parameter>,
@@ -93,7 +95,7 @@ pub struct Kernel {
 impl Kernel {
     pub fn parse(attribute: TokenStream, item: TokenStream) -> Result<Self> {
         let function: ItemFn = syn::parse2(item)?;
-        let Attribute { threads, fused, layers, stacks, lanes, iterations } =
+        let Attribute { threads, fused, layers, stacks, lanes, iterations, counts } =
             parse_attribute(attribute)?;
         let mut inputs = function.sig.inputs.iter();
         let id = inputs.next().and_then(invocation).ok_or_else(|| {
@@ -124,11 +126,16 @@ impl Kernel {
             lanes,
             samples,
             iterations,
+            counts,
             id,
             parameters,
         };
         if kernel.samples && !matches!(kernel.lanes, Some(Lanes::Invocations(_))) {
             let message = "a kernel that is generic over `Samples` has `lanes(field)`";
+            return Err(Error::new(kernel.function.sig.span(), message));
+        }
+        if !kernel.counts.is_empty() && kernel.uniform().is_none() {
+            let message = "`counts` are fields of the kernel's `&Params`";
             return Err(Error::new(kernel.function.sig.span(), message));
         }
         if kernel.lanes.is_some() && kernel.has_shared() {
@@ -142,6 +149,11 @@ impl Kernel {
             return Err(Error::new(kernel.function.sig.span(), message));
         }
         Ok(kernel)
+    }
+
+    /// The uniform buffer.
+    pub fn uniform(&self) -> Option<&Parameter> {
+        self.parameters.iter().find(|parameter| matches!(parameter.role, Role::Uniform))
     }
 
     pub fn has_shared(&self) -> bool {
@@ -170,10 +182,11 @@ struct Attribute {
     stacks: bool,
     lanes: Option<Lanes>,
     iterations: Option<Expr>,
+    counts: Vec<Ident>,
 }
 
-/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `layers` or `stacks`, and `lanes` or
-/// `lanes(field)`
+/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `layers` or `stacks`, `lanes` or
+/// `lanes(field)`, and `counts(field, ..)`
 fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     let mut threads = None;
     let mut fused = false;
@@ -181,6 +194,7 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     let mut stacks = false;
     let mut lanes = None;
     let mut iterations = None;
+    let mut counts = Vec::new();
     let parser = syn::meta::parser(|meta| {
         if meta.path.is_ident("fused") {
             fused = true;
@@ -208,15 +222,21 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
             });
             return Ok(());
         }
+        if meta.path.is_ident("counts") {
+            let content;
+            syn::parenthesized!(content in meta.input);
+            let fields = content.parse_terminated(Ident::parse, syn::Token![,])?;
+            counts = fields.into_iter().collect();
+            return Ok(());
+        }
         if !meta.path.is_ident("threads") {
             let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `layers`, \
-                `stacks`, `lanes` or `lanes(field)`";
+                `stacks`, `lanes`, `lanes(field)` or `counts(field, ..)`";
             return Err(meta.error(expected));
         }
         let content;
         syn::parenthesized!(content in meta.input);
-        let sizes =
-            content.parse_terminated(<LitInt as syn::parse::Parse>::parse, syn::Token![,])?;
+        let sizes = content.parse_terminated(LitInt::parse, syn::Token![,])?;
         let mut size = [1; 3];
         if sizes.is_empty() || sizes.len() > 3 {
             return Err(meta.error("expected one to three sizes"));
@@ -243,7 +263,7 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     if layers && stacks {
         return Err(Error::new(attribute.span(), "workgroups run by `layers` or by `stacks`"));
     }
-    Ok(Attribute { threads, fused, layers, stacks, lanes, iterations })
+    Ok(Attribute { threads, fused, layers, stacks, lanes, iterations, counts })
 }
 
 /// The name of `id: Invocation`.

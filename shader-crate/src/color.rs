@@ -3,7 +3,7 @@
 use glam::Vec4;
 
 use crate::camera::{Camera, read3};
-use crate::dense::{DenseParams, HEAD_STAGED, column};
+use crate::dense::{DenseParams, column};
 use crate::hash_grid::write_point;
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_VECTOR};
 use crate::math::{normalize, sigmoid};
@@ -68,26 +68,21 @@ pub fn color_inputs(
 }
 
 /// The last layer of the color network and its sigmoid (Eq. 3): `color [pairs, 3]`.
-#[kernel(threads(64), iterations = 2 * MAX_HIDDEN_WIDTH, fused, counts(samples))]
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, counts(samples))]
 pub fn color_head(
     id: Invocation,
     params: &ColorHeadParams,
     parameters: Read<Vec4>,
     input: Read<f32>,
     color: Write<f32>,
-    weights: &mut impl Stage<Vec4, HEAD_STAGED>,
 ) {
-    let inside = id.index() < params.samples;
-    if weights.is_shared() || inside {
-        let sample = if inside { id.index() } else { 0 };
-        let layer = params.layer();
-        let logits = column::<f32>(id, &layer, parameters, input, sample, weights);
-        if inside {
-            let first = (params.first_pair + sample) * 3;
-            color.write(first, sigmoid(logits.x));
-            color.write(first + 1, sigmoid(logits.y));
-            color.write(first + 2, sigmoid(logits.z));
-        }
+    let sample = id.index();
+    if sample < params.samples {
+        let logits = column::<f32>(&params.layer(), parameters, input, sample);
+        let first = (params.first_pair + sample) * 3;
+        color.write(first, sigmoid(logits.x));
+        color.write(first + 1, sigmoid(logits.y));
+        color.write(first + 2, sigmoid(logits.z));
     }
 }
 

@@ -69,30 +69,6 @@ fn read_column<S: Samples>(buffer: Read<f32>, first: u32, stride: u32) -> Column
     }
 }
 
-/// Vectors of weights that a stage of [`dense_backward`] holds: those of a block of inputs to the widest layer's outputs.
-const STAGED: usize = (INPUT_BLOCK * MAX_HIDDEN_WIDTH / 4) as usize;
-
-/// The weights of a block's inputs, input by input; inputs past the last repeat it.
-#[derive(Clone, Copy)]
-struct InputWeights<'a> {
-    parameters: Read<'a, Vec4>,
-    /// Where the layer's weights begin.
-    weight: u32,
-    columns: u32,
-    /// The block's first input.
-    first: u32,
-    /// The layer's last one.
-    last: u32,
-}
-
-impl Source<Vec4> for InputWeights<'_> {
-    #[inline(always)]
-    fn element(self, k: u32) -> Vec4 {
-        let input = least(self.first + k / self.columns, self.last);
-        self.parameters.read(self.weight + input * self.columns + k % self.columns)
-    }
-}
-
 /// The smaller of two numbers.
 #[inline(always)]
 fn least(a: u32, b: u32) -> u32 {
@@ -103,7 +79,7 @@ fn least(a: u32, b: u32) -> u32 {
 /// eight inputs from `first_input` on along z.
 ///
 /// `input [inputs, stride]`, `output_gradient [4 columns, stride]`, `input_gradient [end_input, stride]`.
-#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, stacks, lanes(samples), counts(samples))]
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH / 4, fused, stacks, lanes(samples), counts(samples))]
 pub fn dense_backward<S: Samples>(
     id: Invocation,
     params: &DenseBackwardParams,
@@ -111,11 +87,9 @@ pub fn dense_backward<S: Samples>(
     input: Read<f32>,
     output_gradient: Read<f32>,
     input_gradient: Write<f32>,
-    weights: &mut impl Stage<Vec4, STAGED>,
 ) {
-    let inside = id.index() < params.samples;
-    if weights.is_shared() || inside {
-        let sample = if inside { id.index() } else { 0 };
+    let sample = id.index();
+    if sample < params.samples {
         let first = params.first_input + id.workgroup.z * INPUT_BLOCK;
         // inputs past the last repeat it, and are not written
         let last = params.inputs - 1;
@@ -132,33 +106,27 @@ pub fn dense_backward<S: Samples>(
         let mut high = Column::<S>::splat(Vec4::ZERO);
         let mut at = sample;
         let mut c = 0;
-        weights.wait(id);
-        let source = InputWeights { parameters, weight, columns, first, last };
-        weights.fill(id, columns * INPUT_BLOCK, source);
-        weights.wait(id);
         while c < columns {
             let g = read_column::<S>(output_gradient, at, params.stride);
             let rows = [
-                weights.at(c, parameters, at0 + c),
-                weights.at(c + columns, parameters, at1 + c),
-                weights.at(c + 2 * columns, parameters, at2 + c),
-                weights.at(c + 3 * columns, parameters, at3 + c),
+                parameters.read(at0 + c),
+                parameters.read(at1 + c),
+                parameters.read(at2 + c),
+                parameters.read(at3 + c),
             ];
             low = add_transposed(low, rows, g);
             let rows = [
-                weights.at(c + 4 * columns, parameters, at4 + c),
-                weights.at(c + 5 * columns, parameters, at5 + c),
-                weights.at(c + 6 * columns, parameters, at6 + c),
-                weights.at(c + 7 * columns, parameters, at7 + c),
+                parameters.read(at4 + c),
+                parameters.read(at5 + c),
+                parameters.read(at6 + c),
+                parameters.read(at7 + c),
             ];
             high = add_transposed(high, rows, g);
             at += 4 * params.stride;
             c += 1;
         }
-        if inside {
-            write_gradient(params, input, input_gradient, low, first, sample);
-            write_gradient(params, input, input_gradient, high, first + 4, sample);
-        }
+        write_gradient(params, input, input_gradient, low, first, sample);
+        write_gradient(params, input, input_gradient, high, first + 4, sample);
     }
 }
 
@@ -392,5 +360,76 @@ pub fn dense_weight_sum(
             slice += 1;
         }
         gradient.write(index, sum);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use std::vec;
+    use std::vec::Vec;
+
+    use glam::UVec3;
+
+    use super::*;
+    use crate::dense::{DenseParams, dense};
+    use crate::samples::Four;
+
+    fn numbers(count: u32) -> Vec<f32> {
+        (0..count).map(|i| (i * 37 % 101) as f32 / 50.0 - 1.0).collect()
+    }
+
+    fn vectors(count: u32) -> Vec<Vec4> {
+        numbers(4 * count).as_chunks::<4>().0.iter().copied().map(Vec4::from_array).collect()
+    }
+
+    /// The invocations of two workgroups.
+    fn invocations(workgroup_z: u32) -> impl Iterator<Item = Invocation> {
+        (0..128).map(move |x| {
+            let workgroup = UVec3::new(x / 64, 0, workgroup_z);
+            let local = UVec3::new(x % 64, 0, 0);
+            Invocation::new(local, workgroup, UVec3::new(2, 1, 2), UVec3::new(64, 1, 1))
+        })
+    }
+
+    /// An invocation of a GPU, which reads without a check: here every index is checked.
+    #[test]
+    fn layers_of_four_samples_are_those_of_one() {
+        for samples in [1, 2, 3, 4, 63, 70] {
+            let (stride, inputs, columns) = (samples + 3, 11, 8);
+            let (weight, bias) = (3, 3 + inputs * columns);
+            let params = DenseParams { samples, stride, inputs, columns, weight, bias };
+            let parameters = vectors(3 + (inputs + 1) * columns);
+            let input = numbers(inputs * stride);
+            let len = (4 * columns * stride) as usize;
+            let (mut one, mut four) = (vec![9.0; len], vec![9.0; len]);
+            let back = DenseBackwardParams {
+                samples,
+                stride,
+                inputs,
+                columns,
+                weight,
+                first_input: 0,
+                end_input: inputs,
+                rectified: 1,
+            };
+            let gradient = numbers(4 * columns * stride);
+            let back_len = (inputs * stride) as usize;
+            let (mut back_one, mut back_four) = (vec![9.0; back_len], vec![9.0; back_len]);
+            let (weights, input) = (Read::from(&parameters[..]), Read::from(&input[..]));
+            let gradient = Read::from(&gradient[..]);
+            for id in [0, 1].into_iter().flat_map(invocations) {
+                dense::<f32>(id, &params, weights, input, Write::from(&mut one[..]));
+                dense::<Four>(id.of(4), &params, weights, input, Write::from(&mut four[..]));
+                let output = Write::from(&mut back_one[..]);
+                dense_backward::<f32>(id, &back, weights, input, gradient, output);
+                let output = Write::from(&mut back_four[..]);
+                dense_backward::<Four>(id.of(4), &back, weights, input, gradient, output);
+            }
+            assert_eq!(one, four, "{samples} samples");
+            assert_eq!(back_one, back_four, "{samples} samples on the way back");
+            assert!(four.iter().any(|&value| value > 0.0 && value != 9.0));
+        }
     }
 }

@@ -194,12 +194,12 @@ macro_rules! of_corners {
             @$kind $entry $weight $value; e0 w0 e1 w1 e2 w2 e3 w3 e4 w4 e5 w5 e6 w6 e7 w7
         )
     }};
-    (@each $entry:ident $weight:ident $value:expr; $($e:ident $w:ident)*) => {
+    (@each $entry:ident $weight:ident $value:expr; $($e:ident $w:ident)*) => {{
         $(
             let ($entry, $weight) = ($e, $w);
             $value;
         )*
-    };
+    }};
     (@array $entry:ident $weight:ident $value:expr; $($e:ident $w:ident)*) => {
         [$({
             let ($entry, $weight) = ($e, $w);

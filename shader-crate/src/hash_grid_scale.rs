@@ -69,7 +69,6 @@ pub fn hash_grid_peak(
     pair_gradient: Read<Vec4>,
     transmittance: Read<f32>,
     bound: Write<u32>,
-    group: impl Group,
 ) {
     let pair = id.index();
     if pair < params.pairs {
@@ -79,7 +78,7 @@ pub fn hash_grid_peak(
         } else {
             size_bits(pair_gradient.read(3 * pair).w * transmittance.read(pair))
         };
-        group.raise(bound, 0, bits);
+        atomic::raise(bound, 0, bits);
     }
 }
 
@@ -104,7 +103,6 @@ pub fn hash_grid_norm(
     params: &HashGridNormParams,
     parameters: Read<Vec4>,
     bound: Write<u32>,
-    group: impl Group,
 ) {
     let input = id.index();
     if input < params.inputs {
@@ -116,7 +114,7 @@ pub fn hash_grid_norm(
             sum += abs(w.x) + abs(w.y) + abs(w.z) + abs(w.w);
             column += 1;
         }
-        group.raise(bound, params.slot, size_bits(sum));
+        atomic::raise(bound, params.slot, size_bits(sum));
     }
 }
 

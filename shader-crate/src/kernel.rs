@@ -72,34 +72,12 @@ pub const fn workgroup_bytes(shared: &[SharedInfo]) -> u32 {
     bytes
 }
 
-/// What a kernel's second entry point has, of which the plain one and the CPU have nothing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Variant {
-    /// [Stages](crate::stage) in workgroup memory.
-    Staged,
-    /// [Subgroups](crate::group).
-    Subgroups,
-}
-
-/// A kernel's second entry point: the same body and bindings.
-#[derive(Clone, Copy, Debug)]
-pub struct VariantInfo {
-    /// Name of the SPIR-V entry point.
-    pub name: &'static str,
-    /// What it has.
-    pub needs: Variant,
-    /// Workgroup memory, the kernel's own and that of stages.
-    pub shared: &'static [SharedInfo],
-}
-
-/// One of a kernel's SPIR-V entry points.
+/// One of a kernel's SPIR-V entry points: of the same body and bindings.
 #[derive(Clone, Copy, Debug)]
 pub struct EntryPoint {
     /// Its name, and that of its module.
     pub name: &'static str,
-    /// What it has beside the plain one; none for that.
-    pub variant: Option<Variant>,
-    /// Workgroup memory.
+    /// Workgroup memory: the kernel's own, and in the variant that of its [stages](crate::stage).
     pub shared: &'static [SharedInfo],
 }
 
@@ -125,8 +103,8 @@ pub struct KernelInfo {
     pub bindings: &'static [BindingInfo],
     /// Workgroup memory.
     pub shared: &'static [SharedInfo],
-    /// The second entry point of kernels that have one.
-    pub variant: Option<VariantInfo>,
+    /// The second entry point of kernels with stages: its variant, in which they are workgroup memory.
+    pub variant: Option<EntryPoint>,
     /// The CPU execution.
     pub run: CpuRun,
 }
@@ -134,17 +112,12 @@ pub struct KernelInfo {
 impl KernelInfo {
     /// The plain entry point.
     pub const fn plain(&self) -> EntryPoint {
-        EntryPoint { name: self.name, variant: None, shared: self.shared }
+        EntryPoint { name: self.name, shared: self.shared }
     }
 
     /// All entry points, the plain one first.
     pub fn entry_points(&self) -> impl Iterator<Item = EntryPoint> {
-        let variant = self.variant.map(|VariantInfo { name, needs, shared }| EntryPoint {
-            name,
-            variant: Some(needs),
-            shared,
-        });
-        core::iter::once(self.plain()).chain(variant)
+        core::iter::once(self.plain()).chain(self.variant)
     }
 }
 

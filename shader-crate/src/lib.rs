@@ -19,7 +19,6 @@ pub mod dense;
 pub mod dense_backward;
 pub mod dense_half;
 pub mod fixed;
-pub mod group;
 pub mod half;
 pub mod hash_grid;
 pub mod hash_grid_backward;
@@ -60,6 +59,4 @@ mod wide;
 mod wide_math;
 
 #[cfg(not(target_arch = "spirv"))]
-pub use kernel::{
-    Access, BindingInfo, EntryPoint, KernelInfo, SharedInfo, Variant, VariantInfo, kernels,
-};
+pub use kernel::{Access, BindingInfo, EntryPoint, KernelInfo, SharedInfo, kernels};

@@ -2,7 +2,7 @@
 
 use glam::Vec4;
 
-use crate::dense::{DenseParams, HEAD_STAGED, column};
+use crate::dense::{DenseParams, column};
 use crate::hash_grid::{POINT_ROWS, write_point};
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_VECTOR};
 use crate::math::{exp, log_sigmoid};
@@ -162,13 +162,11 @@ pub struct TransmittanceHeadParams {
 /// a_k, the output of the scalar network's last layer, and the `s_factor` of the sample's segment.
 #[inline(always)]
 pub fn logit_and_factor<L: Lane>(
-    id: Invocation,
     params: &TransmittanceHeadParams,
     parameters: Read<Vec4>,
     point: Read<f32>,
     input: Read<f32>,
     sample: u32,
-    weights: &mut impl Stage<Vec4, HEAD_STAGED>,
 ) -> (L, L) {
     let layer = DenseParams {
         samples: params.samples,
@@ -178,13 +176,13 @@ pub fn logit_and_factor<L: Lane>(
         weight: params.weight,
         bias: params.bias,
     };
-    let a = column::<L>(id, &layer, parameters, input, sample, weights).x;
+    let a = column::<L>(&layer, parameters, input, sample).x;
     (a, L::read(point, POINT_ROWS * params.stride + sample))
 }
 
 /// The last layer of the scalar network and the logarithm of Eq. 11's factor:
 /// `log_rho [samples] = s_factor * log_sigmoid(a_k)`.
-#[kernel(threads(64), iterations = 2 * MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples))]
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples))]
 pub fn transmittance_head<L: Lane>(
     id: Invocation,
     params: &TransmittanceHeadParams,
@@ -192,16 +190,11 @@ pub fn transmittance_head<L: Lane>(
     point: Read<f32>,
     input: Read<f32>,
     log_rho: Write<f32>,
-    weights: &mut impl Stage<Vec4, HEAD_STAGED>,
 ) {
-    let inside = id.index() < params.samples;
-    if weights.is_shared() || inside {
-        let sample = if inside { id.index() } else { 0 };
-        let (a, factor) =
-            logit_and_factor::<L>(id, params, parameters, point, input, sample, weights);
-        if inside {
-            (factor * log_sigmoid(a)).write(log_rho, params.first_sample + sample);
-        }
+    let sample = id.index();
+    if sample < params.samples {
+        let (a, factor) = logit_and_factor::<L>(params, parameters, point, input, sample);
+        (factor * log_sigmoid(a)).write(log_rho, params.first_sample + sample);
     }
 }
 

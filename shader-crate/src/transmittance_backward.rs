@@ -2,7 +2,6 @@
 
 use glam::Vec4;
 
-use crate::dense::HEAD_STAGED;
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES};
 use crate::math::sigmoid;
 use crate::prelude::*;
@@ -64,7 +63,7 @@ pub fn segment_product_backward(
 ///
 /// `point [7, stride]`, `input [inputs, stride]`, `log_rho_gradient [samples]`, `logit_gradient [samples]`: those of
 /// the chunk, wherever it begins.
-#[kernel(threads(64), iterations = 2 * MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples))]
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples))]
 pub fn transmittance_head_backward<L: Lane>(
     id: Invocation,
     params: &TransmittanceHeadParams,
@@ -73,17 +72,12 @@ pub fn transmittance_head_backward<L: Lane>(
     input: Read<f32>,
     log_rho_gradient: Read<f32>,
     logit_gradient: Write<f32>,
-    weights: &mut impl Stage<Vec4, HEAD_STAGED>,
 ) {
-    let inside = id.index() < params.samples;
-    if weights.is_shared() || inside {
-        let sample = if inside { id.index() } else { 0 };
-        let (a, factor) =
-            logit_and_factor::<L>(id, params, parameters, point, input, sample, weights);
-        if inside {
-            let gradient = L::read(log_rho_gradient, sample) * factor * sigmoid(-a);
-            gradient.write(logit_gradient, sample);
-        }
+    let sample = id.index();
+    if sample < params.samples {
+        let (a, factor) = logit_and_factor::<L>(params, parameters, point, input, sample);
+        let gradient = L::read(log_rho_gradient, sample) * factor * sigmoid(-a);
+        gradient.write(logit_gradient, sample);
     }
 }
 

@@ -1,6 +1,6 @@
 //! Eq. 4 to 8 and the projection.
 
-use glam::{DMat2, DMat3, DVec2};
+use glam::{DMat2, DMat3, DVec2, DVec3};
 use organza::parity::lens::ExactLens;
 use organza::parity::project::Project;
 use organza::parity::segment::Segment;

@@ -10,7 +10,6 @@ mod guide;
 mod lower;
 mod memory_model;
 mod module;
-mod subgroups;
 mod validate;
 mod watch;
 

@@ -48,7 +48,7 @@ pub struct DeviceArgs {
     #[arg(long, value_name = "NAME", help_heading = "Device")]
     adapter: Option<String>,
 
-    /// Which kernels a GPU runs: `plain` ones, or the `best` it can take, with workgroup memory and subgroups
+    /// Which kernels a GPU runs: `plain` ones, or the `best`, with workgroup memory
     /// [default: best, plain on a software device]
     #[arg(long, value_enum, help_heading = "Device")]
     variants: Option<Variants>,

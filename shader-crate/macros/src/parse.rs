@@ -20,8 +20,6 @@ pub enum Role {
     Shared(Box<GenericArgument>),
     /// `&mut impl Stage<T, N>`, with its length
     Stage(Box<GenericArgument>),
-    /// `impl Group`
-    Group,
 }
 
 impl Role {
@@ -36,30 +34,11 @@ impl Role {
     }
 }
 
-/// What a kernel's second entry point has.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Variant {
-    /// Stages in workgroup memory.
-    Staged,
-    /// Subgroups.
-    Subgroups,
-}
-
-impl Variant {
-    /// What follows the kernel's name in the entry point's.
-    pub fn suffix(self) -> &'static str {
-        match self {
-            Self::Staged => "staged",
-            Self::Subgroups => "subgroups",
-        }
-    }
-}
-
 /// One parameter after the invocation.
 pub struct Parameter {
     pub name: Ident,
     pub role: Role,
-    /// `P` or `T` of [`Role`]; of a group, its trait.
+    /// `P` or `T` of [`Role`].
     pub element: Type,
 }
 
@@ -142,12 +121,6 @@ impl Kernel {
             let message = "a kernel with workgroup memory has no `lanes`";
             return Err(Error::new(kernel.function.sig.span(), message));
         }
-        if kernel.has(|role| matches!(role, Role::Stage(_)))
-            && kernel.has(|role| matches!(role, Role::Group))
-        {
-            let message = "a kernel has stages or a group: one variant";
-            return Err(Error::new(kernel.function.sig.span(), message));
-        }
         Ok(kernel)
     }
 
@@ -160,14 +133,9 @@ impl Kernel {
         self.has(|role| matches!(role, Role::Shared(_)))
     }
 
-    /// The second entry point's, by the parameters.
-    pub fn variant(&self) -> Option<Variant> {
-        let variant = |role: &Role| match role {
-            Role::Stage(_) => Some(Variant::Staged),
-            Role::Group => Some(Variant::Subgroups),
-            _ => None,
-        };
-        self.parameters.iter().find_map(|parameter| variant(&parameter.role))
+    /// Whether it has a second entry point, in which stages are workgroup memory.
+    pub fn has_stages(&self) -> bool {
+        self.has(|role| matches!(role, Role::Stage(_)))
     }
 
     fn has(&self, what: impl Fn(&Role) -> bool) -> bool {
@@ -307,8 +275,7 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
     let (role, element) = role(&argument.ty).ok_or_else(|| {
         Error::new(
             argument.ty.span(),
-            "a parameter is `&Params`, `Read<T>`, `Write<T>`, `Shared<T, N>`, `&mut impl Stage<T, N>` or \
-             `impl Group`",
+            "a parameter is `&Params`, `Read<T>`, `Write<T>`, `Shared<T, N>` or `&mut impl Stage<T, N>`",
         )
     })?;
     Ok(Parameter { name, role, element })
@@ -323,9 +290,6 @@ fn role(ty: &Type) -> Option<(Role, Type)> {
         let segment = implemented(&reference.elem).filter(|segment| segment.ident == "Stage")?;
         let (element, length) = arguments(segment)?;
         return Some((Role::Stage(Box::new(length?)), element));
-    }
-    if implemented(ty).is_some_and(|segment| segment.ident == "Group") {
-        return Some((Role::Group, ty.clone()));
     }
     let segment = last_segment(ty)?;
     let (element, length) = arguments(segment)?;

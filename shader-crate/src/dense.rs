@@ -104,12 +104,11 @@ pub fn dense<S: Samples>(
     let sample = id.index();
     if sample < params.samples {
         let first = id.workgroup.z * BLOCK_COLUMNS;
-        if S::WIDTH == 8 {
-            // what has so many lanes has 16 registers, too few for sixteen sums and what is added to them
+        if S::COLUMNS == BLOCK_COLUMNS {
+            four_columns::<S>(params, parameters, input, output, sample, first);
+        } else {
             two_columns::<S>(params, parameters, input, output, sample, first);
             two_columns::<S>(params, parameters, input, output, sample, first + 2);
-        } else {
-            four_columns::<S>(params, parameters, input, output, sample, first);
         }
     }
 }

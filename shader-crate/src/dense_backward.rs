@@ -206,20 +206,11 @@ pub fn add<L: Lane>(sum: Column<L>, g: Column<L>) -> Column<L> {
     Column { x: sum.x + g.x, y: sum.y + g.y, z: sum.z + g.z, w: sum.w + g.w }
 }
 
-/// The same sums.  On the CPU they go through memory: the compiler then keeps each of them in one register before, where
-/// otherwise the sum over lanes would have it take them apart.
+/// The same sums, each of them [settled](Lane::settled).
 #[inline(always)]
 pub fn settled<L: Lane>(sum: Column<L>) -> Column<L> {
-    #[cfg(not(target_arch = "spirv"))]
-    {
-        let Column { x, y, z, w } = sum;
-        let [x, y, z, w] = [x, y, z, w].map(core::hint::black_box);
-        Column { x, y, z, w }
-    }
-    #[cfg(target_arch = "spirv")]
-    {
-        sum
-    }
+    let Column { x, y, z, w } = sum;
+    Column { x: x.settled(), y: y.settled(), z: z.settled(), w: w.settled() }
 }
 
 /// What all lanes have, and what was left over.
@@ -259,31 +250,15 @@ pub fn dense_weight_backward<L: Lane>(
         let g = 4 * column * params.stride;
         if block < blocks {
             let first = block * WEIGHT_BLOCK;
-            let [row0, row1, row2, row3] = input_rows(params, first);
-            // sixteen sums: four variables, for an aggregate of them would stay in memory
-            let none = Column::<L>::splat(Vec4::ZERO);
-            let (mut sum0, mut sum1, mut sum2, mut sum3) = (none, none, none, none);
-            let mut sample = begin;
-            while sample + L::WIDTH <= end {
-                let g = read_column::<L>(output_gradient, g + sample, params.stride);
-                sum0 = add_scaled(sum0, L::read(input, row0 + sample), g);
-                sum1 = add_scaled(sum1, L::read(input, row1 + sample), g);
-                sum2 = add_scaled(sum2, L::read(input, row2 + sample), g);
-                sum3 = add_scaled(sum3, L::read(input, row3 + sample), g);
-                sample += L::WIDTH;
-            }
+            let (rows, stride) = (input_rows(params, first), params.stride);
+            let (sums, sample) =
+                sum_products::<L>(input, rows, output_gradient, g, stride, [begin, end]);
+            let [sum0, sum1, sum2, sum3] = sums;
             let (sum0, sum1) = (settled(sum0), settled(sum1));
             let (sum2, sum3) = (settled(sum2), settled(sum3));
-            let none = Column::<L::One>::splat(Vec4::ZERO);
-            let (mut rest0, mut rest1, mut rest2, mut rest3) = (none, none, none, none);
-            while sample < end {
-                let g = read_column::<L::One>(output_gradient, g + sample, params.stride);
-                rest0 = add_scaled(rest0, <L::One as Lane>::read(input, row0 + sample), g);
-                rest1 = add_scaled(rest1, <L::One as Lane>::read(input, row1 + sample), g);
-                rest2 = add_scaled(rest2, <L::One as Lane>::read(input, row2 + sample), g);
-                rest3 = add_scaled(rest3, <L::One as Lane>::read(input, row3 + sample), g);
-                sample += 1;
-            }
+            let (rests, _) =
+                sum_products::<L::One>(input, rows, output_gradient, g, stride, [sample, end]);
+            let [rest0, rest1, rest2, rest3] = rests;
             let to = to + params.weight + first * columns;
             partial.write(to, total(sum0, rest0));
             if first + 1 < inputs {
@@ -302,22 +277,56 @@ pub fn dense_weight_backward<L: Lane>(
     }
 }
 
+/// Sums over samples of the products of four inputs and a column of outputs' gradients, as many whole lanes as there are,
+/// and the first sample after those.
+#[inline(always)]
+fn sum_products<L: Lane>(
+    input: Read<f32>,
+    [row0, row1, row2, row3]: [u32; 4],
+    output_gradient: Read<f32>,
+    g: u32,
+    stride: u32,
+    [begin, end]: [u32; 2],
+) -> ([Column<L>; 4], u32) {
+    // sixteen sums: four variables, for an aggregate of them would stay in memory
+    let none = Column::<L>::splat(Vec4::ZERO);
+    let (mut sum0, mut sum1, mut sum2, mut sum3) = (none, none, none, none);
+    let mut sample = begin;
+    while sample + L::WIDTH <= end {
+        let g = read_column::<L>(output_gradient, g + sample, stride);
+        sum0 = add_scaled(sum0, L::read(input, row0 + sample), g);
+        sum1 = add_scaled(sum1, L::read(input, row1 + sample), g);
+        sum2 = add_scaled(sum2, L::read(input, row2 + sample), g);
+        sum3 = add_scaled(sum3, L::read(input, row3 + sample), g);
+        sample += L::WIDTH;
+    }
+    ([sum0, sum1, sum2, sum3], sample)
+}
+
 /// Sums of a column's four rows from a sample to another.
 #[inline(always)]
 fn sum_rows<L: Lane>(rows: Read<f32>, first: u32, stride: u32, begin: u32, end: u32) -> Vec4 {
+    let (sum, sample) = sum_lanes::<L>(rows, first, stride, [begin, end]);
+    let sum = settled(sum);
+    let (rest, _) = sum_lanes::<L::One>(rows, first, stride, [sample, end]);
+    total(sum, rest)
+}
+
+/// As [`sum_rows`], of as many whole lanes as there are, and the first sample after those.
+#[inline(always)]
+fn sum_lanes<L: Lane>(
+    rows: Read<f32>,
+    first: u32,
+    stride: u32,
+    [begin, end]: [u32; 2],
+) -> (Column<L>, u32) {
     let mut sum = Column::<L>::splat(Vec4::ZERO);
     let mut sample = begin;
     while sample + L::WIDTH <= end {
         sum = add(sum, read_column::<L>(rows, first + sample, stride));
         sample += L::WIDTH;
     }
-    let sum = settled(sum);
-    let mut rest = Column::<L::One>::splat(Vec4::ZERO);
-    while sample < end {
-        rest = add(rest, read_column::<L::One>(rows, first + sample, stride));
-        sample += 1;
-    }
-    total(sum, rest)
+    (sum, sample)
 }
 
 /// Where the rows of a block's inputs begin; inputs past the last repeat it.

@@ -6,7 +6,6 @@
 use crate::atomic;
 use crate::hash_grid::{Corners, GridLevel, HashGridParams, of_corners, read_point, value_at};
 use crate::hash_grid_scale::{INVERSE, LIMIT, SCALE, STATUS_LIMIT};
-use crate::lane::MAX_WIDTH;
 use crate::limits::MAX_FEATURES;
 use crate::math::TINY;
 use crate::prelude::*;
@@ -71,8 +70,7 @@ pub fn hash_grid_backward<L: Lane>(
             let unit = L::splat(scale.read(SCALE));
             let mut row = first;
             let mut f = 0;
-            // two at once gains with AVX-512 alone, which converts whole vectors to 64-bit integers
-            while L::WIDTH == MAX_WIDTH && f + 2 <= features {
+            while L::ADDS_TWO && f + 2 <= features {
                 let first = scaled(L::read(feature_gradient, row), unit);
                 let second = scaled(L::read(feature_gradient, row + params.stride), unit);
                 of_corners!(each corners, |entry, weight| {

@@ -119,18 +119,21 @@ pub fn extra_backward<L: Lane>(
         let (begin, end) = samples_of(first_sample, pair, params.first_sample, params.samples);
         let value = id.workgroup.z;
         let row = (params.extra_row + value) * params.stride;
-        let mut sum = L::splat(0.0);
-        let mut sample = begin;
-        while sample + L::WIDTH <= end {
-            sum = sum + L::read(input_gradient, row + sample);
-            sample += L::WIDTH;
-        }
-        let mut rest = 0.0;
-        while sample < end {
-            rest += input_gradient.read(row + sample);
-            sample += 1;
-        }
+        let (sum, first) = sum_lanes::<L>(input_gradient, row + begin, row + end);
+        let (rest, _) = sum_lanes::<L::One>(input_gradient, first, row + end);
         let to = pair * params.extra + value;
-        pair_extra.write(to, pair_extra.read(to) + (sum.sum() + rest));
+        pair_extra.write(to, pair_extra.read(to) + (sum.sum() + rest.sum()));
     }
+}
+
+/// The sum of as many whole lanes as there are, and the place after those.
+#[inline(always)]
+fn sum_lanes<L: Lane>(values: Read<f32>, begin: u32, end: u32) -> (L, u32) {
+    let mut sum = L::splat(0.0);
+    let mut at = begin;
+    while at + L::WIDTH <= end {
+        sum = sum + L::read(values, at);
+        at += L::WIDTH;
+    }
+    (sum, at)
 }

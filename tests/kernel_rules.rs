@@ -2,11 +2,11 @@
 
 use std::fs;
 use std::panic;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use organza::MODULES;
 use organza_device::CodeSize;
-use organza_kernel::{EntryPoint, KernelInfo, Variant, kernels as declared};
+use organza_kernel::{EntryPoint, KernelInfo, kernels as declared};
 use organza_shaders::limits::MAX_ITERATIONS;
 use organza_shaders::transmittance::{SegmentProductKernel, SegmentProductParams};
 use organza_tests::devices;
@@ -21,9 +21,7 @@ mod op {
     pub const TYPE_ARRAY: u32 = 28;
     pub const TYPE_POINTER: u32 = 32;
     pub const CONSTANT: u32 = 43;
-    pub const COPY: u32 = 83;
     pub const BARRIER: u32 = 224;
-    pub const SUBGROUP_ADD: u32 = 349;
     pub const FUNCTION: u32 = 54;
     pub const VARIABLE: u32 = 59;
     pub const DECORATE: u32 = 71;
@@ -47,7 +45,7 @@ fn naga_module(words: &[u32]) -> Result<naga::Module, String> {
     let module = parser.parse().map_err(|error| error.to_string())?;
     let flags = naga::valid::ValidationFlags::all();
     // what wgpu asks an adapter for, where a kernel needs it
-    let offered = naga::valid::Capabilities::SUBGROUP | naga::valid::Capabilities::SHADER_FLOAT16;
+    let offered = naga::valid::Capabilities::SHADER_FLOAT16;
     let mut validator = naga::valid::Validator::new(flags, offered);
     match validator.validate(&module) {
         Ok(_) => Ok(module),
@@ -132,17 +130,11 @@ fn modules_keep_the_rules() {
     }
 }
 
-/// Subgroups and barriers are for who asks for them.
+/// Barriers are for workgroup memory.
 #[test]
-fn plain_entry_points_need_nothing() {
-    const SUBGROUPS: [u32; 2] = [61, 63];
+fn plain_entry_points_have_no_barriers() {
     for (kernel, point) in entry_points() {
         let words = MODULES.of(kernel, &point).unwrap().spirv_words();
-        let needs = |i: &organza_tests::spirv::Instruction<'_>| {
-            is(i, op::CAPABILITY) && SUBGROUPS.contains(&i.operands[0])
-        };
-        let has_subgroups = point.variant == Some(Variant::Subgroups);
-        assert_eq!(instructions(&words).any(|i| needs(&i)), has_subgroups, "{}", point.name);
         let barriers = instructions(&words).any(|i| is(&i, op::BARRIER));
         assert_eq!(barriers, !point.shared.is_empty(), "{}", point.name);
     }
@@ -157,32 +149,16 @@ fn naga_takes_every_entry_point() {
     }
 }
 
-/// The trap: an operation of subgroups whose argument comes from another block, such as a loop before.
-#[test]
-fn naga_wants_arguments_from_the_same_block() {
-    let name = "scan_block_subgroups";
-    let words = MODULES.find(name).unwrap().spirv_words().into_owned();
-    naga_module(&words).expect("a module as it is");
-    let all: Vec<_> = instructions(&words).collect();
-    let mut broken = words.clone();
-    for operation in all.iter().filter(|i| is(i, op::SUBGROUP_ADD)) {
-        let argument = operation.operands[4];
-        let copy = all.iter().find(|i| is(i, op::COPY) && i.operands[1] == argument);
-        broken[operation.at + 5] = copy.expect("xtask copies the argument").operands[2];
-    }
-    let hook = panic::take_hook();
-    panic::set_hook(Box::new(|_| {}));
-    let module = panic::catch_unwind(|| naga_module(&broken).is_ok());
-    panic::set_hook(hook);
-    assert!(module.is_err(), "naga takes it now: docs/kernels.md, xtask/src/subgroups.rs");
+/// The files of a folder, and of those in it.
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let paths = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    paths.flat_map(|path| if path.is_dir() { sources(&path) } else { vec![path] }).collect()
 }
 
 /// Exits through several levels of control flow are what naga's reader miscompiles.
 #[test]
 fn kernels_have_no_early_exits() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shader-crate/src");
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
+    for path in sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../shader-crate/src")) {
         let source = fs::read_to_string(&path).unwrap();
         let code = source.split("#[cfg(test)]").next().unwrap_or_default().lines();
         for (number, line) in code.enumerate() {

@@ -29,7 +29,7 @@ pub use error::{Error, Result};
 pub use evaluate::{Evaluation, evaluate};
 pub use image::Image;
 pub use organza_device::{
-    BackendChoice, Buffer, Device, DeviceOptions, InstructionSet, Modules, SpirvPath,
+    BackendChoice, Buffer, Count, Device, DeviceOptions, InstructionSet, Modules, SpirvPath,
 };
 pub use render::{
     DeviceScene, Inspection, RenderReport, RenderedTiles, Renderer, Stages, UploadOptions,

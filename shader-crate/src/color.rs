@@ -5,7 +5,7 @@ use glam::Vec4;
 use crate::camera::{Camera, read3};
 #[cfg(not(target_arch = "spirv"))]
 use crate::dense::head_work;
-use crate::dense::{DenseParams, HEAD_STAGED, column};
+use crate::dense::{DenseParams, column};
 #[cfg(not(target_arch = "spirv"))]
 use crate::hash_grid::POINT;
 use crate::hash_grid::write_point;
@@ -48,7 +48,7 @@ fn color_inputs_work(params: &ColorInputsParams, _: Shape<'_>) -> Work {
 
 /// Writes what does not come from the hash grid: the point to encode, the harmonics of the view direction and
 /// the material (Eq. 1).  `point [7, stride]`, `input [rows, stride]`.
-#[kernel(threads(64), iterations = SH_ITERATIONS + MAX_VECTOR, work(color_inputs_work))]
+#[kernel(threads(64), iterations = SH_ITERATIONS + MAX_VECTOR, counts(pairs), work(color_inputs_work))]
 pub fn color_inputs(
     id: Invocation,
     params: &ColorInputsParams,
@@ -89,26 +89,21 @@ fn color_head_work(params: &ColorHeadParams, _: Shape<'_>) -> Work {
 }
 
 /// The last layer of the color network and its sigmoid (Eq. 3): `color [pairs, 3]`.
-#[kernel(threads(64), iterations = 2 * MAX_HIDDEN_WIDTH, fused, work(color_head_work))]
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, counts(samples), work(color_head_work))]
 pub fn color_head(
     id: Invocation,
     params: &ColorHeadParams,
     parameters: Read<Vec4>,
     input: Read<f32>,
     color: Write<f32>,
-    weights: &mut impl Stage<Vec4, HEAD_STAGED>,
 ) {
-    let inside = id.index() < params.samples;
-    if weights.is_shared() || inside {
-        let sample = if inside { id.index() } else { 0 };
-        let layer = params.layer();
-        let logits = column::<f32>(id, &layer, parameters, input, sample, weights);
-        if inside {
-            let first = (params.first_pair + sample) * 3;
-            color.write(first, sigmoid(logits.x));
-            color.write(first + 1, sigmoid(logits.y));
-            color.write(first + 2, sigmoid(logits.z));
-        }
+    let sample = id.index();
+    if sample < params.samples {
+        let logits = column::<f32>(&params.layer(), parameters, input, sample);
+        let first = (params.first_pair + sample) * 3;
+        color.write(first, sigmoid(logits.x));
+        color.write(first + 1, sigmoid(logits.y));
+        color.write(first + 2, sigmoid(logits.z));
     }
 }
 

@@ -61,34 +61,51 @@ const STAGED: usize = 64;
 /// Their vectors.
 const STAGED_VECTORS: usize = STAGED * VECTORS as usize;
 
-/// The vectors of a stage's members.
+/// The splats of a tile's members.
 #[derive(Clone, Copy)]
 struct MemberSplats<'a> {
     member: Read<'a, u32>,
     splat: Read<'a, Vec4>,
-    /// The first one.
+    /// The first member.
     first: u32,
 }
 
 impl Source<Vec4> for MemberSplats<'_> {
+    const ELEMENTS: u32 = VECTORS;
+
     #[inline(always)]
-    fn element(self, k: u32) -> Vec4 {
-        self.splat.read(self.member.read(self.first + k / VECTORS) * VECTORS + k % VECTORS)
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    fn place(self, item: u32) -> u32 {
+        self.member.read(self.first + item) * VECTORS
+    }
+
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    fn element(self, place: u32) -> Vec4 {
+        self.splat.read(place)
     }
 }
 
-/// The cells of a stage's members.
+/// The cells of a tile's members.
 #[derive(Clone, Copy)]
 struct MemberCells<'a> {
     cells: Read<'a, u32>,
-    /// The first one.
+    /// The first member.
     first: u32,
 }
 
 impl Source<u32> for MemberCells<'_> {
+    const ELEMENTS: u32 = 1;
+
     #[inline(always)]
-    fn element(self, k: u32) -> u32 {
-        self.cells.read(self.first + k)
+    fn place(self, item: u32) -> u32 {
+        self.first + item
+    }
+
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    fn element(self, place: u32) -> u32 {
+        self.cells.read(place)
     }
 }
 
@@ -144,21 +161,22 @@ pub fn composite<L: Lane>(
         let cell = Cells::of(params.side).bit(place.x, place.y);
         let mut next = begin;
         while next < end {
-            let pass_end = near_cells.end(next, end, 1);
+            let cells = MemberCells { cells, first: next };
+            let splats = MemberSplats { member, splat, first: next };
+            let members = near_cells.room(cells, end - next);
             near_cells.wait(id);
-            near_cells.fill(id, pass_end - next, MemberCells { cells, first: next });
-            let source = MemberSplats { member, splat, first: next };
-            near_splats.fill(id, (pass_end - next) * VECTORS, source);
+            near_cells.fill(id, members, cells);
+            near_splats.fill(id, members, splats);
             near_cells.wait(id);
             let mut k = 0;
-            while next < pass_end {
-                if near_cells.at(k, cells, next) & cell != 0 {
-                    let (near, far) = (k * VECTORS, member.read(next) * VECTORS);
-                    let placed = near_splats.at(near, splat, far);
-                    let conic = near_splats.at(near + 1, splat, far + 1);
+            while k < members {
+                if near_cells.element(near_cells.place(k, cells), cells) & cell != 0 {
+                    let place = near_splats.place(k, splats);
+                    let placed = near_splats.element(place, splats);
+                    let conic = near_splats.element(place + 1, splats);
                     if touches(placed, conic, first.x, last, first.y) {
                         let a = alpha(placed, conic, x, y);
-                        let c = near_splats.at(near + 2, splat, far + 2);
+                        let c = near_splats.element(place + 2, splats);
                         red = red + a * L::splat(c.x);
                         green = green + a * L::splat(c.y);
                         blue = blue + a * L::splat(c.z);
@@ -166,8 +184,8 @@ pub fn composite<L: Lane>(
                     }
                 }
                 k += 1;
-                next += 1;
             }
+            next += members;
         }
         if inside {
             red.write(sum, at);
@@ -175,5 +193,137 @@ pub fn composite<L: Lane>(
             blue.write(sum, at + 2 * area);
             weight.write(sum, at + 3 * area);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use std::cell::Cell;
+    use std::fmt::Debug;
+    use std::vec::Vec;
+
+    use super::*;
+    use organza_kernel::stage::InPlace;
+
+    /// Workgroup memory of an invocation that copies all of it: what a GPU reads without a check must have been copied
+    /// since the last wait, and be what the source has.
+    struct Copied<T, const N: usize> {
+        elements: Vec<T>,
+        passes: u32,
+        largest: Cell<u32>,
+    }
+
+    impl<T, const N: usize> Copied<T, N> {
+        fn new() -> Self {
+            Self { elements: Vec::new(), passes: 0, largest: Cell::new(0) }
+        }
+    }
+
+    impl<T: Copy + PartialEq + Debug, const N: usize> Stage<T, N> for Copied<T, N> {
+        fn is_shared(&self) -> bool {
+            true
+        }
+
+        fn room<S: Source<T>>(&self, _: S, items: u32) -> u32 {
+            items.min(N as u32 / S::ELEMENTS)
+        }
+
+        fn wait(&self, _: Invocation) {}
+
+        fn fill<S: Source<T>>(&mut self, _: Invocation, items: u32, source: S) {
+            assert!((items * S::ELEMENTS) as usize <= N, "{items} items");
+            let places = (0..items)
+                .flat_map(|item| (0..S::ELEMENTS).map(move |element| source.place(item) + element));
+            self.elements = places.map(|place| source.element(place)).collect();
+            self.passes += 1;
+        }
+
+        fn place<S: Source<T>>(&self, item: u32, _: S) -> u32 {
+            item * S::ELEMENTS
+        }
+
+        fn element<S: Source<T>>(&self, place: u32, source: S) -> T {
+            self.largest.set(self.largest.get().max(place));
+            let there = source.place(place / S::ELEMENTS) + place % S::ELEMENTS;
+            assert_eq!(self.elements[place as usize], source.element(there), "element {place}");
+            self.elements[place as usize]
+        }
+    }
+
+    /// A tile with more members than a stage holds twice.
+    struct Inputs {
+        params: CompositeParams,
+        member: Vec<u32>,
+        cells: Vec<u32>,
+        splat: Vec<Vec4>,
+    }
+
+    impl Inputs {
+        const MEMBERS: u32 = 150;
+
+        fn new() -> Self {
+            let (side, pairs) = (18, 40);
+            let number = |i: u32| (i * 37 % 101) as f32 / 101.0;
+            let member = (0..Self::MEMBERS).map(|i| i * 7 % pairs).collect();
+            let cells = (0..Self::MEMBERS).map(|i| if i % 5 == 0 { 0x0f0f_0f0f } else { !0 });
+            let splat = (0..pairs).flat_map(|pair| {
+                let (x, y) = (18.0 * number(pair), 18.0 * number(pair + 50));
+                [
+                    Vec4::new(x, y, 0.01, 6.0),
+                    Vec4::new(0.3, 0.05, 0.4, 6.0),
+                    Vec4::new(number(pair), number(pair + 1), number(pair + 2), 0.0),
+                ]
+            });
+            let params = CompositeParams { side, skip: 0 };
+            Self { params, member, cells: cells.collect(), splat: splat.collect() }
+        }
+
+        /// Sums of nothing.
+        fn sums(&self) -> Vec<f32> {
+            std::vec![0.0; (SUM_PLANES * self.params.side * self.params.side) as usize]
+        }
+
+        fn run(
+            &self,
+            id: Invocation,
+            sum: &mut [f32],
+            near_cells: &mut impl Stage<u32, STAGED>,
+            near_splats: &mut impl Stage<Vec4, STAGED_VECTORS>,
+        ) {
+            composite::<f32>(
+                id,
+                &self.params,
+                Read::from(&[0; 4][..]),
+                Read::from(&[0, Self::MEMBERS][..]),
+                Read::from(&self.member[..]),
+                Read::from(&self.cells[..]),
+                Read::from(&self.splat[..]),
+                Write::from(sum),
+                near_cells,
+                near_splats,
+            );
+        }
+    }
+
+    #[test]
+    fn tiles_copy_what_they_read() {
+        let inputs = Inputs::new();
+        let (mut plain, mut staged) = (inputs.sums(), inputs.sums());
+        for index in 0..10 * 64 {
+            let (workgroup, local) = (index / 64, index % 64);
+            let workgroup = UVec3::new(workgroup % 2, workgroup / 2, 0);
+            let local = UVec3::new(local % 16, local / 16, 0);
+            let id = Invocation::new(local, workgroup, UVec3::new(2, 5, 1), UVec3::new(16, 4, 1));
+            inputs.run(id, &mut plain, &mut InPlace, &mut InPlace);
+            let (mut cells, mut splats) = (Copied::new(), Copied::new());
+            inputs.run(id, &mut staged, &mut cells, &mut splats);
+            assert_eq!((cells.passes, cells.largest.get()), (3, 63));
+            assert_eq!(splats.passes, 3);
+            assert!(splats.largest.get() > 150, "{}", splats.largest.get());
+        }
+        assert_eq!(plain, staged);
+        assert!(plain.iter().any(|&value| value > 0.0));
     }
 }

@@ -6,7 +6,7 @@
 
 use glam::Vec4;
 
-use crate::limits::{MAX_HIDDEN_WIDTH, MAX_INPUTS};
+use crate::limits::MAX_INPUTS;
 use organza_kernel::column::Column;
 use organza_kernel::prelude::*;
 use organza_kernel::samples::Samples;
@@ -18,12 +18,6 @@ pub const HIDDEN_BLOCK: u32 = 16;
 
 /// Columns of them.
 const BLOCK_COLUMNS: u32 = HIDDEN_BLOCK / 4;
-
-/// Vectors of weights that a stage of [`dense`] holds: those of 64 inputs.
-const STAGED: usize = 256;
-
-/// Vectors of weights that a stage of a network's last layer holds: all that it has.
-pub const HEAD_STAGED: usize = MAX_HIDDEN_WIDTH as usize;
 
 /// Parameters of [`dense`].
 #[repr(C)]
@@ -43,46 +37,22 @@ pub struct DenseParams {
     pub bias: u32,
 }
 
-/// The weights of some columns, input by input.
-#[derive(Clone, Copy)]
-struct Weights<'a> {
-    parameters: Read<'a, Vec4>,
-    /// Where those of the first input begin.
-    first: u32,
-    /// Columns that are taken.
-    columns: u32,
-    /// Distance of two inputs.
-    pitch: u32,
-}
-
-impl Source<Vec4> for Weights<'_> {
-    #[inline(always)]
-    fn element(self, k: u32) -> Vec4 {
-        self.parameters.read(self.first + k / self.columns * self.pitch + k % self.columns)
-    }
-}
-
 /// The four outputs of a layer that has no more, for each lane's sample, before the activation: `b + sum_i W_i x_i`.
 ///
 /// Inputs are summed in ascending order on every device.
 #[inline(always)]
 pub fn column<L: Lane>(
-    id: Invocation,
     params: &DenseParams,
     parameters: Read<Vec4>,
     input: Read<f32>,
     sample: u32,
-    weights: &mut impl Stage<Vec4, HEAD_STAGED>,
 ) -> Column<L> {
     let mut sum = Column::splat(parameters.read(params.bias));
     let mut weight = params.weight;
     let mut at = sample;
     let mut i = 0;
-    weights.wait(id);
-    weights.fill(id, params.inputs, Weights { parameters, first: weight, columns: 1, pitch: 1 });
-    weights.wait(id);
     while i < params.inputs {
-        sum = sum.add_product(weights.at(i, parameters, weight), L::read(input, at));
+        sum = sum.add_product(parameters.read(weight), L::read(input, at));
         weight += 1;
         at += params.stride;
         i += 1;
@@ -113,25 +83,22 @@ pub(crate) fn dense_work(params: &DenseParams, _: Shape<'_>) -> Work {
 /// A hidden layer: `output = max(W input + b, 0)`, samples along x and y, blocks of 16 outputs along z.
 ///
 /// `input [inputs, stride]`, `output [4 columns, stride]`.
-#[kernel(threads(64), iterations = 3 * MAX_INPUTS, fused, stacks, lanes(samples), work(dense_work))]
+#[kernel(threads(64), iterations = MAX_INPUTS, fused, stacks, lanes(samples), counts(samples), work(dense_work))]
 pub fn dense<S: Samples>(
     id: Invocation,
     params: &DenseParams,
     parameters: Read<Vec4>,
     input: Read<f32>,
     output: Write<f32>,
-    weights: &mut impl Stage<Vec4, STAGED>,
 ) {
-    let inside = id.index() < params.samples;
-    if weights.is_shared() || inside {
+    let sample = id.index();
+    if sample < params.samples {
         let first = id.workgroup.z * BLOCK_COLUMNS;
-        if S::WIDTH == 8 {
-            // what has so many lanes has 16 registers, too few for sixteen sums and what is added to them
-            let sample = id.index();
+        if S::COLUMNS == BLOCK_COLUMNS {
+            four_columns::<S>(params, parameters, input, output, sample, first);
+        } else {
             two_columns::<S>(params, parameters, input, output, sample, first);
             two_columns::<S>(params, parameters, input, output, sample, first + 2);
-        } else {
-            four_columns::<S>(id, params, parameters, input, output, weights, first);
         }
     }
 }
@@ -139,87 +106,35 @@ pub fn dense<S: Samples>(
 /// Sixteen outputs of a hidden layer, from a column on: each input is read once for all of them.
 #[inline(always)]
 fn four_columns<S: Samples>(
-    id: Invocation,
     params: &DenseParams,
     parameters: Read<Vec4>,
     input: Read<f32>,
     output: Write<f32>,
-    weights: &mut impl Stage<Vec4, STAGED>,
+    sample: u32,
     first: u32,
 ) {
-    let inside = id.index() < params.samples;
-    let sample = if inside { id.index() } else { 0 };
-    let mut sums = Block {
-        a: Column::<S>::splat(parameters.read(params.bias + first)),
-        b: Column::<S>::splat(parameters.read(params.bias + first + 1)),
-        c: Column::<S>::splat(parameters.read(params.bias + first + 2)),
-        d: Column::<S>::splat(parameters.read(params.bias + first + 3)),
-    };
-    // the first pass is not in a loop of passes: llvmpipe takes an eighth longer for one that has a single pass
-    let mut end = weights.end(0, params.inputs, BLOCK_COLUMNS);
-    sums = add_inputs(id, params, parameters, input, weights, [first, sample], [0, end], sums);
-    while weights.is_shared() && end < params.inputs {
-        let begin = end;
-        end = weights.end(begin, params.inputs, BLOCK_COLUMNS);
-        let inputs = [begin, end];
-        sums = add_inputs(id, params, parameters, input, weights, [first, sample], inputs, sums);
-    }
-    if inside {
-        let row = first * 4;
-        write_rectified(output, sums.a, row, params, sample);
-        write_rectified(output, sums.b, row + 4, params, sample);
-        write_rectified(output, sums.c, row + 8, params, sample);
-        write_rectified(output, sums.d, row + 12, params, sample);
-    }
-}
-
-/// Sixteen sums.
-#[derive(Clone, Copy)]
-struct Block<L> {
-    a: Column<L>,
-    b: Column<L>,
-    c: Column<L>,
-    d: Column<L>,
-}
-
-/// A pass: adds what some of the inputs come to in a block's outputs.
-#[inline(always)]
-#[allow(clippy::too_many_arguments)]
-fn add_inputs<S: Samples>(
-    id: Invocation,
-    params: &DenseParams,
-    parameters: Read<Vec4>,
-    input: Read<f32>,
-    weights: &mut impl Stage<Vec4, STAGED>,
-    [first, sample]: [u32; 2],
-    [begin, end]: [u32; 2],
-    sums: Block<S>,
-) -> Block<S> {
-    let Block { mut a, mut b, mut c, mut d } = sums;
-    let mut weight = params.weight + first + begin * params.columns;
-    let mut at = sample + begin * params.stride;
-    let (columns, pitch) = (BLOCK_COLUMNS, params.columns);
-    weights.wait(id);
-    weights.fill(
-        id,
-        (end - begin) * columns,
-        Weights { parameters, first: weight, columns, pitch },
-    );
-    weights.wait(id);
-    let mut k = 0;
-    let mut i = begin;
-    while i < end {
+    let mut a = Column::<S>::splat(parameters.read(params.bias + first));
+    let mut b = Column::<S>::splat(parameters.read(params.bias + first + 1));
+    let mut c = Column::<S>::splat(parameters.read(params.bias + first + 2));
+    let mut d = Column::<S>::splat(parameters.read(params.bias + first + 3));
+    let mut weight = params.weight + first;
+    let mut at = sample;
+    let mut i = 0;
+    while i < params.inputs {
         let x = S::read(input, at);
-        a = a.add_product(weights.at(k, parameters, weight), x);
-        b = b.add_product(weights.at(k + 1, parameters, weight + 1), x);
-        c = c.add_product(weights.at(k + 2, parameters, weight + 2), x);
-        d = d.add_product(weights.at(k + 3, parameters, weight + 3), x);
-        k += columns;
-        weight += pitch;
+        a = a.add_product(parameters.read(weight), x);
+        b = b.add_product(parameters.read(weight + 1), x);
+        c = c.add_product(parameters.read(weight + 2), x);
+        d = d.add_product(parameters.read(weight + 3), x);
+        weight += params.columns;
         at += params.stride;
         i += 1;
     }
-    Block { a, b, c, d }
+    let row = first * 4;
+    write_rectified(output, a, row, params, sample);
+    write_rectified(output, b, row + 4, params, sample);
+    write_rectified(output, c, row + 8, params, sample);
+    write_rectified(output, d, row + 12, params, sample);
 }
 
 /// Eight outputs of a hidden layer, from a column on.
@@ -267,6 +182,3 @@ pub fn write_rectified<S: Samples>(
     value.z.max(zero).write(output, first + 2 * stride, count);
     value.w.max(zero).write(output, first + 3 * stride, count);
 }
-
-#[cfg(test)]
-mod tests;

@@ -78,7 +78,7 @@ fn dense_half_work(params: &DenseParams, shape: Shape<'_>) -> Work {
 ///
 /// `parameters` as in [`dense`](crate::dense), of which the biases are read; `weights` likewise, of halves.
 /// `input [inputs, stride]`, `output [4 columns, stride]`.
-#[kernel(threads(64), iterations = MAX_INPUTS / GROUP + MAX_INPUTS, fused, stacks, lanes(samples), work(dense_half_work))]
+#[kernel(threads(64), iterations = MAX_INPUTS / GROUP + MAX_INPUTS, fused, stacks, lanes(samples), counts(samples), work(dense_half_work))]
 pub fn dense_half<L: Lane>(
     id: Invocation,
     params: &DenseParams,

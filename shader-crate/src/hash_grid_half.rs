@@ -5,7 +5,7 @@
 
 #[cfg(not(target_arch = "spirv"))]
 use crate::hash_grid::hash_grid_work;
-use crate::hash_grid::{Corners, GridLevel, HashGridParams, read_point};
+use crate::hash_grid::{Corners, GridLevel, HashGridParams, of_corners, read_point, sum, value_at};
 use crate::limits::MAX_FEATURES;
 use organza_kernel::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
@@ -27,7 +27,7 @@ fn hash_grid_half_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
 
 /// As [`hash_grid`](crate::hash_grid::hash_grid()), with `table [entries, ceil(features / 2)]`: the feature of even
 /// number in the lower half of a word.
-#[kernel(threads(64), iterations = MAX_FEATURES, lanes(points), work(hash_grid_half_work))]
+#[kernel(threads(64), iterations = MAX_FEATURES, lanes(points), counts(points), work(hash_grid_half_work))]
 pub fn hash_grid_half<L: Lane>(
     id: Invocation,
     params: &HashGridParams,
@@ -59,25 +59,12 @@ pub fn hash_grid_half<L: Lane>(
 /// Two features between the corners of a cell, summed as [`hash_grid`](crate::hash_grid) does.
 #[inline(always)]
 fn interpolated<L: Lane>(table: Read<u32>, corners: &Corners<L>, words: u32, word: u32) -> [L; 2] {
-    let [e0, e1, e2, e3, e4, e5, e6, e7] = corners.entry;
-    let [w0, w1, w2, w3, w4, w5, w6, w7] = corners.weight;
-    let [a0, b0] = features::<L>(table, e0, words, word);
-    let [a1, b1] = features::<L>(table, e1, words, word);
-    let [a2, b2] = features::<L>(table, e2, words, word);
-    let [a3, b3] = features::<L>(table, e3, words, word);
-    let [a4, b4] = features::<L>(table, e4, words, word);
-    let [a5, b5] = features::<L>(table, e5, words, word);
-    let [a6, b6] = features::<L>(table, e6, words, word);
-    let [a7, b7] = features::<L>(table, e7, words, word);
+    let [a, b, c, d, e, f, g, h] = of_corners!(corners, |entry, weight| {
+        let [first, second] = L::gather_halves(table, value_at::<L>(entry, words, word));
+        [first * weight, second * weight]
+    });
     [
-        a0 * w0 + a1 * w1 + a2 * w2 + a3 * w3 + a4 * w4 + a5 * w5 + a6 * w6 + a7 * w7,
-        b0 * w0 + b1 * w1 + b2 * w2 + b3 * w3 + b4 * w4 + b5 * w5 + b6 * w6 + b7 * w7,
+        sum([a[0], b[0], c[0], d[0], e[0], f[0], g[0], h[0]]),
+        sum([a[1], b[1], c[1], d[1], e[1], f[1], g[1], h[1]]),
     ]
-}
-
-/// Two features of each lane's entry.
-#[inline(always)]
-fn features<L: Lane>(table: Read<u32>, entry: L::Index, words: u32, word: u32) -> [L; 2] {
-    let number = <L::Index as LaneIndex>::splat;
-    L::gather_halves(table, entry.wrapping_mul(number(words)).wrapping_add(number(word)))
 }

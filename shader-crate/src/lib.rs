@@ -21,6 +21,7 @@ pub mod hash_grid;
 pub mod hash_grid_backward;
 pub mod hash_grid_half;
 pub mod hash_grid_scale;
+pub mod lens;
 pub mod limits;
 pub mod loss;
 pub mod pair;

@@ -141,7 +141,7 @@ pub struct SegmentParams {
 }
 
 /// The segment of every pair: `segment [pairs, 4]`, see [`SEGMENT_VECTORS`]; `count [pairs]` is K.
-#[kernel(threads(64))]
+#[kernel(threads(64), counts(pairs))]
 pub fn segment(
     id: Invocation,
     params: &SegmentParams,

@@ -4,7 +4,7 @@ use glam::Vec4;
 
 #[cfg(not(target_arch = "spirv"))]
 use crate::dense::head_work;
-use crate::dense::{DenseParams, HEAD_STAGED, column};
+use crate::dense::{DenseParams, column};
 #[cfg(not(target_arch = "spirv"))]
 use crate::hash_grid::POINT;
 use crate::hash_grid::{POINT_ROWS, write_point};
@@ -67,7 +67,7 @@ fn transmittance_inputs_work(params: &TransmittanceInputsParams, _: Shape<'_>) -
 /// `first_sample [pairs + 1]`, `segment [pairs, 4]`; `point [7, stride]` is x_k and `s_factor`; `input [rows, stride]`.
 ///
 /// Neighbors mostly have the same pair: the CPU looks for it once for all lanes, and lane by lane from where the pair ends.
-#[kernel(threads(64), iterations = u32::BITS + MAX_VECTOR, lanes(samples), work(transmittance_inputs_work))]
+#[kernel(threads(64), iterations = u32::BITS + MAX_VECTOR, lanes(samples), counts(samples, pairs), work(transmittance_inputs_work))]
 pub fn transmittance_inputs<L: Lane>(
     id: Invocation,
     params: &TransmittanceInputsParams,
@@ -175,13 +175,11 @@ pub struct TransmittanceHeadParams {
 /// a_k, the output of the scalar network's last layer, and the `s_factor` of the sample's segment.
 #[inline(always)]
 pub fn logit_and_factor<L: Lane>(
-    id: Invocation,
     params: &TransmittanceHeadParams,
     parameters: Read<Vec4>,
     point: Read<f32>,
     input: Read<f32>,
     sample: u32,
-    weights: &mut impl Stage<Vec4, HEAD_STAGED>,
 ) -> (L, L) {
     let layer = DenseParams {
         samples: params.samples,
@@ -191,7 +189,7 @@ pub fn logit_and_factor<L: Lane>(
         weight: params.weight,
         bias: params.bias,
     };
-    let a = column::<L>(id, &layer, parameters, input, sample, weights).x;
+    let a = column::<L>(&layer, parameters, input, sample).x;
     (a, L::read(point, POINT_ROWS * params.stride + sample))
 }
 
@@ -203,7 +201,7 @@ fn transmittance_head_work(params: &TransmittanceHeadParams, _: Shape<'_>) -> Wo
 
 /// The last layer of the scalar network and the logarithm of Eq. 11's factor:
 /// `log_rho [samples] = s_factor * log_sigmoid(a_k)`.
-#[kernel(threads(64), iterations = 2 * MAX_HIDDEN_WIDTH, fused, lanes(samples), work(transmittance_head_work))]
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples), work(transmittance_head_work))]
 pub fn transmittance_head<L: Lane>(
     id: Invocation,
     params: &TransmittanceHeadParams,
@@ -211,16 +209,11 @@ pub fn transmittance_head<L: Lane>(
     point: Read<f32>,
     input: Read<f32>,
     log_rho: Write<f32>,
-    weights: &mut impl Stage<Vec4, HEAD_STAGED>,
 ) {
-    let inside = id.index() < params.samples;
-    if weights.is_shared() || inside {
-        let sample = if inside { id.index() } else { 0 };
-        let (a, factor) =
-            logit_and_factor::<L>(id, params, parameters, point, input, sample, weights);
-        if inside {
-            (factor * log_sigmoid(a)).write(log_rho, params.first_sample + sample);
-        }
+    let sample = id.index();
+    if sample < params.samples {
+        let (a, factor) = logit_and_factor::<L>(params, parameters, point, input, sample);
+        (factor * log_sigmoid(a)).write(log_rho, params.first_sample + sample);
     }
 }
 
@@ -233,7 +226,7 @@ pub struct SegmentProductParams {
 }
 
 /// Eq. 11: `transmittance [pairs]`, the product over a segment's samples; 1 where there are none.
-#[kernel(threads(64), iterations = MAX_SAMPLES)]
+#[kernel(threads(64), iterations = MAX_SAMPLES, counts(pairs))]
 pub fn segment_product(
     id: Invocation,
     params: &SegmentProductParams,

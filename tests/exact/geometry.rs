@@ -1,6 +1,7 @@
 //! Eq. 4 to 8 and the projection.
 
 use glam::{DMat2, DMat3, DVec2, DVec3};
+use organza::parity::lens::ExactLens;
 use organza::parity::project::Project;
 use organza::parity::segment::Segment;
 
@@ -24,17 +25,11 @@ fn projected(set: &Project, camera: usize, gaussian: usize) -> Option<(DVec2, DM
     let view = DMat3::from_cols_array_2d(&camera.rotation.map(|r| r.as_dvec3().to_array()));
     let view = view.transpose();
     let t = view * (set.center(gaussian) - camera.eye.as_dvec3());
-    // as an f32 has it
-    if t.z <= f64::from(0.01_f32) {
+    if ExactLens::above_near(t) <= 0.0 {
         return None;
     }
-    let (f, c, size) = (camera.focal.as_dvec2(), camera.center.as_dvec2(), camera.size.as_dvec2());
-    let margin = size / f * 0.5 * 0.3;
-    let ratio = (t.truncate() / t.z).clamp(-c / f - margin, (size - c) / f + margin);
-    let jacobian = [
-        DVec3::new(f.x / t.z, 0.0, -f.x * ratio.x / t.z),
-        DVec3::new(0.0, f.y / t.z, -f.y * ratio.y / t.z),
-    ];
+    let lens = ExactLens::of(camera);
+    let jacobian = lens.jacobian(t, t);
     let axes = DMat3::from_diagonal((set.log_axes(gaussian) * 2.0).exp());
     let turn = rotation(set.quaternion(gaussian).to_array());
     let sigma = view * turn * axes * turn.transpose() * view.transpose();
@@ -42,7 +37,7 @@ fn projected(set: &Project, camera: usize, gaussian: usize) -> Option<(DVec2, DM
     let blur = f64::from(set.blur);
     let covariance =
         DMat2::from_cols_array(&[entry(0, 0) + blur, entry(0, 1), entry(1, 0), entry(1, 1) + blur]);
-    Some((f * t.truncate() / t.z + c, covariance))
+    Some((lens.pixel(t), covariance))
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use glam::{DMat3, DQuat, DVec3, DVec4, Vec3, Vec4};
 use organza::Device;
 use organza::parity::inputs::Random;
+use organza::parity::lens::ExactLens;
 use organza::parity::project::cameras;
 use organza_shaders::camera::Camera;
 use organza_shaders::project_backward::{ProjectBackwardKernel, ProjectBackwardParams};
@@ -141,8 +142,7 @@ impl Inputs {
     }
 }
 
-/// Center and conic as conventions.md has them: covariances as whole matrices.  Which ratios are clamped is that of
-/// `base`.
+/// Center and conic as conventions.md has them: covariances as whole matrices.  What is clamped is that of `base`.
 fn project(camera: &Camera, blur: f64, base: &[f64], values: &[f64]) -> ([f64; 2], DVec3) {
     let world_to_camera =
         DMat3::from_cols_array_2d(&camera.rotation.map(|row| row.as_dvec3().to_array()))
@@ -150,19 +150,8 @@ fn project(camera: &Camera, blur: f64, base: &[f64], values: &[f64]) -> ([f64; 2
     let eye = camera.eye.as_dvec3();
     let t = world_to_camera * (DVec3::from_slice(values) - eye);
     let at_base = world_to_camera * (DVec3::from_slice(base) - eye);
-    let (focal, center) = (camera.focal.as_dvec2(), camera.center.as_dvec2());
-    let size = camera.size.as_dvec2();
-    let ratio = |axis: usize| {
-        let margin = 0.3 * 0.5 * size[axis] / focal[axis];
-        let low = -center[axis] / focal[axis] - margin;
-        let high = (size[axis] - center[axis]) / focal[axis] + margin;
-        let is_inside = (low..high).contains(&(at_base[axis] / at_base.z));
-        if is_inside { t[axis] / t.z } else { (at_base[axis] / at_base.z).clamp(low, high) }
-    };
-    let jacobian = [
-        DVec3::new(focal.x / t.z, 0.0, -focal.x * ratio(0) / t.z),
-        DVec3::new(0.0, focal.y / t.z, -focal.y * ratio(1) / t.z),
-    ];
+    let lens = ExactLens::of(camera);
+    let jacobian = lens.jacobian(t, at_base);
     let q = DVec4::from_slice(&values[3..]).normalize();
     let turn = DMat3::from_quat(DQuat::from_xyzw(q.y, q.z, q.w, q.x));
     let m = world_to_camera * turn * DMat3::from_diagonal(DVec3::from_slice(&values[7..]).exp());
@@ -170,8 +159,7 @@ fn project(camera: &Camera, blur: f64, base: &[f64], values: &[f64]) -> ([f64; 2
     let [xx, xy, yy] = [(0, 0), (0, 1), (1, 1)].map(|(i, j)| jacobian[i].dot(sigma * jacobian[j]));
     let (xx, yy) = (xx + blur, yy + blur);
     let determinant = xx * yy - xy * xy;
-    let mean2d = [0, 1].map(|axis| focal[axis] * t[axis] / t.z + center[axis]);
-    (mean2d, DVec3::new(yy, -xy, xx) / determinant)
+    (lens.pixel(t).to_array(), DVec3::new(yy, -xy, xx) / determinant)
 }
 
 /// Holds each of the parts on its own, and of each Gaussian: their gradients are of very different sizes.

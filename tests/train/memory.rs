@@ -1,7 +1,7 @@
 //! Steps that do not fit into memory.
 
 use organza::train::Trainer;
-use organza::{Device, Error, Renderer, Result};
+use organza::{Device, Renderer, Result};
 use organza_tests::devices;
 
 use crate::runs::{begun, state_bits};

@@ -48,7 +48,7 @@ pub struct DeviceArgs {
     #[arg(long, value_name = "NAME", help_heading = "Device")]
     adapter: Option<String>,
 
-    /// Which kernels a GPU runs: `plain` ones, or the `best` it supports, with workgroup memory and subgroups
+    /// Which kernels a GPU runs: `plain` ones, or the `best` it has, with workgroup memory
     /// [default: best; plain on a software device]
     #[arg(long, value_enum, help_heading = "Device")]
     variants: Option<Variants>,

@@ -1,6 +1,7 @@
 //! The optimizer's step.
 
-use organza_shaders::adam::{AdamKernel, AdamParams, TOUCHED_BLOCK};
+use organza_shaders::adam::{AdamKernel, AdamParams};
+use organza_shaders::hash_grid_backward::FLAG_BLOCK;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
@@ -28,7 +29,7 @@ pub struct Adam {
 impl Adam {
     fn new(values: u32, fill: Fill, random: &mut Random) -> Self {
         let sparse = values % 2;
-        let blocks = if sparse == 1 { values.div_ceil(TOUCHED_BLOCK) } else { 1 };
+        let blocks = if sparse == 1 { values.div_ceil(FLAG_BLOCK) } else { 1 };
         let len = values as usize;
         let first_gradient = random.below(9);
         let params = AdamParams {
@@ -54,7 +55,7 @@ impl Adam {
     /// Whether the kernel moves a value.
     #[must_use]
     pub fn is_touched(&self, index: usize) -> bool {
-        let block = index / TOUCHED_BLOCK as usize * self.params.sparse as usize;
+        let block = index / FLAG_BLOCK as usize * self.params.sparse as usize;
         index < self.value.len() && self.touched[block] != 0
     }
 }

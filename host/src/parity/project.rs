@@ -1,14 +1,16 @@
 //! The case of `project`, and cameras for the others.
 
-use glam::{DQuat, DVec3, DVec4, Vec2, Vec3, Vec4};
+use glam::{DQuat, DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 use organza_shaders::camera::Camera;
+use organza_shaders::lens::NEAR_PLANE;
 use organza_shaders::project::{
-    BEHIND, DEGENERATE, FALLOFF_CUTOFF, NEAR_PLANE, ProjectKernel, ProjectParams, rotation_columns,
+    BEHIND, DEGENERATE, FALLOFF_CUTOFF, ProjectKernel, ProjectParams, rotation_columns,
 };
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::inputs::{self, Fill, ITEMS, Random};
+use super::lens::ExactLens;
 use super::measure::{Bound, Output};
 use organza_device::Result;
 
@@ -201,18 +203,16 @@ impl Parity for Project {
 pub(super) struct Sensitivity {
     /// Whether rounding decides what becomes of the Gaussian.
     is_undecided: bool,
-    mean2d: [f64; 2],
+    mean2d: DVec2,
     pub conic: f64,
     radius: f64,
 }
 
 impl Sensitivity {
     fn new(camera: &Camera, blur: f64, center: DVec3, rotation: DVec4, log_axes: DVec3) -> Self {
-        let offset = center - camera.eye.as_dvec3();
-        let t = DVec3::from_array(camera.rotation.map(|row| row.as_dvec3().dot(offset)));
-        let above_near = t.z - f64::from(NEAR_PLANE);
-        let is_near =
-            above_near.abs() < 1e-5 * (1.0 + offset.length()) || is_large(offset.length());
+        let (t, distance) = place(camera, center);
+        let above_near = ExactLens::above_near(t);
+        let is_near = above_near.abs() < 1e-5 * (1.0 + distance) || is_large(distance);
         if above_near <= 0.0 {
             return Self { is_undecided: is_near, ..Self::default() };
         }
@@ -228,13 +228,12 @@ impl Sensitivity {
         let conic =
             (uu.max(vv) + blur + (lengths + blur) * (1.0 + terms / determinant)) / determinant;
         // cancellation in t, and the argument of exp
-        let depth = 1.0 + offset.length() / t.z;
-        let grade = depth * (1.0 + log_axes.abs().max_element().min(200.0));
-        let focal = camera.focal.as_dvec2();
-        let ratio = 1.0 + t.x.abs().max(t.y.abs()) / t.z;
-        let mean2d = [0, 1].map(|axis| focal[axis] * depth * ratio + 500.0);
+        let cancellation = ExactLens::cancellation(t, distance);
+        let grade = cancellation * (1.0 + log_axes.abs().max_element().min(200.0));
+        let mean2d = ExactLens::of(camera).pixel_terms(t, distance);
         let sizes = [uu, vv, uu * uu, vv * vv, determinant, 1.0 / determinant, conic, axes[2]];
-        let overflows = sizes.into_iter().chain(mean2d).any(is_large) || determinant < 1e-34;
+        let overflows =
+            sizes.into_iter().chain(mean2d.to_array()).any(is_large) || determinant < 1e-34;
         let radius = (uu + vv + blur) / (lengths + blur).sqrt();
         Self {
             is_undecided: is_near || overflows,
@@ -255,6 +254,13 @@ pub(super) fn axes(log_axes: DVec3) -> DVec3 {
     log_axes.clamp(DVec3::splat(-200.0), DVec3::splat(200.0)).exp()
 }
 
+/// Where a position is for a camera, and how far from it.
+pub(super) fn place(camera: &Camera, position: DVec3) -> (DVec3, f64) {
+    let offset = position - camera.eye.as_dvec3();
+    let t = camera.rotation.map(|row| row.as_dvec3().dot(offset));
+    (DVec3::from_array(t), offset.length())
+}
+
 /// Rows of J W R S, and the lengths of those of J W.
 pub(super) fn rows(
     camera: &Camera,
@@ -263,12 +269,8 @@ pub(super) fn rows(
     log_axes: DVec3,
 ) -> (DVec3, DVec3, [f64; 2]) {
     let [right, down, forward] = camera.rotation.map(|row| row.as_dvec3());
-    let (focal, center) = (camera.focal.as_dvec2(), camera.center.as_dvec2());
-    let (low, high) = (-center, camera.size.as_dvec2() - center);
-    let margin = 0.15 * camera.size.as_dvec2();
-    let ratio = (t.truncate() / t.z).clamp((low - margin) / focal, (high + margin) / focal);
-    let rows =
-        [(right - forward * ratio.x) * focal.x / t.z, (down - forward * ratio.y) * focal.y / t.z];
+    let jacobian = ExactLens::of(camera).jacobian(t, t);
+    let rows = jacobian.map(|row| right * row.x + down * row.y + forward * row.z);
     let q = q.normalize();
     let turn = DQuat::from_xyzw(q.y, q.z, q.w, q.x).inverse();
     let [u, v] = rows.map(|row| (turn * row) * axes(log_axes));

@@ -9,8 +9,9 @@ use organza_shaders::project_backward::{ProjectBackwardKernel, ProjectBackwardPa
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::inputs::Random;
+use super::lens::ExactLens;
 use super::measure::{Bound, Output};
-use super::project::{Project, axes, rows};
+use super::project::{Project, axes, place, rows};
 use organza_device::Result;
 
 /// Inputs of `project_backward`.
@@ -76,28 +77,17 @@ impl ProjectBackward {
         set
     }
 
-    /// Where a Gaussian is for a camera.
-    fn place(&self, camera: usize, gaussian: usize) -> DVec3 {
-        let camera = &self.forward.cameras[camera];
-        let offset = self.forward.center(gaussian) - camera.eye.as_dvec3();
-        DVec3::from_array(camera.rotation.map(|row| row.as_dvec3().dot(offset)))
+    /// Where a Gaussian is for a camera, and how far from it.
+    fn place(&self, camera: usize, gaussian: usize) -> (DVec3, f64) {
+        place(&self.forward.cameras[camera], self.forward.center(gaussian))
     }
 
-    /// Not culled, and no ratio so near its limit that rounding decides whether it is clamped.
+    /// Not culled, and nothing so near its limit that rounding decides whether it is clamped.
     fn is_usable(&self, camera: usize, gaussian: usize) -> bool {
-        let t = self.place(camera, gaussian);
-        let view = &self.forward.cameras[camera];
-        let (focal, center, size) =
-            (view.focal.as_dvec2(), view.center.as_dvec2(), view.size.as_dvec2());
-        let offset = self.forward.center(gaussian) - view.eye.as_dvec3();
-        let slack = 1e-5 * (1.0 + offset.length() / t.z) * (1.0 + t.truncate().length() / t.z);
-        let is_clear = (0..2).all(|axis| {
-            let ratio = t[axis] / t.z;
-            let margin = 0.15 * size[axis];
-            let limits = [-center[axis] - margin, size[axis] - center[axis] + margin];
-            limits.iter().all(|limit| (ratio - limit / focal[axis]).abs() > slack)
-        });
-        is_clear && self.radius[camera * self.forward.gaussians as usize + gaussian] >= 0.0
+        let (t, distance) = self.place(camera, gaussian);
+        let lens = ExactLens::of(&self.forward.cameras[camera]);
+        let radius = self.radius[camera * self.forward.gaussians as usize + gaussian];
+        !lens.is_near_limit(t, distance) && radius >= 0.0
     }
 
     /// The pair of a camera and a Gaussian.
@@ -115,7 +105,7 @@ impl ProjectBackward {
         let set = &self.forward;
         let [geometry, shape, _] = self.pair_gradient[pair].map(|v| v.as_dvec4().abs());
         let sensitivity = set.sensitivity(camera, gaussian);
-        let t = self.place(camera, gaussian);
+        let (t, distance) = self.place(camera, gaussian);
         let (view, log_axes) = (&set.cameras[camera], set.log_axes(gaussian));
         let rotation = set.quaternion(gaussian);
         let (u, v, lengths) = rows(view, t, rotation, log_axes);
@@ -130,11 +120,8 @@ impl ProjectBackward {
             2.0 * conic * sensitivity.conic * shape.truncate().element_sum() * row * longest;
         let by_row = by_half * longest;
         let center = geometry.x.hypot(geometry.y);
-        let offset = set.center(gaussian) - view.eye.as_dvec3();
-        let depth = 1.0 + offset.length() / t.z;
-        let ratio = 1.0 + t.truncate().length() / t.z;
-        let focal = f64::from(view.focal.max_element()) / t.z;
-        let position = (by_row * (focal / t.z + row / t.z) + focal * center) * ratio * depth;
+        let sizes = [by_row, row, center];
+        let position = ExactLens::of(view).gradient_terms(t, distance, sizes);
         let shape = by_row * row;
         [position, 4.0 * shape / rotation.length(), shape, geometry.z, center]
     }

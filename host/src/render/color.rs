@@ -1,6 +1,5 @@
 //! A: the color of every pair.
 
-use std::mem::offset_of;
 use std::sync::Mutex;
 
 use glam::Vec4;
@@ -73,8 +72,7 @@ impl Color {
                     input: field.hidden(device, scratch, &chunk)?,
                     color: &color,
                 };
-                let counts = [(offset_of!(ColorHeadParams, samples), &chunk.count)];
-                device.run_counted(&kernel, &counts, chunk.samples, 1)
+                device.run(&kernel.counted(&chunk.count), chunk.samples, 1)
             })?;
         }
         Ok(Self { color, blocks })
@@ -108,8 +106,7 @@ fn inputs(device: &Device, scene: &DeviceScene, pairs: &Pairs, chunk: &Chunk) ->
         point: &chunk.point,
         input: &chunk.input,
     };
-    let counts = [(offset_of!(ColorInputsParams, pairs), &chunk.count)];
-    device.run_counted(&kernel, &counts, chunk.samples, 1)
+    device.run(&kernel.counted(&chunk.count), chunk.samples, 1)
 }
 
 impl Color {
@@ -175,8 +172,7 @@ impl Color {
             pair_gradient,
             logit_gradient: &scratch.logit_gradient,
         };
-        let counts = [(offset_of!(ColorHeadBackwardParams, samples), &chunk.count)];
-        device.run_counted(&kernel, &counts, chunk.samples, 1)
+        device.run(&kernel.counted(&chunk.count), chunk.samples, 1)
     }
 }
 
@@ -203,6 +199,5 @@ fn material_backward(
         input_gradient,
         pair_material,
     };
-    let counts = [(offset_of!(MaterialBackwardParams, samples), &chunk.count)];
-    device.run_counted(&kernel, &counts, chunk.samples, 1)
+    device.run(&kernel.counted(&chunk.count), chunk.samples, 1)
 }

@@ -1,7 +1,5 @@
 //! B3 and C: the weighted sums of all tiles, and the image.
 
-use std::mem::offset_of;
-
 use glam::Vec4;
 use organza_shaders::composite::{CompositeKernel, CompositeParams, SUM_PLANES};
 use organza_shaders::composite_backward::{
@@ -52,8 +50,7 @@ impl Composite {
             color,
             splat: &splat,
         };
-        let counts = [(offset_of!(SplatParams, pairs), &pairs.count)];
-        device.run_counted(&kernel, &counts, room, 1)?;
+        device.run(&kernel.counted(&pairs.count), room, 1)?;
 
         let (tiles, members) = (bins.tiles, bins.members.at_most());
         let cells = device.zeros("cells", members as usize)?;
@@ -65,8 +62,7 @@ impl Composite {
             splat: &splat,
             cells: &cells,
         };
-        let counts = [(offset_of!(TileCellsParams, members), &bins.members)];
-        device.run_counted(&kernel, &counts, members, 1)?;
+        device.run(&kernel.counted(&bins.members), members, 1)?;
 
         let pixels = tiles as usize * (side * side) as usize;
         let sum = device.zeros("sums", pixels * SUM_PLANES as usize)?;
@@ -135,8 +131,7 @@ impl Composite {
             member_gradient: &member_gradient,
             pair_gradient: &pair_gradient,
         };
-        let counts = [(offset_of!(SplatBackwardParams, pairs), &pairs.count)];
-        device.run_counted(&kernel, &counts, room, 1)?;
+        device.run(&kernel.counted(&pairs.count), room, 1)?;
         Ok(pair_gradient)
     }
 
@@ -174,8 +169,7 @@ impl Composite {
                 sum_gradient,
                 member_gradient: &member_gradient,
             };
-            let counts = [(offset_of!(CompositeBackwardParams, members), &bins.members)];
-            device.run_counted(&kernel, &counts, members, 1)?;
+            device.run(&kernel.counted(&bins.members), members, 1)?;
         }
         Ok(member_gradient)
     }

@@ -1,7 +1,5 @@
 //! Networks whose hidden layers are computed in half precision.
 
-use std::mem::offset_of;
-
 use glam::Vec4;
 use half::f16;
 use organza_kernel::half::HalfVector;
@@ -74,8 +72,7 @@ impl DeviceField {
     ) -> organza_device::Result<()> {
         let parameters = &self.parameters;
         let kernel = DenseHalfKernel { params, parameters, weights, input, output };
-        let counts = [(offset_of!(DenseParams, samples), samples)];
-        device.run_counted(&kernel, &counts, params.samples, params.columns * 4 / HIDDEN_BLOCK)
+        device.run(&kernel.counted(samples), params.samples, params.columns * 4 / HIDDEN_BLOCK)
     }
 }
 

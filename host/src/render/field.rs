@@ -1,7 +1,5 @@
 //! A hash grid and its network on a device: the grid block by block, the network chunk by chunk.
 
-use std::mem::offset_of;
-
 use glam::Vec4;
 use organza_kernel::half::HalfVector;
 use organza_shaders::dense::{DenseKernel, DenseParams, HIDDEN_BLOCK};
@@ -114,16 +112,15 @@ impl DeviceField {
         let params = self.grid_params(block, first_row);
         let (position, output) = (&block.point(), &block.input());
         let (levels, samples, layers) = (&self.levels, block.samples, self.levels.len() as u32);
-        let counts = [(offset_of!(HashGridParams, points), &block.count())];
         match &self.half_table {
             None => {
                 let table = &self.table;
                 let kernel = HashGridKernel { params, levels, table, position, output };
-                device.run_counted(&kernel, &counts, samples, layers)
+                device.run(&kernel.counted(&block.count()), samples, layers)
             }
             Some(table) => {
                 let kernel = HashGridHalfKernel { params, levels, table, position, output };
-                device.run_counted(&kernel, &counts, samples, layers)
+                device.run(&kernel.counted(&block.count()), samples, layers)
             }
         }
     }
@@ -165,8 +162,7 @@ impl DeviceField {
             return self.half_layer(device, params, &chunk.count, weights, [input, output]);
         }
         let kernel = DenseKernel { params, parameters: &self.parameters, input, output };
-        let counts = [(offset_of!(DenseParams, samples), &chunk.count)];
-        device.run_counted(&kernel, &counts, chunk.samples, layer.columns * 4 / HIDDEN_BLOCK)
+        device.run(&kernel.counted(&chunk.count), chunk.samples, layer.columns * 4 / HIDDEN_BLOCK)
     }
 }
 

@@ -1,8 +1,6 @@
 //! The derivatives of a field: chunk by chunk from its network's output back to its parameters and inputs, and group by
 //! group from there to its hash grid.
 
-use std::mem::offset_of;
-
 use glam::Vec4;
 use organza_shaders::dense_backward::{
     DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
@@ -137,9 +135,8 @@ impl DeviceField {
                 output_gradient: output,
                 input_gradient: target,
             };
-            let counts = [(offset_of!(DenseBackwardParams, samples), &chunk.count)];
             let layers = (end_input - first_input).div_ceil(INPUT_BLOCK);
-            device.run_counted(&kernel, &counts, samples, layers)?;
+            device.run(&kernel.counted(&chunk.count), samples, layers)?;
             output = target;
         }
         Ok(())
@@ -199,8 +196,7 @@ impl DeviceField {
             partial: &group.partial,
         };
         let blocks = layer.inputs.div_ceil(WEIGHT_BLOCK) + 1;
-        let counts = [(offset_of!(DenseWeightBackwardParams, samples), &chunk.count)];
         let slices = chunk.samples.div_ceil(group.slice);
-        device.run_counted(&kernel, &counts, blocks * layer.columns, slices)
+        device.run(&kernel.counted(&chunk.count), blocks * layer.columns, slices)
     }
 }

@@ -1,7 +1,5 @@
 //! The gradient of a hash grid's table: scale, sums in fixed point, and the gradient as numbers.
 
-use std::mem::offset_of;
-
 use glam::Vec4;
 use organza_shaders::hash_grid::HashGridParams;
 use organza_shaders::hash_grid_backward::{
@@ -80,8 +78,7 @@ impl HashGridGradient {
             transmittance: transmittance.unwrap_or(&self.scale),
             bound: &self.bound,
         };
-        let counts = [(offset_of!(HashGridPeakParams, pairs), pairs)];
-        device.run_counted(&kernel, &counts, room, 1)?;
+        device.run(&kernel.counted(pairs), room, 1)?;
         for (layer, slot) in field.layers.iter().zip(1..) {
             let params = HashGridNormParams {
                 inputs: layer.inputs,
@@ -100,8 +97,7 @@ impl HashGridGradient {
             scale: &self.scale,
             status: &self.status,
         };
-        let counts = [(offset_of!(HashGridScaleParams, samples), samples)];
-        device.run_counted(&kernel, &counts, 1, 1)
+        device.run(&kernel.counted(samples), 1, 1)
     }
 
     /// Adds the gradients of a block of `count` samples to the sums.
@@ -127,8 +123,7 @@ impl HashGridGradient {
             touched: &self.touched,
             status: &self.status,
         };
-        let counts = [(offset_of!(HashGridParams, points), count)];
-        device.run_counted(&kernel, &counts, params.points, field.levels.len() as u32)
+        device.run(&kernel.counted(count), params.points, field.levels.len() as u32)
     }
 
     /// Adds the sums to the gradient, and clears them.

@@ -1,6 +1,5 @@
 //! B1 and B2: the segments of all pairs, their samples as one flat list, and the products.
 
-use std::mem::offset_of;
 use std::sync::Mutex;
 
 use glam::Vec4;
@@ -68,8 +67,7 @@ impl Transmittance {
             segment: &segment,
             count: &count,
         };
-        let counts = [(offset_of!(SegmentParams, pairs), &pairs.count)];
-        device.run_counted(&kernel, &counts, room, 1)?;
+        device.run(&kernel.counted(&pairs.count), room, 1)?;
         let first_sample = exclusive_scan(device, &count, room)?;
         let samples = count_samples(&first_sample)?;
 
@@ -83,8 +81,7 @@ impl Transmittance {
             log_rho: &log_rho,
             transmittance: &transmittance,
         };
-        let counts = [(offset_of!(SegmentProductParams, pairs), &pairs.count)];
-        device.run_counted(&kernel, &counts, room, 1)?;
+        device.run(&kernel.counted(&pairs.count), room, 1)?;
         Ok(Self { transmittance, first_sample, samples, segment, blocks })
     }
 }
@@ -124,8 +121,7 @@ fn log_rho(
                 input: field.hidden(device, scratch, &chunk)?,
                 log_rho: &log_rho,
             };
-            let counts = [(offset_of!(TransmittanceHeadParams, samples), &chunk.count)];
-            device.run_counted(&kernel, &counts, chunk.samples, 1)
+            device.run(&kernel.counted(&chunk.count), chunk.samples, 1)
         })?;
     }
     Ok(log_rho)
@@ -186,11 +182,7 @@ fn inputs(
         point: &chunk.point,
         input: &chunk.input,
     };
-    let counts = [
-        (offset_of!(TransmittanceInputsParams, samples), &chunk.count),
-        (offset_of!(TransmittanceInputsParams, pairs), &pairs.count),
-    ];
-    device.run_counted(&kernel, &counts, chunk.samples, 1)
+    device.run(&kernel.counted(&chunk.count, &pairs.count), chunk.samples, 1)
 }
 
 impl Transmittance {
@@ -274,11 +266,7 @@ impl Transmittance {
             pair_gradient,
             log_rho_gradient,
         };
-        let counts = [
-            (offset_of!(SegmentProductBackwardParams, pairs), &owners.pairs),
-            (offset_of!(SegmentProductBackwardParams, samples), &chunk.count),
-        ];
-        device.run_counted(&kernel, &counts, owners.pairs.at_most(), 1)?;
+        device.run(&kernel.counted(&owners.pairs, &chunk.count), owners.pairs.at_most(), 1)?;
         let field = &scene.transmittance;
         let kernel = TransmittanceHeadBackwardKernel {
             params: head_params(field, chunk),
@@ -288,8 +276,7 @@ impl Transmittance {
             log_rho_gradient,
             logit_gradient: &scratch.network.logit_gradient,
         };
-        let counts = [(offset_of!(TransmittanceHeadParams, samples), &chunk.count)];
-        device.run_counted(&kernel, &counts, chunk.samples, 1)
+        device.run(&kernel.counted(&chunk.count), chunk.samples, 1)
     }
 
     /// Adds the gradients of the pairs' extra vectors that come from a chunk of samples.
@@ -316,11 +303,11 @@ impl Transmittance {
             input_gradient,
             pair_extra,
         };
-        let counts = [
-            (offset_of!(ExtraBackwardParams, pairs), &owners.pairs),
-            (offset_of!(ExtraBackwardParams, samples), &chunk.count),
-        ];
-        device.run_counted(&kernel, &counts, owners.pairs.at_most(), scene.config.extra)
+        device.run(
+            &kernel.counted(&owners.pairs, &chunk.count),
+            owners.pairs.at_most(),
+            scene.config.extra,
+        )
     }
 }
 

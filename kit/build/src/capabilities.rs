@@ -15,15 +15,10 @@ pub fn drop_unused(module: &mut Module) {
             && instruction.operands.first() == Some(&Operand::LiteralBit32(16))
     };
     if !module.types_global_values.iter().any(is_half) {
-        forget(module, &OF_HALVES);
+        module.capabilities.retain(|instruction| {
+            OF_HALVES.iter().all(|&it| instruction.operands != [Operand::Capability(it)])
+        });
     }
-}
-
-/// Takes capabilities from a module.
-pub fn forget(module: &mut Module, capabilities: &[Capability]) {
-    module.capabilities.retain(|instruction| {
-        capabilities.iter().all(|&it| instruction.operands != [Operand::Capability(it)])
-    });
 }
 
 #[cfg(test)]

@@ -72,8 +72,6 @@ pub fn build(
         // of all modules at first: `lower` takes them from those that need none
         .capability(Capability::Float16)
         .capability(Capability::StorageBuffer16BitAccess)
-        .capability(Capability::GroupNonUniform)
-        .capability(Capability::GroupNonUniformArithmetic)
         .target_dir_path(target.join("spirv"));
     compiler.configure(&mut builder);
     let result = builder.build().context("the kernels do not compile")?;

@@ -11,7 +11,7 @@ mod contraction;
 mod lower;
 mod memory_model;
 mod module;
-mod subgroups;
+
 mod validate;
 mod watch;
 

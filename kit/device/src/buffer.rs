@@ -6,6 +6,7 @@ use std::sync::Arc;
 use bytemuck::Pod;
 use organza_kernel::kernel::Storage;
 
+use crate::count::Count;
 use crate::cpu_memory::CpuMemory;
 
 /// The host's storage: its buffers live on a [`Device`](crate::Device).
@@ -103,8 +104,13 @@ impl<T: Pod> Buffer<T> {
 impl Storage for Host {
     type Buffer<T: Pod> = Buffer<T>;
     type Binding<'a> = &'a RawBuffer;
+    type Count = Count;
 
     fn bind<T: Pod>(buffer: &Buffer<T>) -> &RawBuffer {
         buffer.raw()
+    }
+
+    fn at_most(count: &Count) -> u32 {
+        count.at_most()
     }
 }

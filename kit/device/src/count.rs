@@ -26,6 +26,7 @@ pub(super) struct Total {
 
 impl Count {
     /// A number that is known.
+    #[must_use]
     pub fn known(number: u32) -> Self {
         Self { at_most: number, total: None }
     }
@@ -36,11 +37,13 @@ impl Count {
     }
 
     /// What tables and dispatches are made for.
+    #[must_use]
     pub fn at_most(&self) -> u32 {
         self.at_most
     }
 
     /// How many of them there are from `first` on, at most `most`.
+    #[must_use]
     pub fn piece(&self, first: u32, most: u32) -> Self {
         let at_most = count::piece(self.at_most, first, most);
         let further = |total: &Total| Total { first: total.first + first, ..total.clone() };
@@ -48,6 +51,7 @@ impl Count {
     }
 
     /// Whether the host knows it.
+    #[must_use]
     pub fn is_known(&self) -> bool {
         self.total.is_none()
     }

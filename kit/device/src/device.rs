@@ -112,23 +112,13 @@ impl Device {
         kernel: &impl Dispatch<'a, Host>,
         workgroups: [u32; 3],
     ) -> Result<()> {
-        self.dispatch_counted(kernel, &[], workgroups)
-    }
-
-    /// As [`Device::dispatch`]; `counts` are parameters that the device may know alone, by their place in the uniform
-    /// buffer, where what they are at most stands.
-    fn dispatch_counted<'a>(
-        &self,
-        kernel: &impl Dispatch<'a, Host>,
-        counts: &[(usize, &Count)],
-        workgroups: [u32; 3],
-    ) -> Result<()> {
         if workgroups.contains(&0) {
             return Ok(());
         }
         let mut buffers = Vec::with_capacity(kernel.info().bindings.len());
         kernel.bind(&mut |buffer| buffers.push(buffer));
-        let (info, uniform) = (kernel.info(), self.fill_in(kernel.uniform(), counts));
+        let (info, counts) = (kernel.info(), kernel.counts());
+        let uniform = self.fill_in(kernel.uniform(), counts);
         let uniform = &*uniform;
         let times = self.times.load(Ordering::Relaxed);
         let work = || match times {
@@ -258,22 +248,6 @@ impl Device {
     pub fn run<'a>(&self, kernel: &impl Dispatch<'a, Host>, items: u32, layers: u32) -> Result<()> {
         let workgroups = self.workgroups_for(kernel.info(), items);
         self.dispatch(kernel, [workgroups[0], workgroups[1], layers])
-    }
-
-    /// As [`Device::run`]; `counts` are parameters that the device may know alone, by their place in the uniform buffer,
-    /// where what they are [at most](Count::at_most) stands.
-    ///
-    /// # Errors
-    /// As [`Device::dispatch`].
-    pub fn run_counted<'a>(
-        &self,
-        kernel: &impl Dispatch<'a, Host>,
-        counts: &[(usize, &Count)],
-        items: u32,
-        layers: u32,
-    ) -> Result<()> {
-        let workgroups = self.workgroups_for(kernel.info(), items);
-        self.dispatch_counted(kernel, counts, [workgroups[0], workgroups[1], layers])
     }
 
     /// Runs a kernel with at least `size` invocations along x and y, and `size[2]` workgroups along z.

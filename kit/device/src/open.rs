@@ -55,8 +55,8 @@ pub struct DeviceOptions {
     pub check_races: bool,
     /// On the CPU, what kernels with lanes run on; the best that there is unless set.
     pub instruction_set: Option<InstructionSet>,
-    /// On a GPU, whether kernels that have [variants](organza_kernel::kernel::Variant) run those that it can take, or all
-    /// of them plain; a hardware device runs variants, unless set.
+    /// On a GPU, whether kernels that have a [variant](organza_kernel::KernelInfo::variant) run that, or their plain entry
+    /// point; a hardware device runs variants, unless set.
     pub variants: Option<bool>,
 }
 

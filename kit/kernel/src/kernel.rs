@@ -73,34 +73,12 @@ pub const fn workgroup_bytes(shared: &[SharedInfo]) -> u32 {
     bytes
 }
 
-/// What a kernel's second entry point has, of which the plain one and the CPU have nothing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Variant {
-    /// [Stages](crate::stage) in workgroup memory.
-    Staged,
-    /// [Subgroups](crate::group).
-    Subgroups,
-}
-
-/// A kernel's second entry point: the same body and bindings.
-#[derive(Clone, Copy, Debug)]
-pub struct VariantInfo {
-    /// Name of the SPIR-V entry point.
-    pub name: &'static str,
-    /// What it has.
-    pub needs: Variant,
-    /// Workgroup memory, the kernel's own and that of stages.
-    pub shared: &'static [SharedInfo],
-}
-
-/// One of a kernel's SPIR-V entry points.
+/// One of a kernel's SPIR-V entry points: of the same body and bindings.
 #[derive(Clone, Copy, Debug)]
 pub struct EntryPoint {
     /// Its name, and that of its module.
     pub name: &'static str,
-    /// What it has beside the plain one; none for that.
-    pub variant: Option<Variant>,
-    /// Workgroup memory.
+    /// Workgroup memory: the kernel's own, and in the variant that of its [stages](crate::stage).
     pub shared: &'static [SharedInfo],
 }
 
@@ -126,8 +104,8 @@ pub struct KernelInfo {
     pub bindings: &'static [BindingInfo],
     /// Workgroup memory.
     pub shared: &'static [SharedInfo],
-    /// The second entry point of kernels that have one.
-    pub variant: Option<VariantInfo>,
+    /// The second entry point of kernels with stages: its variant, in which they are workgroup memory.
+    pub variant: Option<EntryPoint>,
     /// Counts what a dispatch computes and moves, where the kernel declares how.
     pub work: Option<WorkOf>,
     /// The CPU execution.
@@ -137,7 +115,7 @@ pub struct KernelInfo {
 impl KernelInfo {
     /// The plain entry point.
     pub const fn plain(&self) -> EntryPoint {
-        EntryPoint { name: self.name, variant: None, shared: self.shared }
+        EntryPoint { name: self.name, shared: self.shared }
     }
 
     /// What a dispatch computes and moves: its parameters' bytes, the elements of its storage buffers, and its workgroups
@@ -149,12 +127,7 @@ impl KernelInfo {
 
     /// All entry points, the plain one first.
     pub fn entry_points(&self) -> impl Iterator<Item = EntryPoint> {
-        let variant = self.variant.map(|VariantInfo { name, needs, shared }| EntryPoint {
-            name,
-            variant: Some(needs),
-            shared,
-        });
-        core::iter::once(self.plain()).chain(variant)
+        core::iter::once(self.plain()).chain(self.variant)
     }
 }
 
@@ -355,8 +328,12 @@ pub trait Storage {
     type Buffer<T: Pod>;
     /// A buffer whose element type is forgotten.
     type Binding<'a>;
+    /// How many there are of something, where the device alone may know.
+    type Count;
     /// Forgets the element type.
     fn bind<T: Pod>(buffer: &Self::Buffer<T>) -> Self::Binding<'_>;
+    /// The number, or what there is room for.
+    fn at_most(count: &Self::Count) -> u32;
 }
 
 /// A kernel with all its bindings, ready to run.  `#[kernel]` implements it.
@@ -367,6 +344,42 @@ pub trait Dispatch<'a, S: Storage> {
     fn uniform(&self) -> &[u8];
     /// Visits the storage buffers in order.
     fn bind(&self, visit: &mut dyn FnMut(S::Binding<'a>));
+    /// Parameters that the device may know alone, by their place in the uniform buffer, where what they are at most stands.
+    fn counts(&self) -> &[(usize, &'a S::Count)] {
+        &[]
+    }
+}
+
+/// A dispatch with parameters that the device may know alone: `counted` of a kernel that declares `counts(..)` makes it.
+pub struct Counted<'a, S: Storage, K, const N: usize> {
+    kernel: K,
+    counts: [(usize, &'a S::Count); N],
+}
+
+impl<'a, S: Storage, K, const N: usize> Counted<'a, S, K, N> {
+    /// The kernel, and its counts by their place in the uniform buffer.
+    #[doc(hidden)]
+    pub const fn new(kernel: K, counts: [(usize, &'a S::Count); N]) -> Self {
+        Self { kernel, counts }
+    }
+}
+
+impl<'a, S: Storage, K: Dispatch<'a, S>, const N: usize> Dispatch<'a, S> for Counted<'a, S, K, N> {
+    fn info(&self) -> &'static KernelInfo {
+        self.kernel.info()
+    }
+
+    fn uniform(&self) -> &[u8] {
+        self.kernel.uniform()
+    }
+
+    fn bind(&self, visit: &mut dyn FnMut(S::Binding<'a>)) {
+        self.kernel.bind(visit);
+    }
+
+    fn counts(&self) -> &[(usize, &'a S::Count)] {
+        &self.counts
+    }
 }
 
 /// Every kernel; `#[kernel]` adds to it.

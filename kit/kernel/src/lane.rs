@@ -30,6 +30,10 @@ pub trait Lane:
 {
     /// Lanes.
     const WIDTH: u32;
+    /// Columns of four sums that stay in registers, with what is added to them: 2 or 4.
+    const COLUMNS: u32;
+    /// Whether two values are added to [fixed-point](crate::fixed) sums faster than one after the other.
+    const ADDS_TWO: bool;
     /// One lane of the same arithmetic.
     type One: Lane;
     /// One `bool` for each lane.
@@ -67,6 +71,9 @@ pub trait Lane:
     fn truncate(self) -> Self;
     /// The value without its fraction as an integer, for values from 0 to 2^31.
     fn index(self) -> Self::Index;
+    /// The same value.  On the CPU it goes through memory: the compiler then keeps a sum in one register before, and does
+    /// not take it apart for the sum of all lanes.
+    fn settled(self) -> Self;
     /// The sum of all lanes, of pairs of halves: the same order for every run.
     fn sum(self) -> f32;
     /// Consecutive values from `first` on.
@@ -114,6 +121,8 @@ pub trait LaneIndex: Copy + BitXor<Output = Self> + BitAnd<Output = Self> {
 
 impl Lane for f32 {
     const WIDTH: u32 = 1;
+    const COLUMNS: u32 = 4;
+    const ADDS_TWO: bool = false;
     type One = f32;
     type Mask = bool;
     type Index = u32;
@@ -197,6 +206,11 @@ impl Lane for f32 {
     #[inline(always)]
     fn index(self) -> u32 {
         self as u32
+    }
+
+    #[inline(always)]
+    fn settled(self) -> Self {
+        self
     }
 
     #[inline(always)]

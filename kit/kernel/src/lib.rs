@@ -15,7 +15,6 @@ pub mod atomic;
 pub mod column;
 pub mod count;
 pub mod fixed;
-pub mod group;
 pub mod half;
 pub mod invocation;
 #[cfg(not(target_arch = "spirv"))]
@@ -36,9 +35,7 @@ mod wide_math;
 pub mod work;
 
 #[cfg(not(target_arch = "spirv"))]
-pub use kernel::{
-    Access, BindingInfo, EntryPoint, KernelInfo, SharedInfo, Variant, VariantInfo, kernels,
-};
+pub use kernel::{Access, BindingInfo, EntryPoint, KernelInfo, SharedInfo, kernels};
 
 /// Dependencies of what `#[kernel]` writes.
 #[doc(hidden)]

@@ -3,7 +3,6 @@
 pub use bytemuck::{Pod, Zeroable};
 pub use organza_macros::kernel;
 
-pub use crate::group::Group;
 pub use crate::invocation::Invocation;
 pub use crate::lane::{Lane, LaneIndex};
 pub use crate::memory::{Read, Shared, Write};

@@ -10,6 +10,8 @@ use crate::prelude::*;
 pub trait Samples: Copy {
     /// Samples.
     const WIDTH: u32;
+    /// As [`Lane::COLUMNS`].
+    const COLUMNS: u32;
     /// The same value for every sample.
     fn splat(value: f32) -> Self;
     /// `self * a + b`, as [`Lane::mul_add`].
@@ -28,6 +30,7 @@ pub trait Samples: Copy {
 /// Where lanes are samples, those that are left over have a lane each: there are never fewer than [`Lane::WIDTH`].
 impl<L: Lane> Samples for L {
     const WIDTH: u32 = L::WIDTH;
+    const COLUMNS: u32 = L::COLUMNS;
 
     #[inline(always)]
     fn splat(value: f32) -> Self {
@@ -77,6 +80,7 @@ pub struct Four {
 
 impl Samples for Four {
     const WIDTH: u32 = 4;
+    const COLUMNS: u32 = 4;
 
     #[inline(always)]
     fn splat(value: f32) -> Self {

@@ -1,35 +1,44 @@
 //! Workgroup memory as a cache.
 //!
-//! A kernel with a parameter `weights: &mut impl Stage<Vec4, 256>` has two entry points of one body.  In the plain one, and
-//! on the CPU, the stage is [`InPlace`]: it holds nothing, and reads go to the buffer.  In the one named `_staged` it
-//! is workgroup memory: an invocation copies its share of what all of them will read, and reads go there.
+//! A kernel with a parameter `near: &mut impl Stage<Vec4, 192>` has two entry points of one body.  In the plain one, and on
+//! the CPU, the stage is [`InPlace`]: it holds nothing, and reads go to where its [`Source`] says.  In the one named
+//! `_staged` it is workgroup memory: an invocation copies its share of what all of them will read, and reads go there.
 
 use crate::prelude::*;
 
-/// Where a stage's elements come from.
+/// What a stage holds: items of several elements each, from anywhere.
 pub trait Source<T>: Copy {
-    /// Element `k` of the stage.
-    fn element(self, k: u32) -> T;
+    /// Elements of an item.
+    const ELEMENTS: u32;
+
+    /// Where the first element of an item lies; the others follow.
+    fn place(self, item: u32) -> u32;
+
+    /// The element at a place.
+    fn element(self, place: u32) -> T;
 }
 
 /// Up to `N` elements that all invocations of a workgroup read.
 pub trait Stage<T: Copy, const N: usize> {
-    /// Whether invocations without an item must come along: they copy, and the others wait for them.
+    /// Whether invocations without an item of their own must come along: they copy, and the others wait for them.
     fn is_shared(&self) -> bool;
 
-    /// Where a pass ends that begins at `begin`, of `end` items of `size` elements each: as many as there is room for,
-    /// and all of them where nothing is copied.
-    fn end(&self, begin: u32, end: u32, size: u32) -> u32;
+    /// How many of the next `items` are taken at once: as many as there is room for, and all of them where nothing is
+    /// copied.
+    fn room<S: Source<T>>(&self, source: S, items: u32) -> u32;
 
     /// Waits for the workgroup: before a stage is filled, until nobody reads it any more, and afterwards, until it is
     /// full.  One wait does for all stages of a kernel.
     fn wait(&self, id: Invocation);
 
-    /// Copies the first `count` elements, each of them by one invocation.
-    fn fill(&mut self, id: Invocation, count: u32, source: impl Source<T>);
+    /// Copies the first `items`, each element by one invocation.
+    fn fill<S: Source<T>>(&mut self, id: Invocation, items: u32, source: S);
 
-    /// Element `k`, which is that of `buffer` at `index`.
-    fn at(&self, k: u32, buffer: Read<T>, index: u32) -> T;
+    /// Where the first element of an item lies, here or at the source; the others follow.
+    fn place<S: Source<T>>(&self, item: u32, source: S) -> u32;
+
+    /// The element at a place.
+    fn element<S: Source<T>>(&self, place: u32, source: S) -> T;
 }
 
 /// A stage that holds nothing.
@@ -42,20 +51,25 @@ impl<T: Copy, const N: usize> Stage<T, N> for InPlace {
     }
 
     #[inline(always)]
-    fn end(&self, _: u32, end: u32, _: u32) -> u32 {
-        end
+    fn room<S: Source<T>>(&self, _: S, items: u32) -> u32 {
+        items
     }
 
     #[inline(always)]
     fn wait(&self, _: Invocation) {}
 
     #[inline(always)]
-    fn fill(&mut self, _: Invocation, _: u32, _: impl Source<T>) {}
+    fn fill<S: Source<T>>(&mut self, _: Invocation, _: u32, _: S) {}
+
+    #[inline(always)]
+    fn place<S: Source<T>>(&self, item: u32, source: S) -> u32 {
+        source.place(item)
+    }
 
     #[inline(always)]
     #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    fn at(&self, _: u32, buffer: Read<T>, index: u32) -> T {
-        buffer.read(index)
+    fn element<S: Source<T>>(&self, place: u32, source: S) -> T {
+        source.element(place)
     }
 }
 
@@ -68,9 +82,9 @@ impl<T: Copy, const N: usize> Stage<T, N> for [T; N] {
     }
 
     #[inline(always)]
-    fn end(&self, begin: u32, end: u32, size: u32) -> u32 {
-        let full = begin + N as u32 / size;
-        if full < end { full } else { end }
+    fn room<S: Source<T>>(&self, _: S, items: u32) -> u32 {
+        let room = N as u32 / S::ELEMENTS;
+        if items < room { items } else { room }
     }
 
     #[inline(always)]
@@ -79,16 +93,22 @@ impl<T: Copy, const N: usize> Stage<T, N> for [T; N] {
     }
 
     #[inline(always)]
-    fn fill(&mut self, id: Invocation, count: u32, source: impl Source<T>) {
-        let mut k = id.local_index();
-        while k < count {
-            self.write(k, source.element(k));
-            k += id.size.x * id.size.y * id.size.z;
+    fn fill<S: Source<T>>(&mut self, id: Invocation, items: u32, source: S) {
+        let mut at = id.local_index();
+        while at < items * S::ELEMENTS {
+            let place = source.place(at / S::ELEMENTS) + at % S::ELEMENTS;
+            self.write(at, source.element(place));
+            at += id.size.x * id.size.y * id.size.z;
         }
     }
 
     #[inline(always)]
-    fn at(&self, k: u32, _: Read<T>, _: u32) -> T {
-        self.read(k)
+    fn place<S: Source<T>>(&self, item: u32, _: S) -> u32 {
+        item * S::ELEMENTS
+    }
+
+    #[inline(always)]
+    fn element<S: Source<T>>(&self, place: u32, _: S) -> T {
+        self.read(place)
     }
 }

@@ -83,6 +83,10 @@ impl<const N: usize> BitAnd for WideIndex<N> {
 
 impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     const WIDTH: u32 = N as u32;
+    // eight lanes are for CPUs with 16 registers, too few for sixteen sums and what is added to them
+    const COLUMNS: u32 = if N == 8 { 2 } else { 4 };
+    // AVX-512 alone converts whole vectors to 64-bit integers
+    const ADDS_TWO: bool = N == 16;
     type One = Wide<1, FUSED>;
     type Mask = WideMask<N>;
     type Index = WideIndex<N>;
@@ -199,6 +203,11 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
             #[inline(always)]
             |i| whole[i] as u32,
         ))
+    }
+
+    #[inline(always)]
+    fn settled(self) -> Self {
+        core::hint::black_box(self)
     }
 
     #[inline(always)]

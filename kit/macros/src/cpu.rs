@@ -21,7 +21,7 @@ pub fn cpu_run(kernel: &Kernel) -> TokenStream {
             Role::Read => quote!(read::<#element>()),
             Role::Write => quote!(write::<#element>()),
             Role::Shared(len) => quote!(shared::<#element, {#len}>()),
-            Role::Stage(_) | Role::Group => return None,
+            Role::Stage(_) => return None,
         };
         *slot += 1;
         // SAFETY: of the generated code, see `CpuRun`: the caller passes bindings of the declared types.
@@ -90,8 +90,7 @@ fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStrea
     let names: Vec<_> = kernel.parameters.iter().map(plain_argument).collect();
     let [x, y, z] = kernel.threads;
     let flat = y == 1 && z == 1;
-    let uniform = kernel.parameters.iter().find(|p| matches!(p.role, Role::Uniform));
-    let uniform = uniform.map(|parameter| &parameter.name);
+    let uniform = kernel.uniform().map(|parameter| &parameter.name);
     let step = match lanes {
         Lanes::Inside => quote! {
             self::#name::<L>(id, #(#names),*);

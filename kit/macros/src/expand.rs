@@ -5,12 +5,12 @@ use quote::{format_ident, quote};
 use syn::parse_quote;
 
 use crate::cpu::cpu_run;
-use crate::parse::{Kernel, Parameter, Role, Variant};
+use crate::parse::{Kernel, Parameter, Role};
 
 pub fn expand(kernel: &Kernel) -> TokenStream {
     let function = function(kernel);
-    let entries = std::iter::once(None).chain(kernel.variant().map(Some));
-    let entries = entries.map(|variant| entry_point(kernel, variant));
+    let variants = if kernel.has_stages() { &[false, true][..] } else { &[false] };
+    let entries = variants.iter().map(|&staged| entry_point(kernel, staged));
     let info = info(kernel);
     let dispatch = dispatch(kernel);
     let iterations = kernel.iterations.iter();
@@ -61,16 +61,16 @@ fn info_name(kernel: &Kernel) -> syn::Ident {
     format_ident!("{}_KERNEL", kernel.function.sig.ident.to_string().to_uppercase())
 }
 
-/// An entry point's name.
-fn entry_name(kernel: &Kernel, variant: Option<Variant>) -> String {
+/// An entry point's name: of the plain one, or of the variant.
+fn entry_name(kernel: &Kernel, staged: bool) -> String {
     let name = &kernel.function.sig.ident;
-    variant.map_or(name.to_string(), |variant| format!("{name}_{}", variant.suffix()))
+    if staged { format!("{name}_staged") } else { name.to_string() }
 }
 
 /// A SPIR-V entry point: the built-ins and bindings as Rust-GPU wants them, then the function.
-fn entry_point(kernel: &Kernel, variant: Option<Variant>) -> TokenStream {
+fn entry_point(kernel: &Kernel, staged: bool) -> TokenStream {
     let name = &kernel.function.sig.ident;
-    let entry_point_name = entry_name(kernel, variant);
+    let entry_point_name = entry_name(kernel, staged);
     let entry = format_ident!("{entry_point_name}_entry_point");
     let [x, y, z] = kernel.threads.map(Literal::u32_unsuffixed);
     let mut binding = 0;
@@ -85,23 +85,13 @@ fn entry_point(kernel: &Kernel, variant: Option<Variant>) -> TokenStream {
                 quote! { #[spirv(storage_buffer, descriptor_set = 0, binding = #number)] #name: &mut [#element] }
             }
             Role::Shared(len) => quote! { #[spirv(workgroup)] #name: &mut [#element; #len] },
-            Role::Stage(len) => {
-                variant?;
-                quote! { #[spirv(workgroup)] #name: &mut [#element; #len] }
-            }
-            Role::Group => {
-                variant?;
-                quote! { #[spirv(subgroup_id)] #name: u32 }
-            }
+            Role::Stage(_) if !staged => return None,
+            Role::Stage(len) => quote! { #[spirv(workgroup)] #name: &mut [#element; #len] },
         })
     });
     let arguments = kernel.parameters.iter().map(|parameter| {
         let name = &parameter.name;
-        match (&parameter.role, variant) {
-            (Role::Group, Some(_)) => quote!(::organza_kernel::group::Subgroup { number: #name }),
-            (Role::Stage(_), Some(_)) => quote!(#name),
-            _ => plain_argument(parameter),
-        }
+        if staged { quote!(#name) } else { plain_argument(parameter) }
     });
     // an invocation of a GPU is a lane, or takes four samples
     let lane = kernel.lanes.is_some().then(|| match kernel.samples {
@@ -140,7 +130,6 @@ pub fn plain_argument(parameter: &Parameter) -> TokenStream {
     let name = &parameter.name;
     match parameter.role {
         Role::Stage(_) => quote!(&mut ::organza_kernel::stage::InPlace),
-        Role::Group => quote!(::organza_kernel::group::Alone),
         _ => quote!(#name),
     }
 }
@@ -157,7 +146,7 @@ fn info(kernel: &Kernel) -> TokenStream {
             Role::Uniform => quote!(Uniform),
             Role::Read => quote!(Read),
             Role::Write => quote!(Write),
-            Role::Shared(_) | Role::Stage(_) | Role::Group => return None,
+            Role::Shared(_) | Role::Stage(_) => return None,
         };
         Some(quote! {
             ::organza_kernel::kernel::BindingInfo {
@@ -212,8 +201,7 @@ fn info(kernel: &Kernel) -> TokenStream {
 
 /// What counts a dispatch: the declared function, of the parameters' bytes.
 fn work(kernel: &Kernel) -> TokenStream {
-    let uniform = kernel.parameters.iter().find(|p| matches!(p.role, Role::Uniform));
-    let (Some(count), Some(Parameter { element, .. })) = (&kernel.work, uniform) else {
+    let (Some(count), Some(Parameter { element, .. })) = (&kernel.work, kernel.uniform()) else {
         return quote!(::core::option::Option::None);
     };
     quote! {{
@@ -248,19 +236,12 @@ fn shared(kernel: &Kernel, stages: bool) -> TokenStream {
 
 /// What the registry says of the second entry point.
 fn variant(kernel: &Kernel) -> TokenStream {
-    let Some(variant) = kernel.variant() else { return quote!(::core::option::Option::None) };
-    let name = entry_name(kernel, Some(variant));
-    let needs = match variant {
-        Variant::Staged => quote!(Staged),
-        Variant::Subgroups => quote!(Subgroups),
-    };
-    let shared = shared(kernel, true);
+    if !kernel.has_stages() {
+        return quote!(::core::option::Option::None);
+    }
+    let (name, shared) = (entry_name(kernel, true), shared(kernel, true));
     quote! {
-        ::core::option::Option::Some(::organza_kernel::kernel::VariantInfo {
-            name: #name,
-            needs: ::organza_kernel::kernel::Variant::#needs,
-            shared: &#shared,
-        })
+        ::core::option::Option::Some(::organza_kernel::kernel::EntryPoint { name: #name, shared: &#shared })
     }
 }
 
@@ -289,10 +270,13 @@ fn dispatch(kernel: &Kernel) -> TokenStream {
                 fields.push(quote! { #[doc = #access] pub #name: &'a S::Buffer<#element> });
                 binds.push(quote! { visit(S::bind(self.#name)); });
             }
-            Role::Shared(_) | Role::Stage(_) | Role::Group => {}
+            Role::Shared(_) | Role::Stage(_) => {}
         }
     }
+    let counted = counted(kernel, &struct_name);
     quote! {
+        #counted
+
         #[cfg(not(target_arch = "spirv"))]
         #[doc = #doc]
         pub struct #struct_name<'a, S: ::organza_kernel::kernel::Storage> { #(#fields),* }
@@ -302,6 +286,26 @@ fn dispatch(kernel: &Kernel) -> TokenStream {
             fn info(&self) -> &'static ::organza_kernel::kernel::KernelInfo { &#info_name }
             fn uniform(&self) -> &[u8] { #uniform }
             fn bind(&self, visit: &mut dyn FnMut(S::Binding<'a>)) { #(#binds)* }
+        }
+    }
+}
+
+/// `counted(self, ..)` of the typed dispatch, where the kernel declares counts.
+fn counted(kernel: &Kernel, struct_name: &syn::Ident) -> TokenStream {
+    let (fields, Some(uniform)) = (&kernel.counts, kernel.uniform()) else { return quote!() };
+    if fields.is_empty() {
+        return quote!();
+    }
+    let (params, element, n) = (&uniform.name, &uniform.element, fields.len());
+    quote! {
+        #[cfg(not(target_arch = "spirv"))]
+        impl<'a, S: ::organza_kernel::kernel::Storage> #struct_name<'a, S> {
+            /// The same dispatch, of numbers that the device may know alone: they take the place of the parameters'.
+            #[must_use]
+            pub fn counted(mut self, #(#fields: &'a S::Count),*) -> ::organza_kernel::kernel::Counted<'a, S, Self, #n> {
+                #(self.#params.#fields = S::at_most(#fields);)*
+                ::organza_kernel::kernel::Counted::new(self, [#((::core::mem::offset_of!(#element, #fields), #fields)),*])
+            }
         }
     }
 }

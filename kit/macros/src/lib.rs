@@ -20,7 +20,6 @@
 //! | `name: Write<T>`   | a storage buffer of `T` that is read and written            |
 //! | `name: Shared<T, N>` | `N` values of `T` in workgroup memory                     |
 //! | `name: &mut impl Stage<T, N>` | nothing, and in the variant `_staged` `N` values of `T` in workgroup memory |
-//! | `name: impl Group` | an invocation on its own, and in the variant `_subgroups` a subgroup |
 //!
 //! Drivers compute what is written: they neither fuse nor regroup arithmetic, so that results agree between devices.
 //! `#[kernel(threads(64), fused)]` lets them, where speed counts for more.
@@ -33,6 +32,9 @@
 //! them below the field `samples` of the parameters.  With `lanes` alone each invocation is one call and uses the
 //! lanes as it likes.
 //!
+//! A parameter that a kernel may have written on the device, and the host does not wait for, is declared with `counts`:
+//! `#[kernel(threads(64), counts(samples))]`.  The typed dispatch then has `counted(&samples)`.
+//!
 //! A kernel that `organza bench` counts names its formula, a function that stands beside the parameters:
 //! `work(square_work)` for `fn square_work(params: &SquareParams, shape: Shape<'_>) -> Work`.
 //!
@@ -43,7 +45,7 @@
 //! A kernel with `lanes(field)` that is generic over `Samples` rather than over `Lane` takes four samples in an invocation of
 //! a GPU.
 //!
-//! A kernel with a stage or a group has a second SPIR-V entry point of the same body and bindings, its variant; the CPU
+//! A kernel with a stage has a second SPIR-V entry point of the same body and bindings, its variant; the CPU
 //! always runs the plain one.
 //!
 //! Binding numbers are positions in the parameter list, in descriptor set 0.  From this one

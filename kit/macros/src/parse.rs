@@ -1,7 +1,7 @@
 //! Reads a kernel's declaration.
 
 use proc_macro2::TokenStream;
-use syn::parse::Parser;
+use syn::parse::{Parse, Parser};
 use syn::spanned::Spanned;
 use syn::{
     Error, Expr, FnArg, GenericArgument, Ident, ItemFn, LitInt, Pat, Path, PathArguments,
@@ -20,8 +20,6 @@ pub enum Role {
     Shared(Box<GenericArgument>),
     /// `&mut impl Stage<T, N>`, with its length
     Stage(Box<GenericArgument>),
-    /// `impl Group`
-    Group,
 }
 
 impl Role {
@@ -36,30 +34,11 @@ impl Role {
     }
 }
 
-/// What a kernel's second entry point has.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Variant {
-    /// Stages in workgroup memory.
-    Staged,
-    /// Subgroups.
-    Subgroups,
-}
-
-impl Variant {
-    /// What follows the kernel's name in the entry point's.
-    pub fn suffix(self) -> &'static str {
-        match self {
-            Self::Staged => "staged",
-            Self::Subgroups => "subgroups",
-        }
-    }
-}
-
 /// One parameter after the invocation.
 pub struct Parameter {
     pub name: Ident,
     pub role: Role,
-    /// `P` or `T` of [`Role`]; of a group, its trait.
+    /// `P` or `T` of [`Role`].
     pub element: Type,
 }
 
@@ -85,6 +64,8 @@ pub struct Kernel {
     pub samples: bool,
     /// The most iterations of one invocation.
     pub iterations: Option<Expr>,
+    /// Fields of the uniform buffer that the device may know alone.
+    pub counts: Vec<Ident>,
     /// The function that counts what a dispatch computes and moves.
     pub work: Option<Path>,
     /// What the kernel calls its invocation.
@@ -95,7 +76,7 @@ pub struct Kernel {
 impl Kernel {
     pub fn parse(attribute: TokenStream, item: TokenStream) -> Result<Self> {
         let function: ItemFn = syn::parse2(item)?;
-        let Attribute { threads, fused, layers, stacks, lanes, iterations, work } =
+        let Attribute { threads, fused, layers, stacks, lanes, iterations, counts, work } =
             parse_attribute(attribute)?;
         let mut inputs = function.sig.inputs.iter();
         let id = inputs.next().and_then(invocation).ok_or_else(|| {
@@ -126,6 +107,7 @@ impl Kernel {
             lanes,
             samples,
             iterations,
+            counts,
             work,
             id,
             parameters,
@@ -134,31 +116,29 @@ impl Kernel {
             let message = "a kernel that is generic over `Samples` has `lanes(field)`";
             return Err(Error::new(kernel.function.sig.span(), message));
         }
+        if !kernel.counts.is_empty() && kernel.uniform().is_none() {
+            let message = "`counts` are fields of the kernel's `&Params`";
+            return Err(Error::new(kernel.function.sig.span(), message));
+        }
         if kernel.lanes.is_some() && kernel.has_shared() {
             let message = "a kernel with workgroup memory has no `lanes`";
             return Err(Error::new(kernel.function.sig.span(), message));
         }
-        if kernel.has(|role| matches!(role, Role::Stage(_)))
-            && kernel.has(|role| matches!(role, Role::Group))
-        {
-            let message = "a kernel has stages or a group: one variant";
-            return Err(Error::new(kernel.function.sig.span(), message));
-        }
         Ok(kernel)
+    }
+
+    /// The uniform buffer.
+    pub fn uniform(&self) -> Option<&Parameter> {
+        self.parameters.iter().find(|parameter| matches!(parameter.role, Role::Uniform))
     }
 
     pub fn has_shared(&self) -> bool {
         self.has(|role| matches!(role, Role::Shared(_)))
     }
 
-    /// The second entry point's, by the parameters.
-    pub fn variant(&self) -> Option<Variant> {
-        let variant = |role: &Role| match role {
-            Role::Stage(_) => Some(Variant::Staged),
-            Role::Group => Some(Variant::Subgroups),
-            _ => None,
-        };
-        self.parameters.iter().find_map(|parameter| variant(&parameter.role))
+    /// Whether it has a second entry point, in which stages are workgroup memory.
+    pub fn has_stages(&self) -> bool {
+        self.has(|role| matches!(role, Role::Stage(_)))
     }
 
     fn has(&self, what: impl Fn(&Role) -> bool) -> bool {
@@ -173,11 +153,12 @@ struct Attribute {
     stacks: bool,
     lanes: Option<Lanes>,
     iterations: Option<Expr>,
+    counts: Vec<Ident>,
     work: Option<Path>,
 }
 
-/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `layers` or `stacks`, and `lanes` or
-/// `lanes(field)`
+/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `layers` or `stacks`, `lanes` or
+/// `lanes(field)`, and `counts(field, ..)`
 fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     let mut threads = None;
     let mut fused = false;
@@ -185,6 +166,7 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     let mut stacks = false;
     let mut lanes = None;
     let mut iterations = None;
+    let mut counts = Vec::new();
     let mut work = None;
     let parser = syn::meta::parser(|meta| {
         if meta.path.is_ident("fused") {
@@ -219,15 +201,21 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
             });
             return Ok(());
         }
+        if meta.path.is_ident("counts") {
+            let content;
+            syn::parenthesized!(content in meta.input);
+            let fields = content.parse_terminated(Ident::parse, syn::Token![,])?;
+            counts = fields.into_iter().collect();
+            return Ok(());
+        }
         if !meta.path.is_ident("threads") {
             let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `layers`, \
-                `stacks`, `lanes`, `lanes(field)` or `work(function)`";
+                `stacks`, `lanes`, `lanes(field)` `counts(field, ..)` or `work(function)`";
             return Err(meta.error(expected));
         }
         let content;
         syn::parenthesized!(content in meta.input);
-        let sizes =
-            content.parse_terminated(<LitInt as syn::parse::Parse>::parse, syn::Token![,])?;
+        let sizes = content.parse_terminated(LitInt::parse, syn::Token![,])?;
         let mut size = [1; 3];
         if sizes.is_empty() || sizes.len() > 3 {
             return Err(meta.error("expected one to three sizes"));
@@ -254,7 +242,7 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     if layers && stacks {
         return Err(Error::new(attribute.span(), "workgroups run by `layers` or by `stacks`"));
     }
-    Ok(Attribute { threads, fused, layers, stacks, lanes, iterations, work })
+    Ok(Attribute { threads, fused, layers, stacks, lanes, iterations, counts, work })
 }
 
 /// The name of `id: Invocation`.
@@ -298,8 +286,7 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
     let (role, element) = role(&argument.ty).ok_or_else(|| {
         Error::new(
             argument.ty.span(),
-            "a parameter is `&Params`, `Read<T>`, `Write<T>`, `Shared<T, N>`, `&mut impl Stage<T, N>` or \
-             `impl Group`",
+            "a parameter is `&Params`, `Read<T>`, `Write<T>`, `Shared<T, N>` or `&mut impl Stage<T, N>`",
         )
     })?;
     Ok(Parameter { name, role, element })
@@ -314,9 +301,6 @@ fn role(ty: &Type) -> Option<(Role, Type)> {
         let segment = implemented(&reference.elem).filter(|segment| segment.ident == "Stage")?;
         let (element, length) = arguments(segment)?;
         return Some((Role::Stage(Box::new(length?)), element));
-    }
-    if implemented(ty).is_some_and(|segment| segment.ident == "Group") {
-        return Some((Role::Group, ty.clone()));
     }
     let segment = last_segment(ty)?;
     let (element, length) = arguments(segment)?;

@@ -1,5 +1,7 @@
 //! What the equations say, in f64: a snapshot locks a value, these show that it was right when it was locked.
 
+use glam::{DVec2, DVec3};
+use organza::parity::lens::ExactLens;
 use organza::scene::{GridConfig, Interpolation, Network};
 use organza::{Camera, Scene, Stages, TileBatch};
 
@@ -136,20 +138,19 @@ pub fn project(scene: &Scene, camera: &Camera, gaussian: usize) -> Option<Projec
     let axes = camera.world_to_camera_opencv();
     let (position, eye) = (wide(scene.gaussians.position[gaussian]), camera.eye());
     let offset = std::array::from_fn(|axis| position[axis] - eye[axis]);
-    let [x, y, z] = axes.map(|axis| dot(axis, offset));
-    if z <= 0.01 {
+    let t = DVec3::from_array(axes.map(|axis| dot(axis, offset)));
+    if ExactLens::above_near(t) <= 0.0 {
         return None;
     }
-    let (focal, center) = ([camera.fl_x, camera.fl_y], [camera.cx, camera.cy]);
-    let size = [camera.width, camera.height].map(f64::from);
+    let lens = ExactLens {
+        focal: DVec2::new(camera.fl_x, camera.fl_y),
+        center: DVec2::new(camera.cx, camera.cy),
+        size: DVec2::new(camera.width.into(), camera.height.into()),
+    };
     let scaled = scaled_axes(scene, gaussian);
     // a row of J W R S for each axis of the image
-    let rows: [[f64; 3]; 2] = std::array::from_fn(|i| {
-        let margin = 0.3 * 0.5 * size[i] / focal[i];
-        let low = -center[i] / focal[i] - margin;
-        let high = (size[i] - center[i]) / focal[i] + margin;
-        let ratio = ([x, y][i] / z).clamp(low, high);
-        let row = std::array::from_fn(|k| (axes[i][k] - ratio * axes[2][k]) * focal[i] / z);
+    let rows = lens.jacobian(t, t).map(|j| {
+        let row = std::array::from_fn(|k| j.x * axes[0][k] + j.y * axes[1][k] + j.z * axes[2][k]);
         scaled.map(|axis| dot(row, axis))
     });
     let blur = scene.config.blur;
@@ -158,7 +159,7 @@ pub fn project(scene: &Scene, camera: &Camera, gaussian: usize) -> Option<Projec
     let determinant = xx * yy - xy * xy;
     let largest = 0.5 * (xx + yy) + (0.25 * (xx - yy).powi(2) + xy * xy).sqrt();
     Some(Projected {
-        mean: [focal[0] * x / z + center[0], focal[1] * y / z + center[1]],
+        mean: lens.pixel(t).to_array(),
         conic: [yy, -xy, xx].map(|value| value / determinant),
         radius: (cutoff() * largest).sqrt(),
     })

@@ -1,6 +1,5 @@
 //! Finds a GPU and opens it.
 
-use super::variants::Variants;
 use crate::error::{Error, Result};
 use crate::open::{DeviceOptions, SpirvPath};
 
@@ -121,11 +120,7 @@ pub fn choose(options: &DeviceOptions) -> Result<(wgpu::Adapter, SpirvPath)> {
 }
 
 /// Opens an adapter with all that it offers: the default limits end at 128 MiB a binding.
-pub fn request(
-    adapter: &wgpu::Adapter,
-    spirv: SpirvPath,
-    variants: Variants,
-) -> Result<(wgpu::Device, wgpu::Queue)> {
+pub fn request(adapter: &wgpu::Adapter, spirv: SpirvPath) -> Result<(wgpu::Device, wgpu::Queue)> {
     let (required_features, experimental_features) = match spirv {
         SpirvPath::Passthrough => {
             // SAFETY: passing shaders through is what is experimental; they are our own compiler's, validated when built
@@ -137,9 +132,7 @@ pub fn request(
     let optional = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::SHADER_F16;
     let device = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
         label: Some("organza"),
-        required_features: required_features
-            | (adapter.features() & optional)
-            | variants.features(),
+        required_features: required_features | (adapter.features() & optional),
         required_limits: adapter.limits(),
         experimental_features,
         ..Default::default()

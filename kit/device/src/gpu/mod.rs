@@ -45,7 +45,7 @@ impl Gpu {
     pub fn open(options: &DeviceOptions, modules: &'static Modules) -> Result<Self> {
         let (adapter, spirv) = adapter::choose(options)?;
         let variants = Variants::of(&adapter, options.variants);
-        let (device, queue) = adapter::request(&adapter, spirv, variants)?;
+        let (device, queue) = adapter::request(&adapter, spirv)?;
         let limits = device.limits();
         let failures = Arc::default();
         record_failures(&device, &failures);

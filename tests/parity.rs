@@ -43,18 +43,22 @@ fn a_kernel_without_a_case_is_told_where_to_add_it() {
     }
 }
 
+/// How a device of this name rounds.
+fn rounding(device: &str) -> Rounding {
+    match device.contains(SpirvPath::Naga.as_str()) {
+        true => Rounding::Regrouped,
+        false => Rounding::AsWritten,
+    }
+}
+
 #[test]
 fn every_device_is_within_tolerance_of_the_cpu() {
     let cpu = devices::cpu(None);
     let mut failures = Vec::new();
     let variants = devices::variants().into_iter().map(|(name, [_, variants])| (name, variants));
     for (name, device) in devices::all().into_iter().chain(devices::cpus()).chain(variants) {
-        let rounding = match name.contains(SpirvPath::Naga.as_str()) {
-            true => Rounding::Regrouped,
-            false => Rounding::AsWritten,
-        };
         for case in parity::cases().into_iter().filter(|case| case.is_offered(&device)) {
-            let measure = case.measure(&cpu, &device, rounding).expect("the kernel runs");
+            let measure = case.measure(&cpu, &device, rounding(name)).expect("the kernel runs");
             let kernel = case.entry_point(&device);
             println!(
                 "{name} {kernel}: {:.1e} absolute, {:.1e} relative, {:.1} ulp, {:.1e} of what is allowed",
@@ -69,6 +73,37 @@ fn every_device_is_within_tolerance_of_the_cpu() {
                     "{kernel} on {name}: {failed} of {all}, most {:?}",
                     measure.share
                 ));
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// The CPU with every instruction set, and the GPUs, beside `Parity::exact`.
+#[test]
+fn every_device_is_within_tolerance_of_the_equations() {
+    let mut failures = Vec::new();
+    let gpus = devices::all().into_iter().filter(|(_, device)| device.backend() == "gpu");
+    for (name, device) in devices::cpus().into_iter().chain(gpus) {
+        for case in parity::cases().into_iter().filter(|case| case.is_offered(&device)) {
+            let kernel = case.entry_point(&device);
+            let measure = case.hold(&device, rounding(name)).expect("the kernel runs");
+            println!(
+                "{name} {kernel}: {} values, {:.0}% of what is allowed, {:.1} ulp",
+                measure.values,
+                100.0 * measure.share.value,
+                measure.ulp.value
+            );
+            if !measure.is_ok() {
+                let (failed, worst) = (measure.failures, &measure.share);
+                failures.push(format!("{kernel} on {name}: {failed} are off, most {worst:?}"));
+            }
+            for (output, [compared, written]) in measure.compared {
+                if (compared as f64) < case.compared * written as f64 {
+                    failures.push(format!(
+                        "{kernel} on {name}: the equations speak of {compared} of {written} in `{output}`"
+                    ));
+                }
             }
         }
     }

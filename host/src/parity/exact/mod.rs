@@ -1,6 +1,12 @@
 //! The equations in f64, a file for each stage: what [`Parity::exact`](super::Parity::exact) is made of.
 //!
 //! They are written from docs/pipeline.md and docs/conventions.md, over plain numbers, and share no code with the
-//! kernels: no constant either.
+//! kernels: no constant either.  The tests of whole scenes call them too.
 
+pub mod composite;
 pub mod numeric;
+pub mod project;
+pub mod resolve;
+pub mod segment;
+pub mod tile;
+pub mod unit_cube;

@@ -9,6 +9,7 @@ use organza_kernels::tile::Tile;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
+use super::exact::composite::Splat;
 use super::inputs::{Fill, Random};
 use super::measure::{Bound, Output};
 use super::tile::pack;
@@ -94,6 +95,17 @@ impl Composite {
     pub fn members(&self, tile: usize) -> &[u32] {
         let end = self.tile_first[tile + 1].min(self.tile_first[tile] + self.skip + MAX_MEMBERS);
         &self.member[(self.tile_first[tile] + self.skip).min(end) as usize..end as usize]
+    }
+
+    /// A splat in f64.
+    pub(super) fn splat(&self, index: u32) -> Splat<f64> {
+        let [placed, conic, color] = self.splat[index as usize].map(|v| v.as_dvec4().to_array());
+        Splat {
+            mean: [placed[0], placed[1]],
+            weight: placed[2],
+            conic: [conic[0], conic[1], conic[2]],
+            color: [color[0], color[1], color[2]],
+        }
     }
 
     /// Tile, and the pixel's center in the image.
@@ -186,6 +198,25 @@ impl Parity for Composite {
         };
         bench.pixels(&kernel, self.side, self.tiles.len() as u32)?;
         Ok(vec![Output::float("sum", pixels(&bench.read(&sum)?, area))])
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let pixel = |(at, before): (usize, &Vec4)| {
+            let (tile, place) = self.pixel(at);
+            let mut sum = before.as_dvec4().to_array();
+            for &member in self.members(tile) {
+                let term = self.splat(member).term(place);
+                sum.iter_mut().zip(term).for_each(|(sum, term)| *sum += term);
+            }
+            sum
+        };
+        let exact = self.sum.iter().enumerate().flat_map(pixel).map(Some);
+        exact.collect()
+    }
+
+    /// A pixel of thousands of members adds up their roundings, and so do drivers that regroup.
+    fn exact_bound(&self, exact: &Output, index: usize, _: Rounding) -> Bound {
+        self.bound(exact, index, Rounding::Regrouped)
     }
 
     fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {

@@ -1,23 +1,15 @@
 //! Every kernel on every device beside the CPU, and the CPU beside the equations in f64.
 
-#[path = "exact/encodings.rs"]
+#[path = "../exact/encodings.rs"]
 mod encodings;
-#[path = "exact/geometry.rs"]
-mod geometry;
-#[path = "exact/hold.rs"]
+#[path = "../exact/hold.rs"]
 mod hold;
-#[path = "exact/images.rs"]
-mod images;
-#[path = "exact/integers.rs"]
-mod integers;
-#[path = "exact/loss.rs"]
+#[path = "../exact/loss.rs"]
 mod loss;
-#[path = "exact/networks.rs"]
+#[path = "../exact/networks.rs"]
 mod networks;
-#[path = "exact/optimizer.rs"]
+#[path = "../exact/optimizer.rs"]
 mod optimizer;
-#[path = "exact/peaks.rs"]
-mod peaks;
 
 use std::collections::BTreeSet;
 use std::path::Path;

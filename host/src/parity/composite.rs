@@ -48,7 +48,8 @@ impl Composite {
         let mut random = Random::new(seed);
         let splats = 300;
         let tiles: Vec<_> = tiles().into_iter().take(members.len()).collect();
-        let mean = fill.values(&mut random, 2 * splats, [-12.0, 20.0], 1e30);
+        let far = 20_f32.max(side as f32 + 3.0);
+        let mean = fill.values(&mut random, 2 * splats, [-12.0, far], 1e30);
         let conic = fill.values(&mut random, 2 * splats, [0.003, 0.4], 1e30);
         let splat = (0..splats).map(|index| {
             let tile = &tiles[index % tiles.len()];
@@ -95,17 +96,6 @@ impl Composite {
     pub fn members(&self, tile: usize) -> &[u32] {
         let end = self.tile_first[tile + 1].min(self.tile_first[tile] + self.skip + MAX_MEMBERS);
         &self.member[(self.tile_first[tile] + self.skip).min(end) as usize..end as usize]
-    }
-
-    /// A splat in f64.
-    pub(super) fn splat(&self, index: u32) -> Splat<f64> {
-        let [placed, conic, color] = self.splat[index as usize].map(|v| v.as_dvec4().to_array());
-        Splat {
-            mean: [placed[0], placed[1]],
-            weight: placed[2],
-            conic: [conic[0], conic[1], conic[2]],
-            color: [color[0], color[1], color[2]],
-        }
     }
 
     /// Tile, and the pixel's center in the image.
@@ -205,7 +195,7 @@ impl Parity for Composite {
             let (tile, place) = self.pixel(at);
             let mut sum = before.as_dvec4().to_array();
             for &member in self.members(tile) {
-                let term = self.splat(member).term(place);
+                let term = Splat::of(&self.splat[member as usize]).term(place);
                 sum.iter_mut().zip(term).for_each(|(sum, term)| *sum += term);
             }
             sum

@@ -1,7 +1,9 @@
 //! The case of `composite_backward`.
 
 use glam::{DVec4, Vec4};
-use organza_kernels::composite_backward::{CompositeBackwardKernel, CompositeBackwardParams};
+use organza_kernels::composite_backward::{
+    CompositeBackwardKernel, CompositeBackwardParams, band_rows,
+};
 use organza_kernels::math::TINY;
 
 use super::bench::Bench;
@@ -56,7 +58,7 @@ impl CompositeBackward {
         let (set, tile) = (&self.forward, self.tile(index));
         let area = (set.side * set.side) as usize;
         let Splat { mean: [x, y], weight, conic: [xx, xy, yy], color: [r, g, b] } =
-            set.splat(set.member[index]);
+            Splat::of(&set.splat[set.member[index] as usize]);
         gradient([x, y, weight, xx, xy, yy, r, g, b], |[x, y, weight, xx, xy, yy, r, g, b]| {
             let splat = Splat { mean: [x, y], weight, conic: [xx, xy, yy], color: [r, g, b] };
             let band = self.first_row * set.side..(self.first_row + self.rows) * set.side;
@@ -127,6 +129,17 @@ impl Parity for CompositeBackward {
         let members = |count: u32| Self::new(Composite::new(8, &[count], Fill::Random, 13));
         sets.push(("no members".into(), members(0)));
         sets.push(("one member".into(), members(1)));
+        // whole blocks of lanes, and those with a rest
+        for side in [16, 19, 33, 64] {
+            let forward = Composite::new(side, &[9, 0, 7], Fill::Random, 15);
+            sets.push((format!("few, side {side}"), Self::new(forward)));
+        }
+        // more rows than a dispatch may sum over
+        let wide = Self::new(Composite::new(260, &[5, 4], Fill::Random, 16));
+        let rows = band_rows(260);
+        sets.push((format!("{rows} rows of 260"), Self { rows, ..wide.clone() }));
+        let rest = Self { first_row: rows, rows: 260 - rows, ..wide };
+        sets.push((format!("the rest after {rows} rows"), rest));
         let band = Self::new(Composite::new(17, &[30, 33], Fill::Random, 14));
         sets.push(("rows 3 to 9".into(), Self { first_row: 3, rows: 7, ..band }));
         sets

@@ -111,6 +111,20 @@ impl ProjectBackward {
         (bits >> bit & 1 == 1).then_some((self.first_pair[word] + below) as usize)
     }
 
+    /// Where the centers of all pairs lie in their images, in pixels.
+    #[must_use]
+    pub fn pairs_in_image(&self) -> Vec<[f64; 2]> {
+        let (set, count) = (&self.forward, self.forward.gaussians as usize);
+        let slots = (0..set.cameras.len() * count).map(|slot| (slot / count, slot % count));
+        let pairs = slots.filter(|&(camera, gaussian)| self.pair(camera, gaussian).is_some());
+        pairs
+            .filter_map(|(camera, gaussian)| match set.fate(camera, gaussian) {
+                Some(Fate::Projected(found)) => Some(found.mean),
+                _ => None,
+            })
+            .collect()
+    }
+
     /// How large what a pair adds may be, whatever cancels in it.
     fn sizes(&self, camera: usize, gaussian: usize, pair: usize) -> Sizes {
         let set = &self.forward;

@@ -6,5 +6,7 @@ pub mod cases;
 pub mod compare;
 #[path = "support/devices.rs"]
 pub mod devices;
+#[path = "support/skip.rs"]
+pub mod skip;
 #[path = "support/spirv.rs"]
 pub mod spirv;

@@ -21,7 +21,7 @@ fn the_cpu_agrees_with_itself_to_the_bit() {
 
 #[test]
 fn every_gpu_has_a_table() {
-    if devices::all().len() == 1 {
+    if !devices::has_gpu() {
         return;
     }
     let outcome = Sandbox::new("tiny").run("parity").assert_ok();
@@ -37,10 +37,10 @@ fn every_gpu_has_a_table() {
 /// llvmpipe takes the size of its subgroups from this variable, others do not know it.
 #[test]
 fn subgroups_of_any_size_give_the_same() {
+    if !devices::has_gpu() {
+        return;
+    }
     for (bits, size) in [("128", 4), ("256", 8)] {
-        if devices::all().len() == 1 {
-            return;
-        }
         let sandbox = Sandbox::new("tiny");
         let outcome = sandbox.command("parity").env("LP_NATIVE_VECTOR_WIDTH", bits).output();
         let outcome = outcome.expect("the program runs");

@@ -2,6 +2,8 @@
 
 use organza::{Device, DeviceOptions, Error, InstructionSet, SpirvPath};
 
+use crate::skip::skip;
+
 /// How SPIR-V reaches a GPU, by name.
 const GPUS: [(&str, SpirvPath); 2] =
     [("gpu passthrough", SpirvPath::Passthrough), ("gpu naga", SpirvPath::Naga)];
@@ -22,12 +24,21 @@ pub fn all() -> Vec<(&'static str, Device)> {
                 let required =
                     std::env::var_os("ORGANZA_REQUIRE_GPU").is_some_and(|value| value != "0");
                 assert!(!required, "ORGANZA_REQUIRE_GPU is set, but {name}: {reason}");
-                eprintln!("skipped {name}: {reason}");
+                skip(name, &reason);
             }
             Err(error) => panic!("{name}: {error}"),
         }
     }
     devices
+}
+
+/// Whether there is a GPU; says so where there is none.
+///
+/// # Panics
+/// As [`all`].
+#[must_use]
+pub fn has_gpu() -> bool {
+    all().len() > 1
 }
 
 /// The same GPU with plain kernels and with the variants that it can take, passed through and through naga where there is one.

@@ -7,7 +7,7 @@ use crate::snapshot::exact;
 use crate::snapshot::generator::{Recipe, camera, camera_to};
 use crate::snapshot::harmonics;
 use crate::snapshot::tensors::Tensors;
-use crate::{RENDERERS, Tolerance, assert_tensors};
+use crate::snapshots::{RENDERERS, Tolerance, assert_tensors};
 
 /// Values of about 1.  Measured: features 8e-7 where naga lets a driver fuse, 1e-7 elsewhere.
 const COLOR: Tolerance = Tolerance { absolute: 5e-6, relative: 5e-6 };
@@ -201,12 +201,13 @@ fn projection() {
                 conic.extend([0.0; 3]);
                 continue;
             };
-            near("a radius", radius, exact.radius, 1e-5 * exact.radius);
+            near("a radius", radius, exact.radius(), 1e-5 * exact.radius());
             for (&found, exact) in stages.mean2d[gaussian].iter().zip(exact.mean) {
                 near("a center", found, exact, 1e-5 * exact.abs() + 1e-4);
             }
-            for (&found, value) in stages.conic[gaussian].iter().zip(exact.conic) {
-                near("a conic", found, value, 1e-5 * exact.conic[0].max(exact.conic[2]));
+            let exact = exact.conic();
+            for (&found, value) in stages.conic[gaussian].iter().zip(exact) {
+                near("a conic", found, value, 1e-5 * exact[0].max(exact[2]));
             }
             mean2d.extend(stages.mean2d[gaussian]);
             conic.extend(stages.conic[gaussian]);

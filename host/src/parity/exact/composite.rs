@@ -1,5 +1,7 @@
 //! Eq. 12: what a pair adds to a pixel.
 
+use glam::Vec4;
+
 use super::numeric::{Number, sigmoid};
 use super::project::cutoff;
 
@@ -30,6 +32,20 @@ pub fn falloff<N: Number>(q: N) -> N {
     }
     let q = if q.value() < 0.0 { q - N::from(q.value()) } else { q };
     (N::from(-0.5) * q).exp()
+}
+
+impl Splat<f64> {
+    /// A splat as the kernels have it.
+    #[must_use]
+    pub fn of(vectors: &[Vec4; 3]) -> Self {
+        let [placed, conic, color] = vectors.map(|vector| vector.as_dvec4());
+        Self {
+            mean: [placed.x, placed.y],
+            weight: placed.z,
+            conic: [conic.x, conic.y, conic.z],
+            color: [color.x, color.y, color.z],
+        }
+    }
 }
 
 impl<N: Number> Splat<N> {

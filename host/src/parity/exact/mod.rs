@@ -19,3 +19,13 @@ pub mod ssim;
 pub mod tile;
 pub mod transmittance;
 pub mod unit_cube;
+
+/// Integers that the equations give.
+pub(super) fn listed(values: impl IntoIterator<Item = u32>) -> Vec<Option<f64>> {
+    values.into_iter().map(|value| Some(f64::from(value))).collect()
+}
+
+/// The set bits of words, from the lowest on.
+pub(super) fn bits(words: &[u32]) -> impl Iterator<Item = usize> {
+    (0..32 * words.len()).filter(|&bit| words[bit / 32] >> (bit % 32) & 1 == 1)
+}

@@ -109,10 +109,7 @@ impl Number for Dual {
 }
 
 /// The gradient of `loss`, of the branches that it takes at `values`.
-pub fn gradient<const N: usize>(
-    values: [f64; N],
-    loss: impl Fn([Dual; N]) -> Dual,
-) -> [f64; N] {
+pub fn gradient<const N: usize>(values: [f64; N], loss: impl Fn([Dual; N]) -> Dual) -> [f64; N] {
     std::array::from_fn(|index| {
         let mut seeded = values.map(Dual::from);
         seeded[index].slope = 1.0;
@@ -160,16 +157,12 @@ mod tests {
     fn both_ways_give_the_derivatives() {
         let values = [0.7, -1.3];
         let [x, y] = values;
-        let expected = [
-            2.0 * x * y.exp() - y / (x * x),
-            x * x * y.exp() + 1.0 / x - 0.5 / (1.0 - y).sqrt(),
-        ];
-        let loss = |v: [Dual; 2]| {
-            v[0] * v[0] * v[1].exp() + v[1] / v[0] + (Dual::from(1.0) - v[1]).sqrt()
-        };
+        let expected =
+            [2.0 * x * y.exp() - y / (x * x), x * x * y.exp() + 1.0 / x - 0.5 / (1.0 - y).sqrt()];
+        let loss =
+            |v: [Dual; 2]| v[0] * v[0] * v[1].exp() + v[1] / v[0] + (Dual::from(1.0) - v[1]).sqrt();
         let dual = gradient(values, loss);
-        let differences =
-            central(&values, 1e-3, |v| loss([v[0], v[1]].map(Dual::from)).value());
+        let differences = central(&values, 1e-3, |v| loss([v[0], v[1]].map(Dual::from)).value());
         for index in 0..2 {
             let exact = expected[index];
             assert!((dual[index] / exact - 1.0).abs() < 1e-15, "{dual:?} for {expected:?}");

@@ -82,9 +82,7 @@ pub fn project<N: Number>(view: &View, blur: f64, gaussian: &Gaussian<N>) -> Opt
     let blur = N::from(blur);
     let (uu, uv, vv) = (dot(u, u), dot(u, v), dot(v, v));
     Some(Projected {
-        mean: std::array::from_fn(|i| {
-            N::from(view.focal[i]) * ratios[i] + N::from(view.center[i])
-        }),
+        mean: std::array::from_fn(|i| N::from(view.focal[i]) * ratios[i] + N::from(view.center[i])),
         covariance: [uu + blur, uv, vv + blur],
         determinant: area_squared(u, v) + blur * (uu + vv) + blur * blur,
     })

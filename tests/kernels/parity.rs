@@ -1,27 +1,20 @@
 //! Every kernel on every device beside the CPU, and the CPU beside the equations in f64.
 
-#[path = "exact/encodings.rs"]
+#[path = "../exact/encodings.rs"]
 mod encodings;
-#[path = "exact/geometry.rs"]
-mod geometry;
-#[path = "exact/hold.rs"]
+#[path = "../exact/hold.rs"]
 mod hold;
-#[path = "exact/images.rs"]
-mod images;
-#[path = "exact/integers.rs"]
-mod integers;
-#[path = "exact/loss.rs"]
+#[path = "../exact/loss.rs"]
 mod loss;
-#[path = "exact/networks.rs"]
+#[path = "../exact/networks.rs"]
 mod networks;
-#[path = "exact/optimizer.rs"]
+#[path = "../exact/optimizer.rs"]
 mod optimizer;
-#[path = "exact/peaks.rs"]
-mod peaks;
 
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use organza::parity::project_backward::ProjectBackward;
 use organza::parity::{self, Bench, Output, Parity, Rounding, Values};
 use organza::{Device, DeviceOptions, InstructionSet, SpirvPath};
 use organza_tests::devices;
@@ -122,20 +115,35 @@ fn no_two_invocations_get_in_each_others_way() {
     }
 }
 
+/// Nothing is added up in an order that threads decide.
+#[test]
+fn the_number_of_threads_changes_no_bit() {
+    let [one, three] = [1, 3].map(|threads| devices::cpu(Some(threads)));
+    for case in parity::cases() {
+        let measure = case.measure(&one, &three, Rounding::AsWritten).expect("the kernel runs");
+        assert_eq!(measure.share.value, 0.0, "{}: the number of threads shows", case.kernel);
+    }
+}
+
+/// The table of docs/parity.md is that of the cases, in their order, to the number.
 #[test]
 fn the_page_has_every_tolerance() {
     let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/parity.md");
     let page = std::fs::read_to_string(page).expect("docs/parity.md");
-    for case in parity::cases() {
-        let is_there = page.lines().any(|line| {
-            line.starts_with(&format!("| {} |", case.kernel)) && line.contains(case.why)
-        });
-        assert!(
-            is_there,
-            "docs/parity.md lacks `{}`: {}; the page tells how it is made",
-            case.kernel, case.why
-        );
+    let (_, tables) = page.split_once("## Tolerances\n").expect("a chapter of tolerances");
+    let table = tables.split("\n## ").next().unwrap_or_default();
+    let rows = table.lines().filter(|line| line.starts_with('|')).skip(2);
+    let rows: Vec<Vec<_>> =
+        rows.map(|row| row.trim_matches('|').split(" | ").map(str::trim).collect()).collect();
+    let cases = parity::cases();
+    for (row, case) in rows.iter().zip(&cases) {
+        let [kernel, tolerance, why] = row[..] else { panic!("a row of {} columns", row.len()) };
+        let remedy = "`organza parity --markdown` prints the table";
+        assert_eq!((kernel, why), (case.kernel, case.why), "docs/parity.md: {remedy}");
+        let written = if tolerance == "equal" { Ok(0.0) } else { tolerance.parse() };
+        assert_eq!(written, Ok(case.tolerance), "docs/parity.md, {kernel}: {remedy}");
     }
+    assert_eq!(rows.len(), cases.len(), "docs/parity.md has another number of kernels");
 }
 
 /// The integers that an output of a kernel takes on, over all sets.
@@ -158,4 +166,15 @@ fn sets_reach_every_branch() {
     assert!([0, 1, 2, 16_384].iter().all(|count| counts.contains(count)), "{counts:?}");
     let words = all_of::<parity::tile::TileMask>("mask");
     assert!(words.contains(&0) && words.len() > 100, "{} words", words.len());
+    // x / z and y / z of a pair: below what J clamps them to, between, and above
+    let mut ratios = [[0; 3]; 2];
+    for (_, set) in ProjectBackward::sets() {
+        for (axis, seen) in ratios.iter_mut().enumerate() {
+            for place in set.pairs_in_image() {
+                let [x, size] = [place[axis], f64::from(set.forward.cameras[0].size[axis])];
+                seen[usize::from(x >= -0.15 * size) + usize::from(x > 1.15 * size)] += 1;
+            }
+        }
+    }
+    assert!(ratios.as_flattened().iter().all(|&count| count > 100), "{ratios:?}");
 }

@@ -4,7 +4,7 @@ use organza::train::Trainer;
 use organza::{Device, Error, Renderer, Result};
 use organza_tests::devices;
 
-use crate::runs::{begun, state_bits};
+use super::runs::{begun, state_bits};
 
 #[test]
 fn a_step_that_does_not_fit_goes_in_parts() {

@@ -14,7 +14,7 @@ use organza::train::{
 };
 use organza_tests::devices;
 
-use crate::runs::{TINY, assert_same, bits, records, sandbox, without_times};
+use super::runs::{TINY, assert_same, bits, records, sandbox, without_times};
 use crate::sandbox::{Outcome, Sandbox};
 
 const LONGEST: Duration = Duration::from_secs(120);

@@ -1,14 +1,10 @@
-//! docs/adding-a-kernel.md: the files that it shows are those in `guide/`, which are built and run here, on the CPU.
+//! docs/adding-a-kernel.md: the files that it shows are those in `tests/guide/`, which are built and run here, on the CPU.
 //! `cargo xtask guide` compiles the kernel for GPUs.
 
 use std::fs;
 use std::path::Path;
 
-// what the kernel finds in the crate of the kernels, and the parity case in the host's
-use organza::error;
-use organza_kernels::{invocation, kernel, prelude};
-
-#[path = "guide/blend.rs"]
+#[path = "../guide/blend.rs"]
 pub mod blend;
 
 mod parity {
@@ -20,20 +16,20 @@ mod parity {
         pub use organza::parity::{Bound, Output};
     }
     pub mod blend {
-        use crate::with_blend as organza_kernels;
-        include!("guide/parity.rs");
+        use crate::guide::with_blend as organza_kernels;
+        include!("../guide/parity.rs");
     }
 }
 
 mod snapshot {
-    use crate::with_blend as organza_kernels;
-    use crate::with_cpu as organza_tests;
-    include!("guide/snapshot.rs");
+    use crate::guide::with_blend as organza_kernels;
+    use crate::guide::with_cpu as organza_tests;
+    include!("../guide/snapshot.rs");
 }
 
 /// `organza_kernels` as it would be with the kernel.
 mod with_blend {
-    pub use crate::blend;
+    pub use crate::guide::blend;
 }
 
 /// `organza_tests`, with two CPUs instead of GPUs: they have no SPIR-V of the kernel.

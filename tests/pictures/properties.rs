@@ -2,6 +2,8 @@
 
 use glam::{Vec2, Vec3, Vec4};
 use organza::backend::Buffer;
+use organza::parity::exact::composite::Splat;
+use organza::parity::exact::project::cutoff;
 use organza::{Device, scene::GridConfig, scene::Interpolation};
 use organza_kernels::camera::Camera;
 use organza_kernels::composite::{CompositeKernel, CompositeParams};
@@ -221,22 +223,12 @@ fn composites_are_weighted_means() {
             let (_, other) = composite(&device, &splats, &shuffled, background);
             for (index, (sum, pixel)) in sums.iter().zip(&pixels).enumerate() {
                 let center = Vec2::new((index % 8) as f32 + 0.5, (index / 8) as f32 + 0.5);
-                // the weights in f64, from the equations
-                let distances: Vec<f64> = splats
-                    .iter()
-                    .map(|[placed, conic, _]| {
-                        let d = (center - placed.truncate().truncate()).as_dvec2();
-                        f64::from(conic.x) * d.x * d.x + f64::from(conic.z) * d.y * d.y
-                    })
-                    .collect();
-                let cutoff = 2.0 * 255f64.ln();
-                if distances.iter().any(|q| (q - cutoff).abs() < 1e-4) {
+                let center = center.as_dvec2().to_array();
+                let exact: Vec<_> = splats.iter().map(Splat::of).collect();
+                if exact.iter().any(|splat| (splat.q(center) - cutoff()).abs() < 1e-4) {
                     continue; // rounding decides whether that falloff has ended: either is right
                 }
-                let alphas = splats.iter().zip(&distances).map(|([placed, _, _], &q)| {
-                    if q <= cutoff { f64::from(placed.z) * (-0.5 * q).exp() } else { 0.0 }
-                });
-                let total: f64 = alphas.sum();
+                let total: f64 = exact.iter().map(|splat| splat.term(center)[3]).sum();
                 prop_assert!(
                     (f64::from(sum.w) - total).abs() <= 1e-5 * total.max(1.0) + 1e-9,
                     "S {} for {total}",

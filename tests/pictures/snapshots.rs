@@ -2,11 +2,9 @@
 //!
 //! A snapshot locks a value and does not prove it, so that every scene is held to the equations, in f64, as well.
 
-#[path = "support/snapshot/mod.rs"]
-mod snapshot;
-#[path = "support/snapshot/stages.rs"]
+#[path = "../support/snapshot/stages.rs"]
 mod stages;
-#[path = "support/snapshot/tiles.rs"]
+#[path = "../support/snapshot/tiles.rs"]
 mod tiles;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -16,10 +14,10 @@ use insta::{Settings, Snapshot};
 use organza::Renderer;
 use organza_tests::devices;
 
-use snapshot::compare::{Held, Mismatch, Rule, Tolerance};
-use snapshot::picture::{self, Montage};
-use snapshot::report;
-use snapshot::tensors::Tensors;
+use crate::snapshot::compare::{Held, Mismatch, Rule, Tolerance};
+use crate::snapshot::picture::{self, Montage};
+use crate::snapshot::report;
+use crate::snapshot::tensors::Tensors;
 
 /// No snapshot may be larger: people look at them, and they stay in the history.
 const MAX_FILE_BYTES: u64 = 64 << 10;
@@ -89,7 +87,7 @@ fn assert_record(backend: &str, record: &Record<'_>) {
 
 fn assert_accepted(record: &Record<'_>, held: Held) {
     let mut settings = Settings::clone_current();
-    settings.set_snapshot_path("snapshots");
+    settings.set_snapshot_path("../snapshots");
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.set_description(record.description);

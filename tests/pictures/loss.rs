@@ -1,6 +1,5 @@
 //! The loss kernels beside the loss's definition in f64.
 
-#[path = "loss/exact.rs"]
 mod exact;
 
 use organza::render::{Loss, LossInputs, TileLoss};

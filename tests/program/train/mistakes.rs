@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::json;
 
-use crate::runs::{TINY, photographs, sandbox};
+use super::runs::{TINY, photographs, sandbox};
 use crate::sandbox::Sandbox;
 
 /// `tiny.toml` with something else in it, as `other.toml`.

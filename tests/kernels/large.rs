@@ -1,6 +1,7 @@
 //! Sizes past what one dispatch, one workgroup or one invocation takes.
 
 use glam::{Vec2, Vec4};
+use organza::parity::exact::composite::Splat;
 use organza_kernels::composite::{CompositeKernel, CompositeParams};
 use organza_kernels::limits::MAX_MEMBERS;
 use organza_kernels::scan::{BLOCK, ScanBlockKernel, ScanParams};
@@ -32,17 +33,9 @@ fn a_tile_takes_more_members_than_one_dispatch() {
         .collect();
     let exact = |pixel: Vec2| -> [f64; 4] {
         let mut sum = [0.0; 4];
-        for splat in splats.chunks_exact(3) {
-            let d = (pixel - Vec2::new(splat[0].x, splat[0].y)).as_dvec2();
-            let conic = splat[1].as_dvec4();
-            let q = conic.x * d.x * d.x + 2.0 * conic.y * d.x * d.y + conic.z * d.y * d.y;
-            if q <= 2.0 * 255f64.ln() {
-                let alpha = f64::from(splat[0].z) * (-0.5 * q).exp();
-                let color = splat[2].as_dvec4();
-                for (sum, term) in sum.iter_mut().zip([color.x, color.y, color.z, 1.0]) {
-                    *sum += alpha * term;
-                }
-            }
+        for splat in splats.as_chunks::<3>().0 {
+            let term = Splat::of(splat).term(pixel.as_dvec2().to_array());
+            sum.iter_mut().zip(term).for_each(|(sum, term)| *sum += term);
         }
         sum
     };

@@ -4,7 +4,7 @@ use organza::Renderer;
 use organza::train::Trainer;
 use organza_tests::devices;
 
-use crate::runs::{begun, state_bits};
+use super::runs::{begun, state_bits};
 
 #[test]
 fn a_step_waits_once_and_that_changes_nothing() {

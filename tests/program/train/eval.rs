@@ -5,7 +5,7 @@ use std::fs;
 use organza::train::metrics::Record;
 use serde_json::Value;
 
-use crate::runs::{TINY, photographs, records, sandbox};
+use super::runs::{TINY, photographs, records, sandbox};
 use crate::sandbox::Sandbox;
 
 /// The names of the views and the mean PSNR that `organza eval` prints.

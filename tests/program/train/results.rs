@@ -5,7 +5,7 @@ use std::fs;
 use organza::train::metrics::Record;
 use roxmltree::{Document, ParsingOptions};
 
-use crate::runs::{TINY, photographs, records, sandbox};
+use super::runs::{TINY, photographs, records, sandbox};
 
 #[test]
 fn held_out_views_come_closer() {

@@ -3,7 +3,7 @@
 //!
 //! The broken kernels are declared here, with the macro of all kernels; the registry of organza has none of them.
 
-#[path = "support/broken.rs"]
+#[path = "../support/broken.rs"]
 mod broken;
 
 use std::process::Command;
@@ -13,8 +13,6 @@ use organza::{Device, DeviceOptions, Error, InstructionSet, Renderer};
 use organza_kernels::invocation::Invocation;
 use organza_kernels::kernel::Dispatch;
 use organza_kernels::memory::{Read, Write};
-// `#[kernel]` writes paths of the crate that kernels are in
-use organza_kernels::{invocation, kernel};
 use organza_tests::{cases, devices};
 
 use broken::*;
@@ -44,7 +42,7 @@ fn checked() -> Device {
 
 /// The line of this crate's broken kernels that has a text.
 fn line(text: &str) -> String {
-    let source = include_str!("support/broken.rs");
+    let source = include_str!("../support/broken.rs");
     let line = source.lines().position(|line| line.contains(text)).expect("a line");
     format!("broken.rs:{}:", line + 1)
 }
@@ -232,10 +230,8 @@ fn the_pipeline_has_no_races() {
 
 /// What [`a_test_that_calls_a_kernel_says_which_invocation_failed`] runs.
 #[test]
+#[ignore = "it fails, and another test looks how"]
 fn calls_a_kernel_that_fails() {
-    if std::env::var_os("ORGANZA_TEST_FAILS").is_none() {
-        return;
-    }
     let input = [1, 2, 3];
     let mut output = [0; 2];
     for x in 0..3 {
@@ -249,8 +245,8 @@ fn calls_a_kernel_that_fails() {
 #[cfg(debug_assertions)]
 fn a_test_that_calls_a_kernel_says_which_invocation_failed() {
     let mut test = Command::new(std::env::current_exe().unwrap());
-    let test = test.args(["--exact", "calls_a_kernel_that_fails", "--nocapture"]);
-    let test = test.env("ORGANZA_TEST_FAILS", "1");
+    let name = "cpu_execution::calls_a_kernel_that_fails";
+    let test = test.args(["--exact", name, "--ignored", "--nocapture"]);
     let message = String::from_utf8(test.output().unwrap().stderr).unwrap();
     assert_contains(
         &message,

@@ -124,7 +124,7 @@ impl Parity for Adam {
         let first = self.params.first_gradient as usize;
         let exact = |index: usize| {
             if output == "gradient" {
-                // what belongs to other groups stays
+                // the kernel leaves the gradients of other groups alone
                 let is_own = index.checked_sub(first).is_some_and(|own| self.is_touched(own));
                 let before = f64::from(*self.gradient.get(index)?);
                 return Some(if is_own { 0.0 } else { before });

@@ -165,9 +165,11 @@ impl Parity for ColorInputs {
             return Bound { scale: 0.0, floor: 0.0 };
         }
         if cpu.name == "input" {
-            // a material is copied, but a GPU may flush it
+            // a material is copied, but a GPU may flush it; band 0 is a constant
             let is_sh = row < self.sh_rows();
-            return Bound::of(if is_sh { 1.0 + f64::from(self.degree) } else { 0.0 });
+            let band = (row as f64).sqrt().floor();
+            let harmonic = if row == 0 { 0.06 } else { 1.0 + band };
+            return Bound::of(if is_sh { harmonic } else { 0.0 });
         }
         let x = cpu.floats()[index].abs();
         let (_, center, _) = self.of(column);
@@ -181,8 +183,8 @@ impl Parity for ColorInputs {
         Bound::of(scale)
     }
 
-    /// Harmonics of band 0 alone, where there is no direction: at the camera, and so far from it that the square of the
-    /// distance is no f32.
+    /// A Gaussian at the camera has no direction, nor has one so far away that the squared distance overflows an f32.
+    /// Then only band 0 is known.
     fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
         let stride = self.stride as usize;
         let mut exact = vec![None; len];

@@ -106,7 +106,7 @@ pub struct MaterialBackward {
 }
 
 impl MaterialBackward {
-    /// The gradient of a pair's material: the network's input has a copy of it, and so has its gradient.
+    /// The gradient of a pair's material.  The network's input is a copy of the material, so this copies its gradient.
     fn of(&self, index: usize) -> Option<f64> {
         let (material, stride) = (self.material as usize, self.stride as usize);
         let (pair, value) = (index / material, index % material);

@@ -75,7 +75,7 @@ impl Layer {
         f64::from(self.input[(input * self.stride + sample) as usize])
     }
 
-    /// An output of a sample before its activation, by the equations (Eq. 2 and 10).
+    /// An output of a sample before the activation, in f64 (Eq. 2 and 10).
     #[must_use]
     pub fn exact(&self, sample: u32, output: u32) -> f64 {
         let inputs = 0..self.inputs;
@@ -84,14 +84,14 @@ impl Layer {
         affine(&weights, self.bias(output), &values)
     }
 
-    /// Row and sample of an element of `[rows, stride]`; none where it belongs to no sample.
+    /// Row and sample of an element of `[rows, stride]`; `None` for padding.
     #[must_use]
     pub fn place(&self, index: usize) -> Option<(u32, u32)> {
         let (row, sample) = (index as u32 / self.stride, index as u32 % self.stride);
         (sample < self.samples).then_some((row, sample))
     }
 
-    /// As [`Layer::place`], of an output of a hidden layer.
+    /// As [`Layer::place`], for the output of a hidden layer.
     #[must_use]
     pub fn output(&self, index: usize) -> Option<(u32, u32)> {
         self.place(index).filter(|&(row, _)| row < 4 * self.columns)

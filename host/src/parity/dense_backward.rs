@@ -137,7 +137,7 @@ impl Parity for DenseBackward {
 
     fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
         let layer = &self.layer;
-        // the other inputs add a constant to the outputs
+        // the other inputs only add a constant
         let loss = |input: u32, sample: u32, [x]: [Dual; 1]| {
             let x = if self.rectified { relu(x) } else { x };
             (0..4 * layer.columns).fold(Dual::from(0.0), |loss, output| {
@@ -152,7 +152,7 @@ impl Parity for DenseBackward {
                 if row >= layer.inputs {
                     return 0.0;
                 }
-                // an activation of 0 was at most that before
+                // ReLU made an activation of 0 from 0 or less, where its slope is 0
                 let [slope] = gradient([layer.value(row, sample)], |x| loss(row, sample, x));
                 slope
             })
@@ -183,7 +183,7 @@ impl DenseWeightBackward {
         self.layer.samples.div_ceil(self.slice).max(1)
     }
 
-    /// Input and output of a weight and the samples that are summed; the input of a bias is behind the last.
+    /// Input and output of a weight, and the samples of its sum.  A bias has the number of inputs as its input.
     fn place(&self, index: usize) -> Option<(u32, u32, Range<u32>)> {
         let layer = &self.layer;
         let (at, parameters) = (index as u32 / 4, layer.parameters.len() as u32);
@@ -265,14 +265,14 @@ impl Parity for DenseWeightBackward {
 
     fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
         let layer = &self.layer;
-        // the other parameters add a constant to the output
+        // the other parameters only add a constant
         let output = |input: u32, sample: u32, parameter: Dual| match input == layer.inputs {
             true => affine(&[], parameter, &[]),
             false => affine(&[parameter], Dual::from(0.0), &[layer.value(input, sample).into()]),
         };
         let exact = |index| {
             let (input, row, samples) = self.place(index)?;
-            // whatever the parameter is: the layer is linear
+            // the layer is linear: any value of the parameter gives the same slope
             let [slope] = gradient([0.0], |[parameter]| {
                 samples.clone().fold(Dual::from(0.0), |loss, sample| {
                     let g = Dual::from(self.output_gradient(row, sample));

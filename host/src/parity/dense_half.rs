@@ -16,7 +16,7 @@ use crate::render::half_vectors;
 /// The smallest half that no driver makes zero of.
 const NORMAL: f64 = 1.0 / 16_384.0;
 
-/// The same output beside another one: that of the weights before they are rounded to halves.
+/// The same output again, compared with that of the weights before their rounding to 16-bit floats.
 const BEFORE_ROUNDING: &str = "output of weights before rounding";
 
 /// Inputs of `dense_half`.
@@ -74,7 +74,7 @@ impl DenseHalf {
         NORMAL * lost + Dense::TOLERANCE * sums * layer.bound(sample, output).scale
     }
 
-    /// What docs/numerics.md says of an output beside the one of the weights before they are rounded.
+    /// The largest difference from the output of the unrounded weights: the bound of docs/numerics.md.
     fn before_rounding(&self, sample: u32, output: u32) -> f64 {
         let layer = &self.full;
         let growth = (1.0 + f64::from(UNIT)).powi(GROUP as i32 + 2) - 1.0;

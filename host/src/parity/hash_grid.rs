@@ -28,7 +28,7 @@ pub struct HashGrid {
     pub points: Vec<[Split; 3]>,
     /// `[entries, features]`
     pub table: Vec<f32>,
-    /// Whether the points' places in all levels are so short in bits that no order of operations rounds them.
+    /// Whether the points' positions in all levels have so few bits that no order of operations rounds them.
     pub is_unrounded: bool,
 }
 
@@ -44,7 +44,7 @@ pub(super) fn grid() -> GridConfig {
     }
 }
 
-/// A point on multiples of `2^-bits`.
+/// A point whose coordinates are multiples of `2^-bits`.
 pub(super) fn unrounded_point(bits: i32, random: &mut Random) -> [Split; 3] {
     let unit = 2_f32.powi(-bits);
     [0; 3].map(|_| Split::new(random.below((1 << bits) + 1) as f32 * unit, 0.0))
@@ -117,11 +117,12 @@ impl HashGrid {
         Self { grid, points: points.to_vec(), table, is_unrounded: false }
     }
 
-    /// Levels of which a driver that regroups knows the places of points as well as any: to the sixteenth of a cell.
+    /// Points at multiples of 1/16 of a cell, in levels whose scales have few bits.
     ///
-    /// Their scales have few bits, and so have the coordinates, in both of their parts.
+    /// Even a driver that regroups operations computes their positions exactly, so wrong weights and corners show in
+    /// levels of every resolution.
     fn unrounded() -> Vec<(String, Self)> {
-        // the last one is as fine as a level may be, and has more than 12 bits' places
+        // the last one is 0.2% below the finest scale; its points have a fine part too
         let scales = [(1.0, 4), (8.0, 7), (64.0, 10), (2048.0, 15), (511.0 * 2048.0, 15)];
         let set = |(scale, bits): (f64, i32), interpolation: Interpolation| {
             let grid = GridConfig {
@@ -288,7 +289,7 @@ mod tests {
     use super::*;
     use crate::parity::exact::hash_grid::{Level, levels};
 
-    /// A mistake that a kernel could make: a corner, by its place among the eight, in the cell of a point.
+    /// A mistake that a kernel could make: the entry and the weight of a corner, from the point's cell and its fractions.
     type Mistake = fn(&Level, [u64; 3], [f64; 3], usize) -> (usize, f64);
 
     fn is_upper(corner: usize) -> [u64; 3] {
@@ -324,8 +325,7 @@ mod tests {
         }),
     ];
 
-    /// How far a mistake is from the equations in a level, as a part of what is allowed where drivers regroup: the most
-    /// over all points.
+    /// The largest error that a mistake causes in a level, as a multiple of the bound for drivers that regroup.
     fn share(set: &HashGrid, level: usize, mistake: Mistake) -> f64 {
         let geometry = levels(&set.grid)[level];
         let features = set.grid.features as usize;
@@ -355,7 +355,7 @@ mod tests {
     #[test]
     fn no_mistake_is_within_what_is_allowed() {
         let sets = HashGrid::unrounded().into_iter().chain(HashGrid::grids());
-        // grids of a cell or two have no axes to tell apart
+        // these grids have too few cells to distinguish the axes; the next test is about the finest
         let left_out = ["finest", "two entries", "half a cell", "one cell"];
         for (name, set) in sets.filter(|(name, _)| !left_out.contains(&name.as_str())) {
             for level in 0..set.grid.levels as usize {
@@ -367,7 +367,7 @@ mod tests {
         }
     }
 
-    /// The levels that the test above leaves out are no finer than one that it looks at.
+    /// The test above checks levels as fine as any.
     #[test]
     fn points_of_few_bits_reach_the_finest_level() {
         let finest = |sets: Vec<(String, HashGrid)>| {

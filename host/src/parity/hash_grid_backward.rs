@@ -30,13 +30,13 @@ pub struct HashGridBackward {
     pub scale: f32,
     /// The largest gradient that is added.
     pub limit: f32,
-    /// Whether all terms are whole numbers of units, however they are computed.
+    /// Whether every device computes the same terms, all of them multiples of the unit.
     pub is_unrounded: bool,
     /// For each value: the sizes of what is added to it, times the unit.
     sizes: Vec<f64>,
 }
 
-/// The smallest normal f32: what lies below may be flushed.
+/// The smallest normal f32: a GPU may flush smaller ones.
 const SMALLEST: f64 = 1.175_494_350_822_287_5e-38;
 
 impl HashGridBackward {
@@ -71,12 +71,13 @@ impl HashGridBackward {
         set
     }
 
-    /// A grid of scale 4 in both of its levels, which are not hashed and hashed.
-    fn grid_of_whole_scale(interpolation: Interpolation) -> GridConfig {
-        GridConfig { levels: 2, base_resolution: 5.0, growth: 1.0, interpolation, ..grid() }
+    /// A grid of scale 4 in both levels, which are dense with 2^9 entries and hashed with 2^6.
+    fn grid_of_whole_scale(interpolation: Interpolation, log2_table: u32) -> GridConfig {
+        let [base_resolution, growth] = [5.0, 1.0];
+        GridConfig { levels: 2, log2_table, base_resolution, growth, interpolation, ..grid() }
     }
 
-    /// Places and gradients of so few bits that every device has the same terms: its sums are those of all others.
+    /// Positions and gradients with so few bits that no term is rounded: all devices must have the same sums.
     fn unrounded() -> Vec<(String, Self)> {
         let mut random = Random::new(19);
         let gradients = |len: usize, random: &mut Random| {
@@ -88,19 +89,23 @@ impl HashGridBackward {
             (0..len).map(|index| of(index, random)).collect::<Vec<_>>()
         };
         // a smoothstep has three times the bits
-        let kinds = [(Interpolation::Linear, 7), (Interpolation::Smoothstep, 4)];
+        let kinds = [
+            (Interpolation::Linear, 9, 7),
+            (Interpolation::Linear, 6, 7),
+            (Interpolation::Smoothstep, 6, 4),
+        ];
         let mut sets: Vec<_> = [1, 63, 64, 65, 1000]
             .into_iter()
             .flat_map(|count| kinds.map(|kind| (count, kind)))
-            .map(|(count, (interpolation, bits))| {
-                let grid = Self::grid_of_whole_scale(interpolation);
+            .map(|(count, (interpolation, log2_table, bits))| {
+                let grid = Self::grid_of_whole_scale(interpolation, log2_table);
                 let points = (0..count).map(|_| unrounded_point(bits, &mut random)).collect();
                 let gradient = gradients(grid.width() * count, &mut random);
                 let set = Self::of(grid, points, gradient, 2_f32.powi(40));
-                (format!("unrounded, {count} points, {interpolation:?}"), set)
+                (format!("unrounded, {count} points, {interpolation:?}, 2^{log2_table}"), set)
             })
             .collect();
-        let grid = Self::grid_of_whole_scale(Interpolation::Linear);
+        let grid = Self::grid_of_whole_scale(Interpolation::Linear, 9);
         let points = vec![unrounded_point(7, &mut random); 777];
         let gradient = (0..grid.width() * 777).map(|at| (at / 777) as f32 + 0.25).collect();
         let set = Self::of(grid, points, gradient, 2_f32.powi(40));
@@ -110,13 +115,13 @@ impl HashGridBackward {
         sets
     }
 
-    /// As many samples as a unit is for, all as large as its limit, with all their weight in one entry.
+    /// The largest sums: as many samples as the unit allows, all with the limit as gradient, all in one entry.
     fn largest() -> Vec<(String, Self)> {
         const SAMPLES: u32 = 4096;
         let of = |bound: f32, sign: f32| {
             let (exponent, limit) = unit(&[bound], SAMPLES);
             let grid = GridConfig { levels: 1, features: 1, base_resolution: 4.0, ..grid() };
-            // a grid point of scale 3
+            // on a grid point, as the scale is 3
             let points = vec![[Split::new(0.5, 0.0); 3]; SAMPLES as usize];
             let gradient = vec![sign * limit; SAMPLES as usize];
             let set = Self { limit, ..Self::of(grid, points, gradient, 2_f32.powi(exponent)) };
@@ -126,12 +131,11 @@ impl HashGridBackward {
         bounds.into_iter().flat_map(|bound| [of(bound, 1.0), of(bound, -1.0)]).collect()
     }
 
-    /// A gradient that is no number, or beyond the limit: all features of its level and point are left out.
+    /// Gradients that are not finite or exceed the limit: the kernel skips the point in that level.
     fn beyond() -> Vec<(String, Self)> {
         let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1.01, -1.01];
         let of = |bad: f32| {
-            let mut set =
-                Self::new(grid(), 100, Fill::Random, Fill::Random, &mut Random::new(20));
+            let mut set = Self::new(grid(), 100, Fill::Random, Fill::Random, &mut Random::new(20));
             set.limit = 1.0;
             set.gradient[130] = bad;
             set.sizes = set.sizes();
@@ -140,8 +144,7 @@ impl HashGridBackward {
         bad.map(of).into()
     }
 
-    /// The gradients of a level's features of a point: none where the level leaves the point out, as one is no number, or
-    /// beyond the limit.
+    /// The gradients of a point's features in a level; `None` if one is not finite or exceeds the limit.
     fn gradients(&self, level: usize, point: usize) -> Option<Vec<f64>> {
         let features = self.grid.features as usize;
         let row = |f: usize| (level * features + f) * self.points.len() + point;
@@ -153,8 +156,8 @@ impl HashGridBackward {
         self.grid.entries() * self.grid.features as usize
     }
 
-    /// The sums in units, `sum_points weight dL/dfeature`: what [`encode`](super::exact::hash_grid::encode) gives of a
-    /// table, taken the other way.  And whether a block of 64 values has been touched.
+    /// The sums in units, `sum_points weight dL/dfeature`, the transpose of
+    /// [`encode`](super::exact::hash_grid::encode), and whether each block of 64 values is touched.
     fn sums(&self) -> (Vec<f64>, Vec<bool>) {
         let features = self.grid.features as usize;
         let mut sums = vec![0.0; self.values()];
@@ -162,7 +165,7 @@ impl HashGridBackward {
         for (index, level) in levels(&self.grid).iter().enumerate() {
             for (point, &place) in self.points.iter().enumerate() {
                 let Some(gradients) = self.gradients(index, point) else { continue };
-                // what a GPU may flush is 0
+                // denormals count as 0: a GPU may flush them
                 let active: Vec<_> =
                     gradients.iter().enumerate().filter(|(_, g)| g.abs() >= SMALLEST).collect();
                 if active.is_empty() {
@@ -360,7 +363,7 @@ impl Parity for HashGridGradient {
                     f64::from(self.gradient[value]) + sum as f64 / f64::from(self.scale)
                 }
                 ("gradient", false) => f64::from(self.gradient[value]),
-                // cleared for the next time
+                // the kernel clears the sums
                 (_, true) => 0.0,
                 (_, false) => f64::from((sum >> (32 * (index % 2))) as u32),
             })

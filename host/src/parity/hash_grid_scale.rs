@@ -21,7 +21,7 @@ fn vectors(fill: Fill, random: &mut Random, len: usize, huge: f32) -> Vec<Vec4> 
     values.as_chunks::<4>().0.iter().map(|&values| Vec4::from_array(values)).collect()
 }
 
-/// Bounds as numbers, without what lies behind them: infinite is what is no number, too.
+/// The first `count` bounds as numbers; NaN counts as infinite.
 fn numbers(bounds: &[u32], count: usize) -> Output {
     let number = |&bits| {
         let number = f32::from_bits(bits);
@@ -30,7 +30,7 @@ fn numbers(bounds: &[u32], count: usize) -> Output {
     Output::float("bound", bounds[..count].iter().map(number))
 }
 
-/// What is no number, and must not get lost.
+/// Values that must not get lost.
 const NO_NUMBERS: [f32; 3] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
 
 /// Inputs of `hash_grid_peak`.
@@ -149,7 +149,7 @@ impl Parity for HashGridNorm {
         Bound { scale: outputs * cpu.floats()[index].abs(), floor: outputs * f64::from(TINY) }
     }
 
-    /// `max_i sum_o |W[o, i]|`; the other layers' bounds stay.
+    /// `max_i sum_o |W[o, i]|`; the bounds of other layers stay 0.
     fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
         let weights = self.parameters[BEFORE as usize..].chunks_exact(self.columns as usize);
         let sum = |input: &[Vec4]| {
@@ -220,8 +220,7 @@ impl Parity for HashGridScale {
         ])
     }
 
-    /// The unit, its inverse and the limit as bits: where a bound is no number, nothing is within the limit, whatever the
-    /// unit is.
+    /// The bits of the unit, its inverse and the limit.  If a bound is not finite, the limit is 0 and the unit is not used.
     fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
         let is_finite = self.bound.iter().all(|bound| bound.is_finite());
         let bits = |x: f32| Some(f64::from(x.to_bits()));

@@ -54,7 +54,7 @@ pub struct Terms {
 }
 
 impl Terms {
-    /// d and s of a pixel's channel; none where it is masked.
+    /// d and s of a pixel's channel; `None` for masked pixels.
     #[must_use]
     pub fn of(&self, pixel: usize, channel: usize) -> Option<[f64; 2]> {
         let is_valid = self.difference[pixel].w > 0.0;
@@ -322,7 +322,7 @@ impl Parity for LossGradient {
         Bound { scale: ssim * (slope(0) + d * slope(1) + s * slope(2)) + absolute, floor }
     }
 
-    /// The slopes are those of windows by their sums of 1, d and s: a pixel adds its own to the windows around it.
+    /// A pixel adds w (1, d, s) to the windows around it, and the slopes belong to those sums.
     fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
         let side = self.terms.side as usize;
         let area = side * side;

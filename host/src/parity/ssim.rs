@@ -234,7 +234,7 @@ impl Parity for SsimColumns {
         Bound { scale, floor: 1e6 * f64::from(TINY) }
     }
 
-    /// A pixel of a window adds w (1, d, s, d^2, s^2) to its sums, and its x enters d and s alike.
+    /// A pixel of a window adds w (1, d, s, d^2, s^2) to its sums, and x enters d and s alike.
     fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
         let values = if output == "slopes" { 4 * SLOPES as usize } else { 1 };
         let exact = |index: usize| {
@@ -308,7 +308,7 @@ impl Parity for SsimRowsBackward {
         Bound { scale: tap_sum(column, side, size), floor }
     }
 
-    /// The window is symmetric: what it takes from a pixel it gives back.
+    /// The transpose of a symmetric window is the window itself.
     fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
         let side = self.side as usize;
         let exact = |index: usize| {

@@ -162,7 +162,7 @@ impl Parity for TransmittanceInputs {
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
         let (row, column) = (index / self.stride as usize, index % self.stride as usize);
-        // rows of the grid's and of nothing lie around the extra vector
+        // the rows before and after the extra vector belong to others
         let is_written = cpu.name != "input" || (1..3).contains(&row);
         if column >= self.samples as usize || !is_written {
             return Bound { scale: 0.0, floor: 0.0 };
@@ -360,11 +360,12 @@ impl Parity for SegmentProduct {
     }
 
     fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let product = |pair| transmittance(self.of(pair).iter().map(|&x| f64::from(x)).sum::<f64>());
+        let product =
+            |pair| transmittance(self.of(pair).iter().map(|&x| f64::from(x)).sum::<f64>());
         (0..len).map(|pair| (pair + 1 < self.first_sample.len()).then(|| product(pair))).collect()
     }
 
-    /// The sum of 16,384 logarithms in f32 is another one than in f64, on every device.
+    /// Wider than between devices: all of them round a sum of 16,384 logarithms in the same way, and f64 does not.
     fn exact_bound(&self, exact: &Output, index: usize, _: Rounding) -> Bound {
         self.bound(exact, index, Rounding::Regrouped)
     }

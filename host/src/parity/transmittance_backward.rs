@@ -155,7 +155,7 @@ impl Parity for SegmentProductBackward {
             (sample < self.chunk.samples as usize).then(|| {
                 let pair = self.chunk.owner(sample);
                 let of_pair = Dual::from(f64::from(self.gradient[3 * pair].w));
-                // the logarithm of the pair's other samples is part of the sum
+                // a sample's logarithm is a term of the sum
                 let sum = f64::from(self.transmittance[pair]).ln().max(-745.0);
                 let [slope] = gradient([sum], |[sum]| of_pair * transmittance(sum));
                 slope

@@ -1,6 +1,6 @@
 //! Adam (Kingma and Ba 2015, Algorithm 1).
 
-/// What a step depends on.
+/// The constants of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Step {
     /// `alpha / (1 - beta1^t)`
@@ -14,7 +14,7 @@ pub struct Step {
 }
 
 impl Step {
-    /// m, v and the value behind a step, from its gradient and those before.
+    /// Takes a step: returns the new m, v and value.
     #[must_use]
     pub fn take(&self, gradient: f64, [m, v, value]: [f64; 3]) -> [f64; 3] {
         let [beta1, beta2] = self.decay;

@@ -30,13 +30,13 @@ pub fn levels(grid: &GridConfig) -> Vec<Level> {
 }
 
 impl Level {
-    /// A point's place in units of cells, its coordinates limited to 0 to 1 first.
+    /// A point's position in cells; its coordinates are clamped to 0 to 1 first.
     #[must_use]
     pub fn place(&self, point: [f64; 3]) -> [f64; 3] {
         point.map(|x| x.clamp(0.0, 1.0) * self.scale + 0.5)
     }
 
-    /// The entry of a grid point, counted from the table's begin.
+    /// The entry of a grid point, counted from the start of the table.
     #[must_use]
     pub fn entry(&self, [x, y, z]: [u64; 3]) -> usize {
         let u32s = |x: u64| x & u64::from(u32::MAX);
@@ -65,7 +65,7 @@ impl Level {
     }
 }
 
-/// The features of a point in a grid whose table is `[entries, features]`: level by level.
+/// The features of a point, level by level.  The table is `[entries, features]`.
 #[must_use]
 pub fn encode(grid: &GridConfig, table: &[f32], point: [f64; 3]) -> Vec<f64> {
     let features = grid.features as usize;

@@ -1,4 +1,4 @@
-//! The unit of the hash grids' gradient: what docs/numerics.md says of it.
+//! The unit of the hash grids' gradient, as docs/numerics.md defines it.
 
 /// A bound of |dL/dlogit| of a color (Eq. 3): a sigmoid's slope is at most 1/4.
 #[must_use]
@@ -12,20 +12,20 @@ pub fn transmittance_bound(gradient: f64, transmittance: f64) -> f64 {
     largest([gradient * transmittance])
 }
 
-/// The largest size of numbers: infinite where one of them is infinite or NaN.
+/// The largest absolute value; infinite if a value is infinite or NaN.
 #[must_use]
 pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     let larger = |most: f64, x: f64| if x.is_finite() { most.max(x.abs()) } else { f64::INFINITY };
     values.into_iter().fold(0.0, larger)
 }
 
-/// The unit, as the exponent of a power of two, and the largest gradient that may be added.
+/// The exponent of the unit, a power of two, and the limit: the largest gradient that can be added.
 ///
-/// With 2^e above the product of the bounds (and 1% more: rounding) and 2^b the next power of two of the samples, it is
-/// `2^(62 - e - b)`, and 2^126 at most; the limit is the f32 before 2^e.  e is -125 to 128.
+/// 2^e is the next power of two above the product of the bounds, plus 1% for rounding, with e from -125 to 128.  2^b is the
+/// next power of two of the samples.  The unit is `2^(62 - e - b)`, at most 2^126, and the limit is the f32 before 2^e.
 #[must_use]
 pub fn unit(bounds: &[f32], samples: u32) -> (i32, f32) {
-    // what lies below 2^-126 is taken for more than it is: half of what its bits are of the next binade
+    // a denormal counts as up to 2^-126: the bits of its mantissa after a leading 1, at 2^-127
     let logarithm = |&bound: &f32| {
         let bound = f64::from(bound);
         let smallest = 2_f64.powi(-126);

@@ -1,6 +1,6 @@
-//! What a rendered batch has missed (Kerbl et al. 2023, Eq. 7).
+//! The loss of a rendered batch (Kerbl et al. 2023, Eq. 7).
 
-/// `(|d|, 1 - SSIM, d^2, m)` of a pixel with the differences d of its channels; 1 - SSIM is their sum already.
+/// `(|d|, 1 - SSIM, d^2, m)` of a pixel, summed over its channels; d is the difference of the images.
 #[must_use]
 pub fn sums(d: [f64; 3], dissimilarity: f64, valid: f64) -> [f64; 4] {
     let sum = |of: fn(f64) -> f64| d.into_iter().map(of).sum::<f64>();
@@ -13,7 +13,7 @@ pub fn mean(absolute: f64, dissimilarity: f64, valid: f64, weight: f64) -> f64 {
     ((1.0 - weight) * absolute + weight * dissimilarity) / (3.0 * valid)
 }
 
-/// d|d|/dd: 0 at 0, and where an f32 is so small that a GPU may take it for 0.
+/// The derivative of |d|: 0 at 0, and for denormals, which a GPU may flush to 0.
 #[must_use]
 pub fn sign(d: f64) -> f64 {
     if d.abs() < 2_f64.powi(-126) { 0.0 } else { d.signum() }

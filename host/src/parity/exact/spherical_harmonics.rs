@@ -55,8 +55,7 @@ mod tests {
         values
     }
 
-    /// The addition theorem, which holds whatever their order in a band: `sum_m Y_lm(a) Y_lm(b) = (2l + 1) / 4 pi
-    /// P_l(a . b)`; and the order and the signs of band 1.
+    /// The addition theorem, `sum_m Y_lm(a) Y_lm(b) = (2l + 1) / 4 pi P_l(a . b)`, and the order and signs of band 1.
     #[test]
     fn harmonics_add_up() {
         const DEGREE: u32 = 7;

@@ -20,7 +20,7 @@ fn the_cpu_agrees_with_itself_to_the_bit() {
 
 #[test]
 fn every_gpu_has_a_table() {
-    if devices::all().len() == 1 {
+    if !devices::has_gpu() {
         return;
     }
     let outcome = Sandbox::new("tiny").run("parity").assert_ok();

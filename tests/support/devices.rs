@@ -20,3 +20,12 @@ pub fn all() -> Vec<(&'static str, Device)> {
 pub fn variants() -> Vec<(&'static str, [Device; 2])> {
     organza_check::devices::variants(&MODULES)
 }
+
+/// Whether there is a GPU; says so where there is none.
+///
+/// # Panics
+/// As [`all`].
+#[must_use]
+pub fn has_gpu() -> bool {
+    all().len() > 1
+}

@@ -13,6 +13,7 @@ pub mod count;
 pub mod dense;
 pub mod dense_backward;
 pub mod dense_half;
+pub mod exact;
 pub mod hash_grid;
 pub mod hash_grid_backward;
 pub mod hash_grid_half;

@@ -1,6 +1,7 @@
 //! What a kernel's case is, and how it is measured.
 
 use super::bench::Bench;
+use super::hold::hold;
 use super::measure::{Bound, Measure, Output};
 use organza_device::{Device, Result};
 
@@ -14,6 +15,10 @@ pub trait Parity: Sized + 'static {
     const WHY: &'static str;
     /// Whether it computes with halves: a GPU that [does not](Device::computes_halves) leaves it out.
     const NEEDS_HALVES: bool = false;
+    /// The least part of each output's written elements that [`Parity::exact`] gives, over all sets.
+    ///
+    /// A case with less says why beside it.
+    const COMPARED: f64 = 0.9;
 
     /// The sets, each with a name.
     fn sets() -> Vec<(String, Self)>;
@@ -28,6 +33,21 @@ pub trait Parity: Sized + 'static {
     fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
         let _ = rounding;
         Bound::of(cpu.floats()[index].abs())
+    }
+
+    /// What the equations give in f64 for the `len` elements of an output; `None` where they say nothing: padding,
+    /// what the kernel leaves alone, where rounding decides.  They say nothing of elements behind the last, either.
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+        let _ = output;
+        vec![None; len]
+    }
+
+    /// How far a device's element may be from `exact`: mostly as far as from the CPU's.
+    ///
+    /// It is wider only where the kernel's own roundings, the same on all devices, are larger than what devices
+    /// differ by.
+    fn exact_bound(&self, exact: &Output, index: usize, rounding: Rounding) -> Bound {
+        self.bound(exact, index, rounding)
     }
 }
 
@@ -49,8 +69,11 @@ pub struct Case {
     pub tolerance: f64,
     /// See [`Parity::WHY`].
     pub why: &'static str,
+    /// See [`Parity::COMPARED`].
+    pub compared: f64,
     needs_halves: bool,
     measure: fn(&Device, &Device, Rounding) -> Result<Measure>,
+    hold: fn(&Device, Rounding) -> Result<Measure>,
 }
 
 impl Case {
@@ -61,8 +84,10 @@ impl Case {
             kernel: P::KERNEL,
             tolerance: P::TOLERANCE,
             why: P::WHY,
+            compared: P::COMPARED,
             needs_halves: P::NEEDS_HALVES,
             measure: measure::<P>,
+            hold: hold::<P>,
         }
     }
 
@@ -85,6 +110,16 @@ impl Case {
     /// What a device runs into.
     pub fn measure(&self, cpu: &Device, device: &Device, rounding: Rounding) -> Result<Measure> {
         (self.measure)(cpu, device, rounding)
+    }
+
+    /// Runs all sets on a device and compares with the equations in f64, within the case's own bound.
+    ///
+    /// [`Measure::values`] is the number of elements that the equations speak of.
+    ///
+    /// # Errors
+    /// What the device runs into.
+    pub fn hold(&self, device: &Device, rounding: Rounding) -> Result<Measure> {
+        (self.hold)(device, rounding)
     }
 }
 

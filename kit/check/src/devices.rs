@@ -1,5 +1,6 @@
 //! The devices that tests run on.
 
+use crate::skip::skip;
 use organza_device::{Device, DeviceOptions, Error, InstructionSet, Modules, SpirvPath};
 
 /// A CPU runs no modules.
@@ -25,7 +26,7 @@ pub fn all(modules: &'static Modules) -> Vec<(&'static str, Device)> {
                 let required =
                     std::env::var_os("ORGANZA_REQUIRE_GPU").is_some_and(|value| value != "0");
                 assert!(!required, "ORGANZA_REQUIRE_GPU is set, but {name}: {reason}");
-                eprintln!("skipped {name}: {reason}");
+                skip(name, &reason);
             }
             Err(error) => panic!("{name}: {error}"),
         }

@@ -3,9 +3,11 @@
 pub mod bench;
 pub mod case;
 pub mod devices;
+mod hold;
 pub mod inputs;
 pub mod measure;
 pub mod report;
+pub mod skip;
 #[cfg(feature = "snapshots")]
 pub mod snapshot;
 

@@ -1,5 +1,7 @@
 //! How far a device's outputs are from the CPU's.
 
+use std::collections::BTreeMap;
+
 use organza_kernel::math::TINY;
 use serde::Serialize;
 
@@ -102,6 +104,10 @@ pub struct Measure {
     pub values: usize,
     /// Values that are further off than allowed.
     pub failures: usize,
+    /// Of each output that is held to the equations: elements that they speak of, and those that the kernel has
+    /// written.
+    #[serde(skip)]
+    pub compared: BTreeMap<&'static str, [usize; 2]>,
 }
 
 impl Measure {

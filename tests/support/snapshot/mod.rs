@@ -2,7 +2,6 @@
 
 pub mod exact;
 pub mod generator;
-pub mod harmonics;
 
 pub use organza_check::snapshot::{compare, picture, report, tensors};
 

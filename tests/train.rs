@@ -6,6 +6,8 @@ mod bits;
 mod endings;
 #[path = "train/eval.rs"]
 mod eval;
+#[path = "train/hook.rs"]
+mod hook;
 #[path = "train/memory.rs"]
 mod memory;
 #[path = "train/mistakes.rs"]

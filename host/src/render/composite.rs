@@ -14,9 +14,9 @@ use organza_kernels::splat::{
 };
 use organza_kernels::tile_cells::{TileCellsKernel, TileCellsParams};
 
-use super::DeviceScene;
 use super::bin::Bins;
 use super::plan::words;
+use super::scene::DeviceScene;
 use crate::backend::{Buffer, Device};
 use crate::error::{Error, Result};
 
@@ -47,7 +47,7 @@ impl Composite {
             params: SplatParams { pairs: room, gaussians: scene.gaussians },
             pair: &pairs.pair,
             projection: &pairs.projection,
-            opacity: &scene.opacity,
+            opacity: &scene.tensors.gaussians.opacity,
             transmittance,
             color,
             splat: &splat,
@@ -130,7 +130,7 @@ impl Composite {
             first_tile: &bins.first_tile,
             tile_mask: &bins.tile_mask.bits,
             first_member: &bins.tile_mask.first,
-            opacity: &scene.opacity,
+            opacity: &scene.tensors.gaussians.opacity,
             transmittance,
             member_gradient: &member_gradient,
             pair_gradient: &pair_gradient,

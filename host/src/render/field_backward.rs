@@ -11,8 +11,9 @@ use organza_kernels::dense_backward::{
 use organza_kernels::limits::{MAX_SLICE, MAX_SLICES};
 
 use super::block::{BlockOf, Chunk, Layout};
-use super::field::{DeviceField, LayerPlace};
+use super::field::DeviceField;
 use super::gradient::FieldGradient;
+use super::network::LayerPlace;
 use crate::backend::{Buffer, Device};
 use crate::error::Result;
 

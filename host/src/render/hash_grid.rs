@@ -158,9 +158,12 @@ impl HashGridGradient {
 
 #[cfg(test)]
 mod tests {
+    use std::borrow::Cow;
+
     use super::*;
     use crate::backend::DeviceOptions;
-    use crate::render::UploadOptions;
+    use crate::render::packed::pack_field;
+    use crate::render::upload::UploadOptions;
     use crate::scene::{Field, GridConfig, Interpolation, Layer, Network};
 
     /// A grid with a network of two inputs, one hidden layer and one output.
@@ -182,7 +185,9 @@ mod tests {
         let network = Network { layers: vec![layer(4, 3), layer(3, 1)] };
         let table = vec![0.0; grid.entries() * 2];
         let (field, options) = (Field { grid: table, network }, UploadOptions::default());
-        DeviceField::upload(device, &grid, &field, options, "color").expect("a field")
+        let upload = |name, values: Cow<'_, [f32]>| device.upload(name, &values);
+        let tensors = pack_field(&field).try_map(["grid", "network"], upload).expect("memory");
+        DeviceField::new(device, "color", &grid, &field, &tensors, options).expect("a field")
     }
 
     #[test]

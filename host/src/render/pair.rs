@@ -2,9 +2,9 @@
 
 use organza_kernels::pair::{PairSumKernel, PairSumParams};
 
-use super::DeviceScene;
 use super::bin::Mask;
 use super::plan::words;
+use super::scene::DeviceScene;
 use crate::backend::{Buffer, Device};
 use crate::error::Result;
 

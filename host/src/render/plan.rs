@@ -3,7 +3,7 @@
 use organza_kernels::limits::{MAX_CAMERAS, MAX_TILES};
 use organza_kernels::tile::Tile as KernelTile;
 
-use super::DeviceScene;
+use super::scene::DeviceScene;
 use crate::backend::Device;
 use crate::error::{Error, Result};
 use crate::tile::{Tile, TileBatch};

@@ -11,13 +11,8 @@ use organza_tests::{cases, devices};
 fn repeated(times: usize) -> (Case, Scene) {
     let case = Case::load(&cases::folder().join("basic"));
     let mut scene = case.scene.clone();
-    let gaussians = &mut scene.gaussians;
-    gaussians.position = gaussians.position.repeat(times);
-    gaussians.rotation = gaussians.rotation.repeat(times);
-    gaussians.log_scale = gaussians.log_scale.repeat(times);
-    gaussians.opacity = gaussians.opacity.repeat(times);
-    gaussians.material = gaussians.material.repeat(times);
-    gaussians.extra = gaussians.extra.repeat(times);
+    let all: Vec<_> = (0..scene.gaussians.len()).collect();
+    scene.gaussians = scene.gaussians.select(&all.repeat(times));
     (case, scene)
 }
 

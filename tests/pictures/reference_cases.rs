@@ -116,7 +116,7 @@ fn gradients_are_those_of_the_reference() {
             .gradient(scene, &case.cameras, &case.tiles, grad_output)
             .expect("there is a gradient");
         for (tensor, found) in gradient.tensors() {
-            let name = format!("grad.{}", tensor.name());
+            let name = format!("grad.{}", tensor.name);
             let expected = if found.is_empty() { &[] } else { case.expected(&name) };
             let what = format!("{}, {name} on {backend}", case.name);
             let relative = difference(found, expected).relative;

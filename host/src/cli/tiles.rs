@@ -109,12 +109,8 @@ fn read_grad_output(path: &Path, batch: &TileBatch) -> Result<Vec<f32>> {
 }
 
 fn write_gradient(gradient: Scene, path: &Path) -> Result<()> {
-    let specs = gradient.config.tensors(gradient.gaussians.len());
-    let names: Vec<_> = specs.iter().map(|spec| format!("grad.{}", spec.name)).collect();
-    let tensors = specs.iter().zip(&names).zip(gradient.tensors());
-    let tensors: Vec<_> = tensors
-        .map(|((spec, name), (_, data))| TensorRef { name, shape: &spec.shape, data })
-        .collect();
+    let tensors = gradient.tensors_with_prefix("grad.");
+    let tensors: Vec<_> = tensors.iter().map(|(spec, data)| spec.of(data)).collect();
     write_tensors(path, &tensors, &[])
 }
 

@@ -218,12 +218,14 @@ fn show(event: Event<'_>, bar: &Progress, console: Console) {
             bar.restart_clock();
             console.note(&format!("continuing after step {step}"));
         }
-        Event::Step { step, seconds, report, gaussians } => {
+        Event::Step { step, seconds, report, scene } => {
             let speed = f64::from(step) * report.tiles as f64 / seconds.max(1e-9);
             bar.set(step as usize);
             bar.say(&format!(
-                "loss {:.4}, PSNR {:.1} dB, {speed:.0} tiles/s, {gaussians} Gaussians",
-                report.loss, report.psnr
+                "loss {:.4}, PSNR {:.1} dB, {speed:.0} tiles/s, {} Gaussians",
+                report.loss,
+                report.psnr,
+                scene.len()
             ));
         }
         Event::Evaluating => bar.say("measuring the held-out views"),

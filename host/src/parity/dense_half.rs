@@ -41,7 +41,7 @@ impl DenseHalf {
         let most = Vec4::splat(MAX_WEIGHTS / GROUP as f32);
         let weights = &mut full.parameters[place.clone()];
         weights.iter_mut().for_each(|weight| *weight = weight.clamp(-most, most));
-        let halves = half_vectors(weights);
+        let halves = half_vectors(bytemuck::cast_slice(weights));
         let mut rounded = full.clone();
         let numbers = halves.iter().map(|vector| Vec4::from_array(vector.values()));
         rounded.parameters.splice(place.clone(), numbers);

@@ -2,11 +2,14 @@
 
 use std::sync::atomic::Ordering;
 
+use super::gradient::SceneGradient;
+use super::loss::{Loss, LossInputs, TileLoss};
 use super::part::Part;
 use super::plan::{Plan, PlannedTile};
 use super::project::project_backward;
+use super::renderer::Renderer;
+use super::scene::DeviceScene;
 use super::tally::Room;
-use super::{DeviceScene, Loss, LossInputs, Renderer, SceneGradient, TileLoss};
 use crate::camera::Camera;
 use crate::error::{Error, Result};
 use crate::scene::Scene;

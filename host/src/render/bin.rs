@@ -10,9 +10,9 @@ use organza_shaders::tile::{
     TileRangeParams,
 };
 
-use super::DeviceScene;
 use super::plan::{Plan, words};
 use super::scan::exclusive_scan;
+use super::scene::DeviceScene;
 use super::tally::{Room, Tally};
 use crate::camera::Camera;
 use organza_device::Result;
@@ -89,9 +89,9 @@ pub fn project(
     let kernel = ProjectKernel {
         params: ProjectParams { gaussians: scene.gaussians, blur: scene.config.blur as f32 },
         camera: &camera,
-        position: &scene.position,
-        rotation: &scene.rotation,
-        log_scale: &scene.log_scale,
+        position: &scene.tensors.gaussians.position,
+        rotation: &scene.tensors.gaussians.rotation,
+        log_scale: &scene.tensors.gaussians.log_scale,
         projection: &projection,
         degenerate: &degenerate,
     };

@@ -11,13 +11,13 @@ use organza_shaders::color_backward::{
     MaterialBackwardParams,
 };
 
-use super::DeviceScene;
 use super::bin::{Mask, Pairs};
 use super::block::{BlockOf, Blocks, Chunk};
 use super::field::Scratch;
 use super::field_backward::{ChunkScratch, GroupScratch};
 use super::gradient::SceneGradient;
 use super::pair::sum_pairs;
+use super::scene::DeviceScene;
 use organza_device::Result;
 use organza_device::{Buffer, Device};
 
@@ -101,8 +101,8 @@ fn inputs(device: &Device, scene: &DeviceScene, pairs: &Pairs, chunk: &Chunk) ->
         pair: &pairs.pair,
         camera: &pairs.camera,
         scene_box: &scene.scene_box,
-        position: &scene.position,
-        material: &scene.material,
+        position: &scene.tensors.gaussians.position,
+        material: &scene.tensors.gaussians.material,
         point: &chunk.point,
         input: &chunk.input,
     };
@@ -151,7 +151,14 @@ impl Color {
             }
         }
         table.finish(device)?;
-        sum_pairs(device, scene, mask, material, &pair_material, &gradient.material)
+        sum_pairs(
+            device,
+            scene,
+            mask,
+            material,
+            &pair_material,
+            &gradient.tensors().gaussians.material.buffer,
+        )
     }
 
     /// The gradient of the network's outputs for a chunk of pairs.

@@ -12,9 +12,9 @@ use organza_shaders::splat::{
 };
 use organza_shaders::tile_cells::{TileCellsKernel, TileCellsParams};
 
-use super::DeviceScene;
 use super::bin::Bins;
 use super::plan::words;
+use super::scene::DeviceScene;
 use organza_device::{Buffer, Device};
 use organza_device::{Error, Result};
 
@@ -45,7 +45,7 @@ impl Composite {
             params: SplatParams { pairs: room, gaussians: scene.gaussians },
             pair: &pairs.pair,
             projection: &pairs.projection,
-            opacity: &scene.opacity,
+            opacity: &scene.tensors.gaussians.opacity,
             transmittance,
             color,
             splat: &splat,
@@ -126,7 +126,7 @@ impl Composite {
             first_tile: &bins.first_tile,
             tile_mask: &bins.tile_mask.bits,
             first_member: &bins.tile_mask.first,
-            opacity: &scene.opacity,
+            opacity: &scene.tensors.gaussians.opacity,
             transmittance,
             member_gradient: &member_gradient,
             pair_gradient: &pair_gradient,

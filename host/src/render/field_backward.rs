@@ -9,8 +9,9 @@ use organza_shaders::dense_backward::{
 use organza_shaders::limits::{MAX_SLICE, MAX_SLICES};
 
 use super::block::{BlockOf, Chunk, Layout};
-use super::field::{DeviceField, LayerPlace};
+use super::field::DeviceField;
 use super::gradient::FieldGradient;
+use super::network::LayerPlace;
 use organza_device::Result;
 use organza_device::{Buffer, Device};
 

@@ -153,8 +153,11 @@ impl HashGridGradient {
 
 #[cfg(test)]
 mod tests {
+    use std::borrow::Cow;
+
     use super::*;
-    use crate::render::UploadOptions;
+    use crate::render::packed::pack_field;
+    use crate::render::upload::UploadOptions;
     use crate::scene::{Field, GridConfig, Interpolation, Layer, Network};
     use organza_device::DeviceOptions;
 
@@ -177,7 +180,9 @@ mod tests {
         let network = Network { layers: vec![layer(4, 3), layer(3, 1)] };
         let table = vec![0.0; grid.entries() * 2];
         let (field, options) = (Field { grid: table, network }, UploadOptions::default());
-        DeviceField::upload(device, &grid, &field, options, "color").expect("a field")
+        let upload = |name, values: Cow<'_, [f32]>| device.upload(name, &values);
+        let tensors = pack_field(&field).try_map(["grid", "network"], upload).expect("memory");
+        DeviceField::new(device, "color", &grid, &field, &tensors, options).expect("a field")
     }
 
     #[test]

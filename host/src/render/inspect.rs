@@ -10,8 +10,10 @@ use super::bin::{Pairs, project};
 use super::color::Color;
 use super::part::Part;
 use super::plan::{PART_BYTES, Plan};
+use super::renderer::Renderer;
+use super::scene::DeviceScene;
 use super::transmittance::Transmittance;
-use super::{DeviceScene, Renderer};
+
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::tile::{Tile, TileBatch};
@@ -154,7 +156,7 @@ impl Renderer {
         let color = device.read(&part.color.color)?;
         let (color, _) = color.as_chunks::<3>();
         let splat = device.read(&part.composite.splat)?;
-        let opacity = device.read(&scene.opacity)?;
+        let opacity = device.read(&scene.tensors.gaussians.opacity)?;
         let center = pixel_center(&KernelTile { camera: 0, origin: pixel, output: 0 }, 0, 0);
 
         let mut sum = Vec4::ZERO;

@@ -2,9 +2,9 @@
 
 use organza_shaders::pair::{PairSumKernel, PairSumParams};
 
-use super::DeviceScene;
 use super::bin::Mask;
 use super::plan::words;
+use super::scene::DeviceScene;
 use organza_device::Result;
 use organza_device::{Buffer, Device};
 

@@ -3,7 +3,7 @@
 use organza_shaders::limits::{MAX_CAMERAS, MAX_TILES};
 use organza_shaders::tile::Tile as KernelTile;
 
-use super::DeviceScene;
+use super::scene::DeviceScene;
 use crate::tile::{Tile, TileBatch};
 use organza_device::Device;
 use organza_device::{Error, Result};

@@ -1,9 +1,11 @@
 //! A part whose numbers stay on the device, beside one that the host knows all about.
 
+use super::gradient::SceneGradient;
 use super::part::Part;
 use super::plan::{PART_BYTES, Plan};
+use super::renderer::Renderer;
+use super::scene::DeviceScene;
 use super::tally::{Needed, Room};
-use super::{DeviceScene, Renderer, SceneGradient};
 use crate::camera::Camera;
 use crate::demo;
 use crate::error::{DeviceError, Error};
@@ -34,18 +36,9 @@ fn tiles() -> TileBatch {
 
 /// Every eighth Gaussian of the built-in scene.
 fn some() -> Scene {
-    fn some_of<T: Copy>(values: &mut Vec<T>, width: usize) {
-        *values = values.chunks_exact(width.max(1)).step_by(8).flatten().copied().collect();
-    }
     let mut scene = demo::scene();
-    let (material, extra) = (scene.config.material as usize, scene.config.extra as usize);
-    let gaussians = &mut scene.gaussians;
-    some_of(&mut gaussians.position, 1);
-    some_of(&mut gaussians.rotation, 1);
-    some_of(&mut gaussians.log_scale, 1);
-    some_of(&mut gaussians.opacity, 1);
-    some_of(&mut gaussians.material, material);
-    some_of(&mut gaussians.extra, extra);
+    let indices: Vec<_> = (0..scene.gaussians.len()).step_by(8).collect();
+    scene.gaussians = scene.gaussians.select(&indices);
     scene
 }
 
@@ -67,14 +60,10 @@ fn evaluate(
     let image = &part.composite.image;
     part.backward(device, scene, plan.side, image, &gradient).expect("a gradient");
     let (_, needed) = part.read(device, Vec::new()).expect("counts");
-    let mut values = vec![bits(device, image), bits(device, &gradient.gaussians)];
-    values.push(bits(device, &gradient.statistics));
-    values.push(bits(device, &gradient.material));
-    values.push(bits(device, &gradient.extra));
-    for field in [&gradient.color, &gradient.transmittance] {
-        values.push(bits(device, &field.parameters));
-        values.push(bits(device, &field.table.gradient));
-        values.push(bits(device, &field.table.touched));
+    let mut values = vec![bits(device, image), bits(device, &gradient.statistics)];
+    for (_, tensor) in gradient.tensors().iter() {
+        values.push(bits(device, &tensor.buffer));
+        values.extend(tensor.touched.as_ref().map(|touched| bits(device, touched)));
     }
     (values, needed)
 }

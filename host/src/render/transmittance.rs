@@ -14,7 +14,6 @@ use organza_shaders::transmittance_backward::{
     SegmentProductBackwardParams, TransmittanceHeadBackwardKernel,
 };
 
-use super::DeviceScene;
 use super::bin::{Bins, Pairs};
 use super::block::{BlockOf, Blocks, Chunk, Layout};
 use super::field::{DeviceField, Scratch};
@@ -22,6 +21,7 @@ use super::field_backward::{ChunkScratch, GroupScratch};
 use super::gradient::SceneGradient;
 use super::pair::sum_pairs;
 use super::scan::exclusive_scan;
+use super::scene::DeviceScene;
 use organza_device::{Buffer, Count, Device};
 use organza_device::{Error, Result};
 
@@ -63,7 +63,7 @@ impl Transmittance {
             pair: &pairs.pair,
             camera: &pairs.camera,
             scene_box: &scene.scene_box,
-            position: &scene.position,
+            position: &scene.tensors.gaussians.position,
             segment: &segment,
             count: &count,
         };
@@ -178,7 +178,7 @@ fn inputs(
         pair: &pairs.pair,
         first_sample,
         segment,
-        extra: &scene.extra,
+        extra: &scene.tensors.gaussians.extra,
         point: &chunk.point,
         input: &chunk.input,
     };
@@ -240,7 +240,14 @@ impl Transmittance {
             }
         }
         table.finish(device)?;
-        sum_pairs(device, scene, &bins.pair_mask, extra, &pair_extra, &gradient.extra)
+        sum_pairs(
+            device,
+            scene,
+            &bins.pair_mask,
+            extra,
+            &pair_extra,
+            &gradient.tensors().gaussians.extra.buffer,
+        )
     }
 
     /// The gradient of the network's output for a chunk of samples.

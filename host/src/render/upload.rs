@@ -1,6 +1,14 @@
 //! How a scene lies on a device, and what cannot lie there so.
 
-use super::{DeviceScene, Renderer};
+use std::borrow::Cow;
+
+use organza_shaders::resolve::DIVIDE_ABOVE;
+use organza_shaders::unit_cube::SceneBox;
+
+use super::field::DeviceField;
+use super::packed::{pack, upload};
+use super::renderer::Renderer;
+use super::scene::DeviceScene;
 use crate::error::{Error, IN_MEMORY, Result};
 use crate::scene::Scene;
 
@@ -18,16 +26,50 @@ pub struct UploadOptions {
 }
 
 impl Renderer {
+    /// Copies a scene to the device, as it is; [`Renderer::upload_with`] has choices.
+    ///
+    /// # Errors
+    /// What [`Scene::validate`] finds, and [`Error::OutOfMemory`].
+    pub fn upload(&self, scene: &Scene) -> Result<DeviceScene> {
+        self.upload_with(scene, UploadOptions::default())
+    }
+
     /// As [`Renderer::upload`], with choices that are for rendering alone.
     ///
     /// # Errors
     /// As [`Renderer::upload`]; [`Error::Invalid`] where [`UploadOptions`] says that it is refused.
     pub fn upload_with(&self, scene: &Scene, options: UploadOptions) -> Result<DeviceScene> {
         scene.validate()?;
+        let (device, config) = (self.device(), &scene.config);
         if options.half_networks {
-            require_halves(self.device().computes_halves(), self.device().choice())?;
+            require_halves(device.computes_halves(), device.choice())?;
         }
-        self.upload_fields(scene, options)
+        let mut packed = pack(scene);
+        if options.half_grids {
+            // the halves are there instead
+            for field in [&mut packed.color, &mut packed.transmittance] {
+                field.grid = Cow::default();
+            }
+        }
+        let tensors = upload(device, packed)?;
+        let field = |name, grid, field, tensors| {
+            DeviceField::new(device, name, grid, field, tensors, options)
+        };
+        let (color, transmittance) = (&scene.color, &scene.transmittance);
+        Ok(DeviceScene {
+            gaussians: scene.gaussians.len() as u32,
+            divide_above: DIVIDE_ABOVE,
+            scene_box: device.upload("scene box", &SceneBox::new(config.aabb).pack())?,
+            color: field("color", &config.color_grid, color, &tensors.color)?,
+            transmittance: field(
+                "transmittance",
+                &config.transmittance_grid,
+                transmittance,
+                &tensors.transmittance,
+            )?,
+            tensors,
+            config: config.clone(),
+        })
     }
 }
 

@@ -76,18 +76,42 @@ impl Device {
 
     /// Copies a buffer into another of its size, after everything that was dispatched before.
     pub fn copy<T: Pod>(&self, from: &Buffer<T>, to: &Buffer<T>) {
+        let labels = [from, to].map(|buffer| buffer.raw().label);
+        assert_eq!(from.len(), to.len(), "{labels:?} are of one size");
+        self.copy_to(from, to, 0);
+    }
+
+    /// Copies a buffer into another, from the element `first` on.
+    fn copy_to<T: Pod>(&self, from: &Buffer<T>, to: &Buffer<T>, first: usize) {
         let (from, to) = (from.raw(), to.raw());
-        assert_eq!(from.bytes, to.bytes, "`{}` and `{}` are of one size", from.label, to.label);
         let range = from.begin..from.begin + from.bytes;
+        let begin = to.begin + (first * size_of::<T>()) as u64;
         match (&self.kind, &from.memory, &to.memory) {
             (Kind::Cpu(cpu), Memory::Cpu(source), Memory::Cpu(target)) => {
-                cpu.copy(source, range, target, to.begin);
+                cpu.copy(source, range, target, begin);
             }
             (Kind::Gpu(gpu), Memory::Gpu(source), Memory::Gpu(target)) => {
-                gpu.copy(source, range, target, to.begin);
+                gpu.copy(source, range, target, begin);
             }
             _ => panic!("the buffer `{}` belongs to another device", from.label),
         }
+    }
+
+    /// Copies `values` into a buffer, from the element `first` on, after everything that was dispatched before.
+    ///
+    /// # Errors
+    /// As [`Device::upload`].
+    ///
+    /// # Panics
+    /// Past the buffer's end.
+    pub fn write<T: Pod>(&self, buffer: &Buffer<T>, first: usize, values: &[T]) -> Result<()> {
+        assert!(first + values.len() <= buffer.len(), "past the end of `{}`", buffer.raw().label);
+        if values.is_empty() {
+            return Ok(());
+        }
+        let values = self.upload(buffer.raw().label, values)?;
+        self.copy_to(&values, buffer, first);
+        Ok(())
     }
 
     /// What a buffer holds, after everything that was dispatched before.

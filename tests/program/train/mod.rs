@@ -3,6 +3,7 @@
 mod bits;
 mod endings;
 mod eval;
+mod hook;
 mod memory;
 mod mistakes;
 mod results;

@@ -17,8 +17,8 @@ Examples:
   organza kernels --json
 
 `shared` is the workgroup memory and `SPIR-V` the compiled module, both in bytes. `iterations` is the most that one \
-invocation needs, all its loops together. A name that ends in `_staged` or `_subgroups` is a variant that uses workgroup \
-memory or subgroups (docs/kernels.md).";
+invocation needs, all its loops together. A name that ends in `_staged` is a variant that uses workgroup memory \
+(docs/kernels.md).";
 
 /// List the kernels: their bindings, workgroups, code and loops
 #[derive(Debug, clap::Args)]

@@ -80,7 +80,9 @@ fn a_gradient_that_is_written_back_or_a_hook_that_failed_changes_nothing() {
         };
         let state = |trainer: &Trainer<'_>| -> Checkpoint { trainer.checkpoint(0.0).unwrap() };
         let (mut plain, mut hooked) = (trainer(), trainer());
-        let fail = &mut |_: &_| Err(Error::Argument { reason: "the hook's own".to_owned() });
+        let fail: &mut GradientHook<'_> = &mut |_: &StepGradient<'_>| {
+            Err(Error::Argument { reason: "the hook's own".to_owned() })
+        };
         // the number of Gaussians changes at step 10
         for _ in 0..6 {
             plain.step().expect("a step");

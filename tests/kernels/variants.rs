@@ -8,7 +8,7 @@ use organza_kernel::kernel::{MAX_WORKGROUP_BYTES, workgroup_bytes};
 use organza_tests::compare::assert_close;
 use organza_tests::{cases, devices};
 
-/// As the tiles of every device (`tests/reference_cases.rs`).
+/// As the tiles of every device (`tests/pictures/reference_cases.rs`).
 const TILES: f64 = 2e-4;
 
 fn kernel(name: &str) -> &'static KernelInfo {

@@ -3,7 +3,6 @@
 
 mod atomics;
 mod compiled;
-mod gradients;
 mod kernel_rules;
 mod large;
 mod parity;

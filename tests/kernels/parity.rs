@@ -1,16 +1,5 @@
 //! Every kernel on every device beside the CPU, and the CPU beside the equations in f64.
 
-#[path = "../exact/encodings.rs"]
-mod encodings;
-#[path = "../exact/hold.rs"]
-mod hold;
-#[path = "../exact/loss.rs"]
-mod loss;
-#[path = "../exact/networks.rs"]
-mod networks;
-#[path = "../exact/optimizer.rs"]
-mod optimizer;
-
 use std::collections::BTreeSet;
 use std::path::Path;
 

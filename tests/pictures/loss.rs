@@ -7,6 +7,7 @@ use organza::{Device, Result, metrics};
 use organza_tests::devices;
 
 use exact::Batch;
+use organza::parity::exact::loss::mean;
 
 /// Numbers without a pattern, in [0, 1).
 fn noise(index: usize) -> f32 {
@@ -75,17 +76,17 @@ fn evaluate(device: &Device, batch: &Batch, ssim_weight: f32) -> Result<(Vec<f32
 fn apart(batch: &Batch, sums: &[TileLoss], ssim_weight: f32) -> f64 {
     let mut worst: f64 = 0.0;
     let relative = |found: f64, exact: f64| (found - exact).abs() / exact.abs().max(1e-9);
-    let mut loss = 0.0;
+    let (mut absolute, mut dissimilarity) = (0.0, 0.0);
     for (tile, found) in sums.iter().enumerate() {
         let exact = batch.sums(tile);
         assert!((found.valid - exact.valid).abs() < 1e-6, "{} for {}", found.valid, exact.valid);
         worst = worst.max(relative(found.absolute, exact.absolute));
         worst = worst.max(relative(found.squared, exact.squared));
         worst = worst.max(relative(found.dissimilarity, exact.dissimilarity));
-        let weight = f64::from(ssim_weight);
-        loss += (1.0 - weight) * exact.absolute + weight * exact.dissimilarity;
+        absolute += exact.absolute;
+        dissimilarity += exact.dissimilarity;
     }
-    let loss = loss / (3.0 * batch.valid_pixels());
+    let loss = mean(absolute, dissimilarity, batch.valid_pixels(), f64::from(ssim_weight));
     worst.max(relative(TileLoss::total(sums).value(ssim_weight), loss))
 }
 
@@ -119,7 +120,7 @@ fn differences(batch: &Batch) -> Vec<(usize, [f64; 2])> {
     let mut found = Vec::new();
     for tile in 0..batch.tiles() {
         for channel in 0..3 {
-            let mut plane = batch.plane(tile, channel);
+            let plane = batch.plane(tile, channel);
             for at in (0..area).step_by(every) {
                 // |x - y| has a kink
                 if (plane.x[at] - plane.y[at]).abs() > 1e-4 {

@@ -14,6 +14,7 @@ use insta::{Settings, Snapshot};
 use organza::Renderer;
 use organza_tests::devices;
 
+use crate::snapshot;
 use crate::snapshot::compare::{Held, Mismatch, Rule, Tolerance};
 use crate::snapshot::picture::{self, Montage};
 use crate::snapshot::report;

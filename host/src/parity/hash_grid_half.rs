@@ -59,4 +59,8 @@ impl Parity for HashGridHalf {
     fn bound(&self, output: &Output, index: usize, rounding: Rounding) -> Bound {
         self.full.bound(output, index, rounding)
     }
+
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+        self.full.exact(output, len)
+    }
 }

@@ -1,4 +1,8 @@
-//! The loss in f64, from its definition: two-dimensional windows, one after the other.
+//! The loss of a batch in f64, from its definition: two-dimensional windows, one after the other.
+
+use organza::parity::exact::loss::sign;
+use organza::parity::exact::numeric::{Dual, Number, gradient};
+use organza::parity::exact::ssim;
 
 /// Tiles and their mask, `[K, 3, S, S]` and `[K, S, S]`.
 pub struct Batch {
@@ -75,22 +79,20 @@ pub struct Plane {
 impl Plane {
     /// SSIM of the window around a pixel, its weights normalized over the valid pixels in it.
     pub fn similarity(&self, center: usize) -> f64 {
-        let pixels: Vec<_> = self.around(center).filter(|&at| self.valid[at]).collect();
+        self.similarity_where(center, |at| self.x[at])
+    }
+
+    /// As [`Plane::similarity`], with other values of x.
+    fn similarity_where<N: Number>(&self, center: usize, x: impl Fn(usize) -> N) -> N {
+        let weights = ssim::weights();
         let weight = |at: usize| {
-            let across = (at % self.side) as f64 - (center % self.side) as f64;
-            let down = (at / self.side) as f64 - (center / self.side) as f64;
-            (-(across * across + down * down) / (2.0 * 1.5 * 1.5)).exp()
+            let across = (at % self.side).abs_diff(center % self.side);
+            let down = (at / self.side).abs_diff(center / self.side);
+            weights[across] * weights[down]
         };
-        let total: f64 = pixels.iter().map(|&at| weight(at)).sum();
-        let mean = |value: &dyn Fn(usize) -> f64| -> f64 {
-            pixels.iter().map(|&at| weight(at) / total * value(at)).sum()
-        };
-        let (x, y) = (mean(&|at| self.x[at]), mean(&|at| self.y[at]));
-        let xx = mean(&|at| (self.x[at] - x).powi(2));
-        let yy = mean(&|at| (self.y[at] - y).powi(2));
-        let xy = mean(&|at| (self.x[at] - x) * (self.y[at] - y));
-        let (c1, c2) = (0.01_f64.powi(2), 0.03_f64.powi(2));
-        (2.0 * x * y + c1) * (2.0 * xy + c2) / ((x * x + y * y + c1) * (xx + yy + c2))
+        let pixels = self.around(center).filter(|&at| self.valid[at]);
+        let pixels: Vec<_> = pixels.map(|at| (weight(at), [x(at), self.y[at].into()])).collect();
+        ssim::of_pixels(&pixels)
     }
 
     /// The pixels of the tile at most five rows and columns away.
@@ -102,21 +104,19 @@ impl Plane {
             .flat_map(move |row| columns.clone().map(move |column| row * side + column))
     }
 
-    /// The derivatives of the sums of `|x - y|` and `1 - SSIM` by the image's pixel, by central differences.
-    pub fn slopes(&mut self, at: usize) -> [f64; 2] {
-        const STEP: f64 = 1e-5;
+    /// The derivatives of the sums of `|x - y|` and `1 - SSIM` by the image's pixel.
+    pub fn slopes(&self, at: usize) -> [f64; 2] {
         if !self.valid[at] {
             return [0.0; 2];
         }
-        let windows: Vec<_> = self.around(at).filter(|&center| self.valid[center]).collect();
-        let x = self.x[at];
-        let mut evaluate = |x: f64| {
-            self.x[at] = x;
-            let similarity: f64 = windows.iter().map(|&center| self.similarity(center)).sum();
-            [(x - self.y[at]).abs(), -similarity]
-        };
-        let (above, below) = (evaluate(x + STEP), evaluate(x - STEP));
-        self.x[at] = x;
-        [0, 1].map(|term| (above[term] - below[term]) / (2.0 * STEP))
+        let windows = self.around(at).filter(|&center| self.valid[center]);
+        let similarity = windows.map(|center| {
+            let x = |x: Dual| {
+                let others = |other: usize| if other == at { x } else { self.x[other].into() };
+                self.similarity_where(center, others)
+            };
+            gradient([self.x[at]], |[moved]| x(moved))[0]
+        });
+        [sign(self.x[at] - self.y[at]), -similarity.sum::<f64>()]
     }
 }

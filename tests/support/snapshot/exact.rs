@@ -1,73 +1,30 @@
 //! What the equations say, in f64: a snapshot locks a value, these show that it was right when it was locked.
 
 use organza::parity::exact::composite::{self, Splat};
+use organza::parity::exact::dense::network;
+use organza::parity::exact::hash_grid::encode;
+use organza::parity::exact::numeric::{dot, sigmoid};
 use organza::parity::exact::project::{self, Gaussian, Projected, View};
-use organza::parity::exact::{resolve, segment};
-use organza::scene::{GridConfig, Interpolation, Network};
+use organza::parity::exact::transmittance::{log_rho, midpoint, transmittance as product};
+use organza::parity::exact::unit_cube::unit;
+use organza::parity::exact::{resolve, segment, spherical_harmonics};
 use organza::{Camera, Scene, Stages, TileBatch};
-
-fn sigmoid(x: f64) -> f64 {
-    1.0 / (1.0 + (-x).exp())
-}
 
 fn wide<const N: usize>(values: [f32; N]) -> [f64; N] {
     values.map(f64::from)
 }
 
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+/// The harmonics of the direction in which a camera sees a Gaussian.
+pub fn harmonics(scene: &Scene, camera: &Camera, gaussian: usize) -> Vec<f64> {
+    let position = wide(scene.gaussians.position[gaussian]);
+    let direction = spherical_harmonics::direction(camera.eye(), position);
+    spherical_harmonics::harmonics(scene.config.sh_degree, direction)
 }
 
-/// The unit direction from the camera to a Gaussian.
-pub fn direction(scene: &Scene, camera: &Camera, gaussian: usize) -> [f64; 3] {
-    let (position, eye) = (wide(scene.gaussians.position[gaussian]), camera.eye());
-    let v: [f64; 3] = std::array::from_fn(|axis| position[axis] - eye[axis]);
-    v.map(|value| value / dot(v, v).sqrt())
-}
-
-/// The features of a point of the unit cube.
-pub fn encode(config: &GridConfig, table: &[f32], point: [f64; 3]) -> Vec<f64> {
-    let features = config.features as usize;
-    let mut encoded = Vec::new();
-    for level in config.levels_geometry() {
-        let place = point.map(|x| x.clamp(0.0, 1.0) * level.scale + 0.5);
-        let weight = place.map(|x| x - x.floor()).map(|t| match config.interpolation {
-            Interpolation::Linear => t,
-            Interpolation::Smoothstep => t * t * (3.0 - 2.0 * t),
-        });
-        let mut sums = vec![0.0; features];
-        for corner in 0..8_usize {
-            let upper = [0, 1, 2].map(|axis| corner >> axis & 1);
-            let [x, y, z] = [0, 1, 2].map(|axis| place[axis] as u32 + upper[axis] as u32);
-            let index = if level.hashed {
-                x ^ y.wrapping_mul(2_654_435_761) ^ z.wrapping_mul(805_459_861)
-            } else {
-                x + y * level.resolution + z * level.resolution * level.resolution
-            };
-            let entry = (level.first + index % level.count) as usize;
-            let share: f64 = (0..3)
-                .map(|axis| if upper[axis] == 1 { weight[axis] } else { 1.0 - weight[axis] })
-                .product();
-            for (sum, &value) in sums.iter_mut().zip(&table[entry * features..]) {
-                *sum += share * f64::from(value);
-            }
-        }
-        encoded.extend(sums);
-    }
-    encoded
-}
-
-/// Eq. 2 and 10.
-fn network(network: &Network, mut values: Vec<f64>) -> Vec<f64> {
-    for (index, layer) in network.layers.iter().enumerate() {
-        let rows = layer.weight.chunks_exact(layer.inputs).zip(&layer.bias);
-        let linear = rows.map(|(row, &bias)| {
-            f64::from(bias) + row.iter().zip(&values).map(|(&w, x)| f64::from(w) * x).sum::<f64>()
-        });
-        let hidden = index + 1 < network.layers.len();
-        values = linear.map(|x| if hidden { x.max(0.0) } else { x }).collect();
-    }
-    values
+/// A Gaussian's features in the color grid.
+pub fn color_features(scene: &Scene, gaussian: usize) -> Vec<f64> {
+    let point = unit(wide(scene.gaussians.position[gaussian]), scene.config.aabb);
+    encode(&scene.config.color_grid, &scene.color.grid, point)
 }
 
 /// Eq. 1-3, from the harmonics and features of the stages.
@@ -81,28 +38,23 @@ pub fn color(scene: &Scene, sh: &[f32], features: &[f32], gaussian: usize) -> Ve
 /// Eq. 4-11: K and T.
 pub fn transmittance(scene: &Scene, camera: &Camera, gaussian: usize) -> (u32, f64) {
     let config = &scene.config;
-    let p = config.normalize(wide(scene.gaussians.position[gaussian]));
-    let eye = config.normalize(camera.eye());
-    let segment = segment::segment(p, eye, config.step);
-    let (s, w) = (segment.start, segment.way);
-    let steps = dot(w, w).sqrt() / config.step;
+    let [p, eye] = [wide(scene.gaussians.position[gaussian]), camera.eye()];
+    let segment = segment::segment(unit(p, config.aabb), unit(eye, config.aabb), config.step);
+    let steps = dot(segment.way, segment.way).sqrt() / config.step;
     if steps == 0.0 {
         return (0, 1.0);
     }
     assert!((steps - steps.round()).abs() > 1e-4, "rounding would decide on K: {steps} steps");
     let width = config.extra as usize;
     let extra = &scene.gaussians.extra[gaussian * width..][..width];
-    let sum: f64 = (0..segment.count as u32)
-        .map(|k| {
-            let t = (f64::from(k) + 0.5) / segment.count;
-            let x = std::array::from_fn(|axis| s[axis] + t * w[axis]);
-            let mut input = encode(&config.transmittance_grid, &scene.transmittance.grid, x);
-            input.extend(extra.iter().map(|&u| f64::from(u)));
-            let a = network(&scene.transmittance.network, input)[0];
-            -(-a).exp().ln_1p()
-        })
-        .sum();
-    (segment.count as u32, (sum * segment.factor).exp())
+    let count = segment.count as u32;
+    let log_rho = (0..count).map(|k| {
+        let x = midpoint(segment.start, segment.way, k, count);
+        let mut input = encode(&config.transmittance_grid, &scene.transmittance.grid, x);
+        input.extend(extra.iter().map(|&u| f64::from(u)));
+        log_rho(network(&scene.transmittance.network, input)[0], segment.factor)
+    });
+    (count, product(log_rho.sum::<f64>()))
 }
 
 /// EWA; nothing where the Gaussian is culled.

@@ -3,7 +3,6 @@
 pub mod compare;
 pub mod exact;
 pub mod generator;
-pub mod harmonics;
 pub mod picture;
 pub mod report;
 pub mod tensors;

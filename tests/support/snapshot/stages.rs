@@ -5,7 +5,6 @@ use organza::{Camera, Renderer, Scene, Stages};
 
 use crate::snapshot::exact;
 use crate::snapshot::generator::{Recipe, camera, camera_to};
-use crate::snapshot::harmonics;
 use crate::snapshot::tensors::Tensors;
 use crate::snapshots::{RENDERERS, Tolerance, assert_tensors};
 
@@ -30,17 +29,18 @@ fn near(what: &str, found: f32, exact: f64, tolerance: f64) {
 fn record_color(tensors: &mut Tensors, scene: &Scene, camera: &Camera, stages: &Stages) {
     let count = scene.gaussians.len();
     let (sh, grid) = (scene.config.sh_width(), scene.config.color_grid.width());
-    let directions: Vec<_> = (0..count).map(|i| exact::direction(scene, camera, i)).collect();
-    harmonics::check(&stages.sh, &directions, scene.config.sh_degree as usize);
     for gaussian in 0..count {
         let features = &stages.color_encoding[gaussian * grid..][..grid];
-        let position = scene.gaussians.position[gaussian].map(f64::from);
-        let point = scene.config.normalize(position);
-        let encoded = exact::encode(&scene.config.color_grid, &scene.color.grid, point);
-        for (&found, exact) in features.iter().zip(encoded) {
+        for (&found, exact) in features.iter().zip(exact::color_features(scene, gaussian)) {
             near(&format!("a feature of Gaussian {gaussian}"), found, exact, 1e-4);
         }
         let harmonics = &stages.sh[gaussian * sh..][..sh];
+        let expected = exact::harmonics(scene, camera, gaussian);
+        for (index, (&found, exact)) in harmonics.iter().zip(expected).enumerate() {
+            // band 0 is a constant
+            let tolerance = if index == 0 { 6e-8 } else { 4e-6 };
+            near(&format!("harmonic {index} of Gaussian {gaussian}"), found, exact, tolerance);
+        }
         let color = exact::color(scene, harmonics, features, gaussian);
         for (&found, exact) in stages.color[3 * gaussian..].iter().zip(color) {
             near(&format!("the color of Gaussian {gaussian}"), found, exact, 1e-5);

@@ -3,12 +3,21 @@
 //! They are written from docs/pipeline.md and docs/conventions.md, over plain numbers, and share no code with the
 //! kernels: no constant either.  The tests of whole scenes call them too.
 
+pub mod adam;
+pub mod color;
 pub mod composite;
+pub mod dense;
+pub mod hash_grid;
+pub mod hash_grid_scale;
+pub mod loss;
 pub mod numeric;
 pub mod project;
 pub mod resolve;
 pub mod segment;
+pub mod spherical_harmonics;
+pub mod ssim;
 pub mod tile;
+pub mod transmittance;
 pub mod unit_cube;
 
 /// Integers that the equations give.

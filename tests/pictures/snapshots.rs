@@ -104,7 +104,7 @@ fn assert_accepted(record: &Record<'_>, held: Held) {
 fn assert_same(record: &Record<'_>, held: &Held) {
     use insta::internals::{SnapshotContents, TextSnapshotContents};
 
-    let path = crate::snapshot::folder().join(format!("{}.snap", record.name));
+    let path = snapshot::folder().join(format!("{}.snap", record.name));
     let accepted = Snapshot::from_file(&path)
         .unwrap_or_else(|error| panic!("{}: {error}: accept the CPU's first", path.display()));
     let contents = match &record.content {
@@ -121,7 +121,7 @@ fn assert_same(record: &Record<'_>, held: &Held) {
 #[test]
 fn snapshots_stay_small() {
     let (mut all, mut files) = (0, 0);
-    for entry in std::fs::read_dir(crate::snapshot::folder()).expect("tests/snapshots is there") {
+    for entry in std::fs::read_dir(snapshot::folder()).expect("tests/snapshots is there") {
         let entry = entry.expect("a folder's entry");
         let name = entry.file_name().to_string_lossy().into_owned();
         if name.contains(".snap.new") {

@@ -84,6 +84,9 @@ fn every_device_is_within_tolerance_of_the_equations() {
                 let (failed, worst) = (measure.failures, &measure.share);
                 failures.push(format!("{kernel} on {name}: {failed} are off, most {worst:?}"));
             }
+            if measure.values == 0 {
+                failures.push(format!("{kernel} on {name}: nothing is compared"));
+            }
             for (output, [compared, written]) in measure.compared {
                 if (compared as f64) < case.compared * written as f64 {
                     failures.push(format!(

@@ -31,6 +31,22 @@ impl View {
     }
 }
 
+impl View {
+    /// A point of the world in the camera's space: right, down, forward.
+    pub fn place<N: Number>(&self, position: [N; 3]) -> [N; 3] {
+        let offset = std::array::from_fn(|axis| position[axis] - N::from(self.eye[axis]));
+        self.axes.map(|axis| dot(axis.map(N::from), offset))
+    }
+
+    /// What x/z (axis 0) and y/z (axis 1) are clamped to in J: the image's border, and 0.3 of half its size.
+    #[must_use]
+    pub fn limits(&self, axis: usize) -> [f64; 2] {
+        let (focal, center, size) = (self.focal[axis], self.center[axis], self.size[axis]);
+        let margin = 0.3 * 0.5 * size / focal;
+        [-center / focal - margin, (size - center) / focal + margin]
+    }
+}
+
 /// What is projected.
 #[derive(Clone, Copy, Debug)]
 pub struct Gaussian<N> {
@@ -42,9 +58,23 @@ pub struct Gaussian<N> {
     pub log_scale: [N; 3],
 }
 
+impl Gaussian<f64> {
+    /// The lengths of its axes.
+    #[must_use]
+    pub fn axes(&self) -> [f64; 3] {
+        self.log_scale.map(f64::exp)
+    }
+}
+
 /// Where a Gaussian lies in an image.
 #[derive(Clone, Copy, Debug)]
 pub struct Projected<N> {
+    /// Its center in the camera's space.
+    pub place: [N; 3],
+    /// Rows of J W.
+    pub jacobian: [[N; 3]; 2],
+    /// Rows of J W R S, of which cov2d is the Gram matrix but for the blur.
+    pub footprint: [[N; 3]; 2],
     /// Its center, in pixels.
     pub mean: [N; 2],
     /// xx, xy, yy of cov2d, the blur included.
@@ -62,37 +92,36 @@ pub fn cutoff() -> f64 {
 /// A Gaussian that is not behind the near plane.
 #[must_use]
 pub fn project<N: Number>(view: &View, blur: f64, gaussian: &Gaussian<N>) -> Option<Projected<N>> {
-    let offset = std::array::from_fn(|axis| gaussian.position[axis] - N::from(view.eye[axis]));
-    let [x, y, z] = view.axes.map(|axis| dot(axis.map(N::from), offset));
+    let place @ [x, y, z] = view.place(gaussian.position);
     // as an f32 has it
     if z.value() <= f64::from(0.01_f32) {
         return None;
     }
     let ratios = [x / z, y / z];
     let axes = scaled_axes(gaussian);
-    // rows of J W R S
-    let [u, v]: [[N; 3]; 2] = std::array::from_fn(|i| {
-        let ratio = clamped(view, i, ratios[i]);
+    let jacobian: [[N; 3]; 2] = std::array::from_fn(|i| {
+        let ratio = clamped(ratios[i], view.limits(i));
         let focal = N::from(view.focal[i]) / z;
-        let row = std::array::from_fn(|k| {
+        std::array::from_fn(|k| {
             (N::from(view.axes[i][k]) - ratio * N::from(view.axes[2][k])) * focal
-        });
-        axes.map(|axis| dot(row, axis))
+        })
     });
+    let footprint = jacobian.map(|row| axes.map(|axis| dot(row, axis)));
+    let [u, v] = footprint;
     let blur = N::from(blur);
     let (uu, uv, vv) = (dot(u, u), dot(u, v), dot(v, v));
     Some(Projected {
+        place,
+        jacobian,
+        footprint,
         mean: std::array::from_fn(|i| N::from(view.focal[i]) * ratios[i] + N::from(view.center[i])),
         covariance: [uu + blur, uv, vv + blur],
         determinant: area_squared(u, v) + blur * (uu + vv) + blur * blur,
     })
 }
 
-/// Whether a ratio of J is clamped to the border of the image plus 0.3 of half its size: the slope is 0 there.
-fn clamped<N: Number>(view: &View, axis: usize, ratio: N) -> N {
-    let margin = 0.3 * 0.5 * view.size[axis] / view.focal[axis];
-    let low = -view.center[axis] / view.focal[axis] - margin;
-    let high = (view.size[axis] - view.center[axis]) / view.focal[axis] + margin;
+/// A ratio between its limits: one that is clamped is constant.
+fn clamped<N: Number>(ratio: N, [low, high]: [f64; 2]) -> N {
     if ratio.value() < low {
         N::from(low)
     } else if ratio.value() > high {

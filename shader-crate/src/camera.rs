@@ -23,7 +23,7 @@ pub struct Camera {
 impl Camera {
     /// A position of world space in the camera's space.
     #[inline(always)]
-    pub fn place(&self, position: Vec3) -> Vec3 {
+    pub fn to_camera(&self, position: Vec3) -> Vec3 {
         let [right, down, forward] = self.rotation;
         let offset = position - self.eye;
         Vec3::new(dot(right, offset), dot(down, offset), dot(forward, offset))

@@ -56,10 +56,10 @@ pub fn pixel_center(tile: &Tile, column: u32, row: u32) -> Vec2 {
 pub const SUM_PLANES: u32 = 4;
 
 /// Members that a stage of [`composite`] holds.
-const STAGED: usize = 64;
+const SHARED_MEMBERS: usize = 64;
 
 /// Their vectors.
-const STAGED_VECTORS: usize = STAGED * VECTORS as usize;
+const SHARED_VECTORS: usize = SHARED_MEMBERS * VECTORS as usize;
 
 /// The splats of a tile's members.
 #[derive(Clone, Copy)]
@@ -75,14 +75,14 @@ impl Source<Vec4> for MemberSplats<'_> {
 
     #[inline(always)]
     #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    fn place(self, item: u32) -> u32 {
+    fn offset(self, item: u32) -> u32 {
         self.member.read(self.first + item) * VECTORS
     }
 
     #[inline(always)]
     #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    fn element(self, place: u32) -> Vec4 {
-        self.splat.read(place)
+    fn element(self, offset: u32) -> Vec4 {
+        self.splat.read(offset)
     }
 }
 
@@ -98,14 +98,14 @@ impl Source<u32> for MemberCells<'_> {
     const ELEMENTS: u32 = 1;
 
     #[inline(always)]
-    fn place(self, item: u32) -> u32 {
+    fn offset(self, item: u32) -> u32 {
         self.first + item
     }
 
     #[inline(always)]
     #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    fn element(self, place: u32) -> u32 {
-        self.cells.read(place)
+    fn element(self, offset: u32) -> u32 {
+        self.cells.read(offset)
     }
 }
 
@@ -119,7 +119,7 @@ fn composite_work(params: &CompositeParams, shape: Shape<'_>) -> Work {
     let area = u64::from(params.side).pow(2);
     // a fuller tile takes more dispatches: the first one stands for all of its members
     let members = if params.skip == 0 { shape.elements[MEMBER] } else { 0 };
-    let sums = shape.layers * area * VECTOR;
+    let sums = shape.workgroups_z * area * VECTOR;
     // a member's pair, cells and splat
     Work { flops: COMPOSITE * members * area, bytes: members * (2 * NUMBER + SPLAT) + 2 * sums }
 }
@@ -138,12 +138,12 @@ pub fn composite<L: Lane>(
     cells: Read<u32>,
     splat: Read<Vec4>,
     sum: Write<f32>,
-    near_cells: &mut impl Stage<u32, STAGED>,
-    near_splats: &mut impl Stage<Vec4, STAGED_VECTORS>,
+    shared_cells: &mut impl SharedTile<u32, SHARED_MEMBERS>,
+    shared_splats: &mut impl SharedTile<Vec4, SHARED_VECTORS>,
 ) {
     let place = id.global();
     let inside = place.x < params.side && place.y < params.side;
-    if near_cells.is_shared() || inside {
+    if shared_cells.is_shared() || inside {
         let place = if inside { place } else { UVec3::ZERO };
         let t = id.workgroup.z;
         let first = pixel_center(&Tile::read(tile, t), place.x, place.y);
@@ -163,20 +163,20 @@ pub fn composite<L: Lane>(
         while next < end {
             let cells = MemberCells { cells, first: next };
             let splats = MemberSplats { member, splat, first: next };
-            let members = near_cells.room(cells, end - next);
-            near_cells.wait(id);
-            near_cells.fill(id, members, cells);
-            near_splats.fill(id, members, splats);
-            near_cells.wait(id);
+            let members = shared_cells.capacity(cells, end - next);
+            shared_cells.wait(id);
+            shared_cells.fill(id, members, cells);
+            shared_splats.fill(id, members, splats);
+            shared_cells.wait(id);
             let mut k = 0;
             while k < members {
-                if near_cells.element(near_cells.place(k, cells), cells) & cell != 0 {
-                    let place = near_splats.place(k, splats);
-                    let placed = near_splats.element(place, splats);
-                    let conic = near_splats.element(place + 1, splats);
+                if shared_cells.element(shared_cells.offset(k, cells), cells) & cell != 0 {
+                    let offset = shared_splats.offset(k, splats);
+                    let placed = shared_splats.element(offset, splats);
+                    let conic = shared_splats.element(offset + 1, splats);
                     if touches(placed, conic, first.x, last, first.y) {
                         let a = alpha(placed, conic, x, y);
-                        let c = near_splats.element(place + 2, splats);
+                        let c = shared_splats.element(offset + 2, splats);
                         red = red + a * L::splat(c.x);
                         green = green + a * L::splat(c.y);
                         blue = blue + a * L::splat(c.z);
@@ -205,7 +205,7 @@ mod tests {
     use std::vec::Vec;
 
     use super::*;
-    use organza_kernel::stage::InPlace;
+    use organza_kernel::shared_tile::Unshared;
 
     /// Workgroup memory of an invocation that copies all of it: what a GPU reads without a check must have been copied
     /// since the last wait, and be what the source has.
@@ -221,12 +221,12 @@ mod tests {
         }
     }
 
-    impl<T: Copy + PartialEq + Debug, const N: usize> Stage<T, N> for Copied<T, N> {
+    impl<T: Copy + PartialEq + Debug, const N: usize> SharedTile<T, N> for Copied<T, N> {
         fn is_shared(&self) -> bool {
             true
         }
 
-        fn room<S: Source<T>>(&self, _: S, items: u32) -> u32 {
+        fn capacity<S: Source<T>>(&self, _: S, items: u32) -> u32 {
             items.min(N as u32 / S::ELEMENTS)
         }
 
@@ -234,25 +234,26 @@ mod tests {
 
         fn fill<S: Source<T>>(&mut self, _: Invocation, items: u32, source: S) {
             assert!((items * S::ELEMENTS) as usize <= N, "{items} items");
-            let places = (0..items)
-                .flat_map(|item| (0..S::ELEMENTS).map(move |element| source.place(item) + element));
-            self.elements = places.map(|place| source.element(place)).collect();
+            let offsets = (0..items).flat_map(|item| {
+                (0..S::ELEMENTS).map(move |element| source.offset(item) + element)
+            });
+            self.elements = offsets.map(|offset| source.element(offset)).collect();
             self.passes += 1;
         }
 
-        fn place<S: Source<T>>(&self, item: u32, _: S) -> u32 {
+        fn offset<S: Source<T>>(&self, item: u32, _: S) -> u32 {
             item * S::ELEMENTS
         }
 
-        fn element<S: Source<T>>(&self, place: u32, source: S) -> T {
-            self.largest.set(self.largest.get().max(place));
-            let there = source.place(place / S::ELEMENTS) + place % S::ELEMENTS;
-            assert_eq!(self.elements[place as usize], source.element(there), "element {place}");
-            self.elements[place as usize]
+        fn element<S: Source<T>>(&self, offset: u32, source: S) -> T {
+            self.largest.set(self.largest.get().max(offset));
+            let there = source.offset(offset / S::ELEMENTS) + offset % S::ELEMENTS;
+            assert_eq!(self.elements[offset as usize], source.element(there), "element {offset}");
+            self.elements[offset as usize]
         }
     }
 
-    /// A tile with more members than a stage holds twice.
+    /// A tile with more members than workgroup memory holds twice.
     struct Inputs {
         params: CompositeParams,
         member: Vec<u32>,
@@ -289,8 +290,8 @@ mod tests {
             &self,
             id: Invocation,
             sum: &mut [f32],
-            near_cells: &mut impl Stage<u32, STAGED>,
-            near_splats: &mut impl Stage<Vec4, STAGED_VECTORS>,
+            shared_cells: &mut impl SharedTile<u32, SHARED_MEMBERS>,
+            shared_splats: &mut impl SharedTile<Vec4, SHARED_VECTORS>,
         ) {
             composite::<f32>(
                 id,
@@ -301,8 +302,8 @@ mod tests {
                 Read::from(&self.cells[..]),
                 Read::from(&self.splat[..]),
                 Write::from(sum),
-                near_cells,
-                near_splats,
+                shared_cells,
+                shared_splats,
             );
         }
     }
@@ -316,7 +317,7 @@ mod tests {
             let workgroup = UVec3::new(workgroup % 2, workgroup / 2, 0);
             let local = UVec3::new(local % 16, local / 16, 0);
             let id = Invocation::new(local, workgroup, UVec3::new(2, 5, 1), UVec3::new(16, 4, 1));
-            inputs.run(id, &mut plain, &mut InPlace, &mut InPlace);
+            inputs.run(id, &mut plain, &mut Unshared, &mut Unshared);
             let (mut cells, mut splats) = (Copied::new(), Copied::new());
             inputs.run(id, &mut staged, &mut cells, &mut splats);
             assert_eq!((cells.passes, cells.largest.get()), (3, 63));

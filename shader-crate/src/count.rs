@@ -4,7 +4,7 @@
 //! found than there is room for, there are none at all: nothing is written past a table's end, nothing adds to a
 //! gradient, and the host, who reads the numbers in the end, does it again.
 
-use organza_kernel::count::MISFIT;
+use organza_kernel::count::OVERFLOW;
 use organza_kernel::prelude::*;
 
 /// Place in `counts`: (Gaussian, camera) pairs.
@@ -16,54 +16,54 @@ pub const SAMPLES: u32 = 3;
 /// Values of `counts`.
 pub const COUNTS: u32 = 4;
 
-/// Parameters of [`count_admit`].
+/// Parameters of [`record_total`].
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct CountAdmitParams {
+pub struct RecordTotalParams {
     /// Place of the number in `counts`.
-    pub place: u32,
+    pub slot: u32,
     /// Place of the total in `first`.
     pub last: u32,
     /// How many there is room for.
-    pub room: u32,
+    pub capacity: u32,
 }
 
-/// Takes a total from the end of exclusive sums, `first [last + 1]`, and raises [`MISFIT`] where it is more than there is
+/// Takes a total from the end of exclusive sums, `first [last + 1]`, and raises [`OVERFLOW`] where it is more than there is
 /// room for: a single invocation.
 #[kernel(threads(1))]
-pub fn count_admit(
+pub fn record_total(
     id: Invocation,
-    params: &CountAdmitParams,
+    params: &RecordTotalParams,
     first: Read<u32>,
     counts: Write<u32>,
 ) {
     if id.index() == 0 {
         let total = first.read(params.last);
-        counts.write(params.place, total);
-        if total > params.room {
-            counts.write(MISFIT, 1);
+        counts.write(params.slot, total);
+        if total > params.capacity {
+            counts.write(OVERFLOW, 1);
         }
     }
 }
 
-/// Parameters of [`count_withhold`].
+/// Parameters of [`clear_on_overflow`].
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct CountWithholdParams {
+pub struct ClearOnOverflowParams {
     /// Values of the table.
     pub len: u32,
 }
 
 /// Clears a table where something did not fit: a mask has no bits then, and a range begins where it ends.
 #[kernel(threads(64))]
-pub fn count_withhold(
+pub fn clear_on_overflow(
     id: Invocation,
-    params: &CountWithholdParams,
+    params: &ClearOnOverflowParams,
     counts: Read<u32>,
     table: Write<u32>,
 ) {
     let index = id.index();
-    if index < params.len && counts.read(MISFIT) != 0 {
+    if index < params.len && counts.read(OVERFLOW) != 0 {
         table.write(index, 0);
     }
 }

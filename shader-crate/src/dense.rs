@@ -2,22 +2,22 @@
 //!
 //! A network's parameters are one buffer of `Vec4`: for each layer the weights, input by input (the transpose of
 //! the file's `[out, in]`), then the biases.  Outputs are padded with zeros to full columns of four, hidden
-//! layers to [`HIDDEN_BLOCK`], so that no invocation asks where a row ends.
+//! layers to [`OUTPUTS_PER_INVOCATION`], so that no invocation asks where a row ends.
 
 use glam::Vec4;
 
 use crate::limits::MAX_INPUTS;
-use organza_kernel::column::Column;
+use organza_kernel::lane_vec4::LaneVec4;
 use organza_kernel::prelude::*;
 use organza_kernel::samples::Samples;
 #[cfg(not(target_arch = "spirv"))]
 use organza_kernel::work::{NUMBER, Shape, VECTOR, Work, wide};
 
 /// Outputs of a hidden layer that one invocation computes.
-pub const HIDDEN_BLOCK: u32 = 16;
+pub const OUTPUTS_PER_INVOCATION: u32 = 16;
 
 /// Columns of them.
-const BLOCK_COLUMNS: u32 = HIDDEN_BLOCK / 4;
+const BLOCK_COLUMNS: u32 = OUTPUTS_PER_INVOCATION / 4;
 
 /// Parameters of [`dense`].
 #[repr(C)]
@@ -46,8 +46,8 @@ pub fn column<L: Lane>(
     parameters: Read<Vec4>,
     input: Read<f32>,
     sample: u32,
-) -> Column<L> {
-    let mut sum = Column::splat(parameters.read(params.bias));
+) -> LaneVec4<L> {
+    let mut sum = LaneVec4::splat(parameters.read(params.bias));
     let mut weight = params.weight;
     let mut at = sample;
     let mut i = 0;
@@ -83,7 +83,7 @@ pub(crate) fn dense_work(params: &DenseParams, _: Shape<'_>) -> Work {
 /// A hidden layer: `output = max(W input + b, 0)`, samples along x and y, blocks of 16 outputs along z.
 ///
 /// `input [inputs, stride]`, `output [4 columns, stride]`.
-#[kernel(threads(64), iterations = MAX_INPUTS, fused, stacks, lanes(samples), counts(samples), work(dense_work))]
+#[kernel(threads(64), iterations = MAX_INPUTS, fused, z_innermost, lanes(samples), counts(samples), work(dense_work))]
 pub fn dense<S: Samples>(
     id: Invocation,
     params: &DenseParams,
@@ -113,10 +113,10 @@ fn four_columns<S: Samples>(
     sample: u32,
     first: u32,
 ) {
-    let mut a = Column::<S>::splat(parameters.read(params.bias + first));
-    let mut b = Column::<S>::splat(parameters.read(params.bias + first + 1));
-    let mut c = Column::<S>::splat(parameters.read(params.bias + first + 2));
-    let mut d = Column::<S>::splat(parameters.read(params.bias + first + 3));
+    let mut a = LaneVec4::<S>::splat(parameters.read(params.bias + first));
+    let mut b = LaneVec4::<S>::splat(parameters.read(params.bias + first + 1));
+    let mut c = LaneVec4::<S>::splat(parameters.read(params.bias + first + 2));
+    let mut d = LaneVec4::<S>::splat(parameters.read(params.bias + first + 3));
     let mut weight = params.weight + first;
     let mut at = sample;
     let mut i = 0;
@@ -147,8 +147,8 @@ fn two_columns<S: Samples>(
     sample: u32,
     first: u32,
 ) {
-    let mut a = Column::<S>::splat(parameters.read(params.bias + first));
-    let mut b = Column::<S>::splat(parameters.read(params.bias + first + 1));
+    let mut a = LaneVec4::<S>::splat(parameters.read(params.bias + first));
+    let mut b = LaneVec4::<S>::splat(parameters.read(params.bias + first + 1));
     let mut weight = params.weight + first;
     let mut at = sample;
     let mut i = 0;
@@ -169,7 +169,7 @@ fn two_columns<S: Samples>(
 #[inline(always)]
 pub fn write_rectified<S: Samples>(
     output: Write<f32>,
-    value: Column<S>,
+    value: LaneVec4<S>,
     row: u32,
     params: &DenseParams,
     sample: u32,

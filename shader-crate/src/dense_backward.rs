@@ -6,17 +6,17 @@
 use glam::Vec4;
 
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SLICE, MAX_SLICES};
-use organza_kernel::column::Column;
+use organza_kernel::lane_vec4::LaneVec4;
 use organza_kernel::prelude::*;
 use organza_kernel::samples::Samples;
 #[cfg(not(target_arch = "spirv"))]
 use organza_kernel::work::{NUMBER, Shape, VECTOR, Work, wide};
 
 /// Inputs of a layer whose gradient one invocation of [`dense_backward`] computes.
-pub const INPUT_BLOCK: u32 = 8;
+pub const INPUTS_PER_INVOCATION: u32 = 8;
 
 /// Inputs of a layer that one invocation of [`dense_weight_backward`] takes; its outputs are a column of four.
-pub const WEIGHT_BLOCK: u32 = 4;
+pub const WEIGHT_ROWS_PER_INVOCATION: u32 = 4;
 
 /// Parameters of [`dense_backward`].
 #[repr(C)]
@@ -42,9 +42,9 @@ pub struct DenseBackwardParams {
 
 /// `sum + g W^T` for the four outputs of a column and four inputs.
 #[inline(always)]
-fn add_transposed<S: Samples>(sum: Column<S>, weight: [Vec4; 4], g: Column<S>) -> Column<S> {
+fn add_transposed<S: Samples>(sum: LaneVec4<S>, weight: [Vec4; 4], g: LaneVec4<S>) -> LaneVec4<S> {
     let [x, y, z, w] = weight;
-    Column {
+    LaneVec4 {
         x: add_dot(sum.x, x, g),
         y: add_dot(sum.y, y, g),
         z: add_dot(sum.z, z, g),
@@ -53,7 +53,7 @@ fn add_transposed<S: Samples>(sum: Column<S>, weight: [Vec4; 4], g: Column<S>) -
 }
 
 #[inline(always)]
-fn add_dot<S: Samples>(sum: S, weight: Vec4, g: Column<S>) -> S {
+fn add_dot<S: Samples>(sum: S, weight: Vec4, g: LaneVec4<S>) -> S {
     let sum = g.x.mul_add(S::splat(weight.x), sum);
     let sum = g.y.mul_add(S::splat(weight.y), sum);
     let sum = g.z.mul_add(S::splat(weight.z), sum);
@@ -62,8 +62,8 @@ fn add_dot<S: Samples>(sum: S, weight: Vec4, g: Column<S>) -> S {
 
 /// Four rows of a buffer, from a row on.
 #[inline(always)]
-fn read_column<S: Samples>(buffer: Read<f32>, first: u32, stride: u32) -> Column<S> {
-    Column {
+fn read_column<S: Samples>(buffer: Read<f32>, first: u32, stride: u32) -> LaneVec4<S> {
+    LaneVec4 {
         x: S::read(buffer, first),
         y: S::read(buffer, first + stride),
         z: S::read(buffer, first + 2 * stride),
@@ -93,7 +93,7 @@ fn dense_backward_work(params: &DenseBackwardParams, _: Shape<'_>) -> Work {
 /// eight inputs from `first_input` on along z.
 ///
 /// `input [inputs, stride]`, `output_gradient [4 columns, stride]`, `input_gradient [end_input, stride]`.
-#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH / 4, fused, stacks, lanes(samples), counts(samples), work(dense_backward_work))]
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH / 4, fused, z_innermost, lanes(samples), counts(samples), work(dense_backward_work))]
 pub fn dense_backward<S: Samples>(
     id: Invocation,
     params: &DenseBackwardParams,
@@ -104,7 +104,7 @@ pub fn dense_backward<S: Samples>(
 ) {
     let sample = id.index();
     if sample < params.samples {
-        let first = params.first_input + id.workgroup.z * INPUT_BLOCK;
+        let first = params.first_input + id.workgroup.z * INPUTS_PER_INVOCATION;
         // inputs past the last repeat it, and are not written
         let last = params.inputs - 1;
         let (weight, columns) = (params.weight, params.columns);
@@ -116,8 +116,8 @@ pub fn dense_backward<S: Samples>(
         let at5 = weight + least(first + 5, last) * columns;
         let at6 = weight + least(first + 6, last) * columns;
         let at7 = weight + least(first + 7, last) * columns;
-        let mut low = Column::<S>::splat(Vec4::ZERO);
-        let mut high = Column::<S>::splat(Vec4::ZERO);
+        let mut low = LaneVec4::<S>::splat(Vec4::ZERO);
+        let mut high = LaneVec4::<S>::splat(Vec4::ZERO);
         let mut at = sample;
         let mut c = 0;
         while c < columns {
@@ -150,7 +150,7 @@ fn write_gradient<S: Samples>(
     params: &DenseBackwardParams,
     input: Read<f32>,
     output: Write<f32>,
-    value: Column<S>,
+    value: LaneVec4<S>,
     row: u32,
     sample: u32,
 ) {
@@ -205,8 +205,8 @@ pub struct DenseWeightBackwardParams {
 
 /// `sum + x g`
 #[inline(always)]
-fn add_scaled<L: Lane>(sum: Column<L>, x: L, g: Column<L>) -> Column<L> {
-    Column {
+fn add_scaled<L: Lane>(sum: LaneVec4<L>, x: L, g: LaneVec4<L>) -> LaneVec4<L> {
+    LaneVec4 {
         x: x.mul_add(g.x, sum.x),
         y: x.mul_add(g.y, sum.y),
         z: x.mul_add(g.z, sum.z),
@@ -216,20 +216,20 @@ fn add_scaled<L: Lane>(sum: Column<L>, x: L, g: Column<L>) -> Column<L> {
 
 /// `sum + g`
 #[inline(always)]
-pub fn add<L: Lane>(sum: Column<L>, g: Column<L>) -> Column<L> {
-    Column { x: sum.x + g.x, y: sum.y + g.y, z: sum.z + g.z, w: sum.w + g.w }
+pub fn add<L: Lane>(sum: LaneVec4<L>, g: LaneVec4<L>) -> LaneVec4<L> {
+    LaneVec4 { x: sum.x + g.x, y: sum.y + g.y, z: sum.z + g.z, w: sum.w + g.w }
 }
 
 /// The same sums, each of them [settled](Lane::settled).
 #[inline(always)]
-pub fn settled<L: Lane>(sum: Column<L>) -> Column<L> {
-    let Column { x, y, z, w } = sum;
-    Column { x: x.settled(), y: y.settled(), z: z.settled(), w: w.settled() }
+pub fn settled<L: Lane>(sum: LaneVec4<L>) -> LaneVec4<L> {
+    let LaneVec4 { x, y, z, w } = sum;
+    LaneVec4 { x: x.settled(), y: y.settled(), z: z.settled(), w: w.settled() }
 }
 
 /// What all lanes have, and what was left over.
 #[inline(always)]
-fn total<L: Lane, M: Lane>(sum: Column<L>, rest: Column<M>) -> Vec4 {
+fn total<L: Lane, M: Lane>(sum: LaneVec4<L>, rest: LaneVec4<M>) -> Vec4 {
     Vec4::new(
         sum.x.sum() + rest.x.sum(),
         sum.y.sum() + rest.y.sum(),
@@ -244,7 +244,8 @@ fn dense_weight_backward_work(params: &DenseWeightBackwardParams, shape: Shape<'
     let [samples, inputs, outputs] = wide([params.samples, params.inputs, 4 * params.columns]);
     Work {
         flops: samples * (2 * inputs + 1) * outputs,
-        bytes: NUMBER * (samples * (inputs + outputs) + shape.layers * (inputs + 1) * outputs),
+        bytes: NUMBER
+            * (samples * (inputs + outputs) + shape.workgroups_z * (inputs + 1) * outputs),
     }
 }
 
@@ -264,7 +265,7 @@ pub fn dense_weight_backward<L: Lane>(
 ) {
     let index = id.index();
     let (columns, inputs) = (params.columns, params.inputs);
-    let blocks = (inputs - 1) / WEIGHT_BLOCK + 1;
+    let blocks = (inputs - 1) / WEIGHT_ROWS_PER_INVOCATION + 1;
     if index < (blocks + 1) * columns {
         let (block, column) = (index / columns, index % columns);
         let slice = id.workgroup.z;
@@ -273,7 +274,7 @@ pub fn dense_weight_backward<L: Lane>(
         let to = (params.first_slice + slice) * params.parameters + column;
         let g = 4 * column * params.stride;
         if block < blocks {
-            let first = block * WEIGHT_BLOCK;
+            let first = block * WEIGHT_ROWS_PER_INVOCATION;
             let (rows, stride) = (input_rows(params, first), params.stride);
             let (sums, sample) =
                 sum_products::<L>(input, rows, output_gradient, g, stride, [begin, end]);
@@ -311,9 +312,9 @@ fn sum_products<L: Lane>(
     g: u32,
     stride: u32,
     [begin, end]: [u32; 2],
-) -> ([Column<L>; 4], u32) {
+) -> ([LaneVec4<L>; 4], u32) {
     // sixteen sums: four variables, for an aggregate of them would stay in memory
-    let none = Column::<L>::splat(Vec4::ZERO);
+    let none = LaneVec4::<L>::splat(Vec4::ZERO);
     let (mut sum0, mut sum1, mut sum2, mut sum3) = (none, none, none, none);
     let mut sample = begin;
     while sample + L::WIDTH <= end {
@@ -343,8 +344,8 @@ fn sum_lanes<L: Lane>(
     first: u32,
     stride: u32,
     [begin, end]: [u32; 2],
-) -> (Column<L>, u32) {
-    let mut sum = Column::<L>::splat(Vec4::ZERO);
+) -> (LaneVec4<L>, u32) {
+    let mut sum = LaneVec4::<L>::splat(Vec4::ZERO);
     let mut sample = begin;
     while sample + L::WIDTH <= end {
         sum = add(sum, read_column::<L>(rows, first + sample, stride));

@@ -277,7 +277,7 @@ pub(crate) fn cell_work(params: &HashGridParams) -> u64 {
 #[cfg(not(target_arch = "spirv"))]
 pub(crate) fn hash_grid_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
     let [points, features] = wide([params.points, params.features]);
-    let cells = points * shape.layers;
+    let cells = points * shape.workgroups_z;
     Work {
         flops: cells * (cell_work(params) + 15 * features),
         bytes: points * POINT + cells * (8 + 1) * features * NUMBER,

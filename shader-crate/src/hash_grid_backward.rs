@@ -18,13 +18,13 @@ use organza_kernel::work::{NUMBER, Shape, Work, wide};
 
 /// Values of a table that share a flag: one where a gradient has been added, and where [`adam`](crate::adam) has a step
 /// to take.
-pub const FLAG_BLOCK: u32 = 64;
+pub const VALUES_PER_FLAG: u32 = 64;
 
 /// What [`hash_grid_backward`] computes and moves.
 #[cfg(not(target_arch = "spirv"))]
 fn hash_grid_backward_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
     let [points, features] = wide([params.points, params.features]);
-    let cells = points * shape.layers;
+    let cells = points * shape.workgroups_z;
     // a feature's gradient is read, and eight sums of 64 bits are read and written
     Work {
         flops: cells * (cell_work(params) + 17 * features),
@@ -39,7 +39,7 @@ fn hash_grid_backward_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
 /// `feature_gradient [chunks, rows, stride]`, from the row `params.first_row` on; `scale [3]`, see [`hash_grid_scale`](crate::hash_grid_scale::hash_grid_scale());
 /// `sum [2 entries features]`; `touched [ceil(entries features / 64)]` becomes 1 where something is added.  A point
 /// whose gradient is zero in a level adds nothing there; one above the limit, or NaN, raises `status`.
-#[kernel(threads(64), iterations = 2 * MAX_FEATURES, layers, lanes(points), counts(points), work(hash_grid_backward_work))]
+#[kernel(threads(64), iterations = 2 * MAX_FEATURES, z_serial, lanes(points), counts(points), work(hash_grid_backward_work))]
 pub fn hash_grid_backward<L: Lane>(
     id: Invocation,
     params: &HashGridParams,
@@ -83,7 +83,7 @@ pub fn hash_grid_backward<L: Lane>(
             });
             // one flag for each corner: a block holds whole entries
             of_corners!(each corners, |entry, _weight| {
-                L::flag(active, touched, value_at::<L>(entry, features, 0), FLAG_BLOCK)
+                L::flag(active, touched, value_at::<L>(entry, features, 0), VALUES_PER_FLAG)
             });
             let unit = L::splat(scale.read(SCALE));
             let mut row = first;
@@ -144,7 +144,7 @@ pub fn hash_grid_gradient<L: Lane>(
     let first = id.index();
     if first < params.values {
         // a block holds a whole number of lanes
-        if touched.read(first / FLAG_BLOCK) != 0 {
+        if touched.read(first / VALUES_PER_FLAG) != 0 {
             let term = L::take_fixed(sum, first) * L::splat(scale.read(INVERSE));
             (L::read_written(gradient, first) + term).write(gradient, first);
         }

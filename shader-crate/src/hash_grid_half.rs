@@ -19,9 +19,9 @@ pub const MAX_HALF: f32 = 65_504.0;
 fn hash_grid_half_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
     let [points, features] = wide([params.points, params.features]);
     // a word holds two of a corner's features; a product of two powers of two makes a half a number
-    let words = 8 * shape.layers * features.div_ceil(2);
+    let words = 8 * shape.workgroups_z * features.div_ceil(2);
     let full = hash_grid_work(params, shape);
-    let halved = NUMBER * points * (8 * shape.layers * features - words);
+    let halved = NUMBER * points * (8 * shape.workgroups_z * features - words);
     Work { flops: full.flops + 2 * points * words, bytes: full.bytes - halved }
 }
 

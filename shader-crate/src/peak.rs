@@ -4,7 +4,7 @@ use glam::Vec4;
 
 use crate::dense_backward::settled;
 use crate::limits::MAX_PEAK_STEPS;
-use organza_kernel::column::Column;
+use organza_kernel::lane_vec4::LaneVec4;
 use organza_kernel::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
 use organza_kernel::work::{NUMBER, Shape, Work, wide};
@@ -31,8 +31,8 @@ pub struct PeakMultiplyAddParams {
 
 /// `sum factor + addend` for four sums.
 #[inline(always)]
-fn next<L: Lane>(sum: Column<L>, factor: L, addend: L) -> Column<L> {
-    Column {
+fn next<L: Lane>(sum: LaneVec4<L>, factor: L, addend: L) -> LaneVec4<L> {
+    LaneVec4 {
         x: sum.x.mul_add(factor, addend),
         y: sum.y.mul_add(factor, addend),
         z: sum.z.mul_add(factor, addend),
@@ -42,16 +42,16 @@ fn next<L: Lane>(sum: Column<L>, factor: L, addend: L) -> Column<L> {
 
 /// `sum factor + addend`, four times.
 #[inline(always)]
-fn next_four<L: Lane>(sum: Column<L>, factor: L, addend: L) -> Column<L> {
+fn next_four<L: Lane>(sum: LaneVec4<L>, factor: L, addend: L) -> LaneVec4<L> {
     let sum = next(next(sum, factor, addend), factor, addend);
     next(next(sum, factor, addend), factor, addend)
 }
 
 /// Four sums to begin with: `base` and the numbers of a vector.
 #[inline(always)]
-fn start<L: Lane>(base: L, first: Vec4) -> Column<L> {
+fn start<L: Lane>(base: L, first: Vec4) -> LaneVec4<L> {
     let number = L::splat;
-    Column {
+    LaneVec4 {
         x: base + number(first.x),
         y: base + number(first.y),
         z: base + number(first.z),

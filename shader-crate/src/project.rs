@@ -65,7 +65,7 @@ impl Footprint {
     /// The footprint of one Gaussian.
     #[inline(always)]
     pub fn new(camera: &Camera, position: Vec3, rotation: Vec4, log_scale: Vec3) -> Self {
-        let t = camera.place(position);
+        let t = camera.to_camera(position);
         let lens = Lens::new(camera, t);
         let (row_x, row_y) = (lens.row_x, lens.row_y);
         let axes = rotation_columns(rotation);
@@ -148,7 +148,7 @@ pub struct ProjectParams {
 #[cfg(not(target_arch = "spirv"))]
 fn project_work(params: &ProjectParams, shape: Shape<'_>) -> Work {
     let gaussians = u64::from(params.gaussians);
-    Work { flops: 0, bytes: gaussians * (10 * NUMBER + shape.layers * 2 * VECTOR) }
+    Work { flops: 0, bytes: gaussians * (10 * NUMBER + shape.workgroups_z * 2 * VECTOR) }
 }
 
 /// Every Gaussian in every camera: Gaussians along x and y, cameras along z.

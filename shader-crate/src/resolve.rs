@@ -97,7 +97,7 @@ impl ResolveParams {
 /// What [`resolve`] computes and moves.
 #[cfg(not(target_arch = "spirv"))]
 fn resolve_work(params: &ResolveParams, shape: Shape<'_>) -> Work {
-    let pixels = shape.layers * u64::from(params.side).pow(2);
+    let pixels = shape.workgroups_z * u64::from(params.side).pow(2);
     Work { flops: 11 * pixels, bytes: pixels * (4 + 3) * NUMBER }
 }
 
@@ -130,7 +130,7 @@ pub fn resolve<L: Lane>(
 /// What [`resolve_backward`] computes and moves.
 #[cfg(not(target_arch = "spirv"))]
 fn resolve_backward_work(params: &ResolveParams, shape: Shape<'_>) -> Work {
-    let pixels = shape.layers * u64::from(params.side).pow(2);
+    let pixels = shape.workgroups_z * u64::from(params.side).pow(2);
     Work { flops: 16 * pixels, bytes: pixels * (4 + 3 + 4) * NUMBER }
 }
 

@@ -136,7 +136,7 @@ fn write_inputs<L: Lane>(
     let count = first_sample.read(owner + 1) - begin;
     let ([x, y, z], [w_x, w_y, w_z], factor) = read_segment(segment, owner);
     let k = L::splat((params.first_sample + index - begin) as f32) + L::ramp();
-    let t = Split::whole(k + L::splat(0.5)).place(Split::whole(L::splat(count as f32)));
+    let t = Split::whole(k + L::splat(0.5)).divide(Split::whole(L::splat(count as f32)));
     let x = Split::splat(x).along(t, Split::splat(w_x));
     let y = Split::splat(y).along(t, Split::splat(w_y));
     let z = Split::splat(z).along(t, Split::splat(w_z));

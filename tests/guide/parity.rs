@@ -1,4 +1,4 @@
-use organza_check::{Bench, Bound, Output, Parity, Rounding, inputs};
+use organza_check::{KernelRunner, Bound, Output, Parity, Rounding, inputs};
 use organza_device::Result;
 use organza_shaders::blend::{BlendKernel, BlendParams};
 
@@ -26,17 +26,17 @@ impl Parity for Blend {
         })
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let count = self.first.len() as u32;
-        let output = bench.output(count as usize)?;
+        let output = runner.output(count as usize)?;
         let kernel = BlendKernel {
             params: BlendParams { count, weight: self.weight },
-            first: &bench.upload(&self.first)?,
-            second: &bench.upload(&self.second)?,
+            first: &runner.upload(&self.first)?,
+            second: &runner.upload(&self.second)?,
             output: &output,
         };
-        bench.items(&kernel, count, 1)?;
-        Ok(vec![Output::float("output", bench.read(&output)?)])
+        runner.items(&kernel, count, 1)?;
+        Ok(vec![Output::float("output", runner.read(&output)?)])
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {

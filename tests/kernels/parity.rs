@@ -6,7 +6,7 @@ use std::path::Path;
 use organza::parity;
 use organza::parity::project_backward::ProjectBackward;
 use organza::{DeviceOptions, InstructionSet, SpirvPath};
-use organza_check::{Bench, Output, Parity, Rounding, Values, missing};
+use organza_check::{KernelRunner, Output, Parity, Rounding, Values, missing};
 use organza_tests::devices;
 
 #[test]
@@ -152,7 +152,7 @@ fn the_page_has_every_tolerance() {
 /// The integers that an output of a kernel takes on, over all sets.
 fn all_of<P: Parity>(output: &str) -> BTreeSet<u32> {
     let cpu = devices::cpu(None);
-    let outputs = |set: P| set.run(&Bench::new(&cpu, P::KERNEL)).expect("the kernel runs");
+    let outputs = |set: P| set.run(&KernelRunner::new(&cpu, P::KERNEL)).expect("the kernel runs");
     let named = |Output { name, values }: Output| match values {
         Values::Exact(values) if name == output => values,
         _ => Vec::new(),

@@ -58,7 +58,7 @@ fn plain_kernels_are_what_the_cpu_and_software_devices_run() {
     let composite = kernel("composite");
     for (name, device) in devices::all().into_iter().chain(devices::cpus()) {
         let is_software = device.backend() == "cpu" || device.choice().contains("llvmpipe");
-        let expected = if is_software { "composite" } else { "composite_staged" };
+        let expected = if is_software { "composite" } else { "composite_shared" };
         assert_eq!(device.entry_point(composite).name, expected, "{name}: {}", device.choice());
     }
 }

@@ -1,13 +1,13 @@
 //! The optimizer's step.
 
 use organza_shaders::adam::{AdamKernel, AdamParams};
-use organza_shaders::hash_grid_backward::FLAG_BLOCK;
+use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::exact::adam::Step;
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Inputs of `adam`.
@@ -30,7 +30,7 @@ pub struct Adam {
 impl Adam {
     fn new(values: u32, fill: Fill, random: &mut Random) -> Self {
         let sparse = values % 2;
-        let blocks = if sparse == 1 { values.div_ceil(FLAG_BLOCK) } else { 1 };
+        let blocks = if sparse == 1 { values.div_ceil(VALUES_PER_FLAG) } else { 1 };
         let len = values as usize;
         let first_gradient = random.below(9);
         let params = AdamParams {
@@ -66,7 +66,7 @@ impl Adam {
     /// Whether the kernel moves a value.
     #[must_use]
     pub fn is_touched(&self, index: usize) -> bool {
-        let block = index / FLAG_BLOCK as usize * self.params.sparse as usize;
+        let block = index / VALUES_PER_FLAG as usize * self.params.sparse as usize;
         index < self.value.len() && self.touched[block] != 0
     }
 }
@@ -80,25 +80,25 @@ impl Parity for Adam {
         inputs::sets(Self::new)
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let gradient = bench.output_of(&self.gradient)?;
-        let first_moment = bench.output_of(&self.first_moment)?;
-        let second_moment = bench.output_of(&self.second_moment)?;
-        let value = bench.output_of(&self.value)?;
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let gradient = runner.output_of(&self.gradient)?;
+        let first_moment = runner.output_of(&self.first_moment)?;
+        let second_moment = runner.output_of(&self.second_moment)?;
+        let value = runner.output_of(&self.value)?;
         let kernel = AdamKernel {
             params: self.params,
-            touched: &bench.upload(&self.touched)?,
+            touched: &runner.upload(&self.touched)?,
             gradient: &gradient,
             first_moment: &first_moment,
             second_moment: &second_moment,
             value: &value,
         };
-        bench.items(&kernel, self.params.values, 1)?;
+        runner.items(&kernel, self.params.values, 1)?;
         Ok(vec![
-            Output::float("gradient", bench.read(&gradient)?),
-            Output::float("first_moment", bench.read(&first_moment)?),
-            Output::float("second_moment", bench.read(&second_moment)?),
-            Output::float("value", bench.read(&value)?),
+            Output::float("gradient", runner.read(&gradient)?),
+            Output::float("first_moment", runner.read(&first_moment)?),
+            Output::float("second_moment", runner.read(&second_moment)?),
+            Output::float("value", runner.read(&value)?),
         ])
     }
 

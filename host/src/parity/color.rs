@@ -8,7 +8,6 @@ use organza_shaders::color::{
 use organza_shaders::hash_grid::POINT_ROWS;
 use organza_shaders::unit_cube::SceneBox;
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::dense::Layer;
 use super::exact::numeric::sigmoid;
@@ -17,6 +16,7 @@ use super::exact::unit_cube::unit;
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output, Values};
 use super::project;
+use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Boxes around the origin, far from it and small, and large.
@@ -124,11 +124,11 @@ impl Parity for ColorInputs {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let stride = self.stride as usize;
         let cameras: Vec<_> = self.cameras.iter().flat_map(Camera::pack).collect();
-        let point = bench.output(POINT_ROWS as usize * stride)?;
-        let input = bench.output((self.sh_rows() + 4) * stride)?;
+        let point = runner.output(POINT_ROWS as usize * stride)?;
+        let input = runner.output((self.sh_rows() + 4) * stride)?;
         let kernel = ColorInputsKernel {
             params: ColorInputsParams {
                 pairs: self.pairs,
@@ -140,21 +140,21 @@ impl Parity for ColorInputs {
                 // a row between them belongs to the grid
                 material_row: self.sh_rows() as u32 + 1,
             },
-            pair: &bench.upload(&self.pair)?,
-            camera: &bench.upload(&cameras)?,
-            scene_box: &bench.upload(&SceneBox::new(self.aabb).pack())?,
-            position: &bench.upload(&self.position)?,
-            material: &bench.upload(&self.material)?,
+            pair: &runner.upload(&self.pair)?,
+            camera: &runner.upload(&cameras)?,
+            scene_box: &runner.upload(&SceneBox::new(self.aabb).pack())?,
+            position: &runner.upload(&self.position)?,
+            material: &runner.upload(&self.material)?,
             point: &point,
             input: &input,
         };
-        bench.items(&kernel, self.pairs, 1)?;
-        let point = bench.read(&point)?;
+        runner.items(&kernel, self.pairs, 1)?;
+        let point = runner.read(&point)?;
         let behind = point[POINT_ROWS as usize * stride..].iter().copied();
         Ok(vec![
             Output { name: "point", values: Values::Float(joined(&point, stride)) },
             Output::float("behind point", behind),
-            Output::float("input", bench.read(&input)?),
+            Output::float("input", runner.read(&input)?),
         ])
     }
 
@@ -236,10 +236,10 @@ impl Parity for ColorHead {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
         let params = layer.params();
-        let color = bench.output(3 * (FIRST_PAIR + layer.samples) as usize)?;
+        let color = runner.output(3 * (FIRST_PAIR + layer.samples) as usize)?;
         let kernel = ColorHeadKernel {
             params: ColorHeadParams {
                 samples: layer.samples,
@@ -249,12 +249,12 @@ impl Parity for ColorHead {
                 weight: params.weight,
                 bias: params.bias,
             },
-            parameters: &bench.upload(&layer.parameters)?,
-            input: &bench.upload(&layer.input)?,
+            parameters: &runner.upload(&layer.parameters)?,
+            input: &runner.upload(&layer.input)?,
             color: &color,
         };
-        bench.items(&kernel, layer.samples, 1)?;
-        Ok(vec![Output::float("color", bench.read(&color)?)])
+        runner.items(&kernel, layer.samples, 1)?;
+        Ok(vec![Output::float("color", runner.read(&color)?)])
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {

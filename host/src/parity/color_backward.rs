@@ -6,12 +6,12 @@ use organza_shaders::color_backward::{
     MaterialBackwardParams,
 };
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::exact::color::logit;
 use super::exact::numeric::{Dual, gradient, sigmoid};
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Pairs before the chunk.
@@ -49,20 +49,20 @@ impl Parity for ColorHeadBackward {
         })
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let logit_gradient = bench.output(3 * self.stride as usize)?;
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let logit_gradient = runner.output(3 * self.stride as usize)?;
         let kernel = ColorHeadBackwardKernel {
             params: ColorHeadBackwardParams {
                 samples: self.samples,
                 first_pair: FIRST_PAIR,
                 stride: self.stride,
             },
-            color: &bench.upload(&self.color)?,
-            pair_gradient: &bench.upload(&self.gradient)?,
+            color: &runner.upload(&self.color)?,
+            pair_gradient: &runner.upload(&self.gradient)?,
             logit_gradient: &logit_gradient,
         };
-        bench.items(&kernel, self.samples, 1)?;
-        Ok(vec![Output::float("logit_gradient", bench.read(&logit_gradient)?)])
+        runner.items(&kernel, self.samples, 1)?;
+        Ok(vec![Output::float("logit_gradient", runner.read(&logit_gradient)?)])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
@@ -137,9 +137,9 @@ impl Parity for MaterialBackward {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pairs = self.samples + FIRST_PAIR;
-        let pair_material = bench.output((pairs * self.material) as usize)?;
+        let pair_material = runner.output((pairs * self.material) as usize)?;
         let kernel = MaterialBackwardKernel {
             params: MaterialBackwardParams {
                 samples: self.samples,
@@ -148,11 +148,11 @@ impl Parity for MaterialBackward {
                 material: self.material,
                 material_row: 1,
             },
-            input_gradient: &bench.upload(&self.gradient)?,
+            input_gradient: &runner.upload(&self.gradient)?,
             pair_material: &pair_material,
         };
-        bench.items(&kernel, self.samples, 1)?;
-        Ok(vec![Output::float("pair_material", bench.read(&pair_material)?)])
+        runner.items(&kernel, self.samples, 1)?;
+        Ok(vec![Output::float("pair_material", runner.read(&pair_material)?)])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

@@ -7,11 +7,11 @@ use organza_shaders::limits::MAX_MEMBERS;
 use organza_shaders::project::FALLOFF_CUTOFF;
 use organza_shaders::tile::Tile;
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::exact::composite::{Splat, falloff};
 use super::inputs::{Fill, Random};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use super::tile::pack;
 use organza_device::Result;
 
@@ -168,21 +168,21 @@ impl Parity for Composite {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let area = (self.side * self.side) as usize;
-        let sum = bench.output_of(&planes(&self.sum, area))?;
+        let sum = runner.output_of(&planes(&self.sum, area))?;
         let kernel = CompositeKernel {
             params: CompositeParams { side: self.side, skip: self.skip },
-            tile: &bench.upload(&pack(&self.tiles))?,
-            tile_first: &bench.upload(&self.tile_first)?,
-            member: &bench.upload(&self.member)?,
+            tile: &runner.upload(&pack(&self.tiles))?,
+            tile_first: &runner.upload(&self.tile_first)?,
+            member: &runner.upload(&self.member)?,
             // everywhere
-            cells: &bench.upload(&vec![u32::MAX; self.member.len()])?,
-            splat: &bench.upload(self.splat.as_flattened())?,
+            cells: &runner.upload(&vec![u32::MAX; self.member.len()])?,
+            splat: &runner.upload(self.splat.as_flattened())?,
             sum: &sum,
         };
-        bench.pixels(&kernel, self.side, self.tiles.len() as u32)?;
-        Ok(vec![Output::float("sum", pixels(&bench.read(&sum)?, area))])
+        runner.pixels(&kernel, self.side, self.tiles.len() as u32)?;
+        Ok(vec![Output::float("sum", pixels(&runner.read(&sum)?, area))])
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {

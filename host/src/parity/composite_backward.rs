@@ -6,13 +6,13 @@ use organza_shaders::composite_backward::{
     CompositeBackwardKernel, CompositeBackwardParams, band_rows,
 };
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::composite::{Composite, SIDES};
 use super::exact::composite::{Splat, falloff};
 use super::exact::numeric::{Dual, gradient};
 use super::inputs::{Fill, Random};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use super::tile::pack;
 use organza_device::Result;
 
@@ -145,10 +145,10 @@ impl Parity for CompositeBackward {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let set = &self.forward;
         let members = set.member.len() as u32;
-        let member_gradient = bench.output_of(&self.member_gradient)?;
+        let member_gradient = runner.output_of(&self.member_gradient)?;
         let kernel = CompositeBackwardKernel {
             params: CompositeBackwardParams {
                 members,
@@ -157,15 +157,15 @@ impl Parity for CompositeBackward {
                 first_row: self.first_row,
                 rows: self.rows,
             },
-            tile: &bench.upload(&pack(&set.tiles))?,
-            tile_first: &bench.upload(&set.tile_first)?,
-            member: &bench.upload(&set.member)?,
-            splat: &bench.upload(set.splat.as_flattened())?,
-            sum_gradient: &bench.upload(&self.sum_gradient)?,
+            tile: &runner.upload(&pack(&set.tiles))?,
+            tile_first: &runner.upload(&set.tile_first)?,
+            member: &runner.upload(&set.member)?,
+            splat: &runner.upload(set.splat.as_flattened())?,
+            sum_gradient: &runner.upload(&self.sum_gradient)?,
             member_gradient: &member_gradient,
         };
-        bench.items(&kernel, members, 1)?;
-        let values = bench.read(&member_gradient)?.into_iter().flat_map(|v| v.to_array());
+        runner.items(&kernel, members, 1)?;
+        let values = runner.read(&member_gradient)?.into_iter().flat_map(|v| v.to_array());
         Ok(vec![Output::float("member_gradient", values)])
     }
 

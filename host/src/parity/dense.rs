@@ -2,13 +2,13 @@
 
 use glam::Vec4;
 use organza_kernel::math::TINY;
-use organza_shaders::dense::{DenseKernel, DenseParams, HIDDEN_BLOCK};
+use organza_shaders::dense::{DenseKernel, DenseParams, OUTPUTS_PER_INVOCATION};
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::exact::dense::{affine, relu};
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Where a layer's weights begin: not at 0.
@@ -134,17 +134,17 @@ impl Parity for Dense {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
-        let output = bench.output((4 * layer.columns * layer.stride) as usize)?;
+        let output = runner.output((4 * layer.columns * layer.stride) as usize)?;
         let kernel = DenseKernel {
             params: layer.params(),
-            parameters: &bench.upload(&layer.parameters)?,
-            input: &bench.upload(&layer.input)?,
+            parameters: &runner.upload(&layer.parameters)?,
+            input: &runner.upload(&layer.input)?,
             output: &output,
         };
-        bench.items(&kernel, layer.samples, layer.columns * 4 / HIDDEN_BLOCK)?;
-        Ok(vec![Output::float("output", bench.read(&output)?)])
+        runner.items(&kernel, layer.samples, layer.columns * 4 / OUTPUTS_PER_INVOCATION)?;
+        Ok(vec![Output::float("output", runner.read(&output)?)])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

@@ -6,16 +6,16 @@ use glam::Vec4;
 use organza_kernel::math::TINY;
 use organza_shaders::dense_backward::{
     DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
-    DenseWeightSumKernel, DenseWeightSumParams, INPUT_BLOCK, WEIGHT_BLOCK,
+    DenseWeightSumKernel, DenseWeightSumParams, INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,
 };
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::dense::Layer;
 use super::exact::dense::{affine, relu};
 use super::exact::numeric::{Dual, gradient};
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Nothing may be off.
@@ -96,9 +96,9 @@ impl Parity for DenseBackward {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
-        let input_gradient = bench.output((self.end * layer.stride) as usize)?;
+        let input_gradient = runner.output((self.end * layer.stride) as usize)?;
         let kernel = DenseBackwardKernel {
             params: DenseBackwardParams {
                 samples: layer.samples,
@@ -110,13 +110,17 @@ impl Parity for DenseBackward {
                 end_input: self.end,
                 rectified: u32::from(self.rectified),
             },
-            parameters: &bench.upload(&layer.parameters)?,
-            input: &bench.upload(&layer.input)?,
-            output_gradient: &bench.upload(&self.gradient)?,
+            parameters: &runner.upload(&layer.parameters)?,
+            input: &runner.upload(&layer.input)?,
+            output_gradient: &runner.upload(&self.gradient)?,
             input_gradient: &input_gradient,
         };
-        bench.items(&kernel, layer.samples, (self.end - self.first).div_ceil(INPUT_BLOCK))?;
-        Ok(vec![Output::float("input_gradient", bench.read(&input_gradient)?)])
+        runner.items(
+            &kernel,
+            layer.samples,
+            (self.end - self.first).div_ceil(INPUTS_PER_INVOCATION),
+        )?;
+        Ok(vec![Output::float("input_gradient", runner.read(&input_gradient)?)])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
@@ -227,10 +231,10 @@ impl Parity for DenseWeightBackward {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
         let parameters = layer.parameters.len() as u32;
-        let partial = bench.output((self.slices() * parameters) as usize)?;
+        let partial = runner.output((self.slices() * parameters) as usize)?;
         let places = layer.params();
         let kernel = DenseWeightBackwardKernel {
             params: DenseWeightBackwardParams {
@@ -244,13 +248,13 @@ impl Parity for DenseWeightBackward {
                 first_slice: 0,
                 parameters,
             },
-            input: &bench.upload(&layer.input)?,
-            output_gradient: &bench.upload(&self.gradient)?,
+            input: &runner.upload(&layer.input)?,
+            output_gradient: &runner.upload(&self.gradient)?,
             partial: &partial,
         };
-        let blocks = layer.inputs.div_ceil(WEIGHT_BLOCK) + 1;
-        bench.items(&kernel, blocks * layer.columns, self.slices())?;
-        Ok(vec![Output::float("partial", flat(bench.read(&partial)?))])
+        let blocks = layer.inputs.div_ceil(WEIGHT_ROWS_PER_INVOCATION) + 1;
+        runner.items(&kernel, blocks * layer.columns, self.slices())?;
+        Ok(vec![Output::float("partial", flat(runner.read(&partial)?))])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
@@ -314,17 +318,17 @@ impl Parity for DenseWeightSum {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let parameters = self.gradient.len() as u32;
-        let gradient = bench.output_of(&self.gradient)?;
+        let gradient = runner.output_of(&self.gradient)?;
         let slices = self.partial.len() as u32 / parameters.max(1);
         let kernel = DenseWeightSumKernel {
             params: DenseWeightSumParams { parameters, slices },
-            partial: &bench.upload(&self.partial)?,
+            partial: &runner.upload(&self.partial)?,
             gradient: &gradient,
         };
-        bench.items(&kernel, parameters, 1)?;
-        Ok(vec![Output::float("gradient", flat(bench.read(&gradient)?))])
+        runner.items(&kernel, parameters, 1)?;
+        Ok(vec![Output::float("gradient", flat(runner.read(&gradient)?))])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

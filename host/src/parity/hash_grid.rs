@@ -4,11 +4,11 @@ use organza_kernel::math::TINY;
 use organza_shaders::hash_grid::{GridLevel, HashGridKernel, HashGridParams, POINT_ROWS};
 use organza_shaders::unit_cube::Split;
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::exact::hash_grid::encode;
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use crate::scene::{GridConfig, Interpolation};
 use organza_device::Result;
 
@@ -238,18 +238,18 @@ impl Parity for HashGrid {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let levels = self.levels();
-        let output = bench.output(self.output_len())?;
+        let output = runner.output(self.output_len())?;
         let kernel = HashGridKernel {
             params: self.params(),
-            levels: &bench.upload(&levels)?,
-            table: &bench.upload(&self.table)?,
-            position: &bench.upload(&self.positions())?,
+            levels: &runner.upload(&levels)?,
+            table: &runner.upload(&self.table)?,
+            position: &runner.upload(&self.positions())?,
             output: &output,
         };
-        bench.items(&kernel, kernel.params.points, levels.len() as u32)?;
-        Ok(vec![Output::float("output", bench.read(&output)?)])
+        runner.items(&kernel, kernel.params.points, levels.len() as u32)?;
+        Ok(vec![Output::float("output", runner.read(&output)?)])
     }
 
     fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {

@@ -3,17 +3,17 @@
 use organza_kernel::math::TINY;
 use organza_shaders::hash_grid::Corners;
 use organza_shaders::hash_grid_backward::{
-    FLAG_BLOCK, HashGridBackwardKernel, HashGridGradientKernel, HashGridGradientParams,
+    HashGridBackwardKernel, HashGridGradientKernel, HashGridGradientParams, VALUES_PER_FLAG,
 };
 use organza_shaders::unit_cube::Split;
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::exact::hash_grid::levels;
 use super::exact::hash_grid_scale::unit;
 use super::hash_grid::{exact_point, features, grid, params, positions, unrounded_point};
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output, Values};
+use super::runner::KernelRunner;
 use crate::scene::{GridConfig, Interpolation};
 use organza_device::Result;
 
@@ -231,26 +231,26 @@ impl Parity for HashGridBackward {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let count = self.points.len();
         let gradient = features(&self.grid, count, &self.gradient);
         let levels = self.grid.levels_for_kernels();
-        let sum = bench.output_of(&vec![0_u32; 2 * self.values()])?;
-        let blocks = self.values().div_ceil(FLAG_BLOCK as usize);
-        let touched = bench.output_of(&vec![0_u32; blocks])?;
-        let status = bench.output_of(&[0_u32])?;
+        let sum = runner.output_of(&vec![0_u32; 2 * self.values()])?;
+        let blocks = self.values().div_ceil(VALUES_PER_FLAG as usize);
+        let touched = runner.output_of(&vec![0_u32; blocks])?;
+        let status = runner.output_of(&[0_u32])?;
         let kernel = HashGridBackwardKernel {
             params: params(&self.grid, count),
-            levels: &bench.upload(&levels)?,
-            position: &bench.upload(&positions(&self.points))?,
-            feature_gradient: &bench.upload(&gradient)?,
-            scale: &bench.upload(&[self.scale, 1.0 / self.scale, self.limit])?,
+            levels: &runner.upload(&levels)?,
+            position: &runner.upload(&positions(&self.points))?,
+            feature_gradient: &runner.upload(&gradient)?,
+            scale: &runner.upload(&[self.scale, 1.0 / self.scale, self.limit])?,
             sum: &sum,
             touched: &touched,
             status: &status,
         };
-        bench.items(&kernel, count as u32, levels.len() as u32)?;
-        let words = bench.read(&sum)?;
+        runner.items(&kernel, count as u32, levels.len() as u32)?;
+        let words = runner.read(&sum)?;
         let words = words[..2 * self.values()].chunks_exact(2);
         let integers = words.map(|w| (u64::from(w[1]) << 32 | u64::from(w[0])) as i64);
         Ok(vec![
@@ -258,8 +258,8 @@ impl Parity for HashGridBackward {
                 name: "sum",
                 values: Values::Float(integers.map(|integer| integer as f64).collect()),
             },
-            Output::exact("touched", bench.read(&touched)?),
-            Output::exact("status", bench.read(&status)?),
+            Output::exact("touched", runner.read(&touched)?),
+            Output::exact("status", runner.read(&status)?),
         ])
     }
 
@@ -317,7 +317,7 @@ impl Parity for HashGridGradient {
                 _ => (f64::from(value) * 2_f64.powi(40)) as i64,
             };
             let sum = fill.values(random, count as usize, [-1.0, 1.0], 1.0);
-            let blocks = count.div_ceil(FLAG_BLOCK) as usize;
+            let blocks = count.div_ceil(VALUES_PER_FLAG) as usize;
             Self {
                 sum: sum.into_iter().map(integer).collect(),
                 gradient: fill.values(random, count as usize, [-1.0, 1.0], 1e30),
@@ -327,23 +327,23 @@ impl Parity for HashGridGradient {
         })
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let words = |&sum: &i64| [sum as u32, (sum >> 32) as u32];
-        let sum = bench.output_of(&self.sum.iter().flat_map(words).collect::<Vec<_>>())?;
-        let gradient = bench.output_of(&self.gradient)?;
+        let sum = runner.output_of(&self.sum.iter().flat_map(words).collect::<Vec<_>>())?;
+        let gradient = runner.output_of(&self.gradient)?;
         let values = self.sum.len() as u32;
         let kernel = HashGridGradientKernel {
             params: HashGridGradientParams { values },
-            scale: &bench.upload(&[self.scale, 1.0 / self.scale, 0.0])?,
+            scale: &runner.upload(&[self.scale, 1.0 / self.scale, 0.0])?,
             // nothing is bound as nothing
-            touched: &bench.upload(&[&self.touched[..], &[0]].concat())?,
+            touched: &runner.upload(&[&self.touched[..], &[0]].concat())?,
             sum: &sum,
             gradient: &gradient,
         };
-        bench.items(&kernel, values, 1)?;
+        runner.items(&kernel, values, 1)?;
         Ok(vec![
-            Output::float("gradient", bench.read(&gradient)?),
-            Output::exact("sum", bench.read(&sum)?),
+            Output::float("gradient", runner.read(&gradient)?),
+            Output::exact("sum", runner.read(&sum)?),
         ])
     }
 

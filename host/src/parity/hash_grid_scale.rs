@@ -8,11 +8,11 @@ use organza_shaders::hash_grid_scale::{
 };
 use organza_shaders::limits::MAX_LAYERS;
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::exact::hash_grid_scale::{color_bound, largest, transmittance_bound, unit};
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Four numbers at a time.
@@ -71,17 +71,17 @@ impl Parity for HashGridPeak {
         of(false).into_iter().chain(of(true).into_iter().map(name)).chain(bad).collect()
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pairs = self.transmittance.len() as u32;
-        let bound = bench.output_of(&[0_u32])?;
+        let bound = runner.output_of(&[0_u32])?;
         let kernel = HashGridPeakKernel {
             params: HashGridPeakParams { pairs, color: u32::from(self.color) },
-            pair_gradient: &bench.upload(&self.pair_gradient)?,
-            transmittance: &bench.upload(&self.transmittance)?,
+            pair_gradient: &runner.upload(&self.pair_gradient)?,
+            transmittance: &runner.upload(&self.transmittance)?,
             bound: &bound,
         };
-        bench.items(&kernel, pairs, 1)?;
-        Ok(vec![numbers(&bench.read(&bound)?, 1)])
+        runner.items(&kernel, pairs, 1)?;
+        Ok(vec![numbers(&runner.read(&bound)?, 1)])
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
@@ -130,18 +130,18 @@ impl Parity for HashGridNorm {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let bound = bench.output_of(&[0_u32; SLOT as usize + 1])?;
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let bound = runner.output_of(&[0_u32; SLOT as usize + 1])?;
         let params = HashGridNormParams {
             inputs: self.inputs,
             columns: self.columns,
             weight: BEFORE,
             slot: SLOT,
         };
-        let parameters = &bench.upload(&self.parameters)?;
+        let parameters = &runner.upload(&self.parameters)?;
         let kernel = HashGridNormKernel { params, parameters, bound: &bound };
-        bench.items(&kernel, self.inputs, 1)?;
-        Ok(vec![numbers(&bench.read(&bound)?, SLOT as usize + 1)])
+        runner.items(&kernel, self.inputs, 1)?;
+        Ok(vec![numbers(&runner.read(&bound)?, SLOT as usize + 1)])
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
@@ -199,11 +199,11 @@ impl Parity for HashGridScale {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let bits: Vec<_> = self.bound.iter().map(|value| value.to_bits()).collect();
-        let bound = bench.output_of(&bits)?;
-        let scale = bench.output::<f32>(SCALE_VALUES as usize)?;
-        let status = bench.output_of(&[0_u32])?;
+        let bound = runner.output_of(&bits)?;
+        let scale = runner.output::<f32>(SCALE_VALUES as usize)?;
+        let status = runner.output_of(&[0_u32])?;
         let layers = self.bound.len() as u32 - 1;
         let kernel = HashGridScaleKernel {
             params: HashGridScaleParams { layers, samples: self.samples },
@@ -211,13 +211,13 @@ impl Parity for HashGridScale {
             scale: &scale,
             status: &status,
         };
-        bench.items(&kernel, 1, 1)?;
-        let scale = &bench.read(&scale)?[..SCALE_VALUES as usize];
+        runner.items(&kernel, 1, 1)?;
+        let scale = &runner.read(&scale)?[..SCALE_VALUES as usize];
         let scale = scale.iter().map(|value| value.to_bits()).collect();
         Ok(vec![
             Output::exact("scale", scale),
-            Output::exact("bound", bench.read(&bound)?),
-            Output::exact("status", bench.read(&status)?),
+            Output::exact("bound", runner.read(&bound)?),
+            Output::exact("status", runner.read(&status)?),
         ])
     }
 

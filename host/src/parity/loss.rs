@@ -7,12 +7,12 @@ use organza_shaders::loss::{
 };
 use organza_shaders::ssim::SLOPES;
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::exact::loss::{sign, sums};
 use super::exact::ssim::weighted_sum;
 use super::inputs::{Fill, Random};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use super::ssim::{tap_sum, window};
 use organza_device::Result;
 
@@ -118,22 +118,22 @@ impl Parity for LossTerms {
         sets(Self::new)
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let difference = bench.output::<Vec4>(self.valid.len())?;
-        let sum = bench.output::<Vec4>(self.valid.len())?;
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let difference = runner.output::<Vec4>(self.valid.len())?;
+        let sum = runner.output::<Vec4>(self.valid.len())?;
         let kernel = LossTermsKernel {
             params: LossParams { side: self.side, tiles: TILES },
-            image: &bench.upload(&self.image)?,
-            target: &bench.upload(&self.target)?,
-            valid: &bench.upload(&self.valid)?,
+            image: &runner.upload(&self.image)?,
+            target: &runner.upload(&self.target)?,
+            valid: &runner.upload(&self.valid)?,
             difference: &difference,
             sum: &sum,
         };
-        bench.pixels(&kernel, self.side, TILES)?;
+        runner.pixels(&kernel, self.side, TILES)?;
         let floats = |values: Vec<Vec4>| values.into_iter().flat_map(|value| value.to_array());
         Ok(vec![
-            Output::float("difference", floats(bench.read(&difference)?)),
-            Output::float("sum", floats(bench.read(&sum)?)),
+            Output::float("difference", floats(runner.read(&difference)?)),
+            Output::float("sum", floats(runner.read(&sum)?)),
         ])
     }
 
@@ -203,17 +203,17 @@ impl Parity for LossRows {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let rows = TILES * self.side;
-        let row_sum = bench.output::<Vec4>(rows as usize)?;
+        let row_sum = runner.output::<Vec4>(rows as usize)?;
         let kernel = LossRowsKernel {
             params: LossParams { side: self.side, tiles: TILES },
-            difference: &bench.upload(&self.difference)?,
-            dissimilarity: &bench.upload(&self.dissimilarity)?,
+            difference: &runner.upload(&self.difference)?,
+            dissimilarity: &runner.upload(&self.dissimilarity)?,
             row_sum: &row_sum,
         };
-        bench.items(&kernel, rows, 1)?;
-        let sums = bench.read(&row_sum)?;
+        runner.items(&kernel, rows, 1)?;
+        let sums = runner.read(&row_sum)?;
         Ok(vec![Output::float("row_sum", sums.iter().flat_map(|sum| sum.to_array()))])
     }
 
@@ -284,20 +284,20 @@ impl Parity for LossGradient {
         sets(Self::new)
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let terms = &self.terms;
-        let grad_image = bench.output(3 * terms.sum.len())?;
+        let grad_image = runner.output(3 * terms.sum.len())?;
         let [absolute_scale, ssim_scale] = self.scales;
         let kernel = LossGradientKernel {
             params: LossGradientParams { side: terms.side, absolute_scale, ssim_scale },
-            window: &bench.upload(&window())?,
-            difference: &bench.upload(&terms.difference)?,
-            sum: &bench.upload(&terms.sum)?,
-            row_slopes: &bench.upload(&self.row_slopes)?,
+            window: &runner.upload(&window())?,
+            difference: &runner.upload(&terms.difference)?,
+            sum: &runner.upload(&terms.sum)?,
+            row_slopes: &runner.upload(&self.row_slopes)?,
             grad_image: &grad_image,
         };
-        bench.pixels(&kernel, terms.side, TILES)?;
-        Ok(vec![Output::float("grad_image", bench.read(&grad_image)?)])
+        runner.pixels(&kernel, terms.side, TILES)?;
+        Ok(vec![Output::float("grad_image", runner.read(&grad_image)?)])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

@@ -33,7 +33,7 @@ pub mod tile_cells;
 pub mod transmittance;
 pub mod transmittance_backward;
 
-pub use organza_check::{bench, case, inputs, measure};
+pub use organza_check::{case, inputs, measure, runner};
 
 use case::Case;
 
@@ -45,8 +45,8 @@ pub fn cases() -> Vec<Case> {
         Case::of::<tile::TileMask>(),
         Case::of::<tile::TileFill>(),
         Case::of::<tile::TileRange>(),
-        Case::of::<count::CountAdmit>(),
-        Case::of::<count::CountWithhold>(),
+        Case::of::<count::RecordTotal>(),
+        Case::of::<count::ClearOnOverflow>(),
         Case::of::<count::CountFill>(),
         Case::of::<pair::PairMask>(),
         Case::of::<pair::PairFill>(),

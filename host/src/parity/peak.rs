@@ -6,10 +6,10 @@ use organza_shaders::peak::{
     READS,
 };
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::inputs::{self, Fill};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Sums of an invocation of `peak_multiply_add`.
@@ -53,12 +53,12 @@ impl Parity for PeakMultiplyAdd {
         })
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let Self { count, steps, factor, addend } = *self;
-        let output = bench.output(count as usize)?;
+        let output = runner.output(count as usize)?;
         let params = PeakMultiplyAddParams { count, steps, factor, addend };
-        bench.items(&PeakMultiplyAddKernel { params, output: &output }, count, 1)?;
-        Ok(vec![Output::float("output", bench.read(&output)?)])
+        runner.items(&PeakMultiplyAddKernel { params, output: &output }, count, 1)?;
+        Ok(vec![Output::float("output", runner.read(&output)?)])
     }
 
     /// Twelve sums, which begin with 0 to 11 and a 4,194,304th of the invocation's number.
@@ -122,15 +122,15 @@ impl Parity for PeakRead {
         })
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let output = bench.output(self.count as usize)?;
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let output = runner.output(self.count as usize)?;
         let kernel = PeakReadKernel {
             params: PeakReadParams { count: self.count, steps: self.steps },
-            values: &bench.upload(&self.values)?,
+            values: &runner.upload(&self.values)?,
             output: &output,
         };
-        bench.items(&kernel, self.count, 1)?;
-        Ok(vec![Output::float("output", bench.read(&output)?)])
+        runner.items(&kernel, self.count, 1)?;
+        Ok(vec![Output::float("output", runner.read(&output)?)])
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {

@@ -7,11 +7,11 @@ use organza_shaders::project::{
     BEHIND, DEGENERATE, FALLOFF_CUTOFF, ProjectKernel, ProjectParams, rotation_columns,
 };
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::exact::project::{Gaussian, Projected, View, project};
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Three cameras around the origin, the first of them axis-parallel.
@@ -170,22 +170,22 @@ impl Parity for Project {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let packed: Vec<_> = self.cameras.iter().flat_map(Camera::pack).collect();
         let slots = self.cameras.len() * self.gaussians as usize;
-        let projection = bench.output::<Vec4>(2 * slots)?;
-        let degenerate = bench.output_of(&[0_u32])?;
+        let projection = runner.output::<Vec4>(2 * slots)?;
+        let degenerate = runner.output_of(&[0_u32])?;
         let kernel = ProjectKernel {
             params: ProjectParams { gaussians: self.gaussians, blur: self.blur },
-            camera: &bench.upload(&packed)?,
-            position: &bench.upload(&self.position)?,
-            rotation: &bench.upload(&self.rotation)?,
-            log_scale: &bench.upload(&self.log_scale)?,
+            camera: &runner.upload(&packed)?,
+            position: &runner.upload(&self.position)?,
+            rotation: &runner.upload(&self.rotation)?,
+            log_scale: &runner.upload(&self.log_scale)?,
             projection: &projection,
             degenerate: &degenerate,
         };
-        bench.items(&kernel, self.gaussians, self.cameras.len() as u32)?;
-        let projection = bench.read(&projection)?;
+        runner.items(&kernel, self.gaussians, self.cameras.len() as u32)?;
+        let projection = runner.read(&projection)?;
         let class = |p: &[Vec4; 2]| match p[0].z {
             BEHIND => 1,
             DEGENERATE => 2,
@@ -201,7 +201,7 @@ impl Parity for Project {
         let extent = places.iter().flat_map(|p| [of(p, p[0].w), of(p, p[1].w)]);
         Ok(vec![
             Output::exact("class", places.iter().map(class).collect()),
-            Output::exact("degenerate", bench.read(&degenerate)?),
+            Output::exact("degenerate", runner.read(&degenerate)?),
             Output::float("mean2d", mean2d),
             Output::float("radius", places.iter().map(|p| of(p, p[0].z))),
             Output::float("conic", conic),

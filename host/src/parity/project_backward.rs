@@ -6,13 +6,13 @@ use organza_shaders::camera::Camera;
 use organza_shaders::project::project_gaussian;
 use organza_shaders::project_backward::{ProjectBackwardKernel, ProjectBackwardParams};
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::exact::numeric::{Dual, gradient};
 use super::exact::project::{Gaussian, View, project};
 use super::inputs::Random;
 use super::measure::{Bound, Output};
 use super::project::{Fate, Project};
+use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Inputs of `project_backward`.
@@ -218,13 +218,13 @@ impl Parity for ProjectBackward {
         Project::sets().into_iter().map(|(name, set)| (name, Self::new(set))).collect()
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let set = &self.forward;
         let packed: Vec<_> = set.cameras.iter().flat_map(Camera::pack).collect();
         let projection =
             self.radius.iter().flat_map(|&radius| [Vec4::ONE.with_z(radius), Vec4::ONE]);
-        let gradient = bench.output_of(&self.gradient)?;
-        let statistics = bench.output_of(&self.statistics)?;
+        let gradient = runner.output_of(&self.gradient)?;
+        let statistics = runner.output_of(&self.statistics)?;
         let kernel = ProjectBackwardKernel {
             params: ProjectBackwardParams {
                 gaussians: set.gaussians,
@@ -232,21 +232,21 @@ impl Parity for ProjectBackward {
                 cameras: set.cameras.len() as u32,
                 blur: set.blur,
             },
-            camera: &bench.upload(&packed)?,
-            position: &bench.upload(&set.position)?,
-            rotation: &bench.upload(&set.rotation)?,
-            log_scale: &bench.upload(&set.log_scale)?,
-            projection: &bench.upload(&projection.collect::<Vec<_>>())?,
-            pair_mask: &bench.upload(&self.pair_mask)?,
-            first_pair: &bench.upload(&self.first_pair)?,
-            pair_gradient: &bench.upload(self.pair_gradient.as_flattened())?,
+            camera: &runner.upload(&packed)?,
+            position: &runner.upload(&set.position)?,
+            rotation: &runner.upload(&set.rotation)?,
+            log_scale: &runner.upload(&set.log_scale)?,
+            projection: &runner.upload(&projection.collect::<Vec<_>>())?,
+            pair_mask: &runner.upload(&self.pair_mask)?,
+            first_pair: &runner.upload(&self.first_pair)?,
+            pair_gradient: &runner.upload(self.pair_gradient.as_flattened())?,
             gradient: &gradient,
             statistics: &statistics,
         };
-        bench.items(&kernel, set.gaussians, 1)?;
-        let statistics = bench.read(&statistics)?.into_iter().flat_map(|v| v.to_array());
+        runner.items(&kernel, set.gaussians, 1)?;
+        let statistics = runner.read(&statistics)?.into_iter().flat_map(|v| v.to_array());
         Ok(vec![
-            Output::float("gradient", bench.read(&gradient)?),
+            Output::float("gradient", runner.read(&gradient)?),
             Output::float("statistics", statistics),
         ])
     }

@@ -5,13 +5,13 @@ use organza_kernel::math::TINY;
 use organza_shaders::resolve::{DIVIDE_ABOVE, ResolveBackwardKernel, ResolveKernel, ResolveParams};
 use organza_shaders::tile::Tile;
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::composite::{SIDES, pixels, planes, tiles};
 use super::exact::numeric::{Dual, gradient};
 use super::exact::resolve::pixel;
 use super::inputs::{Fill, Random};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use super::tile::pack;
 use organza_device::Result;
 
@@ -64,8 +64,8 @@ impl Parity for Resolve {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let image = bench.output(3 * self.sum.len())?;
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let image = runner.output(3 * self.sum.len())?;
         let [background_r, background_g, background_b] = self.background;
         let side = self.side;
         let kernel = ResolveKernel {
@@ -76,12 +76,12 @@ impl Parity for Resolve {
                 background_b,
                 divide_above: DIVIDE_ABOVE,
             },
-            tile: &bench.upload(&pack(&self.tiles))?,
-            sum: &bench.upload(&planes(&self.sum, (side * side) as usize))?,
+            tile: &runner.upload(&pack(&self.tiles))?,
+            sum: &runner.upload(&planes(&self.sum, (side * side) as usize))?,
             image: &image,
         };
-        bench.pixels(&kernel, side, self.tiles.len() as u32)?;
-        Ok(vec![Output::float("image", bench.read(&image)?)])
+        runner.pixels(&kernel, side, self.tiles.len() as u32)?;
+        Ok(vec![Output::float("image", runner.read(&image)?)])
     }
 
     fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
@@ -140,9 +140,9 @@ impl Parity for ResolveBackward {
         Resolve::sets().into_iter().map(|(name, set)| (name, Self::new(set))).collect()
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let set = &self.forward;
-        let sum_gradient = bench.output(4 * set.sum.len())?;
+        let sum_gradient = runner.output(4 * set.sum.len())?;
         let [background_r, background_g, background_b] = set.background;
         let side = set.side;
         let kernel = ResolveBackwardKernel {
@@ -153,13 +153,13 @@ impl Parity for ResolveBackward {
                 background_b,
                 divide_above: DIVIDE_ABOVE,
             },
-            tile: &bench.upload(&pack(&set.tiles))?,
-            sum: &bench.upload(&planes(&set.sum, self.area()))?,
-            image_gradient: &bench.upload(&self.image_gradient)?,
+            tile: &runner.upload(&pack(&set.tiles))?,
+            sum: &runner.upload(&planes(&set.sum, self.area()))?,
+            image_gradient: &runner.upload(&self.image_gradient)?,
             sum_gradient: &sum_gradient,
         };
-        bench.pixels(&kernel, side, set.tiles.len() as u32)?;
-        let found = bench.read(&sum_gradient)?;
+        runner.pixels(&kernel, side, set.tiles.len() as u32)?;
+        let found = runner.read(&sum_gradient)?;
         Ok(vec![Output::float("sum_gradient", pixels(&found, self.area()))])
     }
 

@@ -6,7 +6,6 @@ use organza_shaders::limits::MAX_SAMPLES;
 use organza_shaders::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
 use organza_shaders::unit_cube::SceneBox;
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::color::BOXES;
 use super::exact::segment as exact;
@@ -14,6 +13,7 @@ use super::exact::unit_cube::unit;
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output, Values};
 use super::project;
+use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// How far from a decision of the kernel the inputs stay, relative to the ray.
@@ -161,25 +161,25 @@ impl Parity for Segment {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pairs = self.pair.len() as u32;
         let cameras: Vec<_> = self.cameras.iter().flat_map(Camera::pack).collect();
-        let segment = bench.output::<Vec4>((SEGMENT_VECTORS * pairs) as usize)?;
-        let count = bench.output(pairs as usize)?;
+        let segment = runner.output::<Vec4>((SEGMENT_VECTORS * pairs) as usize)?;
+        let count = runner.output(pairs as usize)?;
         let kernel = SegmentKernel {
             params: SegmentParams { pairs, gaussians: self.gaussians, step: self.step },
-            pair: &bench.upload(&self.pair)?,
-            camera: &bench.upload(&cameras)?,
-            scene_box: &bench.upload(&SceneBox::new(self.aabb).pack())?,
-            position: &bench.upload(&self.position)?,
+            pair: &runner.upload(&self.pair)?,
+            camera: &runner.upload(&cameras)?,
+            scene_box: &runner.upload(&SceneBox::new(self.aabb).pack())?,
+            position: &runner.upload(&self.position)?,
             segment: &segment,
             count: &count,
         };
-        bench.items(&kernel, pairs, 1)?;
-        let segment = bench.read(&segment)?;
+        runner.items(&kernel, pairs, 1)?;
+        let segment = runner.read(&segment)?;
         Ok(vec![
             Output { name: "segment", values: Values::Float(joined(&segment)) },
-            Output::exact("count", bench.read(&count)?),
+            Output::exact("count", runner.read(&count)?),
         ])
     }
 

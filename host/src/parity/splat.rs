@@ -8,13 +8,13 @@ use organza_shaders::splat::{
     SplatBackwardKernel, SplatBackwardParams, SplatKernel, SplatParams, VECTORS,
 };
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::exact::bits;
 use super::exact::composite::weight;
 use super::exact::numeric::{Dual, gradient};
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Inputs of `splat`.
@@ -73,20 +73,20 @@ impl Parity for Splat {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pairs = self.pair.len() as u32;
-        let splat = bench.output::<Vec4>((VECTORS * pairs) as usize)?;
+        let splat = runner.output::<Vec4>((VECTORS * pairs) as usize)?;
         let kernel = SplatKernel {
             params: SplatParams { pairs, gaussians: self.gaussians },
-            pair: &bench.upload(&self.pair)?,
-            projection: &bench.upload(&self.projection)?,
-            opacity: &bench.upload(&self.opacity)?,
-            transmittance: &bench.upload(&self.transmittance)?,
-            color: &bench.upload(&self.color)?,
+            pair: &runner.upload(&self.pair)?,
+            projection: &runner.upload(&self.projection)?,
+            opacity: &runner.upload(&self.opacity)?,
+            transmittance: &runner.upload(&self.transmittance)?,
+            color: &runner.upload(&self.color)?,
             splat: &splat,
         };
-        bench.items(&kernel, pairs, 1)?;
-        let splat = bench.read(&splat)?;
+        runner.items(&kernel, pairs, 1)?;
+        let splat = runner.read(&splat)?;
         Ok(vec![Output::float("splat", splat.iter().flat_map(|v| v.to_array()))])
     }
 
@@ -224,23 +224,23 @@ impl Parity for SplatBackward {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pairs = self.pair.len() as u32;
-        let pair_gradient = bench.output::<Vec4>((VECTORS * pairs) as usize)?;
+        let pair_gradient = runner.output::<Vec4>((VECTORS * pairs) as usize)?;
         let words = self.gaussians.div_ceil(32);
         let kernel = SplatBackwardKernel {
             params: SplatBackwardParams { pairs, gaussians: self.gaussians, words },
-            pair: &bench.upload(&self.pair)?,
-            first_tile: &bench.upload(&FIRST_TILE)?,
-            tile_mask: &bench.upload(&self.tile_mask)?,
-            first_member: &bench.upload(&self.first_member)?,
-            opacity: &bench.upload(&self.opacity)?,
-            transmittance: &bench.upload(&self.transmittance)?,
-            member_gradient: &bench.upload(self.member_gradient.as_flattened())?,
+            pair: &runner.upload(&self.pair)?,
+            first_tile: &runner.upload(&FIRST_TILE)?,
+            tile_mask: &runner.upload(&self.tile_mask)?,
+            first_member: &runner.upload(&self.first_member)?,
+            opacity: &runner.upload(&self.opacity)?,
+            transmittance: &runner.upload(&self.transmittance)?,
+            member_gradient: &runner.upload(self.member_gradient.as_flattened())?,
             pair_gradient: &pair_gradient,
         };
-        bench.items(&kernel, pairs, 1)?;
-        let values = bench.read(&pair_gradient)?.into_iter().flat_map(|v| v.to_array());
+        runner.items(&kernel, pairs, 1)?;
+        let values = runner.read(&pair_gradient)?.into_iter().flat_map(|v| v.to_array());
         Ok(vec![Output::float("pair_gradient", values)])
     }
 

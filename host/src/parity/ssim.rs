@@ -7,13 +7,13 @@ use organza_shaders::ssim::{
     SsimRowsKernel, WINDOW,
 };
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::exact::numeric::{Dual, gradient};
 use super::exact::ssim::{dissimilarity, weighted_sum};
 use super::inputs::{Fill, Random};
 use super::loss::{TILES, Terms, sets};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use crate::metrics;
 use organza_device::Result;
 
@@ -66,18 +66,18 @@ impl Parity for SsimRows {
         sets(|side, fill, random| Self { terms: Terms::new(side, fill, random) })
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let terms = &self.terms;
-        let moments = bench.output::<Vec4>(MOMENTS as usize * terms.sum.len())?;
+        let moments = runner.output::<Vec4>(MOMENTS as usize * terms.sum.len())?;
         let kernel = SsimRowsKernel {
             params: SsimParams { side: terms.side },
-            window: &bench.upload(&window())?,
-            difference: &bench.upload(&terms.difference)?,
-            sum: &bench.upload(&terms.sum)?,
+            window: &runner.upload(&window())?,
+            difference: &runner.upload(&terms.difference)?,
+            sum: &runner.upload(&terms.sum)?,
             moments: &moments,
         };
-        bench.pixels(&kernel, terms.side, TILES)?;
-        Ok(vec![Output::float("moments", floats(bench.read(&moments)?))])
+        runner.pixels(&kernel, terms.side, TILES)?;
+        Ok(vec![Output::float("moments", floats(runner.read(&moments)?))])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
@@ -199,22 +199,22 @@ impl Parity for SsimColumns {
         sets(Self::new)
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pixels = self.terms.sum.len();
-        let dissimilarity = bench.output(pixels)?;
-        let slopes = bench.output::<Vec4>(SLOPES as usize * pixels)?;
+        let dissimilarity = runner.output(pixels)?;
+        let slopes = runner.output::<Vec4>(SLOPES as usize * pixels)?;
         let kernel = SsimColumnsKernel {
             params: SsimParams { side: self.terms.side },
-            window: &bench.upload(&window())?,
-            difference: &bench.upload(&self.terms.difference)?,
-            moments: &bench.upload(&self.moments)?,
+            window: &runner.upload(&window())?,
+            difference: &runner.upload(&self.terms.difference)?,
+            moments: &runner.upload(&self.moments)?,
             dissimilarity: &dissimilarity,
             slopes: &slopes,
         };
-        bench.pixels(&kernel, self.terms.side, TILES)?;
+        runner.pixels(&kernel, self.terms.side, TILES)?;
         Ok(vec![
-            Output::float("dissimilarity", bench.read(&dissimilarity)?),
-            Output::float("slopes", floats(bench.read(&slopes)?)),
+            Output::float("dissimilarity", runner.read(&dissimilarity)?),
+            Output::float("slopes", floats(runner.read(&slopes)?)),
         ])
     }
 
@@ -281,16 +281,16 @@ impl Parity for SsimRowsBackward {
         sets(Self::new)
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let row_slopes = bench.output::<Vec4>(self.slopes.len())?;
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let row_slopes = runner.output::<Vec4>(self.slopes.len())?;
         let kernel = SsimRowsBackwardKernel {
             params: SsimParams { side: self.side },
-            window: &bench.upload(&window())?,
-            slopes: &bench.upload(&self.slopes)?,
+            window: &runner.upload(&window())?,
+            slopes: &runner.upload(&self.slopes)?,
             row_slopes: &row_slopes,
         };
-        bench.pixels(&kernel, self.side, TILES)?;
-        Ok(vec![Output::float("row_slopes", floats(bench.read(&row_slopes)?))])
+        runner.pixels(&kernel, self.side, TILES)?;
+        Ok(vec![Output::float("row_slopes", floats(runner.read(&row_slopes)?))])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

@@ -7,13 +7,13 @@ use organza_shaders::tile::{
     TileRangeParams,
 };
 
-use super::bench::Bench;
 use super::case::Parity;
 use super::exact::tile::reaches;
 use super::exact::{bits, listed};
 use super::inputs::{Fill, Random, SIZES};
 use super::measure::Output;
 use super::pair::{mask_sets, scanned};
+use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Tiles as they lie in a buffer.
@@ -112,21 +112,21 @@ impl Parity for TileMask {
         sized.into_iter().chain(sides).chain(filled).collect()
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let words = self.gaussians.div_ceil(32);
         let len = self.tiles.len() * words as usize;
-        let (mask, count) = (bench.output(len)?, bench.output(len)?);
+        let (mask, count) = (runner.output(len)?, runner.output(len)?);
         let kernel = TileMaskKernel {
             params: TileMaskParams { gaussians: self.gaussians, words, side: self.side },
-            tile: &bench.upload(&pack(&self.tiles))?,
-            projection: &bench.upload(&self.projection)?,
+            tile: &runner.upload(&pack(&self.tiles))?,
+            projection: &runner.upload(&self.projection)?,
             mask: &mask,
             count: &count,
         };
-        bench.items(&kernel, words, self.tiles.len() as u32)?;
+        runner.items(&kernel, words, self.tiles.len() as u32)?;
         Ok(vec![
-            Output::exact("mask", bench.read(&mask)?),
-            Output::exact("count", bench.read(&count)?),
+            Output::exact("mask", runner.read(&mask)?),
+            Output::exact("count", runner.read(&count)?),
         ])
     }
 
@@ -184,20 +184,20 @@ impl Parity for TileFill {
         })
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let first_member = scanned(&self.tile_mask);
-        let member = bench.output(*first_member.last().unwrap_or(&0) as usize)?;
+        let member = runner.output(*first_member.last().unwrap_or(&0) as usize)?;
         let kernel = TileFillKernel {
             params: TileFillParams { words: self.words },
-            tile: &bench.upload(&pack(&self.tiles))?,
-            tile_mask: &bench.upload(&self.tile_mask)?,
-            first_member: &bench.upload(&first_member)?,
-            pair_mask: &bench.upload(&self.pair_mask)?,
-            first_pair: &bench.upload(&scanned(&self.pair_mask))?,
+            tile: &runner.upload(&pack(&self.tiles))?,
+            tile_mask: &runner.upload(&self.tile_mask)?,
+            first_member: &runner.upload(&first_member)?,
+            pair_mask: &runner.upload(&self.pair_mask)?,
+            first_pair: &runner.upload(&scanned(&self.pair_mask))?,
             member: &member,
         };
-        bench.items(&kernel, self.words, self.tiles.len() as u32)?;
-        Ok(vec![Output::exact("member", bench.read(&member)?)])
+        runner.items(&kernel, self.words, self.tiles.len() as u32)?;
+        Ok(vec![Output::exact("member", runner.read(&member)?)])
     }
 
     /// A pair's number is its place among those of its camera, behind those of the cameras before.
@@ -239,15 +239,15 @@ impl Parity for TileRange {
         SIZES.into_iter().flat_map(|tiles| [1, 7].map(|words| (tiles, words))).map(of).collect()
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let tile_first = bench.output(self.tiles as usize + 1)?;
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let tile_first = runner.output(self.tiles as usize + 1)?;
         let kernel = TileRangeKernel {
             params: TileRangeParams { tiles: self.tiles, words: self.words },
-            first_member: &bench.upload(&self.first_member)?,
+            first_member: &runner.upload(&self.first_member)?,
             tile_first: &tile_first,
         };
-        bench.items(&kernel, self.tiles + 1, 1)?;
-        Ok(vec![Output::exact("tile_first", bench.read(&tile_first)?)])
+        runner.items(&kernel, self.tiles + 1, 1)?;
+        Ok(vec![Output::exact("tile_first", runner.read(&tile_first)?)])
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {

@@ -4,11 +4,11 @@ use glam::Vec4;
 use organza_shaders::tile::Tile;
 use organza_shaders::tile_cells::{TileCellsKernel, TileCellsParams};
 
-use super::bench::Bench;
 use super::case::Parity;
 use super::composite::{Composite, SIDES};
 use super::inputs::Fill;
 use super::measure::Output;
+use super::runner::KernelRunner;
 use super::tile::pack;
 use organza_device::Result;
 
@@ -52,19 +52,19 @@ impl Parity for TileCells {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let members = self.member.len() as u32;
-        let cells = bench.output(self.member.len())?;
+        let cells = runner.output(self.member.len())?;
         let kernel = TileCellsKernel {
             params: TileCellsParams { members, tiles: self.tiles.len() as u32, side: self.side },
-            tile: &bench.upload(&pack(&self.tiles))?,
-            tile_first: &bench.upload(&self.tile_first)?,
-            member: &bench.upload(&self.member)?,
-            splat: &bench.upload(self.splat.as_flattened())?,
+            tile: &runner.upload(&pack(&self.tiles))?,
+            tile_first: &runner.upload(&self.tile_first)?,
+            member: &runner.upload(&self.member)?,
+            splat: &runner.upload(self.splat.as_flattened())?,
             cells: &cells,
         };
-        bench.items(&kernel, members, 1)?;
-        Ok(vec![Output::exact("cells", bench.read(&cells)?)])
+        runner.items(&kernel, members, 1)?;
+        Ok(vec![Output::exact("cells", runner.read(&cells)?)])
     }
 
     /// The cells that have pixel centers within a splat's extent.

@@ -9,13 +9,13 @@ use organza_shaders::transmittance::{
 };
 use organza_shaders::unit_cube::Split;
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::color::{joined, layer_of_size};
 use super::dense::Layer;
 use super::exact::transmittance::{log_rho, midpoint, transmittance};
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output, Values};
+use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Samples before the chunk.
@@ -129,10 +129,10 @@ impl Parity for TransmittanceInputs {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let stride = self.stride as usize;
-        let point = bench.output((POINT_ROWS as usize + 1) * stride)?;
-        let input = bench.output(4 * stride)?;
+        let point = runner.output((POINT_ROWS as usize + 1) * stride)?;
+        let input = runner.output(4 * stride)?;
         let kernel = TransmittanceInputsKernel {
             params: TransmittanceInputsParams {
                 samples: self.samples,
@@ -143,20 +143,20 @@ impl Parity for TransmittanceInputs {
                 extra: 2,
                 extra_row: 1,
             },
-            pair: &bench.upload(&self.pair)?,
-            first_sample: &bench.upload(&self.first_sample)?,
-            segment: &bench.upload(&self.segment)?,
-            extra: &bench.upload(&self.extra)?,
+            pair: &runner.upload(&self.pair)?,
+            first_sample: &runner.upload(&self.first_sample)?,
+            segment: &runner.upload(&self.segment)?,
+            extra: &runner.upload(&self.extra)?,
             point: &point,
             input: &input,
         };
-        bench.items(&kernel, self.samples, 1)?;
-        let point = bench.read(&point)?;
+        runner.items(&kernel, self.samples, 1)?;
+        let point = runner.read(&point)?;
         let factor = point[POINT_ROWS as usize * stride..].iter().copied();
         Ok(vec![
             Output { name: "point", values: Values::Float(joined(&point, stride)) },
             Output::float("s_factor", factor),
-            Output::float("input", bench.read(&input)?),
+            Output::float("input", runner.read(&input)?),
         ])
     }
 
@@ -256,18 +256,18 @@ impl Parity for TransmittanceHead {
         head_sets(Self::new)
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
-        let log_rho = bench.output((FIRST_SAMPLE + layer.samples) as usize)?;
+        let log_rho = runner.output((FIRST_SAMPLE + layer.samples) as usize)?;
         let kernel = TransmittanceHeadKernel {
             params: head_params(layer),
-            parameters: &bench.upload(&layer.parameters)?,
-            point: &bench.upload(&points(layer, &self.factor))?,
-            input: &bench.upload(&layer.input)?,
+            parameters: &runner.upload(&layer.parameters)?,
+            point: &runner.upload(&points(layer, &self.factor))?,
+            input: &runner.upload(&layer.input)?,
             log_rho: &log_rho,
         };
-        bench.items(&kernel, layer.samples, 1)?;
-        Ok(vec![Output::float("log_rho", bench.read(&log_rho)?)])
+        runner.items(&kernel, layer.samples, 1)?;
+        Ok(vec![Output::float("log_rho", runner.read(&log_rho)?)])
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
@@ -333,17 +333,17 @@ impl Parity for SegmentProduct {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pairs = self.first_sample.len() as u32 - 1;
-        let transmittance = bench.output(pairs as usize)?;
+        let transmittance = runner.output(pairs as usize)?;
         let kernel = SegmentProductKernel {
             params: SegmentProductParams { pairs },
-            first_sample: &bench.upload(&self.first_sample)?,
-            log_rho: &bench.upload(&self.log_rho)?,
+            first_sample: &runner.upload(&self.first_sample)?,
+            log_rho: &runner.upload(&self.log_rho)?,
             transmittance: &transmittance,
         };
-        bench.items(&kernel, pairs, 1)?;
-        Ok(vec![Output::float("transmittance", bench.read(&transmittance)?)])
+        runner.items(&kernel, pairs, 1)?;
+        Ok(vec![Output::float("transmittance", runner.read(&transmittance)?)])
     }
 
     fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {

@@ -7,13 +7,13 @@ use organza_shaders::transmittance_backward::{
     SegmentProductBackwardParams, TransmittanceHeadBackwardKernel,
 };
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::dense::Layer;
 use super::exact::numeric::{Dual, gradient};
 use super::exact::transmittance::{log_rho, transmittance};
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use super::transmittance::{counts, head_params, head_sets, points, prefix};
 use organza_device::Result;
 
@@ -121,9 +121,9 @@ impl Parity for SegmentProductBackward {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let chunk = &self.chunk;
-        let log_rho_gradient = bench.output(chunk.samples as usize)?;
+        let log_rho_gradient = runner.output(chunk.samples as usize)?;
         let [first_pair, pairs] = chunk.pairs();
         let kernel = SegmentProductBackwardKernel {
             params: SegmentProductBackwardParams {
@@ -132,13 +132,13 @@ impl Parity for SegmentProductBackward {
                 samples: chunk.samples,
                 first_sample: FIRST_SAMPLE,
             },
-            first_sample: &bench.upload(&chunk.first_sample)?,
-            transmittance: &bench.upload(&self.transmittance)?,
-            pair_gradient: &bench.upload(&self.gradient)?,
+            first_sample: &runner.upload(&chunk.first_sample)?,
+            transmittance: &runner.upload(&self.transmittance)?,
+            pair_gradient: &runner.upload(&self.gradient)?,
             log_rho_gradient: &log_rho_gradient,
         };
-        bench.items(&kernel, pairs, 1)?;
-        Ok(vec![Output::float("log_rho_gradient", bench.read(&log_rho_gradient)?)])
+        runner.items(&kernel, pairs, 1)?;
+        Ok(vec![Output::float("log_rho_gradient", runner.read(&log_rho_gradient)?)])
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
@@ -195,19 +195,19 @@ impl Parity for TransmittanceHeadBackward {
         head_sets(Self::new)
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
-        let logit_gradient = bench.output(layer.samples as usize)?;
+        let logit_gradient = runner.output(layer.samples as usize)?;
         let kernel = TransmittanceHeadBackwardKernel {
             params: head_params(layer),
-            parameters: &bench.upload(&layer.parameters)?,
-            point: &bench.upload(&points(layer, &self.factor))?,
-            input: &bench.upload(&layer.input)?,
-            log_rho_gradient: &bench.upload(&self.gradient)?,
+            parameters: &runner.upload(&layer.parameters)?,
+            point: &runner.upload(&points(layer, &self.factor))?,
+            input: &runner.upload(&layer.input)?,
+            log_rho_gradient: &runner.upload(&self.gradient)?,
             logit_gradient: &logit_gradient,
         };
-        bench.items(&kernel, layer.samples, 1)?;
-        Ok(vec![Output::float("logit_gradient", bench.read(&logit_gradient)?)])
+        runner.items(&kernel, layer.samples, 1)?;
+        Ok(vec![Output::float("logit_gradient", runner.read(&logit_gradient)?)])
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
@@ -280,9 +280,9 @@ impl Parity for ExtraBackward {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let chunk = &self.chunk;
-        let pair_extra = bench.output_of(&self.pair_extra)?;
+        let pair_extra = runner.output_of(&self.pair_extra)?;
         let [first_pair, pairs] = chunk.pairs();
         let kernel = ExtraBackwardKernel {
             params: ExtraBackwardParams {
@@ -294,12 +294,12 @@ impl Parity for ExtraBackward {
                 extra: EXTRA as u32,
                 extra_row: 1,
             },
-            first_sample: &bench.upload(&chunk.first_sample)?,
-            input_gradient: &bench.upload(&self.gradient)?,
+            first_sample: &runner.upload(&chunk.first_sample)?,
+            input_gradient: &runner.upload(&self.gradient)?,
             pair_extra: &pair_extra,
         };
-        bench.items(&kernel, pairs, EXTRA as u32)?;
-        Ok(vec![Output::float("pair_extra", bench.read(&pair_extra)?)])
+        runner.items(&kernel, pairs, EXTRA as u32)?;
+        Ok(vec![Output::float("pair_extra", runner.read(&pair_extra)?)])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

@@ -31,7 +31,7 @@ pub struct Color {
 }
 
 impl Color {
-    /// `keep` says whether [`Color::backward`] will be called: what it needs is kept, as far as there is room.
+    /// `keep` says whether [`Color::backward`] will be called: what it needs is kept, as far as there is capacity.
     pub fn evaluate(
         device: &Device,
         scene: &DeviceScene,
@@ -58,7 +58,7 @@ impl Color {
             encode(device, scene, pairs, block)?;
             block.chunks().try_for_each(|chunk| visit(&chunk))?;
             let new = || Scratch::new(device, field, blocks.layout());
-            device.each_with(block.chunks(), &scratches, new, |scratch, chunk| {
+            device.parallel_for_with(block.chunks(), &scratches, new, |scratch, chunk| {
                 let kernel = ColorHeadKernel {
                     params: ColorHeadParams {
                         samples: chunk.samples,
@@ -81,7 +81,7 @@ impl Color {
 
 /// What the network reads, for a block of pairs.
 fn encode(device: &Device, scene: &DeviceScene, pairs: &Pairs, block: BlockOf<'_>) -> Result<()> {
-    device.each(block.chunks(), |chunk| inputs(device, scene, pairs, &chunk))?;
+    device.parallel_for(block.chunks(), |chunk| inputs(device, scene, pairs, &chunk))?;
     scene.color.encode(device, block, scene.config.sh_width() as u32)
 }
 
@@ -121,8 +121,8 @@ impl Color {
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
     ) -> Result<()> {
-        let room = pairs.count.at_most();
-        if room == 0 {
+        let capacity = pairs.count.at_most();
+        if capacity == 0 {
             return Ok(());
         }
         let (config, field) = (&scene.config, &scene.color);
@@ -131,7 +131,7 @@ impl Color {
         let group_scratch = GroupScratch::new(device, field, layout)?;
         let scratches = Mutex::default();
         let pair_material =
-            device.zeros("gradient of the pairs' material", (room * material) as usize)?;
+            device.zeros("gradient of the pairs' material", (capacity * material) as usize)?;
         let table = &gradient.color.table;
         table.set_scale(device, field, pair_gradient, None, &pairs.count, &pairs.count)?;
         for block in self.blocks.iter() {
@@ -140,7 +140,7 @@ impl Color {
             }
             for group in block.groups() {
                 let new = || ChunkScratch::new(device, field, layout);
-                device.each_with(group.chunks(), &scratches, new, |scratch, chunk| {
+                device.parallel_for_with(group.chunks(), &scratches, new, |scratch, chunk| {
                     field.activate(device, scratch, &chunk)?;
                     self.head_backward(device, scratch, &chunk, pair_gradient)?;
                     field.backward(device, &group_scratch, scratch, &chunk, grid_row)?;

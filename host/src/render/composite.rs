@@ -39,10 +39,10 @@ impl Composite {
         color: &Buffer<f32>,
     ) -> Result<Self> {
         let pairs = &bins.pairs;
-        let room = pairs.count.at_most();
-        let splat = device.zeros("splats", (room * VECTORS) as usize)?;
+        let capacity = pairs.count.at_most();
+        let splat = device.zeros("splats", (capacity * VECTORS) as usize)?;
         let kernel = SplatKernel {
-            params: SplatParams { pairs: room, gaussians: scene.gaussians },
+            params: SplatParams { pairs: capacity, gaussians: scene.gaussians },
             pair: &pairs.pair,
             projection: &pairs.projection,
             opacity: &scene.tensors.gaussians.opacity,
@@ -50,7 +50,7 @@ impl Composite {
             color,
             splat: &splat,
         };
-        device.run(&kernel.counted(&pairs.count), room, 1)?;
+        device.run(&kernel.counted(&pairs.count), capacity, 1)?;
 
         let (tiles, members) = (bins.tiles, bins.members.at_most());
         let cells = device.zeros("cells", members as usize)?;
@@ -114,11 +114,11 @@ impl Composite {
         let member_gradient = self.members_backward(device, side, bins, &sum_gradient)?;
 
         let pairs = &bins.pairs;
-        let room = pairs.count.at_most();
-        let pair_gradient = device.zeros("gradient of the pairs", (room * VECTORS) as usize)?;
+        let capacity = pairs.count.at_most();
+        let pair_gradient = device.zeros("gradient of the pairs", (capacity * VECTORS) as usize)?;
         let kernel = SplatBackwardKernel {
             params: SplatBackwardParams {
-                pairs: room,
+                pairs: capacity,
                 gaussians: scene.gaussians,
                 words: words(scene.gaussians),
             },
@@ -131,7 +131,7 @@ impl Composite {
             member_gradient: &member_gradient,
             pair_gradient: &pair_gradient,
         };
-        device.run(&kernel.counted(&pairs.count), room, 1)?;
+        device.run(&kernel.counted(&pairs.count), capacity, 1)?;
         Ok(pair_gradient)
     }
 

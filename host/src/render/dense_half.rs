@@ -2,8 +2,8 @@
 
 use half::f16;
 use organza_kernel::half::HalfVector;
-use organza_shaders::dense::{DenseParams, HIDDEN_BLOCK};
-use organza_shaders::dense_half::{DenseHalfKernel, GROUP, MAX_WEIGHTS};
+use organza_shaders::dense::{DenseParams, OUTPUTS_PER_INVOCATION};
+use organza_shaders::dense_half::{DenseHalfKernel, MAX_WEIGHTS, PRODUCTS_PER_SUM};
 
 use super::field::DeviceField;
 use super::halves::halves;
@@ -42,7 +42,7 @@ pub(super) fn half_weights(network: &Network, name: &str) -> Result<Vec<HalfVect
 /// Fails where the weights of an output and of a group of inputs add up to more than [`MAX_WEIGHTS`].
 fn require_small(layer: &Layer, tensor: &str) -> Result<()> {
     let rows = layer.weight.chunks(layer.inputs.max(1));
-    let groups = rows.flat_map(|row| row.chunks(GROUP as usize));
+    let groups = rows.flat_map(|row| row.chunks(PRODUCTS_PER_SUM as usize));
     let sum = |group: &[f32]| group.iter().map(|weight| weight.abs()).sum::<f32>();
     let largest = groups.map(sum).fold(0.0, f32::max);
     if largest <= MAX_WEIGHTS {
@@ -51,7 +51,7 @@ fn require_small(layer: &Layer, tensor: &str) -> Result<()> {
     Err(Error::Invalid {
         origin: IN_MEMORY.into(),
         reason: format!(
-            "`{tensor}` has {GROUP} weights of an output whose sizes add up to {largest}; above {MAX_WEIGHTS}, sums may \
+            "`{tensor}` has {PRODUCTS_PER_SUM} weights of an output whose sizes add up to {largest}; above {MAX_WEIGHTS}, sums may \
              overflow halves: leave out `--half-networks`"
         ),
     })
@@ -69,7 +69,11 @@ impl DeviceField {
     ) -> organza_device::Result<()> {
         let parameters = &self.parameters;
         let kernel = DenseHalfKernel { params, parameters, weights, input, output };
-        device.run(&kernel.counted(samples), params.samples, params.columns * 4 / HIDDEN_BLOCK)
+        device.run(
+            &kernel.counted(samples),
+            params.samples,
+            params.columns * 4 / OUTPUTS_PER_INVOCATION,
+        )
     }
 }
 

@@ -2,7 +2,7 @@
 
 use glam::Vec4;
 use organza_kernel::half::HalfVector;
-use organza_shaders::dense::{DenseKernel, DenseParams, HIDDEN_BLOCK};
+use organza_shaders::dense::{DenseKernel, DenseParams, OUTPUTS_PER_INVOCATION};
 use organza_shaders::hash_grid::{GridLevel, HashGridKernel, HashGridParams};
 use organza_shaders::hash_grid_half::HashGridHalfKernel;
 
@@ -151,7 +151,11 @@ impl DeviceField {
             return self.half_layer(device, params, &chunk.count, weights, [input, output]);
         }
         let kernel = DenseKernel { params, parameters: &self.parameters, input, output };
-        device.run(&kernel.counted(&chunk.count), chunk.samples, layer.columns * 4 / HIDDEN_BLOCK)
+        device.run(
+            &kernel.counted(&chunk.count),
+            chunk.samples,
+            layer.columns * 4 / OUTPUTS_PER_INVOCATION,
+        )
     }
 }
 

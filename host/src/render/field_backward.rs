@@ -4,7 +4,7 @@
 use glam::Vec4;
 use organza_shaders::dense_backward::{
     DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
-    DenseWeightSumKernel, DenseWeightSumParams, INPUT_BLOCK, WEIGHT_BLOCK,
+    DenseWeightSumKernel, DenseWeightSumParams, INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,
 };
 use organza_shaders::limits::{MAX_SLICE, MAX_SLICES};
 
@@ -136,7 +136,7 @@ impl DeviceField {
                 output_gradient: output,
                 input_gradient: target,
             };
-            let layers = (end_input - first_input).div_ceil(INPUT_BLOCK);
+            let layers = (end_input - first_input).div_ceil(INPUTS_PER_INVOCATION);
             device.run(&kernel.counted(&chunk.count), samples, layers)?;
             output = target;
         }
@@ -196,7 +196,7 @@ impl DeviceField {
             output_gradient,
             partial: &group.partial,
         };
-        let blocks = layer.inputs.div_ceil(WEIGHT_BLOCK) + 1;
+        let blocks = layer.inputs.div_ceil(WEIGHT_ROWS_PER_INVOCATION) + 1;
         let slices = chunk.samples.div_ceil(group.slice);
         device.run(&kernel.counted(&chunk.count), blocks * layer.columns, slices)
     }

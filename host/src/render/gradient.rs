@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use glam::Vec4;
-use organza_shaders::hash_grid_backward::FLAG_BLOCK;
+use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 
 use super::field::DeviceField;
 use super::hash_grid::HashGridGradient;
@@ -160,7 +160,7 @@ impl TensorGradient {
         device.write(&self.buffer, self.range.start, values)?;
         let Some(touched) = &self.touched else { return Ok(()) };
         let mut flags = device.read(touched)?;
-        for (flag, block) in flags.iter_mut().zip(values.chunks(FLAG_BLOCK as usize)) {
+        for (flag, block) in flags.iter_mut().zip(values.chunks(VALUES_PER_FLAG as usize)) {
             *flag |= u32::from(block.iter().any(|&value| value != 0.0));
         }
         Ok(device.write(touched, 0, &flags)?)

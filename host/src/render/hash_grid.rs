@@ -3,7 +3,7 @@
 use glam::Vec4;
 use organza_shaders::hash_grid::HashGridParams;
 use organza_shaders::hash_grid_backward::{
-    FLAG_BLOCK, HashGridBackwardKernel, HashGridGradientKernel, HashGridGradientParams,
+    HashGridBackwardKernel, HashGridGradientKernel, HashGridGradientParams, VALUES_PER_FLAG,
 };
 use organza_shaders::hash_grid_scale::{
     HashGridNormKernel, HashGridNormParams, HashGridPeakKernel, HashGridPeakParams,
@@ -50,7 +50,7 @@ impl HashGridGradient {
         }
         Ok(Self {
             gradient: device.zeros("gradient of a hash grid", values)?,
-            touched: device.zeros("touched blocks", values.div_ceil(FLAG_BLOCK as usize))?,
+            touched: device.zeros("touched blocks", values.div_ceil(VALUES_PER_FLAG as usize))?,
             status: device.zeros("status of a gradient", 1)?,
             sum: device.zeros("sums of a hash grid", 2 * values)?,
             bound: device.zeros("bounds of a gradient", 1 + field.layers.len())?,
@@ -70,15 +70,18 @@ impl HashGridGradient {
         pairs: &Count,
         samples: &Count,
     ) -> Result<()> {
-        let room = pairs.at_most();
+        let capacity = pairs.at_most();
         let kernel = HashGridPeakKernel {
-            params: HashGridPeakParams { pairs: room, color: u32::from(transmittance.is_none()) },
+            params: HashGridPeakParams {
+                pairs: capacity,
+                color: u32::from(transmittance.is_none()),
+            },
             pair_gradient,
             // a binding must be bound
             transmittance: transmittance.unwrap_or(&self.scale),
             bound: &self.bound,
         };
-        device.run(&kernel.counted(pairs), room, 1)?;
+        device.run(&kernel.counted(pairs), capacity, 1)?;
         for (layer, slot) in field.layers.iter().zip(1..) {
             let params = HashGridNormParams {
                 inputs: layer.inputs,
@@ -230,7 +233,7 @@ mod tests {
         assert!((found / total - 1.0).abs() < 1e-6, "{found}, {total}");
         assert_eq!(device.read(&table.status).expect("a status"), [0]);
         let touched = device.read(&table.touched).expect("flags");
-        for (block, values) in touched.iter().zip(gradient.chunks(FLAG_BLOCK as usize)) {
+        for (block, values) in touched.iter().zip(gradient.chunks(VALUES_PER_FLAG as usize)) {
             assert!(*block == 1 || values.iter().all(|&value| value == 0.0));
         }
     }

@@ -10,7 +10,7 @@ use organza_shaders::ssim::{
 };
 
 use super::part::Part;
-use super::tally::Needed;
+use super::part_counts::Needed;
 use crate::error::{Error, Result};
 use crate::metrics;
 use crate::tile::MAX_TILE_SIDE;

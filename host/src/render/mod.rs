@@ -3,12 +3,12 @@
 mod backward;
 mod bin;
 mod block;
+mod capacity;
 mod color;
 mod composite;
 mod dense_half;
 mod field;
 mod field_backward;
-mod foresight;
 mod gradient;
 mod halves;
 mod hash_grid;
@@ -19,13 +19,13 @@ mod network;
 mod packed;
 mod pair;
 mod part;
+mod part_counts;
 mod plan;
 mod project;
 mod renderer;
 mod results;
 mod scan;
 mod scene;
-mod tally;
 #[cfg(test)]
 mod tests;
 mod transmittance;

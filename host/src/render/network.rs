@@ -1,6 +1,6 @@
 //! A network's parameters as [`organza_shaders::dense`] reads them: each layer transposed, its outputs padded.
 
-use organza_shaders::dense::HIDDEN_BLOCK;
+use organza_shaders::dense::OUTPUTS_PER_INVOCATION;
 
 use crate::scene::Network;
 
@@ -19,7 +19,7 @@ impl LayerPlace {
         let last = network.layers.len().saturating_sub(1);
         let mut end = 0;
         let place = |(index, layer): (usize, &crate::scene::Layer)| {
-            let block = if index < last { HIDDEN_BLOCK } else { 4 };
+            let block = if index < last { OUTPUTS_PER_INVOCATION } else { 4 };
             let inputs = layer.inputs as u32;
             let columns = (layer.outputs as u32).next_multiple_of(block) / 4;
             let (weight, bias) = (end, end + inputs * columns);

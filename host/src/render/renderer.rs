@@ -3,12 +3,12 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use super::foresight::Foresight;
+use super::capacity::CapacityPredictor;
 use super::part;
+use super::part_counts::{Capacity, Needed};
 use super::plan::{PART_BYTES, Plan};
 use super::results::{RenderReport, RenderedTiles};
 use super::scene::DeviceScene;
-use super::tally::{Needed, Room};
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::tile::TileBatch;
@@ -31,7 +31,7 @@ use organza_device::memory;
 pub struct Renderer {
     device: Arc<Device>,
     pub(super) part_bytes: Arc<AtomicU64>,
-    foresight: Arc<Mutex<Foresight>>,
+    predictor: Arc<Mutex<CapacityPredictor>>,
 }
 
 impl Renderer {
@@ -41,7 +41,7 @@ impl Renderer {
         Self {
             device: Arc::new(device),
             part_bytes: Arc::new(PART_BYTES.into()),
-            foresight: Arc::default(),
+            predictor: Arc::default(),
         }
     }
 
@@ -94,8 +94,8 @@ impl Renderer {
         let mut plans = self.plans(scene, batch)?;
         while let Some(plan) = plans.pop() {
             let device = &*self.device;
-            let render = |room| Ok(part::render(device, scene, cameras, &plan, room)?);
-            match device.inside(|| self.foreseen(scene, &plan, render)) {
+            let render = |capacity| Ok(part::render(device, scene, cameras, &plan, capacity)?);
+            match device.run_in_pool(|| self.with_predicted_capacity(scene, &plan, render)) {
                 Ok((pixels, part)) => {
                     for (place, tile) in pixels.chunks_exact(area).zip(&plan.tiles) {
                         data[tile.place * area..][..area].copy_from_slice(place);
@@ -123,34 +123,34 @@ impl Renderer {
     /// Does `work` for a part with as much room as it will need, by what others have needed, so that nothing waits for the
     /// device before the work is done; where that was not enough and all was empty, or where nobody can tell, with room
     /// for all.
-    pub(super) fn foreseen<R>(
+    pub(super) fn with_predicted_capacity<R>(
         &self,
         scene: &DeviceScene,
         plan: &Plan,
-        work: impl Fn(Option<Room>) -> Result<(R, Needed)>,
+        work: impl Fn(Option<Capacity>) -> Result<(R, Needed)>,
     ) -> Result<R> {
         let (kind, tiles) = ([scene.gaussians, plan.side], plan.tiles.len());
-        let guesses = self.device.keeps_counts();
-        let mut room = if guesses { self.foresight().room(kind, tiles) } else { None };
+        let guesses = self.device.leaves_counts_on_device();
+        let mut capacity = if guesses { self.predictor().predict(kind, tiles) } else { None };
         loop {
-            match work(room)? {
-                (result, Needed::Room(needed)) => {
+            match work(capacity)? {
+                (result, Needed::Capacity(needed)) => {
                     if guesses {
-                        self.foresight().saw(kind, tiles, needed);
+                        self.predictor().observe(kind, tiles, needed);
                     }
                     return Ok(result);
                 }
-                (_, Needed::More) => room = None,
+                (_, Needed::Overflow) => capacity = None,
             }
         }
     }
 
     /// Forgets what others have needed, for what does not fit: it may need less.  Returns whether there was anything.
     pub(super) fn forget(&self) -> bool {
-        std::mem::take(&mut *self.foresight()) != Foresight::default()
+        std::mem::take(&mut *self.predictor()) != CapacityPredictor::default()
     }
 
-    fn foresight(&self) -> MutexGuard<'_, Foresight> {
-        self.foresight.lock().unwrap_or_else(PoisonError::into_inner)
+    fn predictor(&self) -> MutexGuard<'_, CapacityPredictor> {
+        self.predictor.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

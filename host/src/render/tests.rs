@@ -2,10 +2,10 @@
 
 use super::gradient::SceneGradient;
 use super::part::Part;
+use super::part_counts::{Capacity, Needed};
 use super::plan::{PART_BYTES, Plan};
 use super::renderer::Renderer;
 use super::scene::DeviceScene;
-use super::tally::{Needed, Room};
 use crate::camera::Camera;
 use crate::demo;
 use crate::error::{DeviceError, Error};
@@ -53,9 +53,9 @@ fn evaluate(
     scene: &DeviceScene,
     cameras: &[Camera],
     plan: &Plan,
-    room: Option<Room>,
+    capacity: Option<Capacity>,
 ) -> (Vec<Vec<u32>>, Needed) {
-    let part = Part::evaluate(device, scene, cameras, plan, true, room).expect("a part");
+    let part = Part::evaluate(device, scene, cameras, plan, true, capacity).expect("a part");
     let gradient = SceneGradient::new(device, scene).expect("memory");
     let image = &part.composite.image;
     part.backward(device, scene, plan.side, image, &gradient).expect("a gradient");
@@ -78,33 +78,35 @@ fn what_is_not_waited_for_has_the_same_bits() {
         let plans = Plan::split(device, &scene, &tiles(), PART_BYTES).expect("a plan");
         assert_eq!(plans.len(), 1);
         let (expected, needed) = evaluate(device, &scene, &cameras, &plans[0], None);
-        let Needed::Room(room) = needed else { panic!("there is room for all") };
-        let Room { pairs, members, samples } = room;
-        assert!(pairs > 100 && members > pairs && samples > 2 * pairs, "{room:?}");
+        let Needed::Capacity(capacity) = needed else { panic!("there is capacity for all") };
+        let Capacity { pairs, members, samples } = capacity;
+        assert!(pairs > 100 && members > pairs && samples > 2 * pairs, "{capacity:?}");
 
         // enough
-        let more = Room { pairs: pairs * 2, members: members + 100, samples: samples * 3 };
-        for room in [room, more] {
-            let (found, told) = evaluate(device, &scene, &cameras, &plans[0], Some(room));
+        let more = Capacity { pairs: pairs * 2, members: members + 100, samples: samples * 3 };
+        for capacity in [capacity, more] {
+            let (found, told) = evaluate(device, &scene, &cameras, &plans[0], Some(capacity));
             assert_eq!(told, needed, "{}", device.choice());
             for (index, (found, expected)) in found.iter().zip(&expected).enumerate() {
-                assert!(found == expected, "{}: value {index}, {room:?}", device.choice());
+                assert!(found == expected, "{}: value {index}, {capacity:?}", device.choice());
             }
         }
         // too little of one: background, and no gradient at all
         let background = scene.config.background.map(|channel| (channel as f32).to_bits());
         let (pairs, members, samples) = (pairs - 1, members - 1, samples - 1);
-        for room in [Room { pairs, ..more }, Room { members, ..more }, Room { samples, ..more }] {
-            let (found, told) = evaluate(device, &scene, &cameras, &plans[0], Some(room));
-            assert_eq!(told, Needed::More, "{}: {room:?}", device.choice());
+        for capacity in
+            [Capacity { pairs, ..more }, Capacity { members, ..more }, Capacity { samples, ..more }]
+        {
+            let (found, told) = evaluate(device, &scene, &cameras, &plans[0], Some(capacity));
+            assert_eq!(told, Needed::Overflow, "{}: {capacity:?}", device.choice());
             let planes = found[0].chunks(16 * 16).zip(background.into_iter().cycle());
             for (plane, value) in planes {
                 // pixels beside the image are black
-                assert!(plane.iter().all(|&bits| bits == value || bits == 0), "{room:?}");
+                assert!(plane.iter().all(|&bits| bits == value || bits == 0), "{capacity:?}");
             }
             for (index, values) in found.iter().enumerate().skip(1) {
                 let is_zero = values.iter().all(|&bits| f32::from_bits(bits) == 0.0);
-                assert!(is_zero, "{}: value {index}, {room:?}", device.choice());
+                assert!(is_zero, "{}: value {index}, {capacity:?}", device.choice());
             }
         }
     }

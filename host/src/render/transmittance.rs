@@ -41,7 +41,7 @@ pub struct Transmittance {
 }
 
 impl Transmittance {
-    /// `keep` says whether [`Transmittance::backward`] will be called: what it needs is kept, as far as there is room.
+    /// `keep` says whether [`Transmittance::backward`] will be called: what it needs is kept, as far as there is capacity.
     /// `count_samples` says how many samples there are, of the exclusive sums `[pairs + 1]`.
     pub fn evaluate(
         device: &Device,
@@ -51,12 +51,12 @@ impl Transmittance {
         count_samples: impl FnOnce(&Buffer<u32>) -> Result<Count>,
     ) -> Result<Self> {
         check_samples(scene, pairs)?;
-        let room = pairs.count.at_most();
-        let segment = device.zeros("segments", room as usize * SEGMENT_VECTORS as usize)?;
-        let count = device.zeros("sample counts", room as usize)?;
+        let capacity = pairs.count.at_most();
+        let segment = device.zeros("segments", capacity as usize * SEGMENT_VECTORS as usize)?;
+        let count = device.zeros("sample counts", capacity as usize)?;
         let kernel = SegmentKernel {
             params: SegmentParams {
-                pairs: room,
+                pairs: capacity,
                 gaussians: scene.gaussians,
                 step: scene.config.step as f32,
             },
@@ -67,21 +67,21 @@ impl Transmittance {
             segment: &segment,
             count: &count,
         };
-        device.run(&kernel.counted(&pairs.count), room, 1)?;
-        let first_sample = exclusive_scan(device, &count, room)?;
+        device.run(&kernel.counted(&pairs.count), capacity, 1)?;
+        let first_sample = exclusive_scan(device, &count, capacity)?;
         let samples = count_samples(&first_sample)?;
 
         let inputs = scene.config.transmittance_inputs();
         let blocks = Blocks::new(device, inputs, samples.clone(), keep)?;
         let log_rho = log_rho(device, scene, pairs, &segment, &first_sample, &blocks)?;
-        let transmittance = device.zeros("transmittance", room as usize)?;
+        let transmittance = device.zeros("transmittance", capacity as usize)?;
         let kernel = SegmentProductKernel {
-            params: SegmentProductParams { pairs: room },
+            params: SegmentProductParams { pairs: capacity },
             first_sample: &first_sample,
             log_rho: &log_rho,
             transmittance: &transmittance,
         };
-        device.run(&kernel.counted(&pairs.count), room, 1)?;
+        device.run(&kernel.counted(&pairs.count), capacity, 1)?;
         Ok(Self { transmittance, first_sample, samples, segment, blocks })
     }
 }
@@ -113,7 +113,7 @@ fn log_rho(
     for block in blocks.iter() {
         encode(device, scene, pairs, segment, first_sample, block)?;
         let new = || Scratch::new(device, field, blocks.layout());
-        device.each_with(block.chunks(), &scratches, new, |scratch, chunk| {
+        device.parallel_for_with(block.chunks(), &scratches, new, |scratch, chunk| {
             let kernel = TransmittanceHeadKernel {
                 params: head_params(field, &chunk),
                 parameters: &field.parameters,
@@ -149,7 +149,7 @@ fn encode(
     first_sample: &Buffer<u32>,
     block: BlockOf<'_>,
 ) -> Result<()> {
-    device.each(block.chunks(), |chunk| {
+    device.parallel_for(block.chunks(), |chunk| {
         inputs(device, scene, pairs, segment, first_sample, &chunk)
     })?;
     scene.transmittance.encode(device, block, 0)
@@ -203,9 +203,9 @@ impl Transmittance {
         let layout = self.blocks.layout();
         let group_scratch = GroupScratch::new(device, field, layout)?;
         let scratches = Mutex::default();
-        let room = pairs.count.at_most();
+        let capacity = pairs.count.at_most();
         let pair_extra =
-            device.zeros("gradient of the pairs' extra vectors", (room * extra) as usize)?;
+            device.zeros("gradient of the pairs' extra vectors", (capacity * extra) as usize)?;
         let owners = AllOwners::of(device, bins, &self.first_sample)?;
         let table = &gradient.transmittance.table;
         let transmittance = Some(&self.transmittance);
@@ -223,7 +223,7 @@ impl Transmittance {
             }
             for group in block.groups() {
                 let new = || TransmittanceScratch::new(device, field, layout);
-                device.each_with(group.chunks(), &scratches, new, |scratch, chunk| {
+                device.parallel_for_with(group.chunks(), &scratches, new, |scratch, chunk| {
                     field.activate(device, &scratch.network, &chunk)?;
                     let owners = owners.of_chunk(&chunk);
                     self.head_backward(device, scene, scratch, &chunk, &owners, pair_gradient)?;

@@ -186,7 +186,7 @@ impl<'a> Trainer<'a> {
         let between = StepGradient { device, step: self.step, scene, gradient };
         hook(&between).inspect_err(|_| gradient.restart(device))?;
         let (settings, steps) = (&config.optimizer, [self.step, config.run.steps]);
-        device.inside(|| optimizer.step(device, scene, gradient, settings, steps))?;
+        device.run_in_pool(|| optimizer.step(device, scene, gradient, settings, steps))?;
         self.gradient.clear_touched(device);
         self.step += 1;
         let grown = self.is_time_to_grow().then(|| self.grow()).transpose()?;

@@ -52,7 +52,7 @@ pub struct Options {
     pub validate: bool,
     /// Compile again whenever a kernel source is saved, until interrupted
     #[arg(long)]
-    pub watch: bool,
+    pub monitor: bool,
 }
 
 /// Compiles the kernels of a project, and writes, checks or watches its modules.
@@ -60,7 +60,7 @@ pub struct Options {
 /// # Errors
 /// What the compiler or the check says.
 pub fn run(project: &Project, options: Options) -> Result<()> {
-    if options.watch {
+    if options.monitor {
         return watch::run(project, options.validate);
     }
     let start = Instant::now();

@@ -1,8 +1,8 @@
 //! What a kernel's case is, and how it is measured.
 
-use super::bench::Bench;
 use super::hold::hold;
 use super::measure::{Bound, Measure, Output};
+use super::runner::KernelRunner;
 use organza_device::{Device, Result};
 
 /// One kernel's inputs, of which there are many sets.
@@ -27,7 +27,7 @@ pub trait Parity: Sized + 'static {
     ///
     /// # Errors
     /// What the device runs into.
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>>;
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>>;
 
     /// How far an element may be off; `cpu` is what the CPU has computed.
     fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
@@ -123,8 +123,8 @@ impl Case {
 fn measure<P: Parity>(cpu: &Device, device: &Device, rounding: Rounding) -> Result<Measure> {
     let mut measure = Measure::default();
     for (name, set) in P::sets() {
-        let expected = set.run(&Bench::new(cpu, P::KERNEL))?;
-        let found = set.run(&Bench::new(device, P::KERNEL))?;
+        let expected = set.run(&KernelRunner::new(cpu, P::KERNEL))?;
+        let found = set.run(&KernelRunner::new(device, P::KERNEL))?;
         assert_eq!(expected.len(), found.len(), "outputs of `{}`", P::KERNEL);
         for (expected, found) in expected.iter().zip(&found) {
             measure.add(&name, expected, found, P::TOLERANCE, |index| {

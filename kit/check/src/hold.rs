@@ -2,9 +2,9 @@
 
 use organza_device::{Device, Result};
 
-use super::bench::{Bench, Canary};
 use super::case::{Parity, Rounding};
 use super::measure::{Bound, Measure, Output, Values};
+use super::runner::{Canary, KernelRunner};
 
 /// The bound of what must be equal.
 const EQUAL: Bound = Bound { scale: 0.0, floor: 0.0 };
@@ -13,7 +13,7 @@ const EQUAL: Bound = Bound { scale: 0.0, floor: 0.0 };
 pub fn hold<P: Parity>(device: &Device, rounding: Rounding) -> Result<Measure> {
     let mut measure = Measure::default();
     for (name, set) in P::sets() {
-        for output in set.run(&Bench::new(device, P::KERNEL))? {
+        for output in set.run(&KernelRunner::new(device, P::KERNEL))? {
             add(&mut measure, &name, &set, &output, rounding);
         }
     }

@@ -7,12 +7,12 @@ use std::ptr;
 use corosensei::stack::DefaultStack;
 use corosensei::{Coroutine, Yielder};
 use glam::UVec3;
+use organza_kernel::KernelInfo;
 use organza_kernel::invocation::Invocation;
 use organza_kernel::kernel::CpuBinding;
-use organza_kernel::place::unlinear;
-use organza_kernel::{KernelInfo, place};
+use organza_kernel::running::{self, unlinear};
 
-use crate::watch::WorkgroupMemory;
+use crate::races::WorkgroupMemory;
 
 /// Stack of an invocation, in bytes: kernels keep little, panics and unoptimized builds want more.
 const STACK: usize = 64 << 10;
@@ -32,12 +32,12 @@ thread_local! {
 fn wait(at: &'static Location<'static>) {
     let yielder = CURRENT.get();
     assert!(!yielder.is_null(), "a barrier outside of a workgroup");
-    let invocation = place::invocation();
+    let invocation = running::invocation();
     // SAFETY: set by the coroutine that runs now, whose yielder lives as long as it
     unsafe { &*yielder }.suspend(at);
     // others ran meanwhile
     CURRENT.set(yielder);
-    place::enter(invocation);
+    running::enter(invocation);
 }
 
 /// Runs the invocations of one workgroup, from barrier to barrier.
@@ -55,12 +55,12 @@ pub fn run_workgroup(
     let mut memory = vec![u128::from_ne_bytes([UNWRITTEN; 16]); words];
     let mut bindings = bindings.to_vec();
     let mut rest = memory.as_mut_slice();
-    for (shared, watch) in info.shared.iter().zip(&watches) {
+    for (shared, monitor) in info.shared.iter().zip(&watches) {
         let (head, tail) = rest.split_at_mut(shared.bytes.div_ceil(16) as usize);
         bindings.push(CpuBinding {
             data: head.as_mut_ptr().cast(),
             bytes: shared.bytes as usize,
-            watch: Some(watch),
+            monitor: Some(monitor),
         });
         rest = tail;
     }
@@ -72,7 +72,7 @@ pub fn run_workgroup(
             id.wait = wait;
             let body = move |yielder: &Yielder<(), Barrier>, ()| {
                 CURRENT.set(yielder);
-                place::enter(index);
+                running::enter(index);
                 // SAFETY: the caller's bindings, and workgroup memory of the declared types; the coroutines of
                 // a workgroup share a thread, so that only one touches memory at a time
                 unsafe { run(bindings, id) };

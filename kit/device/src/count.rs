@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use organza_kernel::count::{self, MISFIT};
+use organza_kernel::count::{self, OVERFLOW};
 
 use crate::buffer::{Buffer, Memory};
 
@@ -67,7 +67,7 @@ impl Count {
             panic!("the counts belong to a GPU")
         };
         let counts: &[u32] = bytemuck::cast_slice(&memory.bytes()[..total.counts.bytes() as usize]);
-        match counts[MISFIT as usize] {
+        match counts[OVERFLOW as usize] {
             0 => count::piece(counts[total.place as usize], total.first, self.at_most),
             _ => 0,
         }

@@ -6,34 +6,34 @@ use std::ops::Range;
 use glam::{UVec3, Vec3Swizzles};
 use organza_kernel::invocation::Invocation;
 use organza_kernel::kernel::{Access, BindingInfo, CpuBinding, CpuRun, InstructionSet, KernelInfo};
-use organza_kernel::memory::Watch;
-use organza_kernel::place::{Place, begin, unlinear};
+use organza_kernel::memory::AccessMonitor;
+use organza_kernel::running::{RunningInvocation, begin, unlinear};
 use rayon::prelude::*;
 
 use crate::buffer::{Memory, RawBuffer};
-use crate::cpu_memory::{CpuMemory, Spare};
+use crate::cpu_memory::{CpuMemory, MemoryPool};
 use crate::error::{Error, Result};
-use crate::watch::Races;
+use crate::races::Races;
 use crate::{coroutine, memory, supervise};
 
 thread_local! {
     /// Threads that have work of their own, this one among them; 0 where a dispatch is everyone's.
-    static ALONE: Cell<u32> = const { Cell::new(0) };
+    static SINGLE_THREAD: Cell<u32> = const { Cell::new(0) };
 }
 
 /// While it lives, the thread's dispatches are its own.
-struct Alone;
+struct SingleThread;
 
-impl Alone {
+impl SingleThread {
     fn among(threads: u32) -> Self {
-        ALONE.set(threads);
+        SINGLE_THREAD.set(threads);
         Self
     }
 }
 
-impl Drop for Alone {
+impl Drop for SingleThread {
     fn drop(&mut self) {
-        ALONE.set(0);
+        SINGLE_THREAD.set(0);
     }
 }
 
@@ -46,7 +46,7 @@ pub struct Cpu {
     pool: rayon::ThreadPool,
     check_races: bool,
     instruction_set: InstructionSet,
-    spare: Spare,
+    pool_memory: MemoryPool,
 }
 
 impl Cpu {
@@ -55,7 +55,7 @@ impl Cpu {
         check_races: bool,
         instruction_set: Option<InstructionSet>,
     ) -> Result<Self> {
-        // a watch sees one invocation at a time
+        // a monitor sees one invocation at a time
         let best = if check_races { InstructionSet::Scalar } else { InstructionSet::best() };
         let instruction_set = instruction_set.unwrap_or(best);
         if !instruction_set.is_available() {
@@ -70,7 +70,7 @@ impl Cpu {
             .map_err(|error| Error::Argument {
                 reason: format!("cannot start threads: {error}"),
             })?;
-        Ok(Self { pool, check_races, instruction_set, spare: Spare::default() })
+        Ok(Self { pool, check_races, instruction_set, pool_memory: MemoryPool::default() })
     }
 
     pub fn instruction_set(&self) -> InstructionSet {
@@ -82,18 +82,18 @@ impl Cpu {
     }
 
     pub fn allocate(&self, label: &'static str, bytes: u64) -> Result<CpuMemory> {
-        if let Some(memory) = self.spare.take(bytes) {
+        if let Some(memory) = self.pool_memory.take(bytes) {
             return Ok(memory);
         }
         let what = format!("the buffer `{label}`");
         // what lies unused counts as well
         memory::check(bytes, &what).or_else(|_| {
-            self.spare.clear();
+            self.pool_memory.clear();
             memory::check(bytes, &what)
         })?;
-        let memory = self.spare.allocate(bytes).or_else(|| {
-            self.spare.clear();
-            self.spare.allocate(bytes)
+        let memory = self.pool_memory.allocate(bytes).or_else(|| {
+            self.pool_memory.clear();
+            self.pool_memory.allocate(bytes)
         });
         memory.ok_or_else(|| Error::OutOfMemory {
             needed: bytes,
@@ -129,11 +129,11 @@ impl Cpu {
         let mut bindings = bind(info, uniform, buffers).map_err(failed)?;
         let races = if self.check_races { races(info, &bindings, workgroups) } else { Vec::new() };
         for (binding, race) in bindings.iter_mut().zip(&races) {
-            binding.watch = race.as_ref().map(|race| race as &dyn Watch);
+            binding.monitor = race.as_ref().map(|race| race as &dyn AccessMonitor);
         }
         let [x, y, z] = workgroups.map(u64::from);
         let size = UVec3::from(workgroups);
-        let place = |index: u64| match info.stacks {
+        let place = |index: u64| match info.z_innermost {
             // z counts fastest
             true => unlinear(index, size.zxy()).yzx(),
             false => unlinear(index, size),
@@ -159,13 +159,13 @@ impl Cpu {
             supervise::supervise(|| {
                 indices.try_for_each(|index| {
                     let first = Invocation::new(UVec3::ZERO, place(index), size, local);
-                    begin(Some(Place { kernel: info.name, id: first }));
+                    begin(Some(RunningInvocation { kernel: info.name, id: first }));
                     run(index)
                 })
             })
         };
         // a layer is one thread's, whatever lies in it
-        let (all, at_once) = match info.layers {
+        let (all, at_once) = match info.z_serial {
             true => (z, x * y),
             false => ((x * y * z).div_ceil(AT_ONCE), AT_ONCE),
         };
@@ -173,10 +173,10 @@ impl Cpu {
             let first = index as u64 * at_once;
             run_some(first..(first + at_once).min(x * y * z))
         };
-        if ALONE.get() > 0 {
+        if SINGLE_THREAD.get() > 0 {
             return (0..all as usize).try_for_each(some).map_err(failed);
         }
-        let run_all = || match info.layers {
+        let run_all = || match info.z_serial {
             true => (0..all as usize).into_par_iter().with_max_len(1).try_for_each(some),
             false => (0..all as usize).into_par_iter().try_for_each(some),
         };
@@ -184,26 +184,26 @@ impl Cpu {
     }
 
     /// Runs `work` for every item, on all threads at once; what an item dispatches runs on its thread alone.
-    pub fn each<T: Send, E: Send>(
+    pub fn parallel_for<T: Send, E: Send>(
         &self,
         items: Vec<T>,
         work: impl Fn(T) -> Result<(), E> + Sync,
     ) -> Result<(), E> {
         let at_once = self.threads().min(items.len()) as u32;
         let alone = |item| {
-            let _alone = Alone::among(at_once);
+            let _alone = SingleThread::among(at_once);
             work(item)
         };
         self.pool.install(|| items.into_par_iter().with_max_len(1).try_for_each(alone))
     }
 
-    /// Threads that share the device with this one: more than one for an item of [`Cpu::each`].
-    pub fn at_once() -> u32 {
-        ALONE.get().max(1)
+    /// Threads that share the device with this one: more than one for an item of [`Cpu::parallel_for`].
+    pub fn concurrent_threads() -> u32 {
+        SINGLE_THREAD.get().max(1)
     }
 
     /// Runs `work` on one of the device's threads: its dispatches need not wake one up.
-    pub fn inside<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+    pub fn run_in_pool<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
         self.pool.install(work)
     }
 }
@@ -230,7 +230,7 @@ fn bind(
                 (whole.cast_const(), begin, buffer.bytes as usize)
             }
         };
-        bindings.push(CpuBinding { data, bytes, watch: None });
+        bindings.push(CpuBinding { data, bytes, monitor: None });
         memories.push(whole);
     }
     for (at, (memory, info_of)) in memories.iter().zip(info.bindings).enumerate() {
@@ -249,17 +249,17 @@ fn bind(
     Ok(bindings)
 }
 
-/// A watch for every binding that is written.
+/// A monitor for every binding that is written.
 fn races(
     info: &KernelInfo,
     bindings: &[CpuBinding<'_>],
     workgroups: [u32; 3],
 ) -> Vec<Option<Races>> {
     let invocations = UVec3::from(workgroups) * UVec3::from(info.workgroup_size);
-    let layers = info.layers;
-    let watch = |(info, binding): (&BindingInfo, &CpuBinding<'_>)| {
+    let layers = info.z_serial;
+    let monitor = |(info, binding): (&BindingInfo, &CpuBinding<'_>)| {
         let written = info.access == Access::Write;
         written.then(|| Races::new(info, binding.bytes, invocations, layers))
     };
-    info.bindings.iter().zip(bindings).map(watch).collect()
+    info.bindings.iter().zip(bindings).map(monitor).collect()
 }

@@ -11,16 +11,16 @@ const SPARE_BYTES: usize = 256 << 20;
 /// Aligned memory that kernels write through pointers.
 #[derive(Debug)]
 pub struct CpuMemory {
-    block: Option<Block>,
-    spare: Spare,
+    block: Option<Allocation>,
+    pool_memory: MemoryPool,
 }
 
 /// Memory that nobody uses, the longest unused first.
 #[derive(Clone, Debug, Default)]
-pub struct Spare(Arc<Mutex<VecDeque<Block>>>);
+pub struct MemoryPool(Arc<Mutex<VecDeque<Allocation>>>);
 
-impl Spare {
-    fn blocks(&self) -> MutexGuard<'_, VecDeque<Block>> {
+impl MemoryPool {
+    fn blocks(&self) -> MutexGuard<'_, VecDeque<Allocation>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -34,7 +34,7 @@ impl Spare {
         };
         // SAFETY: that many bytes are the block's, and nobody else has it
         unsafe { block.data.as_ptr().write_bytes(0, bytes as usize) };
-        Some(CpuMemory { block: Some(block), spare: self.clone() })
+        Some(CpuMemory { block: Some(block), pool_memory: self.clone() })
     }
 
     /// New memory of at least so many bytes, all zeros; none where the system has none.
@@ -42,7 +42,7 @@ impl Spare {
         let layout = layout(bytes)?;
         // SAFETY: the size is not zero
         let data = NonNull::new(unsafe { alloc::alloc_zeroed(layout) })?;
-        Some(CpuMemory { block: Some(Block { data, layout }), spare: self.clone() })
+        Some(CpuMemory { block: Some(Allocation { data, layout }), pool_memory: self.clone() })
     }
 
     /// Gives everything back to the system.
@@ -50,7 +50,7 @@ impl Spare {
         self.blocks().clear();
     }
 
-    fn put(&self, block: Block) {
+    fn put(&self, block: Allocation) {
         let mut blocks = self.blocks();
         blocks.push_back(block);
         let mut bytes: usize = blocks.iter().map(|block| block.layout.size()).sum();
@@ -69,7 +69,7 @@ fn layout(bytes: u64) -> Option<Layout> {
 }
 
 impl CpuMemory {
-    fn block(&self) -> &Block {
+    fn block(&self) -> &Allocation {
         self.block.as_ref().expect("it has one until it is dropped")
     }
 
@@ -94,24 +94,24 @@ impl CpuMemory {
 impl Drop for CpuMemory {
     fn drop(&mut self) {
         if let Some(block) = self.block.take() {
-            self.spare.put(block);
+            self.pool_memory.put(block);
         }
     }
 }
 
 /// Memory of the system.
 #[derive(Debug)]
-struct Block {
+struct Allocation {
     data: NonNull<u8>,
     layout: Layout,
 }
 
 // SAFETY: plain bytes; kernels that run at the same time do not write to the same element
-unsafe impl Send for Block {}
+unsafe impl Send for Allocation {}
 // SAFETY: as above
-unsafe impl Sync for Block {}
+unsafe impl Sync for Allocation {}
 
-impl Drop for Block {
+impl Drop for Allocation {
     fn drop(&mut self) {
         // SAFETY: allocated with this layout
         unsafe { alloc::dealloc(self.data.as_ptr(), self.layout) }
@@ -133,27 +133,28 @@ mod tests {
 
     #[test]
     fn memory_is_used_again_and_all_zeros() {
-        let spare = Spare::default();
-        assert!(spare.take(1000).is_none());
-        let mut memory = spare.allocate(1000).expect("memory");
+        let pool_memory = MemoryPool::default();
+        assert!(pool_memory.take(1000).is_none());
+        let mut memory = pool_memory.allocate(1000).expect("memory");
         memory.bytes_mut().fill(7);
         let data = memory.data();
         drop(memory);
-        assert!(spare.take(5000).is_none());
-        let again = spare.take(990).expect("what was dropped");
+        assert!(pool_memory.take(5000).is_none());
+        let again = pool_memory.take(990).expect("what was dropped");
         assert_eq!(again.data(), data);
         assert!(again.bytes()[..990].iter().all(|&byte| byte == 0));
         drop(again);
-        spare.clear();
-        assert!(spare.take(1000).is_none());
+        pool_memory.clear();
+        assert!(pool_memory.take(1000).is_none());
     }
 
     #[test]
     fn only_so_much_lies_unused() {
-        let spare = Spare::default();
-        let all: Vec<_> = (0..5).map(|_| spare.allocate(100 << 20).expect("memory")).collect();
+        let pool_memory = MemoryPool::default();
+        let all: Vec<_> =
+            (0..5).map(|_| pool_memory.allocate(100 << 20).expect("memory")).collect();
         drop(all);
-        let left: usize = spare.blocks().iter().map(|block| block.layout.size()).sum();
+        let left: usize = pool_memory.blocks().iter().map(|block| block.layout.size()).sum();
         assert!(left > 0 && left <= SPARE_BYTES);
     }
 }

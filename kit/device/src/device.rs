@@ -130,7 +130,11 @@ impl Device {
                 let start = Instant::now();
                 let result = cpu.dispatch(info, uniform, &buffers, workgroups);
                 // of the device's time
-                self.timings.add(info.name, start.elapsed() / cpu::Cpu::at_once(), work());
+                self.timings.add(
+                    info.name,
+                    start.elapsed() / cpu::Cpu::concurrent_threads(),
+                    work(),
+                );
                 result
             }
             Kind::Gpu(gpu) if times && self.waits.load(Ordering::Relaxed) => {
@@ -167,22 +171,22 @@ impl Device {
     }
 
     /// Says that what was dispatched before has written all [`Count`]s that are used from here on.
-    pub fn settle_counts(&self) {
+    pub fn publish_counts(&self) {
         if let Kind::Gpu(gpu) = &self.kind {
-            gpu.settle_counts();
+            gpu.publish_counts();
         }
     }
 
     /// Whether numbers are better left on the device than read: on a GPU reading waits.  Where dispatches are timed, their
     /// work is counted by those numbers.
-    pub fn keeps_counts(&self) -> bool {
+    pub fn leaves_counts_on_device(&self) -> bool {
         matches!(self.kind, Kind::Gpu(_)) && !self.times.load(Ordering::Relaxed)
     }
 
     /// Runs `work`, which dispatches many kernels, where that is cheapest: on a CPU in one of the threads that run them.
-    pub fn inside<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+    pub fn run_in_pool<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
         match &self.kind {
-            Kind::Cpu(cpu) => cpu.inside(work),
+            Kind::Cpu(cpu) => cpu.run_in_pool(work),
             Kind::Gpu(_) => work(),
         }
     }
@@ -192,22 +196,22 @@ impl Device {
     ///
     /// # Errors
     /// What `work` runs into first.
-    pub fn each<T: Send, E: Send>(
+    pub fn parallel_for<T: Send, E: Send>(
         &self,
         items: impl Iterator<Item = T>,
         work: impl Fn(T) -> Result<(), E> + Sync,
     ) -> Result<(), E> {
         match &self.kind {
-            Kind::Cpu(cpu) => cpu.each(items.collect(), work),
+            Kind::Cpu(cpu) => cpu.parallel_for(items.collect(), work),
             Kind::Gpu(_) => items.into_iter().try_for_each(work),
         }
     }
 
-    /// As [`Device::each`], with scratch memory of `scratches`, of which `new` makes more.
+    /// As [`Device::parallel_for`], with scratch memory of `scratches`, of which `new` makes more.
     ///
     /// # Errors
     /// What `new` or `work` runs into first.
-    pub fn each_with<T: Send, S: Send, E: Send>(
+    pub fn parallel_for_with<T: Send, S: Send, E: Send>(
         &self,
         items: impl Iterator<Item = T>,
         scratches: &Mutex<Vec<S>>,
@@ -215,7 +219,7 @@ impl Device {
         work: impl Fn(&S, T) -> Result<(), E> + Sync,
     ) -> Result<(), E> {
         let unused = || scratches.lock().unwrap_or_else(PoisonError::into_inner);
-        self.each(items, |item| {
+        self.parallel_for(items, |item| {
             let found = unused().pop();
             let scratch = found.map_or_else(&new, Ok)?;
             let result = work(&scratch, item);
@@ -240,14 +244,19 @@ impl Device {
         }
     }
 
-    /// Runs a kernel over at least `items` items along x and y, one for each invocation or as many as it takes, and `layers`
+    /// Runs a kernel over at least `items` items along x and y, one for each invocation or as many as it takes, and `workgroups_z`
     /// workgroups along z.
     ///
     /// # Errors
     /// As [`Device::dispatch`].
-    pub fn run<'a>(&self, kernel: &impl Dispatch<'a, Host>, items: u32, layers: u32) -> Result<()> {
+    pub fn run<'a>(
+        &self,
+        kernel: &impl Dispatch<'a, Host>,
+        items: u32,
+        workgroups_z: u32,
+    ) -> Result<()> {
         let workgroups = self.workgroups_for(kernel.info(), items);
-        self.dispatch(kernel, [workgroups[0], workgroups[1], layers])
+        self.dispatch(kernel, [workgroups[0], workgroups[1], workgroups_z])
     }
 
     /// Runs a kernel with at least `size` invocations along x and y, and `size[2]` workgroups along z.

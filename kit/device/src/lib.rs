@@ -13,10 +13,10 @@ mod gpu;
 pub mod memory;
 mod modules;
 mod open;
+mod races;
 mod supervise;
 mod timings;
 mod transfer;
-mod watch;
 
 pub use buffer::{Buffer, Host, TAIL_ALIGNMENT};
 pub use count::Count;

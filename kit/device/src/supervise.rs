@@ -5,7 +5,7 @@ use std::cell::Cell;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Once;
 
-use organza_kernel::place;
+use organza_kernel::running;
 
 thread_local! {
     /// Where the thread's last panic happened.
@@ -20,7 +20,7 @@ pub fn install() {
         let wants_backtrace = std::env::var_os("RUST_BACKTRACE").is_some_and(|value| value != "0");
         let previous = panic::take_hook();
         panic::set_hook(Box::new(move |panic| {
-            if place::current().is_none() || wants_backtrace {
+            if running::current().is_none() || wants_backtrace {
                 previous(panic);
             }
             LOCATION.set(panic.location().map(ToString::to_string));
@@ -28,11 +28,11 @@ pub fn install() {
     });
 }
 
-/// Runs workgroups, each of which says where it [begins](place::begin).
+/// Runs workgroups, each of which says where it [begins](running::begin).
 pub fn supervise(workgroups: impl FnOnce() -> Result<(), String>) -> Result<(), String> {
     let result = panic::catch_unwind(AssertUnwindSafe(workgroups));
     let result = result.unwrap_or_else(|payload| Err(describe(payload.as_ref())));
-    place::begin(None);
+    running::begin(None);
     result
 }
 
@@ -46,7 +46,7 @@ fn describe(payload: &(dyn Any + Send)) -> String {
     if let Some(location) = LOCATION.take() {
         text += &format!(", at {location}");
     }
-    if let Some(place) = place::current() {
+    if let Some(place) = running::current() {
         text += &format!(", in {place}");
     }
     text

@@ -1,12 +1,12 @@
 //! Numbers that stay on the device: how many items a dispatch has, where an earlier dispatch has found that out.
 //!
 //! The host sizes tables and dispatches for as many as it expects and does not wait for the number.  `counts` holds
-//! the numbers; where one of them is more than there is room for, [`MISFIT`] is raised and all of them count as 0.
+//! the numbers; where one of them is more than there is room for, [`OVERFLOW`] is raised and all of them count as 0.
 
 use crate::prelude::*;
 
-/// Place in `counts`: not 0 where something was more than there is room for.
-pub const MISFIT: u32 = 0;
+/// RunningInvocation in `counts`: not 0 where something was more than there is room for.
+pub const OVERFLOW: u32 = 0;
 
 /// Values of `placement` for each number, and what precedes them: [`count_fill`].
 pub const PLACEMENT_VALUES: u32 = 4;
@@ -29,7 +29,7 @@ pub fn count_fill(id: Invocation, placement: Read<u32>, counts: Read<u32>, param
         let at = (1 + index) * PLACEMENT_VALUES;
         let total = counts.read(placement.read(at + 1));
         let number = piece(total, placement.read(at + 2), placement.read(at + 3));
-        let is_all_there = counts.read(MISFIT) == 0;
+        let is_all_there = counts.read(OVERFLOW) == 0;
         parameters.write(placement.read(at), if is_all_there { number } else { 0 });
     }
 }

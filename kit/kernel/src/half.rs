@@ -5,7 +5,7 @@
 //! 2 x 11 + 2 (S. Figueroa, "When is double rounding innocuous?", 1995).  So both are the half nearest to the exact
 //! result.  A GPU may round a product and its sum at once, and may make zero of a half below 2^-14.
 
-use crate::column::Column;
+use crate::lane_vec4::LaneVec4;
 
 #[cfg(target_arch = "spirv")]
 pub use device::HalfVector;
@@ -35,7 +35,7 @@ pub trait Halves<L>: Copy {
     /// `self + weights x`, the same four weights for all invocations.
     fn add_product(self, weights: HalfVector, x: Self::Factor) -> Self;
     /// The same numbers.
-    fn column(self) -> Column<L>;
+    fn column(self) -> LaneVec4<L>;
 }
 
 #[cfg(target_arch = "spirv")]
@@ -43,7 +43,7 @@ mod device {
     use core::arch::asm;
 
     use super::Halves;
-    use crate::column::Column;
+    use crate::lane_vec4::LaneVec4;
 
     /// Four halves: a vector, of which hardware that can computes two at once.
     #[derive(Clone, Copy)]
@@ -92,8 +92,8 @@ mod device {
         }
 
         #[inline(always)]
-        fn column(self) -> Column<f32> {
-            Column { x: self.x as f32, y: self.y as f32, z: self.z as f32, w: self.w as f32 }
+        fn column(self) -> LaneVec4<f32> {
+            LaneVec4 { x: self.x as f32, y: self.y as f32, z: self.z as f32, w: self.w as f32 }
         }
     }
 }
@@ -104,8 +104,8 @@ mod host {
 
     use super::Halves;
     use super::half_value;
-    use crate::column::Column;
     use crate::lane::Lane;
+    use crate::lane_vec4::LaneVec4;
 
     /// Four halves, of their 16 bits; none below 2^-14 but 0, for drivers may make zero of it.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
@@ -144,7 +144,7 @@ mod host {
 
     /// Four halves for each lane, each as an `f32`.
     #[derive(Clone, Copy)]
-    pub struct Rounded<L>(Column<L>);
+    pub struct Rounded<L>(LaneVec4<L>);
 
     impl<L: Lane> Halves<L> for Rounded<L> {
         type Factor = L;
@@ -152,7 +152,7 @@ mod host {
         #[inline(always)]
         fn zero() -> Self {
             let zero = L::splat(0.0);
-            Self(Column { x: zero, y: zero, z: zero, w: zero })
+            Self(LaneVec4 { x: zero, y: zero, z: zero, w: zero })
         }
 
         #[inline(always)]
@@ -163,7 +163,7 @@ mod host {
         #[inline(always)]
         fn add_product(self, weights: HalfVector, x: L) -> Self {
             let [a, b, c, d] = weights.values();
-            Self(Column {
+            Self(LaneVec4 {
                 x: add_product(self.0.x, a, x),
                 y: add_product(self.0.y, b, x),
                 z: add_product(self.0.z, c, x),
@@ -172,7 +172,7 @@ mod host {
         }
 
         #[inline(always)]
-        fn column(self) -> Column<L> {
+        fn column(self) -> LaneVec4<L> {
             self.0
         }
     }

@@ -8,9 +8,9 @@ use glam::UVec3;
 /// One invocation of a kernel.
 #[derive(Clone, Copy)]
 pub struct Invocation {
-    /// Place in the workgroup.
+    /// RunningInvocation in the workgroup.
     pub local: UVec3,
-    /// Place of the workgroup in the dispatch.
+    /// RunningInvocation of the workgroup in the dispatch.
     pub workgroup: UVec3,
     /// Workgroups in the dispatch.
     pub workgroups: UVec3,
@@ -45,7 +45,7 @@ impl Invocation {
         Self { each, ..self }
     }
 
-    /// Place in the dispatch, per axis.
+    /// RunningInvocation in the dispatch, per axis.
     #[inline(always)]
     pub fn global(&self) -> UVec3 {
         self.workgroup * self.size + self.local

@@ -8,8 +8,8 @@ use bytemuck::Pod;
 use glam::UVec3;
 
 use crate::invocation::Invocation;
-use crate::memory::{Read, Shared, Watch, Write};
-pub use crate::place::{Witness, enter};
+use crate::memory::{AccessMonitor, Read, Shared, Write};
+pub use crate::running::{PanicContext, enter};
 use crate::work::{Shape, Work, WorkOf};
 
 /// How a kernel uses a binding.
@@ -95,9 +95,9 @@ pub struct KernelInfo {
     /// Whether drivers may fuse and regroup its arithmetic.
     pub fused: bool,
     /// Whether the CPU runs a layer of workgroups, those of one z, on one thread.
-    pub layers: bool,
+    pub z_serial: bool,
     /// Whether the CPU runs a stack of workgroups, those of one x and y, one after another.
-    pub stacks: bool,
+    pub z_innermost: bool,
     /// Items along x that an invocation of a GPU takes.
     pub each: u32,
     /// Bindings, by number.
@@ -120,8 +120,8 @@ impl KernelInfo {
 
     /// What a dispatch computes and moves: its parameters' bytes, the elements of its storage buffers, and its workgroups
     /// along z.  Zeros where the kernel is not counted.
-    pub fn work(&self, uniform: &[u8], elements: &[u64], layers: u32) -> Work {
-        let shape = Shape { elements, layers: u64::from(layers) };
+    pub fn work(&self, uniform: &[u8], elements: &[u64], workgroups_z: u32) -> Work {
+        let shape = Shape { elements, workgroups_z: u64::from(workgroups_z) };
         self.work.map_or_else(Work::default, |work| work(uniform, shape))
     }
 
@@ -281,7 +281,7 @@ pub struct CpuBinding<'a> {
     /// Size.
     pub bytes: usize,
     /// Sees every access, where the binding is written.
-    pub watch: Option<&'a dyn Watch>,
+    pub monitor: Option<&'a dyn AccessMonitor>,
 }
 
 // SAFETY: a pointer and a size; what is done with them is the business of `CpuRun`'s contract
@@ -310,7 +310,7 @@ impl<'a> CpuBinding<'a> {
     pub unsafe fn write<T: Pod>(self) -> Write<'a, T> {
         // SAFETY: the caller's
         unsafe { Write::from_raw(self.data.cast(), self.bytes / size_of::<T>()) }
-            .watched(self.watch)
+            .monitored(self.monitor)
     }
 
     /// # Safety
@@ -318,7 +318,7 @@ impl<'a> CpuBinding<'a> {
     pub unsafe fn shared<T: Pod, const N: usize>(self) -> Shared<'a, T, N> {
         debug_assert_eq!(self.bytes, size_of::<[T; N]>());
         // SAFETY: the caller's
-        unsafe { Shared::from_raw(self.data.cast()) }.watched(self.watch)
+        unsafe { Shared::from_raw(self.data.cast()) }.monitored(self.monitor)
     }
 }
 

@@ -12,7 +12,6 @@
 extern crate self as organza_kernel;
 
 pub mod atomic;
-pub mod column;
 pub mod count;
 pub mod fixed;
 pub mod half;
@@ -20,13 +19,14 @@ pub mod invocation;
 #[cfg(not(target_arch = "spirv"))]
 pub mod kernel;
 pub mod lane;
+pub mod lane_vec4;
 pub mod math;
 pub mod memory;
-#[cfg(not(target_arch = "spirv"))]
-pub mod place;
 pub mod prelude;
+#[cfg(not(target_arch = "spirv"))]
+pub mod running;
 pub mod samples;
-pub mod stage;
+pub mod shared_tile;
 #[cfg(not(target_arch = "spirv"))]
 mod wide;
 #[cfg(not(target_arch = "spirv"))]

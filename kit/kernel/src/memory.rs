@@ -8,7 +8,7 @@
 #[cfg(target_arch = "spirv")]
 pub use device::{Read, ReadBuffer, Shared, Write, WriteBuffer};
 #[cfg(not(target_arch = "spirv"))]
-pub use host::{Read, Shared, Touch, Watch, Write};
+pub use host::{AccessMonitor, Read, Shared, Touch, Write};
 
 #[cfg(target_arch = "spirv")]
 mod device {
@@ -87,7 +87,7 @@ mod host {
     }
 
     /// Sees every access to a binding that several invocations may write.
-    pub trait Watch: Sync {
+    pub trait AccessMonitor: Sync {
         /// The current invocation touches an element.
         ///
         /// # Errors
@@ -110,7 +110,7 @@ mod host {
         data: *mut T,
         len: usize,
         name: &'static str,
-        watch: Option<&'a dyn Watch>,
+        monitor: Option<&'a dyn AccessMonitor>,
         lifetime: PhantomData<&'a mut [T]>,
     }
 
@@ -131,8 +131,8 @@ mod host {
     #[cold]
     #[inline(never)]
     #[track_caller]
-    fn watched(watch: &dyn Watch, index: u32, touch: Touch) {
-        if let Err(reason) = watch.touch(index, touch) {
+    fn monitored(monitor: &dyn AccessMonitor, index: u32, touch: Touch) {
+        if let Err(reason) = monitor.touch(index, touch) {
             panic!("{reason}");
         }
     }
@@ -202,7 +202,7 @@ mod host {
         /// `data` points to `len` values that are read and written through such views alone, an element
         /// by one invocation at a time.
         pub const unsafe fn from_raw(data: *mut T, len: usize) -> Self {
-            Self { data, len, name: UNNAMED, watch: None, lifetime: PhantomData }
+            Self { data, len, name: UNNAMED, monitor: None, lifetime: PhantomData }
         }
 
         /// The same buffer by the name that a kernel has for it.
@@ -212,11 +212,11 @@ mod host {
             Self { name, ..self }
         }
 
-        /// The same buffer; `watch` sees every access.
+        /// The same buffer; `monitor` sees every access.
         #[inline(always)]
         #[must_use]
-        pub const fn watched(self, watch: Option<&'a dyn Watch>) -> Self {
-            Self { watch, ..self }
+        pub const fn monitored(self, monitor: Option<&'a dyn AccessMonitor>) -> Self {
+            Self { monitor, ..self }
         }
 
         /// The value at `index`; panics out of range.
@@ -258,8 +258,8 @@ mod host {
             if first as usize + N > self.len {
                 out_of_range(first + N as u32 - 1, self.len, self.name);
             }
-            if let Some(watch) = self.watch {
-                (first..first + N as u32).for_each(|index| watched(watch, index, touch));
+            if let Some(monitor) = self.monitor {
+                (first..first + N as u32).for_each(|index| monitored(monitor, index, touch));
             }
             // SAFETY: checked above; an array is aligned as its elements
             unsafe { self.data.add(first as usize).cast() }
@@ -272,8 +272,8 @@ mod host {
             if index as usize >= self.len {
                 out_of_range(index, self.len, self.name);
             }
-            if let Some(watch) = self.watch {
-                watched(watch, index, touch);
+            if let Some(monitor) = self.monitor {
+                monitored(monitor, index, touch);
             }
             // SAFETY: checked above
             unsafe { self.data.add(index as usize) }
@@ -310,8 +310,8 @@ mod host {
             if largest as usize >= self.len {
                 out_of_range(largest, self.len, self.name);
             }
-            if let Some(watch) = self.watch {
-                index.iter().for_each(|&index| watched(watch, index, touch));
+            if let Some(monitor) = self.monitor {
+                index.iter().for_each(|&index| monitored(monitor, index, touch));
             }
             self.data
         }
@@ -339,7 +339,7 @@ mod host {
             index: [u32; N],
             touch: Touch,
         ) -> *mut u64 {
-            if self.watch.is_some() {
+            if self.monitor.is_some() {
                 self.wide_addresses(index, touch);
             }
             self.wide_addresses(index.map(|index| index + 1), touch)
@@ -364,8 +364,8 @@ mod host {
         /// As [`Write::watched`].
         #[inline(always)]
         #[must_use]
-        pub const fn watched(self, watch: Option<&'a dyn Watch>) -> Self {
-            Self(self.0.watched(watch))
+        pub const fn monitored(self, monitor: Option<&'a dyn AccessMonitor>) -> Self {
+            Self(self.0.monitored(monitor))
         }
 
         /// The value at `index`; panics out of range.

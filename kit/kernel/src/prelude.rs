@@ -8,4 +8,4 @@ pub use crate::lane::{Lane, LaneIndex};
 pub use crate::memory::{Read, Shared, Write};
 #[cfg(target_arch = "spirv")]
 pub use crate::memory::{ReadBuffer, WriteBuffer};
-pub use crate::stage::{Source, Stage};
+pub use crate::shared_tile::{SharedTile, Source};

@@ -27,7 +27,7 @@ pub struct Shape<'a> {
     /// Elements of each storage buffer, in the order of the bindings.
     pub elements: &'a [u64],
     /// Workgroups along z.
-    pub layers: u64,
+    pub workgroups_z: u64,
 }
 
 /// The formula of a kernel: the bytes of its parameters, and the dispatch.

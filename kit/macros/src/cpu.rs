@@ -21,7 +21,7 @@ pub fn cpu_run(kernel: &Kernel) -> TokenStream {
             Role::Read => quote!(read::<#element>()),
             Role::Write => quote!(write::<#element>()),
             Role::Shared(len) => quote!(shared::<#element, {#len}>()),
-            Role::Stage(_) => return None,
+            Role::SharedTile(_) => return None,
         };
         *slot += 1;
         // SAFETY: of the generated code, see `CpuRun`: the caller passes bindings of the declared types.

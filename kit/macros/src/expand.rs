@@ -9,7 +9,7 @@ use crate::parse::{Kernel, Parameter, Role};
 
 pub fn expand(kernel: &Kernel) -> TokenStream {
     let function = function(kernel);
-    let variants = if kernel.has_stages() { &[false, true][..] } else { &[false] };
+    let variants = if kernel.has_shared_tiles() { &[false, true][..] } else { &[false] };
     let entries = variants.iter().map(|&staged| entry_point(kernel, staged));
     let info = info(kernel);
     let dispatch = dispatch(kernel);
@@ -37,7 +37,7 @@ fn function(kernel: &Kernel) -> syn::ItemFn {
     });
     let witness = parse_quote! {
         #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-        let _witness = ::organza_kernel::kernel::Witness::new(#name, #id);
+        let _witness = ::organza_kernel::kernel::PanicContext::new(#name, #id);
     };
     let statements: Vec<syn::Stmt> = std::iter::once(witness).chain(named).collect();
     function.block.stmts.splice(0..0, statements);
@@ -64,7 +64,7 @@ fn info_name(kernel: &Kernel) -> syn::Ident {
 /// An entry point's name: of the plain one, or of the variant.
 fn entry_name(kernel: &Kernel, staged: bool) -> String {
     let name = &kernel.function.sig.ident;
-    if staged { format!("{name}_staged") } else { name.to_string() }
+    if staged { format!("{name}_shared") } else { name.to_string() }
 }
 
 /// A SPIR-V entry point: the built-ins and bindings as Rust-GPU wants them, then the function.
@@ -85,8 +85,8 @@ fn entry_point(kernel: &Kernel, staged: bool) -> TokenStream {
                 quote! { #[spirv(storage_buffer, descriptor_set = 0, binding = #number)] #name: &mut [#element] }
             }
             Role::Shared(len) => quote! { #[spirv(workgroup)] #name: &mut [#element; #len] },
-            Role::Stage(_) if !staged => return None,
-            Role::Stage(len) => quote! { #[spirv(workgroup)] #name: &mut [#element; #len] },
+            Role::SharedTile(_) if !staged => return None,
+            Role::SharedTile(len) => quote! { #[spirv(workgroup)] #name: &mut [#element; #len] },
         })
     });
     let arguments = kernel.parameters.iter().map(|parameter| {
@@ -129,7 +129,7 @@ fn each(kernel: &Kernel) -> TokenStream {
 pub fn plain_argument(parameter: &Parameter) -> TokenStream {
     let name = &parameter.name;
     match parameter.role {
-        Role::Stage(_) => quote!(&mut ::organza_kernel::stage::InPlace),
+        Role::SharedTile(_) => quote!(&mut ::organza_kernel::shared_tile::Unshared),
         _ => quote!(#name),
     }
 }
@@ -146,7 +146,7 @@ fn info(kernel: &Kernel) -> TokenStream {
             Role::Uniform => quote!(Uniform),
             Role::Read => quote!(Read),
             Role::Write => quote!(Write),
-            Role::Shared(_) | Role::Stage(_) => return None,
+            Role::Shared(_) | Role::SharedTile(_) => return None,
         };
         Some(quote! {
             ::organza_kernel::kernel::BindingInfo {
@@ -165,7 +165,7 @@ fn info(kernel: &Kernel) -> TokenStream {
     };
     let count = kernel.parameters.iter().filter(|parameter| parameter.role.is_binding()).count();
     let run = cpu_run(kernel);
-    let (fused, layers, stacks) = (kernel.fused, kernel.layers, kernel.stacks);
+    let (fused, z_serial, z_innermost) = (kernel.fused, kernel.z_serial, kernel.z_innermost);
     let each = each(kernel);
     let work = work(kernel);
     quote! {
@@ -180,8 +180,8 @@ fn info(kernel: &Kernel) -> TokenStream {
                 workgroup_size: [#x, #y, #z],
                 iterations: #iterations,
                 fused: #fused,
-                layers: #layers,
-                stacks: #stacks,
+                z_serial: #z_serial,
+                z_innermost: #z_innermost,
                 each: #each,
                 bindings: &[#(#bindings),*],
                 shared: &#shared,
@@ -219,7 +219,7 @@ fn shared(kernel: &Kernel, stages: bool) -> TokenStream {
         let (name, element) = (parameter.name.to_string(), &parameter.element);
         let len = match &parameter.role {
             Role::Shared(len) => len,
-            Role::Stage(len) if stages => len,
+            Role::SharedTile(len) if stages => len,
             _ => return None,
         };
         Some(quote! {
@@ -236,7 +236,7 @@ fn shared(kernel: &Kernel, stages: bool) -> TokenStream {
 
 /// What the registry says of the second entry point.
 fn variant(kernel: &Kernel) -> TokenStream {
-    if !kernel.has_stages() {
+    if !kernel.has_shared_tiles() {
         return quote!(::core::option::Option::None);
     }
     let (name, shared) = (entry_name(kernel, true), shared(kernel, true));
@@ -270,7 +270,7 @@ fn dispatch(kernel: &Kernel) -> TokenStream {
                 fields.push(quote! { #[doc = #access] pub #name: &'a S::Buffer<#element> });
                 binds.push(quote! { visit(S::bind(self.#name)); });
             }
-            Role::Shared(_) | Role::Stage(_) => {}
+            Role::Shared(_) | Role::SharedTile(_) => {}
         }
     }
     let counted = counted(kernel, &struct_name);

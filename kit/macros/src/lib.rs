@@ -19,7 +19,7 @@
 //! | `name: Read<T>`    | a storage buffer of `T` that is only read                   |
 //! | `name: Write<T>`   | a storage buffer of `T` that is read and written            |
 //! | `name: Shared<T, N>` | `N` values of `T` in workgroup memory                     |
-//! | `name: &mut impl Stage<T, N>` | nothing, and in the variant `_staged` `N` values of `T` in workgroup memory |
+//! | `name: &mut impl SharedTile<T, N>` | nothing, and in the variant `_shared` `N` values of `T` in workgroup memory |
 //!
 //! Drivers compute what is written: they neither fuse nor regroup arithmetic, so that results agree between devices.
 //! `#[kernel(threads(64), fused)]` lets them, where speed counts for more.
@@ -38,8 +38,8 @@
 //! A kernel that `organza bench` counts names its formula, a function that stands beside the parameters:
 //! `work(square_work)` for `fn square_work(params: &SquareParams, shape: Shape<'_>) -> Work`.
 //!
-//! With `layers`, the CPU runs the workgroups of one z one after another on one thread: the kernel may change what only
-//! invocations of one z touch with `atomic::add_wide`, which is atomic on a GPU alone.  With `stacks`, it runs those of
+//! With `z_serial`, the CPU runs the workgroups of one z one after another on one thread: the kernel may change what only
+//! invocations of one z touch with `atomic::add_wide`, which is atomic on a GPU alone.  With `z_innermost`, it runs those of
 //! one x and y one after another: what they all read is in a cache but for the first.
 //!
 //! A kernel with `lanes(field)` that is generic over `Samples` rather than over `Lane` takes four samples in an invocation of

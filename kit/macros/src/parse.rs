@@ -18,8 +18,8 @@ pub enum Role {
     Write,
     /// `Shared<T, N>`, with its length
     Shared(Box<GenericArgument>),
-    /// `&mut impl Stage<T, N>`, with its length
-    Stage(Box<GenericArgument>),
+    /// `&mut impl SharedTile<T, N>`, with its length
+    SharedTile(Box<GenericArgument>),
 }
 
 impl Role {
@@ -56,9 +56,9 @@ pub struct Kernel {
     pub threads: [u32; 3],
     pub fused: bool,
     /// On the CPU a layer of workgroups, those of one z, runs on one thread.
-    pub layers: bool,
+    pub z_serial: bool,
     /// On the CPU a stack of workgroups, those of one x and y, runs together.
-    pub stacks: bool,
+    pub z_innermost: bool,
     pub lanes: Option<Lanes>,
     /// Whether it is generic over `Samples`, of which an invocation of a GPU takes four.
     pub samples: bool,
@@ -76,7 +76,7 @@ pub struct Kernel {
 impl Kernel {
     pub fn parse(attribute: TokenStream, item: TokenStream) -> Result<Self> {
         let function: ItemFn = syn::parse2(item)?;
-        let Attribute { threads, fused, layers, stacks, lanes, iterations, counts, work } =
+        let Attribute { threads, fused, z_serial, z_innermost, lanes, iterations, counts, work } =
             parse_attribute(attribute)?;
         let mut inputs = function.sig.inputs.iter();
         let id = inputs.next().and_then(invocation).ok_or_else(|| {
@@ -102,8 +102,8 @@ impl Kernel {
             function,
             threads,
             fused,
-            layers,
-            stacks,
+            z_serial,
+            z_innermost,
             lanes,
             samples,
             iterations,
@@ -137,8 +137,8 @@ impl Kernel {
     }
 
     /// Whether it has a second entry point, in which stages are workgroup memory.
-    pub fn has_stages(&self) -> bool {
-        self.has(|role| matches!(role, Role::Stage(_)))
+    pub fn has_shared_tiles(&self) -> bool {
+        self.has(|role| matches!(role, Role::SharedTile(_)))
     }
 
     fn has(&self, what: impl Fn(&Role) -> bool) -> bool {
@@ -149,21 +149,21 @@ impl Kernel {
 struct Attribute {
     threads: [u32; 3],
     fused: bool,
-    layers: bool,
-    stacks: bool,
+    z_serial: bool,
+    z_innermost: bool,
     lanes: Option<Lanes>,
     iterations: Option<Expr>,
     counts: Vec<Ident>,
     work: Option<Path>,
 }
 
-/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `layers` or `stacks`, `lanes` or
+/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `z_serial` or `z_innermost`, `lanes` or
 /// `lanes(field)`, and `counts(field, ..)`
 fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     let mut threads = None;
     let mut fused = false;
-    let mut layers = false;
-    let mut stacks = false;
+    let mut z_serial = false;
+    let mut z_innermost = false;
     let mut lanes = None;
     let mut iterations = None;
     let mut counts = Vec::new();
@@ -173,12 +173,12 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
             fused = true;
             return Ok(());
         }
-        if meta.path.is_ident("layers") {
-            layers = true;
+        if meta.path.is_ident("z_serial") {
+            z_serial = true;
             return Ok(());
         }
-        if meta.path.is_ident("stacks") {
-            stacks = true;
+        if meta.path.is_ident("z_innermost") {
+            z_innermost = true;
             return Ok(());
         }
         if meta.path.is_ident("iterations") {
@@ -209,8 +209,8 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
             return Ok(());
         }
         if !meta.path.is_ident("threads") {
-            let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `layers`, \
-                `stacks`, `lanes`, `lanes(field)` `counts(field, ..)` or `work(function)`";
+            let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `z_serial`, \
+                `z_innermost`, `lanes`, `lanes(field)` `counts(field, ..)` or `work(function)`";
             return Err(meta.error(expected));
         }
         let content;
@@ -233,16 +233,19 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     parser.parse2(attribute.clone())?;
     let threads = threads
         .ok_or_else(|| Error::new(attribute.span(), "expected `#[kernel(threads(x, y, z))]`"))?;
-    if layers && threads[2] != 1 {
+    if z_serial && threads[2] != 1 {
         return Err(Error::new(
             attribute.span(),
             "a layer is one workgroup thick: `threads(x, y)`",
         ));
     }
-    if layers && stacks {
-        return Err(Error::new(attribute.span(), "workgroups run by `layers` or by `stacks`"));
+    if z_serial && z_innermost {
+        return Err(Error::new(
+            attribute.span(),
+            "workgroups run by `z_serial` or by `z_innermost`",
+        ));
     }
-    Ok(Attribute { threads, fused, layers, stacks, lanes, iterations, counts, work })
+    Ok(Attribute { threads, fused, z_serial, z_innermost, lanes, iterations, counts, work })
 }
 
 /// The name of `id: Invocation`.
@@ -286,7 +289,7 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
     let (role, element) = role(&argument.ty).ok_or_else(|| {
         Error::new(
             argument.ty.span(),
-            "a parameter is `&Params`, `Read<T>`, `Write<T>`, `Shared<T, N>` or `&mut impl Stage<T, N>`",
+            "a parameter is `&Params`, `Read<T>`, `Write<T>`, `Shared<T, N>` or `&mut impl SharedTile<T, N>`",
         )
     })?;
     Ok(Parameter { name, role, element })
@@ -298,9 +301,10 @@ fn role(ty: &Type) -> Option<(Role, Type)> {
         if reference.mutability.is_none() {
             return Some((Role::Uniform, (*reference.elem).clone()));
         }
-        let segment = implemented(&reference.elem).filter(|segment| segment.ident == "Stage")?;
+        let segment =
+            implemented(&reference.elem).filter(|segment| segment.ident == "SharedTile")?;
         let (element, length) = arguments(segment)?;
-        return Some((Role::Stage(Box::new(length?)), element));
+        return Some((Role::SharedTile(Box::new(length?)), element));
     }
     let segment = last_segment(ty)?;
     let (element, length) = arguments(segment)?;

@@ -224,8 +224,8 @@ impl Gpu {
     }
 
     /// What was dispatched so far has written the numbers that are filled in from here on.
-    pub fn settle_counts(&self) {
-        self.recorder().settle_counts(&self.device);
+    pub fn publish_counts(&self) {
+        self.recorder().publish_counts(&self.device);
     }
 
     /// Waits for everything queued.

@@ -148,7 +148,7 @@ impl Recorder {
     }
 
     /// What is recorded so far writes the numbers that later dispatches have filled in.
-    pub fn settle_counts(&mut self, device: &wgpu::Device) {
+    pub fn publish_counts(&mut self, device: &wgpu::Device) {
         if let Some(encoder) = self.encoder.take() {
             self.finished.extend(self.fills.take(device, &self.uniforms));
             self.finished.push(encoder.finish());
@@ -161,7 +161,7 @@ impl Recorder {
             // not `self.encoder()`, which would borrow the timer as well
             timer.resolve(device, self.encoder.get_or_insert_with(|| new_encoder(device)));
         }
-        self.settle_counts(device);
+        self.publish_counts(device);
         if self.finished.is_empty() {
             return;
         }

@@ -11,7 +11,7 @@ const TAIL: usize = 8;
 
 /// A device with one kernel under test.
 #[derive(Debug)]
-pub struct Bench<'d> {
+pub struct KernelRunner<'d> {
     device: &'d Device,
     kernel: &'static str,
 }
@@ -34,7 +34,7 @@ impl Canary for Vec4 {
     const CANARY: Self = Self::splat(f32::CANARY);
 }
 
-impl<'d> Bench<'d> {
+impl<'d> KernelRunner<'d> {
     /// Only the kernel of this name may run.
     #[must_use]
     pub fn new(device: &'d Device, kernel: &'static str) -> Self {
@@ -87,10 +87,10 @@ impl<'d> Bench<'d> {
         &self,
         kernel: &impl Dispatch<'a, Host>,
         items: u32,
-        layers: u32,
+        workgroups_z: u32,
     ) -> Result<()> {
         self.check(kernel);
-        self.device.run(kernel, items.max(1), layers.max(1))
+        self.device.run(kernel, items.max(1), workgroups_z.max(1))
     }
 
     /// Runs the kernel over pixels: `side` x `side`, tiles along z.

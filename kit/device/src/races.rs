@@ -3,8 +3,8 @@
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
 use glam::UVec3;
-use organza_kernel::memory::{Touch, Watch};
-use organza_kernel::place::{self, unlinear};
+use organza_kernel::memory::{AccessMonitor, Touch};
+use organza_kernel::running::{self, unlinear};
 use organza_kernel::{BindingInfo, SharedInfo};
 
 /// Watches an array of workgroup memory: between two barriers an element belongs to who writes it.
@@ -37,7 +37,7 @@ impl WorkgroupMemory {
 
     /// The invocation that runs now, as it is written into an element: never 0.
     fn stamp(&self) -> u64 {
-        let invocation = 1 + place::invocation();
+        let invocation = 1 + running::invocation();
         u64::from(self.barriers.load(Ordering::Relaxed)) << 32 | u64::from(invocation)
     }
 
@@ -83,7 +83,7 @@ impl WorkgroupMemory {
     }
 }
 
-impl Watch for WorkgroupMemory {
+impl AccessMonitor for WorkgroupMemory {
     fn touch(&self, index: u32, touch: Touch) -> Result<(), String> {
         let (element, own) = (&self.elements[index as usize], self.stamp());
         match touch {
@@ -150,10 +150,10 @@ impl Races {
     }
 }
 
-impl Watch for Races {
+impl AccessMonitor for Races {
     // who comes second sees the first: each leaves its own mark before it looks for the other's
     fn touch(&self, index: u32, touch: Touch) -> Result<(), String> {
-        let Some(place) = place::current() else { return Ok(()) };
+        let Some(place) = running::current() else { return Ok(()) };
         let element = &self.elements[index as usize];
         let own = 1 + linear(place.id.global(), self.invocations);
         let is_other = |mark: u64| mark != 0 && who(mark) != own;

@@ -11,7 +11,7 @@ use crate::invocation::Invocation;
 
 /// An invocation of a kernel.
 #[derive(Clone, Copy)]
-pub struct Place {
+pub struct RunningInvocation {
     /// Name of the kernel.
     pub kernel: &'static str,
     /// The invocation.
@@ -20,14 +20,14 @@ pub struct Place {
 
 std::thread_local! {
     /// The first invocation of the workgroup.
-    static WORKGROUP: Cell<Option<Place>> = const { Cell::new(None) };
+    static WORKGROUP: Cell<Option<RunningInvocation>> = const { Cell::new(None) };
     /// Number of the invocation in it.
     static INVOCATION: Cell<u32> = const { Cell::new(0) };
 }
 
 /// Says which workgroup the thread runs from here on, by its first invocation; none where no executor is at work.
 #[inline]
-pub fn begin(workgroup: Option<Place>) {
+pub fn begin(workgroup: Option<RunningInvocation>) {
     WORKGROUP.set(workgroup);
 }
 
@@ -44,7 +44,7 @@ pub fn invocation() -> u32 {
 }
 
 /// What the thread runs; none where no executor is at work.
-pub fn current() -> Option<Place> {
+pub fn current() -> Option<RunningInvocation> {
     let mut place = WORKGROUP.get()?;
     place.id.local = unlinear(u64::from(INVOCATION.get()), place.id.size);
     Some(place)
@@ -59,16 +59,16 @@ pub fn unlinear(index: u64, size: UVec3) -> UVec3 {
 
 /// In debug builds every kernel holds one: where it is called without an executor and panics, as in a test, this
 /// says in which invocation.
-pub struct Witness(Place);
+pub struct PanicContext(RunningInvocation);
 
-impl Witness {
+impl PanicContext {
     /// A witness of an invocation.
     pub fn new(kernel: &'static str, id: Invocation) -> Self {
-        Self(Place { kernel, id })
+        Self(RunningInvocation { kernel, id })
     }
 }
 
-impl Drop for Witness {
+impl Drop for PanicContext {
     fn drop(&mut self) {
         if std::thread::panicking() && WORKGROUP.get().is_none() {
             std::eprintln!("in kernel `{}`, {}", self.0.kernel, self.0);
@@ -76,7 +76,7 @@ impl Drop for Witness {
     }
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for RunningInvocation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Invocation { local, workgroup, .. } = self.id;
         let global = self.id.global();

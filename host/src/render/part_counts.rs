@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use organza_kernel::count::MISFIT;
+use organza_kernel::count::OVERFLOW;
 use organza_shaders::count::{
-    COUNTS, CountAdmitKernel, CountAdmitParams, CountWithholdKernel, CountWithholdParams, MEMBERS,
-    PAIRS, SAMPLES,
+    COUNTS, ClearOnOverflowKernel, ClearOnOverflowParams, MEMBERS, PAIRS, RecordTotalKernel,
+    RecordTotalParams, SAMPLES,
 };
 
 use super::bin::Mask;
@@ -14,7 +14,7 @@ use organza_device::{Buffer, Count, Device};
 
 /// How many there is room for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Room {
+pub struct Capacity {
     /// (Gaussian, camera) pairs.
     pub pairs: u32,
     /// (Gaussian, tile) memberships.
@@ -27,51 +27,50 @@ pub struct Room {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Needed {
     /// So much.
-    Room(Room),
+    Capacity(Capacity),
     /// More than there was: all of the part is empty.
-    More,
+    Overflow,
 }
 
 impl Needed {
-    /// Of the values of [`Tally::counts`].
+    /// Of the values of [`PartCounts::counts`].
     pub fn of(counts: &[u32]) -> Self {
-        let [pairs, members, samples] =
-            [PAIRS, MEMBERS, SAMPLES].map(|place| counts[place as usize]);
-        match counts[MISFIT as usize] {
-            0 => Self::Room(Room { pairs, members, samples }),
-            _ => Self::More,
+        let [pairs, members, samples] = [PAIRS, MEMBERS, SAMPLES].map(|slot| counts[slot as usize]);
+        match counts[OVERFLOW as usize] {
+            0 => Self::Capacity(Capacity { pairs, members, samples }),
+            _ => Self::Overflow,
         }
     }
 }
 
 /// Numbers that stay on the device: see [`organza_shaders::count`].
 #[derive(Debug)]
-pub struct Tally {
+pub struct PartCounts {
     counts: Arc<Buffer<u32>>,
-    room: Room,
+    capacity: Capacity,
 }
 
-impl Tally {
+impl PartCounts {
     /// Of nothing yet.
-    pub fn new(device: &Device, room: Room) -> Result<Self> {
-        Ok(Self { counts: Arc::new(device.zeros("counts", COUNTS as usize)?), room })
+    pub fn new(device: &Device, capacity: Capacity) -> Result<Self> {
+        Ok(Self { counts: Arc::new(device.zeros("counts", COUNTS as usize)?), capacity })
     }
 
-    /// The total at `last` of exclusive sums is the number at a place.
-    pub fn admit(
+    /// The total at `last` of exclusive sums is the number at a slot.
+    pub fn record_total(
         &self,
         device: &Device,
-        place: u32,
+        slot: u32,
         first: &Buffer<u32>,
         last: usize,
     ) -> Result<()> {
-        let room = self.room_for(place);
-        let params = CountAdmitParams { place, last: last as u32, room };
-        device.run(&CountAdmitKernel { params, first, counts: &*self.counts }, 1, 1)
+        let capacity = self.capacity_for(slot);
+        let params = RecordTotalParams { slot, last: last as u32, capacity };
+        device.run(&RecordTotalKernel { params, first, counts: &*self.counts }, 1, 1)
     }
 
     /// What was admitted counts from here on; where something did not fit, masks and ranges are empty.
-    pub fn settle(
+    pub fn clear_on_overflow(
         &self,
         device: &Device,
         masks: [&Mask; 2],
@@ -79,17 +78,17 @@ impl Tally {
     ) -> Result<()> {
         let of_masks = masks.into_iter().flat_map(|mask| [&mask.bits, &mask.first]);
         for table in of_masks.chain(ranges.iter().copied()) {
-            let params = CountWithholdParams { len: table.len() as u32 };
-            let kernel = CountWithholdKernel { params, counts: &*self.counts, table };
+            let params = ClearOnOverflowParams { len: table.len() as u32 };
+            let kernel = ClearOnOverflowKernel { params, counts: &*self.counts, table };
             device.run(&kernel, params.len, 1)?;
         }
-        device.settle_counts();
+        device.publish_counts();
         Ok(())
     }
 
-    /// The number at a place.
-    pub fn count(&self, place: u32) -> Count {
-        Count::on_device(&self.counts, place, self.room_for(place))
+    /// The number at a slot.
+    pub fn count(&self, slot: u32) -> Count {
+        Count::on_device(&self.counts, slot, self.capacity_for(slot))
     }
 
     /// Where the numbers are: what [`Needed::of`] makes sense of.
@@ -97,11 +96,11 @@ impl Tally {
         &self.counts
     }
 
-    fn room_for(&self, place: u32) -> u32 {
-        match place {
-            PAIRS => self.room.pairs,
-            MEMBERS => self.room.members,
-            SAMPLES => self.room.samples,
+    fn capacity_for(&self, slot: u32) -> u32 {
+        match slot {
+            PAIRS => self.capacity.pairs,
+            MEMBERS => self.capacity.members,
+            SAMPLES => self.capacity.samples,
             _ => unreachable!("nothing else is counted"),
         }
     }

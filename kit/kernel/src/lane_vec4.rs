@@ -6,7 +6,7 @@ use crate::samples::Samples;
 
 /// Four numbers for each sample: a `Vec4` of lanes, such as four outputs of a layer.
 #[derive(Clone, Copy)]
-pub struct Column<L> {
+pub struct LaneVec4<L> {
     /// First number.
     pub x: L,
     /// Second number.
@@ -17,7 +17,7 @@ pub struct Column<L> {
     pub w: L,
 }
 
-impl<S: Samples> Column<S> {
+impl<S: Samples> LaneVec4<S> {
     /// The same four values in every lane.
     #[inline(always)]
     pub fn splat(values: Vec4) -> Self {

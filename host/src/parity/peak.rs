@@ -46,7 +46,8 @@ impl Parity for PeakMultiplyAdd {
     fn sets() -> Vec<(String, Self)> {
         inputs::sets(|count, fill, random| Self {
             count,
-            steps: random.below(30),
+            // after a few steps nothing of the first values is left
+            steps: if fill == Fill::Random { [0, 1, 2, 29][count as usize % 4] } else { 29 },
             // the largest factor is not
             factor: fill.values(random, 1, [-0.75, 0.75], 0.75)[0],
             addend: fill.values(random, 1, [-2.0, 2.0], 1e30)[0],

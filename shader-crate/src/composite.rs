@@ -188,8 +188,8 @@ mod tests {
     use super::*;
     use crate::stage::InPlace;
 
-    /// Workgroup memory of an invocation that copies all of it: what a GPU reads without a check must have been copied
-    /// since the last wait, and be what the source has.
+    /// Workgroup memory of an invocation that copies all of it.  A GPU reads it without a check; here every element that is
+    /// read must have been copied, and equal the source's.
     struct Copied<T, const N: usize> {
         elements: Vec<T>,
         passes: u32,
@@ -233,7 +233,7 @@ mod tests {
         }
     }
 
-    /// A tile with more members than a stage holds twice.
+    /// A tile whose members fill a stage three times.
     struct Inputs {
         params: CompositeParams,
         member: Vec<u32>,
@@ -261,7 +261,7 @@ mod tests {
             Self { params, member, cells: cells.collect(), splat: splat.collect() }
         }
 
-        /// Sums of nothing.
+        /// All zeros.
         fn sums(&self) -> Vec<f32> {
             std::vec![0.0; (SUM_PLANES * self.params.side * self.params.side) as usize]
         }

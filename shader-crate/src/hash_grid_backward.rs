@@ -10,8 +10,8 @@ use crate::limits::MAX_FEATURES;
 use crate::math::TINY;
 use crate::prelude::*;
 
-/// Values of a table that share a flag: one where a gradient has been added, and where [`adam`](crate::adam) has a step
-/// to take.
+/// Values of a table that share a flag.  The flag is 1 if a gradient has been added to any of them; [`adam`](crate::adam())
+/// skips the others.
 pub const FLAG_BLOCK: u32 = 64;
 
 /// Adds every point's gradient to the entries of its cells' corners: `sum += weight * feature_gradient`, with

@@ -142,7 +142,7 @@ impl Inputs {
     }
 }
 
-/// Center and conic as conventions.md has them: covariances as whole matrices.  What is clamped is that of `base`.
+/// Center and conic as in conventions.md, with covariances as whole matrices.  Ratios are clamped as at `base`.
 fn project(camera: &Camera, blur: f64, base: &[f64], values: &[f64]) -> ([f64; 2], DVec3) {
     let world_to_camera =
         DMat3::from_cols_array_2d(&camera.rotation.map(|row| row.as_dvec3().to_array()))

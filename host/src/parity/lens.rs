@@ -1,4 +1,4 @@
-//! The kernels' [lens](organza_kernels::lens) in f64, as `docs/conventions.md` has it: what tests and tolerances hold it to.
+//! The kernels' [lens](organza_kernels::lens) in f64, as in `docs/conventions.md`: the reference of tests and tolerances.
 
 use glam::{DVec2, DVec3};
 use organza_kernels::camera::Camera;
@@ -26,20 +26,20 @@ impl ExactLens {
         }
     }
 
-    /// How far a point of the camera's space lies from where it would not be seen; not above 0 where it is not.
+    /// Distance of a point in front of the near plane; zero or less if the lens does not see the point.
     #[must_use]
     pub fn above_near(t: DVec3) -> f64 {
         t.z - f64::from(NEAR_PLANE)
     }
 
-    /// Where a point lies in the image, in pixels.
+    /// The projected point, in pixels.
     #[must_use]
     pub fn pixel(&self, t: DVec3) -> DVec2 {
         self.focal * t.truncate() / t.z + self.center
     }
 
-    /// Rows of J at a point.  Which of its terms are constants, because they are clamped, is that of `base`: for
-    /// differences around it.
+    /// Rows of J at a point t.  A ratio that is clamped at `base` is a constant: for finite differences around `base`.
+    /// J itself has t as its base.
     #[must_use]
     pub fn jacobian(&self, t: DVec3, base: DVec3) -> [DVec3; 2] {
         let [low, high] = self.limits();
@@ -50,32 +50,32 @@ impl ExactLens {
         [DVec3::new(slope.x, 0.0, -slope.x * ratio.x), DVec3::new(0.0, slope.y, -slope.y * ratio.y)]
     }
 
-    /// The least and the largest x/z and y/z in J.
+    /// The smallest and the largest x/z and y/z in J.
     fn limits(&self) -> [DVec2; 2] {
         let margin = self.size / self.focal * 0.5 * 0.3;
         [-self.center / self.focal - margin, (self.size - self.center) / self.focal + margin]
     }
 
-    /// Whether rounding decides if something is clamped in J.
+    /// Whether a ratio is so close to its limit that rounding decides if it is clamped.
     pub(super) fn is_near_limit(&self, t: DVec3, distance: f64) -> bool {
         let slack = 1e-5 * Self::cancellation(t, distance) * (1.0 + t.truncate().length() / t.z);
         let ratio = t.truncate() / t.z;
         self.limits().iter().any(|limit| (ratio - limit).abs().min_element() <= slack)
     }
 
-    /// How much larger than their sum the terms of a point's depth may be, `distance` away from the camera.
+    /// How much larger the terms of a point's depth may be than their sum, at a distance from the camera.
     pub(super) fn cancellation(t: DVec3, distance: f64) -> f64 {
         1.0 + distance / t.z
     }
 
-    /// How large the terms of the point's pixel may be.
+    /// Largest size of the terms of the projected point.
     pub(super) fn pixel_terms(&self, t: DVec3, distance: f64) -> DVec2 {
         let ratio = 1.0 + t.x.abs().max(t.y.abs()) / t.z;
         self.focal * Self::cancellation(t, distance) * ratio + 500.0
     }
 
-    /// How large the terms of a position's gradient may be, of the sizes of its gradients with respect to the rows of
-    /// `J W`, of those rows, and of its gradient with respect to the pixel.
+    /// Largest size of the terms of a position's gradient.  The sizes are those of the gradient with respect to the rows of
+    /// `J W`, of these rows, and of the gradient with respect to the pixel.
     pub(super) fn gradient_terms(
         &self,
         t: DVec3,

@@ -254,7 +254,7 @@ pub(super) fn axes(log_axes: DVec3) -> DVec3 {
     log_axes.clamp(DVec3::splat(-200.0), DVec3::splat(200.0)).exp()
 }
 
-/// Where a position is for a camera, and how far from it.
+/// A position in a camera's space, and its distance from the camera.
 pub(super) fn place(camera: &Camera, position: DVec3) -> (DVec3, f64) {
     let offset = position - camera.eye.as_dvec3();
     let t = camera.rotation.map(|row| row.as_dvec3().dot(offset));

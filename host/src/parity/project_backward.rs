@@ -77,12 +77,12 @@ impl ProjectBackward {
         set
     }
 
-    /// Where a Gaussian is for a camera, and how far from it.
+    /// A Gaussian's position in a camera's space, and its distance from the camera.
     fn place(&self, camera: usize, gaussian: usize) -> (DVec3, f64) {
         place(&self.forward.cameras[camera], self.forward.center(gaussian))
     }
 
-    /// Not culled, and nothing so near its limit that rounding decides whether it is clamped.
+    /// Whether it is not culled, and rounding does not decide whether a ratio is clamped.
     fn is_usable(&self, camera: usize, gaussian: usize) -> bool {
         let (t, distance) = self.place(camera, gaussian);
         let lens = ExactLens::of(&self.forward.cameras[camera]);

@@ -32,8 +32,8 @@
 //! them below the field `samples` of the parameters.  With `lanes` alone each invocation is one call and uses the
 //! lanes as it likes.
 //!
-//! A parameter that a kernel may have written on the device, and the host does not wait for, is declared with `counts`:
-//! `#[kernel(threads(64), counts(samples))]`.  The typed dispatch then has `counted(&samples)`.
+//! A parameter that another kernel may have written on the device, so that the host does not know it, is declared with
+//! `counts`: `#[kernel(threads(64), counts(samples))]`.  The typed dispatch then has `counted(&samples)`.
 //!
 //! With `layers`, the CPU runs the workgroups of one z one after another on one thread: the kernel may change what only
 //! invocations of one z touch with `atomic::add_wide`, which is atomic on a GPU alone.  With `stacks`, it runs those of

@@ -64,7 +64,7 @@ pub struct Kernel {
     pub samples: bool,
     /// The most iterations of one invocation.
     pub iterations: Option<Expr>,
-    /// Fields of the uniform buffer that the device may know alone.
+    /// Fields of the uniform buffer that only the device may know.
     pub counts: Vec<Ident>,
     /// What the kernel calls its invocation.
     pub id: Ident,

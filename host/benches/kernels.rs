@@ -20,12 +20,12 @@ mod flops {
     use divan::Bencher;
     use glam::Vec4;
     use organza::InstructionSet;
-    use organza_kernels::dense::{DenseKernel, DenseParams, HIDDEN_BLOCK};
-    use organza_kernels::dense_backward::{
+    use organza_shaders::dense::{DenseKernel, DenseParams, HIDDEN_BLOCK};
+    use organza_shaders::dense_backward::{
         DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel,
         DenseWeightBackwardParams, INPUT_BLOCK, WEIGHT_BLOCK,
     };
-    use organza_kernels::peak::{MULTIPLY_ADDS, PeakMultiplyAddKernel, PeakMultiplyAddParams};
+    use organza_shaders::peak::{MULTIPLY_ADDS, PeakMultiplyAddKernel, PeakMultiplyAddParams};
 
     use crate::common::{BACKWARD, Bench, FORWARD, sets};
 
@@ -132,10 +132,10 @@ mod samples {
     use divan::Bencher;
     use organza::InstructionSet;
     use organza::scene::{GridConfig, Interpolation};
-    use organza_kernels::hash_grid::{HashGridKernel, HashGridParams, POINT_ROWS};
-    use organza_kernels::hash_grid_backward::{FLAG_BLOCK, HashGridBackwardKernel};
-    use organza_kernels::segment::SEGMENT_VECTORS;
-    use organza_kernels::transmittance::{TransmittanceInputsKernel, TransmittanceInputsParams};
+    use organza_shaders::hash_grid::{HashGridKernel, HashGridParams, POINT_ROWS};
+    use organza_shaders::hash_grid_backward::{FLAG_BLOCK, HashGridBackwardKernel};
+    use organza_shaders::segment::SEGMENT_VECTORS;
+    use organza_shaders::transmittance::{TransmittanceInputsKernel, TransmittanceInputsParams};
 
     use crate::common::{BACKWARD, Bench, FORWARD, sets};
 
@@ -243,9 +243,9 @@ mod member_pixels {
     use divan::Bencher;
     use glam::Vec4;
     use organza::InstructionSet;
-    use organza_kernels::composite::{CompositeKernel, CompositeParams, SUM_PLANES};
-    use organza_kernels::composite_backward::{CompositeBackwardKernel, CompositeBackwardParams};
-    use organza_kernels::splat::VECTORS;
+    use organza_shaders::composite::{CompositeKernel, CompositeParams, SUM_PLANES};
+    use organza_shaders::composite_backward::{CompositeBackwardKernel, CompositeBackwardParams};
+    use organza_shaders::splat::VECTORS;
 
     use crate::common::{Bench, SIDE, Tiles, sets};
 
@@ -292,8 +292,8 @@ mod gaussians {
     use divan::Bencher;
     use glam::{Vec2, Vec3, Vec4};
     use organza::InstructionSet;
-    use organza_kernels::camera::Camera;
-    use organza_kernels::project::{ProjectKernel, ProjectParams};
+    use organza_shaders::camera::Camera;
+    use organza_shaders::project::{ProjectKernel, ProjectParams};
 
     use crate::common::{Bench, sets};
 

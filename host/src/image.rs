@@ -13,9 +13,9 @@ use ::image::{ExtendedColorType, ImageEncoder, ImageError};
 
 use crate::atomic_file::write_atomic;
 use crate::error::{Error, Result};
-use crate::memory;
 use crate::render::RenderedTiles;
 use crate::tile::TileBatch;
+use organza_device::memory;
 
 /// Pixels of one band: 400 MB of rendered values, enough to keep every device busy.
 const BAND_PIXELS: u64 = 1 << 25;

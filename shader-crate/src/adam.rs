@@ -1,7 +1,7 @@
 //! Adam (Kingma and Ba 2015, Algorithm 1), one kernel for the parameters of every kind.
 
 use crate::hash_grid_backward::FLAG_BLOCK;
-use crate::prelude::*;
+use organza_kernel::prelude::*;
 
 /// Parameters of [`adam`]; what depends on the step is computed on the host, in f64.
 #[repr(C)]

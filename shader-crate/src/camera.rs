@@ -2,8 +2,8 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::math::dot;
-use crate::prelude::*;
+use organza_kernel::math::dot;
+use organza_kernel::prelude::*;
 
 /// A camera, with OpenCV axes: x right, y down, z forward.  Its projection is in [`lens`](crate::lens).
 #[derive(Clone, Copy)]

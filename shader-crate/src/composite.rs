@@ -4,12 +4,16 @@
 use glam::{UVec3, Vec2, Vec3, Vec4};
 
 use crate::limits::MAX_MEMBERS;
-use crate::math::abs;
-use crate::prelude::*;
 use crate::project::{falloff, mahalanobis};
+#[cfg(not(target_arch = "spirv"))]
+use crate::splat::SPLAT;
 use crate::splat::VECTORS;
 use crate::tile::Tile;
 use crate::tile_cells::Cells;
+use organza_kernel::math::abs;
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, VECTOR, Work};
 
 /// Parameters of [`composite`].
 #[repr(C)]
@@ -105,11 +109,26 @@ impl Source<u32> for MemberCells<'_> {
     }
 }
 
+/// What [`composite`] computes and moves. At most: every member at every pixel of its tile.
+#[cfg(not(target_arch = "spirv"))]
+fn composite_work(params: &CompositeParams, shape: Shape<'_>) -> Work {
+    /// The binding of the members, among the storage buffers.
+    const MEMBER: usize = 2;
+    /// Operations of a member at a pixel.
+    const COMPOSITE: u64 = 20;
+    let area = u64::from(params.side).pow(2);
+    // a fuller tile takes more dispatches: the first one stands for all of its members
+    let members = if params.skip == 0 { shape.elements[MEMBER] } else { 0 };
+    let sums = shape.layers * area * VECTOR;
+    // a member's pair, cells and splat
+    Work { flops: COMPOSITE * members * area, bytes: members * (2 * NUMBER + SPLAT) + 2 * sums }
+}
+
 /// Adds up to [`MAX_MEMBERS`] members to `sum [tiles, 4, S, S]`, which holds (C, S) of Eq. 12.
 ///
 /// The members of tile t are `tile_first[t] .. tile_first[t + 1]`, in ascending order; `cells [members]` as
 /// [`tile_cells`](crate::tile_cells::tile_cells()) writes them.
-#[kernel(threads(16, 4), iterations = MAX_MEMBERS + MAX_MEMBERS / 8, lanes(side))]
+#[kernel(threads(16, 4), iterations = MAX_MEMBERS + MAX_MEMBERS / 8, lanes(side), work(composite_work))]
 pub fn composite<L: Lane>(
     id: Invocation,
     params: &CompositeParams,
@@ -186,7 +205,7 @@ mod tests {
     use std::vec::Vec;
 
     use super::*;
-    use crate::stage::InPlace;
+    use organza_kernel::stage::InPlace;
 
     /// Workgroup memory of an invocation that copies all of it.  A GPU reads it without a check; here every element that is
     /// read must have been copied, and equal the source's.

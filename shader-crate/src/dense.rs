@@ -7,8 +7,11 @@
 use glam::Vec4;
 
 use crate::limits::MAX_INPUTS;
-use crate::prelude::*;
-use crate::samples::Samples;
+use organza_kernel::column::Column;
+use organza_kernel::prelude::*;
+use organza_kernel::samples::Samples;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, VECTOR, Work, wide};
 
 /// Outputs of a hidden layer that one invocation computes.
 pub const HIDDEN_BLOCK: u32 = 16;
@@ -34,39 +37,6 @@ pub struct DenseParams {
     pub bias: u32,
 }
 
-/// Four outputs of a layer for each sample.
-#[derive(Clone, Copy)]
-pub struct Column<L> {
-    /// First output.
-    pub x: L,
-    /// Second output.
-    pub y: L,
-    /// Third output.
-    pub z: L,
-    /// Fourth output.
-    pub w: L,
-}
-
-impl<S: Samples> Column<S> {
-    /// The same four values in every lane.
-    #[inline(always)]
-    pub fn splat(values: Vec4) -> Self {
-        let number = S::splat;
-        Self { x: number(values.x), y: number(values.y), z: number(values.z), w: number(values.w) }
-    }
-
-    /// `self + weight x`
-    #[inline(always)]
-    pub fn add_product(self, weight: Vec4, x: S) -> Self {
-        Self {
-            x: x.mul_add(S::splat(weight.x), self.x),
-            y: x.mul_add(S::splat(weight.y), self.y),
-            z: x.mul_add(S::splat(weight.z), self.z),
-            w: x.mul_add(S::splat(weight.w), self.w),
-        }
-    }
-}
-
 /// The four outputs of a layer that has no more, for each lane's sample, before the activation: `b + sum_i W_i x_i`.
 ///
 /// Inputs are summed in ascending order on every device.
@@ -90,10 +60,30 @@ pub fn column<L: Lane>(
     sum
 }
 
+/// What the last layer of a network computes and moves: `outputs`, and `more` values of each sample beside its inputs.
+#[cfg(not(target_arch = "spirv"))]
+pub(crate) fn head_work(samples: u32, inputs: u32, outputs: u64, more: u64) -> Work {
+    let [samples, inputs] = wide([samples, inputs]);
+    Work {
+        flops: 2 * samples * inputs * outputs,
+        bytes: NUMBER * samples * (inputs + more) + VECTOR * (inputs + 1),
+    }
+}
+
+/// What [`dense`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+pub(crate) fn dense_work(params: &DenseParams, _: Shape<'_>) -> Work {
+    let [samples, inputs, outputs] = wide([params.samples, params.inputs, 4 * params.columns]);
+    Work {
+        flops: 2 * samples * inputs * outputs,
+        bytes: NUMBER * (samples * (inputs + outputs) + (inputs + 1) * outputs),
+    }
+}
+
 /// A hidden layer: `output = max(W input + b, 0)`, samples along x and y, blocks of 16 outputs along z.
 ///
 /// `input [inputs, stride]`, `output [4 columns, stride]`.
-#[kernel(threads(64), iterations = MAX_INPUTS, fused, stacks, lanes(samples), counts(samples))]
+#[kernel(threads(64), iterations = MAX_INPUTS, fused, stacks, lanes(samples), counts(samples), work(dense_work))]
 pub fn dense<S: Samples>(
     id: Invocation,
     params: &DenseParams,

@@ -5,10 +5,12 @@
 
 use glam::Vec4;
 
-use crate::dense::Column;
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SLICE, MAX_SLICES};
-use crate::prelude::*;
-use crate::samples::Samples;
+use organza_kernel::column::Column;
+use organza_kernel::prelude::*;
+use organza_kernel::samples::Samples;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, VECTOR, Work, wide};
 
 /// Inputs of a layer whose gradient one invocation of [`dense_backward`] computes.
 pub const INPUT_BLOCK: u32 = 8;
@@ -75,11 +77,23 @@ fn least(a: u32, b: u32) -> u32 {
     if a < b { a } else { b }
 }
 
+/// What [`dense_backward`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn dense_backward_work(params: &DenseBackwardParams, _: Shape<'_>) -> Work {
+    let inputs = params.end_input - params.first_input;
+    let [samples, inputs, outputs] = wide([params.samples, inputs, 4 * params.columns]);
+    let masked = u64::from(params.rectified) * inputs;
+    Work {
+        flops: 2 * samples * inputs * outputs,
+        bytes: NUMBER * (samples * (inputs + masked + outputs) + inputs * outputs),
+    }
+}
+
 /// The gradient of a layer's inputs, `dL/dx_i = sum_o W_oi dL/dy_o` of Eq. 2 and 10: samples along x and y, blocks of
 /// eight inputs from `first_input` on along z.
 ///
 /// `input [inputs, stride]`, `output_gradient [4 columns, stride]`, `input_gradient [end_input, stride]`.
-#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH / 4, fused, stacks, lanes(samples), counts(samples))]
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH / 4, fused, stacks, lanes(samples), counts(samples), work(dense_backward_work))]
 pub fn dense_backward<S: Samples>(
     id: Invocation,
     params: &DenseBackwardParams,
@@ -224,13 +238,23 @@ fn total<L: Lane, M: Lane>(sum: Column<L>, rest: Column<M>) -> Vec4 {
     )
 }
 
+/// What [`dense_weight_backward`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn dense_weight_backward_work(params: &DenseWeightBackwardParams, shape: Shape<'_>) -> Work {
+    let [samples, inputs, outputs] = wide([params.samples, params.inputs, 4 * params.columns]);
+    Work {
+        flops: samples * (2 * inputs + 1) * outputs,
+        bytes: NUMBER * (samples * (inputs + outputs) + shape.layers * (inputs + 1) * outputs),
+    }
+}
+
 /// The gradient of a layer's weights and biases, `dL/dW_oi = sum x_i dL/dy_o` and `dL/db_o = sum dL/dy_o` of Eq. 2 and
 /// 10, the sums over the samples of a slice: blocks of four inputs and a column of outputs along x and y (the column
 /// counts fastest; behind the last block the biases), slices along z.
 ///
 /// `input [inputs, stride]`, `output_gradient [4 columns, stride]`, `partial [slices, parameters]`, from
 /// the slice `params.first_slice` on.
-#[kernel(threads(16), iterations = MAX_SLICE, fused, lanes, counts(samples))]
+#[kernel(threads(16), iterations = MAX_SLICE, fused, lanes, counts(samples), work(dense_weight_backward_work))]
 pub fn dense_weight_backward<L: Lane>(
     id: Invocation,
     params: &DenseWeightBackwardParams,
@@ -351,9 +375,16 @@ pub struct DenseWeightSumParams {
     pub slices: u32,
 }
 
+/// What [`dense_weight_sum`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn dense_weight_sum_work(params: &DenseWeightSumParams, _: Shape<'_>) -> Work {
+    let [parameters, slices] = wide([params.parameters, params.slices]);
+    Work { flops: 4 * parameters * slices, bytes: VECTOR * parameters * (slices + 2) }
+}
+
 /// Adds what [`dense_weight_backward`] found in each slice, in their order: `gradient [parameters]`,
 /// `partial [slices, parameters]`.
-#[kernel(threads(64), iterations = MAX_SLICES)]
+#[kernel(threads(64), iterations = MAX_SLICES, work(dense_weight_sum_work))]
 pub fn dense_weight_sum(
     id: Invocation,
     params: &DenseWeightSumParams,
@@ -383,7 +414,7 @@ mod tests {
 
     use super::*;
     use crate::dense::{DenseParams, dense};
-    use crate::samples::Four;
+    use organza_kernel::samples::Four;
 
     fn numbers(count: u32) -> Vec<f32> {
         (0..count).map(|i| (i * 37 % 101) as f32 / 50.0 - 1.0).collect()

@@ -8,11 +8,16 @@
 
 use glam::Vec4;
 
-use crate::dense::{Column, DenseParams, HIDDEN_BLOCK, write_rectified};
+#[cfg(not(target_arch = "spirv"))]
+use crate::dense::dense_work;
+use crate::dense::{DenseParams, HIDDEN_BLOCK, write_rectified};
 use crate::dense_backward::add;
-use crate::half::{HalfVector, Halves};
 use crate::limits::MAX_INPUTS;
-use crate::prelude::*;
+use organza_kernel::column::Column;
+use organza_kernel::half::{HalfVector, Halves};
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, Work, wide};
 
 /// Inputs whose products are added up in half precision.
 pub const GROUP: u32 = 16;
@@ -60,11 +65,20 @@ impl<L: Lane> Part<L> {
     }
 }
 
+/// What [`dense_half`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn dense_half_work(params: &DenseParams, shape: Shape<'_>) -> Work {
+    let Work { flops, bytes } = dense_work(params, shape);
+    let [inputs, outputs] = wide([params.inputs, 4 * params.columns]);
+    // of a weight half of the bytes
+    Work { flops, bytes: bytes - NUMBER / 2 * inputs * outputs }
+}
+
 /// A hidden layer: `output = max(W input + b, 0)`, samples along x and y, blocks of 16 outputs along z.
 ///
 /// `parameters` as in [`dense`](crate::dense), of which the biases are read; `weights` likewise, of halves.
 /// `input [inputs, stride]`, `output [4 columns, stride]`.
-#[kernel(threads(64), iterations = MAX_INPUTS / GROUP + MAX_INPUTS, fused, stacks, lanes(samples), counts(samples))]
+#[kernel(threads(64), iterations = MAX_INPUTS / GROUP + MAX_INPUTS, fused, stacks, lanes(samples), counts(samples), work(dense_half_work))]
 pub fn dense_half<L: Lane>(
     id: Invocation,
     params: &DenseParams,

@@ -1,10 +1,12 @@
 //! Multiresolution hash grid.
 
 use crate::limits::MAX_FEATURES;
-use crate::prelude::*;
 use crate::unit_cube::Split;
 #[cfg(not(target_arch = "spirv"))]
 use crate::unit_cube::leading_bits;
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, Work, wide};
 
 /// One level of a grid; the host computes it in f64, kernels never call `pow`.
 #[repr(C)]
@@ -257,11 +259,36 @@ fn read_split<L: Lane>(buffer: Read<f32>, stride: u32, coarse: u32) -> Split<L> 
     Split { coarse: L::read(buffer, coarse), fine: L::read(buffer, coarse + 3 * stride) }
 }
 
+/// Bytes of a point: coarse and fine parts.
+#[cfg(not(target_arch = "spirv"))]
+pub(crate) const POINT: u64 = 6 * NUMBER;
+
+/// Operations of a point in a level beside those of its features.
+#[cfg(not(target_arch = "spirv"))]
+pub(crate) fn cell_work(params: &HashGridParams) -> u64 {
+    /// Operations that place a point in a level: 9 an axis, and 15 for the weights of eight corners.
+    const CELL: u64 = 3 * 9 + 15;
+    /// Operations that smoothstep adds.
+    const SMOOTHSTEP: u64 = 3 * 4;
+    CELL + SMOOTHSTEP * u64::from(params.smoothstep)
+}
+
+/// What [`hash_grid`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+pub(crate) fn hash_grid_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
+    let [points, features] = wide([params.points, params.features]);
+    let cells = points * shape.layers;
+    Work {
+        flops: cells * (cell_work(params) + 15 * features),
+        bytes: points * POINT + cells * (8 + 1) * features * NUMBER,
+    }
+}
+
 /// Writes the features of every (point, level): points along x and y, levels along z.
 ///
 /// `position [chunks, point_rows, stride]`, see [`write_point`]; `table [entries, features]`;
 /// `output [chunks, rows, stride]`.
-#[kernel(threads(64), iterations = MAX_FEATURES, lanes(points), counts(points))]
+#[kernel(threads(64), iterations = MAX_FEATURES, lanes(points), counts(points), work(hash_grid_work))]
 pub fn hash_grid<L: Lane>(
     id: Invocation,
     params: &HashGridParams,

@@ -1,18 +1,36 @@
 //! Gradient of the hash grids' tables: the transpose of the interpolation of [`hash_grid`](crate::hash_grid).
 //!
-//! Many points share an entry.  Their terms are summed in 64-bit [fixed point](crate::fixed), so that neither the
+//! Many points share an entry.  Their terms are summed in 64-bit [fixed point](organza_kernel::fixed), so that neither the
 //! order nor the number of threads changes a bit; [`hash_grid_scale`](crate::hash_grid_scale) says in what unit.
 
-use crate::atomic;
+#[cfg(not(target_arch = "spirv"))]
+use crate::hash_grid::POINT;
+#[cfg(not(target_arch = "spirv"))]
+use crate::hash_grid::cell_work;
 use crate::hash_grid::{Corners, GridLevel, HashGridParams, of_corners, read_point, value_at};
 use crate::hash_grid_scale::{INVERSE, LIMIT, SCALE, STATUS_LIMIT};
 use crate::limits::MAX_FEATURES;
-use crate::math::TINY;
-use crate::prelude::*;
+use organza_kernel::atomic;
+use organza_kernel::math::TINY;
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, Work, wide};
 
 /// Values of a table that share a flag.  The flag is 1 if a gradient has been added to any of them; [`adam`](crate::adam())
 /// skips the others.
 pub const FLAG_BLOCK: u32 = 64;
+
+/// What [`hash_grid_backward`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn hash_grid_backward_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
+    let [points, features] = wide([params.points, params.features]);
+    let cells = points * shape.layers;
+    // a feature's gradient is read, and eight sums of 64 bits are read and written
+    Work {
+        flops: cells * (cell_work(params) + 17 * features),
+        bytes: points * POINT + cells * (NUMBER + 8 * 2 * 2 * NUMBER) * features,
+    }
+}
 
 /// Adds every point's gradient to the entries of its cells' corners: `sum += weight * feature_gradient`, with
 /// `dL/dtable[entry, f] = sum_points weight dL/dfeature_f`; points along x and y, levels along z.
@@ -21,7 +39,7 @@ pub const FLAG_BLOCK: u32 = 64;
 /// `feature_gradient [chunks, rows, stride]`, from the row `params.first_row` on; `scale [3]`, see [`hash_grid_scale`](crate::hash_grid_scale::hash_grid_scale());
 /// `sum [2 entries features]`; `touched [ceil(entries features / 64)]` becomes 1 where something is added.  A point
 /// whose gradient is zero in a level adds nothing there; one above the limit, or NaN, raises `status`.
-#[kernel(threads(64), iterations = 2 * MAX_FEATURES, layers, lanes(points), counts(points))]
+#[kernel(threads(64), iterations = 2 * MAX_FEATURES, layers, lanes(points), counts(points), work(hash_grid_backward_work))]
 pub fn hash_grid_backward<L: Lane>(
     id: Invocation,
     params: &HashGridParams,

@@ -3,27 +3,31 @@
 //! Two features are one word: an entry takes half as many words as it has features, rounded up.  Features are
 //! rounded once, to 11 bits, when the table is packed; all else is as in [`hash_grid`](crate::hash_grid).
 
+#[cfg(not(target_arch = "spirv"))]
+use crate::hash_grid::hash_grid_work;
 use crate::hash_grid::{Corners, GridLevel, HashGridParams, of_corners, read_point, sum, value_at};
 use crate::limits::MAX_FEATURES;
-use crate::prelude::*;
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, Work, wide};
 
 /// The largest number that a table may hold.
 pub const MAX_HALF: f32 = 65_504.0;
 
-/// The value of a half, of its 16 bits; one below 2^-14, of which drivers make zero, must not be there.
-#[inline(always)]
-pub fn half_value(bits: u32) -> f32 {
-    // the exponent moves to where a float has it, short of the biases' difference
-    let moved = f32::from_bits((bits & 0x8000) << 16 | (bits & 0x7fff) << 13);
-    moved * TWO_TO_112
+/// What [`hash_grid_half`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn hash_grid_half_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
+    let [points, features] = wide([params.points, params.features]);
+    // a word holds two of a corner's features; a product of two powers of two makes a half a number
+    let words = 8 * shape.layers * features.div_ceil(2);
+    let full = hash_grid_work(params, shape);
+    let halved = NUMBER * points * (8 * shape.layers * features - words);
+    Work { flops: full.flops + 2 * points * words, bytes: full.bytes - halved }
 }
-
-/// 2^112, the ratio of the biases: 127 - 15 = 112.
-const TWO_TO_112: f32 = f32::from_bits((127 + 112) << 23);
 
 /// As [`hash_grid`](crate::hash_grid::hash_grid()), with `table [entries, ceil(features / 2)]`: the feature of even
 /// number in the lower half of a word.
-#[kernel(threads(64), iterations = MAX_FEATURES, lanes(points), counts(points))]
+#[kernel(threads(64), iterations = MAX_FEATURES, lanes(points), counts(points), work(hash_grid_half_work))]
 pub fn hash_grid_half<L: Lane>(
     id: Invocation,
     params: &HashGridParams,

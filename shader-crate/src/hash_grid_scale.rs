@@ -7,10 +7,10 @@
 
 use glam::Vec4;
 
-use crate::atomic;
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_LAYERS};
-use crate::math::abs;
-use crate::prelude::*;
+use organza_kernel::atomic;
+use organza_kernel::math::abs;
+use organza_kernel::prelude::*;
 
 /// Place in `scale`: what a gradient is multiplied by, a power of two.
 pub const SCALE: u32 = 0;

@@ -2,11 +2,13 @@
 
 use glam::{Vec2, Vec3, Vec4};
 
-use crate::atomic;
 use crate::camera::{Camera, read3};
 use crate::lens::Lens;
-use crate::math::{abs, cross, dot, exp, is_finite, sqrt};
-use crate::prelude::*;
+use organza_kernel::atomic;
+use organza_kernel::math::{abs, cross, dot, exp, is_finite, sqrt};
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, VECTOR, Work};
 
 /// `2 ln 255`: the squared Mahalanobis radius at which the falloff has come down to 1/255, and ends.
 pub const FALLOFF_CUTOFF: f32 = 11.082_527;
@@ -142,11 +144,18 @@ pub struct ProjectParams {
     pub blur: f32,
 }
 
+/// What [`project`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn project_work(params: &ProjectParams, shape: Shape<'_>) -> Work {
+    let gaussians = u64::from(params.gaussians);
+    Work { flops: 0, bytes: gaussians * (10 * NUMBER + shape.layers * 2 * VECTOR) }
+}
+
 /// Every Gaussian in every camera: Gaussians along x and y, cameras along z.
 ///
 /// `projection [cameras, gaussians, 2]` is `(mean2d, radius, extent x), (conic, extent y)`; `degenerate [1]` counts the
 /// Gaussians that were culled because they cannot be projected.
-#[kernel(threads(64))]
+#[kernel(threads(64), work(project_work))]
 pub fn project(
     id: Invocation,
     params: &ProjectParams,

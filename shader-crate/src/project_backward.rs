@@ -4,10 +4,10 @@ use glam::{Vec2, Vec3, Vec4};
 
 use crate::camera::{Camera, read3};
 use crate::limits::MAX_CAMERAS;
-use crate::math::{cross, dot, length, max, sqrt};
-use crate::prelude::*;
 use crate::project::{Footprint, read_quaternion};
 use crate::splat::VECTORS;
+use organza_kernel::math::{cross, dot, length, max, sqrt};
+use organza_kernel::prelude::*;
 
 /// A loss's derivatives with respect to one Gaussian.
 #[derive(Clone, Copy, Debug, PartialEq)]

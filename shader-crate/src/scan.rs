@@ -1,6 +1,6 @@
 //! Exclusive prefix sums.
 
-use crate::prelude::*;
+use organza_kernel::prelude::*;
 
 /// Invocations of a workgroup.
 const THREADS: u32 = 64;

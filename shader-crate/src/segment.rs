@@ -4,9 +4,9 @@ use glam::{Vec3, Vec4};
 
 use crate::camera::{Camera, read3};
 use crate::limits::MAX_SAMPLES;
-use crate::math::{TINY, abs, ceil, clamp, length};
-use crate::prelude::*;
 use crate::unit_cube::{SceneBox, Split};
+use organza_kernel::math::{TINY, abs, ceil, clamp, length};
+use organza_kernel::prelude::*;
 
 /// The part of a ray in the unit cube.
 #[derive(Clone, Copy, Debug, PartialEq)]

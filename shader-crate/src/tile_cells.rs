@@ -6,10 +6,10 @@
 use glam::Vec4;
 
 use crate::composite::{pixel_center, touches};
-use crate::prelude::*;
 use crate::splat::VECTORS;
 use crate::tile::Tile;
 use crate::transmittance::owner;
+use organza_kernel::prelude::*;
 
 /// Columns of cells.
 const COLUMNS: u32 = 4;

@@ -2,13 +2,19 @@
 
 use glam::Vec4;
 
+#[cfg(not(target_arch = "spirv"))]
+use crate::dense::head_work;
 use crate::dense::{DenseParams, column};
+#[cfg(not(target_arch = "spirv"))]
+use crate::hash_grid::POINT;
 use crate::hash_grid::{POINT_ROWS, write_point};
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_VECTOR};
-use crate::math::{exp, log_sigmoid};
-use crate::prelude::*;
 use crate::segment::read_segment;
 use crate::unit_cube::Split;
+use organza_kernel::math::{exp, log_sigmoid};
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, Work, wide};
 
 /// Parameters of [`transmittance_inputs`].
 #[repr(C)]
@@ -49,12 +55,19 @@ fn owner_among(first_sample: Read<u32>, low: u32, high: u32, sample: u32) -> u32
     low
 }
 
+/// What [`transmittance_inputs`] computes and moves. Values that are written alone: what they come from has many samples.
+#[cfg(not(target_arch = "spirv"))]
+fn transmittance_inputs_work(params: &TransmittanceInputsParams, _: Shape<'_>) -> Work {
+    let [samples, extra] = wide([params.samples, params.extra]);
+    Work { flops: 0, bytes: samples * (POINT + NUMBER + NUMBER * extra) }
+}
+
 /// Writes what does not come from the hash grid: the midpoint x_k (Eq. 9), its segment's `s_factor` and u.
 ///
 /// `first_sample [pairs + 1]`, `segment [pairs, 4]`; `point [7, stride]` is x_k and `s_factor`; `input [rows, stride]`.
 ///
 /// Neighbors mostly have the same pair: the CPU looks for it once for all lanes, and lane by lane from where the pair ends.
-#[kernel(threads(64), iterations = u32::BITS + MAX_VECTOR, lanes(samples), counts(samples, pairs))]
+#[kernel(threads(64), iterations = u32::BITS + MAX_VECTOR, lanes(samples), counts(samples, pairs), work(transmittance_inputs_work))]
 pub fn transmittance_inputs<L: Lane>(
     id: Invocation,
     params: &TransmittanceInputsParams,
@@ -180,9 +193,15 @@ pub fn logit_and_factor<L: Lane>(
     (a, L::read(point, POINT_ROWS * params.stride + sample))
 }
 
+/// What [`transmittance_head`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn transmittance_head_work(params: &TransmittanceHeadParams, _: Shape<'_>) -> Work {
+    head_work(params.samples, params.inputs, 1, 2)
+}
+
 /// The last layer of the scalar network and the logarithm of Eq. 11's factor:
 /// `log_rho [samples] = s_factor * log_sigmoid(a_k)`.
-#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples))]
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples), work(transmittance_head_work))]
 pub fn transmittance_head<L: Lane>(
     id: Invocation,
     params: &TransmittanceHeadParams,

@@ -2,11 +2,15 @@
 
 use glam::Vec4;
 
+#[cfg(not(target_arch = "spirv"))]
+use crate::dense::head_work;
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES};
-use crate::math::sigmoid;
-use crate::prelude::*;
 use crate::splat::VECTORS;
 use crate::transmittance::{TransmittanceHeadParams, logit_and_factor};
+use organza_kernel::math::sigmoid;
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{Shape, Work};
 
 /// Parameters of [`segment_product_backward`].
 #[repr(C)]
@@ -58,12 +62,18 @@ pub fn segment_product_backward(
     }
 }
 
+/// What [`transmittance_head_backward`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn transmittance_head_backward_work(params: &TransmittanceHeadParams, _: Shape<'_>) -> Work {
+    head_work(params.samples, params.inputs, 1, 3)
+}
+
 /// The gradient of the scalar network's output, which is computed once more: `dL/da_k = dL/dlog_rho_k s_factor
 /// sigmoid(-a_k)` of Eq. 11.
 ///
 /// `point [7, stride]`, `input [inputs, stride]`, `log_rho_gradient [samples]`, `logit_gradient [samples]`: those of
 /// the chunk, wherever it begins.
-#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples))]
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples), work(transmittance_head_backward_work))]
 pub fn transmittance_head_backward<L: Lane>(
     id: Invocation,
     params: &TransmittanceHeadParams,

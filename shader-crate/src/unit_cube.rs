@@ -7,8 +7,8 @@
 use glam::Vec3;
 
 use crate::camera::read3;
-use crate::math::truncate;
-use crate::prelude::*;
+use organza_kernel::math::truncate;
+use organza_kernel::prelude::*;
 
 /// Parts of the cube that a coarse coordinate counts: 12 bits.
 pub const PARTS: f32 = 4096.0;

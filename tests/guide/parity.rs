@@ -1,10 +1,6 @@
-use organza_kernels::blend::{BlendKernel, BlendParams};
-
-use super::bench::Bench;
-use super::case::{Parity, Rounding};
-use super::inputs;
-use super::measure::{Bound, Output};
-use crate::error::Result;
+use organza_check::{Bench, Bound, Output, Parity, Rounding, inputs};
+use organza_device::Result;
+use organza_shaders::blend::{BlendKernel, BlendParams};
 
 /// Inputs of `blend`.
 #[derive(Clone, Debug)]

@@ -10,7 +10,7 @@ fn the_cpu_agrees_with_itself_to_the_bit() {
     let outcome = Sandbox::new("tiny").run("parity --backend cpu --json").assert_ok();
     let reports: Value = serde_json::from_str(&outcome.stdout).expect("JSON");
     let kernels = reports[0]["kernels"].as_array().expect("rows");
-    assert_eq!(kernels.len(), organza_kernels::kernels().count());
+    assert_eq!(kernels.len(), organza_kernel::kernels().count());
     for kernel in kernels {
         assert_eq!(kernel["ok"], true, "{kernel}");
         assert_eq!(kernel["share"]["value"], 0.0, "{kernel}");
@@ -20,11 +20,11 @@ fn the_cpu_agrees_with_itself_to_the_bit() {
 
 #[test]
 fn every_gpu_has_a_table() {
-    if devices::all().len() == 1 {
+    if !devices::has_gpu() {
         return;
     }
     let outcome = Sandbox::new("tiny").run("parity").assert_ok();
-    for point in organza_kernels::kernels().flat_map(|kernel| kernel.entry_points()) {
+    for point in organza_kernel::kernels().flat_map(|kernel| kernel.entry_points()) {
         let is_row = |line: &&str| line.split(' ').next() == Some(point.name);
         let rows: Vec<_> = outcome.stdout.lines().filter(is_row).collect();
         assert!(!rows.is_empty() && rows.iter().all(|row| row.ends_with("ok")), "{rows:?}");

@@ -1,7 +1,7 @@
 //! Kernels that do what no kernel may do.
 
-use organza_kernels::atomic;
-use organza_kernels::prelude::*;
+use organza_kernel::atomic;
+use organza_kernel::prelude::*;
 
 /// Indices past the end of either buffer.
 #[kernel(threads(64))]

@@ -8,7 +8,7 @@ use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader};
 use super::invalid;
 use crate::error::{Error, Result};
 use crate::input::open_regular;
-use crate::memory;
+use organza_device::memory;
 
 /// Width and height in pixels of a photograph, from its header.
 pub(super) fn size(path: &Path) -> Result<[u32; 2]> {

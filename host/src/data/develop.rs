@@ -8,7 +8,7 @@ use super::{DatasetOptions, Frame, Photograph, decode, invalid};
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::image::to_8_bit;
-use crate::memory;
+use organza_device::memory;
 
 /// A photograph that is there, and how it was taken.
 pub(super) struct Shot {

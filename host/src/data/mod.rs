@@ -21,8 +21,8 @@ use rayon::prelude::*;
 
 use crate::camera::Camera;
 use crate::error::{Error, Result};
-use crate::memory;
 use develop::Shot;
+use organza_device::memory;
 pub use photograph::Photograph;
 
 /// How photographs are read, and which of them are kept from training.
@@ -166,7 +166,7 @@ impl Dataset {
             let (all, missing) = (listing.missing.len(), missing.display());
             return invalid(
                 path,
-                format!("none of the {all} photographs is there; the first should be {missing}"),
+                format!("none of the {all} photographs exists; the first should be {missing}"),
             );
         }
         check_memory(&listing.shots, options)?;
@@ -243,7 +243,7 @@ fn check_memory(shots: &[Shot], options: &DatasetOptions) -> Result<()> {
         side(shot.camera.width) * side(shot.camera.height)
     };
     let bytes = shots.iter().map(pixels).sum::<u64>() * size_of::<([u8; 3], bool)>() as u64;
-    memory::check(bytes, "the photographs (a larger downscale makes them smaller)")
+    Ok(memory::check(bytes, "the photographs (a larger downscale makes them smaller)")?)
 }
 
 fn invalid<T>(origin: &Path, reason: String) -> Result<T> {

@@ -1,13 +1,14 @@
 //! The optimizer's step.
 
-use organza_kernels::adam::{AdamKernel, AdamParams};
-use organza_kernels::hash_grid_backward::FLAG_BLOCK;
+use organza_shaders::adam::{AdamKernel, AdamParams};
+use organza_shaders::hash_grid_backward::FLAG_BLOCK;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
+use super::exact::adam::Step;
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Inputs of `adam`.
 #[derive(Clone, Debug)]
@@ -49,6 +50,16 @@ impl Adam {
             first_moment: fill.values(random, len, [-1.0, 1.0], 1e10),
             second_moment: random.values(len, 1e-6, 1.0),
             value: fill.values(random, len, [-3.0, 3.0], 1e10),
+        }
+    }
+
+    fn step(&self) -> Step {
+        let params = self.params;
+        Step {
+            rate: params.rate.into(),
+            decay: [params.decay1, params.decay2].map(f64::from),
+            correction2: params.correction2.into(),
+            epsilon: params.epsilon.into(),
         }
     }
 
@@ -108,5 +119,29 @@ impl Parity for Adam {
                 f64::from(self.value[index].abs()) + f64::from(self.params.rate) * m / size
             }
         })
+    }
+
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+        let first = self.params.first_gradient as usize;
+        let exact = |index: usize| {
+            if output == "gradient" {
+                // the kernel leaves the gradients of other groups alone
+                let is_own = index.checked_sub(first).is_some_and(|own| self.is_touched(own));
+                let before = f64::from(*self.gradient.get(index)?);
+                return Some(if is_own { 0.0 } else { before });
+            }
+            let before = [&self.first_moment, &self.second_moment, &self.value];
+            let before = before.map(|values| values.get(index).copied().map(f64::from));
+            let before = [before[0]?, before[1]?, before[2]?];
+            let gradient = f64::from(self.gradient[index + first]);
+            let after = self.step().take(gradient, before);
+            let [m, v, value] = if self.is_touched(index) { after } else { before };
+            Some(match output {
+                "first_moment" => m,
+                "second_moment" => v,
+                _ => value,
+            })
+        };
+        (0..len).map(exact).collect()
     }
 }

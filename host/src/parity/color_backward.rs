@@ -1,16 +1,18 @@
 //! Cases of `color_head_backward` and `material_backward`.
 
 use glam::Vec4;
-use organza_kernels::color_backward::{
+use organza_shaders::color_backward::{
     ColorHeadBackwardKernel, ColorHeadBackwardParams, MaterialBackwardKernel,
     MaterialBackwardParams,
 };
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
+use super::exact::color::logit;
+use super::exact::numeric::{Dual, gradient, sigmoid};
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Pairs before the chunk.
 const FIRST_PAIR: u32 = 2;
@@ -74,6 +76,20 @@ impl Parity for ColorHeadBackward {
         // a color that may be flushed
         Bound { floor: bound.floor * (1.0 + gradient), ..bound }
     }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let exact = |index: usize| {
+            let (channel, sample) = (index / self.stride as usize, index % self.stride as usize);
+            (channel < 3 && sample < self.samples as usize).then(|| {
+                let pair = sample + FIRST_PAIR as usize;
+                let of_color = Dual::from(f64::from(self.gradient[3 * pair + 2][channel]));
+                let before = logit(f64::from(self.color[3 * pair + channel]));
+                let [slope] = gradient([before], |[x]| of_color * sigmoid(x));
+                slope
+            })
+        };
+        (0..len).map(exact).collect()
+    }
 }
 
 /// Inputs of `material_backward`.
@@ -87,6 +103,17 @@ pub struct MaterialBackward {
     pub material: u32,
     /// `[1 + material, stride]`
     pub gradient: Vec<f32>,
+}
+
+impl MaterialBackward {
+    /// The gradient of a pair's material.  The network's input is a copy of the material, so this copies its gradient.
+    fn of(&self, index: usize) -> Option<f64> {
+        let (material, stride) = (self.material as usize, self.stride as usize);
+        let (pair, value) = (index / material, index % material);
+        let sample = pair.checked_sub(FIRST_PAIR as usize);
+        let sample = sample.filter(|&sample| sample < self.samples as usize)?;
+        Some(f64::from(self.gradient[(1 + value) * stride + sample]))
+    }
 }
 
 impl Parity for MaterialBackward {
@@ -128,7 +155,12 @@ impl Parity for MaterialBackward {
         Ok(vec![Output::float("pair_material", bench.read(&pair_material)?)])
     }
 
-    fn bound(&self, _: &Output, _: usize, _: Rounding) -> Bound {
-        Bound::of(0.0)
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        // a GPU may flush it
+        self.of(index).map_or(Bound { scale: 0.0, floor: 0.0 }, |_| Bound::of(0.0))
+    }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        (0..len).map(|index| self.of(index)).collect()
     }
 }

@@ -1,15 +1,17 @@
 //! Cases of `count_admit`, `count_withhold` and `count_fill`.
 
-use organza_kernels::count::{
-    COUNTS, CountAdmitKernel, CountAdmitParams, CountFillKernel, CountWithholdKernel,
-    CountWithholdParams, MEMBERS, MISFIT, PAIRS, PLACEMENT_VALUES, SAMPLES,
+use organza_kernel::count::{CountFillKernel, MISFIT, PLACEMENT_VALUES};
+use organza_shaders::count::{
+    COUNTS, CountAdmitKernel, CountAdmitParams, CountWithholdKernel, CountWithholdParams, MEMBERS,
+    PAIRS, SAMPLES,
 };
 
 use super::bench::Bench;
 use super::case::Parity;
+use super::exact::listed;
 use super::inputs::{Random, SIZES};
 use super::measure::Output;
-use crate::error::Result;
+use organza_device::Result;
 
 /// Inputs of `count_admit`.
 #[derive(Clone, Debug)]
@@ -50,6 +52,14 @@ impl Parity for CountAdmit {
         bench.items(&kernel, 2, 1)?;
         Ok(vec![Output::exact("counts", bench.read(&counts)?)])
     }
+
+    /// misfit, pairs, members, samples: the total of the members, and whether it fits.
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let [misfit, pairs, _, samples] = self.counts;
+        let total = self.first[self.first.len() - 1];
+        let misfit = if total > self.room { 1 } else { misfit };
+        listed([misfit, pairs, total, samples])
+    }
 }
 
 /// Inputs of `count_withhold`.
@@ -87,6 +97,11 @@ impl Parity for CountWithhold {
         };
         bench.items(&kernel, len, 1)?;
         Ok(vec![Output::exact("table", bench.read(&table)?)])
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let keeps = u32::from(self.misfit == 0);
+        listed(self.table.iter().map(|value| keeps * value))
     }
 }
 
@@ -132,5 +147,18 @@ impl Parity for CountFill {
         };
         bench.items(&kernel, numbers, 1)?;
         Ok(vec![Output::exact("parameters", bench.read(&parameters)?)])
+    }
+
+    /// What is left of each total behind `first`, at most `most`; nothing where something did not fit.
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let number = |&[place, first, most]: &[u32; 3]| match self.counts {
+            [0, counts @ ..] => {
+                let rest = i64::from(counts[place as usize - 1]) - i64::from(first);
+                rest.clamp(0, i64::from(most)) as f64
+            }
+            _ => 0.0,
+        };
+        // every other word
+        self.numbers.iter().flat_map(|numbers| [Some(number(numbers)), None]).collect()
     }
 }

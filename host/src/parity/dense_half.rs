@@ -1,19 +1,23 @@
 //! The case of `dense_half`.
 
 use glam::Vec4;
-use organza_kernels::dense::HIDDEN_BLOCK;
-use organza_kernels::dense_half::{DenseHalfKernel, GROUP, MAX_INPUT, MAX_WEIGHTS};
-use organza_kernels::half::HalfVector;
+use organza_kernel::half::HalfVector;
+use organza_shaders::dense::HIDDEN_BLOCK;
+use organza_shaders::dense_half::{DenseHalfKernel, GROUP, MAX_INPUT, MAX_WEIGHTS, UNIT};
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::dense::{Dense, Layer};
+use super::exact::dense::relu;
 use super::measure::{Bound, Output};
-use crate::error::Result;
 use crate::render::half_vectors;
+use organza_device::Result;
 
 /// The smallest half that no driver makes zero of.
 const NORMAL: f64 = 1.0 / 16_384.0;
+
+/// The same output again, compared with that of the weights before their rounding to 16-bit floats.
+const BEFORE_ROUNDING: &str = "output of weights before rounding";
 
 /// Inputs of `dense_half`.
 #[derive(Clone, Debug)]
@@ -37,7 +41,7 @@ impl DenseHalf {
         let most = Vec4::splat(MAX_WEIGHTS / GROUP as f32);
         let weights = &mut full.parameters[place.clone()];
         weights.iter_mut().for_each(|weight| *weight = weight.clamp(-most, most));
-        let halves = half_vectors(weights);
+        let halves = half_vectors(bytemuck::cast_slice(weights));
         let mut rounded = full.clone();
         let numbers = halves.iter().map(|vector| Vec4::from_array(vector.values()));
         rounded.parameters.splice(place.clone(), numbers);
@@ -69,6 +73,19 @@ impl DenseHalf {
         let sums = f64::from(layer.inputs.div_ceil(GROUP) + 1);
         NORMAL * lost + Dense::TOLERANCE * sums * layer.bound(sample, output).scale
     }
+
+    /// The largest difference from the output of the unrounded weights: the bound of docs/numerics.md.
+    fn before_rounding(&self, sample: u32, output: u32) -> f64 {
+        let layer = &self.full;
+        let growth = (1.0 + f64::from(UNIT)).powi(GROUP as i32 + 2) - 1.0;
+        let sizes = layer.bound(sample, output).scale;
+        let terms = sizes - layer.bias(output).abs();
+        let flushed: f64 = (0..layer.inputs)
+            .map(|i| layer.weight(i, output).abs() + layer.value(i, sample).abs() + 2.0)
+            .sum();
+        let single = 2.0_f64.powi(-24) * f64::from(layer.inputs.div_ceil(GROUP) + 1) * sizes;
+        growth * terms + NORMAL * flushed + single
+    }
 }
 
 impl Parity for DenseHalf {
@@ -93,16 +110,29 @@ impl Parity for DenseHalf {
             output: &output,
         };
         bench.items(&kernel, layer.samples, layer.columns * 4 / HIDDEN_BLOCK)?;
-        Ok(vec![Output::float("output", bench.read(&output)?)])
+        let output = bench.read(&output)?;
+        Ok(vec![Output::float("output", output.clone()), Output::float(BEFORE_ROUNDING, output)])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let layer = &self.full;
-        let (row, sample) = (index as u32 / layer.stride, index as u32 % layer.stride);
-        if row < 4 * layer.columns && sample < layer.samples {
-            Bound { scale: self.rounded_sizes(sample, row), floor: self.floor(sample, row) }
-        } else {
-            Bound { scale: 0.0, floor: 0.0 }
+        let Some((row, sample)) = self.full.output(index) else {
+            return Bound { scale: 0.0, floor: 0.0 };
+        };
+        Bound { scale: self.rounded_sizes(sample, row), floor: self.floor(sample, row) }
+    }
+
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+        let layer = if output == BEFORE_ROUNDING { &self.full } else { &self.rounded };
+        let output = |(row, sample)| relu(layer.exact(sample, row));
+        (0..len).map(|index| layer.output(index).map(output)).collect()
+    }
+
+    fn exact_bound(&self, exact: &Output, index: usize, rounding: Rounding) -> Bound {
+        match self.full.output(index) {
+            Some((row, sample)) if exact.name == BEFORE_ROUNDING => {
+                Bound { scale: 0.0, floor: self.before_rounding(sample, row) }
+            }
+            _ => self.bound(exact, index, rounding),
         }
     }
 }

@@ -1,13 +1,14 @@
 //! The case of `hash_grid_half`.
 
-use organza_kernels::hash_grid_half::{HashGridHalfKernel, MAX_HALF, half_value};
+use organza_kernel::half::half_value;
+use organza_shaders::hash_grid_half::{HashGridHalfKernel, MAX_HALF};
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::hash_grid::HashGrid;
 use super::measure::{Bound, Output};
-use crate::error::Result;
 use crate::render::pack_halves;
+use organza_device::Result;
 
 /// Inputs of `hash_grid_half`.
 #[derive(Clone, Debug)]
@@ -58,5 +59,9 @@ impl Parity for HashGridHalf {
 
     fn bound(&self, output: &Output, index: usize, rounding: Rounding) -> Bound {
         self.full.bound(output, index, rounding)
+    }
+
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+        self.full.exact(output, len)
     }
 }

@@ -1,8 +1,8 @@
-//! The kernels' [lens](organza_kernels::lens) in f64, as in `docs/conventions.md`: the reference of tests and tolerances.
+//! The kernels' [lens](organza_shaders::lens) in f64, as in `docs/conventions.md`: the reference of tests and tolerances.
 
 use glam::{DVec2, DVec3};
-use organza_kernels::camera::Camera;
-use organza_kernels::lens::NEAR_PLANE;
+use organza_shaders::camera::Camera;
+use organza_shaders::lens::NEAR_PLANE;
 
 /// A pinhole.
 #[derive(Clone, Copy, Debug)]

@@ -1,18 +1,20 @@
 //! Cases of `loss_terms`, `loss_rows` and `loss_gradient`.
 
 use glam::Vec4;
-use organza_kernels::loss::{
+use organza_kernel::math::TINY;
+use organza_shaders::loss::{
     LossGradientKernel, LossGradientParams, LossParams, LossRowsKernel, LossTermsKernel,
 };
-use organza_kernels::math::TINY;
-use organza_kernels::ssim::SLOPES;
+use organza_shaders::ssim::SLOPES;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
+use super::exact::loss::{sign, sums};
+use super::exact::ssim::weighted_sum;
 use super::inputs::{Fill, Random};
 use super::measure::{Bound, Output};
 use super::ssim::{tap_sum, window};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Sides around the workgroup's, and around the window's.
 pub const SIDES: [u32; 7] = [1, 7, 8, 9, 11, 12, 17];
@@ -52,6 +54,14 @@ pub struct Terms {
 }
 
 impl Terms {
+    /// d and s of a pixel's channel; `None` for masked pixels.
+    #[must_use]
+    pub fn of(&self, pixel: usize, channel: usize) -> Option<[f64; 2]> {
+        let is_valid = self.difference[pixel].w > 0.0;
+        let of = |values: &[Vec4]| f64::from(values[pixel][channel]);
+        is_valid.then(|| [of(&self.difference), of(&self.sum)])
+    }
+
     /// Of colors in 0 to 1; huge ones are 2.
     pub fn new(side: u32, fill: Fill, random: &mut Random) -> Self {
         let valid = mask(side, random);
@@ -139,6 +149,22 @@ impl Parity for LossTerms {
         let half = if output.name == "sum" { 1.0 } else { 0.0 };
         Bound { scale: size + half, floor: 4.0 * f64::from(TINY) }
     }
+
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+        let area = (self.side * self.side) as usize;
+        let exact = |index: usize| {
+            let (pixel, channel) = (index / 4, index % 4);
+            let is_valid = *self.valid.get(pixel)? > 0.0;
+            let is_difference = output == "difference";
+            if !is_valid || channel == 3 {
+                return Some(f64::from(u8::from(is_valid && is_difference)));
+            }
+            let at = (pixel / area * 3 + channel) * area + pixel % area;
+            let [x, y] = [&self.image, &self.target].map(|image| f64::from(image[at]));
+            Some(if is_difference { x - y } else { x + y - 1.0 })
+        };
+        (0..len).map(exact).collect()
+    }
 }
 
 /// Inputs of `loss_rows`.
@@ -210,6 +236,21 @@ impl Parity for LossRows {
         let floor = if part == 3 { 0.0 } else { 3.0 * roundings * f64::from(TINY) };
         Bound { scale: roundings * sizes.sum::<f64>(), floor }
     }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let side = self.side as usize;
+        let exact = |index: usize| {
+            let (row, part) = (index / 4, index % 4);
+            let pixels = row * side..(row + 1) * side;
+            let of = |at: usize| {
+                let d = self.difference[at].as_dvec4();
+                sums(d.truncate().to_array(), f64::from(self.dissimilarity[at]), d.w)[part]
+            };
+            self.difference.get(pixels.clone())?;
+            Some(pixels.map(of).sum::<f64>())
+        };
+        (0..len).map(exact).collect()
+    }
 }
 
 /// Inputs of `loss_gradient`.
@@ -279,5 +320,26 @@ impl Parity for LossGradient {
         let [absolute, ssim] = self.scales.map(f64::from);
         let floor = (d + s + 30.0) * f64::from(TINY);
         Bound { scale: ssim * (slope(0) + d * slope(1) + s * slope(2)) + absolute, floor }
+    }
+
+    /// A pixel adds w (1, d, s) to the windows around it, and the slopes belong to those sums.
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let side = self.terms.side as usize;
+        let area = side * side;
+        let exact = |index: usize| {
+            let (tile, channel, at) = (index / 3 / area, index / area % 3, index % area);
+            let pixel = tile * area + at;
+            self.terms.sum.get(pixel)?;
+            let Some([d, s]) = self.terms.of(pixel, channel) else { return Some(0.0) };
+            let (row, column) = (at / side, at % side);
+            let slope = |part: usize| {
+                let vector = |tap: usize| SLOPES as usize * (tile * area + tap * side + column);
+                let value = |tap| f64::from(self.row_slopes[vector(tap) + part][channel]);
+                weighted_sum(row, (0..side).map(value))
+            };
+            let [absolute, ssim] = self.scales.map(f64::from);
+            Some(absolute * sign(d) + ssim * (slope(0) + d * slope(1) + s * slope(2)))
+        };
+        (0..len).map(exact).collect()
     }
 }

@@ -1,15 +1,16 @@
 //! Cases of `pair_mask`, `pair_fill` and `pair_sum`.
 
-use organza_kernels::math::TINY;
-use organza_kernels::pair::{
+use organza_kernel::math::TINY;
+use organza_shaders::pair::{
     PairFillKernel, PairFillParams, PairMaskKernel, PairMaskParams, PairSumKernel, PairSumParams,
 };
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
+use super::exact::{bits, listed};
 use super::inputs::{Fill, Random, SIZES};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use organza_device::Result;
 
 /// How masks are filled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,6 +105,19 @@ impl Parity for PairMask {
             Output::exact("count", bench.read(&count)?),
         ])
     }
+
+    /// The union of a camera's tiles.
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
+        let words = self.words as usize;
+        let cameras = self.first_tile.windows(2);
+        let union = cameras.flat_map(|tiles| {
+            let tiles = tiles[0] as usize..tiles[1] as usize;
+            (0..words).map(move |word| {
+                tiles.clone().fold(0, |mask, tile| mask | self.tile_mask[tile * words + word])
+            })
+        });
+        listed(union.map(|mask| if output == "mask" { mask } else { mask.count_ones() }))
+    }
 }
 
 /// Inputs of `pair_fill`.
@@ -135,6 +149,11 @@ impl Parity for PairFill {
         };
         bench.items(&kernel, self.words, 2)?;
         Ok(vec![Output::exact("pair", bench.read(&pair)?)])
+    }
+
+    /// The words of both cameras follow each other, and so do their pairs.
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        listed(bits(&self.mask).map(|pair| pair as u32))
     }
 }
 
@@ -217,6 +236,20 @@ impl Parity for PairSum {
         };
         bench.items(&kernel, self.gaussians() * self.width, 1)?;
         Ok(vec![Output::float("vector", bench.read(&vector)?)])
+    }
+
+    /// What was there, and the vectors of the pairs, which lie in the order of the masks' bits.
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let mut exact: Vec<_> = self.vector.iter().copied().map(f64::from).collect();
+        let width = self.width as usize;
+        for (vector, slot) in self.pair_vector.chunks(width).zip(bits(&self.mask)) {
+            let gaussian = slot % (32 * self.words as usize);
+            // those of bits behind the last Gaussian are nobody's
+            let sums = exact.get_mut(gaussian * width..).unwrap_or_default();
+            sums.iter_mut().zip(vector).for_each(|(sum, &value)| *sum += f64::from(value));
+        }
+        let exact = exact.into_iter().map(Some);
+        exact.collect()
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

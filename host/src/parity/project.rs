@@ -1,18 +1,19 @@
 //! The case of `project`, and cameras for the others.
 
 use glam::{DQuat, DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
-use organza_kernels::camera::Camera;
-use organza_kernels::lens::NEAR_PLANE;
-use organza_kernels::project::{
+use organza_shaders::camera::Camera;
+use organza_shaders::lens::NEAR_PLANE;
+use organza_shaders::project::{
     BEHIND, DEGENERATE, FALLOFF_CUTOFF, ProjectKernel, ProjectParams, rotation_columns,
 };
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
+use super::exact::project::{Gaussian, Projected, View, project};
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::lens::ExactLens;
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Three cameras around the origin, the first of them axis-parallel.
 pub fn cameras(random: &mut Random) -> Vec<Camera> {
@@ -108,6 +109,32 @@ impl Project {
         Vec3::from_slice(&self.log_scale[3 * gaussian..]).as_dvec3()
     }
 
+    /// What is projected, in f64.
+    #[must_use]
+    pub fn gaussian(&self, gaussian: usize) -> Gaussian<f64> {
+        Gaussian {
+            position: self.center(gaussian).to_array(),
+            rotation: self.quaternion(gaussian).to_array(),
+            log_scale: self.log_axes(gaussian).to_array(),
+        }
+    }
+
+    /// What becomes of a Gaussian; `None` where it depends on how far the kernel's numbers reach.
+    pub(super) fn fate(&self, camera: usize, gaussian: usize) -> Option<Fate> {
+        let view = View::of(&self.cameras[camera]);
+        let Some(found) = project(&view, f64::from(self.blur), &self.gaussian(gaussian)) else {
+            return Some(Fate::Behind);
+        };
+        let [xx, xy, yy] = found.covariance;
+        let numbers = [found.mean[0], found.mean[1], xx, xy, yy];
+        let is_f32 = |x: &f64| x.abs() <= f64::from(f32::MAX);
+        if !numbers.iter().all(is_f32) || found.determinant <= 0.0 {
+            return Some(Fate::Degenerate);
+        }
+        // the determinant has squares of these
+        (xx.max(yy) < 1e15).then_some(Fate::Projected(found))
+    }
+
     pub(super) fn sensitivity(&self, camera: usize, gaussian: usize) -> Sensitivity {
         let (position, rotation) = (self.center(gaussian), self.quaternion(gaussian));
         let camera = &self.cameras[camera];
@@ -180,13 +207,43 @@ impl Parity for Project {
         ])
     }
 
-    fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        let width = match cpu.name {
-            "mean2d" | "extent" => 2,
-            "radius" => 1,
-            "conic" => 3,
-            _ => return Bound { scale: 0.0, floor: 0.0 },
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
+        let gaussians = self.gaussians as usize;
+        let slots = (0..self.cameras.len() * gaussians)
+            .map(|slot| self.fate(slot / gaussians, slot % gaussians));
+        let of = |fate: &Option<Fate>| match (output, fate) {
+            (_, None) => vec![None; width(output)],
+            ("class", Some(Fate::Behind)) => vec![Some(1.0)],
+            ("class", Some(Fate::Degenerate)) => vec![Some(2.0)],
+            (_, Some(Fate::Behind | Fate::Degenerate)) => vec![Some(0.0); width(output)],
+            (_, Some(Fate::Projected(found))) => {
+                let values = match output {
+                    "class" => vec![0.0],
+                    "mean2d" => found.mean.to_vec(),
+                    "radius" => vec![found.radius()],
+                    "conic" => found.conic().to_vec(),
+                    _ => found.extent().to_vec(),
+                };
+                values.into_iter().map(Some).collect()
+            }
         };
+        let exact: Vec<_> = match output {
+            "behind" => Vec::new(),
+            "degenerate" => {
+                let told: Option<Vec<_>> = slots.collect();
+                let is_culled = |fate: &&Fate| matches!(fate, Fate::Degenerate);
+                vec![told.map(|fates| fates.iter().filter(is_culled).count() as f64)]
+            }
+            _ => slots.flat_map(|fate| of(&fate)).collect(),
+        };
+        exact
+    }
+
+    fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
+        if cpu.name == "behind" {
+            return Bound { scale: 0.0, floor: 0.0 };
+        }
+        let width = width(cpu.name);
         let (slot, part) = (index / width, index % width);
         let gaussians = self.gaussians as usize;
         let sensitivity = self.sensitivity(slot / gaussians, slot % gaussians);
@@ -195,6 +252,26 @@ impl Parity for Project {
             "mean2d" => sensitivity.mean2d[part],
             _ => sensitivity.conic,
         })
+    }
+}
+
+/// What becomes of a Gaussian in a camera.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Fate {
+    /// It lies behind the near plane.
+    Behind,
+    /// It has no place, no finite covariance or no inverse of it.
+    Degenerate,
+    /// It lies there.
+    Projected(Projected<f64>),
+}
+
+/// Values of a slot in an output.
+fn width(output: &str) -> usize {
+    match output {
+        "mean2d" | "extent" => 2,
+        "conic" => 3,
+        _ => 1,
     }
 }
 

@@ -1,18 +1,20 @@
 //! The case of `project_backward`.
 
 use glam::{DVec3, Vec3, Vec4};
-use organza_kernels::camera::Camera;
-use organza_kernels::math::TINY;
-use organza_kernels::project::project_gaussian;
-use organza_kernels::project_backward::{ProjectBackwardKernel, ProjectBackwardParams};
+use organza_kernel::math::TINY;
+use organza_shaders::camera::Camera;
+use organza_shaders::project::project_gaussian;
+use organza_shaders::project_backward::{ProjectBackwardKernel, ProjectBackwardParams};
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
+use super::exact::numeric::{Dual, gradient};
+use super::exact::project::{Gaussian, View, project};
 use super::inputs::Random;
 use super::lens::ExactLens;
 use super::measure::{Bound, Output};
-use super::project::{Project, axes, place, rows};
-use crate::error::Result;
+use super::project::{Fate, Project, axes, place, rows};
+use organza_device::Result;
 
 /// Inputs of `project_backward`.
 #[derive(Clone)]
@@ -91,13 +93,26 @@ impl ProjectBackward {
     }
 
     /// The pair of a camera and a Gaussian.
-    #[must_use]
-    pub fn pair(&self, camera: usize, gaussian: usize) -> Option<usize> {
+    fn pair(&self, camera: usize, gaussian: usize) -> Option<usize> {
         let words = (self.forward.gaussians as usize).div_ceil(32);
         let word = camera * words + gaussian / 32;
         let (bits, bit) = (self.pair_mask[word], gaussian % 32);
         let below = (bits & ((1 << bit) - 1)).count_ones();
         (bits >> bit & 1 == 1).then_some((self.first_pair[word] + below) as usize)
+    }
+
+    /// Where the centers of all pairs lie in their images, in pixels.
+    #[must_use]
+    pub fn pairs_in_image(&self) -> Vec<[f64; 2]> {
+        let (set, count) = (&self.forward, self.forward.gaussians as usize);
+        let slots = (0..set.cameras.len() * count).map(|slot| (slot / count, slot % count));
+        let pairs = slots.filter(|&(camera, gaussian)| self.pair(camera, gaussian).is_some());
+        pairs
+            .filter_map(|(camera, gaussian)| match set.fate(camera, gaussian) {
+                Some(Fate::Projected(found)) => Some(found.mean),
+                _ => None,
+            })
+            .collect()
     }
 
     /// How large what a pair adds may be, whatever cancels in it.
@@ -124,6 +139,57 @@ impl ProjectBackward {
         let position = ExactLens::of(view).gradient_terms(t, distance, sizes);
         let shape = by_row * row;
         [position, 4.0 * shape / rotation.length(), shape, geometry.z, center]
+    }
+
+    /// The derivatives of what a Gaussian's pairs have in the loss, by position, rotation and log_scale; `None` where
+    /// a projection is told by nobody.
+    fn derivatives(&self, gaussian: usize) -> Option<[f64; 10]> {
+        let set = &self.forward;
+        let cameras = (0..set.cameras.len())
+            .filter_map(|camera| Some((camera, self.pair(camera, gaussian)?)));
+        let cameras: Vec<_> = cameras.collect();
+        let is_told = |&(camera, _): &(usize, usize)| {
+            matches!(set.fate(camera, gaussian), Some(Fate::Projected(_)))
+        };
+        if !cameras.iter().all(is_told) {
+            return None;
+        }
+        let of = |camera: usize, pair: usize, moved: &Gaussian<Dual>| {
+            let view = View::of(&set.cameras[camera]);
+            let [center, shape, _] = self.pair_gradient[pair].map(|v| v.as_dvec4().to_array());
+            let found = project(&view, f64::from(set.blur), moved).expect("it has a pair");
+            let weights = center[..2].iter().chain(&shape[..3]);
+            let values = found.mean.into_iter().chain(found.conic());
+            values.zip(weights).fold(Dual::from(0.0), |sum, (x, &w)| sum + x * Dual::from(w))
+        };
+        let Gaussian { position: [a, b, c], rotation: [w, x, y, z], log_scale: [l, m, n] } =
+            set.gaussian(gaussian);
+        Some(gradient([a, b, c, w, x, y, z, l, m, n], |[a, b, c, w, x, y, z, l, m, n]| {
+            let moved =
+                Gaussian { position: [a, b, c], rotation: [w, x, y, z], log_scale: [l, m, n] };
+            let losses = cameras.iter().map(|&(camera, pair)| of(camera, pair, &moved));
+            losses.fold(Dual::from(0.0), |sum, loss| sum + loss)
+        }))
+    }
+
+    /// The pairs of a Gaussian.
+    fn pairs(&self, gaussian: usize) -> impl Iterator<Item = (usize, &[Vec4; 3])> {
+        let cameras = 0..self.forward.cameras.len();
+        cameras.filter_map(move |camera| {
+            Some((camera, &self.pair_gradient[self.pair(camera, gaussian)?]))
+        })
+    }
+
+    /// What is left of the statistics: the centers' ways, the cameras that have a pair, the largest radius.
+    fn exact_statistics(&self, gaussian: usize) -> [f64; 4] {
+        let mut after = self.statistics[gaussian].as_dvec4().to_array();
+        for (camera, [center, ..]) in self.pairs(gaussian) {
+            let radius = self.radius[camera * self.forward.gaussians as usize + gaussian];
+            after[0] += f64::from(center.x).hypot(f64::from(center.y));
+            after[1] += 1.0;
+            after[2] = after[2].max(f64::from(radius));
+        }
+        after
     }
 
     /// Of a Gaussian, in all cameras.
@@ -180,6 +246,29 @@ impl Parity for ProjectBackward {
             Output::float("gradient", bench.read(&gradient)?),
             Output::float("statistics", statistics),
         ])
+    }
+
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
+        let count = self.forward.gaussians as usize;
+        let exact: Vec<_> = if output == "statistics" {
+            (0..count).flat_map(|gaussian| self.exact_statistics(gaussian)).map(Some).collect()
+        } else {
+            let before = |index: usize| f64::from(self.gradient[index]);
+            let derivatives: Vec<_> = (0..count).map(|g| self.derivatives(g)).collect();
+            let part = |first: usize, width: usize| {
+                let derivatives = &derivatives;
+                (0..width * count).map(move |at| {
+                    let of = derivatives[at / width].as_ref()?;
+                    Some(before(first * count + at) + of[first + at % width])
+                })
+            };
+            let opacity = (0..count).map(|gaussian| {
+                let sum: f64 = self.pairs(gaussian).map(|(_, pair)| f64::from(pair[0].z)).sum();
+                Some(before(10 * count + gaussian) + sum)
+            });
+            part(0, 3).chain(part(3, 4)).chain(part(7, 3)).chain(opacity).collect()
+        };
+        exact
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {

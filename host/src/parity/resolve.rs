@@ -1,17 +1,19 @@
 //! Cases of `resolve` and `resolve_backward`.
 
 use glam::Vec4;
-use organza_kernels::math::TINY;
-use organza_kernels::resolve::{DIVIDE_ABOVE, ResolveBackwardKernel, ResolveKernel, ResolveParams};
-use organza_kernels::tile::Tile;
+use organza_kernel::math::TINY;
+use organza_shaders::resolve::{DIVIDE_ABOVE, ResolveBackwardKernel, ResolveKernel, ResolveParams};
+use organza_shaders::tile::Tile;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::composite::{SIDES, pixels, planes, tiles};
+use super::exact::numeric::{Dual, gradient};
+use super::exact::resolve::pixel;
 use super::inputs::{Fill, Random};
 use super::measure::{Bound, Output};
 use super::tile::pack;
-use crate::error::Result;
+use organza_device::Result;
 
 /// Inputs of `resolve`.
 #[derive(Clone, Debug)]
@@ -82,6 +84,18 @@ impl Parity for Resolve {
         Ok(vec![Output::float("image", bench.read(&image)?)])
     }
 
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let area = (self.side * self.side) as usize;
+        // Y [K, 3, S, S], each tile at its own place of the batch
+        let of = |index: usize| {
+            let (place, channel, at) = (index / (3 * area), index / area % 3, index % area);
+            let tile = self.tiles.iter().position(|tile| tile.output as usize == place)?;
+            let sum = self.sum[tile * area + at].as_dvec4();
+            Some(pixel(sum[channel], sum.w, f64::from(self.background[channel])))
+        };
+        (0..len).map(of).collect()
+    }
+
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let area = (self.side * self.side) as usize;
         let (output, channel, at) = (index / 3 / area, index / area % 3, index % area);
@@ -147,6 +161,24 @@ impl Parity for ResolveBackward {
         bench.pixels(&kernel, side, set.tiles.len() as u32)?;
         let found = bench.read(&sum_gradient)?;
         Ok(vec![Output::float("sum_gradient", pixels(&found, self.area()))])
+    }
+
+    /// Of the branch that was taken.
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let (set, area) = (&self.forward, self.area());
+        let of = |(index, sum): (usize, &Vec4)| {
+            let first = 3 * set.tiles[index / area].output as usize * area + index % area;
+            gradient(sum.as_dvec4().to_array(), |[r, g, b, weight]| {
+                let channels = [r, g, b].into_iter().enumerate();
+                channels.fold(Dual::from(0.0), |loss, (channel, color)| {
+                    let slope = f64::from(self.image_gradient[first + channel * area]);
+                    let background = f64::from(set.background[channel]);
+                    loss + pixel(color, weight, background) * Dual::from(slope)
+                })
+            })
+        };
+        let exact = set.sum.iter().enumerate().flat_map(of).map(Some);
+        exact.collect()
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

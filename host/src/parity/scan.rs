@@ -1,12 +1,13 @@
 //! Cases of `scan_block` and `scan_add`.
 
-use organza_kernels::scan::{BLOCK, ScanAddKernel, ScanBlockKernel, ScanParams};
+use organza_shaders::scan::{BLOCK, ScanAddKernel, ScanBlockKernel, ScanParams};
 
 use super::bench::Bench;
 use super::case::Parity;
+use super::exact::listed;
 use super::inputs::{Random, SIZES};
 use super::measure::Output;
-use crate::error::Result;
+use organza_device::Result;
 
 /// Sizes around the workgroup and around the block.
 fn sizes() -> impl Iterator<Item = u32> {
@@ -58,6 +59,21 @@ impl Parity for ScanBlock {
             Output::exact("block_sum", bench.read(&block_sum)?),
         ])
     }
+
+    /// Sums from a block's begin on, one of them behind the last value; and those of whole blocks.
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
+        let mut sum = 0;
+        let (mut prefix, mut block_sum) = (Vec::new(), Vec::new());
+        for (index, value) in self.values.iter().copied().chain([0]).enumerate() {
+            if index > 0 && index % 1024 == 0 {
+                block_sum.push(std::mem::take(&mut sum));
+            }
+            prefix.push(sum);
+            sum += value;
+        }
+        block_sum.push(sum);
+        listed(if output == "prefix" { prefix } else { block_sum })
+    }
 }
 
 /// Inputs of `scan_add`.
@@ -92,5 +108,10 @@ impl Parity for ScanAdd {
         };
         bench.items(&kernel, count + 1, 1)?;
         Ok(vec![Output::exact("prefix", bench.read(&prefix)?)])
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let blocks = self.prefix.chunks(1024).zip(&self.block_prefix);
+        listed(blocks.flat_map(|(block, before)| block.iter().map(move |x| x + before)))
     }
 }

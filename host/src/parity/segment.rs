@@ -1,18 +1,20 @@
 //! The case of `segment`.
 
 use glam::{DVec3, Vec3, Vec4};
-use organza_kernels::camera::Camera;
-use organza_kernels::limits::MAX_SAMPLES;
-use organza_kernels::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
-use organza_kernels::unit_cube::SceneBox;
+use organza_shaders::camera::Camera;
+use organza_shaders::limits::MAX_SAMPLES;
+use organza_shaders::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
+use organza_shaders::unit_cube::SceneBox;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::color::BOXES;
+use super::exact::segment as exact;
+use super::exact::unit_cube::unit;
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output, Values};
 use super::project;
-use crate::error::Result;
+use organza_device::Result;
 
 /// How far from a decision of the kernel the inputs stay, relative to the ray.
 const AWAY: f64 = 2e-5;
@@ -190,6 +192,23 @@ impl Parity for Segment {
             Output { name: "segment", values: Values::Float(joined(&segment)) },
             Output::exact("count", bench.read(&count)?),
         ])
+    }
+
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
+        let of = |&slot: &u32| {
+            let position = &self.position[3 * (slot % self.gaussians) as usize..];
+            let eye = self.cameras[(slot / self.gaussians) as usize].eye.as_dvec3().to_array();
+            let [p, eye] = [[0, 1, 2].map(|axis| f64::from(position[axis])), eye]
+                .map(|point| unit(point, self.aabb));
+            let found = exact::segment(p, eye, f64::from(self.step));
+            if output == "count" {
+                return vec![Some(found.count)];
+            }
+            let values = found.start.into_iter().chain([found.factor]).chain(found.way);
+            values.chain([0.0]).map(Some).collect()
+        };
+        let exact = self.pair.iter().flat_map(of);
+        exact.collect()
     }
 
     fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {

@@ -1,18 +1,20 @@
 //! Cases of `tile_mask`, `tile_fill` and `tile_range`.
 
 use glam::Vec4;
-use organza_kernels::project::{BEHIND, DEGENERATE};
-use organza_kernels::tile::{
+use organza_shaders::project::{BEHIND, DEGENERATE};
+use organza_shaders::tile::{
     Tile, TileFillKernel, TileFillParams, TileMaskKernel, TileMaskParams, TileRangeKernel,
     TileRangeParams,
 };
 
 use super::bench::Bench;
 use super::case::Parity;
+use super::exact::tile::reaches;
+use super::exact::{bits, listed};
 use super::inputs::{Fill, Random, SIZES};
 use super::measure::Output;
 use super::pair::{mask_sets, scanned};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Tiles as they lie in a buffer.
 #[must_use]
@@ -127,6 +129,28 @@ impl Parity for TileMask {
             Output::exact("count", bench.read(&count)?),
         ])
     }
+
+    /// The Gaussians within reach.
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
+        let words = self.gaussians.div_ceil(32);
+        let word = |tile: &Tile, word: u32| {
+            let mut mask = 0_u32;
+            for bit in 0..32.min(self.gaussians - 32 * word) {
+                let slot = tile.camera * self.gaussians + 32 * word + bit;
+                let p = self.projection[2 * slot as usize].as_dvec4();
+                // squares of more are no f32: such a Gaussian may be a member of any tile
+                if p.truncate().abs().max_element() >= 1e18 {
+                    return None;
+                }
+                let is_member = reaches([p.x, p.y], p.z, tile.origin, self.side);
+                mask |= u32::from(is_member) << bit;
+            }
+            Some(f64::from(if output == "mask" { mask } else { mask.count_ones() }))
+        };
+        let tiles = self.tiles.iter();
+        let exact = tiles.flat_map(|tile| (0..words).map(move |at| word(tile, at)));
+        exact.collect()
+    }
 }
 
 /// Inputs of `tile_fill`.
@@ -175,6 +199,19 @@ impl Parity for TileFill {
         bench.items(&kernel, self.words, self.tiles.len() as u32)?;
         Ok(vec![Output::exact("member", bench.read(&member)?)])
     }
+
+    /// A pair's number is its place among those of its camera, behind those of the cameras before.
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let (words, gaussians) = (self.words as usize, 32 * self.words as usize);
+        let pairs: Vec<_> = bits(&self.pair_mask).collect();
+        let members = self.tiles.iter().enumerate().flat_map(|(t, tile)| {
+            let members = bits(&self.tile_mask[t * words..][..words]);
+            let slots: Vec<_> =
+                members.map(|gaussian| tile.camera as usize * gaussians + gaussian).collect();
+            slots.into_iter().map(|slot| pairs.binary_search(&slot).expect("members are pairs"))
+        });
+        listed(members.map(|pair| pair as u32))
+    }
 }
 
 /// Inputs of `tile_range`.
@@ -211,5 +248,10 @@ impl Parity for TileRange {
         };
         bench.items(&kernel, self.tiles + 1, 1)?;
         Ok(vec![Output::exact("tile_first", bench.read(&tile_first)?)])
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        // the sums end with the total, where a tile more would begin
+        listed(self.first_member.iter().copied().step_by(self.words as usize))
     }
 }

@@ -1,8 +1,8 @@
 //! Cases of `segment_product_backward`, `transmittance_head_backward` and `extra_backward`.
 
 use glam::Vec4;
-use organza_kernels::math::TINY;
-use organza_kernels::transmittance_backward::{
+use organza_kernel::math::TINY;
+use organza_shaders::transmittance_backward::{
     ExtraBackwardKernel, ExtraBackwardParams, SegmentProductBackwardKernel,
     SegmentProductBackwardParams, TransmittanceHeadBackwardKernel,
 };
@@ -10,10 +10,12 @@ use organza_kernels::transmittance_backward::{
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::dense::Layer;
+use super::exact::numeric::{Dual, central, gradient};
+use super::exact::transmittance::{log_rho, transmittance};
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output};
 use super::transmittance::{counts, head_params, head_sets, points, prefix};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Nothing may be off.
 const EXACT: Bound = Bound { scale: 0.0, floor: 0.0 };
@@ -147,6 +149,20 @@ impl Parity for SegmentProductBackward {
         // a transmittance that may be flushed
         Bound { scale: cpu.floats()[index].abs(), floor: f64::from(TINY) * (1.0 + gradient) }
     }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let exact = |sample: usize| {
+            (sample < self.chunk.samples as usize).then(|| {
+                let pair = self.chunk.owner(sample);
+                let of_pair = Dual::from(f64::from(self.gradient[3 * pair].w));
+                // a sample's logarithm is a term of the sum
+                let sum = f64::from(self.transmittance[pair]).ln().max(-745.0);
+                let [slope] = gradient([sum], |[sum]| of_pair * transmittance(sum));
+                slope
+            })
+        };
+        (0..len).map(exact).collect()
+    }
 }
 
 /// Inputs of `transmittance_head_backward`.
@@ -208,6 +224,17 @@ impl Parity for TransmittanceHeadBackward {
             if is_lost { 1.1 * most / Self::TOLERANCE } else { found * (1.0 + 3.0 * terms) };
         // a factor and a sigmoid that may be flushed
         Bound { scale, floor: (floor + f64::from(TINY)) * (1.0 + gradient) }
+    }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let exact = |sample: usize| {
+            (sample < self.layer.samples as usize).then(|| {
+                let [g, factor] = [&self.gradient, &self.factor].map(|of| f64::from(of[sample]));
+                let a = self.layer.exact(sample as u32, 0);
+                central(&[a], 1e-4, |a| g * log_rho(a[0], factor))[0]
+            })
+        };
+        (0..len).map(exact).collect()
     }
 }
 
@@ -282,5 +309,16 @@ impl Parity for ExtraBackward {
         let sum: f64 = samples.iter().chain([before]).map(|x| f64::from(x.abs())).sum();
         let terms = 1.0 + samples.len() as f64;
         Bound { scale: sum * terms, floor: f64::from(TINY) * terms }
+    }
+
+    /// Every sample of a pair has a copy of its extra vector.
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let exact = |index: usize| {
+            let before = f64::from(*self.pair_extra.get(index)?);
+            let row = &self.gradient[(1 + index % EXTRA) * self.stride as usize..];
+            let samples = &row[self.chunk.of(index / EXTRA)];
+            Some(before + samples.iter().map(|&g| f64::from(g)).sum::<f64>())
+        };
+        (0..len).map(exact).collect()
     }
 }

@@ -2,16 +2,19 @@
 
 use std::sync::atomic::Ordering;
 
+use super::gradient::SceneGradient;
+use super::loss::{Loss, LossInputs, TileLoss};
 use super::part::Part;
 use super::plan::{Plan, PlannedTile};
 use super::project::project_backward;
+use super::renderer::Renderer;
+use super::scene::DeviceScene;
 use super::tally::Room;
-use super::{DeviceScene, Loss, LossInputs, Renderer, SceneGradient, TileLoss};
-use crate::backend::{Buffer, Device};
 use crate::camera::Camera;
 use crate::error::{Error, Result};
 use crate::scene::Scene;
 use crate::tile::TileBatch;
+use organza_device::{Buffer, Device};
 
 impl Part {
     /// Adds the gradients of all tensors to `gradient`, of `image_gradient [tiles, 3, S, S]`, dLoss/dY of this part's
@@ -105,7 +108,7 @@ impl Renderer {
         let mut plans = self.plans(scene, batch)?;
         loop {
             match work(&plans) {
-                Err(Error::OutOfMemory { .. }) if plans.len() < batch.tiles.len() => {
+                Err(error) if error.is_out_of_memory() && plans.len() < batch.tiles.len() => {
                     let before = plans.len();
                     // the next batch will not fit, either
                     while plans.len() == before {
@@ -114,7 +117,7 @@ impl Renderer {
                         plans = self.plans(scene, batch)?;
                     }
                 }
-                Err(Error::OutOfMemory { .. }) if self.forget() => {}
+                Err(error) if error.is_out_of_memory() && self.forget() => {}
                 result => return result,
             }
         }
@@ -151,7 +154,7 @@ impl Renderer {
             let pixels = of_tiles(grad_output, &plan.tiles, 3 * (plan.side * plan.side) as usize);
             let pixels = device.upload("gradient of the tiles", &pixels)?;
             part.backward(device, scene, plan.side, &pixels, gradient)?;
-            part.read(device, Vec::new())
+            Ok(part.read(device, Vec::new())?)
         };
         device.inside(|| {
             plans

@@ -1,22 +1,22 @@
 //! Projection and binning: which Gaussians each tile needs, in ascending order, and which pairs that makes.
 
 use glam::{Vec2, Vec3, Vec4};
-use organza_kernels::camera::Camera as KernelCamera;
-use organza_kernels::count::{MEMBERS, PAIRS, SAMPLES};
-use organza_kernels::pair::{PairFillKernel, PairFillParams, PairMaskKernel, PairMaskParams};
-use organza_kernels::project::{ProjectKernel, ProjectParams};
-use organza_kernels::tile::{
+use organza_shaders::camera::Camera as KernelCamera;
+use organza_shaders::count::{MEMBERS, PAIRS, SAMPLES};
+use organza_shaders::pair::{PairFillKernel, PairFillParams, PairMaskKernel, PairMaskParams};
+use organza_shaders::project::{ProjectKernel, ProjectParams};
+use organza_shaders::tile::{
     TileFillKernel, TileFillParams, TileMaskKernel, TileMaskParams, TileRangeKernel,
     TileRangeParams,
 };
 
-use super::DeviceScene;
 use super::plan::{Plan, words};
 use super::scan::exclusive_scan;
+use super::scene::DeviceScene;
 use super::tally::{Room, Tally};
-use crate::backend::{Buffer, Count, Device};
 use crate::camera::Camera;
-use crate::error::Result;
+use organza_device::Result;
+use organza_device::{Buffer, Count, Device};
 
 /// The (Gaussian, camera) pairs to evaluate.
 #[derive(Debug)]
@@ -89,9 +89,9 @@ pub fn project(
     let kernel = ProjectKernel {
         params: ProjectParams { gaussians: scene.gaussians, blur: scene.config.blur as f32 },
         camera: &camera,
-        position: &scene.position,
-        rotation: &scene.rotation,
-        log_scale: &scene.log_scale,
+        position: &scene.tensors.gaussians.position,
+        rotation: &scene.tensors.gaussians.rotation,
+        log_scale: &scene.tensors.gaussians.log_scale,
         projection: &projection,
         degenerate: &degenerate,
     };

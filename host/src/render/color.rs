@@ -3,23 +3,23 @@
 use std::sync::Mutex;
 
 use glam::Vec4;
-use organza_kernels::color::{
+use organza_shaders::color::{
     ColorHeadKernel, ColorHeadParams, ColorInputsKernel, ColorInputsParams,
 };
-use organza_kernels::color_backward::{
+use organza_shaders::color_backward::{
     ColorHeadBackwardKernel, ColorHeadBackwardParams, MaterialBackwardKernel,
     MaterialBackwardParams,
 };
 
-use super::DeviceScene;
 use super::bin::{Mask, Pairs};
 use super::block::{BlockOf, Blocks, Chunk};
 use super::field::Scratch;
 use super::field_backward::{ChunkScratch, GroupScratch};
 use super::gradient::SceneGradient;
 use super::pair::sum_pairs;
-use crate::backend::{Buffer, Device};
-use crate::error::Result;
+use super::scene::DeviceScene;
+use organza_device::Result;
+use organza_device::{Buffer, Device};
 
 /// Color of every pair.
 #[derive(Debug)]
@@ -101,8 +101,8 @@ fn inputs(device: &Device, scene: &DeviceScene, pairs: &Pairs, chunk: &Chunk) ->
         pair: &pairs.pair,
         camera: &pairs.camera,
         scene_box: &scene.scene_box,
-        position: &scene.position,
-        material: &scene.material,
+        position: &scene.tensors.gaussians.position,
+        material: &scene.tensors.gaussians.material,
         point: &chunk.point,
         input: &chunk.input,
     };
@@ -111,7 +111,7 @@ fn inputs(device: &Device, scene: &DeviceScene, pairs: &Pairs, chunk: &Chunk) ->
 
 impl Color {
     /// Adds the gradients of the color field and of the materials, of `pair_gradient [pairs, 3]` (see
-    /// [`splat_backward`](organza_kernels::splat)); `mask` says which pairs there are.
+    /// [`splat_backward`](organza_shaders::splat)); `mask` says which pairs there are.
     pub fn backward(
         &self,
         device: &Device,
@@ -151,7 +151,14 @@ impl Color {
             }
         }
         table.finish(device)?;
-        sum_pairs(device, scene, mask, material, &pair_material, &gradient.material)
+        sum_pairs(
+            device,
+            scene,
+            mask,
+            material,
+            &pair_material,
+            &gradient.tensors().gaussians.material.buffer,
+        )
     }
 
     /// The gradient of the network's outputs for a chunk of pairs.

@@ -1,22 +1,22 @@
 //! B3 and C: the weighted sums of all tiles, and the image.
 
 use glam::Vec4;
-use organza_kernels::composite::{CompositeKernel, CompositeParams, SUM_PLANES};
-use organza_kernels::composite_backward::{
+use organza_shaders::composite::{CompositeKernel, CompositeParams, SUM_PLANES};
+use organza_shaders::composite_backward::{
     CompositeBackwardKernel, CompositeBackwardParams, band_rows,
 };
-use organza_kernels::limits::MAX_MEMBERS;
-use organza_kernels::resolve::{ResolveBackwardKernel, ResolveKernel, ResolveParams};
-use organza_kernels::splat::{
+use organza_shaders::limits::MAX_MEMBERS;
+use organza_shaders::resolve::{ResolveBackwardKernel, ResolveKernel, ResolveParams};
+use organza_shaders::splat::{
     SplatBackwardKernel, SplatBackwardParams, SplatKernel, SplatParams, VECTORS,
 };
-use organza_kernels::tile_cells::{TileCellsKernel, TileCellsParams};
+use organza_shaders::tile_cells::{TileCellsKernel, TileCellsParams};
 
-use super::DeviceScene;
 use super::bin::Bins;
 use super::plan::words;
-use crate::backend::{Buffer, Device};
-use crate::error::{Error, Result};
+use super::scene::DeviceScene;
+use organza_device::{Buffer, Device};
+use organza_device::{Error, Result};
 
 /// The composited tiles of a part.
 #[derive(Debug)]
@@ -45,7 +45,7 @@ impl Composite {
             params: SplatParams { pairs: room, gaussians: scene.gaussians },
             pair: &pairs.pair,
             projection: &pairs.projection,
-            opacity: &scene.opacity,
+            opacity: &scene.tensors.gaussians.opacity,
             transmittance,
             color,
             splat: &splat,
@@ -90,7 +90,7 @@ impl Composite {
         Ok(Self { sum, image, splat })
     }
 
-    /// The derivative of all that: `pair_gradient [pairs, 3]`, as [`splat_backward`](organza_kernels::splat) has it, of
+    /// The derivative of all that: `pair_gradient [pairs, 3]`, as [`splat_backward`](organza_shaders::splat) has it, of
     /// `image_gradient [tiles, 3, S, S]`, dL/dI.
     pub fn backward(
         &self,
@@ -126,7 +126,7 @@ impl Composite {
             first_tile: &bins.first_tile,
             tile_mask: &bins.tile_mask.bits,
             first_member: &bins.tile_mask.first,
-            opacity: &scene.opacity,
+            opacity: &scene.tensors.gaussians.opacity,
             transmittance,
             member_gradient: &member_gradient,
             pair_gradient: &pair_gradient,

@@ -2,17 +2,18 @@
 //! group from there to its hash grid.
 
 use glam::Vec4;
-use organza_kernels::dense_backward::{
+use organza_shaders::dense_backward::{
     DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
     DenseWeightSumKernel, DenseWeightSumParams, INPUT_BLOCK, WEIGHT_BLOCK,
 };
-use organza_kernels::limits::{MAX_SLICE, MAX_SLICES};
+use organza_shaders::limits::{MAX_SLICE, MAX_SLICES};
 
 use super::block::{BlockOf, Chunk, Layout};
-use super::field::{DeviceField, LayerPlace};
+use super::field::DeviceField;
 use super::gradient::FieldGradient;
-use crate::backend::{Buffer, Device};
-use crate::error::Result;
+use super::network::LayerPlace;
+use organza_device::Result;
+use organza_device::{Buffer, Device};
 
 /// Samples of a slice on a GPU: a chunk has enough of them to fill it.
 const GPU_SLICE: u32 = 1 << 8;

@@ -1,20 +1,20 @@
 //! The gradient of a hash grid's table: scale, sums in fixed point, and the gradient as numbers.
 
 use glam::Vec4;
-use organza_kernels::hash_grid::HashGridParams;
-use organza_kernels::hash_grid_backward::{
+use organza_shaders::hash_grid::HashGridParams;
+use organza_shaders::hash_grid_backward::{
     FLAG_BLOCK, HashGridBackwardKernel, HashGridGradientKernel, HashGridGradientParams,
 };
-use organza_kernels::hash_grid_scale::{
+use organza_shaders::hash_grid_scale::{
     HashGridNormKernel, HashGridNormParams, HashGridPeakKernel, HashGridPeakParams,
     HashGridScaleKernel, HashGridScaleParams, SCALE_VALUES,
 };
-use organza_kernels::limits::MAX_LAYERS;
+use organza_shaders::limits::MAX_LAYERS;
 
 use super::field::DeviceField;
-use crate::backend::{Buffer, Count, Device};
-use crate::error::{Error, Result};
 use crate::scene::MAX_HIDDEN_LAYERS;
+use organza_device::{Buffer, Count, Device};
+use organza_device::{Error, Result};
 
 const _: () = assert!(MAX_LAYERS as usize == MAX_HIDDEN_LAYERS + 1);
 
@@ -29,7 +29,7 @@ pub struct HashGridGradient {
     /// `[ceil(entries * features / 64)]`: not 0 where a block of 64 values of the gradient has been added to.  Who
     /// clears the gradient clears the flags.
     pub touched: Buffer<u32>,
-    /// `[1]`: 0 while all is well, else the last of [`organza_kernels::hash_grid_scale`]'s `STATUS_..`: the
+    /// `[1]`: 0 while all is well, else the last of [`organza_shaders::hash_grid_scale`]'s `STATUS_..`: the
     /// gradient is not finite, and what is not has been left out.
     pub status: Buffer<u32>,
     /// `[2 * entries * features]`: 64-bit integers, the low word first; 0 between parts.
@@ -153,10 +153,13 @@ impl HashGridGradient {
 
 #[cfg(test)]
 mod tests {
+    use std::borrow::Cow;
+
     use super::*;
-    use crate::backend::DeviceOptions;
-    use crate::render::UploadOptions;
+    use crate::render::packed::pack_field;
+    use crate::render::upload::UploadOptions;
     use crate::scene::{Field, GridConfig, Interpolation, Layer, Network};
+    use organza_device::DeviceOptions;
 
     /// A grid with a network of two inputs, one hidden layer and one output.
     fn field(device: &Device) -> DeviceField {
@@ -177,13 +180,15 @@ mod tests {
         let network = Network { layers: vec![layer(4, 3), layer(3, 1)] };
         let table = vec![0.0; grid.entries() * 2];
         let (field, options) = (Field { grid: table, network }, UploadOptions::default());
-        DeviceField::upload(device, &grid, &field, options, "color").expect("a field")
+        let upload = |name, values: Cow<'_, [f32]>| device.upload(name, &values);
+        let tensors = pack_field(&field).try_map(["grid", "network"], upload).expect("memory");
+        DeviceField::new(device, "color", &grid, &field, &tensors, options).expect("a field")
     }
 
     #[test]
     fn parts_of_any_scale_add_up() {
         const STRIDE: u32 = 20;
-        let device = Device::open(&DeviceOptions::cpu(Some(2))).expect("the CPU");
+        let device = crate::open_device(&DeviceOptions::cpu(Some(2))).expect("the CPU");
         let field = field(&device);
         let table = HashGridGradient::new(&device, &field).expect("memory");
         let points: Vec<_> = (0..6 * STRIDE).map(|i| (i % 7) as f32 / 8.0).collect();

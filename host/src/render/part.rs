@@ -4,12 +4,13 @@ use super::bin::Bins;
 use super::color::Color;
 use super::composite::Composite;
 use super::plan::Plan;
+use super::results::RenderReport;
+use super::scene::DeviceScene;
 use super::tally::{Needed, Room};
 use super::transmittance::Transmittance;
-use super::{DeviceScene, RenderReport};
-use crate::backend::{Buffer, Device};
 use crate::camera::Camera;
-use crate::error::Result;
+use organza_device::Result;
+use organza_device::{Buffer, Device};
 
 /// Everything that the stages leave on the device.
 #[derive(Debug)]

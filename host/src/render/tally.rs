@@ -2,14 +2,15 @@
 
 use std::sync::Arc;
 
-use organza_kernels::count::{
+use organza_kernel::count::MISFIT;
+use organza_shaders::count::{
     COUNTS, CountAdmitKernel, CountAdmitParams, CountWithholdKernel, CountWithholdParams, MEMBERS,
-    MISFIT, PAIRS, SAMPLES,
+    PAIRS, SAMPLES,
 };
 
 use super::bin::Mask;
-use crate::backend::{Buffer, Count, Device};
-use crate::error::Result;
+use organza_device::Result;
+use organza_device::{Buffer, Count, Device};
 
 /// How many there is room for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,7 +44,7 @@ impl Needed {
     }
 }
 
-/// Numbers that stay on the device: see [`organza_kernels::count`].
+/// Numbers that stay on the device: see [`organza_shaders::count`].
 #[derive(Debug)]
 pub struct Tally {
     counts: Arc<Buffer<u32>>,

@@ -1,23 +1,25 @@
 //! A part whose numbers stay on the device, beside one that the host knows all about.
 
+use super::gradient::SceneGradient;
 use super::part::Part;
 use super::plan::{PART_BYTES, Plan};
+use super::renderer::Renderer;
+use super::scene::DeviceScene;
 use super::tally::{Needed, Room};
-use super::{DeviceScene, Renderer, SceneGradient};
-use crate::backend::{Buffer, Device, DeviceOptions, SpirvPath};
 use crate::camera::Camera;
 use crate::demo;
-use crate::error::Error;
+use crate::error::{DeviceError, Error};
 use crate::scene::Scene;
 use crate::tile::{Tile, TileBatch};
+use organza_device::{Buffer, Device, DeviceOptions, SpirvPath};
 
 /// The CPU, and what GPU there is; `ORGANZA_REQUIRE_GPU=1` says that there must be one.
 fn devices() -> Vec<Device> {
-    let mut devices = vec![Device::open(&DeviceOptions::cpu(Some(2))).expect("the CPU")];
+    let mut devices = vec![crate::open_device(&DeviceOptions::cpu(Some(2))).expect("the CPU")];
     for path in [SpirvPath::Passthrough, SpirvPath::Naga] {
-        match Device::open(&DeviceOptions::gpu(path)) {
+        match crate::open_device(&DeviceOptions::gpu(path)) {
             Ok(device) => devices.push(device),
-            Err(Error::NoGpu { reason }) => {
+            Err(Error::Device(DeviceError::NoGpu { reason })) => {
                 let required = std::env::var_os("ORGANZA_REQUIRE_GPU").is_some_and(|v| v != "0");
                 assert!(!required, "ORGANZA_REQUIRE_GPU is set, but {reason}");
             }
@@ -34,18 +36,9 @@ fn tiles() -> TileBatch {
 
 /// Every eighth Gaussian of the built-in scene.
 fn some() -> Scene {
-    fn some_of<T: Copy>(values: &mut Vec<T>, width: usize) {
-        *values = values.chunks_exact(width.max(1)).step_by(8).flatten().copied().collect();
-    }
     let mut scene = demo::scene();
-    let (material, extra) = (scene.config.material as usize, scene.config.extra as usize);
-    let gaussians = &mut scene.gaussians;
-    some_of(&mut gaussians.position, 1);
-    some_of(&mut gaussians.rotation, 1);
-    some_of(&mut gaussians.log_scale, 1);
-    some_of(&mut gaussians.opacity, 1);
-    some_of(&mut gaussians.material, material);
-    some_of(&mut gaussians.extra, extra);
+    let indices: Vec<_> = (0..scene.gaussians.len()).step_by(8).collect();
+    scene.gaussians = scene.gaussians.select(&indices);
     scene
 }
 
@@ -67,14 +60,10 @@ fn evaluate(
     let image = &part.composite.image;
     part.backward(device, scene, plan.side, image, &gradient).expect("a gradient");
     let (_, needed) = part.read(device, Vec::new()).expect("counts");
-    let mut values = vec![bits(device, image), bits(device, &gradient.gaussians)];
-    values.push(bits(device, &gradient.statistics));
-    values.push(bits(device, &gradient.material));
-    values.push(bits(device, &gradient.extra));
-    for field in [&gradient.color, &gradient.transmittance] {
-        values.push(bits(device, &field.parameters));
-        values.push(bits(device, &field.table.gradient));
-        values.push(bits(device, &field.table.touched));
+    let mut values = vec![bits(device, image), bits(device, &gradient.statistics)];
+    for (_, tensor) in gradient.tensors().iter() {
+        values.push(bits(device, &tensor.buffer));
+        values.extend(tensor.touched.as_ref().map(|touched| bits(device, touched)));
     }
     (values, needed)
 }
@@ -136,7 +125,7 @@ fn a_tile_that_does_not_fit_with_more_room_is_tried_with_what_it_needs() {
         assert!(!device.refuse_one(0), "{}: so few buffers", device.choice());
         match (device.backend(), found) {
             // nobody has guessed
-            ("cpu", Err(Error::OutOfMemory { .. })) => {}
+            ("cpu", Err(error)) if error.is_out_of_memory() => {}
             ("gpu", Ok(found)) => assert_eq!(found, expected, "{}", device.choice()),
             (_, found) => panic!("{}: {found:?}", device.choice()),
         }

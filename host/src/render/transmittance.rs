@@ -3,18 +3,17 @@
 use std::sync::Mutex;
 
 use glam::Vec4;
-use organza_kernels::limits::MAX_SAMPLES;
-use organza_kernels::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
-use organza_kernels::transmittance::{
+use organza_shaders::limits::MAX_SAMPLES;
+use organza_shaders::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
+use organza_shaders::transmittance::{
     SegmentProductKernel, SegmentProductParams, TransmittanceHeadKernel, TransmittanceHeadParams,
     TransmittanceInputsKernel, TransmittanceInputsParams,
 };
-use organza_kernels::transmittance_backward::{
+use organza_shaders::transmittance_backward::{
     ExtraBackwardKernel, ExtraBackwardParams, SegmentProductBackwardKernel,
     SegmentProductBackwardParams, TransmittanceHeadBackwardKernel,
 };
 
-use super::DeviceScene;
 use super::bin::{Bins, Pairs};
 use super::block::{BlockOf, Blocks, Chunk, Layout};
 use super::field::{DeviceField, Scratch};
@@ -22,8 +21,9 @@ use super::field_backward::{ChunkScratch, GroupScratch};
 use super::gradient::SceneGradient;
 use super::pair::sum_pairs;
 use super::scan::exclusive_scan;
-use crate::backend::{Buffer, Count, Device};
-use crate::error::{Error, Result};
+use super::scene::DeviceScene;
+use organza_device::{Buffer, Count, Device};
+use organza_device::{Error, Result};
 
 /// Transmittance of every pair.
 #[derive(Debug)]
@@ -63,7 +63,7 @@ impl Transmittance {
             pair: &pairs.pair,
             camera: &pairs.camera,
             scene_box: &scene.scene_box,
-            position: &scene.position,
+            position: &scene.tensors.gaussians.position,
             segment: &segment,
             count: &count,
         };
@@ -178,7 +178,7 @@ fn inputs(
         pair: &pairs.pair,
         first_sample,
         segment,
-        extra: &scene.extra,
+        extra: &scene.tensors.gaussians.extra,
         point: &chunk.point,
         input: &chunk.input,
     };
@@ -187,7 +187,7 @@ fn inputs(
 
 impl Transmittance {
     /// Adds the gradients of the transmittance field and of the extra vectors, of `pair_gradient [pairs, 3]` (see
-    /// [`splat_backward`](organza_kernels::splat)).
+    /// [`splat_backward`](organza_shaders::splat)).
     pub fn backward(
         &self,
         device: &Device,
@@ -240,7 +240,14 @@ impl Transmittance {
             }
         }
         table.finish(device)?;
-        sum_pairs(device, scene, &bins.pair_mask, extra, &pair_extra, &gradient.extra)
+        sum_pairs(
+            device,
+            scene,
+            &bins.pair_mask,
+            extra,
+            &pair_extra,
+            &gradient.tensors().gaussians.extra.buffer,
+        )
     }
 
     /// The gradient of the network's output for a chunk of samples.

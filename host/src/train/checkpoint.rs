@@ -45,19 +45,11 @@ impl Checkpoint {
     /// # Errors
     /// As [`Scene::save`]: [`Error::NotFinite`] where training has left what numbers can hold.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
-        let specs = self.scene.config.tensors(self.scene.gaussians.len());
-        let names: Vec<_> = MOMENTS
-            .iter()
-            .flat_map(|prefix| specs.iter().map(move |spec| format!("{prefix}{}", spec.name)))
-            .collect();
-        let values = self.moments.iter().flat_map(Scene::tensors);
-        let shapes = specs.iter().chain(&specs).map(|spec| &spec.shape);
-        let mut tensors: Vec<_> = names
-            .iter()
-            .zip(shapes)
-            .zip(values)
-            .map(|((name, shape), (_, data))| TensorRef { name, shape, data })
-            .collect();
+        let mut moments = Vec::new();
+        for (moment, prefix) in self.moments.iter().zip(MOMENTS) {
+            moments.extend(moment.tensors_with_prefix(prefix));
+        }
+        let mut tensors: Vec<_> = moments.iter().map(|(spec, data)| spec.of(data)).collect();
         let shape = [self.statistics.len(), 4];
         let data = self.statistics.as_flattened();
         tensors.push(TensorRef { name: STATISTICS, shape: &shape, data });
@@ -74,7 +66,7 @@ impl Checkpoint {
         let path = path.as_ref();
         let lacks = |what: &str| Error::Invalid {
             origin: path.to_owned(),
-            reason: format!("it lacks {what}: it is a scene, but no checkpoint to go on from"),
+            reason: format!("it lacks {what}: it is a scene, but not a checkpoint to resume from"),
         };
         let progress = read_metadata(path, PROGRESS)?.ok_or_else(|| lacks("`train` metadata"))?;
         let progress = serde_json::from_str(&progress).map_err(|_| lacks("`train` metadata"))?;
@@ -82,8 +74,8 @@ impl Checkpoint {
         let mut tensors = read_tensors(path)?;
         let mut moment = |prefix: &str| -> Result<Scene> {
             let mut moment = Scene::zeros(scene.config.clone(), scene.gaussians.len())?;
-            for (id, values) in moment.tensors_mut() {
-                let name = format!("{prefix}{}", id.name());
+            for (spec, values) in moment.tensors_mut() {
+                let name = format!("{prefix}{}", spec.name);
                 let found = tensors.remove(&name).filter(|found| found.data.len() == values.len());
                 let found = found.ok_or_else(|| lacks(&format!("tensor `{name}`")))?;
                 values.copy_from_slice(&found.data);

@@ -15,4 +15,4 @@ mod trainer;
 pub use checkpoint::{CHECKPOINT, Checkpoint, Progress};
 pub use config::TrainConfig;
 pub use session::{CONFIG, Event, METRICS, Outcome, REPORT, Session};
-pub use trainer::{StepReport, Trainer};
+pub use trainer::{GradientHook, StepGradient, StepReport, Trainer};

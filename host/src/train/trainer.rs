@@ -12,6 +12,7 @@ use crate::metrics;
 use crate::render::{DeviceScene, Loss, LossTarget, Renderer, SceneGradient, TileLoss};
 use crate::scene::Scene;
 use crate::tile::TileBatch;
+use organza_device::Device;
 
 const GROWTH: u64 = 4;
 
@@ -43,6 +44,23 @@ pub struct StepReport {
     pub grown: Option<Grown>,
 }
 
+/// A step between its gradient and the optimizer: what a [`GradientHook`] sees.
+#[derive(Clone, Copy, Debug)]
+pub struct StepGradient<'a> {
+    /// Where all of it lies.
+    pub device: &'a Device,
+    /// Steps that are done.
+    pub step: u32,
+    /// The scene that the gradient is of.
+    pub scene: &'a DeviceScene,
+    /// The gradient of the batch's loss. The optimizer takes it as the hook leaves it.
+    pub gradient: &'a SceneGradient,
+}
+
+/// Called between a step's gradient and the optimizer: for a regularizer, for another optimizer, for the sum over processes.
+/// What it writes to the gradient is what Adam moves the scene by.
+pub type GradientHook<'h> = dyn FnMut(&StepGradient<'_>) -> Result<()> + 'h;
+
 impl<'a> Trainer<'a> {
     /// Goes on from a checkpoint; [`Trainer::begin`] makes the first.
     ///
@@ -61,10 +79,7 @@ impl<'a> Trainer<'a> {
         if !config.ablation.divide {
             scene.divide_above = f32::MAX;
         }
-        let [first, second] = &checkpoint.moments;
-        let moments = [renderer.upload_moments(first)?, renderer.upload_moments(second)?];
-        let [first, second] = moments;
-        let optimizer = Optimizer::new(device, first, second)?;
+        let optimizer = Optimizer::new(device, &checkpoint.moments)?;
         let gradient = new_gradient(renderer, config, &scene, &checkpoint.statistics)?;
         let cameras = frames.iter().map(|frame| frame.camera.clone()).collect();
         let (step, loss) = (checkpoint.progress.step, None);
@@ -121,10 +136,7 @@ impl<'a> Trainer<'a> {
         let statistics = device.read(&self.gradient.statistics)?;
         Ok(Checkpoint {
             scene: self.scene.download(device)?,
-            moments: [
-                self.optimizer.first.download(device)?,
-                self.optimizer.second.download(device)?,
-            ],
+            moments: self.optimizer.moments(device, &self.scene)?,
             statistics: statistics.iter().map(|v| v.to_array()).collect(),
             progress: Progress { step: self.step, seconds },
         })
@@ -135,6 +147,14 @@ impl<'a> Trainer<'a> {
     /// # Errors
     /// [`Error::Diverged`] where the loss is not finite; [`Error::OutOfMemory`].
     pub fn step(&mut self) -> Result<StepReport> {
+        self.step_with(&mut |_| Ok(()))
+    }
+
+    /// As [`Trainer::step`]; calls `hook` when the batch's gradient is complete, before Adam moves the scene by it.
+    ///
+    /// # Errors
+    /// As [`Trainer::step`]; those of `hook`, after which the trainer is as it was before the step.
+    pub fn step_with(&mut self, hook: &mut GradientHook<'_>) -> Result<StepReport> {
         let config = self.config;
         let batch = self.sampler.batch(self.step);
         let losses = self.add_gradient(&batch)?;
@@ -146,9 +166,10 @@ impl<'a> Trainer<'a> {
         }
         let device = self.renderer.device();
         let (optimizer, scene, gradient) = (&self.optimizer, &self.scene, &self.gradient);
-        let (settings, learn) = (&config.optimizer, config.ablation.learn_transmittance);
-        let steps = [self.step, config.run.steps];
-        device.inside(|| optimizer.step(device, scene, gradient, settings, steps, learn))?;
+        let between = StepGradient { device, step: self.step, scene, gradient };
+        hook(&between).inspect_err(|_| gradient.restart(device))?;
+        let (settings, steps) = (&config.optimizer, [self.step, config.run.steps]);
+        device.inside(|| optimizer.step(device, scene, gradient, settings, steps))?;
         self.gradient.clear_touched(device);
         self.step += 1;
         let grown = self.is_time_to_grow().then(|| self.grow()).transpose()?;

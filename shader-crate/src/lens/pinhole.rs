@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3};
 
 use super::NEAR_PLANE;
 use crate::camera::Camera;
-use crate::math::{clamp, dot};
+use organza_kernel::math::{clamp, dot};
 
 /// A point projected by a pinhole camera: see [`lens`](crate::lens).
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,6 @@
 //! Values that no run can have.
 
-use super::{OptimizerConfig, TrainConfig};
+use super::TrainConfig;
 
 impl TrainConfig {
     /// The first value that is out of range, as a sentence.
@@ -53,32 +53,9 @@ impl TrainConfig {
     }
 }
 
-fn within(name: &str, value: f64, low: f64, high: f64) -> Result<(), String> {
+pub(super) fn within(name: &str, value: f64, low: f64, high: f64) -> Result<(), String> {
     match (low..=high).contains(&value) {
         true => Ok(()),
         false => Err(format!("`{name}` is {value}, expected {low} to {high}")),
-    }
-}
-
-impl OptimizerConfig {
-    fn check(&self) -> Result<(), String> {
-        within("optimizer.beta1", self.beta1, 0.0, 0.999_999)?;
-        within("optimizer.beta2", self.beta2, 0.0, 0.999_999_9)?;
-        within("optimizer.epsilon", self.epsilon, 1e-30, 1.0)?;
-        let rates = [
-            ("position", self.position),
-            ("rotation", self.rotation),
-            ("log_scale", self.log_scale),
-            ("opacity", self.opacity),
-            ("material", self.material),
-            ("extra", self.extra),
-            ("grids", self.grids),
-            ("networks", self.networks),
-        ];
-        for (name, rate) in rates {
-            within(&format!("optimizer.{name}.first"), rate.first, 1e-12, 1.0)?;
-            within(&format!("optimizer.{name}.last"), rate.last, 1e-12, 1.0)?;
-        }
-        Ok(())
     }
 }

@@ -1,0 +1,12 @@
+//! The program as a user meets it: a process, its exit code, and what it leaves behind.
+
+mod bad_files;
+mod bad_requests;
+mod bench;
+mod eval;
+mod kernels;
+mod limits;
+mod parity;
+mod results;
+mod sandbox;
+mod train;

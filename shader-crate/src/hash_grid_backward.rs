@@ -16,7 +16,7 @@ use organza_kernel::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
 use organza_kernel::work::{NUMBER, Shape, Work, wide};
 
-/// Values of a table that share a flag.  The flag is 1 if a gradient has been added to any of them; [`adam`](crate::adam())
+/// Values of a table that share a flag.  The flag is 1 if a gradient has been added to any of them; [`adam`](crate::adam::adam())
 /// skips the others.
 pub const FLAG_BLOCK: u32 = 64;
 

@@ -18,7 +18,6 @@ pub mod hash_grid;
 pub mod hash_grid_backward;
 pub mod hash_grid_half;
 pub mod hash_grid_scale;
-pub mod lens;
 pub mod loss;
 pub mod pair;
 pub mod peak;

@@ -9,9 +9,9 @@ use organza_shaders::project::{
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
-use super::exact::project::{Gaussian, Projected, View, project};
+use super::exact::lens::View;
+use super::exact::project::{Gaussian, Projected, project};
 use super::inputs::{self, Fill, ITEMS, Random};
-use super::lens::ExactLens;
 use super::measure::{Bound, Output};
 use organza_device::Result;
 
@@ -288,7 +288,7 @@ pub(super) struct Sensitivity {
 impl Sensitivity {
     fn new(camera: &Camera, blur: f64, center: DVec3, rotation: DVec4, log_axes: DVec3) -> Self {
         let (t, distance) = place(camera, center);
-        let above_near = ExactLens::above_near(t);
+        let above_near = View::above_near(t.to_array());
         let is_near = above_near.abs() < 1e-5 * (1.0 + distance) || is_large(distance);
         if above_near <= 0.0 {
             return Self { is_undecided: is_near, ..Self::default() };
@@ -305,9 +305,9 @@ impl Sensitivity {
         let conic =
             (uu.max(vv) + blur + (lengths + blur) * (1.0 + terms / determinant)) / determinant;
         // cancellation in t, and the argument of exp
-        let cancellation = ExactLens::cancellation(t, distance);
+        let cancellation = View::cancellation(t, distance);
         let grade = cancellation * (1.0 + log_axes.abs().max_element().min(200.0));
-        let mean2d = ExactLens::of(camera).pixel_terms(t, distance);
+        let mean2d = View::of(camera).pixel_terms(t, distance);
         let sizes = [uu, vv, uu * uu, vv * vv, determinant, 1.0 / determinant, conic, axes[2]];
         let overflows =
             sizes.into_iter().chain(mean2d.to_array()).any(is_large) || determinant < 1e-34;
@@ -345,9 +345,7 @@ pub(super) fn rows(
     q: DVec4,
     log_axes: DVec3,
 ) -> (DVec3, DVec3, [f64; 2]) {
-    let [right, down, forward] = camera.rotation.map(|row| row.as_dvec3());
-    let jacobian = ExactLens::of(camera).jacobian(t, t);
-    let rows = jacobian.map(|row| right * row.x + down * row.y + forward * row.z);
+    let rows = View::of(camera).rows(t.to_array()).map(DVec3::from_array);
     let q = q.normalize();
     let turn = DQuat::from_xyzw(q.y, q.z, q.w, q.x).inverse();
     let [u, v] = rows.map(|row| (turn * row) * axes(log_axes));

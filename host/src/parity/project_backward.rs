@@ -8,10 +8,10 @@ use organza_shaders::project_backward::{ProjectBackwardKernel, ProjectBackwardPa
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
+use super::exact::lens::View;
 use super::exact::numeric::{Dual, gradient};
-use super::exact::project::{Gaussian, View, project};
+use super::exact::project::{Gaussian, project};
 use super::inputs::Random;
-use super::lens::ExactLens;
 use super::measure::{Bound, Output};
 use super::project::{Fate, Project, axes, place, rows};
 use organza_device::Result;
@@ -87,7 +87,7 @@ impl ProjectBackward {
     /// Whether it is not culled, and rounding does not decide whether a ratio is clamped.
     fn is_usable(&self, camera: usize, gaussian: usize) -> bool {
         let (t, distance) = self.place(camera, gaussian);
-        let lens = ExactLens::of(&self.forward.cameras[camera]);
+        let lens = View::of(&self.forward.cameras[camera]);
         let radius = self.radius[camera * self.forward.gaussians as usize + gaussian];
         !lens.is_near_limit(t, distance) && radius >= 0.0
     }
@@ -136,7 +136,7 @@ impl ProjectBackward {
         let by_row = by_half * longest;
         let center = geometry.x.hypot(geometry.y);
         let sizes = [by_row, row, center];
-        let position = ExactLens::of(view).gradient_terms(t, distance, sizes);
+        let position = View::of(view).gradient_terms(t, distance, sizes);
         let shape = by_row * row;
         [position, 4.0 * shape / rotation.length(), shape, geometry.z, center]
     }

@@ -1,35 +1,7 @@
 //! EWA: a Gaussian on the image plane.
 
+use super::lens::View;
 use super::numeric::{Number, dot};
-
-/// A camera.
-#[derive(Clone, Copy, Debug)]
-pub struct View {
-    /// Its axes in the world: right, down, forward.
-    pub axes: [[f64; 3]; 3],
-    /// Its center in the world.
-    pub eye: [f64; 3],
-    /// Focal lengths, in pixels.
-    pub focal: [f64; 2],
-    /// The principal point, in pixels.
-    pub center: [f64; 2],
-    /// Width and height, in pixels.
-    pub size: [f64; 2],
-}
-
-impl View {
-    /// A camera as the kernels have it.
-    #[must_use]
-    pub fn of(camera: &organza_shaders::camera::Camera) -> Self {
-        Self {
-            axes: camera.rotation.map(|row| row.as_dvec3().to_array()),
-            eye: camera.eye.as_dvec3().to_array(),
-            focal: camera.focal.as_dvec2().to_array(),
-            center: camera.center.as_dvec2().to_array(),
-            size: camera.size.as_dvec2().to_array(),
-        }
-    }
-}
 
 /// What is projected.
 #[derive(Clone, Copy, Debug)]
@@ -62,44 +34,20 @@ pub fn cutoff() -> f64 {
 /// A Gaussian that is not behind the near plane.
 #[must_use]
 pub fn project<N: Number>(view: &View, blur: f64, gaussian: &Gaussian<N>) -> Option<Projected<N>> {
-    let offset = std::array::from_fn(|axis| gaussian.position[axis] - N::from(view.eye[axis]));
-    let [x, y, z] = view.axes.map(|axis| dot(axis.map(N::from), offset));
-    // as an f32 has it
-    if z.value() <= f64::from(0.01_f32) {
+    let t = view.place(gaussian.position);
+    if View::above_near(t) <= 0.0 {
         return None;
     }
-    let ratios = [x / z, y / z];
     let axes = scaled_axes(gaussian);
     // rows of J W R S
-    let [u, v]: [[N; 3]; 2] = std::array::from_fn(|i| {
-        let ratio = clamped(view, i, ratios[i]);
-        let focal = N::from(view.focal[i]) / z;
-        let row = std::array::from_fn(|k| {
-            (N::from(view.axes[i][k]) - ratio * N::from(view.axes[2][k])) * focal
-        });
-        axes.map(|axis| dot(row, axis))
-    });
+    let [u, v] = view.rows(t).map(|row| axes.map(|axis| dot(row, axis)));
     let blur = N::from(blur);
     let (uu, uv, vv) = (dot(u, u), dot(u, v), dot(v, v));
     Some(Projected {
-        mean: std::array::from_fn(|i| N::from(view.focal[i]) * ratios[i] + N::from(view.center[i])),
+        mean: view.pixel(t),
         covariance: [uu + blur, uv, vv + blur],
         determinant: area_squared(u, v) + blur * (uu + vv) + blur * blur,
     })
-}
-
-/// Whether a ratio of J is clamped to the border of the image plus 0.3 of half its size: the slope is 0 there.
-fn clamped<N: Number>(view: &View, axis: usize, ratio: N) -> N {
-    let margin = 0.3 * 0.5 * view.size[axis] / view.focal[axis];
-    let low = -view.center[axis] / view.focal[axis] - margin;
-    let high = (view.size[axis] - view.center[axis]) / view.focal[axis] + margin;
-    if ratio.value() < low {
-        N::from(low)
-    } else if ratio.value() > high {
-        N::from(high)
-    } else {
-        ratio
-    }
 }
 
 /// The axes in the world, as long as the scales: each is turned by the quaternion, `e + 2 w n x e + 2 n x (n x e)`.

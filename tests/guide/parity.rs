@@ -39,6 +39,12 @@ impl Parity for Blend {
         Ok(vec![Output::float("output", bench.read(&output)?)])
     }
 
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let weight = f64::from(self.weight);
+        let blend = |(&a, &b): (&f32, &f32)| (1.0 - weight) * f64::from(a) + weight * f64::from(b);
+        self.first.iter().zip(&self.second).map(|values| Some(blend(values))).collect()
+    }
+
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         // behind the output are canaries: they must stay as they are
         let size = |values: &[f32]| f64::from(values.get(index).map_or(0.0, |value| value.abs()));

@@ -152,7 +152,7 @@ fn modules_keep_the_rules() {
     }
 }
 
-/// Only entry points with workgroup memory have barriers.
+/// Barriers are for workgroup memory.
 #[test]
 fn plain_entry_points_have_no_barriers() {
     for (kernel, point) in entry_points() {
@@ -171,7 +171,7 @@ fn naga_takes_every_entry_point() {
     }
 }
 
-/// All files in a folder and its subfolders.
+/// The files of a folder, and of those in it.
 fn sources(folder: &Path) -> Vec<PathBuf> {
     let paths = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     paths.flat_map(|path| if path.is_dir() { sources(&path) } else { vec![path] }).collect()

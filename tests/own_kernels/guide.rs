@@ -64,4 +64,6 @@ fn the_parity_case_runs() {
     let (one, many) = (organza_tests::devices::cpu(Some(1)), organza_tests::devices::cpu(None));
     let measure = case.measure(&one, &many, Rounding::AsWritten).unwrap();
     assert!(measure.is_ok());
+    let measure = case.hold(&many, Rounding::AsWritten).unwrap();
+    assert!(measure.is_ok() && measure.values > 2_000, "{measure:?}");
 }

@@ -14,7 +14,7 @@ fn the_cpu_agrees_with_itself_to_the_bit() {
     for kernel in kernels {
         assert_eq!(kernel["ok"], true, "{kernel}");
         assert_eq!(kernel["share"]["value"], 0.0, "{kernel}");
-        assert!(kernel["values"].as_u64().is_some_and(|values| values > 100), "{kernel}");
+        assert!(kernel["values"].as_u64().is_some_and(|values| values > 0), "{kernel}");
     }
 }
 

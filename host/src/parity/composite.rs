@@ -9,7 +9,7 @@ use organza_shaders::tile::Tile;
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
-use super::exact::composite::Splat;
+use super::exact::composite::{Splat, falloff};
 use super::inputs::{Fill, Random};
 use super::measure::{Bound, Output};
 use super::tile::pack;
@@ -138,11 +138,6 @@ pub(super) fn pixels(planes: &[f32], area: usize) -> Vec<f32> {
     let tiles = tiles.chunks(4 * area);
     let pixels = tiles.flat_map(|tile| (0..area).flat_map(move |at| pixel(tile, at)));
     pixels.chain(tail.iter().copied()).collect()
-}
-
-/// The falloff at a squared distance, where it ends included.
-pub(super) fn falloff(q: f64) -> f64 {
-    if q <= f64::from(FALLOFF_CUTOFF) { (-0.5 * q.max(0.0)).exp() } else { 0.0 }
 }
 
 impl Parity for Composite {

@@ -8,8 +8,8 @@ use organza_shaders::composite_backward::{
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
-use super::composite::{Composite, SIDES, falloff};
-use super::exact::composite::Splat;
+use super::composite::{Composite, SIDES};
+use super::exact::composite::{Splat, falloff};
 use super::exact::numeric::{Dual, gradient};
 use super::inputs::{Fill, Random};
 use super::measure::{Bound, Output};

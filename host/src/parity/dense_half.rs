@@ -90,8 +90,8 @@ impl DenseHalf {
 
 impl Parity for DenseHalf {
     const KERNEL: &'static str = "dense_half";
-    const TOLERANCE: f64 = 1.02e-3;
-    const WHY: &'static str = "a rounding of both devices to a half, 2^-11 each, of each input, product and sum's size, and 4% \
+    const TOLERANCE: f64 = 1e-3;
+    const WHY: &'static str = "a rounding of both devices to a half, 2^-11 each, of each input, product and sum's size, and 2% \
         for what roundings do to those sizes";
     const NEEDS_HALVES: bool = true;
 

@@ -212,7 +212,8 @@ impl Parity for HashGridScale {
             status: &status,
         };
         bench.items(&kernel, 1, 1)?;
-        let scale = bench.read(&scale)?.into_iter().map(f32::to_bits).collect();
+        let scale = &bench.read(&scale)?[..SCALE_VALUES as usize];
+        let scale = scale.iter().map(|value| value.to_bits()).collect();
         Ok(vec![
             Output::exact("scale", scale),
             Output::exact("bound", bench.read(&bound)?),

@@ -1,6 +1,6 @@
 //! The case of `project`, and cameras for the others.
 
-use glam::{DQuat, DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
+use glam::{DVec3, DVec4, Vec2, Vec3, Vec4};
 use organza_shaders::camera::Camera;
 use organza_shaders::lens::NEAR_PLANE;
 use organza_shaders::project::{
@@ -9,8 +9,7 @@ use organza_shaders::project::{
 
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
-use super::exact::lens::View;
-use super::exact::project::{Gaussian, Projected, project};
+use super::exact::project::{Gaussian, Projected, View, project};
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output};
 use organza_device::Result;
@@ -136,10 +135,14 @@ impl Project {
     }
 
     pub(super) fn sensitivity(&self, camera: usize, gaussian: usize) -> Sensitivity {
-        let (position, rotation) = (self.center(gaussian), self.quaternion(gaussian));
-        let camera = &self.cameras[camera];
-        let blur = f64::from(self.blur);
-        Sensitivity::new(camera, blur, position, rotation, self.log_axes(gaussian))
+        let gaussian = self.limited(gaussian);
+        Sensitivity::new(&View::of(&self.cameras[camera]), f64::from(self.blur), &gaussian)
+    }
+
+    /// A Gaussian whose axes f64 can multiply: far beyond f32 they are all the same.
+    pub(super) fn limited(&self, gaussian: usize) -> Gaussian<f64> {
+        let gaussian = self.gaussian(gaussian);
+        Gaussian { log_scale: gaussian.log_scale.map(|x| x.clamp(-200.0, 200.0)), ..gaussian }
     }
 }
 
@@ -280,21 +283,25 @@ fn width(output: &str) -> usize {
 pub(super) struct Sensitivity {
     /// Whether rounding decides what becomes of the Gaussian.
     is_undecided: bool,
-    mean2d: DVec2,
+    mean2d: [f64; 2],
     pub conic: f64,
     radius: f64,
 }
 
 impl Sensitivity {
-    fn new(camera: &Camera, blur: f64, center: DVec3, rotation: DVec4, log_axes: DVec3) -> Self {
-        let (t, distance) = place(camera, center);
-        let above_near = View::above_near(t.to_array());
-        let is_near = above_near.abs() < 1e-5 * (1.0 + distance) || is_large(distance);
-        if above_near <= 0.0 {
+    fn new(view: &View, blur: f64, gaussian: &Gaussian<f64>) -> Self {
+        let offset = DVec3::from(gaussian.position) - DVec3::from(view.eye);
+        let above_near = view.place(gaussian.position)[2] - f64::from(NEAR_PLANE);
+        let is_near =
+            above_near.abs() < 1e-5 * (1.0 + offset.length()) || is_large(offset.length());
+        let Some(found) = project(view, blur, gaussian) else {
             return Self { is_undecided: is_near, ..Self::default() };
-        }
-        let (u, v, rows) = rows(camera, t, rotation, log_axes);
-        let mut axes = axes(log_axes).to_array();
+        };
+        let [u, v] = found.footprint.map(DVec3::from);
+        let rows = found.jacobian.map(|row| DVec3::from(row).length());
+        let t = DVec3::from(found.place);
+        let log_axes = DVec3::from(gaussian.log_scale);
+        let mut axes = gaussian.axes();
         axes.sort_by(f64::total_cmp);
         // what the terms of u and v may be, whatever cancels in them
         let [uu, vv] = rows.map(|row| (row * axes[2]).powi(2));
@@ -305,12 +312,12 @@ impl Sensitivity {
         let conic =
             (uu.max(vv) + blur + (lengths + blur) * (1.0 + terms / determinant)) / determinant;
         // cancellation in t, and the argument of exp
-        let cancellation = View::cancellation(t, distance);
-        let grade = cancellation * (1.0 + log_axes.abs().max_element().min(200.0));
-        let mean2d = View::of(camera).pixel_terms(t, distance);
+        let depth = 1.0 + offset.length() / t.z;
+        let grade = depth * (1.0 + log_axes.abs().max_element().min(200.0));
+        let ratio = 1.0 + t.x.abs().max(t.y.abs()) / t.z;
+        let mean2d = [0, 1].map(|axis| view.focal[axis] * depth * ratio + 500.0);
         let sizes = [uu, vv, uu * uu, vv * vv, determinant, 1.0 / determinant, conic, axes[2]];
-        let overflows =
-            sizes.into_iter().chain(mean2d.to_array()).any(is_large) || determinant < 1e-34;
+        let overflows = sizes.into_iter().chain(mean2d).any(is_large) || determinant < 1e-34;
         let radius = (uu + vv + blur) / (lengths + blur).sqrt();
         Self {
             is_undecided: is_near || overflows,
@@ -324,30 +331,4 @@ impl Sensitivity {
 /// Whether an f32 may overflow on one device and not on another.
 fn is_large(x: f64) -> bool {
     (1e35..1e42).contains(&x.abs())
-}
-
-/// What exp makes of them: far beyond f32 it is all the same.
-pub(super) fn axes(log_axes: DVec3) -> DVec3 {
-    log_axes.clamp(DVec3::splat(-200.0), DVec3::splat(200.0)).exp()
-}
-
-/// A position in a camera's space, and its distance from the camera.
-pub(super) fn place(camera: &Camera, position: DVec3) -> (DVec3, f64) {
-    let offset = position - camera.eye.as_dvec3();
-    let t = camera.rotation.map(|row| row.as_dvec3().dot(offset));
-    (DVec3::from_array(t), offset.length())
-}
-
-/// Rows of J W R S, and the lengths of those of J W.
-pub(super) fn rows(
-    camera: &Camera,
-    t: DVec3,
-    q: DVec4,
-    log_axes: DVec3,
-) -> (DVec3, DVec3, [f64; 2]) {
-    let rows = View::of(camera).rows(t.to_array()).map(DVec3::from_array);
-    let q = q.normalize();
-    let turn = DQuat::from_xyzw(q.y, q.z, q.w, q.x).inverse();
-    let [u, v] = rows.map(|row| (turn * row) * axes(log_axes));
-    (u, v, rows.map(DVec3::length))
 }

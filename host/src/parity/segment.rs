@@ -41,35 +41,25 @@ pub struct Segment {
 
 /// A ray in the unit cube's space, and where it lies in the cube, in f64.
 #[derive(Clone, Copy, Debug)]
-pub struct Ray {
+struct Ray {
     /// The Gaussian.
-    pub p: DVec3,
+    p: DVec3,
     /// To the camera.
-    pub v: DVec3,
+    v: DVec3,
     /// The last entry into a pair of planes, and the first exit.
-    pub planes: [f64; 2],
+    planes: [f64; 2],
 }
 
 impl Ray {
-    fn new(p: DVec3, v: DVec3) -> Self {
-        let mut planes = [f64::NEG_INFINITY, f64::INFINITY];
-        for axis in 0..3 {
-            let (p, v) = (p[axis], v[axis]);
-            let inside = (0.0..=1.0).contains(&p);
-            let [low, high] = match v == 0.0 {
-                true if inside => continue,
-                true => [f64::INFINITY, f64::NEG_INFINITY],
-                false => [(-p / v).min((1.0 - p) / v), (-p / v).max((1.0 - p) / v)],
-            };
-            planes = [planes[0].max(low), planes[1].min(high)];
-        }
-        Self { p, v, planes }
+    fn new(p: [f64; 3], eye: [f64; 3]) -> Self {
+        let v = [0, 1, 2].map(|axis| eye[axis] - p[axis]);
+        Self { p: p.into(), v: v.into(), planes: exact::planes(p, v) }
     }
 
     /// The length within the cube, before and after the ray's own ends.
     fn length(&self) -> f64 {
-        let [enter, exit] = self.planes.map(|t| t.clamp(0.0, 1.0));
-        (exit - enter).max(0.0) * self.v.length()
+        let [_, lambda] = exact::clip(self.planes);
+        lambda * self.v.length()
     }
 
     /// Whether rounding decides if the ray meets the cube, or how many steps it has.
@@ -123,18 +113,17 @@ impl Segment {
         set
     }
 
-    /// The ray of a pair.
-    #[must_use]
-    pub fn ray(&self, slot: u32) -> Ray {
+    /// A pair's Gaussian and camera in the unit cube's space.
+    fn ends(&self, slot: u32) -> [[f64; 3]; 2] {
         let position = &self.position[3 * (slot % self.gaussians) as usize..];
         let eye = self.cameras[(slot / self.gaussians) as usize].eye;
-        let unit = |x: f32, axis: usize| {
-            let (low, high) = (self.aabb[0][axis], self.aabb[1][axis]);
-            0.05 + 0.9 * (f64::from(x) - low) / (high - low)
-        };
-        let p = DVec3::from_array([0, 1, 2].map(|axis| unit(position[axis], axis)));
-        let eye = DVec3::from_array([0, 1, 2].map(|axis| unit(eye[axis], axis)));
-        Ray::new(p, eye - p)
+        [Vec3::from_slice(position), eye].map(|point| unit(point.as_dvec3().to_array(), self.aabb))
+    }
+
+    /// The ray of a pair.
+    fn ray(&self, slot: u32) -> Ray {
+        let [p, eye] = self.ends(slot);
+        Ray::new(p, eye)
     }
 }
 
@@ -196,10 +185,7 @@ impl Parity for Segment {
 
     fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
         let of = |&slot: &u32| {
-            let position = &self.position[3 * (slot % self.gaussians) as usize..];
-            let eye = self.cameras[(slot / self.gaussians) as usize].eye.as_dvec3().to_array();
-            let [p, eye] = [[0, 1, 2].map(|axis| f64::from(position[axis])), eye]
-                .map(|point| unit(point, self.aabb));
+            let [p, eye] = self.ends(slot);
             let found = exact::segment(p, eye, f64::from(self.step));
             if output == "count" {
                 return vec![Some(found.count)];

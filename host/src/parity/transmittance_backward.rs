@@ -10,7 +10,7 @@ use organza_shaders::transmittance_backward::{
 use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::dense::Layer;
-use super::exact::numeric::{Dual, central, gradient};
+use super::exact::numeric::{Dual, gradient};
 use super::exact::transmittance::{log_rho, transmittance};
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output};
@@ -231,7 +231,7 @@ impl Parity for TransmittanceHeadBackward {
             (sample < self.layer.samples as usize).then(|| {
                 let [g, factor] = [&self.gradient, &self.factor].map(|of| f64::from(of[sample]));
                 let a = self.layer.exact(sample as u32, 0);
-                central(&[a], 1e-4, |a| g * log_rho(a[0], factor))[0]
+                gradient([a], |[a]| Dual::from(g) * log_rho(a, factor))[0]
             })
         };
         (0..len).map(exact).collect()

@@ -24,22 +24,20 @@ pub struct SceneGradient {
     pub statistics: Buffer<Vec4>,
     /// The statistics as they were when the step began.
     statistics_before: Buffer<Vec4>,
-    /// Of the color field.
-    pub color: FieldGradient,
-    /// Of the transmittance field.
-    pub transmittance: FieldGradient,
+    pub(super) color: FieldGradient,
+    pub(super) transmittance: FieldGradient,
     /// Whether the transmittance field and the extra vectors are wanted at all.
     pub(crate) has_transmittance: bool,
 }
 
-/// The gradient of one tensor, in the tensor's order: a range of a buffer's values.
+/// The gradient of one tensor, in the order of the tensor's values: a range of a buffer.
 #[derive(Debug)]
 pub struct TensorGradient {
-    /// Tensors may share it.
+    /// Several tensors can share a buffer.
     pub buffer: Buffer<f32>,
-    /// Where in the buffer.
+    /// The tensor's values in the buffer.
     pub range: Range<usize>,
-    /// Of a hash grid, a flag for each block of 64 values: the optimizer leaves alone those that are 0.
+    /// For a hash grid, one flag per block of 64 values: the optimizer skips blocks whose flag is 0.
     pub touched: Option<Buffer<u32>>,
 }
 
@@ -74,12 +72,11 @@ impl SceneGradient {
         })?;
         let color = FieldGradient::new(device, &scene.color)?;
         let transmittance = FieldGradient::new(device, &scene.transmittance)?;
-        let (color_tensors, transmittance_tensors) = (color.tensors(), transmittance.tensors());
         Ok(Self {
             tensors: Tensors {
                 gaussians,
-                color: color_tensors,
-                transmittance: transmittance_tensors,
+                color: color.tensors(),
+                transmittance: transmittance.tensors(),
             },
             geometry,
             statistics: device.zeros("statistics", scene.len())?,
@@ -142,7 +139,7 @@ impl TensorGradient {
         Self { range: 0..buffer.len(), buffer, touched }
     }
 
-    /// Its values.
+    /// The gradient's values.
     ///
     /// # Errors
     /// As [`Device::read`].
@@ -150,14 +147,14 @@ impl TensorGradient {
         Ok(device.read_range(&self.buffer, self.range.start, self.range.len())?)
     }
 
-    /// Other values in its place.  Blocks of a hash grid that are not all zero count as touched from now on.
+    /// Replaces the gradient's values. Sets the flags of a hash grid's blocks that are not all zero.
     ///
     /// # Errors
-    /// [`Error::Argument`] for another number of values; as [`Device::write`].
+    /// [`Error::Argument`] if the number of values differs from the tensor's; as [`Device::write`].
     pub fn write(&self, device: &Device, values: &[f32]) -> Result<()> {
         if values.len() != self.range.len() {
             let (found, expected) = (values.len(), self.range.len());
-            let reason = format!("{found} values for a gradient of {expected}");
+            let reason = format!("found {found} values for a gradient, expected {expected}");
             return Err(Error::Argument { reason });
         }
         device.write(&self.buffer, self.range.start, values)?;

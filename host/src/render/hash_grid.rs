@@ -144,11 +144,6 @@ impl HashGridGradient {
         device.clear(&self.gradient);
         [&self.touched, &self.sum, &self.bound].into_iter().for_each(|b| device.clear(b));
     }
-
-    /// Bytes on the device.
-    pub fn bytes(&self) -> u64 {
-        self.gradient.bytes() + self.touched.bytes() + self.sum.bytes()
-    }
 }
 
 #[cfg(test)]

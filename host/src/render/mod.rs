@@ -33,7 +33,7 @@ mod upload;
 
 pub(crate) use backward::LossTarget;
 pub(crate) use dense_half::half_vectors;
-pub use gradient::{FieldGradient, SceneGradient, TensorGradient};
+pub use gradient::{SceneGradient, TensorGradient};
 pub(crate) use hash_grid_half::pack_halves;
 pub use inspect::{Contribution, Inspection, Stages};
 pub use loss::{Loss, LossInputs, LossOutput, TileLoss};

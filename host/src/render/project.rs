@@ -11,7 +11,7 @@ use super::scene::DeviceScene;
 use organza_device::Result;
 use organza_device::{Buffer, Device};
 
-/// The tensors whose gradients [`project_backward`] adds to one buffer, in this order.
+/// The tensors whose gradients [`project_backward`] adds to one buffer, in this order: that of the table, too.
 pub const GEOMETRY: [&str; 4] =
     ["gaussians.position", "gaussians.rotation", "gaussians.log_scale", "gaussians.opacity"];
 

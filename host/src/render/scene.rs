@@ -28,7 +28,7 @@ impl DeviceScene {
         &self.config
     }
 
-    /// Every tensor's values; writing to them changes the scene.  A grid that lies there as halves has none.
+    /// Each tensor's values. Writing to them changes the scene. A grid of 16-bit floats has no values here.
     #[must_use]
     pub fn tensors(&self) -> &Tensors<Buffer<f32>> {
         &self.tensors
@@ -60,7 +60,7 @@ impl DeviceScene {
         tensors + self.color.bytes_beside_tensors() + self.transmittance.bytes_beside_tensors()
     }
 
-    /// Bytes that a scene would take on a device, as it is.
+    /// Bytes that a scene takes on a device after [`Renderer::upload`](super::Renderer::upload).
     #[must_use]
     pub fn bytes_of(scene: &Scene) -> u64 {
         let tensors: usize = pack(scene).iter().map(|(_, values)| size_of_val(&**values)).sum();

@@ -1,17 +1,17 @@
-//! What a Gaussian has: the one table of its tensors, and all that follows from the table.
+//! The table of per-Gaussian tensors, and everything that follows from it.
 
 use super::config::SceneConfig;
 use super::spec::TensorSpec;
 use crate::error::Result;
 use organza_device::memory;
 
-/// Calls the macro `$with` on the table of per-Gaussian tensors.
+/// Calls the macro `$with` with the table of per-Gaussian tensors: one line per tensor.
 ///
-/// A line is a new tensor. It has a name, the shape of a Gaussian's row, and where that shape comes from, for messages.
-/// The row is `[]` for a number, `[3]` for three numbers, and `[field]` for as many as the field of [`SceneConfig`] says.
+/// A line has the tensor's name, the shape of one Gaussian's row, and the reason for this shape, for error messages.
+/// A row is `[]` for one number, `[3]` for three, and `[field]` if a field of [`SceneConfig`] gives the length.
 ///
 /// The name is the field of [`Gaussians`], the tensor `gaussians.name` of a scene file, and the learning rate
-/// `optimizer.name` of a training run, whose default is in `OptimizerConfig`.
+/// `optimizer.name` of a training run. `OptimizerConfig` has the default rate.
 macro_rules! gaussian_tensors {
     ($with:ident) => {
         $with! {
@@ -109,10 +109,10 @@ macro_rules! define {
                 GaussianTensors { $($name: bytemuck::cast_slice_mut(&mut self.$name),)+ }
             }
 
-            /// The Gaussians of these indices, in their order; an index may come more than once.
+            /// The Gaussians with these indices, in this order. An index can occur more than once.
             ///
             /// # Panics
-            /// Where an index is not below N.
+            /// If an index is N or more.
             #[must_use]
             pub fn select(&self, indices: &[usize]) -> Self {
                 let len = self.len();
@@ -121,7 +121,7 @@ macro_rules! define {
         }
 
         impl SceneConfig {
-            /// The specification of each tensor of so many Gaussians.
+            /// The name and shape of each tensor of N Gaussians.
             pub(super) fn gaussian_specs(&self, gaussians: usize) -> GaussianTensors<TensorSpec> {
                 GaussianTensors {
                     $($name: TensorSpec {
@@ -132,7 +132,7 @@ macro_rules! define {
                 }
             }
 
-            /// Every field that gives the length of a Gaussian's vector, and its value.
+            /// Each field that gives the length of a Gaussian's vector, and its value.
             pub(super) fn vector_lengths(&self) -> impl Iterator<Item = (&'static str, u32)> {
                 [$(length!(self, $row)),+].into_iter().flatten()
             }

@@ -84,7 +84,7 @@ impl Scene {
         specs.into_iter().zip(values).collect()
     }
 
-    /// As [`Self::tensors`], for a file that is no scene's: `prefix` is put in front of each name.
+    /// Like [`Self::tensors`], with `prefix` before each name: for a file that is not a scene.
     #[must_use]
     pub fn tensors_with_prefix(&self, prefix: &str) -> Vec<(TensorSpec, &[f32])> {
         let mut tensors = self.tensors();

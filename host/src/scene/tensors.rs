@@ -1,13 +1,12 @@
-//! One value for each tensor of a scene, as kernels see the scene: the shape of a scene's buffers, of its gradient, of an
-//! optimizer's moments, and of learning rates.
+//! One value for each tensor of a scene: its buffers, its gradient, an optimizer's moments, and learning rates.
 
 use std::convert::Infallible;
 
 use super::gaussians::GaussianTensors;
 
-/// One `T` for each tensor of a scene.  A network is one tensor: all its layers, as kernels read them.
+/// One `T` for each tensor of a scene. A network is one tensor, all its layers, as on a device.
 ///
-/// The fields are named as those of [`Scene`](super::Scene).
+/// The fields have the names of [`Scene`](super::Scene)'s.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tensors<T> {
     /// Of the Gaussians.
@@ -37,8 +36,8 @@ impl<T> Tensors<T> {
         }
     }
 
-    /// Calls `f` with each tensor's name and value, always in the same order.  Names are those of a scene file, and
-    /// `color.mlp` and `transmittance.mlp`.
+    /// Calls `f` with each tensor's name and value, always in the same order. The names are those of a scene file; the
+    /// networks are `color.mlp` and `transmittance.mlp`.
     ///
     /// # Errors
     /// The first error of `f`.
@@ -55,7 +54,7 @@ impl<T> Tensors<T> {
         })
     }
 
-    /// As [`Tensors::try_map`], for an `f` that cannot fail.
+    /// Like [`Tensors::try_map`], for an `f` that cannot fail.
     pub fn map<U>(self, mut f: impl FnMut(&'static str, T) -> U) -> Tensors<U> {
         let Ok(mapped) = self.try_map(|name, value| Ok::<_, Infallible>(f(name, value)));
         mapped

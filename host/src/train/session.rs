@@ -102,10 +102,10 @@ impl Session<'_> {
         self.run_with(resume, watch, &mut |_| Ok(()))
     }
 
-    /// As [`Session::run`]; calls `hook` in every step, see [`Trainer::step_with`].
+    /// Like [`Session::run`]; calls `hook` in every step, see [`Trainer::step_with`].
     ///
     /// # Errors
-    /// As [`Session::run`]; those of `hook`.
+    /// As [`Session::run`], and those of `hook`.
     pub fn run_with(
         &self,
         resume: bool,

@@ -44,21 +44,38 @@ pub struct StepReport {
     pub grown: Option<Grown>,
 }
 
-/// A step between its gradient and the optimizer: what a [`GradientHook`] sees.
+/// A step's gradient before the optimizer applies it: the argument of a [`GradientHook`].
 #[derive(Clone, Copy, Debug)]
 pub struct StepGradient<'a> {
-    /// Where all of it lies.
+    /// The device of the scene and the gradient.
     pub device: &'a Device,
-    /// Steps that are done.
+    /// Steps before this one.
     pub step: u32,
     /// The scene that the gradient is of.
     pub scene: &'a DeviceScene,
-    /// The gradient of the batch's loss. The optimizer takes it as the hook leaves it.
+    /// The gradient of the batch's loss.
     pub gradient: &'a SceneGradient,
 }
 
-/// Called between a step's gradient and the optimizer: for a regularizer, for another optimizer, for the sum over processes.
-/// What it writes to the gradient is what Adam moves the scene by.
+/// A function between a step's gradient and the optimizer: a regularizer, another optimizer, a sum over processes.
+/// Adam uses the gradient that the hook leaves.
+///
+/// ```no_run
+/// use organza::train::{Session, StepGradient};
+///
+/// # fn example(session: &Session<'_>) -> organza::Result<()> {
+/// // keeps materials small: adds 1e-4 times each value to its gradient
+/// let mut decay = |step: &StepGradient<'_>| {
+///     let values = step.device.read(&step.scene.tensors().gaussians.material)?;
+///     let gradient = &step.gradient.tensors().gaussians.material;
+///     let mut sum = gradient.read(step.device)?;
+///     sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += 1e-4 * value);
+///     gradient.write(step.device, &sum)
+/// };
+/// session.run_with(false, &mut |_| {}, &mut decay)?;
+/// # Ok(())
+/// # }
+/// ```
 pub type GradientHook<'h> = dyn FnMut(&StepGradient<'_>) -> Result<()> + 'h;
 
 impl<'a> Trainer<'a> {
@@ -150,10 +167,10 @@ impl<'a> Trainer<'a> {
         self.step_with(&mut |_| Ok(()))
     }
 
-    /// As [`Trainer::step`]; calls `hook` when the batch's gradient is complete, before Adam moves the scene by it.
+    /// Like [`Trainer::step`]; calls `hook` after the backward pass and before Adam.
     ///
     /// # Errors
-    /// As [`Trainer::step`]; those of `hook`, after which the trainer is as it was before the step.
+    /// As [`Trainer::step`], and those of `hook`: the trainer is then as before the step.
     pub fn step_with(&mut self, hook: &mut GradientHook<'_>) -> Result<StepReport> {
         let config = self.config;
         let batch = self.sampler.batch(self.step);

@@ -103,8 +103,10 @@ impl Device {
     /// As [`Device::upload`].
     ///
     /// # Panics
-    /// Past the buffer's end.
+    /// Past the buffer's end, and for elements whose size is not a multiple of 4 bytes.
     pub fn write<T: Pod>(&self, buffer: &Buffer<T>, first: usize, values: &[T]) -> Result<()> {
+        // a GPU copies whole words
+        assert!(size_of::<T>().is_multiple_of(4), "elements of {} bytes", size_of::<T>());
         assert!(first + values.len() <= buffer.len(), "past the end of `{}`", buffer.raw().label);
         if values.is_empty() {
             return Ok(());

@@ -3,9 +3,8 @@
 use organza::parity::exact::composite::{self, Splat};
 use organza::parity::exact::dense::network;
 use organza::parity::exact::hash_grid::encode;
-use organza::parity::exact::lens::View;
 use organza::parity::exact::numeric::{dot, sigmoid};
-use organza::parity::exact::project::{self, Gaussian, Projected};
+use organza::parity::exact::project::{self, Gaussian, Projected, View};
 use organza::parity::exact::transmittance::{log_rho, midpoint, transmittance as product};
 use organza::parity::exact::unit_cube::unit;
 use organza::parity::exact::{resolve, segment, spherical_harmonics};

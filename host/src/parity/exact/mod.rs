@@ -9,7 +9,6 @@ pub mod composite;
 pub mod dense;
 pub mod hash_grid;
 pub mod hash_grid_scale;
-pub mod lens;
 pub mod loss;
 pub mod numeric;
 pub mod project;

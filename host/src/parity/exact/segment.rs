@@ -18,9 +18,9 @@ pub struct Segment {
 /// Steps that a ray has at most.
 const MAX_STEPS: f64 = 16_384.0;
 
-/// Eq. 4 to 6 for `p + t v`: t0 and lambda.
+/// Eq. 4 and 5 for `p + t v`: where it enters the cube and where it leaves it.
 #[must_use]
-pub fn clip(p: [f64; 3], v: [f64; 3]) -> [f64; 2] {
+pub fn planes(p: [f64; 3], v: [f64; 3]) -> [f64; 2] {
     let (mut enter, mut exit) = (f64::NEG_INFINITY, f64::INFINITY);
     for axis in 0..3 {
         if v[axis] == 0.0 {
@@ -33,6 +33,12 @@ pub fn clip(p: [f64; 3], v: [f64; 3]) -> [f64; 2] {
         enter = enter.max(zero.min(one));
         exit = exit.min(zero.max(one));
     }
+    [enter, exit]
+}
+
+/// Eq. 6: t0 and lambda.
+#[must_use]
+pub fn clip([enter, exit]: [f64; 2]) -> [f64; 2] {
     let t0 = enter.clamp(0.0, 1.0);
     [t0, (exit.clamp(0.0, 1.0) - t0).max(0.0)]
 }
@@ -41,7 +47,7 @@ pub fn clip(p: [f64; 3], v: [f64; 3]) -> [f64; 2] {
 #[must_use]
 pub fn segment(p: [f64; 3], eye: [f64; 3], step: f64) -> Segment {
     let v = std::array::from_fn(|axis| eye[axis] - p[axis]);
-    let [t0, lambda] = clip(p, v);
+    let [t0, lambda] = clip(planes(p, v));
     let way = v.map(|v| lambda * v);
     let length = dot(way, way).sqrt();
     let count = (length / step).ceil().min(MAX_STEPS);

@@ -11,8 +11,9 @@ pub fn midpoint(s: [f64; 3], w: [f64; 3], k: u32, count: u32) -> [f64; 3] {
 
 /// The logarithm of a step's factor: `log rho_k = s_factor log sigmoid(a_k)`.
 #[must_use]
-pub fn log_rho(a: f64, factor: f64) -> f64 {
-    factor * (a.min(0.0) - (-a.abs()).exp().ln_1p())
+pub fn log_rho<N: Number>(a: N, factor: f64) -> N {
+    let [least, distance] = if a.value() < 0.0 { [a, a] } else { [N::from(0.0), -a] };
+    N::from(factor) * (least - distance.exp().ln_1p())
 }
 
 /// T of Eq. 11, from the sum of the factors' logarithms.

@@ -5,7 +5,7 @@ use glam::{Vec2, Vec3};
 use organza_kernel::math::dot;
 use organza_kernel::prelude::*;
 
-/// A camera, with OpenCV axes: x right, y down, z forward.  What its [lens](crate::lens) makes of its space is written there.
+/// A camera, with OpenCV axes: x right, y down, z forward.  Its projection is in [`lens`](crate::lens).
 #[derive(Clone, Copy)]
 pub struct Camera {
     /// Rows of the rotation from world to camera.
@@ -21,7 +21,7 @@ pub struct Camera {
 }
 
 impl Camera {
-    /// A position of world space in the camera's space.
+    /// A position in world space, in the camera's space.
     #[inline(always)]
     pub fn to_camera(&self, position: Vec3) -> Vec3 {
         let [right, down, forward] = self.rotation;
@@ -29,7 +29,7 @@ impl Camera {
         Vec3::new(dot(right, offset), dot(down, offset), dot(forward, offset))
     }
 
-    /// A direction of the camera's space in world space.
+    /// A direction in the camera's space, in world space.
     #[inline(always)]
     pub fn turn_to_world(&self, direction: Vec3) -> Vec3 {
         let [right, down, forward] = self.rotation;

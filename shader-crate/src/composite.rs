@@ -207,8 +207,8 @@ mod tests {
     use super::*;
     use organza_kernel::shared_tile::Unshared;
 
-    /// Workgroup memory of an invocation that copies all of it: what a GPU reads without a check must have been copied
-    /// since the last wait, and be what the source has.
+    /// Workgroup memory of an invocation that copies all of it.  A GPU reads it without a check; here every element that is
+    /// read must have been copied, and equal the source's.
     struct Copied<T, const N: usize> {
         elements: Vec<T>,
         passes: u32,
@@ -253,7 +253,7 @@ mod tests {
         }
     }
 
-    /// A tile with more members than workgroup memory holds twice.
+    /// A tile whose members fill the workgroup memory three times.
     struct Inputs {
         params: CompositeParams,
         member: Vec<u32>,
@@ -281,7 +281,7 @@ mod tests {
             Self { params, member, cells: cells.collect(), splat: splat.collect() }
         }
 
-        /// Sums of nothing.
+        /// All zeros.
         fn sums(&self) -> Vec<f32> {
             std::vec![0.0; (SUM_PLANES * self.params.side * self.params.side) as usize]
         }

@@ -302,7 +302,7 @@ pub fn dense_weight_backward<L: Lane>(
     }
 }
 
-/// Sums over samples of the products of four inputs and a column of outputs' gradients, as many whole lanes as there are,
+/// Sums of the products of four inputs and a column of outputs' gradients, over as many whole lanes of samples as there are;
 /// and the first sample after those.
 #[inline(always)]
 fn sum_products<L: Lane>(
@@ -337,7 +337,7 @@ fn sum_rows<L: Lane>(rows: Read<f32>, first: u32, stride: u32, begin: u32, end: 
     total(sum, rest)
 }
 
-/// As [`sum_rows`], of as many whole lanes as there are, and the first sample after those.
+/// As [`sum_rows`], over as many whole lanes of samples as there are; and the first sample after those.
 #[inline(always)]
 fn sum_lanes<L: Lane>(
     rows: Read<f32>,

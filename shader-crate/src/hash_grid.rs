@@ -180,8 +180,8 @@ impl<L: Lane> Corners<L> {
     }
 }
 
-/// The eight corners of a cell, written out: `of_corners!(corners, |entry, weight| value)` is an array of what each of them
-/// has, x fastest, and `of_corners!(each corners, |entry, weight| statement)` does something for each.
+/// Writes an expression out for each of the eight corners of a cell, x fastest: `of_corners!(corners, |entry, weight| value)`
+/// is an array of the values, and `of_corners!(each corners, |entry, weight| statement)` runs a statement for each corner.
 macro_rules! of_corners {
     (each $corners:expr, |$entry:ident, $weight:ident| $value:expr) => {
         $crate::hash_grid::of_corners!(@ each $corners, $entry $weight $value)
@@ -211,13 +211,13 @@ macro_rules! of_corners {
 }
 pub(crate) use of_corners;
 
-/// The sum of what the corners have, in their order.
+/// The sum of the corners' values, in their order.
 #[inline(always)]
 pub fn sum<L: Lane>([a, b, c, d, e, f, g, h]: [L; 8]) -> L {
     a + b + c + d + e + f + g + h
 }
 
-/// Where a value of each lane's entry lies in a table `[entries, width]`.
+/// Index of a value of each lane's entry in a table `[entries, width]`.
 #[inline(always)]
 pub fn value_at<L: Lane>(entry: L::Index, width: u32, value: u32) -> L::Index {
     let number = <L::Index as LaneIndex>::splat;

@@ -16,8 +16,8 @@ use organza_kernel::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
 use organza_kernel::work::{NUMBER, Shape, Work, wide};
 
-/// Values of a table that share a flag: one where a gradient has been added, and where [`adam`](crate::adam) has a step
-/// to take.
+/// Values of a table that share a flag.  The flag is 1 if a gradient has been added to any of them; [`adam`](crate::adam::adam())
+/// skips the others.
 pub const VALUES_PER_FLAG: u32 = 64;
 
 /// What [`hash_grid_backward`] computes and moves.

@@ -59,12 +59,10 @@ pub fn hash_grid_half<L: Lane>(
 /// Two features between the corners of a cell, summed as [`hash_grid`](crate::hash_grid) does.
 #[inline(always)]
 fn interpolated<L: Lane>(table: Read<u32>, corners: &Corners<L>, words: u32, word: u32) -> [L; 2] {
-    let [a, b, c, d, e, f, g, h] = of_corners!(corners, |entry, weight| {
-        let [first, second] = L::gather_halves(table, value_at::<L>(entry, words, word));
-        [first * weight, second * weight]
-    });
-    [
-        sum([a[0], b[0], c[0], d[0], e[0], f[0], g[0], h[0]]),
-        sum([a[1], b[1], c[1], d[1], e[1], f[1], g[1], h[1]]),
-    ]
+    let [[a0, b0], [a1, b1], [a2, b2], [a3, b3], [a4, b4], [a5, b5], [a6, b6], [a7, b7]] =
+        of_corners!(corners, |entry, weight| {
+            let [first, second] = L::gather_halves(table, value_at::<L>(entry, words, word));
+            [first * weight, second * weight]
+        });
+    [sum([a0, a1, a2, a3, a4, a5, a6, a7]), sum([b0, b1, b2, b3, b4, b5, b6, b7])]
 }

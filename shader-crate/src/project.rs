@@ -13,7 +13,7 @@ use organza_kernel::work::{NUMBER, Shape, VECTOR, Work};
 /// `2 ln 255`: the squared Mahalanobis radius at which the falloff has come down to 1/255, and ends.
 pub const FALLOFF_CUTOFF: f32 = 11.082_527;
 
-/// [`Projection::radius`] of a Gaussian that its camera's lens does not see: it lies behind the near plane.
+/// [`Projection::radius`] of a Gaussian that the camera's lens does not see: it is behind the near plane.
 pub const BEHIND: f32 = -1.0;
 
 /// [`Projection::radius`] of a Gaussian whose projection is not finite or has no inverse.

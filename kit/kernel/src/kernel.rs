@@ -328,11 +328,11 @@ pub trait Storage {
     type Buffer<T: Pod>;
     /// A buffer whose element type is forgotten.
     type Binding<'a>;
-    /// How many there are of something, where the device alone may know.
+    /// A number of items that only the device may know.
     type Count;
     /// Forgets the element type.
     fn bind<T: Pod>(buffer: &Self::Buffer<T>) -> Self::Binding<'_>;
-    /// The number, or what there is room for.
+    /// The number, or an upper bound if only the device knows it.
     fn at_most(count: &Self::Count) -> u32;
 }
 
@@ -344,20 +344,22 @@ pub trait Dispatch<'a, S: Storage> {
     fn uniform(&self) -> &[u8];
     /// Visits the storage buffers in order.
     fn bind(&self, visit: &mut dyn FnMut(S::Binding<'a>));
-    /// Parameters that the device may know alone, by their place in the uniform buffer, where what they are at most stands.
+    /// Parameters that only the device may know, with their byte offset in the uniform buffer.  The buffer has their upper
+    /// bounds.
     fn counts(&self) -> &[(usize, &'a S::Count)] {
         &[]
     }
 }
 
-/// A dispatch with parameters that the device may know alone: `counted` of a kernel that declares `counts(..)` makes it.
+/// A dispatch with parameters that only the device may know.  Made by `counted`, which kernels have that declare
+/// `counts(..)`.
 pub struct Counted<'a, S: Storage, K, const N: usize> {
     kernel: K,
     counts: [(usize, &'a S::Count); N],
 }
 
 impl<'a, S: Storage, K, const N: usize> Counted<'a, S, K, N> {
-    /// The kernel, and its counts by their place in the uniform buffer.
+    /// A kernel and its counts, with their byte offsets in the uniform buffer.
     #[doc(hidden)]
     pub const fn new(kernel: K, counts: [(usize, &'a S::Count); N]) -> Self {
         Self { kernel, counts }

@@ -30,9 +30,9 @@ pub trait Lane:
 {
     /// Lanes.
     const WIDTH: u32;
-    /// Columns of four sums that stay in registers, with what is added to them: 2 or 4.
+    /// Columns of four sums that fit in the registers, together with the terms: 2 or 4.
     const COLUMNS: u32;
-    /// Whether two values are added to [fixed-point](crate::fixed) sums faster than one after the other.
+    /// Whether adding two values at once to [fixed-point](crate::fixed) sums is faster than one after the other.
     const ADDS_TWO: bool;
     /// One lane of the same arithmetic.
     type One: Lane;
@@ -71,8 +71,8 @@ pub trait Lane:
     fn truncate(self) -> Self;
     /// The value without its fraction as an integer, for values from 0 to 2^31.
     fn index(self) -> Self::Index;
-    /// The same value.  On the CPU it goes through memory: the compiler then keeps a sum in one register before, and does
-    /// not take it apart for the sum of all lanes.
+    /// The same value.  On the CPU it goes through memory, so the compiler keeps a sum in one register until then and does
+    /// not split it for the sum of all lanes.
     fn settled(self) -> Self;
     /// The sum of all lanes, of pairs of halves: the same order for every run.
     fn sum(self) -> f32;

@@ -6,12 +6,12 @@
 
 use crate::prelude::*;
 
-/// What a stage holds: items of several elements each, from anywhere.
+/// Where a stage's elements come from: items of several elements each.
 pub trait Source<T>: Copy {
     /// Elements of an item.
     const ELEMENTS: u32;
 
-    /// Where the first element of an item lies; the others follow.
+    /// Index of an item's first element; the others follow.
     fn offset(self, item: u32) -> u32;
 
     /// The element at a place.
@@ -20,21 +20,20 @@ pub trait Source<T>: Copy {
 
 /// Up to `N` elements that all invocations of a workgroup read.
 pub trait SharedTile<T: Copy, const N: usize> {
-    /// Whether invocations without an item of their own must come along: they copy, and the others wait for them.
+    /// Whether invocations without work must run along: they copy, and the others wait for them.
     fn is_shared(&self) -> bool;
 
-    /// How many of the next `items` are taken at once: as many as there is room for, and all of them where nothing is
-    /// copied.
+    /// How many of the next `items` fit at once; all of them if nothing is copied.
     fn capacity<S: Source<T>>(&self, source: S, items: u32) -> u32;
 
-    /// Waits for the workgroup: before a stage is filled, until nobody reads it any more, and afterwards, until it is
-    /// full.  One wait does for all stages of a kernel.
+    /// Waits for the workgroup: before a stage is filled, until all invocations have read the last items, and again after,
+    /// until it is full.  One wait is enough for all stages of a kernel.
     fn wait(&self, id: Invocation);
 
-    /// Copies the first `items`, each element by one invocation.
+    /// Copies the first `items`.  Each element is copied by one invocation.
     fn fill<S: Source<T>>(&mut self, id: Invocation, items: u32, source: S);
 
-    /// Where the first element of an item lies, here or at the source; the others follow.
+    /// Index of an item's first element, in workgroup memory or at the source; the others follow.
     fn offset<S: Source<T>>(&self, item: u32, source: S) -> u32;
 
     /// The element at a place.

@@ -83,9 +83,9 @@ impl<const N: usize> BitAnd for WideIndex<N> {
 
 impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     const WIDTH: u32 = N as u32;
-    // eight lanes are for CPUs with 16 registers, too few for sixteen sums and what is added to them
+    // CPUs with eight lanes have 16 registers: too few for sixteen sums and their terms
     const COLUMNS: u32 = if N == 8 { 2 } else { 4 };
-    // AVX-512 alone converts whole vectors to 64-bit integers
+    // only AVX-512 converts whole vectors to 64-bit integers
     const ADDS_TWO: bool = N == 16;
     type One = Wide<1, FUSED>;
     type Mask = WideMask<N>;

@@ -300,7 +300,7 @@ fn counted(kernel: &Kernel, struct_name: &syn::Ident) -> TokenStream {
     quote! {
         #[cfg(not(target_arch = "spirv"))]
         impl<'a, S: ::organza_kernel::kernel::Storage> #struct_name<'a, S> {
-            /// The same dispatch, of numbers that the device may know alone: they take the place of the parameters'.
+            /// The same dispatch, with numbers that only the device may know.  They replace those of the parameters.
             #[must_use]
             pub fn counted(mut self, #(#fields: &'a S::Count),*) -> ::organza_kernel::kernel::Counted<'a, S, Self, #n> {
                 #(self.#params.#fields = S::at_most(#fields);)*

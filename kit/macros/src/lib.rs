@@ -32,8 +32,8 @@
 //! them below the field `samples` of the parameters.  With `lanes` alone each invocation is one call and uses the
 //! lanes as it likes.
 //!
-//! A parameter that a kernel may have written on the device, and the host does not wait for, is declared with `counts`:
-//! `#[kernel(threads(64), counts(samples))]`.  The typed dispatch then has `counted(&samples)`.
+//! A parameter that another kernel may have written on the device, so that the host does not know it, is declared with
+//! `counts`: `#[kernel(threads(64), counts(samples))]`.  The typed dispatch then has `counted(&samples)`.
 //!
 //! A kernel that `organza bench` counts names its formula, a function that stands beside the parameters:
 //! `work(square_work)` for `fn square_work(params: &SquareParams, shape: Shape<'_>) -> Work`.

@@ -64,7 +64,7 @@ pub struct Kernel {
     pub samples: bool,
     /// The most iterations of one invocation.
     pub iterations: Option<Expr>,
-    /// Fields of the uniform buffer that the device may know alone.
+    /// Fields of the uniform buffer that only the device may know.
     pub counts: Vec<Ident>,
     /// The function that counts what a dispatch computes and moves.
     pub work: Option<Path>,

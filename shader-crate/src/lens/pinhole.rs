@@ -6,10 +6,10 @@ use super::NEAR_PLANE;
 use crate::camera::Camera;
 use organza_kernel::math::{clamp, dot};
 
-/// A point through a pinhole: see [`lens`](crate::lens).
+/// A point projected by a pinhole camera: see [`lens`](crate::lens).
 #[derive(Clone, Copy, Debug)]
 pub struct Pinhole {
-    /// Where it lies in the image, in pixels.
+    /// The projected point, in pixels.
     pub pixel: Vec2,
     /// First row of `J W`.
     pub row_x: Vec3,
@@ -17,14 +17,14 @@ pub struct Pinhole {
     pub row_y: Vec3,
     /// Position in the camera's space.
     t: Vec3,
-    /// Depth; 1 for a point that is not seen.
+    /// Depth; 1 if the lens does not see the point.
     z: f32,
-    /// `x/z` and `y/z` as J has them: clamped to the image's border plus 0.3 of its half width.
+    /// `x/z` and `y/z` as used in J: clamped to the image's border plus 0.3 of its half width.
     ratio: Vec2,
 }
 
 impl Pinhole {
-    /// Whether a point of the camera's space lies in front of the near plane.
+    /// Whether a point of the camera's space is in front of the near plane.
     #[inline(always)]
     pub fn sees(t: Vec3) -> bool {
         t.z > NEAR_PLANE
@@ -39,7 +39,7 @@ impl Pinhole {
             camera.focal.y * t.y / z + camera.center.y,
         );
 
-        // the ratios x/z and y/z are clamped in J alone
+        // the ratios x/z and y/z are clamped only in J
         let inverse_focal = Vec2::new(1.0 / camera.focal.x, 1.0 / camera.focal.y);
         let margin = camera.size * inverse_focal * 0.15;
         let low = camera.center * inverse_focal * -1.0 - margin;
@@ -53,7 +53,7 @@ impl Pinhole {
         Self { pixel, row_x, row_y, t, z, ratio }
     }
 
-    /// The gradient with respect to t.  Where x/z or y/z is clamped in J it is a constant.
+    /// The gradient with respect to t.  A ratio x/z or y/z that is clamped in J is a constant.
     #[inline(always)]
     pub fn backward(&self, camera: &Camera, pixel: Vec2, row_x: Vec3, row_y: Vec3) -> Vec3 {
         let Self { t, z, ratio, .. } = *self;

@@ -108,6 +108,16 @@ fn read_grad_output(path: &Path, batch: &TileBatch) -> Result<Vec<f32>> {
 }
 
 fn write_gradient(gradient: Scene, path: &Path) -> Result<()> {
+    for (id, values) in gradient.tensors() {
+        if let Some(index) = values.iter().position(|value| !value.is_finite()) {
+            let (name, value) = (id.name(), values[index]);
+            let reason = format!(
+                "the gradient of `{name}` holds {value} at flat index {index}, more than f32 can \
+                 hold; nothing was written"
+            );
+            return Err(Error::Diverged { reason });
+        }
+    }
     let specs = gradient.config.tensors(gradient.gaussians.len());
     let names: Vec<_> = specs.iter().map(|spec| format!("grad.{}", spec.name)).collect();
     let tensors = specs.iter().zip(&names).zip(gradient.tensors());

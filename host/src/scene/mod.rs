@@ -22,7 +22,8 @@ pub use grid::{
 };
 pub use network::{Field, Layer, Network};
 pub use spec::{TensorId, TensorSpec};
-pub(crate) use tensor_file::read_metadata;
+pub(crate) use file::read_scene;
+pub(crate) use tensor_file::{read_metadata, read_tensors_from};
 pub use tensor_file::{Tensor, TensorRef, read_tensors, write_tensors};
 
 use crate::error::Result;

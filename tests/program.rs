@@ -6,12 +6,18 @@ mod bad_files;
 mod bad_requests;
 #[path = "program/bench.rs"]
 mod bench;
+#[path = "program/corpus.rs"]
+mod corpus;
 #[path = "program/eval.rs"]
 mod eval;
+#[path = "program/hostile.rs"]
+mod hostile;
 #[path = "program/kernels.rs"]
 mod kernels;
 #[path = "program/limits.rs"]
 mod limits;
+#[path = "program/mutations.rs"]
+mod mutations;
 #[path = "program/parity.rs"]
 mod parity;
 #[path = "program/results.rs"]

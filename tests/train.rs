@@ -6,10 +6,18 @@ mod bits;
 mod endings;
 #[path = "train/eval.rs"]
 mod eval;
+#[path = "train/faults.rs"]
+mod faults;
+#[path = "train/folder.rs"]
+mod folder;
+#[path = "train/hostile.rs"]
+mod hostile;
 #[path = "train/memory.rs"]
 mod memory;
 #[path = "train/mistakes.rs"]
 mod mistakes;
+#[path = "train/monstrous.rs"]
+mod monstrous;
 #[path = "train/results.rs"]
 mod results;
 #[path = "train/runs.rs"]
@@ -20,5 +28,7 @@ mod runs;
 mod sandbox;
 #[path = "train/settings.rs"]
 mod settings;
+#[path = "train/signals.rs"]
+mod signals;
 #[path = "train/waits.rs"]
 mod waits;

@@ -16,8 +16,10 @@ use crate::scene::read_metadata;
 /// The key of a [`Binding`] in a checkpoint's metadata.
 pub(super) const BINDING: &str = "run";
 
-/// Settings that may differ: where the data is, and what may be read there.
-const FREE: [&str; 2] = ["data.path", "data.allow_outside"];
+/// The setting that may differ: where the data is.
+const FREE: [&str; 1] = ["data.path"];
+/// The value of a setting that is not there.
+const NOT_SET: &str = "not set";
 
 /// The settings and the data that a checkpoint belongs to.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -79,11 +81,16 @@ impl Binding {
         let (now, then) = (list(config), list(&then));
         let value = |settings: &[(String, String)], name: &str| {
             let found = settings.iter().find(|(other, _)| other == name);
-            found.map_or("not set".to_owned(), |(_, value)| value.clone())
+            found.map_or(NOT_SET.to_owned(), |(_, value)| value.clone())
         };
         let names = now.iter().chain(&then).map(|(name, _)| name);
-        let mut bound = names.filter(|name| !FREE.contains(&name.as_str()));
-        if let Some(name) = bound.find(|name| value(&now, name) != value(&then, name)) {
+        let is_other = |name: &&String| {
+            let (now, then) = (value(&now, name), value(&then, name));
+            // a data set may move, but the built-in scene is another
+            let is_free = FREE.contains(&name.as_str()) && now != NOT_SET && then != NOT_SET;
+            now != then && !is_free
+        };
+        if let Some(name) = names.clone().find(is_other) {
             let (now, then) = (value(&now, name), value(&then, name));
             let reason = format!(
                 "`{name}` is {now}, but the checkpoint beside it was trained with {then}: put it \

@@ -13,4 +13,5 @@ for (( round = 0; round < ${ROUNDS:-4}; round++ )); do
   ORGANZA_MUTATIONS=${INPUTS:-2000} ORGANZA_MUTATION_SEED=$seed \
     cargo test --package organza-tests --test program mutations -- --nocapture
 done
+ORGANZA_CORPUS_MUTATIONS=${INPUTS:-2000} cargo test --package organza-tests --test program corpus -- --nocapture
 ORGANZA_ALL_FAULTS=1 cargo test --package organza-tests --test train faults -- --nocapture

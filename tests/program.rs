@@ -16,6 +16,8 @@ mod hostile;
 mod kernels;
 #[path = "program/limits.rs"]
 mod limits;
+#[path = "program/mutate.rs"]
+mod mutate;
 #[path = "program/mutations.rs"]
 mod mutations;
 #[path = "program/parity.rs"]

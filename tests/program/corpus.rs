@@ -5,6 +5,11 @@ use std::path::Path;
 
 use organza::fuzz::TARGETS;
 
+use crate::mutate::{Random, mutate_bytes, number};
+
+/// Random changes of each file; `ORGANZA_CORPUS_MUTATIONS` asks for more.
+const MUTATIONS: u64 = 50;
+
 #[path = "../../fuzz/held.rs"]
 mod held;
 use held::run;
@@ -37,6 +42,12 @@ fn the_corpus_is_parsed_or_refused() {
                 run(target, &flipped, &format!("{what}, byte {at} changed,"));
                 flipped[at] = 0xff;
                 run(target, &flipped, &format!("{what}, byte {at} 0xff,"));
+            }
+            for round in 0..number("ORGANZA_CORPUS_MUTATIONS", MUTATIONS) {
+                let mut random = Random(round.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ files);
+                let mut changed = bytes.clone();
+                (0..=random.below(6)).for_each(|_| mutate_bytes(&mut changed, &mut random));
+                run(target, &changed, &format!("{what}, changed, round {round},"));
             }
             files += 1;
         }

@@ -48,7 +48,8 @@ fn places(sandbox: &Sandbox) -> Vec<Place> {
         let count = counts.entry(name.to_owned()).or_default();
         *count += 1;
         let is_read = name == "openat" && !arguments.contains("O_CREAT");
-        if arguments.contains("/run") && !is_read {
+        let is_about_it = arguments.contains("/run") || arguments.contains("\"run/");
+        if is_about_it && !is_read {
             places.push((name.to_owned(), *count));
         }
     }
@@ -87,6 +88,10 @@ fn assert_goes_on(sandbox: &Sandbox, what: &str, expected: &Bits) {
 
 #[test]
 fn a_run_goes_on_whatever_fails_in_writing() {
+    if std::env::var_os("ORGANZA_VALIDATION").is_some() {
+        // nothing of it is about Vulkan
+        return;
+    }
     if Command::new("strace").arg("-V").output().is_err() {
         assert!(std::env::var_os("ORGANZA_REQUIRE_STRACE").is_none(), "install strace");
         eprintln!("skipped: there is no strace");

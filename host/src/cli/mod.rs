@@ -24,6 +24,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Mutex;
 
+use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
 use organza::Result;
 
@@ -99,6 +100,10 @@ fn usage(error: &clap::Error) -> ExitCode {
         // A reader that has seen enough is no error.
         let _ = error.print();
         return ExitCode::SUCCESS;
+    }
+    if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        console::line("error", "no subcommand is named; `organza --help` lists them");
+        return ExitCode::from(FAILURE);
     }
     let text = error.render().to_string();
     // The message, then hints, then the usage: paragraphs of which some have several lines.

@@ -106,9 +106,15 @@ fn lock(path: &Path) -> io::Result<Result<File, String>> {
             Err(TryLockError::Error(error)) => return Err(error),
         }
         if is_at(&file, path) {
-            file.set_len(0)?;
-            file.rewind()?;
-            file.write_all(own_name().as_bytes())?;
+            let mut name = || {
+                file.set_len(0)?;
+                file.rewind()?;
+                file.write_all(own_name().as_bytes())
+            };
+            if let Err(error) = name() {
+                let _ = fs::remove_file(path);
+                return Err(error);
+            }
             return Ok(Ok(file));
         }
     }

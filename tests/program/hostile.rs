@@ -30,11 +30,19 @@ fn messages_do_not_control_the_terminal() {
     let cpu = ["--backend", "cpu"];
     for words in [
         &["info", NASTY][..],
-        &["paint", NASTY],
         &[NASTY],
         &["render", NASTY, "cameras.json", "-o", "out"],
         &["render", "scene.safetensors", "cameras.json", "-o", "out", "--views", NASTY],
-        &["tiles", "scene.safetensors", "cameras.json", "tiles.json", "-o", "x", "--threads", NASTY],
+        &[
+            "tiles",
+            "scene.safetensors",
+            "cameras.json",
+            "tiles.json",
+            "-o",
+            "x",
+            "--threads",
+            NASTY,
+        ],
         &["train", NASTY, "-o", "run"],
     ] {
         let outcome = run(words);
@@ -65,7 +73,7 @@ fn messages_are_short() {
     let long = "long".repeat(25_000);
     let outcome: Outcome =
         sandbox.command("info").arg(&long).output().expect("the program starts").into();
-    outcome.assert_refused(&["long ... long"]);
+    outcome.assert_refused(&["cannot read longlong", " ... ", "longlong: "]);
     assert!(outcome.stderr.len() < 2000);
     sandbox.edit_json("tiles.json", "/side", json!(vec![123_456_789; 100_000]));
     let outcome = sandbox.run(&format!("{TILES} -o out"));
@@ -120,7 +128,8 @@ fn folders_that_are_read_only_are_said() {
         "train -o locked --backend cpu".to_owned(),
         "train -o locked/run --backend cpu".to_owned(),
     ] {
-        let outcome = sandbox.shell(&format!("unshare -rm sh -c '{mount} && \"$ORGANZA\" {words}'"));
+        let outcome =
+            sandbox.shell(&format!("unshare -rm sh -c '{mount} && \"$ORGANZA\" {words}'"));
         outcome.assert_refused(&["cannot write", "locked", "ead-only"]);
     }
 }

@@ -58,10 +58,40 @@ const FILES: [&str; 12] = [
 
 /// No path of them leads to what could be changed outside the sandbox.
 const WORDS: [&str; 34] = [
-    "", "-", "--", "0", "-1", "1", "2", "1e9", "NaN", "inf", "4294967295", "4294967296",
-    "18446744073709551616", "0.5", "1,1", "0,0,0", "-1,-1", "0-1", "1-0", ".", "/proc/absent", "/dev/null",
-    "/dev/full", "/dev/zero", "absent", "scene.safetensors", "data", "run", "new/er/est",
-    "--help", "--quiet", "--json", "\u{1b}[2J\n", "a\u{202e}b",
+    "",
+    "-",
+    "--",
+    "0",
+    "-1",
+    "1",
+    "2",
+    "1e9",
+    "NaN",
+    "inf",
+    "4294967295",
+    "4294967296",
+    "18446744073709551616",
+    "0.5",
+    "1,1",
+    "0,0,0",
+    "-1,-1",
+    "0-1",
+    "1-0",
+    ".",
+    "/proc/absent",
+    "/dev/null",
+    "/dev/full",
+    "/dev/zero",
+    "absent",
+    "scene.safetensors",
+    "data",
+    "run",
+    "new/er/est",
+    "--help",
+    "--quiet",
+    "--json",
+    "\u{1b}[2J\n",
+    "a\u{202e}b",
 ];
 
 /// A sandbox with everything that the commands read.
@@ -85,7 +115,8 @@ fn template() -> Sandbox {
     let cameras = fs::read_to_string(sandbox.path("cameras.json")).unwrap();
     let named = cameras.replacen('{', "{\"ply_file_path\": \"points.ply\",", 1);
     fs::write(sandbox.path("data/transforms.json"), named).unwrap();
-    let words = "train data --config small.toml --backend cpu --downscale 8 --hold-out-every 2 -o run";
+    let words =
+        "train data --config small.toml --backend cpu --downscale 8 --hold-out-every 2 -o run";
     sandbox.run(words).assert_ok();
     sandbox
 }
@@ -107,7 +138,7 @@ fn bounded(sandbox: &Sandbox, words: &[String]) -> Option<Outcome> {
     let script = format!("ulimit -v {MEMORY}; exec \"$0\" \"$@\"");
     let mut command = Command::new("sh");
     command.args(["-c", &script]).arg(program()).args(words).current_dir(sandbox.path(""));
-    command.stdin(Stdio::null()).env_remove("RUST_BACKTRACE");
+    command.stdin(Stdio::null()).env_remove("RUST_BACKTRACE").env("XDG_RUNTIME_DIR", "/tmp");
     let out = fs::File::create(sandbox.path(".stdout")).unwrap();
     let err = fs::File::create(sandbox.path(".stderr")).unwrap();
     let mut child = command.stdout(out).stderr(err).spawn().expect("a shell");

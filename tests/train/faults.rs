@@ -8,14 +8,14 @@ use std::process::Command;
 
 use organza::train::{CHECKPOINT, CONFIG, Checkpoint, METRICS, REPORT, TrainConfig};
 
-use crate::runs::{Bits, assert_same, bits, records, sandbox};
+use crate::runs::{Bits, assert_same, bits, photographs, records, sandbox};
 use crate::sandbox::{Outcome, Sandbox, program};
 
 /// What writes, and what makes it last.
 const CALLS: &str = "write,fsync,rename,renameat,renameat2,unlink,ftruncate,openat";
 /// Every so many-th call of those of a run, unless all are asked for.
 const SAMPLE: usize = 5;
-const RUN: &str = "train --config tiny.toml --backend cpu --threads 1 --steps 6 -o run";
+const RUN: &str = "train data --config tiny.toml --downscale 4 --hold-out-every 2 --backend cpu --threads 1 --steps 6 -o run";
 const RESUME: &str = "train --resume run --backend cpu --threads 1";
 
 /// A kind of call and its number among those of its kind, from 1.
@@ -98,6 +98,7 @@ fn a_run_goes_on_whatever_fails_in_writing() {
         return;
     }
     let sandbox = sandbox();
+    photographs(&sandbox);
     let config = fs::read_to_string(sandbox.path("tiny.toml")).unwrap();
     let often = config.replace("checkpoint_every = 5", "checkpoint_every = 2");
     assert_ne!(often, config);

@@ -16,7 +16,8 @@ const RESUME: &str = "train --resume run --backend cpu";
 /// A run on photographs that was stopped after ten steps of 40.
 fn stopped(sandbox: &Sandbox) {
     photographs(sandbox);
-    let words = "train data --config tiny.toml --downscale 4 --hold-out-every 2 --backend cpu -o run";
+    let words =
+        "train data --config tiny.toml --downscale 4 --hold-out-every 2 --backend cpu -o run";
     sandbox.run(words).assert_ok();
     edit_checkpoint(sandbox, |metadata, _| {
         metadata.insert("train".to_owned(), json!(r#"{"step": 10, "seconds": 1.0}"#));

@@ -100,9 +100,12 @@ fn decoding_has_a_budget() {
     let file = fs::read(sandbox.path("data/images/0000.png")).unwrap();
     replace_photograph(&sandbox, &file, size);
     let train = format!("{TRAIN} --downscale 50 --hold-out-every 0");
-    sandbox
-        .shell(&format!("ulimit -v 500000; \"$ORGANZA\" {train}"))
-        .assert_refused(&["out of memory", "decoding", "6000 x 4000", "are available"]);
+    sandbox.shell(&format!("ulimit -v 500000; \"$ORGANZA\" {train}")).assert_refused(&[
+        "out of memory",
+        "decoding",
+        "6000 x 4000",
+        "are available",
+    ]);
     sandbox.run(&train).assert_ok();
 }
 
@@ -142,7 +145,9 @@ fn files_outside_the_data_sets_folder_are_read_where_that_is_allowed() {
         assert!(outcome.stderr.contains("1 file, first "), "{outcome:?}");
         // the run says so itself
         sandbox.run("train --resume run --backend cpu").assert_ok();
-        sandbox.run("eval scene.safetensors data --split all --allow-outside --backend cpu").assert_ok();
+        sandbox
+            .run("eval scene.safetensors data --split all --allow-outside --backend cpu")
+            .assert_ok();
     }
 }
 
@@ -176,9 +181,8 @@ fn point_clouds_are_held_to_their_size() {
     file["ply_file_path"] = json!("points.ply");
     fs::write(&path, serde_json::to_vec(&file).unwrap()).unwrap();
     let xyz = "property float x\nproperty float y\nproperty float z\n";
-    let header = |format: &str, elements: &str| {
-        format!("ply\nformat {format} 1.0\n{elements}end_header\n")
-    };
+    let header =
+        |format: &str, elements: &str| format!("ply\nformat {format} 1.0\n{elements}end_header\n");
     let empty = format!("element face 1000000000\nelement vertex 1\n{xyz}");
     let huge = format!("element vertex 4000000000\n{xyz}");
     let comment = format!("comment {}\n", "x".repeat(3 << 20));
@@ -187,7 +191,10 @@ fn point_clouds_are_held_to_their_size() {
         (header("ascii", &empty), "no properties"),
         (header("ascii", &huge), "more than"),
         (header("ascii", &format!("{comment}element vertex 1\n{xyz}")), "longer than 1048576"),
-        (header("ascii", &format!("element vertex 1\n{xyz}")) + &"1".repeat(3 << 20), "longer than"),
+        (
+            header("ascii", &format!("element vertex 1\n{xyz}")) + &"1".repeat(3 << 20),
+            "longer than",
+        ),
     ] {
         fs::write(sandbox.path("data/points.ply"), content).unwrap();
         let script = format!("ulimit -v 2000000; timeout 20 \"$ORGANZA\" {TRAIN}");
@@ -217,7 +224,9 @@ fn lines_of_text_models_are_bounded() {
 #[test]
 fn settings_that_are_no_files_are_refused() {
     let sandbox = sandbox();
-    sandbox.shell("mkfifo pipe; head -c 3000000 /dev/zero >large; printf '\\377' >bytes").assert_ok();
+    sandbox
+        .shell("mkfifo pipe; head -c 3000000 /dev/zero >large; printf '\\377' >bytes")
+        .assert_ok();
     for (path, fact) in [
         ("pipe", "device or a pipe"),
         ("/dev/zero", "device or a pipe"),

@@ -11,11 +11,20 @@ const LIMIT: &str = "ulimit -v 6000000;";
 /// The program's own start is in it, and a machine that does other things.
 const SOON: Duration = Duration::from_secs(5);
 
+/// The color grid with something else in it.
+fn grid(from: &str, to: &str) -> String {
+    let grid = "[scene.color_grid]\nlevels = 8\nfeatures = 2\nlog2_table = 14\nbase_resolution = 16.0\n\
+                growth = 1.35\ninterpolation = \"linear\"\n";
+    let changed = grid.replace(from, to);
+    assert_ne!(changed, grid);
+    changed
+}
+
 #[test]
 fn monstrous_settings_are_refused_at_once() {
     let sandbox = sandbox();
     for (settings, facts) in [
-        ("[run]\ntile_size = 512\ntiles_per_step = 1000", ["tiles of a step 3.91 GiB", "needs"]),
+        ("[run]\ntile_size = 512\ntiles_per_step = 1000", ["tiles of a step 5.91 GiB", "needs"]),
         ("[run]\ntiles_per_step = 100000000", ["`run.tiles_per_step` is 100000000", "174762"]),
         ("[run]\ntiles_per_step = 4294967295\ntile_size = 1", ["`run.tiles_per_step`", "at most"]),
         ("[run]\ntiles_per_step = 700000000\ntile_size = 1", ["out of memory", "tiles of a step"]),
@@ -27,12 +36,16 @@ fn monstrous_settings_are_refused_at_once() {
         ("[data]\nbuilt_in_views = 1000\nbuilt_in_side = 2048", ["views 11.72 GiB", "available"]),
         ("[data]\nbuilt_in_views = 4294967295", ["`data.built_in_views`", "2 to 1000"]),
         ("[data]\nbuilt_in_side = 65536", ["`data.built_in_side`", "16 to 2048"]),
-        ("[scene.color_grid]\nlevels = 4294967295", ["scene.color_grid.levels", "4294967295"]),
-        ("[scene.color_grid]\nlog2_table = 4294967295", ["log2_table", "4294967295"]),
+        (&grid("levels = 8", "levels = 4294967295"), ["color_grid.levels", "4294967295"]),
+        (&grid("log2_table = 14", "log2_table = 4294967295"), ["log2_table", "4294967295"]),
+        (
+            &grid("base_resolution = 16.0", "base_resolution = 1e300"),
+            ["base_resolution", "at most"],
+        ),
         ("[scene.color_mlp]\nhidden = [4294967295]", ["color_mlp.hidden", "4294967295"]),
         ("[scene]\nmaterial = 4294967295", ["`scene.material`", "4294967295"]),
         ("[scene]\nsh_degree = 4294967295", ["`scene.sh_degree`", "4294967295"]),
-        ("[scene]\nstep = 1e-30", ["`scene.step`", "1e-30"]),
+        ("[scene]\nstep = 1e-30", ["`scene.step`", "16384 samples"]),
         ("[run]\nsteps = 99999999999999999999", ["line 2", ""]),
     ] {
         // sizes that a file leaves out are those of the default
@@ -54,7 +67,10 @@ fn monstrous_options_are_refused_at_once() {
     for (words, facts) in [
         ("train -o new --backend cpu --tiles-per-step 4294967295", ["`run.tiles_per_step`", ""]),
         ("train -o new --backend cpu --tile-size 4294967295", ["`run.tile_size`", "1 to 512"]),
-        ("train data -o new --backend cpu --downscale 4294967295", ["4294967295", "leaves nothing"]),
+        (
+            "train data -o new --backend cpu --downscale 4294967295",
+            ["4294967295", "leaves nothing"],
+        ),
         ("train -o new --backend cpu --steps 99999999999", ["99999999999", "--steps"]),
         ("demo -o new --backend cpu --views 65535", ["65535", "--views"]),
         ("eval scene.safetensors data --backend cpu --downscale 1025", ["1025", "--downscale"]),

@@ -78,14 +78,11 @@ impl Shot {
         };
         for (index, pixel) in pixels.iter_mut().enumerate() {
             let (column, row) = (index as u32 % width, index as u32 / width);
-            match mean([column * factor, row * factor], factor, sample) {
-                Some(color) => {
-                    *pixel = color.map(to_8_bit);
-                    if let Some(valid) = valid.get_mut(index) {
-                        *valid = true;
-                    }
+            if let Some(color) = mean([column * factor, row * factor], factor, sample) {
+                *pixel = color.map(to_8_bit);
+                if let Some(valid) = valid.get_mut(index) {
+                    *valid = true;
                 }
-                None => {}
             }
         }
         Photograph::new([width, height], pixels, undistortion.map(|_| valid))

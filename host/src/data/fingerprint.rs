@@ -32,7 +32,11 @@ impl Fingerprint {
     /// What has changed since `earlier`, in words.
     pub(crate) fn difference(&self, earlier: &Self) -> Option<&'static str> {
         let parts = [
-            (&self.frames, &earlier.frames, "frames (their number, names, cameras or held-out ones)"),
+            (
+                &self.frames,
+                &earlier.frames,
+                "frames (their number, names, cameras or held-out ones)",
+            ),
             (&self.photographs, &earlier.photographs, "photographs"),
             (&self.points, &earlier.points, "starting points"),
         ];

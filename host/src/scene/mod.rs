@@ -16,15 +16,15 @@ pub use config::{
     COLOR_OUTPUTS, MAX_HIDDEN_LAYERS, MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE, MAX_VECTOR,
     MlpConfig, SceneConfig, TRANSMITTANCE_OUTPUTS,
 };
+pub(crate) use file::read_scene;
 pub use grid::{
     FEATURE_WIDTHS, GridConfig, GridLevelGeometry, Interpolation, MAX_LEVELS, MAX_LOG2_TABLE,
     MAX_RESOLUTION,
 };
 pub use network::{Field, Layer, Network};
 pub use spec::{TensorId, TensorSpec};
-pub(crate) use file::read_scene;
-pub(crate) use tensor_file::{read_metadata, read_tensors_from};
 pub use tensor_file::{Tensor, TensorRef, read_tensors, write_tensors};
+pub(crate) use tensor_file::{read_metadata, read_tensors_from};
 
 use crate::error::Result;
 use crate::memory;

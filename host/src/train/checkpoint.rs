@@ -9,9 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::binding::{BINDING, Binding};
 use crate::error::{Error, IN_MEMORY, Result};
 use crate::input::open_regular;
-use crate::scene::{
-    Scene, Tensor, TensorRef, read_metadata, read_scene, read_tensors_from,
-};
+use crate::scene::{Scene, Tensor, TensorRef, read_metadata, read_scene, read_tensors_from};
 
 /// The file's name in a run's folder.
 pub const CHECKPOINT: &str = "checkpoint.safetensors";

@@ -10,6 +10,10 @@ use crate::tile::Tile;
 const PLACE_BYTES: u64 = 80;
 /// Bytes of a pixel of a step: what it is compared with, and whether it is there.
 const PIXEL_BYTES: u64 = 4 * 4;
+/// Bytes of a pixel of the part of a step that is rendered at once: its color, the loss and the gradients.
+const PART_PIXEL_BYTES: u64 = 256;
+/// The most that a part takes, a large one; less memory makes smaller parts, down to a tile.
+const PART_BYTES: u64 = 2 << 30;
 
 impl TrainConfig {
     /// Fails where a run cannot fit into memory, before anything is read or made.
@@ -19,7 +23,8 @@ impl TrainConfig {
     pub fn check_memory(&self) -> Result<()> {
         let tiles = u64::from(self.run.tiles_per_step);
         let pixels = tiles * u64::from(self.run.tile_size).pow(2);
-        let step = pixels * PIXEL_BYTES + tiles * size_of::<Tile>() as u64;
+        let part = (pixels * PART_PIXEL_BYTES).min(PART_BYTES);
+        let step = pixels * PIXEL_BYTES + tiles * size_of::<Tile>() as u64 + part;
         // Photographs and their points are not known yet.
         let [photographs, gaussians] = match self.data.path {
             Some(_) => [0, 1],

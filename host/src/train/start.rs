@@ -58,7 +58,11 @@ pub fn start(
 }
 
 /// The shape of a run's scene.
-pub(super) fn scene_config(config: &TrainConfig, background: [f64; 3], aabb: [[f64; 3]; 2]) -> SceneConfig {
+pub(super) fn scene_config(
+    config: &TrainConfig,
+    background: [f64; 3],
+    aabb: [[f64; 3]; 2],
+) -> SceneConfig {
     let shape = config.scene.clone();
     SceneConfig {
         sh_degree: shape.sh_degree,

@@ -84,12 +84,12 @@ pub(super) fn list(
             Some(path) => {
                 reach.check(&path)?;
                 listing.shots.push(Shot {
-                name: image.name,
-                path,
-                camera,
-                lens: intrinsics.lens,
-                held_out: is_held_out(position, hold_out_every),
-            });
+                    name: image.name,
+                    path,
+                    camera,
+                    lens: intrinsics.lens,
+                    held_out: is_held_out(position, hold_out_every),
+                });
             }
             None => listing.missing.push(expected),
         }

@@ -84,7 +84,12 @@ impl TrainConfig {
 }
 
 /// In the value's own type, whose digits are those of the file.
-fn within<T: Copy + PartialOrd + Display>(name: &str, value: T, low: T, high: T) -> Result<(), String> {
+fn within<T: Copy + PartialOrd + Display>(
+    name: &str,
+    value: T,
+    low: T,
+    high: T,
+) -> Result<(), String> {
     match (low..=high).contains(&value) {
         true => Ok(()),
         false => Err(format!("`{name}` is {value}, expected {low} to {high}")),

@@ -28,7 +28,14 @@ fn monstrous_settings_are_refused_at_once() {
         ("[run]\ntiles_per_step = 100000000", ["`run.tiles_per_step` is 100000000", "174762"]),
         ("[run]\ntiles_per_step = 4294967295\ntile_size = 1", ["`run.tiles_per_step`", "at most"]),
         ("[run]\ntiles_per_step = 700000000\ntile_size = 1", ["out of memory", "tiles of a step"]),
-        ("[start]\ngaussians = 4000000000", ["`start.gaussians` is 4000000000", "expected"]),
+        (
+            "[start]\ngaussians = 4000000000",
+            ["`start.gaussians` is 4000000000", "growth.max_gaussians"],
+        ),
+        (
+            "[start]\ngaussians = 4000000000\n[growth]\nmax_gaussians = 4000000000",
+            ["`start.gaussians` is 4000000000", "expected 1 to"],
+        ),
         (
             "[start]\ngaussians = 100000000\n[growth]\nmax_gaussians = 100000000",
             ["out of memory", "Adam's moments"],

@@ -132,7 +132,7 @@ fn fewest_bytes(element: &ElementDef, encoding: Encoding) -> u64 {
     let properties = element.properties.values();
     match encoding {
         // a digit and what ends it, but for the last line's
-        Encoding::Ascii => 2 * properties.count() as u64 - 1,
+        Encoding::Ascii => (2 * properties.count() as u64).saturating_sub(1),
         _ => properties
             .map(|property| match &property.data_type {
                 PropertyType::Scalar(scalar) | PropertyType::List(scalar, _) => size(scalar),

@@ -55,7 +55,7 @@ fn a_run_that_cannot_fit_is_refused_with_what_it_takes() {
     config.start.gaussians = 200_000_000;
     config.growth.max_gaussians = 200_000_000;
     let text = config.check_memory().unwrap_err().to_string();
-    for fact in ["the tiles of a step 17.00 MiB", "Adam's moments 60.", "but", "are available"] {
+    for fact in ["the tiles of a step 17.00 MiB", "Adam's moments 61.", "but", "are available"] {
         assert!(text.contains(fact), "{text}");
     }
     config.data.path = Some("data".into());

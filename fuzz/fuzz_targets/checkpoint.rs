@@ -3,4 +3,8 @@
 #[path = "../held.rs"]
 mod held;
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| held::run(organza::fuzz::checkpoint, bytes, "checkpoint"));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| held::run(
+    organza::fuzz::checkpoint,
+    bytes,
+    "checkpoint"
+));

@@ -9,8 +9,21 @@ mod held;
 
 #[derive(Arbitrary, Debug)]
 enum Photograph {
-    Png { size: [u8; 2], depth: u8, color: u8, is_interlaced: bool, chunks: Vec<Chunk>, rows: Vec<u8> },
-    Jpeg { size: [u8; 2], process: u8, components: Vec<[u8; 3]>, segments: Vec<Segment>, scan: Vec<u8> },
+    Png {
+        size: [u8; 2],
+        depth: u8,
+        color: u8,
+        is_interlaced: bool,
+        chunks: Vec<Chunk>,
+        rows: Vec<u8>,
+    },
+    Jpeg {
+        size: [u8; 2],
+        process: u8,
+        components: Vec<[u8; 3]>,
+        segments: Vec<Segment>,
+        scan: Vec<u8>,
+    },
 }
 
 #[derive(Arbitrary, Debug)]
@@ -26,7 +39,8 @@ struct Segment {
 }
 
 const CHUNKS: [&[u8; 4]; 12] = [
-    b"PLTE", b"tRNS", b"gAMA", b"cHRM", b"iCCP", b"sRGB", b"pHYs", b"tEXt", b"zTXt", b"iTXt", b"acTL", b"fcTL",
+    b"PLTE", b"tRNS", b"gAMA", b"cHRM", b"iCCP", b"sRGB", b"pHYs", b"tEXt", b"zTXt", b"iTXt",
+    b"acTL", b"fcTL",
 ];
 
 impl Photograph {
@@ -49,11 +63,16 @@ impl Photograph {
             Self::Jpeg { size, process, components, segments, scan } => {
                 let mut file = vec![0xff, 0xd8];
                 for Segment { marker, data } in segments {
-                    segment(&mut file, [0xdb, 0xc4, 0xdd, 0xe0, 0xe1, 0xe2, 0xee][usize::from(marker % 7)], data);
+                    segment(
+                        &mut file,
+                        [0xdb, 0xc4, 0xdd, 0xe0, 0xe1, 0xe2, 0xee][usize::from(marker % 7)],
+                        data,
+                    );
                 }
                 let [width, height] = size.map(|side| u16::from(side % 70 + 1).to_be_bytes());
                 let components = &components[..components.len().min(4)];
-                let mut header = [&[8], height.as_slice(), &width, &[components.len() as u8]].concat();
+                let mut header =
+                    [&[8], height.as_slice(), &width, &[components.len() as u8]].concat();
                 components.iter().for_each(|component| header.extend(component));
                 segment(&mut file, 0xc0 + process % 3, &header);
                 let mut begin = vec![components.len() as u8];
@@ -100,4 +119,8 @@ fn stored(data: &[u8]) -> Vec<u8> {
     stream
 }
 
-fuzz_target!(|photograph: Photograph| held::run(organza::fuzz::photograph, &photograph.file(), "a photograph"));
+fuzz_target!(|photograph: Photograph| held::run(
+    organza::fuzz::photograph,
+    &photograph.file(),
+    "a photograph"
+));

@@ -238,5 +238,6 @@ fn whatever_is_asked_for_the_program_ends_in_good_order() {
     });
     assert!(faults.is_empty(), "{} of {inputs}:\n{}", faults.len(), faults.join("\n"));
     let refused = refused.into_inner();
+    eprintln!("{inputs} inputs: {refused} refused");
     assert!(refused > inputs / 4 && refused < inputs, "{refused} of {inputs} were refused");
 }

@@ -139,5 +139,6 @@ fn a_run_goes_on_whatever_fails_in_writing() {
             }
         }
     }
+    eprintln!("{} places: {killed} killed, {refused} refused", places.len());
     assert!(killed > 5 && refused > 10, "{killed} killed, {refused} refused");
 }

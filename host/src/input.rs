@@ -1,6 +1,6 @@
 //! Opening what a user names, without trusting it.
 
-use std::fs::{self, File};
+use std::fs::{self, File, Metadata};
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -14,19 +14,27 @@ const MAX_JSON_BYTES: u64 = 256 << 20;
 
 /// Opens a regular file and returns it with its length in bytes.
 ///
-/// Anything else is refused before it is opened: a pipe may block and a device may never end.
+/// Anything else is refused before it is opened: a pipe may block and a device may never end. What
+/// has been put in its place meanwhile is refused, too.
 pub(crate) fn open_regular(path: &Path) -> Result<(File, u64)> {
+    let check = |found: &Metadata| match found {
+        _ if found.is_dir() => Err(io::Error::other("it is a folder, expected a file")),
+        _ if !found.is_file() => {
+            Err(io::Error::other("it is a device or a pipe, expected a regular file"))
+        }
+        _ => Ok(()),
+    };
     let open = || {
-        let metadata = fs::metadata(path)?;
-        if metadata.is_dir() {
-            return Err(io::Error::other("it is a folder, expected a file"));
-        }
-        if !metadata.is_file() {
-            return Err(io::Error::other("it is a device or a pipe, expected a regular file"));
-        }
-        let file = File::open(path)?;
-        let length = file.metadata()?.len();
-        Ok((file, length))
+        check(&fs::metadata(path)?)?;
+        let mut options = File::options();
+        options.read(true);
+        // Opening a pipe does not wait for its other end.
+        #[cfg(unix)]
+        std::os::unix::fs::OpenOptionsExt::custom_flags(&mut options, libc::O_NONBLOCK);
+        let file = options.open(path)?;
+        let found = file.metadata()?;
+        check(&found)?;
+        Ok((file, found.len()))
     };
     open().map_err(|source| Error::read(path, source))
 }

@@ -14,4 +14,4 @@ for (( round = 0; round < ${ROUNDS:-4}; round++ )); do
     cargo test --package organza-tests --test program mutations -- --nocapture
 done
 ORGANZA_CORPUS_MUTATIONS=${INPUTS:-2000} cargo test --package organza-tests --test program corpus -- --nocapture
-ORGANZA_ALL_FAULTS=1 cargo test --package organza-tests --test train faults -- --nocapture
+ORGANZA_ALL_FAULTS=1 cargo test --package organza-tests --test program faults -- --nocapture

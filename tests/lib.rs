@@ -8,3 +8,5 @@ pub mod compare;
 pub mod devices;
 #[path = "support/spirv.rs"]
 pub mod spirv;
+
+pub use organza_check::skip;

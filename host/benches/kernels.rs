@@ -20,12 +20,12 @@ mod flops {
     use divan::Bencher;
     use glam::Vec4;
     use organza::InstructionSet;
-    use organza_kernels::dense::{DenseKernel, DenseParams, HIDDEN_BLOCK};
-    use organza_kernels::dense_backward::{
+    use organza_shaders::dense::{DenseKernel, DenseParams, OUTPUTS_PER_INVOCATION};
+    use organza_shaders::dense_backward::{
         DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel,
-        DenseWeightBackwardParams, INPUT_BLOCK, WEIGHT_BLOCK,
+        DenseWeightBackwardParams, INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,
     };
-    use organza_kernels::peak::{MULTIPLY_ADDS, PeakMultiplyAddKernel, PeakMultiplyAddParams};
+    use organza_shaders::peak::{MULTIPLY_ADDS, PeakMultiplyAddKernel, PeakMultiplyAddParams};
 
     use crate::common::{BACKWARD, Bench, FORWARD, sets};
 
@@ -72,7 +72,7 @@ mod flops {
             input: &bench.numbers(WIDTH * stride, [0.0, 1.0]),
             output: &bench.zeros::<f32>(WIDTH * stride),
         };
-        let size = [FORWARD.samples, WIDTH / HIDDEN_BLOCK];
+        let size = [FORWARD.samples, WIDTH / OUTPUTS_PER_INVOCATION];
         bench.run(bencher, operations(FORWARD.samples), &kernel, size);
     }
 
@@ -97,7 +97,7 @@ mod flops {
             output_gradient: &bench.numbers(WIDTH * stride, [-1.0, 1.0]),
             input_gradient: &bench.zeros::<f32>(WIDTH * stride),
         };
-        let size = [BACKWARD.samples, WIDTH / INPUT_BLOCK];
+        let size = [BACKWARD.samples, WIDTH / INPUTS_PER_INVOCATION];
         bench.run(bencher, operations(BACKWARD.samples), &kernel, size);
     }
 
@@ -122,7 +122,7 @@ mod flops {
             output_gradient: &bench.numbers(WIDTH * stride, [-1.0, 1.0]),
             partial: &bench.zeros::<Vec4>(PARAMETERS),
         };
-        let size = [(WIDTH / WEIGHT_BLOCK + 1) * COLUMNS, 1];
+        let size = [(WIDTH / WEIGHT_ROWS_PER_INVOCATION + 1) * COLUMNS, 1];
         bench.run(bencher, operations(BACKWARD.samples), &kernel, size);
     }
 }
@@ -132,10 +132,10 @@ mod samples {
     use divan::Bencher;
     use organza::InstructionSet;
     use organza::scene::{GridConfig, Interpolation};
-    use organza_kernels::hash_grid::{HashGridKernel, HashGridParams, POINT_ROWS};
-    use organza_kernels::hash_grid_backward::{FLAG_BLOCK, HashGridBackwardKernel};
-    use organza_kernels::segment::SEGMENT_VECTORS;
-    use organza_kernels::transmittance::{TransmittanceInputsKernel, TransmittanceInputsParams};
+    use organza_shaders::hash_grid::{HashGridKernel, HashGridParams, POINT_ROWS};
+    use organza_shaders::hash_grid_backward::{HashGridBackwardKernel, VALUES_PER_FLAG};
+    use organza_shaders::segment::SEGMENT_VECTORS;
+    use organza_shaders::transmittance::{TransmittanceInputsKernel, TransmittanceInputsParams};
 
     use crate::common::{BACKWARD, Bench, FORWARD, sets};
 
@@ -203,7 +203,7 @@ mod samples {
             feature_gradient: &bench.numbers(grid.width() as u32 * stride, [-1.0, 1.0]),
             scale: &bench.upload(&[unit, unit.recip(), 2.0]),
             sum: &bench.zeros::<u32>(2 * values),
-            touched: &bench.zeros::<u32>(values.div_ceil(FLAG_BLOCK)),
+            touched: &bench.zeros::<u32>(values.div_ceil(VALUES_PER_FLAG)),
             status: &bench.zeros::<u32>(1),
         };
         bench.run(bencher, BACKWARD.samples.into(), &kernel, [BACKWARD.samples, grid.levels]);
@@ -243,9 +243,9 @@ mod member_pixels {
     use divan::Bencher;
     use glam::Vec4;
     use organza::InstructionSet;
-    use organza_kernels::composite::{CompositeKernel, CompositeParams, SUM_PLANES};
-    use organza_kernels::composite_backward::{CompositeBackwardKernel, CompositeBackwardParams};
-    use organza_kernels::splat::VECTORS;
+    use organza_shaders::composite::{CompositeKernel, CompositeParams, SUM_PLANES};
+    use organza_shaders::composite_backward::{CompositeBackwardKernel, CompositeBackwardParams};
+    use organza_shaders::splat::VECTORS;
 
     use crate::common::{Bench, SIDE, Tiles, sets};
 
@@ -292,8 +292,8 @@ mod gaussians {
     use divan::Bencher;
     use glam::{Vec2, Vec3, Vec4};
     use organza::InstructionSet;
-    use organza_kernels::camera::Camera;
-    use organza_kernels::project::{ProjectKernel, ProjectParams};
+    use organza_shaders::camera::Camera;
+    use organza_shaders::project::{ProjectKernel, ProjectParams};
 
     use crate::common::{Bench, sets};
 

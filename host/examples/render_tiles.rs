@@ -6,7 +6,7 @@
 
 use std::time::Instant;
 
-use organza::{Camera, Device, DeviceOptions, Renderer, Scene, TileBatch};
+use organza::{Camera, DeviceOptions, Renderer, Scene, TileBatch};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let [scene, cameras, tiles] = std::env::args()
@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .map_err(|_| "expected SCENE CAMERAS TILES")?;
 
     // a GPU where there is one, else all cores
-    let renderer = Renderer::new(Device::open(&DeviceOptions::default())?);
+    let renderer = Renderer::new(organza::open_device(&DeviceOptions::default())?);
     println!("{}", renderer.device().choice());
 
     let scene = renderer.upload(&Scene::load(scene)?)?;

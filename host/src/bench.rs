@@ -8,13 +8,13 @@ use std::time::Instant;
 
 use serde::Serialize;
 
-use crate::backend::{Device, KernelTime};
 use crate::camera::Camera;
 use crate::error::Result;
-use crate::memory;
 use crate::render::{DeviceScene, RenderReport, Renderer, SceneGradient};
 use crate::tile::TileBatch;
-use crate::work::Work;
+use organza_device::memory;
+use organza_device::{Device, KernelTime};
+use organza_kernel::work::Work;
 
 pub use peak::Peaks;
 pub use synthetic::Synthetic;

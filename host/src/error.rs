@@ -9,6 +9,8 @@ use std::fmt::Write as _;
 use std::io;
 use std::path::{Path, PathBuf};
 
+pub use organza_device::{Error as DeviceError, format_bytes};
+
 /// The result of every fallible operation of this crate.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
@@ -228,54 +230,18 @@ pub enum Error {
         reason: String,
     },
 
-    /// No usable GPU.
-    #[error("no usable GPU: {reason}; the CPU backend needs none")]
-    NoGpu {
-        /// What was looked for and what was found.
-        reason: String,
-    },
-
-    /// Memory, on the host or on the device, does not suffice.
-    #[error("{}", describe_memory(*needed, *available, what))]
-    OutOfMemory {
-        /// Bytes asked for; 0 where the driver did not say.
-        needed: u64,
-        /// Bytes there are, where that is known.
-        available: Option<u64>,
-        /// What the memory was for.
-        what: String,
-    },
-
-    /// The GPU stopped answering.
-    #[error(
-        "the GPU was lost: {reason}; the work in flight is gone, so start again (a smaller tile \
-         batch helps where a watchdog ended it)"
-    )]
-    DeviceLost {
-        /// What the driver said.
-        reason: String,
-    },
-
-    /// A kernel could not be loaded or launched.
-    #[error("kernel `{kernel}`: {reason}")]
-    Kernel {
-        /// The kernel's entry point.
-        kernel: String,
-        /// What went wrong.
-        reason: String,
-    },
-
-    /// The compiled kernels do not belong to this program.
-    #[error(
-        "the compiled kernels are stale: {reason}; build them again with `cargo xtask kernels`"
-    )]
-    StaleKernels {
-        /// Which kernels, and what differs.
-        reason: String,
-    },
+    /// A device could not be opened, ran out of memory, was lost, or could not run a kernel.
+    #[error(transparent)]
+    Device(#[from] organza_device::Error),
 }
 
 impl Error {
+    /// Whether memory did not suffice, on the host or on the device.
+    #[must_use]
+    pub fn is_out_of_memory(&self) -> bool {
+        matches!(self, Self::Device(DeviceError::OutOfMemory { .. }))
+    }
+
     /// Wraps a failure to read `path`.
     pub(crate) fn read(path: &Path, source: io::Error) -> Self {
         Self::ReadFile { path: path.to_owned(), source }
@@ -318,16 +284,6 @@ fn text_before(text: &[u8], line: usize, column: usize) -> Option<String> {
     (!before.is_empty()).then_some(before)
 }
 
-/// A size in the largest binary unit that keeps it at least 1, such as `1.50 GiB`.
-#[must_use]
-pub fn format_bytes(bytes: u64) -> String {
-    const UNITS: [(u64, &str); 3] = [(1 << 30, "GiB"), (1 << 20, "MiB"), (1 << 10, "KiB")];
-    match UNITS.iter().find(|(unit, _)| bytes >= *unit) {
-        Some((unit, name)) => format!("{:.2} {name}", bytes as f64 / *unit as f64),
-        None => format!("{bytes} bytes"),
-    }
-}
-
 /// The start of a message: the file, where there is one.
 fn place(origin: &Path) -> String {
     if origin == Path::new(IN_MEMORY) {
@@ -362,20 +318,4 @@ fn describe_write(path: &Path, source: &io::Error) -> String {
         }
         _ => source.to_string(),
     }
-}
-
-fn describe_memory(needed: u64, available: Option<u64>, what: &str) -> String {
-    // A driver may run out without saying over what.
-    let needed = match needed {
-        0 => String::new(),
-        bytes => format!(" needs {}", format_bytes(bytes)),
-    };
-    let available = match available {
-        Some(bytes) => format!(" but {} are available", format_bytes(bytes)),
-        None => String::new(),
-    };
-    format!(
-        "out of memory: {what}{needed}{available}; render fewer or smaller tiles at once, \
-         or use a smaller scene"
-    )
 }

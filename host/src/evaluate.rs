@@ -12,10 +12,10 @@ use serde::{Deserialize, Serialize};
 use crate::data::Frame;
 use crate::error::{Error, Result};
 use crate::image::{Image, bands};
-use crate::memory;
 use crate::metrics::{psnr, ssim};
 use crate::render::{DeviceScene, RenderedTiles, Renderer};
 use crate::tile::TileBatch;
+use organza_device::memory;
 
 /// Side of the tiles that an image is cut into, in pixels. Scores do not depend on it.
 pub(crate) const TILE_SIDE: u32 = 64;
@@ -198,7 +198,7 @@ impl Rendered {
 fn colors(frame: &Frame, what: &str) -> Result<Vec<[f32; 3]>> {
     let (width, height) = (frame.image.width(), frame.image.height());
     let what = format!("the colors of {what} of {width} x {height} pixels");
-    memory::zeros(frame.image.pixels().len(), &what)
+    Ok(memory::zeros(frame.image.pixels().len(), &what)?)
 }
 
 /// What a display shows of a value.

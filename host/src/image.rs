@@ -13,9 +13,9 @@ use ::image::{ExtendedColorType, ImageEncoder, ImageError};
 
 use crate::atomic_file::write_atomic;
 use crate::error::{Error, Result};
-use crate::memory;
 use crate::render::RenderedTiles;
 use crate::tile::TileBatch;
+use organza_device::memory;
 
 /// Pixels of one band: 400 MB of rendered values, enough to keep every device busy.
 const BAND_PIXELS: u64 = 1 << 25;
@@ -49,7 +49,7 @@ impl Image {
         let what = format!("an image of {width} x {height} pixels");
         let bytes = 3 * u64::from(width) * u64::from(height);
         memory::check(bytes, &what)?;
-        memory::check(2 * bytes, &format!("{what} and writing it"))
+        Ok(memory::check(2 * bytes, &format!("{what} and writing it"))?)
     }
 
     /// Width and height in pixels.

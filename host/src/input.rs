@@ -7,7 +7,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use crate::error::{Error, Result, format_bytes};
-use crate::memory;
+use organza_device::memory;
 
 /// More JSON than any camera or tile list has; what is larger was named by mistake.
 const MAX_JSON_BYTES: u64 = 256 << 20;

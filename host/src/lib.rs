@@ -7,7 +7,6 @@
 //! Start at [`Renderer`].
 
 mod atomic_file;
-pub mod backend;
 pub mod bench;
 pub mod camera;
 pub mod data;
@@ -18,26 +17,35 @@ pub mod evaluate;
 pub mod fuzz;
 pub mod image;
 mod input;
-pub mod kernels;
-pub mod memory;
 pub mod metrics;
 pub mod parity;
 pub mod render;
 pub mod scene;
 pub mod tile;
 pub mod train;
-pub mod work;
 
 pub use atomic_file::write_atomic;
-pub use backend::{BackendChoice, Device, DeviceOptions, SpirvPath};
 pub use camera::Camera;
 pub use data::{Dataset, DatasetOptions};
 pub use error::{Error, Result};
 pub use evaluate::{Evaluation, evaluate};
 pub use image::Image;
-pub use organza_kernels::kernel::InstructionSet;
+pub use organza_device::{
+    BackendChoice, Buffer, Count, Device, DeviceOptions, InstructionSet, Modules, SpirvPath,
+};
 pub use render::{
     DeviceScene, Inspection, RenderReport, RenderedTiles, Renderer, Stages, UploadOptions,
 };
 pub use scene::Scene;
 pub use tile::{Tile, TileBatch};
+
+/// The compiled kernels that a GPU runs.
+pub static MODULES: Modules = organza_device::modules!();
+
+/// Opens the device that `options` ask for, with the kernels of this crate.
+///
+/// # Errors
+/// [`DeviceError::NoGpu`](error::DeviceError::NoGpu) where a GPU was demanded and none can be used.
+pub fn open_device(options: &DeviceOptions) -> Result<Device> {
+    Ok(Device::open(options, &MODULES)?)
+}

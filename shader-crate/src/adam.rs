@@ -1,9 +1,7 @@
 //! Adam (Kingma and Ba 2015, Algorithm 1), one kernel for the parameters of every kind.
 
-use crate::prelude::*;
-
-/// Values that share a flag in [`adam`]'s `touched`.
-pub const TOUCHED_BLOCK: u32 = 64;
+use crate::hash_grid_backward::VALUES_PER_FLAG;
+use organza_kernel::prelude::*;
 
 /// Parameters of [`adam`]; what depends on the step is computed on the host, in f64.
 #[repr(C)]
@@ -30,7 +28,7 @@ pub struct AdamParams {
 /// One step of every value: `m = beta1 m + (1 - beta1) g`, `v = beta2 v + (1 - beta2) g^2`,
 /// `value -= alpha m^ / (sqrt(v^) + epsilon)`; the gradient becomes 0 for the next step.
 ///
-/// A block of [`TOUCHED_BLOCK`] values that nothing has touched keeps its moments, too: it costs one read.
+/// A block of [`VALUES_PER_FLAG`] values that nothing has touched keeps its moments, too: it costs one read.
 #[kernel(threads(64), lanes(values))]
 pub fn adam<L: Lane>(
     id: Invocation,
@@ -42,7 +40,7 @@ pub fn adam<L: Lane>(
     value: Write<f32>,
 ) {
     let index = id.index();
-    if index < params.values && touched.read(index / TOUCHED_BLOCK * params.sparse) != 0 {
+    if index < params.values && touched.read(index / VALUES_PER_FLAG * params.sparse) != 0 {
         let number = L::splat;
         let at = params.first_gradient + index;
         let g = L::read_written(gradient, at);

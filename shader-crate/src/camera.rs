@@ -2,9 +2,10 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::prelude::*;
+use organza_kernel::math::dot;
+use organza_kernel::prelude::*;
 
-/// A pinhole camera, with OpenCV axes: x right, y down, z forward.
+/// A camera, with OpenCV axes: x right, y down, z forward.  What its [lens](crate::lens) makes of its space is written there.
 #[derive(Clone, Copy)]
 pub struct Camera {
     /// Rows of the rotation from world to camera.
@@ -20,6 +21,21 @@ pub struct Camera {
 }
 
 impl Camera {
+    /// A position of world space in the camera's space.
+    #[inline(always)]
+    pub fn to_camera(&self, position: Vec3) -> Vec3 {
+        let [right, down, forward] = self.rotation;
+        let offset = position - self.eye;
+        Vec3::new(dot(right, offset), dot(down, offset), dot(forward, offset))
+    }
+
+    /// A direction of the camera's space in world space.
+    #[inline(always)]
+    pub fn turn_to_world(&self, direction: Vec3) -> Vec3 {
+        let [right, down, forward] = self.rotation;
+        right * direction.x + down * direction.y + forward * direction.z
+    }
+
     /// Floats that a camera takes in a buffer.
     pub const FLOATS: usize = 18;
 

@@ -3,13 +3,19 @@
 use glam::Vec4;
 
 use crate::camera::{Camera, read3};
-use crate::dense::{DenseParams, HEAD_STAGED, column};
+#[cfg(not(target_arch = "spirv"))]
+use crate::dense::head_work;
+use crate::dense::{DenseParams, column};
+#[cfg(not(target_arch = "spirv"))]
+use crate::hash_grid::POINT;
 use crate::hash_grid::write_point;
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_VECTOR};
-use crate::math::{normalize, sigmoid};
-use crate::prelude::*;
 use crate::spherical_harmonics::{ITERATIONS as SH_ITERATIONS, spherical_harmonics};
 use crate::unit_cube::SceneBox;
+use organza_kernel::math::{normalize, sigmoid};
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, Work, wide};
 
 /// Parameters of [`color_inputs`].
 #[repr(C)]
@@ -31,9 +37,18 @@ pub struct ColorInputsParams {
     pub material_row: u32,
 }
 
+/// What [`color_inputs`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn color_inputs_work(params: &ColorInputsParams, _: Shape<'_>) -> Work {
+    let [pairs, degree, material] = wide([params.pairs, params.sh_degree, params.material]);
+    // the pair and its position; harmonics; materials are read and written
+    let values = 1 + 3 + (degree + 1).pow(2) + 2 * material;
+    Work { flops: 0, bytes: pairs * (POINT + NUMBER * values) }
+}
+
 /// Writes what does not come from the hash grid: the point to encode, the harmonics of the view direction and
 /// the material (Eq. 1).  `point [7, stride]`, `input [rows, stride]`.
-#[kernel(threads(64), iterations = SH_ITERATIONS + MAX_VECTOR)]
+#[kernel(threads(64), iterations = SH_ITERATIONS + MAX_VECTOR, counts(pairs), work(color_inputs_work))]
 pub fn color_inputs(
     id: Invocation,
     params: &ColorInputsParams,
@@ -67,27 +82,28 @@ pub fn color_inputs(
     }
 }
 
+/// What [`color_head`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn color_head_work(params: &ColorHeadParams, _: Shape<'_>) -> Work {
+    head_work(params.samples, params.inputs, 3, 3)
+}
+
 /// The last layer of the color network and its sigmoid (Eq. 3): `color [pairs, 3]`.
-#[kernel(threads(64), iterations = 2 * MAX_HIDDEN_WIDTH, fused)]
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, counts(samples), work(color_head_work))]
 pub fn color_head(
     id: Invocation,
     params: &ColorHeadParams,
     parameters: Read<Vec4>,
     input: Read<f32>,
     color: Write<f32>,
-    weights: &mut impl Stage<Vec4, HEAD_STAGED>,
 ) {
-    let inside = id.index() < params.samples;
-    if weights.is_shared() || inside {
-        let sample = if inside { id.index() } else { 0 };
-        let layer = params.layer();
-        let logits = column::<f32>(id, &layer, parameters, input, sample, weights);
-        if inside {
-            let first = (params.first_pair + sample) * 3;
-            color.write(first, sigmoid(logits.x));
-            color.write(first + 1, sigmoid(logits.y));
-            color.write(first + 2, sigmoid(logits.z));
-        }
+    let sample = id.index();
+    if sample < params.samples {
+        let logits = column::<f32>(&params.layer(), parameters, input, sample);
+        let first = (params.first_pair + sample) * 3;
+        color.write(first, sigmoid(logits.x));
+        color.write(first + 1, sigmoid(logits.y));
+        color.write(first + 2, sigmoid(logits.z));
     }
 }
 

@@ -3,8 +3,10 @@
 use glam::Vec4;
 
 use crate::limits::MAX_VECTOR;
-use crate::prelude::*;
 use crate::splat::VECTORS;
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, VECTOR, Work, wide};
 
 /// Parameters of [`color_head_backward`].
 #[repr(C)]
@@ -18,10 +20,17 @@ pub struct ColorHeadBackwardParams {
     pub stride: u32,
 }
 
+/// What [`color_head_backward`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn color_head_backward_work(params: &ColorHeadBackwardParams, _: Shape<'_>) -> Work {
+    let samples = u64::from(params.samples);
+    Work { flops: 3 * 3 * samples, bytes: samples * (2 * 3 * NUMBER + VECTOR) }
+}
+
 /// The gradient of the color network's outputs, `dL/dc~ = dL/dc c (1 - c)` of Eq. 3.
 ///
 /// `color [pairs, 3]`; `pair_gradient [pairs, 3]`, dL/dc in the third; `logit_gradient [3, stride]`.
-#[kernel(threads(64))]
+#[kernel(threads(64), counts(samples), work(color_head_backward_work))]
 pub fn color_head_backward(
     id: Invocation,
     params: &ColorHeadBackwardParams,
@@ -56,9 +65,16 @@ pub struct MaterialBackwardParams {
     pub material_row: u32,
 }
 
+/// What [`material_backward`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn material_backward_work(params: &MaterialBackwardParams, _: Shape<'_>) -> Work {
+    let [samples, material] = wide([params.samples, params.material]);
+    Work { flops: 0, bytes: 2 * NUMBER * samples * material }
+}
+
 /// The gradient of every pair's material, taken from that of the color network's input (Eq. 1): `input_gradient
 /// [rows, stride]` to `pair_material [pairs, material]`.
-#[kernel(threads(64), iterations = MAX_VECTOR)]
+#[kernel(threads(64), iterations = MAX_VECTOR, counts(samples), work(material_backward_work))]
 pub fn material_backward(
     id: Invocation,
     params: &MaterialBackwardParams,

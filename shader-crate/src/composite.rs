@@ -4,12 +4,16 @@
 use glam::{UVec3, Vec2, Vec3, Vec4};
 
 use crate::limits::MAX_MEMBERS;
-use crate::math::abs;
-use crate::prelude::*;
 use crate::project::{falloff, mahalanobis};
+#[cfg(not(target_arch = "spirv"))]
+use crate::splat::SPLAT;
 use crate::splat::VECTORS;
 use crate::tile::Tile;
 use crate::tile_cells::Cells;
+use organza_kernel::math::abs;
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, VECTOR, Work};
 
 /// Parameters of [`composite`].
 #[repr(C)]
@@ -52,47 +56,79 @@ pub fn pixel_center(tile: &Tile, column: u32, row: u32) -> Vec2 {
 pub const SUM_PLANES: u32 = 4;
 
 /// Members that a stage of [`composite`] holds.
-const STAGED: usize = 64;
+const SHARED_MEMBERS: usize = 64;
 
 /// Their vectors.
-const STAGED_VECTORS: usize = STAGED * VECTORS as usize;
+const SHARED_VECTORS: usize = SHARED_MEMBERS * VECTORS as usize;
 
-/// The vectors of a stage's members.
+/// The splats of a tile's members.
 #[derive(Clone, Copy)]
 struct MemberSplats<'a> {
     member: Read<'a, u32>,
     splat: Read<'a, Vec4>,
-    /// The first one.
+    /// The first member.
     first: u32,
 }
 
 impl Source<Vec4> for MemberSplats<'_> {
+    const ELEMENTS: u32 = VECTORS;
+
     #[inline(always)]
-    fn element(self, k: u32) -> Vec4 {
-        self.splat.read(self.member.read(self.first + k / VECTORS) * VECTORS + k % VECTORS)
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    fn offset(self, item: u32) -> u32 {
+        self.member.read(self.first + item) * VECTORS
+    }
+
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    fn element(self, offset: u32) -> Vec4 {
+        self.splat.read(offset)
     }
 }
 
-/// The cells of a stage's members.
+/// The cells of a tile's members.
 #[derive(Clone, Copy)]
 struct MemberCells<'a> {
     cells: Read<'a, u32>,
-    /// The first one.
+    /// The first member.
     first: u32,
 }
 
 impl Source<u32> for MemberCells<'_> {
+    const ELEMENTS: u32 = 1;
+
     #[inline(always)]
-    fn element(self, k: u32) -> u32 {
-        self.cells.read(self.first + k)
+    fn offset(self, item: u32) -> u32 {
+        self.first + item
     }
+
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    fn element(self, offset: u32) -> u32 {
+        self.cells.read(offset)
+    }
+}
+
+/// What [`composite`] computes and moves. At most: every member at every pixel of its tile.
+#[cfg(not(target_arch = "spirv"))]
+fn composite_work(params: &CompositeParams, shape: Shape<'_>) -> Work {
+    /// The binding of the members, among the storage buffers.
+    const MEMBER: usize = 2;
+    /// Operations of a member at a pixel.
+    const COMPOSITE: u64 = 20;
+    let area = u64::from(params.side).pow(2);
+    // a fuller tile takes more dispatches: the first one stands for all of its members
+    let members = if params.skip == 0 { shape.elements[MEMBER] } else { 0 };
+    let sums = shape.workgroups_z * area * VECTOR;
+    // a member's pair, cells and splat
+    Work { flops: COMPOSITE * members * area, bytes: members * (2 * NUMBER + SPLAT) + 2 * sums }
 }
 
 /// Adds up to [`MAX_MEMBERS`] members to `sum [tiles, 4, S, S]`, which holds (C, S) of Eq. 12.
 ///
 /// The members of tile t are `tile_first[t] .. tile_first[t + 1]`, in ascending order; `cells [members]` as
 /// [`tile_cells`](crate::tile_cells::tile_cells()) writes them.
-#[kernel(threads(16, 4), iterations = MAX_MEMBERS + MAX_MEMBERS / 8, lanes(side))]
+#[kernel(threads(16, 4), iterations = MAX_MEMBERS + MAX_MEMBERS / 8, lanes(side), work(composite_work))]
 pub fn composite<L: Lane>(
     id: Invocation,
     params: &CompositeParams,
@@ -102,12 +138,12 @@ pub fn composite<L: Lane>(
     cells: Read<u32>,
     splat: Read<Vec4>,
     sum: Write<f32>,
-    near_cells: &mut impl Stage<u32, STAGED>,
-    near_splats: &mut impl Stage<Vec4, STAGED_VECTORS>,
+    shared_cells: &mut impl SharedTile<u32, SHARED_MEMBERS>,
+    shared_splats: &mut impl SharedTile<Vec4, SHARED_VECTORS>,
 ) {
     let place = id.global();
     let inside = place.x < params.side && place.y < params.side;
-    if near_cells.is_shared() || inside {
+    if shared_cells.is_shared() || inside {
         let place = if inside { place } else { UVec3::ZERO };
         let t = id.workgroup.z;
         let first = pixel_center(&Tile::read(tile, t), place.x, place.y);
@@ -125,21 +161,22 @@ pub fn composite<L: Lane>(
         let cell = Cells::of(params.side).bit(place.x, place.y);
         let mut next = begin;
         while next < end {
-            let pass_end = near_cells.end(next, end, 1);
-            near_cells.wait(id);
-            near_cells.fill(id, pass_end - next, MemberCells { cells, first: next });
-            let source = MemberSplats { member, splat, first: next };
-            near_splats.fill(id, (pass_end - next) * VECTORS, source);
-            near_cells.wait(id);
+            let cells = MemberCells { cells, first: next };
+            let splats = MemberSplats { member, splat, first: next };
+            let members = shared_cells.capacity(cells, end - next);
+            shared_cells.wait(id);
+            shared_cells.fill(id, members, cells);
+            shared_splats.fill(id, members, splats);
+            shared_cells.wait(id);
             let mut k = 0;
-            while next < pass_end {
-                if near_cells.at(k, cells, next) & cell != 0 {
-                    let (near, far) = (k * VECTORS, member.read(next) * VECTORS);
-                    let placed = near_splats.at(near, splat, far);
-                    let conic = near_splats.at(near + 1, splat, far + 1);
+            while k < members {
+                if shared_cells.element(shared_cells.offset(k, cells), cells) & cell != 0 {
+                    let offset = shared_splats.offset(k, splats);
+                    let placed = shared_splats.element(offset, splats);
+                    let conic = shared_splats.element(offset + 1, splats);
                     if touches(placed, conic, first.x, last, first.y) {
                         let a = alpha(placed, conic, x, y);
-                        let c = near_splats.at(near + 2, splat, far + 2);
+                        let c = shared_splats.element(offset + 2, splats);
                         red = red + a * L::splat(c.x);
                         green = green + a * L::splat(c.y);
                         blue = blue + a * L::splat(c.z);
@@ -147,8 +184,8 @@ pub fn composite<L: Lane>(
                     }
                 }
                 k += 1;
-                next += 1;
             }
+            next += members;
         }
         if inside {
             red.write(sum, at);
@@ -156,5 +193,138 @@ pub fn composite<L: Lane>(
             blue.write(sum, at + 2 * area);
             weight.write(sum, at + 3 * area);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use std::cell::Cell;
+    use std::fmt::Debug;
+    use std::vec::Vec;
+
+    use super::*;
+    use organza_kernel::shared_tile::Unshared;
+
+    /// Workgroup memory of an invocation that copies all of it: what a GPU reads without a check must have been copied
+    /// since the last wait, and be what the source has.
+    struct Copied<T, const N: usize> {
+        elements: Vec<T>,
+        passes: u32,
+        largest: Cell<u32>,
+    }
+
+    impl<T, const N: usize> Copied<T, N> {
+        fn new() -> Self {
+            Self { elements: Vec::new(), passes: 0, largest: Cell::new(0) }
+        }
+    }
+
+    impl<T: Copy + PartialEq + Debug, const N: usize> SharedTile<T, N> for Copied<T, N> {
+        fn is_shared(&self) -> bool {
+            true
+        }
+
+        fn capacity<S: Source<T>>(&self, _: S, items: u32) -> u32 {
+            items.min(N as u32 / S::ELEMENTS)
+        }
+
+        fn wait(&self, _: Invocation) {}
+
+        fn fill<S: Source<T>>(&mut self, _: Invocation, items: u32, source: S) {
+            assert!((items * S::ELEMENTS) as usize <= N, "{items} items");
+            let offsets = (0..items).flat_map(|item| {
+                (0..S::ELEMENTS).map(move |element| source.offset(item) + element)
+            });
+            self.elements = offsets.map(|offset| source.element(offset)).collect();
+            self.passes += 1;
+        }
+
+        fn offset<S: Source<T>>(&self, item: u32, _: S) -> u32 {
+            item * S::ELEMENTS
+        }
+
+        fn element<S: Source<T>>(&self, offset: u32, source: S) -> T {
+            self.largest.set(self.largest.get().max(offset));
+            let there = source.offset(offset / S::ELEMENTS) + offset % S::ELEMENTS;
+            assert_eq!(self.elements[offset as usize], source.element(there), "element {offset}");
+            self.elements[offset as usize]
+        }
+    }
+
+    /// A tile with more members than workgroup memory holds twice.
+    struct Inputs {
+        params: CompositeParams,
+        member: Vec<u32>,
+        cells: Vec<u32>,
+        splat: Vec<Vec4>,
+    }
+
+    impl Inputs {
+        const MEMBERS: u32 = 150;
+
+        fn new() -> Self {
+            let (side, pairs) = (18, 40);
+            let number = |i: u32| (i * 37 % 101) as f32 / 101.0;
+            let member = (0..Self::MEMBERS).map(|i| i * 7 % pairs).collect();
+            let cells = (0..Self::MEMBERS).map(|i| if i % 5 == 0 { 0x0f0f_0f0f } else { !0 });
+            let splat = (0..pairs).flat_map(|pair| {
+                let (x, y) = (18.0 * number(pair), 18.0 * number(pair + 50));
+                [
+                    Vec4::new(x, y, 0.01, 6.0),
+                    Vec4::new(0.3, 0.05, 0.4, 6.0),
+                    Vec4::new(number(pair), number(pair + 1), number(pair + 2), 0.0),
+                ]
+            });
+            let params = CompositeParams { side, skip: 0 };
+            Self { params, member, cells: cells.collect(), splat: splat.collect() }
+        }
+
+        /// Sums of nothing.
+        fn sums(&self) -> Vec<f32> {
+            std::vec![0.0; (SUM_PLANES * self.params.side * self.params.side) as usize]
+        }
+
+        fn run(
+            &self,
+            id: Invocation,
+            sum: &mut [f32],
+            shared_cells: &mut impl SharedTile<u32, SHARED_MEMBERS>,
+            shared_splats: &mut impl SharedTile<Vec4, SHARED_VECTORS>,
+        ) {
+            composite::<f32>(
+                id,
+                &self.params,
+                Read::from(&[0; 4][..]),
+                Read::from(&[0, Self::MEMBERS][..]),
+                Read::from(&self.member[..]),
+                Read::from(&self.cells[..]),
+                Read::from(&self.splat[..]),
+                Write::from(sum),
+                shared_cells,
+                shared_splats,
+            );
+        }
+    }
+
+    #[test]
+    fn tiles_copy_what_they_read() {
+        let inputs = Inputs::new();
+        let (mut plain, mut staged) = (inputs.sums(), inputs.sums());
+        for index in 0..10 * 64 {
+            let (workgroup, local) = (index / 64, index % 64);
+            let workgroup = UVec3::new(workgroup % 2, workgroup / 2, 0);
+            let local = UVec3::new(local % 16, local / 16, 0);
+            let id = Invocation::new(local, workgroup, UVec3::new(2, 5, 1), UVec3::new(16, 4, 1));
+            inputs.run(id, &mut plain, &mut Unshared, &mut Unshared);
+            let (mut cells, mut splats) = (Copied::new(), Copied::new());
+            inputs.run(id, &mut staged, &mut cells, &mut splats);
+            assert_eq!((cells.passes, cells.largest.get()), (3, 63));
+            assert_eq!(splats.passes, 3);
+            assert!(splats.largest.get() > 150, "{}", splats.largest.get());
+        }
+        assert_eq!(plain, staged);
+        assert!(plain.iter().any(|&value| value > 0.0));
     }
 }

@@ -4,12 +4,16 @@ use glam::{Vec3, Vec4};
 
 use crate::composite::SUM_PLANES;
 use crate::limits::MAX_BAND;
-use crate::math::{ceil, clamp};
-use crate::prelude::*;
 use crate::project::{falloff, mahalanobis};
+#[cfg(not(target_arch = "spirv"))]
+use crate::splat::SPLAT;
 use crate::splat::VECTORS;
 use crate::tile::Tile;
 use crate::transmittance::owner;
+use organza_kernel::math::{ceil, clamp};
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, VECTOR, Work, wide};
 
 /// Parameters of [`composite_backward`].
 #[repr(C)]
@@ -158,6 +162,19 @@ fn all_moments<L: Lane>(
     sum
 }
 
+/// What [`composite_backward`] computes and moves. At most: every member at every pixel of its tile.
+#[cfg(not(target_arch = "spirv"))]
+fn composite_backward_work(params: &CompositeBackwardParams, _: Shape<'_>) -> Work {
+    /// Operations of a member at a pixel.
+    const COMPOSITE_BACKWARD: u64 = 30;
+    let [members, tiles, side, rows] =
+        wide([params.members, params.tiles, params.side, params.rows]);
+    Work {
+        flops: COMPOSITE_BACKWARD * members * side * rows,
+        bytes: members * (NUMBER + SPLAT + 2 * SPLAT) + tiles * side * rows * VECTOR,
+    }
+}
+
 /// Adds to `member_gradient [members, 3]` what each member's splat has of some rows of its tile, of
 /// `sum_gradient [tiles, 4, S, S]`, dL/dC and dL/dS: `(d mean2d x, y, d weight, 0), (d conic xx, xy, yy, 0),
 /// (d color, 0)`.
@@ -165,7 +182,7 @@ fn all_moments<L: Lane>(
 /// The derivative of Eq. 12: with `alpha = weight falloff(q)`, `dL/dalpha = dL/dC . c + dL/dS`, and
 /// `dL/dq = -alpha/2 dL/dalpha` where the falloff is not 0.  One invocation for each member of a tile: pixels are summed
 /// in an order that nothing changes.
-#[kernel(threads(64), iterations = u32::BITS + MAX_BAND, lanes)]
+#[kernel(threads(64), iterations = u32::BITS + MAX_BAND, lanes, counts(members), work(composite_backward_work))]
 pub fn composite_backward<L: Lane>(
     id: Invocation,
     params: &CompositeBackwardParams,

@@ -2,25 +2,22 @@
 //!
 //! A network's parameters are one buffer of `Vec4`: for each layer the weights, input by input (the transpose of
 //! the file's `[out, in]`), then the biases.  Outputs are padded with zeros to full columns of four, hidden
-//! layers to [`HIDDEN_BLOCK`], so that no invocation asks where a row ends.
+//! layers to [`OUTPUTS_PER_INVOCATION`], so that no invocation asks where a row ends.
 
 use glam::Vec4;
 
-use crate::limits::{MAX_HIDDEN_WIDTH, MAX_INPUTS};
-use crate::prelude::*;
-use crate::samples::Samples;
+use crate::limits::MAX_INPUTS;
+use organza_kernel::lane_vec4::LaneVec4;
+use organza_kernel::prelude::*;
+use organza_kernel::samples::Samples;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, VECTOR, Work, wide};
 
 /// Outputs of a hidden layer that one invocation computes.
-pub const HIDDEN_BLOCK: u32 = 16;
+pub const OUTPUTS_PER_INVOCATION: u32 = 16;
 
 /// Columns of them.
-const BLOCK_COLUMNS: u32 = HIDDEN_BLOCK / 4;
-
-/// Vectors of weights that a stage of [`dense`] holds: those of 64 inputs.
-const STAGED: usize = 256;
-
-/// Vectors of weights that a stage of a network's last layer holds: all that it has.
-pub const HEAD_STAGED: usize = MAX_HIDDEN_WIDTH as usize;
+const BLOCK_COLUMNS: u32 = OUTPUTS_PER_INVOCATION / 4;
 
 /// Parameters of [`dense`].
 #[repr(C)]
@@ -40,79 +37,22 @@ pub struct DenseParams {
     pub bias: u32,
 }
 
-/// Four outputs of a layer for each sample.
-#[derive(Clone, Copy)]
-pub struct Column<L> {
-    /// First output.
-    pub x: L,
-    /// Second output.
-    pub y: L,
-    /// Third output.
-    pub z: L,
-    /// Fourth output.
-    pub w: L,
-}
-
-impl<S: Samples> Column<S> {
-    /// The same four values in every lane.
-    #[inline(always)]
-    pub fn splat(values: Vec4) -> Self {
-        let number = S::splat;
-        Self { x: number(values.x), y: number(values.y), z: number(values.z), w: number(values.w) }
-    }
-
-    /// `self + weight x`
-    #[inline(always)]
-    pub fn add_product(self, weight: Vec4, x: S) -> Self {
-        Self {
-            x: x.mul_add(S::splat(weight.x), self.x),
-            y: x.mul_add(S::splat(weight.y), self.y),
-            z: x.mul_add(S::splat(weight.z), self.z),
-            w: x.mul_add(S::splat(weight.w), self.w),
-        }
-    }
-}
-
-/// The weights of some columns, input by input.
-#[derive(Clone, Copy)]
-struct Weights<'a> {
-    parameters: Read<'a, Vec4>,
-    /// Where those of the first input begin.
-    first: u32,
-    /// Columns that are taken.
-    columns: u32,
-    /// Distance of two inputs.
-    pitch: u32,
-}
-
-impl Source<Vec4> for Weights<'_> {
-    #[inline(always)]
-    fn element(self, k: u32) -> Vec4 {
-        self.parameters.read(self.first + k / self.columns * self.pitch + k % self.columns)
-    }
-}
-
 /// The four outputs of a layer that has no more, for each lane's sample, before the activation: `b + sum_i W_i x_i`.
 ///
 /// Inputs are summed in ascending order on every device.
 #[inline(always)]
 pub fn column<L: Lane>(
-    id: Invocation,
     params: &DenseParams,
     parameters: Read<Vec4>,
     input: Read<f32>,
     sample: u32,
-    weights: &mut impl Stage<Vec4, HEAD_STAGED>,
-) -> Column<L> {
-    let mut sum = Column::splat(parameters.read(params.bias));
+) -> LaneVec4<L> {
+    let mut sum = LaneVec4::splat(parameters.read(params.bias));
     let mut weight = params.weight;
     let mut at = sample;
     let mut i = 0;
-    weights.wait(id);
-    weights.fill(id, params.inputs, Weights { parameters, first: weight, columns: 1, pitch: 1 });
-    weights.wait(id);
     while i < params.inputs {
-        sum = sum.add_product(weights.at(i, parameters, weight), L::read(input, at));
+        sum = sum.add_product(parameters.read(weight), L::read(input, at));
         weight += 1;
         at += params.stride;
         i += 1;
@@ -120,28 +60,45 @@ pub fn column<L: Lane>(
     sum
 }
 
+/// What the last layer of a network computes and moves: `outputs`, and `more` values of each sample beside its inputs.
+#[cfg(not(target_arch = "spirv"))]
+pub(crate) fn head_work(samples: u32, inputs: u32, outputs: u64, more: u64) -> Work {
+    let [samples, inputs] = wide([samples, inputs]);
+    Work {
+        flops: 2 * samples * inputs * outputs,
+        bytes: NUMBER * samples * (inputs + more) + VECTOR * (inputs + 1),
+    }
+}
+
+/// What [`dense`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+pub(crate) fn dense_work(params: &DenseParams, _: Shape<'_>) -> Work {
+    let [samples, inputs, outputs] = wide([params.samples, params.inputs, 4 * params.columns]);
+    Work {
+        flops: 2 * samples * inputs * outputs,
+        bytes: NUMBER * (samples * (inputs + outputs) + (inputs + 1) * outputs),
+    }
+}
+
 /// A hidden layer: `output = max(W input + b, 0)`, samples along x and y, blocks of 16 outputs along z.
 ///
 /// `input [inputs, stride]`, `output [4 columns, stride]`.
-#[kernel(threads(64), iterations = 3 * MAX_INPUTS, fused, stacks, lanes(samples))]
+#[kernel(threads(64), iterations = MAX_INPUTS, fused, z_innermost, lanes(samples), counts(samples), work(dense_work))]
 pub fn dense<S: Samples>(
     id: Invocation,
     params: &DenseParams,
     parameters: Read<Vec4>,
     input: Read<f32>,
     output: Write<f32>,
-    weights: &mut impl Stage<Vec4, STAGED>,
 ) {
-    let inside = id.index() < params.samples;
-    if weights.is_shared() || inside {
+    let sample = id.index();
+    if sample < params.samples {
         let first = id.workgroup.z * BLOCK_COLUMNS;
-        if S::WIDTH == 8 {
-            // what has so many lanes has 16 registers, too few for sixteen sums and what is added to them
-            let sample = id.index();
+        if S::COLUMNS == BLOCK_COLUMNS {
+            four_columns::<S>(params, parameters, input, output, sample, first);
+        } else {
             two_columns::<S>(params, parameters, input, output, sample, first);
             two_columns::<S>(params, parameters, input, output, sample, first + 2);
-        } else {
-            four_columns::<S>(id, params, parameters, input, output, weights, first);
         }
     }
 }
@@ -149,87 +106,35 @@ pub fn dense<S: Samples>(
 /// Sixteen outputs of a hidden layer, from a column on: each input is read once for all of them.
 #[inline(always)]
 fn four_columns<S: Samples>(
-    id: Invocation,
     params: &DenseParams,
     parameters: Read<Vec4>,
     input: Read<f32>,
     output: Write<f32>,
-    weights: &mut impl Stage<Vec4, STAGED>,
+    sample: u32,
     first: u32,
 ) {
-    let inside = id.index() < params.samples;
-    let sample = if inside { id.index() } else { 0 };
-    let mut sums = Block {
-        a: Column::<S>::splat(parameters.read(params.bias + first)),
-        b: Column::<S>::splat(parameters.read(params.bias + first + 1)),
-        c: Column::<S>::splat(parameters.read(params.bias + first + 2)),
-        d: Column::<S>::splat(parameters.read(params.bias + first + 3)),
-    };
-    // the first pass is not in a loop of passes: llvmpipe takes an eighth longer for one that has a single pass
-    let mut end = weights.end(0, params.inputs, BLOCK_COLUMNS);
-    sums = add_inputs(id, params, parameters, input, weights, [first, sample], [0, end], sums);
-    while weights.is_shared() && end < params.inputs {
-        let begin = end;
-        end = weights.end(begin, params.inputs, BLOCK_COLUMNS);
-        let inputs = [begin, end];
-        sums = add_inputs(id, params, parameters, input, weights, [first, sample], inputs, sums);
-    }
-    if inside {
-        let row = first * 4;
-        write_rectified(output, sums.a, row, params, sample);
-        write_rectified(output, sums.b, row + 4, params, sample);
-        write_rectified(output, sums.c, row + 8, params, sample);
-        write_rectified(output, sums.d, row + 12, params, sample);
-    }
-}
-
-/// Sixteen sums.
-#[derive(Clone, Copy)]
-struct Block<L> {
-    a: Column<L>,
-    b: Column<L>,
-    c: Column<L>,
-    d: Column<L>,
-}
-
-/// A pass: adds what some of the inputs come to in a block's outputs.
-#[inline(always)]
-#[allow(clippy::too_many_arguments)]
-fn add_inputs<S: Samples>(
-    id: Invocation,
-    params: &DenseParams,
-    parameters: Read<Vec4>,
-    input: Read<f32>,
-    weights: &mut impl Stage<Vec4, STAGED>,
-    [first, sample]: [u32; 2],
-    [begin, end]: [u32; 2],
-    sums: Block<S>,
-) -> Block<S> {
-    let Block { mut a, mut b, mut c, mut d } = sums;
-    let mut weight = params.weight + first + begin * params.columns;
-    let mut at = sample + begin * params.stride;
-    let (columns, pitch) = (BLOCK_COLUMNS, params.columns);
-    weights.wait(id);
-    weights.fill(
-        id,
-        (end - begin) * columns,
-        Weights { parameters, first: weight, columns, pitch },
-    );
-    weights.wait(id);
-    let mut k = 0;
-    let mut i = begin;
-    while i < end {
+    let mut a = LaneVec4::<S>::splat(parameters.read(params.bias + first));
+    let mut b = LaneVec4::<S>::splat(parameters.read(params.bias + first + 1));
+    let mut c = LaneVec4::<S>::splat(parameters.read(params.bias + first + 2));
+    let mut d = LaneVec4::<S>::splat(parameters.read(params.bias + first + 3));
+    let mut weight = params.weight + first;
+    let mut at = sample;
+    let mut i = 0;
+    while i < params.inputs {
         let x = S::read(input, at);
-        a = a.add_product(weights.at(k, parameters, weight), x);
-        b = b.add_product(weights.at(k + 1, parameters, weight + 1), x);
-        c = c.add_product(weights.at(k + 2, parameters, weight + 2), x);
-        d = d.add_product(weights.at(k + 3, parameters, weight + 3), x);
-        k += columns;
-        weight += pitch;
+        a = a.add_product(parameters.read(weight), x);
+        b = b.add_product(parameters.read(weight + 1), x);
+        c = c.add_product(parameters.read(weight + 2), x);
+        d = d.add_product(parameters.read(weight + 3), x);
+        weight += params.columns;
         at += params.stride;
         i += 1;
     }
-    Block { a, b, c, d }
+    let row = first * 4;
+    write_rectified(output, a, row, params, sample);
+    write_rectified(output, b, row + 4, params, sample);
+    write_rectified(output, c, row + 8, params, sample);
+    write_rectified(output, d, row + 12, params, sample);
 }
 
 /// Eight outputs of a hidden layer, from a column on.
@@ -242,8 +147,8 @@ fn two_columns<S: Samples>(
     sample: u32,
     first: u32,
 ) {
-    let mut a = Column::<S>::splat(parameters.read(params.bias + first));
-    let mut b = Column::<S>::splat(parameters.read(params.bias + first + 1));
+    let mut a = LaneVec4::<S>::splat(parameters.read(params.bias + first));
+    let mut b = LaneVec4::<S>::splat(parameters.read(params.bias + first + 1));
     let mut weight = params.weight + first;
     let mut at = sample;
     let mut i = 0;
@@ -264,7 +169,7 @@ fn two_columns<S: Samples>(
 #[inline(always)]
 pub fn write_rectified<S: Samples>(
     output: Write<f32>,
-    value: Column<S>,
+    value: LaneVec4<S>,
     row: u32,
     params: &DenseParams,
     sample: u32,

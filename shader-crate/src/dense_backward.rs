@@ -5,16 +5,18 @@
 
 use glam::Vec4;
 
-use crate::dense::Column;
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SLICE, MAX_SLICES};
-use crate::prelude::*;
-use crate::samples::Samples;
+use organza_kernel::lane_vec4::LaneVec4;
+use organza_kernel::prelude::*;
+use organza_kernel::samples::Samples;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, VECTOR, Work, wide};
 
 /// Inputs of a layer whose gradient one invocation of [`dense_backward`] computes.
-pub const INPUT_BLOCK: u32 = 8;
+pub const INPUTS_PER_INVOCATION: u32 = 8;
 
 /// Inputs of a layer that one invocation of [`dense_weight_backward`] takes; its outputs are a column of four.
-pub const WEIGHT_BLOCK: u32 = 4;
+pub const WEIGHT_ROWS_PER_INVOCATION: u32 = 4;
 
 /// Parameters of [`dense_backward`].
 #[repr(C)]
@@ -40,9 +42,9 @@ pub struct DenseBackwardParams {
 
 /// `sum + g W^T` for the four outputs of a column and four inputs.
 #[inline(always)]
-fn add_transposed<S: Samples>(sum: Column<S>, weight: [Vec4; 4], g: Column<S>) -> Column<S> {
+fn add_transposed<S: Samples>(sum: LaneVec4<S>, weight: [Vec4; 4], g: LaneVec4<S>) -> LaneVec4<S> {
     let [x, y, z, w] = weight;
-    Column {
+    LaneVec4 {
         x: add_dot(sum.x, x, g),
         y: add_dot(sum.y, y, g),
         z: add_dot(sum.z, z, g),
@@ -51,7 +53,7 @@ fn add_transposed<S: Samples>(sum: Column<S>, weight: [Vec4; 4], g: Column<S>) -
 }
 
 #[inline(always)]
-fn add_dot<S: Samples>(sum: S, weight: Vec4, g: Column<S>) -> S {
+fn add_dot<S: Samples>(sum: S, weight: Vec4, g: LaneVec4<S>) -> S {
     let sum = g.x.mul_add(S::splat(weight.x), sum);
     let sum = g.y.mul_add(S::splat(weight.y), sum);
     let sum = g.z.mul_add(S::splat(weight.z), sum);
@@ -60,36 +62,12 @@ fn add_dot<S: Samples>(sum: S, weight: Vec4, g: Column<S>) -> S {
 
 /// Four rows of a buffer, from a row on.
 #[inline(always)]
-fn read_column<S: Samples>(buffer: Read<f32>, first: u32, stride: u32) -> Column<S> {
-    Column {
+fn read_column<S: Samples>(buffer: Read<f32>, first: u32, stride: u32) -> LaneVec4<S> {
+    LaneVec4 {
         x: S::read(buffer, first),
         y: S::read(buffer, first + stride),
         z: S::read(buffer, first + 2 * stride),
         w: S::read(buffer, first + 3 * stride),
-    }
-}
-
-/// Vectors of weights that a stage of [`dense_backward`] holds: those of a block of inputs to the widest layer's outputs.
-const STAGED: usize = (INPUT_BLOCK * MAX_HIDDEN_WIDTH / 4) as usize;
-
-/// The weights of a block's inputs, input by input; inputs past the last repeat it.
-#[derive(Clone, Copy)]
-struct InputWeights<'a> {
-    parameters: Read<'a, Vec4>,
-    /// Where the layer's weights begin.
-    weight: u32,
-    columns: u32,
-    /// The block's first input.
-    first: u32,
-    /// The layer's last one.
-    last: u32,
-}
-
-impl Source<Vec4> for InputWeights<'_> {
-    #[inline(always)]
-    fn element(self, k: u32) -> Vec4 {
-        let input = least(self.first + k / self.columns, self.last);
-        self.parameters.read(self.weight + input * self.columns + k % self.columns)
     }
 }
 
@@ -99,11 +77,23 @@ fn least(a: u32, b: u32) -> u32 {
     if a < b { a } else { b }
 }
 
+/// What [`dense_backward`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn dense_backward_work(params: &DenseBackwardParams, _: Shape<'_>) -> Work {
+    let inputs = params.end_input - params.first_input;
+    let [samples, inputs, outputs] = wide([params.samples, inputs, 4 * params.columns]);
+    let masked = u64::from(params.rectified) * inputs;
+    Work {
+        flops: 2 * samples * inputs * outputs,
+        bytes: NUMBER * (samples * (inputs + masked + outputs) + inputs * outputs),
+    }
+}
+
 /// The gradient of a layer's inputs, `dL/dx_i = sum_o W_oi dL/dy_o` of Eq. 2 and 10: samples along x and y, blocks of
 /// eight inputs from `first_input` on along z.
 ///
 /// `input [inputs, stride]`, `output_gradient [4 columns, stride]`, `input_gradient [end_input, stride]`.
-#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, stacks, lanes(samples))]
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH / 4, fused, z_innermost, lanes(samples), counts(samples), work(dense_backward_work))]
 pub fn dense_backward<S: Samples>(
     id: Invocation,
     params: &DenseBackwardParams,
@@ -111,12 +101,10 @@ pub fn dense_backward<S: Samples>(
     input: Read<f32>,
     output_gradient: Read<f32>,
     input_gradient: Write<f32>,
-    weights: &mut impl Stage<Vec4, STAGED>,
 ) {
-    let inside = id.index() < params.samples;
-    if weights.is_shared() || inside {
-        let sample = if inside { id.index() } else { 0 };
-        let first = params.first_input + id.workgroup.z * INPUT_BLOCK;
+    let sample = id.index();
+    if sample < params.samples {
+        let first = params.first_input + id.workgroup.z * INPUTS_PER_INVOCATION;
         // inputs past the last repeat it, and are not written
         let last = params.inputs - 1;
         let (weight, columns) = (params.weight, params.columns);
@@ -128,37 +116,31 @@ pub fn dense_backward<S: Samples>(
         let at5 = weight + least(first + 5, last) * columns;
         let at6 = weight + least(first + 6, last) * columns;
         let at7 = weight + least(first + 7, last) * columns;
-        let mut low = Column::<S>::splat(Vec4::ZERO);
-        let mut high = Column::<S>::splat(Vec4::ZERO);
+        let mut low = LaneVec4::<S>::splat(Vec4::ZERO);
+        let mut high = LaneVec4::<S>::splat(Vec4::ZERO);
         let mut at = sample;
         let mut c = 0;
-        weights.wait(id);
-        let source = InputWeights { parameters, weight, columns, first, last };
-        weights.fill(id, columns * INPUT_BLOCK, source);
-        weights.wait(id);
         while c < columns {
             let g = read_column::<S>(output_gradient, at, params.stride);
             let rows = [
-                weights.at(c, parameters, at0 + c),
-                weights.at(c + columns, parameters, at1 + c),
-                weights.at(c + 2 * columns, parameters, at2 + c),
-                weights.at(c + 3 * columns, parameters, at3 + c),
+                parameters.read(at0 + c),
+                parameters.read(at1 + c),
+                parameters.read(at2 + c),
+                parameters.read(at3 + c),
             ];
             low = add_transposed(low, rows, g);
             let rows = [
-                weights.at(c + 4 * columns, parameters, at4 + c),
-                weights.at(c + 5 * columns, parameters, at5 + c),
-                weights.at(c + 6 * columns, parameters, at6 + c),
-                weights.at(c + 7 * columns, parameters, at7 + c),
+                parameters.read(at4 + c),
+                parameters.read(at5 + c),
+                parameters.read(at6 + c),
+                parameters.read(at7 + c),
             ];
             high = add_transposed(high, rows, g);
             at += 4 * params.stride;
             c += 1;
         }
-        if inside {
-            write_gradient(params, input, input_gradient, low, first, sample);
-            write_gradient(params, input, input_gradient, high, first + 4, sample);
-        }
+        write_gradient(params, input, input_gradient, low, first, sample);
+        write_gradient(params, input, input_gradient, high, first + 4, sample);
     }
 }
 
@@ -168,7 +150,7 @@ fn write_gradient<S: Samples>(
     params: &DenseBackwardParams,
     input: Read<f32>,
     output: Write<f32>,
-    value: Column<S>,
+    value: LaneVec4<S>,
     row: u32,
     sample: u32,
 ) {
@@ -223,8 +205,8 @@ pub struct DenseWeightBackwardParams {
 
 /// `sum + x g`
 #[inline(always)]
-fn add_scaled<L: Lane>(sum: Column<L>, x: L, g: Column<L>) -> Column<L> {
-    Column {
+fn add_scaled<L: Lane>(sum: LaneVec4<L>, x: L, g: LaneVec4<L>) -> LaneVec4<L> {
+    LaneVec4 {
         x: x.mul_add(g.x, sum.x),
         y: x.mul_add(g.y, sum.y),
         z: x.mul_add(g.z, sum.z),
@@ -234,29 +216,20 @@ fn add_scaled<L: Lane>(sum: Column<L>, x: L, g: Column<L>) -> Column<L> {
 
 /// `sum + g`
 #[inline(always)]
-pub fn add<L: Lane>(sum: Column<L>, g: Column<L>) -> Column<L> {
-    Column { x: sum.x + g.x, y: sum.y + g.y, z: sum.z + g.z, w: sum.w + g.w }
+pub fn add<L: Lane>(sum: LaneVec4<L>, g: LaneVec4<L>) -> LaneVec4<L> {
+    LaneVec4 { x: sum.x + g.x, y: sum.y + g.y, z: sum.z + g.z, w: sum.w + g.w }
 }
 
-/// The same sums.  On the CPU they go through memory: the compiler then keeps each of them in one register before, where
-/// otherwise the sum over lanes would have it take them apart.
+/// The same sums, each of them [settled](Lane::settled).
 #[inline(always)]
-pub fn settled<L: Lane>(sum: Column<L>) -> Column<L> {
-    #[cfg(not(target_arch = "spirv"))]
-    {
-        let Column { x, y, z, w } = sum;
-        let [x, y, z, w] = [x, y, z, w].map(core::hint::black_box);
-        Column { x, y, z, w }
-    }
-    #[cfg(target_arch = "spirv")]
-    {
-        sum
-    }
+pub fn settled<L: Lane>(sum: LaneVec4<L>) -> LaneVec4<L> {
+    let LaneVec4 { x, y, z, w } = sum;
+    LaneVec4 { x: x.settled(), y: y.settled(), z: z.settled(), w: w.settled() }
 }
 
 /// What all lanes have, and what was left over.
 #[inline(always)]
-fn total<L: Lane, M: Lane>(sum: Column<L>, rest: Column<M>) -> Vec4 {
+fn total<L: Lane, M: Lane>(sum: LaneVec4<L>, rest: LaneVec4<M>) -> Vec4 {
     Vec4::new(
         sum.x.sum() + rest.x.sum(),
         sum.y.sum() + rest.y.sum(),
@@ -265,13 +238,24 @@ fn total<L: Lane, M: Lane>(sum: Column<L>, rest: Column<M>) -> Vec4 {
     )
 }
 
+/// What [`dense_weight_backward`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn dense_weight_backward_work(params: &DenseWeightBackwardParams, shape: Shape<'_>) -> Work {
+    let [samples, inputs, outputs] = wide([params.samples, params.inputs, 4 * params.columns]);
+    Work {
+        flops: samples * (2 * inputs + 1) * outputs,
+        bytes: NUMBER
+            * (samples * (inputs + outputs) + shape.workgroups_z * (inputs + 1) * outputs),
+    }
+}
+
 /// The gradient of a layer's weights and biases, `dL/dW_oi = sum x_i dL/dy_o` and `dL/db_o = sum dL/dy_o` of Eq. 2 and
 /// 10, the sums over the samples of a slice: blocks of four inputs and a column of outputs along x and y (the column
 /// counts fastest; behind the last block the biases), slices along z.
 ///
 /// `input [inputs, stride]`, `output_gradient [4 columns, stride]`, `partial [slices, parameters]`, from
 /// the slice `params.first_slice` on.
-#[kernel(threads(16), iterations = MAX_SLICE, fused, lanes)]
+#[kernel(threads(16), iterations = MAX_SLICE, fused, lanes, counts(samples), work(dense_weight_backward_work))]
 pub fn dense_weight_backward<L: Lane>(
     id: Invocation,
     params: &DenseWeightBackwardParams,
@@ -281,7 +265,7 @@ pub fn dense_weight_backward<L: Lane>(
 ) {
     let index = id.index();
     let (columns, inputs) = (params.columns, params.inputs);
-    let blocks = (inputs - 1) / WEIGHT_BLOCK + 1;
+    let blocks = (inputs - 1) / WEIGHT_ROWS_PER_INVOCATION + 1;
     if index < (blocks + 1) * columns {
         let (block, column) = (index / columns, index % columns);
         let slice = id.workgroup.z;
@@ -290,32 +274,16 @@ pub fn dense_weight_backward<L: Lane>(
         let to = (params.first_slice + slice) * params.parameters + column;
         let g = 4 * column * params.stride;
         if block < blocks {
-            let first = block * WEIGHT_BLOCK;
-            let [row0, row1, row2, row3] = input_rows(params, first);
-            // sixteen sums: four variables, for an aggregate of them would stay in memory
-            let none = Column::<L>::splat(Vec4::ZERO);
-            let (mut sum0, mut sum1, mut sum2, mut sum3) = (none, none, none, none);
-            let mut sample = begin;
-            while sample + L::WIDTH <= end {
-                let g = read_column::<L>(output_gradient, g + sample, params.stride);
-                sum0 = add_scaled(sum0, L::read(input, row0 + sample), g);
-                sum1 = add_scaled(sum1, L::read(input, row1 + sample), g);
-                sum2 = add_scaled(sum2, L::read(input, row2 + sample), g);
-                sum3 = add_scaled(sum3, L::read(input, row3 + sample), g);
-                sample += L::WIDTH;
-            }
+            let first = block * WEIGHT_ROWS_PER_INVOCATION;
+            let (rows, stride) = (input_rows(params, first), params.stride);
+            let (sums, sample) =
+                sum_products::<L>(input, rows, output_gradient, g, stride, [begin, end]);
+            let [sum0, sum1, sum2, sum3] = sums;
             let (sum0, sum1) = (settled(sum0), settled(sum1));
             let (sum2, sum3) = (settled(sum2), settled(sum3));
-            let none = Column::<L::One>::splat(Vec4::ZERO);
-            let (mut rest0, mut rest1, mut rest2, mut rest3) = (none, none, none, none);
-            while sample < end {
-                let g = read_column::<L::One>(output_gradient, g + sample, params.stride);
-                rest0 = add_scaled(rest0, <L::One as Lane>::read(input, row0 + sample), g);
-                rest1 = add_scaled(rest1, <L::One as Lane>::read(input, row1 + sample), g);
-                rest2 = add_scaled(rest2, <L::One as Lane>::read(input, row2 + sample), g);
-                rest3 = add_scaled(rest3, <L::One as Lane>::read(input, row3 + sample), g);
-                sample += 1;
-            }
+            let (rests, _) =
+                sum_products::<L::One>(input, rows, output_gradient, g, stride, [sample, end]);
+            let [rest0, rest1, rest2, rest3] = rests;
             let to = to + params.weight + first * columns;
             partial.write(to, total(sum0, rest0));
             if first + 1 < inputs {
@@ -334,22 +302,56 @@ pub fn dense_weight_backward<L: Lane>(
     }
 }
 
+/// Sums over samples of the products of four inputs and a column of outputs' gradients, as many whole lanes as there are,
+/// and the first sample after those.
+#[inline(always)]
+fn sum_products<L: Lane>(
+    input: Read<f32>,
+    [row0, row1, row2, row3]: [u32; 4],
+    output_gradient: Read<f32>,
+    g: u32,
+    stride: u32,
+    [begin, end]: [u32; 2],
+) -> ([LaneVec4<L>; 4], u32) {
+    // sixteen sums: four variables, for an aggregate of them would stay in memory
+    let none = LaneVec4::<L>::splat(Vec4::ZERO);
+    let (mut sum0, mut sum1, mut sum2, mut sum3) = (none, none, none, none);
+    let mut sample = begin;
+    while sample + L::WIDTH <= end {
+        let g = read_column::<L>(output_gradient, g + sample, stride);
+        sum0 = add_scaled(sum0, L::read(input, row0 + sample), g);
+        sum1 = add_scaled(sum1, L::read(input, row1 + sample), g);
+        sum2 = add_scaled(sum2, L::read(input, row2 + sample), g);
+        sum3 = add_scaled(sum3, L::read(input, row3 + sample), g);
+        sample += L::WIDTH;
+    }
+    ([sum0, sum1, sum2, sum3], sample)
+}
+
 /// Sums of a column's four rows from a sample to another.
 #[inline(always)]
 fn sum_rows<L: Lane>(rows: Read<f32>, first: u32, stride: u32, begin: u32, end: u32) -> Vec4 {
-    let mut sum = Column::<L>::splat(Vec4::ZERO);
+    let (sum, sample) = sum_lanes::<L>(rows, first, stride, [begin, end]);
+    let sum = settled(sum);
+    let (rest, _) = sum_lanes::<L::One>(rows, first, stride, [sample, end]);
+    total(sum, rest)
+}
+
+/// As [`sum_rows`], of as many whole lanes as there are, and the first sample after those.
+#[inline(always)]
+fn sum_lanes<L: Lane>(
+    rows: Read<f32>,
+    first: u32,
+    stride: u32,
+    [begin, end]: [u32; 2],
+) -> (LaneVec4<L>, u32) {
+    let mut sum = LaneVec4::<L>::splat(Vec4::ZERO);
     let mut sample = begin;
     while sample + L::WIDTH <= end {
         sum = add(sum, read_column::<L>(rows, first + sample, stride));
         sample += L::WIDTH;
     }
-    let sum = settled(sum);
-    let mut rest = Column::<L::One>::splat(Vec4::ZERO);
-    while sample < end {
-        rest = add(rest, read_column::<L::One>(rows, first + sample, stride));
-        sample += 1;
-    }
-    total(sum, rest)
+    (sum, sample)
 }
 
 /// Where the rows of a block's inputs begin; inputs past the last repeat it.
@@ -374,9 +376,16 @@ pub struct DenseWeightSumParams {
     pub slices: u32,
 }
 
+/// What [`dense_weight_sum`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn dense_weight_sum_work(params: &DenseWeightSumParams, _: Shape<'_>) -> Work {
+    let [parameters, slices] = wide([params.parameters, params.slices]);
+    Work { flops: 4 * parameters * slices, bytes: VECTOR * parameters * (slices + 2) }
+}
+
 /// Adds what [`dense_weight_backward`] found in each slice, in their order: `gradient [parameters]`,
 /// `partial [slices, parameters]`.
-#[kernel(threads(64), iterations = MAX_SLICES)]
+#[kernel(threads(64), iterations = MAX_SLICES, work(dense_weight_sum_work))]
 pub fn dense_weight_sum(
     id: Invocation,
     params: &DenseWeightSumParams,
@@ -392,5 +401,76 @@ pub fn dense_weight_sum(
             slice += 1;
         }
         gradient.write(index, sum);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use std::vec;
+    use std::vec::Vec;
+
+    use glam::UVec3;
+
+    use super::*;
+    use crate::dense::{DenseParams, dense};
+    use organza_kernel::samples::Four;
+
+    fn numbers(count: u32) -> Vec<f32> {
+        (0..count).map(|i| (i * 37 % 101) as f32 / 50.0 - 1.0).collect()
+    }
+
+    fn vectors(count: u32) -> Vec<Vec4> {
+        numbers(4 * count).as_chunks::<4>().0.iter().copied().map(Vec4::from_array).collect()
+    }
+
+    /// The invocations of two workgroups.
+    fn invocations(workgroup_z: u32) -> impl Iterator<Item = Invocation> {
+        (0..128).map(move |x| {
+            let workgroup = UVec3::new(x / 64, 0, workgroup_z);
+            let local = UVec3::new(x % 64, 0, 0);
+            Invocation::new(local, workgroup, UVec3::new(2, 1, 2), UVec3::new(64, 1, 1))
+        })
+    }
+
+    /// An invocation of a GPU, which reads without a check: here every index is checked.
+    #[test]
+    fn layers_of_four_samples_are_those_of_one() {
+        for samples in [1, 2, 3, 4, 63, 70] {
+            let (stride, inputs, columns) = (samples + 3, 11, 8);
+            let (weight, bias) = (3, 3 + inputs * columns);
+            let params = DenseParams { samples, stride, inputs, columns, weight, bias };
+            let parameters = vectors(3 + (inputs + 1) * columns);
+            let input = numbers(inputs * stride);
+            let len = (4 * columns * stride) as usize;
+            let (mut one, mut four) = (vec![9.0; len], vec![9.0; len]);
+            let back = DenseBackwardParams {
+                samples,
+                stride,
+                inputs,
+                columns,
+                weight,
+                first_input: 0,
+                end_input: inputs,
+                rectified: 1,
+            };
+            let gradient = numbers(4 * columns * stride);
+            let back_len = (inputs * stride) as usize;
+            let (mut back_one, mut back_four) = (vec![9.0; back_len], vec![9.0; back_len]);
+            let (weights, input) = (Read::from(&parameters[..]), Read::from(&input[..]));
+            let gradient = Read::from(&gradient[..]);
+            for id in [0, 1].into_iter().flat_map(invocations) {
+                dense::<f32>(id, &params, weights, input, Write::from(&mut one[..]));
+                dense::<Four>(id.of(4), &params, weights, input, Write::from(&mut four[..]));
+                let output = Write::from(&mut back_one[..]);
+                dense_backward::<f32>(id, &back, weights, input, gradient, output);
+                let output = Write::from(&mut back_four[..]);
+                dense_backward::<Four>(id.of(4), &back, weights, input, gradient, output);
+            }
+            assert_eq!(one, four, "{samples} samples");
+            assert_eq!(back_one, back_four, "{samples} samples on the way back");
+            assert!(four.iter().any(|&value| value > 0.0 && value != 9.0));
+        }
     }
 }

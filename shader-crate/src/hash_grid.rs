@@ -1,10 +1,12 @@
 //! Multiresolution hash grid.
 
 use crate::limits::MAX_FEATURES;
-use crate::prelude::*;
 use crate::unit_cube::Split;
 #[cfg(not(target_arch = "spirv"))]
 use crate::unit_cube::leading_bits;
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, Work, wide};
 
 /// One level of a grid; the host computes it in f64, kernels never call `pow`.
 #[repr(C)]
@@ -178,6 +180,50 @@ impl<L: Lane> Corners<L> {
     }
 }
 
+/// The eight corners of a cell, written out: `of_corners!(corners, |entry, weight| value)` is an array of what each of them
+/// has, x fastest, and `of_corners!(each corners, |entry, weight| statement)` does something for each.
+macro_rules! of_corners {
+    (each $corners:expr, |$entry:ident, $weight:ident| $value:expr) => {
+        $crate::hash_grid::of_corners!(@ each $corners, $entry $weight $value)
+    };
+    ($corners:expr, |$entry:ident, $weight:ident| $value:expr) => {
+        $crate::hash_grid::of_corners!(@ array $corners, $entry $weight $value)
+    };
+    (@ $kind:ident $corners:expr, $entry:ident $weight:ident $value:expr) => {{
+        let [e0, e1, e2, e3, e4, e5, e6, e7] = $corners.entry;
+        let [w0, w1, w2, w3, w4, w5, w6, w7] = $corners.weight;
+        $crate::hash_grid::of_corners!(
+            @$kind $entry $weight $value; e0 w0 e1 w1 e2 w2 e3 w3 e4 w4 e5 w5 e6 w6 e7 w7
+        )
+    }};
+    (@each $entry:ident $weight:ident $value:expr; $($e:ident $w:ident)*) => {{
+        $(
+            let ($entry, $weight) = ($e, $w);
+            $value;
+        )*
+    }};
+    (@array $entry:ident $weight:ident $value:expr; $($e:ident $w:ident)*) => {
+        [$({
+            let ($entry, $weight) = ($e, $w);
+            $value
+        }),*]
+    };
+}
+pub(crate) use of_corners;
+
+/// The sum of what the corners have, in their order.
+#[inline(always)]
+pub fn sum<L: Lane>([a, b, c, d, e, f, g, h]: [L; 8]) -> L {
+    a + b + c + d + e + f + g + h
+}
+
+/// Where a value of each lane's entry lies in a table `[entries, width]`.
+#[inline(always)]
+pub fn value_at<L: Lane>(entry: L::Index, width: u32, value: u32) -> L::Index {
+    let number = <L::Index as LaneIndex>::splat;
+    entry.wrapping_mul(number(width)).wrapping_add(number(value))
+}
+
 /// Rows that a point takes in a buffer `[rows, stride]`.
 pub const POINT_ROWS: u32 = 6;
 
@@ -213,11 +259,36 @@ fn read_split<L: Lane>(buffer: Read<f32>, stride: u32, coarse: u32) -> Split<L> 
     Split { coarse: L::read(buffer, coarse), fine: L::read(buffer, coarse + 3 * stride) }
 }
 
+/// Bytes of a point: coarse and fine parts.
+#[cfg(not(target_arch = "spirv"))]
+pub(crate) const POINT: u64 = 6 * NUMBER;
+
+/// Operations of a point in a level beside those of its features.
+#[cfg(not(target_arch = "spirv"))]
+pub(crate) fn cell_work(params: &HashGridParams) -> u64 {
+    /// Operations that place a point in a level: 9 an axis, and 15 for the weights of eight corners.
+    const CELL: u64 = 3 * 9 + 15;
+    /// Operations that smoothstep adds.
+    const SMOOTHSTEP: u64 = 3 * 4;
+    CELL + SMOOTHSTEP * u64::from(params.smoothstep)
+}
+
+/// What [`hash_grid`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+pub(crate) fn hash_grid_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
+    let [points, features] = wide([params.points, params.features]);
+    let cells = points * shape.workgroups_z;
+    Work {
+        flops: cells * (cell_work(params) + 15 * features),
+        bytes: points * POINT + cells * (8 + 1) * features * NUMBER,
+    }
+}
+
 /// Writes the features of every (point, level): points along x and y, levels along z.
 ///
 /// `position [chunks, point_rows, stride]`, see [`write_point`]; `table [entries, features]`;
 /// `output [chunks, rows, stride]`.
-#[kernel(threads(64), iterations = MAX_FEATURES, lanes(points))]
+#[kernel(threads(64), iterations = MAX_FEATURES, lanes(points), counts(points), work(hash_grid_work))]
 pub fn hash_grid<L: Lane>(
     id: Invocation,
     params: &HashGridParams,
@@ -233,29 +304,15 @@ pub fn hash_grid<L: Lane>(
         let x = read_point::<L>(position, stride, params.point_column(point));
         let corners = Corners::of(&level, level.cell(x, params.smoothstep != 0));
         let features = params.features;
-        let [e0, e1, e2, e3, e4, e5, e6, e7] = corners.entry;
-        let [w0, w1, w2, w3, w4, w5, w6, w7] = corners.weight;
         let mut row = params.feature_column(point, id.workgroup.z);
         let mut f = 0;
         while f < features {
-            let value = feature::<L>(table, e0, features, f) * w0
-                + feature::<L>(table, e1, features, f) * w1
-                + feature::<L>(table, e2, features, f) * w2
-                + feature::<L>(table, e3, features, f) * w3
-                + feature::<L>(table, e4, features, f) * w4
-                + feature::<L>(table, e5, features, f) * w5
-                + feature::<L>(table, e6, features, f) * w6
-                + feature::<L>(table, e7, features, f) * w7;
+            let value = sum(of_corners!(corners, |entry, weight| {
+                L::gather(table, value_at::<L>(entry, features, f)) * weight
+            }));
             value.write(output, row);
             row += stride;
             f += 1;
         }
     }
-}
-
-/// A feature of each lane's entry.
-#[inline(always)]
-fn feature<L: Lane>(table: Read<f32>, entry: L::Index, features: u32, f: u32) -> L {
-    let number = <L::Index as LaneIndex>::splat;
-    L::gather(table, entry.wrapping_mul(number(features)).wrapping_add(number(f)))
 }

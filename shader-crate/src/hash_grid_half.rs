@@ -3,27 +3,31 @@
 //! Two features are one word: an entry takes half as many words as it has features, rounded up.  Features are
 //! rounded once, to 11 bits, when the table is packed; all else is as in [`hash_grid`](crate::hash_grid).
 
-use crate::hash_grid::{Corners, GridLevel, HashGridParams, read_point};
+#[cfg(not(target_arch = "spirv"))]
+use crate::hash_grid::hash_grid_work;
+use crate::hash_grid::{Corners, GridLevel, HashGridParams, of_corners, read_point, sum, value_at};
 use crate::limits::MAX_FEATURES;
-use crate::prelude::*;
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, Work, wide};
 
 /// The largest number that a table may hold.
 pub const MAX_HALF: f32 = 65_504.0;
 
-/// The value of a half, of its 16 bits; one below 2^-14, of which drivers make zero, must not be there.
-#[inline(always)]
-pub fn half_value(bits: u32) -> f32 {
-    // the exponent moves to where a float has it, short of the biases' difference
-    let moved = f32::from_bits((bits & 0x8000) << 16 | (bits & 0x7fff) << 13);
-    moved * TWO_TO_112
+/// What [`hash_grid_half`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn hash_grid_half_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
+    let [points, features] = wide([params.points, params.features]);
+    // a word holds two of a corner's features; a product of two powers of two makes a half a number
+    let words = 8 * shape.workgroups_z * features.div_ceil(2);
+    let full = hash_grid_work(params, shape);
+    let halved = NUMBER * points * (8 * shape.workgroups_z * features - words);
+    Work { flops: full.flops + 2 * points * words, bytes: full.bytes - halved }
 }
-
-/// 2^112, the ratio of the biases: 127 - 15 = 112.
-const TWO_TO_112: f32 = f32::from_bits((127 + 112) << 23);
 
 /// As [`hash_grid`](crate::hash_grid::hash_grid()), with `table [entries, ceil(features / 2)]`: the feature of even
 /// number in the lower half of a word.
-#[kernel(threads(64), iterations = MAX_FEATURES, lanes(points))]
+#[kernel(threads(64), iterations = MAX_FEATURES, lanes(points), counts(points), work(hash_grid_half_work))]
 pub fn hash_grid_half<L: Lane>(
     id: Invocation,
     params: &HashGridParams,
@@ -55,25 +59,12 @@ pub fn hash_grid_half<L: Lane>(
 /// Two features between the corners of a cell, summed as [`hash_grid`](crate::hash_grid) does.
 #[inline(always)]
 fn interpolated<L: Lane>(table: Read<u32>, corners: &Corners<L>, words: u32, word: u32) -> [L; 2] {
-    let [e0, e1, e2, e3, e4, e5, e6, e7] = corners.entry;
-    let [w0, w1, w2, w3, w4, w5, w6, w7] = corners.weight;
-    let [a0, b0] = features::<L>(table, e0, words, word);
-    let [a1, b1] = features::<L>(table, e1, words, word);
-    let [a2, b2] = features::<L>(table, e2, words, word);
-    let [a3, b3] = features::<L>(table, e3, words, word);
-    let [a4, b4] = features::<L>(table, e4, words, word);
-    let [a5, b5] = features::<L>(table, e5, words, word);
-    let [a6, b6] = features::<L>(table, e6, words, word);
-    let [a7, b7] = features::<L>(table, e7, words, word);
+    let [a, b, c, d, e, f, g, h] = of_corners!(corners, |entry, weight| {
+        let [first, second] = L::gather_halves(table, value_at::<L>(entry, words, word));
+        [first * weight, second * weight]
+    });
     [
-        a0 * w0 + a1 * w1 + a2 * w2 + a3 * w3 + a4 * w4 + a5 * w5 + a6 * w6 + a7 * w7,
-        b0 * w0 + b1 * w1 + b2 * w2 + b3 * w3 + b4 * w4 + b5 * w5 + b6 * w6 + b7 * w7,
+        sum([a[0], b[0], c[0], d[0], e[0], f[0], g[0], h[0]]),
+        sum([a[1], b[1], c[1], d[1], e[1], f[1], g[1], h[1]]),
     ]
-}
-
-/// Two features of each lane's entry.
-#[inline(always)]
-fn features<L: Lane>(table: Read<u32>, entry: L::Index, words: u32, word: u32) -> [L; 2] {
-    let number = <L::Index as LaneIndex>::splat;
-    L::gather_halves(table, entry.wrapping_mul(number(words)).wrapping_add(number(word)))
 }

@@ -7,10 +7,10 @@
 
 use glam::Vec4;
 
-use crate::atomic;
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_LAYERS};
-use crate::math::abs;
-use crate::prelude::*;
+use organza_kernel::atomic;
+use organza_kernel::math::abs;
+use organza_kernel::prelude::*;
 
 /// Place in `scale`: what a gradient is multiplied by, a power of two.
 pub const SCALE: u32 = 0;
@@ -62,14 +62,13 @@ fn larger(a: u32, b: u32) -> u32 {
 /// `dT/da_k = T s_factor (1 - sigmoid(a_k))` and s_factor is at most 1.
 /// `pair_gradient [pairs, 3]` is `(dL/dmean2d, dL/dopacity, dL/dT), (dL/dconic, 0), (dL/dc, 0)`; `transmittance [pairs]` is
 /// not read for colors.
-#[kernel(threads(64))]
+#[kernel(threads(64), counts(pairs))]
 pub fn hash_grid_peak(
     id: Invocation,
     params: &HashGridPeakParams,
     pair_gradient: Read<Vec4>,
     transmittance: Read<f32>,
     bound: Write<u32>,
-    group: impl Group,
 ) {
     let pair = id.index();
     if pair < params.pairs {
@@ -79,7 +78,7 @@ pub fn hash_grid_peak(
         } else {
             size_bits(pair_gradient.read(3 * pair).w * transmittance.read(pair))
         };
-        group.raise(bound, 0, bits);
+        atomic::raise(bound, 0, bits);
     }
 }
 
@@ -104,7 +103,6 @@ pub fn hash_grid_norm(
     params: &HashGridNormParams,
     parameters: Read<Vec4>,
     bound: Write<u32>,
-    group: impl Group,
 ) {
     let input = id.index();
     if input < params.inputs {
@@ -116,7 +114,7 @@ pub fn hash_grid_norm(
             sum += abs(w.x) + abs(w.y) + abs(w.z) + abs(w.w);
             column += 1;
         }
-        group.raise(bound, params.slot, size_bits(sum));
+        atomic::raise(bound, params.slot, size_bits(sum));
     }
 }
 
@@ -135,7 +133,7 @@ pub struct HashGridScaleParams {
 /// With 2^e above the product of the bounds and 2^b the next power of two of the samples, the scale is `2^(62 - e - b)`,
 /// and 2^126 at most: no sum comes to 2^63.  Where a bound is infinite or NaN, the limit is 0, so that nothing is added,
 /// and `status` is raised.
-#[kernel(threads(1), iterations = MAX_LAYERS + 1)]
+#[kernel(threads(1), iterations = MAX_LAYERS + 1, counts(samples))]
 pub fn hash_grid_scale(
     id: Invocation,
     params: &HashGridScaleParams,

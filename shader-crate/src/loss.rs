@@ -7,9 +7,9 @@
 use glam::Vec4;
 
 use crate::limits::MAX_TILE_SIDE;
-use crate::math::{TINY, abs};
-use crate::prelude::*;
 use crate::ssim::{SLOPES, Taps, WINDOW};
+use organza_kernel::math::{TINY, abs};
+use organza_kernel::prelude::*;
 
 /// Parameters of [`loss_terms`] and [`loss_rows`].
 #[repr(C)]

@@ -1,7 +1,7 @@
 //! The (Gaussian, camera) pairs that some tile needs: color and transmittance are evaluated for these alone.
 
 use crate::limits::{MAX_CAMERAS, MAX_TILES};
-use crate::prelude::*;
+use organza_kernel::prelude::*;
 
 /// Parameters of [`pair_mask`].
 #[repr(C)]

@@ -2,10 +2,12 @@
 
 use glam::Vec4;
 
-use crate::dense::Column;
 use crate::dense_backward::settled;
 use crate::limits::MAX_PEAK_STEPS;
-use crate::prelude::*;
+use organza_kernel::lane_vec4::LaneVec4;
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, Work, wide};
 
 /// Multiply-adds of an invocation of [`peak_multiply_add`] in a step: twelve sums, four times each.
 pub const MULTIPLY_ADDS: u32 = 48;
@@ -29,8 +31,8 @@ pub struct PeakMultiplyAddParams {
 
 /// `sum factor + addend` for four sums.
 #[inline(always)]
-fn next<L: Lane>(sum: Column<L>, factor: L, addend: L) -> Column<L> {
-    Column {
+fn next<L: Lane>(sum: LaneVec4<L>, factor: L, addend: L) -> LaneVec4<L> {
+    LaneVec4 {
         x: sum.x.mul_add(factor, addend),
         y: sum.y.mul_add(factor, addend),
         z: sum.z.mul_add(factor, addend),
@@ -40,16 +42,16 @@ fn next<L: Lane>(sum: Column<L>, factor: L, addend: L) -> Column<L> {
 
 /// `sum factor + addend`, four times.
 #[inline(always)]
-fn next_four<L: Lane>(sum: Column<L>, factor: L, addend: L) -> Column<L> {
+fn next_four<L: Lane>(sum: LaneVec4<L>, factor: L, addend: L) -> LaneVec4<L> {
     let sum = next(next(sum, factor, addend), factor, addend);
     next(next(sum, factor, addend), factor, addend)
 }
 
 /// Four sums to begin with: `base` and the numbers of a vector.
 #[inline(always)]
-fn start<L: Lane>(base: L, first: Vec4) -> Column<L> {
+fn start<L: Lane>(base: L, first: Vec4) -> LaneVec4<L> {
     let number = L::splat;
-    Column {
+    LaneVec4 {
         x: base + number(first.x),
         y: base + number(first.y),
         z: base + number(first.z),
@@ -63,10 +65,17 @@ pub const FIRST_SUMS: Vec4 = Vec4::new(0.0, 1.0, 2.0, 3.0);
 /// What the number of an invocation is multiplied by in its sums' beginnings.
 pub const INVOCATION_SHARE: f32 = 1.0 / 4_194_304.0;
 
+/// What [`peak_multiply_add`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn peak_multiply_add_work(params: &PeakMultiplyAddParams, _: Shape<'_>) -> Work {
+    let [count, steps, each] = wide([params.count, params.steps, MULTIPLY_ADDS]);
+    Work { flops: 2 * count * steps * each, bytes: count * NUMBER }
+}
+
 /// Multiply-adds on registers, `x = x factor + addend` again and again: `output [count]`, the sum of an invocation's
 /// twelve.  They begin with 0 to 11 and a little of the invocation's number, so that no compiler finds two of them the
 /// same, and no GPU two invocations.
-#[kernel(threads(64), iterations = MAX_PEAK_STEPS, fused, lanes(count))]
+#[kernel(threads(64), iterations = MAX_PEAK_STEPS, fused, lanes(count), work(peak_multiply_add_work))]
 pub fn peak_multiply_add<L: Lane>(
     id: Invocation,
     params: &PeakMultiplyAddParams,
@@ -104,11 +113,18 @@ pub struct PeakReadParams {
     pub steps: u32,
 }
 
+/// What [`peak_read`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn peak_read_work(params: &PeakReadParams, _: Shape<'_>) -> Work {
+    let [count, steps, each] = wide([params.count, params.steps, READS]);
+    Work { flops: count * steps * each, bytes: count * (steps * each + 1) * NUMBER }
+}
+
 /// Reads memory from one end to the other: `output [count]`, the sum of what an invocation has read.
 ///
 /// `values [workgroups, steps, 4, 64]`: a workgroup of a GPU reads 64 neighbors at once, and on the CPU its block stays in
 /// the innermost cache until all of its lines are used up.
-#[kernel(threads(64), iterations = MAX_PEAK_STEPS, lanes(count))]
+#[kernel(threads(64), iterations = MAX_PEAK_STEPS, lanes(count), work(peak_read_work))]
 pub fn peak_read<L: Lane>(
     id: Invocation,
     params: &PeakReadParams,

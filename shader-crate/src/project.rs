@@ -2,18 +2,18 @@
 
 use glam::{Vec2, Vec3, Vec4};
 
-use crate::atomic;
 use crate::camera::{Camera, read3};
-use crate::math::{abs, clamp, cross, dot, exp, is_finite, sqrt};
-use crate::prelude::*;
+use crate::lens::Lens;
+use organza_kernel::atomic;
+use organza_kernel::math::{abs, cross, dot, exp, is_finite, sqrt};
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, VECTOR, Work};
 
 /// `2 ln 255`: the squared Mahalanobis radius at which the falloff has come down to 1/255, and ends.
 pub const FALLOFF_CUTOFF: f32 = 11.082_527;
 
-/// A Gaussian at this depth or nearer is culled.
-pub const NEAR_PLANE: f32 = 0.01;
-
-/// [`Projection::radius`] of a Gaussian that lies behind the near plane.
+/// [`Projection::radius`] of a Gaussian that its camera's lens does not see: it lies behind the near plane.
 pub const BEHIND: f32 = -1.0;
 
 /// [`Projection::radius`] of a Gaussian whose projection is not finite or has no inverse.
@@ -49,14 +49,8 @@ pub fn rotation_columns(q: Vec4) -> [Vec3; 3] {
 pub struct Footprint {
     /// Position in the camera's space.
     pub t: Vec3,
-    /// Depth; 1 where the Gaussian is culled.
-    pub z: f32,
-    /// `x/z` and `y/z`, clamped to the image's border plus 0.3 of its half width.
-    pub ratio: Vec2,
-    /// First row of `J W`.
-    pub row_x: Vec3,
-    /// Second row of `J W`.
-    pub row_y: Vec3,
+    /// The position's projection, and `J W`.
+    pub lens: Lens,
     /// Columns of R.
     pub axes: [Vec3; 3],
     /// Diagonal of S: `exp(log_scale)`.
@@ -71,27 +65,15 @@ impl Footprint {
     /// The footprint of one Gaussian.
     #[inline(always)]
     pub fn new(camera: &Camera, position: Vec3, rotation: Vec4, log_scale: Vec3) -> Self {
-        let [right, down, forward] = camera.rotation;
-        let offset = position - camera.eye;
-        let t = Vec3::new(dot(right, offset), dot(down, offset), dot(forward, offset));
-        let z = if t.z > NEAR_PLANE { t.z } else { 1.0 };
-
-        // the ratios x/z and y/z are clamped in J alone
-        let inverse_focal = Vec2::new(1.0 / camera.focal.x, 1.0 / camera.focal.y);
-        let margin = camera.size * inverse_focal * 0.15;
-        let low = camera.center * inverse_focal * -1.0 - margin;
-        let high = (camera.size - camera.center) * inverse_focal + margin;
-        let ratio = Vec2::new(clamp(t.x / z, low.x, high.x), clamp(t.y / z, low.y, high.y));
-
-        let (fx, fy) = (camera.focal.x / z, camera.focal.y / z);
-        let row_x = (right - forward * ratio.x) * fx;
-        let row_y = (down - forward * ratio.y) * fy;
+        let t = camera.to_camera(position);
+        let lens = Lens::new(camera, t);
+        let (row_x, row_y) = (lens.row_x, lens.row_y);
         let axes = rotation_columns(rotation);
-        let [x, y, z_axis] = axes;
+        let [x, y, z] = axes;
         let scale = Vec3::new(exp(log_scale.x), exp(log_scale.y), exp(log_scale.z));
-        let u = Vec3::new(dot(row_x, x), dot(row_x, y), dot(row_x, z_axis)) * scale;
-        let v = Vec3::new(dot(row_y, x), dot(row_y, y), dot(row_y, z_axis)) * scale;
-        Self { t, z, ratio, row_x, row_y, axes, scale, u, v }
+        let u = Vec3::new(dot(row_x, x), dot(row_x, y), dot(row_x, z)) * scale;
+        let v = Vec3::new(dot(row_y, x), dot(row_y, y), dot(row_y, z)) * scale;
+        Self { t, lens, axes, scale, u, v }
     }
 }
 
@@ -111,8 +93,7 @@ pub fn project_gaussian(
     rotation: Vec4,
     log_scale: Vec3,
 ) -> Projection {
-    let Footprint { t, z, u, v, .. } = Footprint::new(camera, position, rotation, log_scale);
-    let in_front = t.z > NEAR_PLANE;
+    let Footprint { t, lens, u, v, .. } = Footprint::new(camera, position, rotation, log_scale);
     let (uu, uv, vv) = (dot(u, u), dot(u, v), dot(v, v));
     let (xx, xy, yy) = (uu + blur, uv, vv + blur);
 
@@ -122,10 +103,7 @@ pub fn project_gaussian(
     let conic = Vec3::new(yy, -xy, xx) * (1.0 / determinant);
     let half_difference = 0.5 * (xx - yy);
     let largest = 0.5 * (xx + yy) + sqrt(half_difference * half_difference + xy * xy);
-    let mean2d = Vec2::new(
-        camera.focal.x * t.x / z + camera.center.x,
-        camera.focal.y * t.y / z + camera.center.y,
-    );
+    let mean2d = lens.pixel;
     let radius = sqrt(FALLOFF_CUTOFF * largest);
     // q <= cutoff is an ellipse; its bounding box, with a margin for rounding
     let extent = Vec2::new(sqrt(FALLOFF_CUTOFF * xx), sqrt(FALLOFF_CUTOFF * yy)) * 1.001 + 0.01;
@@ -134,8 +112,9 @@ pub fn project_gaussian(
     let magnitude =
         abs(conic.x) + abs(conic.y) + abs(conic.z) + abs(mean2d.x) + abs(mean2d.y) + radius;
     let usable = is_finite(t.z) && is_finite(magnitude) && determinant > 0.0;
-    let culled = if is_finite(t.z) && !in_front { BEHIND } else { DEGENERATE };
-    Projection { mean2d, conic, extent, radius: if in_front && usable { radius } else { culled } }
+    let is_seen = Lens::sees(t);
+    let culled = if is_finite(t.z) && !is_seen { BEHIND } else { DEGENERATE };
+    Projection { mean2d, conic, extent, radius: if is_seen && usable { radius } else { culled } }
 }
 
 /// Squared Mahalanobis distance `q = d^T cov2d^-1 d`.
@@ -165,11 +144,18 @@ pub struct ProjectParams {
     pub blur: f32,
 }
 
+/// What [`project`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn project_work(params: &ProjectParams, shape: Shape<'_>) -> Work {
+    let gaussians = u64::from(params.gaussians);
+    Work { flops: 0, bytes: gaussians * (10 * NUMBER + shape.workgroups_z * 2 * VECTOR) }
+}
+
 /// Every Gaussian in every camera: Gaussians along x and y, cameras along z.
 ///
 /// `projection [cameras, gaussians, 2]` is `(mean2d, radius, extent x), (conic, extent y)`; `degenerate [1]` counts the
 /// Gaussians that were culled because they cannot be projected.
-#[kernel(threads(64))]
+#[kernel(threads(64), work(project_work))]
 pub fn project(
     id: Invocation,
     params: &ProjectParams,

@@ -4,10 +4,10 @@ use glam::{Vec2, Vec3, Vec4};
 
 use crate::camera::{Camera, read3};
 use crate::limits::MAX_CAMERAS;
-use crate::math::{cross, dot, length, max, sqrt};
-use crate::prelude::*;
 use crate::project::{Footprint, read_quaternion};
 use crate::splat::VECTORS;
+use organza_kernel::math::{cross, dot, length, max, sqrt};
+use organza_kernel::prelude::*;
 
 /// A loss's derivatives with respect to one Gaussian.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,7 +43,6 @@ pub fn rotation_columns_backward(q: Vec4, gradient: [Vec3; 3]) -> Vec4 {
 /// and dL/dconic (xx, xy, yy).
 ///
 /// With H = J W R S and `cov2d = H H^T + blur I`: `dL/dH = -2 conic G conic H`, G the symmetric matrix of dL/dconic.
-/// Where x/z or y/z is clamped in J it is a constant.
 #[inline(always)]
 pub fn project_gaussian_backward(
     camera: &Camera,
@@ -55,7 +54,7 @@ pub fn project_gaussian_backward(
     conic: Vec3,
 ) -> GaussianGradient {
     let footprint = Footprint::new(camera, position, rotation, log_scale);
-    let Footprint { t, z, ratio, row_x, row_y, axes, scale, u, v } = footprint;
+    let Footprint { lens, axes, scale, u, v, .. } = footprint;
 
     // conic H, without the cancellation of a needle: |v|^2 u - (u.v) v = v x (u x v)
     let (uu, uv, vv) = (dot(u, u), dot(u, v), dot(v, v));
@@ -73,25 +72,15 @@ pub fn project_gaussian_backward(
         Vec3::new(du.x * u.x + dv.x * v.x, du.y * u.y + dv.y * v.y, du.z * u.z + dv.z * v.z);
     // u_k = s_k row_x . axis_k
     let (su, sv) = (du * scale, dv * scale);
+    let (row_x, row_y) = (lens.row_x, lens.row_y);
     let columns =
         [row_x * su.x + row_y * sv.x, row_x * su.y + row_y * sv.y, row_x * su.z + row_y * sv.z];
     let [axis_x, axis_y, axis_z] = axes;
     let d_row_x = axis_x * su.x + axis_y * su.y + axis_z * su.z;
     let d_row_y = axis_x * sv.x + axis_y * sv.y + axis_z * sv.z;
-
-    // row_x = (right - ratio_x forward) f_x / z
-    let [right, down, forward] = camera.rotation;
-    let f = camera.focal * (1.0 / z);
-    let real = Vec2::new(t.x / z, t.y / z);
-    let d_ratio_x = -f.x * dot(d_row_x, forward);
-    let d_ratio_y = -f.y * dot(d_row_y, forward);
-    let free_x = if ratio.x == real.x { d_ratio_x } else { 0.0 };
-    let free_y = if ratio.y == real.y { d_ratio_y } else { 0.0 };
-    let dx = f.x * mean2d.x + free_x / z;
-    let dy = f.y * mean2d.y + free_y / z;
-    let dz = -(real.x * dx + real.y * dy) - (dot(d_row_x, row_x) + dot(d_row_y, row_y)) / z;
+    let d_t = lens.backward(camera, mean2d, d_row_x, d_row_y);
     GaussianGradient {
-        position: right * dx + down * dy + forward * dz,
+        position: camera.turn_to_world(d_t),
         rotation: rotation_columns_backward(rotation, columns),
         log_scale,
     }

@@ -2,8 +2,10 @@
 //! derivative: pixels along x and y, tiles along z.
 
 use crate::composite::SUM_PLANES;
-use crate::prelude::*;
 use crate::tile::Tile;
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, Work};
 
 /// Parameters of [`resolve`] and [`resolve_backward`].
 #[repr(C)]
@@ -92,11 +94,18 @@ impl ResolveParams {
     }
 }
 
+/// What [`resolve`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn resolve_work(params: &ResolveParams, shape: Shape<'_>) -> Work {
+    let pixels = shape.workgroups_z * u64::from(params.side).pow(2);
+    Work { flops: 11 * pixels, bytes: pixels * (4 + 3) * NUMBER }
+}
+
 /// Writes `image [K, 3, S, S]` (Eq. 13 and 16), of `sum [tiles, 4, S, S]`: the sum divided by its weight where that
 /// passes 1, over the background where it does not.
 ///
 /// The tile of the batch that is its `output`-th begins at `output * 3 S S`.
-#[kernel(threads(16, 4), lanes(side))]
+#[kernel(threads(16, 4), lanes(side), work(resolve_work))]
 pub fn resolve<L: Lane>(
     id: Invocation,
     params: &ResolveParams,
@@ -118,12 +127,19 @@ pub fn resolve<L: Lane>(
     }
 }
 
+/// What [`resolve_backward`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn resolve_backward_work(params: &ResolveParams, shape: Shape<'_>) -> Work {
+    let pixels = shape.workgroups_z * u64::from(params.side).pow(2);
+    Work { flops: 16 * pixels, bytes: pixels * (4 + 3 + 4) * NUMBER }
+}
+
 /// The derivative of [`resolve`]: `sum_gradient [tiles, 4, S, S]`, dL/dC and dL/dS, of `image_gradient [K, 3, S, S]`,
 /// dL/dI, which lies as `image` does.
 ///
 /// Of the branch of Eq. 13 that was taken: `dL/dC = dL/dI / S` and `dL/dS = -(dL/dI . C) / S^2` where S passes 1,
 /// `dL/dC = dL/dI` and `dL/dS = -(dL/dI . b)` where it does not.
-#[kernel(threads(16, 4), lanes(side))]
+#[kernel(threads(16, 4), lanes(side), work(resolve_backward_work))]
 pub fn resolve_backward<L: Lane>(
     id: Invocation,
     params: &ResolveParams,

@@ -1,7 +1,9 @@
 //! Exclusive prefix sums.
 
-use crate::group::THREADS;
-use crate::prelude::*;
+use organza_kernel::prelude::*;
+
+/// Invocations of a workgroup.
+const THREADS: u32 = 64;
 
 /// Values that one invocation sums on its own.
 const VALUES: u32 = 16;
@@ -19,7 +21,7 @@ pub struct ScanParams {
 
 /// Scans blocks of [`BLOCK`] values: `prefix [count + 1]` is exclusive and starts at 0 in each block, `block_sum` has
 /// the sum of each block.  The value at `count` is taken as 0, so that the last prefix becomes the total.
-#[kernel(threads(64), iterations = 2 * VALUES + 2 * THREADS)]
+#[kernel(threads(64), iterations = 2 * VALUES + THREADS.ilog2())]
 pub fn scan_block(
     id: Invocation,
     params: &ScanParams,
@@ -27,9 +29,8 @@ pub fn scan_block(
     prefix: Write<u32>,
     block_sum: Write<u32>,
     sums: Shared<u32, 64>,
-    group: impl Group,
 ) {
-    let thread = group.number(id, sums);
+    let thread = id.local.x;
     let block = id.workgroup_index();
     let first = (block * THREADS + thread) * VALUES;
     let mut sum = 0;
@@ -40,7 +41,20 @@ pub fn scan_block(
         }
         i += 1;
     }
-    let inclusive = group.inclusive_sum(id, thread, sum, sums);
+    // Hillis and Steele's
+    let mut inclusive = sum;
+    sums.write(thread, inclusive);
+    id.barrier();
+    let mut step = 1;
+    while step < THREADS {
+        if thread >= step {
+            inclusive += sums.read(thread - step);
+        }
+        id.barrier();
+        sums.write(thread, inclusive);
+        id.barrier();
+        step *= 2;
+    }
     let mut next = inclusive - sum;
     let mut i = 0;
     while i < VALUES {

@@ -4,9 +4,9 @@ use glam::{Vec3, Vec4};
 
 use crate::camera::{Camera, read3};
 use crate::limits::MAX_SAMPLES;
-use crate::math::{TINY, abs, ceil, clamp, length};
-use crate::prelude::*;
 use crate::unit_cube::{SceneBox, Split};
+use organza_kernel::math::{TINY, abs, ceil, clamp, length};
+use organza_kernel::prelude::*;
 
 /// The part of a ray in the unit cube.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,13 +37,13 @@ pub const SEGMENT_VECTORS: u32 = 4;
 
 /// The earlier of two places on a ray.
 #[inline(always)]
-fn earlier(a: Split, b: Split) -> Split {
+fn min(a: Split, b: Split) -> Split {
     if a.value() < b.value() { a } else { b }
 }
 
 /// The later of two places on a ray.
 #[inline(always)]
-fn later(a: Split, b: Split) -> Split {
+fn max(a: Split, b: Split) -> Split {
     if a.value() > b.value() { a } else { b }
 }
 
@@ -55,10 +55,10 @@ fn clip_axis(p: Split, v: Split) -> (Split, Split) {
     let (zero, one) = (Split::whole(0.0), Split::whole(1.0));
     let parallel = abs(v.value()) < TINY;
     let divisor = if parallel { one } else { v };
-    let (a, b) = (zero.minus(p).place(divisor), one.minus(p).place(divisor));
+    let (a, b) = (zero.minus(p).divide(divisor), one.minus(p).divide(divisor));
     let inside = p.value() >= 0.0 && p.value() <= 1.0;
     let (low, high) = if inside { (zero, one) } else { (one, zero) };
-    if parallel { (low, high) } else { (earlier(a, b), later(a, b)) }
+    if parallel { (low, high) } else { (min(a, b), max(a, b)) }
 }
 
 /// Eq. 4-6 for the ray p + t v, t in [0, 1].
@@ -67,8 +67,8 @@ pub fn clip_to_unit_cube(p: [Split; 3], v: [Split; 3]) -> Clip {
     let (low_x, high_x) = clip_axis(p[0], v[0]);
     let (low_y, high_y) = clip_axis(p[1], v[1]);
     let (low_z, high_z) = clip_axis(p[2], v[2]);
-    let t0 = later(later(low_x, low_y), low_z);
-    let t1 = earlier(earlier(high_x, high_y), high_z);
+    let t0 = max(max(low_x, low_y), low_z);
+    let t1 = min(min(high_x, high_y), high_z);
     let lambda = t1.minus(t0);
     let hit = lambda.value() > 0.0;
     Clip { t0, t1, lambda: if hit { lambda } else { Split::whole(0.0) } }
@@ -141,7 +141,7 @@ pub struct SegmentParams {
 }
 
 /// The segment of every pair: `segment [pairs, 4]`, see [`SEGMENT_VECTORS`]; `count [pairs]` is K.
-#[kernel(threads(64))]
+#[kernel(threads(64), counts(pairs))]
 pub fn segment(
     id: Invocation,
     params: &SegmentParams,

@@ -3,8 +3,10 @@
 use glam::Vec4;
 
 use crate::limits::MAX_TILES;
-use crate::math::sigmoid;
-use crate::prelude::*;
+use organza_kernel::math::sigmoid;
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, VECTOR, Work};
 
 /// `Vec4`s of a splat: `(mean2d, weight, extent x), (conic, extent y), (color, 0)`.
 pub const VECTORS: u32 = 3;
@@ -19,8 +21,19 @@ pub struct SplatParams {
     pub gaussians: u32,
 }
 
+/// Bytes of a splat: three vectors.
+#[cfg(not(target_arch = "spirv"))]
+pub(crate) const SPLAT: u64 = VECTORS as u64 * VECTOR;
+
+/// What [`splat`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn splat_work(params: &SplatParams, _: Shape<'_>) -> Work {
+    // the pair, its projection, opacity, transmittance and color
+    Work { flops: 0, bytes: u64::from(params.pairs) * (6 * NUMBER + 2 * VECTOR + SPLAT) }
+}
+
 /// Gathers `splat [pairs, 3]`; the weight is `sigmoid(opacity) T`, alpha but for the falloff (Eq. 12).
-#[kernel(threads(64))]
+#[kernel(threads(64), counts(pairs), work(splat_work))]
 pub fn splat(
     id: Invocation,
     params: &SplatParams,
@@ -62,7 +75,7 @@ pub struct SplatBackwardParams {
 /// weight: `pair_gradient [pairs, 3]` is `(d mean2d x, y, d opacity logit, dL/dT), (d conic xx, xy, yy, 0), (d color, 0)`.
 ///
 /// Of Eq. 12's `opacity = sigmoid(logit)`: `dL/dlogit = dL/dweight T s (1 - s)` and `dL/dT = dL/dweight s`.
-#[kernel(threads(64), iterations = MAX_TILES)]
+#[kernel(threads(64), iterations = MAX_TILES, counts(pairs))]
 pub fn splat_backward(
     id: Invocation,
     params: &SplatBackwardParams,

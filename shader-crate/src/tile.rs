@@ -6,8 +6,8 @@
 
 use glam::{Vec2, Vec4};
 
-use crate::math::clamp;
-use crate::prelude::*;
+use organza_kernel::math::clamp;
+use organza_kernel::prelude::*;
 
 /// A tile as kernels see it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,10 +6,10 @@
 use glam::Vec4;
 
 use crate::composite::{pixel_center, touches};
-use crate::prelude::*;
 use crate::splat::VECTORS;
 use crate::tile::Tile;
 use crate::transmittance::owner;
+use organza_kernel::prelude::*;
 
 /// Columns of cells.
 const COLUMNS: u32 = 4;
@@ -56,7 +56,7 @@ pub struct TileCellsParams {
 /// Writes the cells of every member, `cells [members]`, by its splat's extent.
 ///
 /// `tile_first [tiles + 1]`, `member [members]`, `splat [pairs, 3]`.
-#[kernel(threads(64), iterations = 2 * u32::BITS + ROWS)]
+#[kernel(threads(64), iterations = 2 * u32::BITS + ROWS, counts(members))]
 pub fn tile_cells(
     id: Invocation,
     params: &TileCellsParams,

@@ -2,13 +2,19 @@
 
 use glam::Vec4;
 
-use crate::dense::{DenseParams, HEAD_STAGED, column};
+#[cfg(not(target_arch = "spirv"))]
+use crate::dense::head_work;
+use crate::dense::{DenseParams, column};
+#[cfg(not(target_arch = "spirv"))]
+use crate::hash_grid::POINT;
 use crate::hash_grid::{POINT_ROWS, write_point};
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_VECTOR};
-use crate::math::{exp, log_sigmoid};
-use crate::prelude::*;
 use crate::segment::read_segment;
 use crate::unit_cube::Split;
+use organza_kernel::math::{exp, log_sigmoid};
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{NUMBER, Shape, Work, wide};
 
 /// Parameters of [`transmittance_inputs`].
 #[repr(C)]
@@ -49,12 +55,19 @@ fn owner_among(first_sample: Read<u32>, low: u32, high: u32, sample: u32) -> u32
     low
 }
 
+/// What [`transmittance_inputs`] computes and moves. Values that are written alone: what they come from has many samples.
+#[cfg(not(target_arch = "spirv"))]
+fn transmittance_inputs_work(params: &TransmittanceInputsParams, _: Shape<'_>) -> Work {
+    let [samples, extra] = wide([params.samples, params.extra]);
+    Work { flops: 0, bytes: samples * (POINT + NUMBER + NUMBER * extra) }
+}
+
 /// Writes what does not come from the hash grid: the midpoint x_k (Eq. 9), its segment's `s_factor` and u.
 ///
 /// `first_sample [pairs + 1]`, `segment [pairs, 4]`; `point [7, stride]` is x_k and `s_factor`; `input [rows, stride]`.
 ///
 /// Neighbors mostly have the same pair: the CPU looks for it once for all lanes, and lane by lane from where the pair ends.
-#[kernel(threads(64), iterations = u32::BITS + MAX_VECTOR, lanes(samples))]
+#[kernel(threads(64), iterations = u32::BITS + MAX_VECTOR, lanes(samples), counts(samples, pairs), work(transmittance_inputs_work))]
 pub fn transmittance_inputs<L: Lane>(
     id: Invocation,
     params: &TransmittanceInputsParams,
@@ -123,7 +136,7 @@ fn write_inputs<L: Lane>(
     let count = first_sample.read(owner + 1) - begin;
     let ([x, y, z], [w_x, w_y, w_z], factor) = read_segment(segment, owner);
     let k = L::splat((params.first_sample + index - begin) as f32) + L::ramp();
-    let t = Split::whole(k + L::splat(0.5)).place(Split::whole(L::splat(count as f32)));
+    let t = Split::whole(k + L::splat(0.5)).divide(Split::whole(L::splat(count as f32)));
     let x = Split::splat(x).along(t, Split::splat(w_x));
     let y = Split::splat(y).along(t, Split::splat(w_y));
     let z = Split::splat(z).along(t, Split::splat(w_z));
@@ -162,13 +175,11 @@ pub struct TransmittanceHeadParams {
 /// a_k, the output of the scalar network's last layer, and the `s_factor` of the sample's segment.
 #[inline(always)]
 pub fn logit_and_factor<L: Lane>(
-    id: Invocation,
     params: &TransmittanceHeadParams,
     parameters: Read<Vec4>,
     point: Read<f32>,
     input: Read<f32>,
     sample: u32,
-    weights: &mut impl Stage<Vec4, HEAD_STAGED>,
 ) -> (L, L) {
     let layer = DenseParams {
         samples: params.samples,
@@ -178,13 +189,19 @@ pub fn logit_and_factor<L: Lane>(
         weight: params.weight,
         bias: params.bias,
     };
-    let a = column::<L>(id, &layer, parameters, input, sample, weights).x;
+    let a = column::<L>(&layer, parameters, input, sample).x;
     (a, L::read(point, POINT_ROWS * params.stride + sample))
+}
+
+/// What [`transmittance_head`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn transmittance_head_work(params: &TransmittanceHeadParams, _: Shape<'_>) -> Work {
+    head_work(params.samples, params.inputs, 1, 2)
 }
 
 /// The last layer of the scalar network and the logarithm of Eq. 11's factor:
 /// `log_rho [samples] = s_factor * log_sigmoid(a_k)`.
-#[kernel(threads(64), iterations = 2 * MAX_HIDDEN_WIDTH, fused, lanes(samples))]
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples), work(transmittance_head_work))]
 pub fn transmittance_head<L: Lane>(
     id: Invocation,
     params: &TransmittanceHeadParams,
@@ -192,16 +209,11 @@ pub fn transmittance_head<L: Lane>(
     point: Read<f32>,
     input: Read<f32>,
     log_rho: Write<f32>,
-    weights: &mut impl Stage<Vec4, HEAD_STAGED>,
 ) {
-    let inside = id.index() < params.samples;
-    if weights.is_shared() || inside {
-        let sample = if inside { id.index() } else { 0 };
-        let (a, factor) =
-            logit_and_factor::<L>(id, params, parameters, point, input, sample, weights);
-        if inside {
-            (factor * log_sigmoid(a)).write(log_rho, params.first_sample + sample);
-        }
+    let sample = id.index();
+    if sample < params.samples {
+        let (a, factor) = logit_and_factor::<L>(params, parameters, point, input, sample);
+        (factor * log_sigmoid(a)).write(log_rho, params.first_sample + sample);
     }
 }
 
@@ -214,7 +226,7 @@ pub struct SegmentProductParams {
 }
 
 /// Eq. 11: `transmittance [pairs]`, the product over a segment's samples; 1 where there are none.
-#[kernel(threads(64), iterations = MAX_SAMPLES)]
+#[kernel(threads(64), iterations = MAX_SAMPLES, counts(pairs))]
 pub fn segment_product(
     id: Invocation,
     params: &SegmentProductParams,

@@ -2,12 +2,15 @@
 
 use glam::Vec4;
 
-use crate::dense::HEAD_STAGED;
+#[cfg(not(target_arch = "spirv"))]
+use crate::dense::head_work;
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES};
-use crate::math::sigmoid;
-use crate::prelude::*;
 use crate::splat::VECTORS;
 use crate::transmittance::{TransmittanceHeadParams, logit_and_factor};
+use organza_kernel::math::sigmoid;
+use organza_kernel::prelude::*;
+#[cfg(not(target_arch = "spirv"))]
+use organza_kernel::work::{Shape, Work};
 
 /// Parameters of [`segment_product_backward`].
 #[repr(C)]
@@ -37,7 +40,7 @@ fn samples_of(first_sample: Read<u32>, pair: u32, chunk: u32, samples: u32) -> (
 ///
 /// `first_sample [all pairs + 1]`, `transmittance [all pairs]`; `pair_gradient [all pairs, 3]`, dL/dT in the first one's
 /// last place; `log_rho_gradient [samples]`.
-#[kernel(threads(64), iterations = MAX_SAMPLES)]
+#[kernel(threads(64), iterations = MAX_SAMPLES, counts(pairs, samples))]
 pub fn segment_product_backward(
     id: Invocation,
     params: &SegmentProductBackwardParams,
@@ -59,12 +62,18 @@ pub fn segment_product_backward(
     }
 }
 
+/// What [`transmittance_head_backward`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn transmittance_head_backward_work(params: &TransmittanceHeadParams, _: Shape<'_>) -> Work {
+    head_work(params.samples, params.inputs, 1, 3)
+}
+
 /// The gradient of the scalar network's output, which is computed once more: `dL/da_k = dL/dlog_rho_k s_factor
 /// sigmoid(-a_k)` of Eq. 11.
 ///
 /// `point [7, stride]`, `input [inputs, stride]`, `log_rho_gradient [samples]`, `logit_gradient [samples]`: those of
 /// the chunk, wherever it begins.
-#[kernel(threads(64), iterations = 2 * MAX_HIDDEN_WIDTH, fused, lanes(samples))]
+#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples), work(transmittance_head_backward_work))]
 pub fn transmittance_head_backward<L: Lane>(
     id: Invocation,
     params: &TransmittanceHeadParams,
@@ -73,17 +82,12 @@ pub fn transmittance_head_backward<L: Lane>(
     input: Read<f32>,
     log_rho_gradient: Read<f32>,
     logit_gradient: Write<f32>,
-    weights: &mut impl Stage<Vec4, HEAD_STAGED>,
 ) {
-    let inside = id.index() < params.samples;
-    if weights.is_shared() || inside {
-        let sample = if inside { id.index() } else { 0 };
-        let (a, factor) =
-            logit_and_factor::<L>(id, params, parameters, point, input, sample, weights);
-        if inside {
-            let gradient = L::read(log_rho_gradient, sample) * factor * sigmoid(-a);
-            gradient.write(logit_gradient, sample);
-        }
+    let sample = id.index();
+    if sample < params.samples {
+        let (a, factor) = logit_and_factor::<L>(params, parameters, point, input, sample);
+        let gradient = L::read(log_rho_gradient, sample) * factor * sigmoid(-a);
+        gradient.write(logit_gradient, sample);
     }
 }
 
@@ -111,7 +115,7 @@ pub struct ExtraBackwardParams {
 /// vector: pairs along x and y, the vector's values along z.
 ///
 /// `first_sample [all pairs + 1]`, `input_gradient [rows, stride]`, `pair_extra [all pairs, extra]`.
-#[kernel(threads(64), iterations = MAX_SAMPLES, lanes)]
+#[kernel(threads(64), iterations = MAX_SAMPLES, lanes, counts(pairs, samples))]
 pub fn extra_backward<L: Lane>(
     id: Invocation,
     params: &ExtraBackwardParams,
@@ -125,18 +129,21 @@ pub fn extra_backward<L: Lane>(
         let (begin, end) = samples_of(first_sample, pair, params.first_sample, params.samples);
         let value = id.workgroup.z;
         let row = (params.extra_row + value) * params.stride;
-        let mut sum = L::splat(0.0);
-        let mut sample = begin;
-        while sample + L::WIDTH <= end {
-            sum = sum + L::read(input_gradient, row + sample);
-            sample += L::WIDTH;
-        }
-        let mut rest = 0.0;
-        while sample < end {
-            rest += input_gradient.read(row + sample);
-            sample += 1;
-        }
+        let (sum, first) = sum_lanes::<L>(input_gradient, row + begin, row + end);
+        let (rest, _) = sum_lanes::<L::One>(input_gradient, first, row + end);
         let to = pair * params.extra + value;
-        pair_extra.write(to, pair_extra.read(to) + (sum.sum() + rest));
+        pair_extra.write(to, pair_extra.read(to) + (sum.sum() + rest.sum()));
     }
+}
+
+/// The sum of as many whole lanes as there are, and the place after those.
+#[inline(always)]
+fn sum_lanes<L: Lane>(values: Read<f32>, begin: u32, end: u32) -> (L, u32) {
+    let mut sum = L::splat(0.0);
+    let mut at = begin;
+    while at + L::WIDTH <= end {
+        sum = sum + L::read(values, at);
+        at += L::WIDTH;
+    }
+    (sum, at)
 }

@@ -7,8 +7,8 @@
 use glam::Vec3;
 
 use crate::camera::read3;
-use crate::math::truncate;
-use crate::prelude::*;
+use organza_kernel::math::truncate;
+use organza_kernel::prelude::*;
 
 /// Parts of the cube that a coarse coordinate counts: 12 bits.
 pub const PARTS: f32 = 4096.0;
@@ -61,7 +61,7 @@ impl<L: Lane> Split<L> {
 
     /// `self / divisor` limited to [0, 1], a place on a ray: its coarse part is a multiple of 1 / [`RAY_PARTS`].
     #[inline(always)]
-    pub fn place(self, divisor: Self) -> Self {
+    pub fn divide(self, divisor: Self) -> Self {
         let (zero, one, parts) = (L::splat(0.0), L::splat(1.0), L::splat(RAY_PARTS));
         let whole = divisor.value();
         let quotient = (self.value() / whole).max(zero).min(one);

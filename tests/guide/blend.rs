@@ -1,6 +1,6 @@
 //! A blend of two images.
 
-use crate::prelude::*;
+use organza_kernel::prelude::*;
 
 /// Parameters of [`blend`].
 #[repr(C)]

@@ -1,10 +1,6 @@
-use organza_kernels::blend::{BlendKernel, BlendParams};
-
-use super::bench::Bench;
-use super::case::{Parity, Rounding};
-use super::inputs;
-use super::measure::{Bound, Output};
-use crate::error::Result;
+use organza_check::{KernelRunner, Bound, Output, Parity, Rounding, inputs};
+use organza_device::Result;
+use organza_shaders::blend::{BlendKernel, BlendParams};
 
 /// Inputs of `blend`.
 #[derive(Clone, Debug)]
@@ -30,17 +26,23 @@ impl Parity for Blend {
         })
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let count = self.first.len() as u32;
-        let output = bench.output(count as usize)?;
+        let output = runner.output(count as usize)?;
         let kernel = BlendKernel {
             params: BlendParams { count, weight: self.weight },
-            first: &bench.upload(&self.first)?,
-            second: &bench.upload(&self.second)?,
+            first: &runner.upload(&self.first)?,
+            second: &runner.upload(&self.second)?,
             output: &output,
         };
-        bench.items(&kernel, count, 1)?;
-        Ok(vec![Output::float("output", bench.read(&output)?)])
+        runner.items(&kernel, count, 1)?;
+        Ok(vec![Output::float("output", runner.read(&output)?)])
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let weight = f64::from(self.weight);
+        let blend = |(&a, &b): (&f32, &f32)| (1.0 - weight) * f64::from(a) + weight * f64::from(b);
+        self.first.iter().zip(&self.second).map(|values| Some(blend(values))).collect()
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

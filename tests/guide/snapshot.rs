@@ -1,5 +1,5 @@
-use organza::{Device, Result};
-use organza_kernels::blend::{BlendKernel, BlendParams};
+use organza_device::{Device, Result};
+use organza_shaders::blend::{BlendKernel, BlendParams};
 use organza_tests::devices;
 
 /// Blends two images of one size.

@@ -149,7 +149,7 @@ fn operations_are_counted() {
 /// A GPU's kernels have times as well, and those of the last case: it is the same batch.
 #[test]
 fn kernels_of_a_gpu_have_times() {
-    if devices::all().len() == 1 {
+    if !devices::has_gpu() {
         return;
     }
     let sandbox = Sandbox::new("tiny");
@@ -183,7 +183,7 @@ fn every_device_is_measured() {
     let backends: Vec<_> =
         all.iter().map(|one| one["device"].as_str().unwrap().split(':').next().unwrap()).collect();
     assert_eq!(backends[0], "cpu");
-    assert_eq!(backends.len(), 1 + organza::backend::adapters().len(), "{backends:?}");
+    assert_eq!(backends.len(), 1 + organza_device::adapters().len(), "{backends:?}");
     assert!(backends[1..].iter().all(|&backend| backend == "gpu"), "{backends:?}");
     for one in all {
         assert_peaks(one);

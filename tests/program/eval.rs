@@ -147,9 +147,6 @@ fn data_without_held_out_frames_says_what_to_do() {
     let outcome = eval(&sandbox, "");
     outcome.assert_refused(&["no frame", "held out", "--split train", "--hold-out-every"]);
     let outcome = eval(&sandbox, "--split train --json");
-    assert!(
-        outcome.stderr.contains("warning: not there, and left out: 1 photograph"),
-        "{outcome:?}"
-    );
+    assert!(outcome.stderr.contains("warning: missing, so left out: 1 photograph"), "{outcome:?}");
     assert_eq!(scores(outcome)["views"][0]["name"], json!("images/0001.png"));
 }

@@ -1,6 +1,6 @@
 //! `organza kernels`: what the program says about its kernels.
 
-use organza::kernels;
+use organza::MODULES;
 use serde_json::Value;
 
 use crate::sandbox::Sandbox;
@@ -12,15 +12,15 @@ fn every_kernel_is_listed() {
     let listed: Value =
         serde_json::from_str(&sandbox.run("kernels --json").assert_ok().stdout).unwrap();
     let listed = listed.as_array().unwrap();
-    let points = organza_kernels::kernels().flat_map(|kernel| kernel.entry_points());
+    let points = organza_kernel::kernels().flat_map(|kernel| kernel.entry_points());
     assert_eq!(listed.len(), points.count());
-    let all = organza_kernels::kernels();
+    let all = organza_kernel::kernels();
     let all = all.flat_map(|kernel| kernel.entry_points().map(move |point| (kernel, point.name)));
     for (kernel, name) in all {
         assert!(text.lines().any(|line| line.starts_with(&format!("{name} "))), "{name}: {text}");
         let found = listed.iter().find(|listed| listed["name"] == name).unwrap();
         assert_eq!(found["workgroup_size"], serde_json::json!(kernel.workgroup_size), "{name}");
-        assert_eq!(found["spirv_bytes"], kernels::find(name).unwrap().spirv().len(), "{name}");
+        assert_eq!(found["spirv_bytes"], MODULES.find(name).unwrap().spirv().len(), "{name}");
         assert!(found["instructions"].as_u64().unwrap() > 10, "{name}");
         let loops = found["loops"].as_u64().unwrap();
         let iterations = found["worst_case_iterations"].as_u64().unwrap();

@@ -4,6 +4,7 @@ use std::fs::{self, File};
 use std::io::Write;
 use std::process::Stdio;
 
+use organza_tests::skip::skip;
 use serde_json::json;
 
 use crate::sandbox::Sandbox;
@@ -116,7 +117,7 @@ fn full_disks() {
     fs::create_dir(sandbox.path("small")).unwrap();
     let mount = "mount -t tmpfs -o size=4k none small";
     if sandbox.shell(&format!("unshare -rm {mount}")).code != Some(0) {
-        eprintln!("skipped: no file system can be mounted here");
+        skip("a full disk of a page", "no file system can be mounted here");
         return;
     }
     let run = |words: &str| {

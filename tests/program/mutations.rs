@@ -97,7 +97,7 @@ const WORDS: [&str; 34] = [
 /// A sandbox with everything that the commands read.
 fn template() -> Sandbox {
     let sandbox = Sandbox::new("tiny");
-    let tiny = include_str!("../train/tiny.toml");
+    let tiny = include_str!("train/tiny.toml");
     fs::write(sandbox.path("tiny.toml"), tiny).unwrap();
     let small = tiny.replace("steps = 40", "steps = 3");
     assert_ne!(small, tiny);

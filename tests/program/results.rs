@@ -4,7 +4,7 @@ use std::fs;
 
 use organza::image::to_8_bit;
 use organza::scene::read_tensors;
-use organza::{Device, DeviceOptions, Renderer, Scene};
+use organza::{DeviceOptions, Renderer, Scene};
 use organza_tests::cases::{self, Case};
 use organza_tests::compare::assert_close;
 use serde_json::{Value, json};
@@ -68,7 +68,7 @@ fn half_networks_are_close_and_have_no_gradients() {
     scene.save(sandbox.path("steep.safetensors")).unwrap();
     let steep = TILES.replace("scene.", "steep.") + " -o steep.tiles";
     sandbox.run(&steep).assert_ok();
-    let facts = ["transmittance.mlp.0.weight", "62", "leave `--half-networks` away"];
+    let facts = ["transmittance.mlp.0.weight", "62", "leave out `--half-networks`"];
     sandbox.assert_refuses(&format!("{steep} --half-networks"), &facts);
     let words = "--half-networks --grad-output full.safetensors --grad grad.safetensors";
     sandbox.assert_refuses(&format!("{TILES} {words}"), &["--half-networks", "--grad"]);
@@ -155,7 +155,7 @@ fn gaussians_without_effect_are_hidden_unless_asked_for() {
 
 #[test]
 fn info_tells_what_every_file_holds() {
-    let device = Device::open(&DeviceOptions::cpu(Some(1))).unwrap();
+    let device = organza::open_device(&DeviceOptions::cpu(Some(1))).unwrap();
     let renderer = Renderer::new(device);
     for name in names() {
         let sandbox = Sandbox::new(&name);
@@ -250,9 +250,9 @@ fn outputs_are_replaced_whole() {
 #[test]
 fn help_has_examples() {
     let sandbox = Sandbox::new("tiny");
-    for words in ["--help", "tiles -h", "render -h", "demo -h", "info -h", "explain -h", "eval -h"]
-    {
-        let help = sandbox.run(words).assert_ok().stdout;
+    let commands = "train tiles render demo info explain eval kernels parity bench";
+    for command in commands.split(' ').map(|name| format!("help {name}")).chain(["--help".into()]) {
+        let help = sandbox.run(&command).assert_ok().stdout;
         assert!(help.contains("Examples:\n  organza "), "{help}");
     }
 }

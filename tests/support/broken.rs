@@ -1,7 +1,7 @@
 //! Kernels that do what no kernel may do.
 
-use organza_kernels::atomic;
-use organza_kernels::prelude::*;
+use organza_kernel::atomic;
+use organza_kernel::prelude::*;
 
 /// Indices past the end of either buffer.
 #[kernel(threads(64))]
@@ -129,13 +129,13 @@ pub fn layers_undeclared(id: Invocation, sums: Write<u32>) {
 }
 
 /// Two layers add to the same sum.
-#[kernel(threads(64), layers)]
+#[kernel(threads(64), z_serial)]
 pub fn layers_overlap(id: Invocation, sums: Write<u32>) {
     atomic::add_wide(sums, id.workgroup.z / 2, [1, 0]);
 }
 
 /// Not broken: a sum for each layer.
-#[kernel(threads(64), layers)]
+#[kernel(threads(64), z_serial)]
 pub fn layers_apart(id: Invocation, sums: Write<u32>) {
     atomic::add_wide(sums, id.workgroup.z, [u32::MAX, 0]);
 }

@@ -1,78 +1,31 @@
-//! The devices that tests run on.
+//! The devices that tests run on: those of [`organza_check`], with organza's kernels.
 
-use organza::{Device, DeviceOptions, Error, InstructionSet, SpirvPath};
+use organza::{Device, MODULES};
+pub use organza_check::devices::{cpu, cpus, with};
 
-/// How SPIR-V reaches a GPU, by name.
-const GPUS: [(&str, SpirvPath); 2] =
-    [("gpu passthrough", SpirvPath::Passthrough), ("gpu naga", SpirvPath::Naga)];
-
-/// Every way to run a kernel: `cpu`, and `gpu` passed through and through naga where there is one.
-///
-/// Without a GPU the tests run on the CPU alone, and say so; `ORGANZA_REQUIRE_GPU=1` makes that a failure.
+/// As [`organza_check::devices::all`].
 ///
 /// # Panics
-/// Where a GPU is required and there is none, or one is there and cannot be used.
+/// As there.
 #[must_use]
 pub fn all() -> Vec<(&'static str, Device)> {
-    let mut devices = vec![("cpu", cpu(None))];
-    for (name, path) in GPUS {
-        match Device::open(&DeviceOptions::gpu(path)) {
-            Ok(device) => devices.push((name, device)),
-            Err(Error::NoGpu { reason }) => {
-                let required =
-                    std::env::var_os("ORGANZA_REQUIRE_GPU").is_some_and(|value| value != "0");
-                assert!(!required, "ORGANZA_REQUIRE_GPU is set, but {name}: {reason}");
-                eprintln!("skipped {name}: {reason}");
-            }
-            Err(error) => panic!("{name}: {error}"),
-        }
-    }
-    devices
+    organza_check::devices::all(&MODULES)
 }
 
-/// The same GPU with plain kernels and with the variants that it can take, passed through and through naga where there is one.
+/// As [`organza_check::devices::variants`].
+///
+/// # Panics
+/// As there.
+#[must_use]
+pub fn variants() -> Vec<(&'static str, [Device; 2])> {
+    organza_check::devices::variants(&MODULES)
+}
+
+/// Whether there is a GPU; says so where there is none.
 ///
 /// # Panics
 /// As [`all`].
 #[must_use]
-pub fn variants() -> Vec<(&'static str, [Device; 2])> {
-    let open = |path, variants| {
-        let options = DeviceOptions { variants: Some(variants), ..DeviceOptions::gpu(path) };
-        Device::open(&options).expect("it was there a moment ago")
-    };
-    let pair = |path| [open(path, false), open(path, true)];
-    let gpus = all().into_iter().filter_map(|(name, _)| Some((name, pair(path_of(name)?))));
-    gpus.collect()
-}
-
-/// How SPIR-V reaches a device of [`all`].
-fn path_of(name: &str) -> Option<SpirvPath> {
-    GPUS.into_iter().find(|gpu| gpu.0 == name).map(|gpu| gpu.1)
-}
-
-/// The CPU with a number of threads.
-///
-/// # Panics
-/// Where threads cannot be started.
-#[must_use]
-pub fn cpu(threads: Option<usize>) -> Device {
-    Device::open(&DeviceOptions::cpu(threads)).expect("the CPU")
-}
-
-/// The CPU with an instruction set.
-///
-/// # Panics
-/// Where this CPU does not have it.
-#[must_use]
-pub fn with(instruction_set: InstructionSet) -> Device {
-    let options =
-        DeviceOptions { instruction_set: Some(instruction_set), ..DeviceOptions::cpu(None) };
-    Device::open(&options).expect("the CPU")
-}
-
-/// The CPU with every instruction set that it has.
-#[must_use]
-pub fn cpus() -> Vec<(&'static str, Device)> {
-    let sets = InstructionSet::ALL.into_iter().filter(|set| set.is_available());
-    sets.map(|set| (set.as_str(), with(set))).collect()
+pub fn has_gpu() -> bool {
+    all().len() > 1
 }

@@ -4,46 +4,46 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
-
-use crate::compiler::{self, Compiler};
-use crate::lower::lower;
-use crate::{Workspace, compile};
+use organza_build::{Compiler, Project, build, isolate, lower};
 
 /// The kernel's name, its file's and its module's.
 const KERNEL: &str = "blend";
 
 /// Copies what the shader crate is made of, adds the page's file and its line in `lib.rs`, and compiles that.
-pub fn run(workspace: &Workspace) -> Result<()> {
-    compiler::isolate();
-    let compiler = Compiler::find(&workspace.shader_crate)?;
-    let copy = workspace.target.join("guide");
+pub fn run(project: &Project) -> Result<()> {
+    isolate();
+    let shader_crate = project.root.join(&project.shader_crate);
+    let compiler = Compiler::find(&shader_crate)?;
+    let copy = project.target.join("guide");
     if copy.exists() {
         fs::remove_dir_all(&copy)?;
     }
-    let shader_crate = copy.join("shader-crate");
-    copy_tree(&workspace.shader_crate, &shader_crate)?;
-    fs::copy(workspace.root.join("Cargo.lock"), copy.join("Cargo.lock"))?;
-    let manifest = fs::read_to_string(workspace.root.join("Cargo.toml"))?;
-    fs::write(copy.join("Cargo.toml"), reduced(&manifest)?)?;
-    let source = workspace.root.join("tests/guide").join(format!("{KERNEL}.rs"));
+    for folder in &project.sources {
+        copy_tree(&project.root.join(folder), &copy.join(folder))?;
+    }
+    let shader_crate = copy.join(&project.shader_crate);
+    fs::copy(project.root.join("Cargo.lock"), copy.join("Cargo.lock"))?;
+    let manifest = fs::read_to_string(project.root.join("Cargo.toml"))?;
+    fs::write(copy.join("Cargo.toml"), reduced(&manifest, &project.sources)?)?;
+    let source = project.root.join("tests/guide").join(format!("{KERNEL}.rs"));
     fs::copy(&source, shader_crate.join("src").join(format!("{KERNEL}.rs")))
         .with_context(|| format!("cannot copy {}", source.display()))?;
     let lib = shader_crate.join("src/lib.rs");
     fs::write(&lib, fs::read_to_string(&lib)? + &format!("\npub mod {KERNEL};\n"))?;
 
-    let mut modules = compile::build(&shader_crate, workspace, &compiler)?;
+    let mut modules = build(&shader_crate, &project.target, &compiler)?;
     let module = modules.remove(KERNEL).context("the page's kernel has no entry point")?;
     let module = lower(&module, false)?;
     println!("docs/adding-a-kernel.md: `{KERNEL}` compiles to {} bytes", module.len());
     Ok(())
 }
 
-/// The workspace's manifest with the shader crate as its only members: Cargo reads no others.
-fn reduced(manifest: &str) -> Result<String> {
+/// The workspace's manifest with the kernels' sources as its only members: Cargo reads no others.
+fn reduced(manifest: &str, sources: &[String]) -> Result<String> {
     let is_list = |line: &str| line.starts_with("members") || line.starts_with("default-members");
     ensure!(manifest.lines().any(is_list), "the workspace's manifest lists no members");
     let line = |line: &str| match line.split_once('=') {
-        Some(("members ", _)) => "members = [\"shader-crate\", \"shader-crate/macros\"]\n".into(),
+        Some(("members ", _)) => format!("members = {sources:?}\n"),
         Some(("default-members ", _)) => String::new(),
         _ => format!("{line}\n"),
     };

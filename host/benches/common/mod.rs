@@ -4,12 +4,12 @@ use bytemuck::Pod;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use glam::Vec4;
-use organza::backend::{Buffer, Host};
 use organza::parity::composite::extent;
 use organza::parity::inputs::Random;
 use organza::{Device, DeviceOptions, InstructionSet};
-use organza_kernels::kernel::Dispatch;
-use organza_kernels::tile::Tile;
+use organza_device::{Buffer, Host};
+use organza_kernel::kernel::Dispatch;
+use organza_shaders::tile::Tile;
 
 /// A chunk of samples, and the distance of two rows of its activations.
 #[derive(Clone, Copy)]
@@ -42,7 +42,7 @@ pub struct Bench {
 impl Bench {
     pub fn new(set: InstructionSet) -> Self {
         let options = DeviceOptions { instruction_set: Some(set), ..DeviceOptions::cpu(Some(1)) };
-        let device = Device::open(&options).expect("a CPU is always there");
+        let device = organza::open_device(&options).expect("a CPU is always there");
         Self { device, random: Random::new(1) }
     }
 

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use organza::bench::{BenchOptions, Benchmark, KernelShare, Synthetic, measure, passes};
+use organza::error::DeviceError;
 use organza::{Camera, DeviceOptions, Error, Result, Scene, TileBatch};
 
 use super::console::{print, print_json};
@@ -20,16 +21,16 @@ Examples:
   organza bench scene.safetensors cameras.json tiles.json --backend cpu --threads 1 --json
   organza bench scene.safetensors cameras.json tiles.json --forward --repeat 20
 
-Times are medians over the passes, after one that warms up. Forward ends with the tiles on the host. Forward and \
-backward is one pass, for the derivative of the tiles' sum (dLoss/dY = 1 everywhere), and ends with the gradients of \
-all tensors on the device. A kernel's share is that of the kernels' time. On the CPU kernels are timed in the same \
-passes; on a GPU in passes of their own, by timestamps that the GPU writes (where it has none, each dispatch is waited \
-for, and its time has the way to the device and back). GFLOP/s and GB/s are counted by formulas (docs/performance.md), \
-and `of peak` is the larger of their shares of what the device comes to in multiply-adds and in reading memory, which \
-is measured after the batch: what stays in caches may pass 100%. Peak memory is the process's, reading the scene \
-included; not a GPU's.";
+Times are medians over the passes, after one pass that warms up. `forward` ends when the tiles are on the host. \
+`forward and backward` is one pass for the gradient of the tiles' sum (dLoss/dY = 1 everywhere); it ends when the \
+gradients of all tensors are on the device. `share` is a kernel's part of the time of all kernels. On the CPU, kernels \
+are timed in the same passes. On a GPU, they are timed in separate passes, by timestamps of the GPU; if it has none, \
+organza waits for each dispatch, and its time includes the way to the device and back. GFLOP/s and GB/s are counted by \
+formulas (docs/performance.md). `of peak` compares them with the device's own peaks in multiply-adds and in reading \
+memory, and is the larger of the two; caches can bring it above 100%. The peaks are measured after the batch. Peak \
+memory is that of the process, including reading the scene, but not a GPU's memory.";
 
-/// Measure how long a batch takes, forward and backward, and which kernels take it
+/// Measure how long a batch takes, forward and backward, and what each kernel takes of it
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -40,14 +41,14 @@ pub struct Args {
     cameras: Option<PathBuf>,
     /// The tiles, JSON
     tiles: Option<PathBuf>,
-    /// Passes to take the median of
+    /// Number of passes; times are their medians
     #[arg(long, value_name = "N", default_value_t = 5)]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=100_000))]
     repeat: u32,
-    /// Measure forward alone
+    /// Measure only the forward pass
     #[arg(long)]
     forward: bool,
-    /// Measure the CPU, then each GPU that there is; JSON is a list then
+    /// Measure the CPU and then each GPU; `--json` then prints a list
     #[arg(long, conflicts_with_all = ["backend", "adapter"])]
     every_device: bool,
     /// Print JSON
@@ -103,7 +104,9 @@ impl Args {
             match self.measure(workload, &device) {
                 Ok(benchmark) => found.push(benchmark),
                 // another may be of use
-                Err(error @ Error::NoGpu { .. }) => console.warn(&error.to_string()),
+                Err(error @ Error::Device(DeviceError::NoGpu { .. })) => {
+                    console.warn(&error.to_string())
+                }
                 Err(error) => return Err(error),
             }
         }
@@ -115,7 +118,7 @@ pub fn run(args: &Args) -> Result<()> {
     let SceneArgs { half_grids, half_networks } = args.scene_args;
     for (option, is_given) in [("--half-grids", half_grids), ("--half-networks", half_networks)] {
         if is_given && !args.forward {
-            return refuse(format!("`{option}` has no gradients: measure `--forward` alone"));
+            return refuse(format!("`{option}` has no gradients; add `--forward`"));
         }
     }
     let workload = args.workload()?;

@@ -22,14 +22,14 @@ Examples:
   organza demo -o demo
   organza demo -o demo --views 8 --size 256 --backend cpu";
 
-/// Render a built-in scene from all sides; needs no files
+/// Render the built-in scene from all sides; needs no files
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The folder for the images, the scene and the cameras; made where it does not exist
+    /// The folder for the images, the scene and the cameras; created if it does not exist
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
-    /// How many views the turntable has
+    /// Number of views, all around the scene
     #[arg(long, value_name = "N", default_value_t = 24)]
     #[arg(value_parser = clap::value_parser!(u16).range(1..=1000))]
     views: u16,
@@ -65,7 +65,7 @@ fn refuse_foreign(folder: &Folder, scene: &Scene, cameras: &[Camera], path: &Pat
     let mut files = fixed.map(str::to_owned).into_iter().chain(views);
     match files.find(|name| folder.join(name).exists()) {
         Some(name) if !own => refuse(format!(
-            "{} holds a {name} that is not of this demo; choose another folder",
+            "{} holds a {name} that the demo did not write; choose another folder",
             path.display()
         )),
         _ => Ok(()),

@@ -2,11 +2,11 @@
 
 use clap::ValueEnum;
 use clap::builder::PossibleValuesParser;
-use organza::backend::{AdapterInfo, adapters};
 use organza::{
-    BackendChoice, Device, DeviceOptions, DeviceScene, InstructionSet, Renderer, Result, Scene,
-    SpirvPath, UploadOptions,
+    BackendChoice, DeviceOptions, DeviceScene, InstructionSet, Renderer, Result, Scene, SpirvPath,
+    UploadOptions,
 };
+use organza_device::{AdapterInfo, adapters};
 
 use super::console::Console;
 use super::refuse;
@@ -14,12 +14,12 @@ use super::refuse;
 /// How a scene lies on the device.
 #[derive(Debug, clap::Args)]
 pub struct SceneArgs {
-    /// Keep both hash grids in half precision: half their memory, each feature off by 1/2048 at most; not for gradients
+    /// Store both hash grids in half precision: half their memory, each feature off by at most 1/2048; no gradients
     #[arg(long, help_heading = "Device")]
     pub half_grids: bool,
 
-    /// Compute the hidden layers of both networks in half precision: for GPUs, slower on the CPU; an output is off by 0.9% of
-    /// its terms' sizes at most; not for gradients
+    /// Compute the hidden layers of both networks in half precision: for GPUs, slower on the CPU; each output off by at most
+    /// 0.9% of the sizes of its terms; no gradients
     #[arg(long, help_heading = "Device")]
     pub half_networks: bool,
 }
@@ -35,36 +35,36 @@ impl SceneArgs {
 /// Options of the subcommands that render.
 #[derive(Debug, clap::Args)]
 pub struct DeviceArgs {
-    /// What to render on; `auto` takes a GPU where there is one, and says which
+    /// The device to use; `auto` takes a GPU if there is one, and says which
     #[arg(long, value_enum, default_value_t, help_heading = "Device")]
     backend: Backend,
 
-    /// How the kernels reach the GPU's driver: as they are (Vulkan), or translated by naga
-    /// [default: passthrough where it can be had]
+    /// How kernels reach the GPU's driver: as SPIR-V (Vulkan only), or translated by naga
+    /// [default: passthrough if the GPU supports it]
     #[arg(long, value_enum, help_heading = "Device")]
     spirv: Option<Spirv>,
 
-    /// Take the GPU whose name contains this
+    /// Use the GPU whose name contains this text
     #[arg(long, value_name = "NAME", help_heading = "Device")]
     adapter: Option<String>,
 
-    /// Which kernels a GPU runs: `plain` ones, or the `best` it can take, with workgroup memory and subgroups
-    /// [default: best, plain on a software device]
+    /// Which kernels a GPU runs: `plain` ones, or the `best` it has, with workgroup memory
+    /// [default: best; plain on a software device]
     #[arg(long, value_enum, help_heading = "Device")]
     variants: Option<Variants>,
 
-    /// Threads of the CPU backend [default: one for each core]
+    /// Threads of the CPU backend [default: one per core]
     #[arg(long, value_name = "N", help_heading = "Device")]
     #[arg(value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 
-    /// What the CPU backend computes with; `scalar` runs one invocation at a time, as a debugger likes it
-    /// [default: the widest that this CPU has]
+    /// Instruction set of the CPU backend; `scalar` runs one invocation at a time, for debugging
+    /// [default: the widest of this CPU]
     #[arg(long, value_name = "SET", help_heading = "Device")]
     #[arg(value_parser = PossibleValuesParser::new(InstructionSet::ALL.map(InstructionSet::as_str)))]
     instruction_set: Option<String>,
 
-    /// Print warnings and errors alone
+    /// Print only warnings and errors
     #[arg(short, long)]
     quiet: bool,
 }
@@ -102,7 +102,7 @@ impl DeviceArgs {
     /// Opens a device of [`Self::options`] or [`Self::every`] and says which it is.
     pub fn open_as(&self, options: &DeviceOptions) -> Result<Renderer> {
         let console = self.console();
-        let device = console.during("opening the device", || Device::open(options))?;
+        let device = console.during("opening the device", || organza::open_device(options))?;
         console.note(device.choice());
         Ok(Renderer::new(device))
     }
@@ -131,14 +131,14 @@ impl DeviceArgs {
         let backend = match self.backend {
             Backend::Cpu if asks_for_gpu => {
                 return refuse(
-                    "`--adapter`, `--spirv` and `--variants` are about GPUs, but `--backend` is cpu",
+                    "`--adapter`, `--spirv` and `--variants` are for GPUs, but `--backend` is cpu",
                 );
             }
             Backend::Gpu if self.threads.is_some() => {
-                return refuse("`--threads` is about the CPU, but `--backend` is gpu");
+                return refuse("`--threads` is for the CPU, but `--backend` is gpu");
             }
             Backend::Gpu if self.instruction_set.is_some() => {
-                return refuse("`--instruction-set` is about the CPU, but `--backend` is gpu");
+                return refuse("`--instruction-set` is for the CPU, but `--backend` is gpu");
             }
             Backend::Cpu => BackendChoice::Cpu,
             // Who names a GPU does not want the CPU instead.

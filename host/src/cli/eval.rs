@@ -25,14 +25,14 @@ Examples:
   organza eval scene.safetensors data/lego --background 1,1,1 --json
   organza eval run data/garden --downscale 4
 
-A run's folder tells what it was trained on, the built-in scene included, and which frames were held out; what is \
-given here counts before that.
+A run's folder says what the run was trained on, the built-in scene included, and which frames were held out. \
+Arguments and options override this.
 
-PSNR is in decibels, SSIM has windows of 11 x 11 pixels with Gaussian weights of sigma 1.5. Pixels that \
-undistorting left without a color do not count. In JSON a value is null where it does not exist (no pixel \
-or no window counts), and so is the infinite PSNR of equal images.";
+PSNR is in decibels. SSIM uses windows of 11 x 11 pixels with Gaussian weights (sigma 1.5). Pixels that have no \
+color after undistortion do not count. In JSON, a value is null if no pixel or no window counts. The PSNR of equal \
+images is infinite, and null too.";
 
-/// Measure how close a scene comes to photographs: PSNR and SSIM of each view
+/// Compare a scene with photographs: PSNR and SSIM of each view
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -40,18 +40,18 @@ pub struct Args {
     scene: PathBuf,
     /// The data set: a folder or a transforms.json [default: what the run was trained on]
     data: Option<PathBuf>,
-    /// Which frames to measure on
+    /// Which frames to compare
     #[arg(long, value_enum, default_value_t)]
     split: Split,
-    /// Every so many-th frame is held out, beginning with the first [default: as the run did, else 8]
+    /// Hold out every Nth frame, starting with the first [default: as in the run, or 8]
     #[arg(long, value_name = "N")]
     #[arg(value_parser = clap::value_parser!(u32).range(2..))]
     hold_out_every: Option<u32>,
-    /// Make photographs smaller by this factor [default: as the run did, else 1]
+    /// Shrink photographs by this factor [default: as in the run, or 1]
     #[arg(long, value_name = "N")]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=1024))]
     downscale: Option<u32>,
-    /// Put photographs with an alpha channel in front of this color, of 0 to 1 [default: the scene's
+    /// Background of photographs with an alpha channel, three values from 0 to 1 [default: the scene's
     /// background]
     #[arg(long, value_name = "R,G,B")]
     background: Option<Color>,
@@ -69,12 +69,12 @@ pub struct Args {
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
 enum Split {
-    /// Those that training does not see
+    /// The frames that training does not see
     #[default]
     HeldOut,
-    /// Those that training sees
+    /// The frames that training sees
     Train,
-    /// Both
+    /// All frames
     All,
 }
 
@@ -92,7 +92,7 @@ impl FromStr for Color {
             .and_then(|values| values.try_into().ok())
             .filter(|color: &[f32; 3]| color.iter().all(|value| (0.0..=1.0).contains(value)))
             .map(Self)
-            .ok_or_else(|| "expected three numbers of 0 to 1, such as 1,1,1".to_owned())
+            .ok_or_else(|| "expected three numbers from 0 to 1, such as 1,1,1".to_owned())
     }
 }
 
@@ -116,8 +116,8 @@ fn data(args: &Args) -> Result<DataConfig> {
         if is_run { train::settings_of(&args.scene)?.data } else { DataConfig::default() };
     data.allow_outside |= args.allow_outside;
     if args.data.is_none() && !is_run {
-        let reason = "it does not say what it was trained on, as a training run's folder would; name the data \
-                      set: `organza eval SCENE DATA`";
+        let reason = "a scene file does not say what it was trained on, only a training run's folder does; name the \
+                      data set: `organza eval SCENE DATA`";
         return Err(Error::Invalid { origin: args.scene.clone(), reason: reason.to_owned() });
     }
     data.path = args.data.clone().or(data.path);
@@ -140,7 +140,7 @@ fn scene_file(path: &Path) -> Result<PathBuf> {
         return Ok(file);
     }
     let reason = format!(
-        "the folder holds no {CHECKPOINT}, so it is no training run's; name a scene file, or the \
+        "the folder has no {CHECKPOINT}, so it is not a training run's; name a scene file, or the \
          folder that training wrote to"
     );
     Err(Error::Invalid { origin: path.to_owned(), reason })
@@ -179,8 +179,8 @@ fn frames<'a>(args: &Args, dataset: &'a Dataset) -> Result<Vec<&'a Frame>> {
         Split::All => dataset.frames.iter().collect(),
     };
     if frames.is_empty() {
-        let reason = "no frame of the data set is held out; measure on others with `--split train` or \
-                      `--split all`, or hold out others with `--hold-out-every`";
+        let reason = "no frame of the data set is held out; use others with `--split train` or `--split all`, \
+                      or hold some out with `--hold-out-every`";
         let origin = args.data.as_ref().unwrap_or(&args.scene).clone();
         return Err(Error::Invalid { origin, reason: reason.to_owned() });
     }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use organza::image::to_8_bit;
 use organza::render::Contribution;
-use organza::{Camera, Device, DeviceOptions, Inspection, Renderer, Result, Scene};
+use organza::{Camera, DeviceOptions, Inspection, Renderer, Result, Scene};
 use serde::Serialize;
 
 use super::console::{Console, print, print_json};
@@ -20,9 +20,9 @@ Examples:
   organza explain scene.safetensors cameras.json --view 3 --pixel 10,20 --all --json
 
 The columns are those of docs/pipeline.md: alpha = opacity * falloff * T, where opacity is the \
-sigmoid of the logit; C and S are the sums of Eq. 12 up to and including the row's Gaussian.";
+sigmoid of the logit. C and S are the sums of Eq. 12 up to and including the row's Gaussian.";
 
-/// Show how a pixel came about, Gaussian by Gaussian; always computed on the CPU
+/// Break one pixel down, Gaussian by Gaussian; always computed on the CPU
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -30,13 +30,13 @@ pub struct Args {
     scene: PathBuf,
     /// The cameras, nerfstudio's transforms.json
     cameras: PathBuf,
-    /// Which view
+    /// Index of the view
     #[arg(long, value_name = "V", default_value_t = 0)]
     view: usize,
     /// Column and row of the pixel, from the upper left
     #[arg(long, value_name = "X,Y", value_parser = parse_pixel, allow_hyphen_values = true)]
     pixel: [i32; 2],
-    /// Show also Gaussians whose falloff is zero at the pixel
+    /// Also show Gaussians whose falloff is zero at the pixel
     #[arg(long)]
     all: bool,
     /// Print JSON
@@ -60,7 +60,7 @@ pub fn run(args: &Args) -> Result<()> {
     {
         let [width, height] = size;
         return refuse(format!(
-            "pixel {x},{y} is outside of view {}, which has {width} x {height} pixels: columns 0 \
+            "pixel {x},{y} is outside view {}, which has {width} x {height} pixels: columns 0 \
              to {}, rows 0 to {}",
             args.view,
             width - 1,
@@ -69,7 +69,7 @@ pub fn run(args: &Args) -> Result<()> {
     }
     warn_distorted(Console::new(false), &cameras, &[args.view]);
     let scene = Scene::load(&args.scene)?;
-    let renderer = Renderer::new(Device::open(&DeviceOptions::cpu(None))?);
+    let renderer = Renderer::new(organza::open_device(&DeviceOptions::cpu(None))?);
     let scene = renderer.upload(&scene)?;
     let mut inspection = renderer.inspect(&scene, &cameras, args.view, args.pixel)?;
     let reaching = inspection.contributions.len();

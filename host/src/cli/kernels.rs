@@ -1,17 +1,28 @@
 //! `organza kernels`: what the program carries for GPUs.
 
-use organza::Result;
-use organza::kernels::{self, CodeSize};
-use organza_kernels::kernel::workgroup_bytes;
-use organza_kernels::limits::MAX_ITERATIONS;
-use organza_kernels::{EntryPoint, KernelInfo};
+use organza::{MODULES, Result};
+use organza_device::CodeSize;
+use organza_kernel::kernel::workgroup_bytes;
+use organza_kernel::{EntryPoint, KernelInfo};
+use organza_shaders::limits::MAX_ITERATIONS;
 use serde::Serialize;
 
 use super::console::{print, print_json};
 use super::table::Table;
 
+const EXAMPLES: &str = "\
+Examples:
+  organza kernels
+  organza kernels | grep dense
+  organza kernels --json
+
+`shared` is the workgroup memory and `SPIR-V` the compiled module, both in bytes. `iterations` is the most that one \
+invocation needs, all its loops together. A name that ends in `_staged` is a variant that uses workgroup memory \
+(docs/kernels.md).";
+
 /// List the kernels: their bindings, workgroups, code and loops
 #[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub struct Args {
     /// Print JSON
     #[arg(long)]
@@ -44,7 +55,7 @@ struct Binding {
 }
 
 pub fn run(args: &Args) -> Result<()> {
-    let mut declared: Vec<_> = organza_kernels::kernels().collect();
+    let mut declared: Vec<_> = organza_kernel::kernels().collect();
     declared.sort_by_key(|kernel| kernel.name);
     let all =
         declared.iter().flat_map(|kernel| kernel.entry_points().map(|point| (*kernel, point)));
@@ -58,7 +69,7 @@ pub fn run(args: &Args) -> Result<()> {
 
 impl Listed {
     fn of(kernel: &'static KernelInfo, point: EntryPoint) -> Result<Self> {
-        let compiled = kernels::of(kernel, &point)?;
+        let compiled = MODULES.of(kernel, &point)?;
         let bindings = kernel.bindings.iter().enumerate().map(|(binding, info)| Binding {
             binding,
             name: info.name,
@@ -96,8 +107,8 @@ fn code(listed: &[Listed]) -> String {
         ]);
     }
     format!(
-        "{table}\nshared and SPIR-V in bytes; iterations are the most that one invocation takes, of {MAX_ITERATIONS} \
-         at most\n"
+        "{table}\nshared and SPIR-V are in bytes; iterations is the most that one invocation needs, and may be up to \
+         {MAX_ITERATIONS}\n"
     )
 }
 

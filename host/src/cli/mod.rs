@@ -39,9 +39,9 @@ Examples:
   organza render demo/scene.safetensors demo/cameras.json -o images --views 0-3
   organza explain demo/scene.safetensors demo/cameras.json --view 0 --pixel 192,192
 
-Exit code: 0, or 2 with a message on stderr; `parity` has 1 for a GPU that computes wrongly.";
+Exit code: 0, or 2 after an error, with a message on stderr. `parity` exits with 1 if a GPU computes wrong results.";
 
-/// Sort-free Gaussian rendering of tiles and images.
+/// Sort-free Gaussian rendering and training
 #[derive(Debug, Parser)]
 #[command(version, after_help = EXAMPLES, max_term_width = 100)]
 struct Cli {

@@ -4,9 +4,11 @@ use std::fmt::Write as _;
 use std::process::ExitCode;
 
 use clap::ValueEnum;
-use organza::backend::{AdapterInfo, adapters};
-use organza::parity::{Report, Row, Worst, cases};
-use organza::{Device, DeviceOptions, Error, Result, SpirvPath};
+use organza::error::DeviceError;
+use organza::parity::cases;
+use organza::{DeviceOptions, Error, MODULES, Result, SpirvPath};
+use organza_check::{Report, Row, Worst};
+use organza_device::{AdapterInfo, adapters};
 
 use super::console::{Console, print, print_json};
 use super::refuse;
@@ -16,35 +18,35 @@ use super::table::Table;
 const OUT_OF_TOLERANCE: u8 = 1;
 
 const NOTES: &str = "\
-Columns: the largest absolute, relative and ULP (units of the last place) difference to the CPU;
-what is allowed, in units of each output's scale (docs/parity.md); how much of that the worst
-value takes.  Integers must be equal.
+Columns: the largest absolute, relative and ULP (units in the last place) difference from the CPU;
+the tolerance, in units of each output's scale (docs/parity.md); and how much of the tolerance the
+worst value uses. Integers must be equal.
 
-Exit code: 0, 1 where a kernel is out of its tolerance, 2 with a message on stderr where there is no
-GPU or the command line makes no sense.
+Exit code: 0; 1 if a kernel is out of tolerance; 2, with a message on stderr, after any other error,
+such as no GPU.
 
 Examples:
   organza parity
   organza parity --adapter nvidia --json
   organza parity --backend cpu";
 
-/// Run every kernel on every GPU and compare with the CPU: the first thing to do on a new GPU
+/// Run every kernel on every GPU and compare with the CPU: run this first on a new GPU
 #[derive(Debug, clap::Args)]
 #[command(after_help = NOTES)]
 pub struct Args {
-    /// What to compare with the CPU: GPUs, or the CPU itself on a single thread
+    /// What to compare with the CPU: the GPUs, or the CPU itself on a single thread
     #[arg(long, value_enum, default_value_t)]
     backend: Backend,
-    /// Take the GPU whose name contains this alone [default: each there is]
+    /// Only use GPUs whose name contains this text [default: all]
     #[arg(long, value_name = "NAME")]
     adapter: Option<String>,
-    /// Print JSON, with the place of every largest difference
+    /// Print JSON, with the place of each largest difference
     #[arg(long)]
     json: bool,
-    /// Print Markdown, with where each tolerance comes from: docs/parity.md
+    /// Print Markdown, with the reason for each tolerance: the tables of docs/parity.md
     #[arg(long, conflicts_with = "json")]
     markdown: bool,
-    /// Print warnings and errors alone
+    /// Print only warnings and errors
     #[arg(short, long)]
     quiet: bool,
 }
@@ -58,23 +60,24 @@ enum Backend {
 
 pub fn run(args: &Args) -> Result<ExitCode> {
     let console = Console::new(args.quiet);
-    let cpu = Device::open(&DeviceOptions::cpu(None))?;
+    let cpu = organza::open_device(&DeviceOptions::cpu(None))?;
     let (mut reports, mut unusable) = (Vec::new(), Vec::new());
     if args.backend == Backend::Cpu {
         if args.adapter.is_some() {
-            return refuse("`--adapter` is about GPUs, but `--backend` is cpu");
+            return refuse("`--adapter` is for GPUs, but `--backend` is cpu");
         }
-        reports.push(measured(console, "cpu", |done| Report::of_cpu(&cpu, done))?);
+        reports.push(measured(console, "cpu", |done| Ok(Report::of_cpu(&cases(), &cpu, done)?))?);
     } else {
         for adapter in chosen(args.adapter.as_deref())? {
             for path in paths(&adapter) {
                 let what = format!("{}, {}", adapter.name, path.as_str());
-                let report =
-                    measured(console, &what, |done| Report::of_gpu(&cpu, &adapter, path, done));
+                let report = measured(console, &what, |done| {
+                    Ok(Report::of_gpu(&cases(), &MODULES, &cpu, &adapter, path, done)?)
+                });
                 match report {
                     Ok(report) => reports.push(report),
                     // another may be of use
-                    Err(error @ Error::NoGpu { .. }) => unusable.push(error),
+                    Err(error @ Error::Device(DeviceError::NoGpu { .. })) => unusable.push(error),
                     Err(error) => return Err(error),
                 }
             }
@@ -107,8 +110,9 @@ fn chosen(name: Option<&str>) -> Result<Vec<AdapterInfo>> {
     if found.is_empty() {
         // opening it says why it cannot be had
         let adapter = name.map(str::to_owned);
-        Device::open(&DeviceOptions { adapter, ..DeviceOptions::gpu(SpirvPath::Naga) })?;
-        return Err(Error::NoGpu { reason: "it was there a moment ago only".into() });
+        organza::open_device(&DeviceOptions { adapter, ..DeviceOptions::gpu(SpirvPath::Naga) })?;
+        let reason = "it has just disappeared".into();
+        return Err(DeviceError::NoGpu { reason }.into());
     }
     Ok(found)
 }
@@ -159,7 +163,7 @@ fn markdown(report: &Report) -> String {
 /// The kernels that were not run, and why.
 fn left_out(report: &Report) -> Option<String> {
     let kernels = report.left_out.join(", ");
-    (!kernels.is_empty()).then(|| format!("Left out: {kernels}; the device computes no halves."))
+    (!kernels.is_empty()).then(|| format!("Left out: {kernels}; the device has no 16-bit floats."))
 }
 
 const TITLES: [&str; 8] =
@@ -207,8 +211,8 @@ fn explain(text: &mut String, row: &Row) {
     // writing to a String does not fail
     let _ = writeln!(
         text,
-        "{}: {failures} of {values} values failed, most `{output}[{index}]` of \"{set}\": {found:e}, on the CPU {cpu:e}; \
-         allowed: {}",
+        "{}: {failures} of {values} values failed, the worst is `{output}[{index}]` of \"{set}\": {found:e}, on the CPU {cpu:e}; \
+         tolerance: {}",
         row.kernel, row.why
     );
 }

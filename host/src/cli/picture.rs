@@ -44,8 +44,7 @@ impl Pictures<'_> {
 pub fn warn_not_finite(console: Console, pixels: u64) {
     if pixels > 0 {
         let pixels = grouped(pixels);
-        console
-            .warn(&format!("pixels rendered as NaN or infinite: {pixels}; are the networks sane?"));
+        console.warn(&format!("NaN or infinite pixels: {pixels}; check the networks' weights"));
     }
 }
 

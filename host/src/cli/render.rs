@@ -18,8 +18,8 @@ Examples:
   organza render scene.safetensors transforms.json -o images
   organza render scene.safetensors transforms.json -o images --views 0-3,8 --tile-size 128
 
-Files are named after the photographs that the cameras name, or else after the view's index. \
-An image does not depend on the tile size.";
+If each camera names a photograph of its own, files are named after these; otherwise after the \
+view's index. The tile size does not change the image.";
 
 /// Render whole views as PNG images
 #[derive(Debug, clap::Args)]
@@ -29,7 +29,7 @@ pub struct Args {
     scene: PathBuf,
     /// The cameras, nerfstudio's transforms.json
     cameras: PathBuf,
-    /// The folder for the images; made where it does not exist
+    /// The folder for the images; created if it does not exist
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
     /// Which views to render, such as 0,8 or 0-3 [default: all]
@@ -116,7 +116,7 @@ fn files(
             if output::is_same(&path, &photograph) {
                 let path = path.display();
                 return refuse(format!(
-                    "{path} is a photograph that {} names; choose another folder",
+                    "{path} would replace a photograph of {}; choose another folder",
                     args.cameras.display()
                 ));
             }

@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use organza::scene::{TensorRef, read_tensors, write_tensors};
-use organza::{Camera, DeviceScene, Error, Renderer, Result, Scene, TileBatch, memory};
+use organza::{Camera, DeviceScene, Error, Renderer, Result, Scene, TileBatch};
+use organza_device::memory;
 
 use super::console::Console;
 use super::device::{DeviceArgs, SceneArgs};
@@ -19,9 +20,9 @@ Examples:
 
 TILES holds {\"side\": 64, \"tiles\": [{\"camera\": 0, \"origin\": [128, 96]}, ...]}: a tile's \
 origin is the column and the row of its upper left pixel. OUT holds `tiles`, F32 [K, 3, S, S]: \
-tile, RGB, row, column. G holds `grad_output`, the derivative of a loss by `tiles`, of the same \
-shape; gradient.safetensors then holds the loss's derivative by every tensor of the scene, \
-`grad.<tensor>`.";
+tile, RGB, row, column. G holds `grad_output`, the gradient of a loss with respect to `tiles`, \
+in the same shape. gradient.safetensors then gets the gradient of the loss with respect to every \
+tensor of the scene, `grad.<tensor>`.";
 
 /// Render a batch of tiles, of any views, into one tensor
 #[derive(Debug, clap::Args)]
@@ -36,10 +37,10 @@ pub struct Args {
     /// Where to write the tensor, safetensors
     #[arg(short, long, value_name = "OUT", required_unless_present = "grad")]
     output: Option<PathBuf>,
-    /// The derivative of a loss by the rendered tiles, `grad_output` of a safetensors file
+    /// The gradient of a loss with respect to the rendered tiles: `grad_output` in a safetensors file
     #[arg(long, value_name = "G", requires = "grad")]
     grad_output: Option<PathBuf>,
-    /// Where to write the loss's derivative by every tensor of the scene, safetensors
+    /// Where to write the gradient of the loss with respect to every tensor of the scene, safetensors
     #[arg(long, value_name = "GRAD", requires = "grad_output", conflicts_with_all = ["half_grids", "half_networks"])]
     grad: Option<PathBuf>,
     #[command(flatten)]
@@ -108,9 +109,9 @@ fn read_grad_output(path: &Path, batch: &TileBatch) -> Result<Vec<f32>> {
 }
 
 fn write_gradient(gradient: Scene, path: &Path) -> Result<()> {
-    for (id, values) in gradient.tensors() {
+    for (spec, values) in gradient.tensors() {
         if let Some(index) = values.iter().position(|value| !value.is_finite()) {
-            let (name, value) = (id.name(), values[index]);
+            let (name, value) = (spec.name, values[index]);
             let reason = format!(
                 "the gradient of `{name}` holds {value} at flat index {index}, more than f32 can \
                  hold; nothing was written"
@@ -118,12 +119,8 @@ fn write_gradient(gradient: Scene, path: &Path) -> Result<()> {
             return Err(Error::Diverged { reason });
         }
     }
-    let specs = gradient.config.tensors(gradient.gaussians.len());
-    let names: Vec<_> = specs.iter().map(|spec| format!("grad.{}", spec.name)).collect();
-    let tensors = specs.iter().zip(&names).zip(gradient.tensors());
-    let tensors: Vec<_> = tensors
-        .map(|((spec, name), (_, data))| TensorRef { name, shape: &spec.shape, data })
-        .collect();
+    let tensors = gradient.tensors_with_prefix("grad.");
+    let tensors: Vec<_> = tensors.iter().map(|(spec, data)| spec.of(data)).collect();
     write_tensors(path, &tensors, &[])
 }
 
@@ -148,7 +145,7 @@ fn write_tiles(
     let not_finite = tiles.data.iter().filter(|value| !value.is_finite()).count();
     if not_finite > 0 {
         let (found, all) = (grouped(not_finite as u64), count(tiles.data.len() as u64, "value"));
-        console.warn(&format!("{found} of {all} are NaN or infinite: are the networks sane?"));
+        console.warn(&format!("{found} of {all} are NaN or infinite; check the networks' weights"));
     }
 
     let shape = batch.output_shape();

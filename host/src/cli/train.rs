@@ -16,12 +16,12 @@ const EXAMPLES: &str = "\
 Examples:
   organza train -o run                                 the built-in scene, no files needed
   organza train data/fox -o run --steps 3000
-  organza train --resume run                           goes on after Ctrl-C, to the same bits
+  organza train --resume run                           continues after Ctrl-C, to the same bits
   organza train data/fox -o other --config run/config.toml --seed 1
   organza eval run
 
-RUN holds config.toml (every setting, readable back with --config), metrics.jsonl, \
-checkpoint.safetensors (a scene that every other command takes) and report.html.";
+RUN gets config.toml (all settings; --config reads them back), metrics.jsonl (the log), \
+checkpoint.safetensors (a scene that every other command accepts) and report.html.";
 
 /// Train a scene on photographs with poses, or on the built-in scene
 #[derive(Debug, clap::Args)]
@@ -30,41 +30,41 @@ pub struct Args {
     /// The data set: a folder of nerfstudio, Blender or COLMAP, or a transforms.json
     /// [default: the built-in scene]
     data: Option<PathBuf>,
-    /// The folder for the run; made where it does not exist
+    /// The folder for the run; created if it does not exist
     #[arg(short, long, value_name = "RUN", required_unless_present = "resume")]
     output: Option<PathBuf>,
-    /// Go on with a run that was stopped; its own settings count
+    /// Continue a run that was stopped, with its own settings
     #[arg(long, value_name = "RUN", conflicts_with_all = ["output", "data", "config", "steps", "seed",
         "tiles_per_step", "tile_size", "downscale", "max_gaussians", "hold_out_every", "allow_outside"])]
     resume: Option<PathBuf>,
-    /// Settings, TOML such as a run's config.toml; options count before it
+    /// A settings file, TOML, such as a run's config.toml; options override it
     #[arg(long, value_name = "TOML")]
     config: Option<PathBuf>,
-    /// Steps of training
+    /// Number of training steps
     #[arg(long, value_name = "N")]
     steps: Option<u32>,
-    /// Tiles of a step
+    /// Tiles per step
     #[arg(long, value_name = "K")]
     tiles_per_step: Option<u32>,
     /// Side of a tile, in pixels
     #[arg(long, value_name = "S")]
     tile_size: Option<u32>,
-    /// The most Gaussians, at the start too
+    /// Largest number of Gaussians, also at the start
     #[arg(long, value_name = "N")]
     max_gaussians: Option<u32>,
-    /// Make photographs smaller by this factor
+    /// Shrink photographs by this factor
     #[arg(long, value_name = "N")]
     downscale: Option<u32>,
-    /// Hold out every so many-th frame, beginning with the first; 0 holds none out
+    /// Hold out every Nth frame, starting with the first; 0 holds out none
     #[arg(long, value_name = "N")]
     hold_out_every: Option<usize>,
     /// Read what the data set names outside its own folder, by a path or a link
     #[arg(long)]
     allow_outside: bool,
-    /// Seed of every random choice
+    /// Seed of all random choices
     #[arg(long, value_name = "N")]
     seed: Option<u64>,
-    /// Stop after so many seconds of training, as after the last step
+    /// Finish after this many seconds of training, as after the last step
     #[arg(long, value_name = "SECONDS")]
     #[arg(value_parser = clap::value_parser!(u32).range(1..))]
     time_limit: Option<u32>,
@@ -108,7 +108,7 @@ pub fn run(args: &Args) -> Result<()> {
     let folder = folder.path();
     console.note(&match outcome {
         Outcome::Stopped => {
-            format!("saved; `organza train --resume {}` goes on where it stopped", folder.display())
+            format!("saved; `organza train --resume {}` continues from here", folder.display())
         }
         Outcome::Finished | Outcome::TimeLimit => {
             format!(
@@ -190,13 +190,13 @@ fn load(config: &TrainConfig, renderer: &Renderer, console: Console) -> Result<D
 /// Says which files of a data set are not there, and which are outside its folder.
 pub fn warn_of_files(console: Console, dataset: &Dataset) {
     let kinds = [
-        (&dataset.missing, "photograph", "not there, and left out"),
+        (&dataset.missing, "photograph", "missing, so left out"),
         (&dataset.outside, "file", "read outside the data set's folder, as was allowed"),
     ];
     for (files, unit, what) in kinds {
         if let Some(first) = files.first() {
             let (files, first) = (count(files.len() as u64, unit), first.display());
-            console.warn(&format!("{what}: {files}, first {first}"));
+            console.warn(&format!("{what}: {files}, the first is {first}"));
         }
     }
 }
@@ -208,14 +208,16 @@ fn show(event: Event<'_>, bar: &Progress, console: Console) {
         Event::Begin(step) => {
             bar.set(step as usize);
             bar.restart_clock();
-            console.note(&format!("goes on after step {step}"));
+            console.note(&format!("continuing after step {step}"));
         }
-        Event::Step { step, seconds, report, gaussians } => {
+        Event::Step { step, seconds, report, scene } => {
             let speed = f64::from(step) * report.tiles as f64 / seconds.max(1e-9);
             bar.set(step as usize);
             bar.say(&format!(
-                "loss {:.4}, PSNR {:.1} dB, {speed:.0} tiles/s, {gaussians} Gaussians",
-                report.loss, report.psnr
+                "loss {:.4}, PSNR {:.1} dB, {speed:.0} tiles/s, {} Gaussians",
+                report.loss,
+                report.psnr,
+                scene.len()
             ));
         }
         Event::Evaluating => bar.say("measuring the held-out views"),

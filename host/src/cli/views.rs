@@ -19,7 +19,7 @@ impl FromStr for ViewList {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let index = |text: &str| {
-            let bad = |_| format!("`{text}` is no view; expected a list such as 0,8 or 0-3");
+            let bad = |_| format!("`{text}` is not a view; expected a list such as 0,8 or 0-3");
             text.trim().parse::<usize>().map_err(bad)
         };
         let range = |item: &str| {
@@ -143,7 +143,7 @@ mod tests {
             ("", "list such as"),
             ("1,,2", "list such as"),
             ("-1", "list such as"),
-            ("a", "`a` is no view"),
+            ("a", "`a` is not a view"),
         ] {
             let found = resolve(text).unwrap_err();
             assert!(found.contains(reason), "{text}: {found}");

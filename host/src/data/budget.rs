@@ -2,8 +2,8 @@
 
 use std::sync::{Condvar, Mutex, PoisonError};
 
-use crate::error::{Error, Result};
-use crate::memory;
+use crate::error::{DeviceError, Result};
+use organza_device::memory;
 
 /// The part of the memory that is free at the start that decoding may take: threads, and the
 /// allocator, need some too.
@@ -39,11 +39,11 @@ impl Budget {
     /// Takes bytes, after waiting for them where others have them.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`] for more than there are in all; `what` says what for.
+    /// [`DeviceError::OutOfMemory`] for more than there are in all; `what` says what for.
     pub fn take(&self, bytes: u64, what: impl FnOnce() -> String) -> Result<Share<'_>> {
         if bytes > self.total {
             let (needed, available) = (bytes, Some(self.total));
-            return Err(Error::OutOfMemory { needed, available, what: what() });
+            return Err(DeviceError::OutOfMemory { needed, available, what: what() }.into());
         }
         let used = self.used.lock().unwrap_or_else(PoisonError::into_inner);
         let mut used = self

@@ -10,7 +10,7 @@ use super::budget::{Budget, Share};
 use super::invalid;
 use crate::error::{Error, Result};
 use crate::input::{open_regular, read_file};
-use crate::memory;
+use organza_device::memory;
 
 /// Bytes a pixel that decoding may take: 8 for the widest pixel (RGBA of 16 bits), or else 3 and
 /// the 16-bit coefficients of a progressive JPEG's four components.

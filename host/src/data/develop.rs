@@ -10,7 +10,7 @@ use super::{DatasetOptions, Frame, Photograph, decode, invalid};
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::image::to_8_bit;
-use crate::memory;
+use organza_device::memory;
 
 /// A photograph that is there, and how it was taken.
 pub(super) struct Shot {
@@ -32,7 +32,7 @@ impl Shot {
     /// # Errors
     /// [`crate::Error::ReadFile`]; [`crate::Error::Invalid`] for a photograph that cannot be
     /// decoded, is not of the camera's size, or of which no pixel remains;
-    /// [`crate::Error::OutOfMemory`] for one that does not fit into the budget.
+    /// [`crate::error::DeviceError::OutOfMemory`] for one that does not fit into the budget.
     pub fn develop(&self, options: &DatasetOptions, budget: &Budget) -> Result<(Frame, Digest)> {
         let Camera { width, height, .. } = self.camera;
         let factor = options.downscale;

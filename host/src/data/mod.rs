@@ -25,11 +25,11 @@ use rayon::prelude::*;
 
 use crate::camera::Camera;
 use crate::error::{Error, Result};
-use crate::memory;
 use budget::Budget;
 use develop::Shot;
 pub use fingerprint::Fingerprint;
 use lens::Lens;
+use organza_device::memory;
 pub use photograph::Photograph;
 use reach::Reach;
 
@@ -183,7 +183,7 @@ impl Dataset {
             let (all, missing) = (listing.missing.len(), missing.display());
             return invalid(
                 path,
-                format!("none of the {all} photographs is there; the first should be {missing}"),
+                format!("none of the {all} photographs exists; the first should be {missing}"),
             );
         }
         let budget = Budget::beside(check_memory(&listing.shots, options)?);

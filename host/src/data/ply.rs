@@ -13,7 +13,7 @@ use ply_rs_bw::ply::{
 use super::{Point, invalid};
 use crate::error::{Error, Result};
 use crate::input::open_regular;
-use crate::memory;
+use organza_device::memory;
 
 /// The longest header and the longest line of text that are read. A header of a scan with all its
 /// comments has some kilobytes.

@@ -1,14 +1,15 @@
 use super::*;
-use crate::backend::{Device, DeviceOptions};
 use crate::render::{Renderer, Stages};
 use crate::tile::TileBatch;
+use organza_device::DeviceOptions;
 
 /// The scene, made once, and every stage of it in the first camera.
 fn rendered() -> &'static (Scene, Stages) {
     static RENDERED: std::sync::OnceLock<(Scene, Stages)> = std::sync::OnceLock::new();
     RENDERED.get_or_init(|| {
         let scene = scene();
-        let renderer = Renderer::new(Device::open(&DeviceOptions::cpu(None)).expect("the CPU"));
+        let renderer =
+            Renderer::new(crate::open_device(&DeviceOptions::cpu(None)).expect("the CPU"));
         let device = renderer.upload(&scene).expect("a valid scene");
         let stages = renderer.stages(&device, &turntable(1, 64)[0]).expect("stages");
         (scene, stages)
@@ -150,7 +151,7 @@ fn turntable_goes_around_once() {
 #[test]
 fn picture_is_framed() {
     let (scene, _) = rendered();
-    let renderer = Renderer::new(Device::open(&DeviceOptions::cpu(None)).expect("the CPU"));
+    let renderer = Renderer::new(crate::open_device(&DeviceOptions::cpu(None)).expect("the CPU"));
     let device = renderer.upload(scene).expect("a valid scene");
     let batch = TileBatch::cover(0, 64, 64, 64).expect("one tile");
     let tiles = renderer.render(&device, &turntable(1, 64), &batch).expect("a picture");

@@ -10,7 +10,7 @@ fn sizes_are_readable() {
 
 #[test]
 fn memory_error_gives_both_sizes() {
-    let error = Error::OutOfMemory {
+    let error = DeviceError::OutOfMemory {
         needed: 3 << 30,
         available: Some(512 << 20),
         what: "the tile batch".to_owned(),

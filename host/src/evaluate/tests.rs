@@ -1,11 +1,11 @@
 use super::*;
-use crate::backend::{Device, DeviceOptions};
 use crate::data::Photograph;
 use crate::demo;
+use organza_device::DeviceOptions;
 
 /// Two views of the built-in scene, of a size that no tile divides, and a renderer for it.
 fn setup() -> (Renderer, DeviceScene, Vec<Frame>) {
-    let renderer = Renderer::new(Device::open(&DeviceOptions::cpu(Some(1))).unwrap());
+    let renderer = Renderer::new(crate::open_device(&DeviceOptions::cpu(Some(1))).unwrap());
     let scene = renderer.upload(&demo::scene()).unwrap();
     let frame = |(index, camera): (usize, crate::Camera)| {
         let mut image = Image::new(camera.width, camera.height).unwrap();

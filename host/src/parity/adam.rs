@@ -1,12 +1,14 @@
 //! The optimizer's step.
 
-use organza_kernels::adam::{AdamKernel, AdamParams, TOUCHED_BLOCK};
+use organza_shaders::adam::{AdamKernel, AdamParams};
+use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
+use super::exact::adam::Step;
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use super::runner::KernelRunner;
+use organza_device::Result;
 
 /// Inputs of `adam`.
 #[derive(Clone, Debug)]
@@ -28,7 +30,7 @@ pub struct Adam {
 impl Adam {
     fn new(values: u32, fill: Fill, random: &mut Random) -> Self {
         let sparse = values % 2;
-        let blocks = if sparse == 1 { values.div_ceil(TOUCHED_BLOCK) } else { 1 };
+        let blocks = if sparse == 1 { values.div_ceil(VALUES_PER_FLAG) } else { 1 };
         let len = values as usize;
         let first_gradient = random.below(9);
         let params = AdamParams {
@@ -51,10 +53,20 @@ impl Adam {
         }
     }
 
+    fn step(&self) -> Step {
+        let params = self.params;
+        Step {
+            rate: params.rate.into(),
+            decay: [params.decay1, params.decay2].map(f64::from),
+            correction2: params.correction2.into(),
+            epsilon: params.epsilon.into(),
+        }
+    }
+
     /// Whether the kernel moves a value.
     #[must_use]
     pub fn is_touched(&self, index: usize) -> bool {
-        let block = index / TOUCHED_BLOCK as usize * self.params.sparse as usize;
+        let block = index / VALUES_PER_FLAG as usize * self.params.sparse as usize;
         index < self.value.len() && self.touched[block] != 0
     }
 }
@@ -68,25 +80,25 @@ impl Parity for Adam {
         inputs::sets(Self::new)
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let gradient = bench.output_of(&self.gradient)?;
-        let first_moment = bench.output_of(&self.first_moment)?;
-        let second_moment = bench.output_of(&self.second_moment)?;
-        let value = bench.output_of(&self.value)?;
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let gradient = runner.output_of(&self.gradient)?;
+        let first_moment = runner.output_of(&self.first_moment)?;
+        let second_moment = runner.output_of(&self.second_moment)?;
+        let value = runner.output_of(&self.value)?;
         let kernel = AdamKernel {
             params: self.params,
-            touched: &bench.upload(&self.touched)?,
+            touched: &runner.upload(&self.touched)?,
             gradient: &gradient,
             first_moment: &first_moment,
             second_moment: &second_moment,
             value: &value,
         };
-        bench.items(&kernel, self.params.values, 1)?;
+        runner.items(&kernel, self.params.values, 1)?;
         Ok(vec![
-            Output::float("gradient", bench.read(&gradient)?),
-            Output::float("first_moment", bench.read(&first_moment)?),
-            Output::float("second_moment", bench.read(&second_moment)?),
-            Output::float("value", bench.read(&value)?),
+            Output::float("gradient", runner.read(&gradient)?),
+            Output::float("first_moment", runner.read(&first_moment)?),
+            Output::float("second_moment", runner.read(&second_moment)?),
+            Output::float("value", runner.read(&value)?),
         ])
     }
 
@@ -107,5 +119,29 @@ impl Parity for Adam {
                 f64::from(self.value[index].abs()) + f64::from(self.params.rate) * m / size
             }
         })
+    }
+
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+        let first = self.params.first_gradient as usize;
+        let exact = |index: usize| {
+            if output == "gradient" {
+                // the kernel leaves the gradients of other groups alone
+                let is_own = index.checked_sub(first).is_some_and(|own| self.is_touched(own));
+                let before = f64::from(*self.gradient.get(index)?);
+                return Some(if is_own { 0.0 } else { before });
+            }
+            let before = [&self.first_moment, &self.second_moment, &self.value];
+            let before = before.map(|values| values.get(index).copied().map(f64::from));
+            let before = [before[0]?, before[1]?, before[2]?];
+            let gradient = f64::from(self.gradient[index + first]);
+            let after = self.step().take(gradient, before);
+            let [m, v, value] = if self.is_touched(index) { after } else { before };
+            Some(match output {
+                "first_moment" => m,
+                "second_moment" => v,
+                _ => value,
+            })
+        };
+        (0..len).map(exact).collect()
     }
 }

@@ -1,20 +1,23 @@
 //! Cases of `color_inputs` and `color_head`.
 
 use glam::Vec3;
-use organza_kernels::camera::Camera;
-use organza_kernels::color::{
+use organza_shaders::camera::Camera;
+use organza_shaders::color::{
     ColorHeadKernel, ColorHeadParams, ColorInputsKernel, ColorInputsParams,
 };
-use organza_kernels::hash_grid::POINT_ROWS;
-use organza_kernels::unit_cube::SceneBox;
+use organza_shaders::hash_grid::POINT_ROWS;
+use organza_shaders::unit_cube::SceneBox;
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::dense::Layer;
+use super::exact::numeric::sigmoid;
+use super::exact::spherical_harmonics::{direction, harmonics};
+use super::exact::unit_cube::unit;
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output, Values};
 use super::project;
-use crate::error::Result;
+use super::runner::KernelRunner;
+use organza_device::Result;
 
 /// Boxes around the origin, far from it and small, and large.
 pub const BOXES: [[[f64; 3]; 2]; 3] = [
@@ -121,11 +124,11 @@ impl Parity for ColorInputs {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let stride = self.stride as usize;
         let cameras: Vec<_> = self.cameras.iter().flat_map(Camera::pack).collect();
-        let point = bench.output(POINT_ROWS as usize * stride)?;
-        let input = bench.output((self.sh_rows() + 4) * stride)?;
+        let point = runner.output(POINT_ROWS as usize * stride)?;
+        let input = runner.output((self.sh_rows() + 4) * stride)?;
         let kernel = ColorInputsKernel {
             params: ColorInputsParams {
                 pairs: self.pairs,
@@ -137,33 +140,36 @@ impl Parity for ColorInputs {
                 // a row between them belongs to the grid
                 material_row: self.sh_rows() as u32 + 1,
             },
-            pair: &bench.upload(&self.pair)?,
-            camera: &bench.upload(&cameras)?,
-            scene_box: &bench.upload(&SceneBox::new(self.aabb).pack())?,
-            position: &bench.upload(&self.position)?,
-            material: &bench.upload(&self.material)?,
+            pair: &runner.upload(&self.pair)?,
+            camera: &runner.upload(&cameras)?,
+            scene_box: &runner.upload(&SceneBox::new(self.aabb).pack())?,
+            position: &runner.upload(&self.position)?,
+            material: &runner.upload(&self.material)?,
             point: &point,
             input: &input,
         };
-        bench.items(&kernel, self.pairs, 1)?;
-        let point = bench.read(&point)?;
+        runner.items(&kernel, self.pairs, 1)?;
+        let point = runner.read(&point)?;
         let behind = point[POINT_ROWS as usize * stride..].iter().copied();
         Ok(vec![
             Output { name: "point", values: Values::Float(joined(&point, stride)) },
             Output::float("behind point", behind),
-            Output::float("input", bench.read(&input)?),
+            Output::float("input", runner.read(&input)?),
         ])
     }
 
     fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
         let (row, column) = (index / self.stride as usize, index % self.stride as usize);
-        if column >= self.pairs as usize || cpu.name == "behind point" {
+        let is_of_grid = cpu.name == "input" && row == self.sh_rows();
+        if column >= self.pairs as usize || cpu.name == "behind point" || is_of_grid {
             return Bound { scale: 0.0, floor: 0.0 };
         }
         if cpu.name == "input" {
-            // a material is copied, but a GPU may flush it
+            // a material is copied, but a GPU may flush it; band 0 is a constant
             let is_sh = row < self.sh_rows();
-            return Bound::of(if is_sh { 1.0 + f64::from(self.degree) } else { 0.0 });
+            let band = (row as f64).sqrt().floor();
+            let harmonic = if row == 0 { 0.06 } else { 1.0 + band };
+            return Bound::of(if is_sh { harmonic } else { 0.0 });
         }
         let x = cpu.floats()[index].abs();
         let (_, center, _) = self.of(column);
@@ -175,6 +181,36 @@ impl Parity for ColorInputs {
             Rounding::Regrouped => 0.5 * (1.0 + x + world / extent),
         };
         Bound::of(scale)
+    }
+
+    /// A Gaussian at the camera has no direction, nor has one so far away that the squared distance overflows an f32.
+    /// Then only band 0 is known.
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+        let stride = self.stride as usize;
+        let mut exact = vec![None; len];
+        for column in 0..self.pairs as usize {
+            let (camera, center, gaussian) = self.of(column);
+            let eye = camera.eye.as_dvec3();
+            let has_direction = (1e-15..1e18).contains(&center.as_dvec3().distance(eye));
+            let (eye, center) = (eye.to_array(), center.as_dvec3().to_array());
+            let mut give = |row: usize, value| exact[row * stride + column] = Some(value);
+            match output {
+                "point" => {
+                    let point = unit(center, self.aabb);
+                    point.into_iter().enumerate().for_each(|(row, x)| give(row, x));
+                }
+                "input" => {
+                    let degree = if has_direction { self.degree } else { 0 };
+                    let harmonics = harmonics(degree, direction(eye, center));
+                    harmonics.into_iter().enumerate().for_each(|(row, y)| give(row, y));
+                    for (row, &value) in self.material[3 * gaussian..][..3].iter().enumerate() {
+                        give(self.sh_rows() + 1 + row, f64::from(value));
+                    }
+                }
+                _ => {}
+            }
+        }
+        exact
     }
 }
 
@@ -200,10 +236,10 @@ impl Parity for ColorHead {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
         let params = layer.params();
-        let color = bench.output(3 * (FIRST_PAIR + layer.samples) as usize)?;
+        let color = runner.output(3 * (FIRST_PAIR + layer.samples) as usize)?;
         let kernel = ColorHeadKernel {
             params: ColorHeadParams {
                 samples: layer.samples,
@@ -213,12 +249,12 @@ impl Parity for ColorHead {
                 weight: params.weight,
                 bias: params.bias,
             },
-            parameters: &bench.upload(&layer.parameters)?,
-            input: &bench.upload(&layer.input)?,
+            parameters: &runner.upload(&layer.parameters)?,
+            input: &runner.upload(&layer.input)?,
             color: &color,
         };
-        bench.items(&kernel, layer.samples, 1)?;
-        Ok(vec![Output::float("color", bench.read(&color)?)])
+        runner.items(&kernel, layer.samples, 1)?;
+        Ok(vec![Output::float("color", runner.read(&color)?)])
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
@@ -235,6 +271,15 @@ impl Parity for ColorHead {
         let is_lost = terms * Self::TOLERANCE > 0.1;
         let scale = if is_lost { 1.0 / Self::TOLERANCE } else { color * (1.0 + 3.0 * terms) };
         Bound { scale, floor }
+    }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let exact = |index: usize| {
+            let at = index.checked_sub(3 * FIRST_PAIR as usize)? as u32;
+            let is_color = at / 3 < self.layer.samples;
+            is_color.then(|| sigmoid(self.layer.exact(at / 3, at % 3)))
+        };
+        (0..len).map(exact).collect()
     }
 }
 

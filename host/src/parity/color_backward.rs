@@ -1,16 +1,18 @@
 //! Cases of `color_head_backward` and `material_backward`.
 
 use glam::Vec4;
-use organza_kernels::color_backward::{
+use organza_shaders::color_backward::{
     ColorHeadBackwardKernel, ColorHeadBackwardParams, MaterialBackwardKernel,
     MaterialBackwardParams,
 };
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
+use super::exact::color::logit;
+use super::exact::numeric::{Dual, gradient, sigmoid};
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use super::runner::KernelRunner;
+use organza_device::Result;
 
 /// Pairs before the chunk.
 const FIRST_PAIR: u32 = 2;
@@ -47,20 +49,20 @@ impl Parity for ColorHeadBackward {
         })
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let logit_gradient = bench.output(3 * self.stride as usize)?;
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let logit_gradient = runner.output(3 * self.stride as usize)?;
         let kernel = ColorHeadBackwardKernel {
             params: ColorHeadBackwardParams {
                 samples: self.samples,
                 first_pair: FIRST_PAIR,
                 stride: self.stride,
             },
-            color: &bench.upload(&self.color)?,
-            pair_gradient: &bench.upload(&self.gradient)?,
+            color: &runner.upload(&self.color)?,
+            pair_gradient: &runner.upload(&self.gradient)?,
             logit_gradient: &logit_gradient,
         };
-        bench.items(&kernel, self.samples, 1)?;
-        Ok(vec![Output::float("logit_gradient", bench.read(&logit_gradient)?)])
+        runner.items(&kernel, self.samples, 1)?;
+        Ok(vec![Output::float("logit_gradient", runner.read(&logit_gradient)?)])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
@@ -73,6 +75,20 @@ impl Parity for ColorHeadBackward {
         let bound = Bound::of(gradient * f64::from(self.color[3 * pair + channel]));
         // a color that may be flushed
         Bound { floor: bound.floor * (1.0 + gradient), ..bound }
+    }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let exact = |index: usize| {
+            let (channel, sample) = (index / self.stride as usize, index % self.stride as usize);
+            (channel < 3 && sample < self.samples as usize).then(|| {
+                let pair = sample + FIRST_PAIR as usize;
+                let of_color = Dual::from(f64::from(self.gradient[3 * pair + 2][channel]));
+                let before = logit(f64::from(self.color[3 * pair + channel]));
+                let [slope] = gradient([before], |[x]| of_color * sigmoid(x));
+                slope
+            })
+        };
+        (0..len).map(exact).collect()
     }
 }
 
@@ -87,6 +103,17 @@ pub struct MaterialBackward {
     pub material: u32,
     /// `[1 + material, stride]`
     pub gradient: Vec<f32>,
+}
+
+impl MaterialBackward {
+    /// The gradient of a pair's material.  The network's input is a copy of the material, so this copies its gradient.
+    fn of(&self, index: usize) -> Option<f64> {
+        let (material, stride) = (self.material as usize, self.stride as usize);
+        let (pair, value) = (index / material, index % material);
+        let sample = pair.checked_sub(FIRST_PAIR as usize);
+        let sample = sample.filter(|&sample| sample < self.samples as usize)?;
+        Some(f64::from(self.gradient[(1 + value) * stride + sample]))
+    }
 }
 
 impl Parity for MaterialBackward {
@@ -110,9 +137,9 @@ impl Parity for MaterialBackward {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pairs = self.samples + FIRST_PAIR;
-        let pair_material = bench.output((pairs * self.material) as usize)?;
+        let pair_material = runner.output((pairs * self.material) as usize)?;
         let kernel = MaterialBackwardKernel {
             params: MaterialBackwardParams {
                 samples: self.samples,
@@ -121,14 +148,19 @@ impl Parity for MaterialBackward {
                 material: self.material,
                 material_row: 1,
             },
-            input_gradient: &bench.upload(&self.gradient)?,
+            input_gradient: &runner.upload(&self.gradient)?,
             pair_material: &pair_material,
         };
-        bench.items(&kernel, self.samples, 1)?;
-        Ok(vec![Output::float("pair_material", bench.read(&pair_material)?)])
+        runner.items(&kernel, self.samples, 1)?;
+        Ok(vec![Output::float("pair_material", runner.read(&pair_material)?)])
     }
 
-    fn bound(&self, _: &Output, _: usize, _: Rounding) -> Bound {
-        Bound::of(0.0)
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        // a GPU may flush it
+        self.of(index).map_or(Bound { scale: 0.0, floor: 0.0 }, |_| Bound::of(0.0))
+    }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        (0..len).map(|index| self.of(index)).collect()
     }
 }

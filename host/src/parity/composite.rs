@@ -1,18 +1,19 @@
 //! The case of `composite`.
 
 use glam::Vec4;
-use organza_kernels::composite::{CompositeKernel, CompositeParams};
-use organza_kernels::limits::MAX_MEMBERS;
-use organza_kernels::math::TINY;
-use organza_kernels::project::FALLOFF_CUTOFF;
-use organza_kernels::tile::Tile;
+use organza_kernel::math::TINY;
+use organza_shaders::composite::{CompositeKernel, CompositeParams};
+use organza_shaders::limits::MAX_MEMBERS;
+use organza_shaders::project::FALLOFF_CUTOFF;
+use organza_shaders::tile::Tile;
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
+use super::exact::composite::{Splat, falloff};
 use super::inputs::{Fill, Random};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use super::tile::pack;
-use crate::error::Result;
+use organza_device::Result;
 
 /// Sides around the workgroup's.
 pub(super) const SIDES: [u32; 5] = [1, 7, 8, 9, 17];
@@ -47,7 +48,8 @@ impl Composite {
         let mut random = Random::new(seed);
         let splats = 300;
         let tiles: Vec<_> = tiles().into_iter().take(members.len()).collect();
-        let mean = fill.values(&mut random, 2 * splats, [-12.0, 20.0], 1e30);
+        let far = 20_f32.max(side as f32 + 3.0);
+        let mean = fill.values(&mut random, 2 * splats, [-12.0, far], 1e30);
         let conic = fill.values(&mut random, 2 * splats, [0.003, 0.4], 1e30);
         let splat = (0..splats).map(|index| {
             let tile = &tiles[index % tiles.len()];
@@ -138,11 +140,6 @@ pub(super) fn pixels(planes: &[f32], area: usize) -> Vec<f32> {
     pixels.chain(tail.iter().copied()).collect()
 }
 
-/// The falloff at a squared distance, where it ends included.
-pub(super) fn falloff(q: f64) -> f64 {
-    if q <= f64::from(FALLOFF_CUTOFF) { (-0.5 * q.max(0.0)).exp() } else { 0.0 }
-}
-
 impl Parity for Composite {
     const KERNEL: &'static str = "composite";
     const TOLERANCE: f64 = 2e-6;
@@ -171,21 +168,40 @@ impl Parity for Composite {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let area = (self.side * self.side) as usize;
-        let sum = bench.output_of(&planes(&self.sum, area))?;
+        let sum = runner.output_of(&planes(&self.sum, area))?;
         let kernel = CompositeKernel {
             params: CompositeParams { side: self.side, skip: self.skip },
-            tile: &bench.upload(&pack(&self.tiles))?,
-            tile_first: &bench.upload(&self.tile_first)?,
-            member: &bench.upload(&self.member)?,
+            tile: &runner.upload(&pack(&self.tiles))?,
+            tile_first: &runner.upload(&self.tile_first)?,
+            member: &runner.upload(&self.member)?,
             // everywhere
-            cells: &bench.upload(&vec![u32::MAX; self.member.len()])?,
-            splat: &bench.upload(self.splat.as_flattened())?,
+            cells: &runner.upload(&vec![u32::MAX; self.member.len()])?,
+            splat: &runner.upload(self.splat.as_flattened())?,
             sum: &sum,
         };
-        bench.pixels(&kernel, self.side, self.tiles.len() as u32)?;
-        Ok(vec![Output::float("sum", pixels(&bench.read(&sum)?, area))])
+        runner.pixels(&kernel, self.side, self.tiles.len() as u32)?;
+        Ok(vec![Output::float("sum", pixels(&runner.read(&sum)?, area))])
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let pixel = |(at, before): (usize, &Vec4)| {
+            let (tile, place) = self.pixel(at);
+            let mut sum = before.as_dvec4().to_array();
+            for &member in self.members(tile) {
+                let term = Splat::of(&self.splat[member as usize]).term(place);
+                sum.iter_mut().zip(term).for_each(|(sum, term)| *sum += term);
+            }
+            sum
+        };
+        let exact = self.sum.iter().enumerate().flat_map(pixel).map(Some);
+        exact.collect()
+    }
+
+    /// A pixel of thousands of members adds up their roundings, and so do drivers that regroup.
+    fn exact_bound(&self, exact: &Output, index: usize, _: Rounding) -> Bound {
+        self.bound(exact, index, Rounding::Regrouped)
     }
 
     fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {

@@ -1,16 +1,20 @@
 //! The case of `composite_backward`.
 
 use glam::{DVec4, Vec4};
-use organza_kernels::composite_backward::{CompositeBackwardKernel, CompositeBackwardParams};
-use organza_kernels::math::TINY;
+use organza_kernel::math::TINY;
+use organza_shaders::composite_backward::{
+    CompositeBackwardKernel, CompositeBackwardParams, band_rows,
+};
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
-use super::composite::{Composite, SIDES, falloff};
+use super::composite::{Composite, SIDES};
+use super::exact::composite::{Splat, falloff};
+use super::exact::numeric::{Dual, gradient};
 use super::inputs::{Fill, Random};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use super::tile::pack;
-use crate::error::Result;
+use organza_device::Result;
 
 /// Inputs of `composite_backward`.
 #[derive(Clone, Debug)]
@@ -43,11 +47,37 @@ impl CompositeBackward {
         Self { forward, first_row: 0, rows, sum_gradient, member_gradient }
     }
 
+    /// Tile of a member.
+    fn tile(&self, index: usize) -> usize {
+        let first = |tile: &usize| self.forward.tile_first[*tile] as usize <= index;
+        (0..self.forward.tiles.len()).rev().find(first).unwrap_or(0)
+    }
+
+    /// The derivatives of the band's sums: center, weight, conic and color.
+    fn derivatives(&self, index: usize) -> [f64; 9] {
+        let (set, tile) = (&self.forward, self.tile(index));
+        let area = (set.side * set.side) as usize;
+        let Splat { mean: [x, y], weight, conic: [xx, xy, yy], color: [r, g, b] } =
+            Splat::of(&set.splat[set.member[index] as usize]);
+        gradient([x, y, weight, xx, xy, yy, r, g, b], |[x, y, weight, xx, xy, yy, r, g, b]| {
+            let splat = Splat { mean: [x, y], weight, conic: [xx, xy, yy], color: [r, g, b] };
+            let band = self.first_row * set.side..(self.first_row + self.rows) * set.side;
+            let mut loss = Dual::from(0.0);
+            for at in band.map(|at| at as usize) {
+                let (_, place) = set.pixel(tile * area + at);
+                for (plane, term) in splat.term(place).into_iter().enumerate() {
+                    let slope = self.sum_gradient[(4 * tile + plane) * area + at];
+                    loss = loss + term * Dual::from(f64::from(slope));
+                }
+            }
+            loss
+        })
+    }
+
     /// Sizes of the terms of a member's gradient, and by how much they may differ at the cutoff.
     fn sizes(&self, index: usize) -> [[DVec4; 3]; 2] {
         let set = &self.forward;
-        let first = |tile: &usize| set.tile_first[*tile] as usize <= index;
-        let tile = (0..set.tiles.len()).rev().find(first).unwrap_or(0);
+        let tile = self.tile(index);
         let [placed, conic, color] =
             set.splat[set.member[index] as usize].map(|vector| vector.as_dvec4());
         let area = (set.side * set.side) as usize;
@@ -99,15 +129,26 @@ impl Parity for CompositeBackward {
         let members = |count: u32| Self::new(Composite::new(8, &[count], Fill::Random, 13));
         sets.push(("no members".into(), members(0)));
         sets.push(("one member".into(), members(1)));
+        // whole blocks of lanes, and those with a rest
+        for side in [16, 19, 33, 64] {
+            let forward = Composite::new(side, &[9, 0, 7], Fill::Random, 15);
+            sets.push((format!("few, side {side}"), Self::new(forward)));
+        }
+        // more rows than a dispatch may sum over
+        let wide = Self::new(Composite::new(260, &[5, 4], Fill::Random, 16));
+        let rows = band_rows(260);
+        sets.push((format!("{rows} rows of 260"), Self { rows, ..wide.clone() }));
+        let rest = Self { first_row: rows, rows: 260 - rows, ..wide };
+        sets.push((format!("the rest after {rows} rows"), rest));
         let band = Self::new(Composite::new(17, &[30, 33], Fill::Random, 14));
         sets.push(("rows 3 to 9".into(), Self { first_row: 3, rows: 7, ..band }));
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let set = &self.forward;
         let members = set.member.len() as u32;
-        let member_gradient = bench.output_of(&self.member_gradient)?;
+        let member_gradient = runner.output_of(&self.member_gradient)?;
         let kernel = CompositeBackwardKernel {
             params: CompositeBackwardParams {
                 members,
@@ -116,16 +157,28 @@ impl Parity for CompositeBackward {
                 first_row: self.first_row,
                 rows: self.rows,
             },
-            tile: &bench.upload(&pack(&set.tiles))?,
-            tile_first: &bench.upload(&set.tile_first)?,
-            member: &bench.upload(&set.member)?,
-            splat: &bench.upload(set.splat.as_flattened())?,
-            sum_gradient: &bench.upload(&self.sum_gradient)?,
+            tile: &runner.upload(&pack(&set.tiles))?,
+            tile_first: &runner.upload(&set.tile_first)?,
+            member: &runner.upload(&set.member)?,
+            splat: &runner.upload(set.splat.as_flattened())?,
+            sum_gradient: &runner.upload(&self.sum_gradient)?,
             member_gradient: &member_gradient,
         };
-        bench.items(&kernel, members, 1)?;
-        let values = bench.read(&member_gradient)?.into_iter().flat_map(|v| v.to_array());
+        runner.items(&kernel, members, 1)?;
+        let values = runner.read(&member_gradient)?.into_iter().flat_map(|v| v.to_array());
         Ok(vec![Output::float("member_gradient", values)])
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let of = |index: usize| {
+            let [x, y, weight, xx, xy, yy, r, g, b] = self.derivatives(index);
+            [x, y, weight, 0.0, xx, xy, yy, 0.0, r, g, b, 0.0]
+        };
+        let before = self.member_gradient.iter().flat_map(Vec4::to_array);
+        let exact = before
+            .zip((0..self.forward.member.len()).flat_map(of))
+            .map(|(before, sum)| Some(f64::from(before) + sum));
+        exact.collect()
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

@@ -1,14 +1,15 @@
 //! The case of `dense`, and the sum that both heads share with it.
 
 use glam::Vec4;
-use organza_kernels::dense::{DenseKernel, DenseParams, HIDDEN_BLOCK};
-use organza_kernels::math::TINY;
+use organza_kernel::math::TINY;
+use organza_shaders::dense::{DenseKernel, DenseParams, OUTPUTS_PER_INVOCATION};
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
+use super::exact::dense::{affine, relu};
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use super::runner::KernelRunner;
+use organza_device::Result;
 
 /// Where a layer's weights begin: not at 0.
 const WEIGHT: u32 = 3;
@@ -74,6 +75,28 @@ impl Layer {
         f64::from(self.input[(input * self.stride + sample) as usize])
     }
 
+    /// An output of a sample before the activation, in f64 (Eq. 2 and 10).
+    #[must_use]
+    pub fn exact(&self, sample: u32, output: u32) -> f64 {
+        let inputs = 0..self.inputs;
+        let (weights, values): (Vec<_>, Vec<_>) =
+            inputs.map(|i| (self.weight(i, output), self.value(i, sample))).unzip();
+        affine(&weights, self.bias(output), &values)
+    }
+
+    /// Row and sample of an element of `[rows, stride]`; `None` for padding.
+    #[must_use]
+    pub fn place(&self, index: usize) -> Option<(u32, u32)> {
+        let (row, sample) = (index as u32 / self.stride, index as u32 % self.stride);
+        (sample < self.samples).then_some((row, sample))
+    }
+
+    /// As [`Layer::place`], for the output of a hidden layer.
+    #[must_use]
+    pub fn output(&self, index: usize) -> Option<(u32, u32)> {
+        self.place(index).filter(|&(row, _)| row < 4 * self.columns)
+    }
+
     /// How far a sum may be off: the sum of its terms' sizes, and what denormals may come to.
     #[must_use]
     pub fn bound(&self, sample: u32, output: u32) -> Bound {
@@ -111,26 +134,30 @@ impl Parity for Dense {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
-        let output = bench.output((4 * layer.columns * layer.stride) as usize)?;
+        let output = runner.output((4 * layer.columns * layer.stride) as usize)?;
         let kernel = DenseKernel {
             params: layer.params(),
-            parameters: &bench.upload(&layer.parameters)?,
-            input: &bench.upload(&layer.input)?,
+            parameters: &runner.upload(&layer.parameters)?,
+            input: &runner.upload(&layer.input)?,
             output: &output,
         };
-        bench.items(&kernel, layer.samples, layer.columns * 4 / HIDDEN_BLOCK)?;
-        Ok(vec![Output::float("output", bench.read(&output)?)])
+        runner.items(&kernel, layer.samples, layer.columns * 4 / OUTPUTS_PER_INVOCATION)?;
+        Ok(vec![Output::float("output", runner.read(&output)?)])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let (row, sample) = (index as u32 / self.layer.stride, index as u32 % self.layer.stride);
-        if row < 4 * self.layer.columns && sample < self.layer.samples {
-            let Bound { scale, floor } = self.layer.bound(sample, row);
-            Bound { scale: scale * f64::from(self.layer.inputs + 1), floor }
-        } else {
-            Bound { scale: 0.0, floor: 0.0 }
-        }
+        let Some((row, sample)) = self.layer.output(index) else {
+            return Bound { scale: 0.0, floor: 0.0 };
+        };
+        let Bound { scale, floor } = self.layer.bound(sample, row);
+        Bound { scale: scale * f64::from(self.layer.inputs + 1), floor }
+    }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let layer = &self.layer;
+        let output = |(row, sample)| relu(layer.exact(sample, row));
+        (0..len).map(|index| layer.output(index).map(output)).collect()
     }
 }

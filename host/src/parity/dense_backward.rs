@@ -1,18 +1,22 @@
 //! Cases of `dense_backward`, `dense_weight_backward` and `dense_weight_sum`.
 
-use glam::Vec4;
-use organza_kernels::dense_backward::{
-    DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
-    DenseWeightSumKernel, DenseWeightSumParams, INPUT_BLOCK, WEIGHT_BLOCK,
-};
-use organza_kernels::math::TINY;
+use std::ops::Range;
 
-use super::bench::Bench;
+use glam::Vec4;
+use organza_kernel::math::TINY;
+use organza_shaders::dense_backward::{
+    DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
+    DenseWeightSumKernel, DenseWeightSumParams, INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,
+};
+
 use super::case::{Parity, Rounding};
 use super::dense::Layer;
+use super::exact::dense::{affine, relu};
+use super::exact::numeric::{Dual, gradient};
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use super::runner::KernelRunner;
+use organza_device::Result;
 
 /// Nothing may be off.
 const EXACT: Bound = Bound { scale: 0.0, floor: 0.0 };
@@ -64,6 +68,10 @@ impl DenseBackward {
         layer.input.resize((end * layer.stride) as usize, 0.0);
         Self { layer, gradient, first, end, rectified }
     }
+
+    fn output_gradient(&self, output: u32, sample: u32) -> f64 {
+        f64::from(self.gradient[(output * self.layer.stride + sample) as usize])
+    }
 }
 
 impl Parity for DenseBackward {
@@ -88,9 +96,9 @@ impl Parity for DenseBackward {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
-        let input_gradient = bench.output((self.end * layer.stride) as usize)?;
+        let input_gradient = runner.output((self.end * layer.stride) as usize)?;
         let kernel = DenseBackwardKernel {
             params: DenseBackwardParams {
                 samples: layer.samples,
@@ -102,13 +110,17 @@ impl Parity for DenseBackward {
                 end_input: self.end,
                 rectified: u32::from(self.rectified),
             },
-            parameters: &bench.upload(&layer.parameters)?,
-            input: &bench.upload(&layer.input)?,
-            output_gradient: &bench.upload(&self.gradient)?,
+            parameters: &runner.upload(&layer.parameters)?,
+            input: &runner.upload(&layer.input)?,
+            output_gradient: &runner.upload(&self.gradient)?,
             input_gradient: &input_gradient,
         };
-        bench.items(&kernel, layer.samples, (self.end - self.first).div_ceil(INPUT_BLOCK))?;
-        Ok(vec![Output::float("input_gradient", bench.read(&input_gradient)?)])
+        runner.items(
+            &kernel,
+            layer.samples,
+            (self.end - self.first).div_ceil(INPUTS_PER_INVOCATION),
+        )?;
+        Ok(vec![Output::float("input_gradient", runner.read(&input_gradient)?)])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
@@ -119,13 +131,37 @@ impl Parity for DenseBackward {
             return EXACT;
         }
         let outputs = 0..4 * layer.columns;
-        let bound = sum_of_products(outputs.map(|output| {
-            let gradient = self.gradient[(output * layer.stride + sample) as usize];
-            (layer.weight(row, output), f64::from(gradient))
-        }));
+        let bound = sum_of_products(
+            outputs.map(|output| (layer.weight(row, output), self.output_gradient(output, sample))),
+        );
         let input = layer.value(row, sample);
         let is_denormal = input > 0.0 && input < f64::from(TINY);
         Bound { floor: bound.floor + if is_denormal { bound.scale } else { 0.0 }, ..bound }
+    }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let layer = &self.layer;
+        // the other inputs only add a constant
+        let loss = |input: u32, sample: u32, [x]: [Dual; 1]| {
+            let x = if self.rectified { relu(x) } else { x };
+            (0..4 * layer.columns).fold(Dual::from(0.0), |loss, output| {
+                let y = affine(&[layer.weight(input, output).into()], Dual::from(0.0), &[x]);
+                loss + Dual::from(self.output_gradient(output, sample)) * y
+            })
+        };
+        let exact = |index| {
+            let (row, sample) = layer.place(index)?;
+            let is_written = row >= self.first && row < self.end;
+            is_written.then(|| {
+                if row >= layer.inputs {
+                    return 0.0;
+                }
+                // ReLU made an activation of 0 from 0 or less, where its slope is 0
+                let [slope] = gradient([layer.value(row, sample)], |x| loss(row, sample, x));
+                slope
+            })
+        };
+        (0..len).map(exact).collect()
     }
 }
 
@@ -150,6 +186,21 @@ impl DenseWeightBackward {
     fn slices(&self) -> u32 {
         self.layer.samples.div_ceil(self.slice).max(1)
     }
+
+    /// Input and output of a weight, and the samples of its sum.  A bias has the number of inputs as its input.
+    fn place(&self, index: usize) -> Option<(u32, u32, Range<u32>)> {
+        let layer = &self.layer;
+        let (at, parameters) = (index as u32 / 4, layer.parameters.len() as u32);
+        let (slice, place) = (at / parameters, at % parameters);
+        let place = place.checked_sub(layer.params().weight).filter(|_| slice < self.slices())?;
+        let output = 4 * (place % layer.columns) + index as u32 % 4;
+        let begin = slice * self.slice;
+        Some((place / layer.columns, output, begin..(begin + self.slice).min(layer.samples)))
+    }
+
+    fn output_gradient(&self, output: u32, sample: u32) -> f64 {
+        f64::from(self.gradient[(output * self.layer.stride + sample) as usize])
+    }
 }
 
 impl Parity for DenseWeightBackward {
@@ -172,13 +223,18 @@ impl Parity for DenseWeightBackward {
                 set,
             ));
         }
+        let mut random = Random::new(17);
+        let layer = Layer::new(37, 6, 2, Fill::Random, &mut random);
+        let mut padded = Self::new(layer, 16, Fill::Random, &mut random);
+        padded.gradient[5 * padded.layer.stride as usize..].fill(0.0);
+        sets.push(("three of eight outputs are padding".into(), padded));
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
         let parameters = layer.parameters.len() as u32;
-        let partial = bench.output((self.slices() * parameters) as usize)?;
+        let partial = runner.output((self.slices() * parameters) as usize)?;
         let places = layer.params();
         let kernel = DenseWeightBackwardKernel {
             params: DenseWeightBackwardParams {
@@ -192,32 +248,44 @@ impl Parity for DenseWeightBackward {
                 first_slice: 0,
                 parameters,
             },
-            input: &bench.upload(&layer.input)?,
-            output_gradient: &bench.upload(&self.gradient)?,
+            input: &runner.upload(&layer.input)?,
+            output_gradient: &runner.upload(&self.gradient)?,
             partial: &partial,
         };
-        let blocks = layer.inputs.div_ceil(WEIGHT_BLOCK) + 1;
-        bench.items(&kernel, blocks * layer.columns, self.slices())?;
-        Ok(vec![Output::float("partial", flat(bench.read(&partial)?))])
+        let blocks = layer.inputs.div_ceil(WEIGHT_ROWS_PER_INVOCATION) + 1;
+        runner.items(&kernel, blocks * layer.columns, self.slices())?;
+        Ok(vec![Output::float("partial", flat(runner.read(&partial)?))])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let layer = &self.layer;
-        let (at, parameters) = (index as u32 / 4, layer.parameters.len() as u32);
-        let (slice, place) = (at / parameters, at % parameters);
-        if slice >= self.slices() || place < layer.params().weight {
-            return EXACT;
-        }
-        let place = place - layer.params().weight;
-        let (input, output) =
-            (place / layer.columns, 4 * (place % layer.columns) + index as u32 % 4);
-        let begin = slice * self.slice;
-        sum_of_products((begin..(begin + self.slice).min(layer.samples)).map(|sample| {
-            let gradient = self.gradient[(output * layer.stride + sample) as usize];
+        let Some((input, output, samples)) = self.place(index) else { return EXACT };
+        sum_of_products(samples.map(|sample| {
             let is_bias = input == layer.inputs;
             let value = if is_bias { 1.0 } else { layer.value(input, sample) };
-            (value, f64::from(gradient))
+            (value, self.output_gradient(output, sample))
         }))
+    }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let layer = &self.layer;
+        // the other parameters only add a constant
+        let output = |input: u32, sample: u32, parameter: Dual| match input == layer.inputs {
+            true => affine(&[], parameter, &[]),
+            false => affine(&[parameter], Dual::from(0.0), &[layer.value(input, sample).into()]),
+        };
+        let exact = |index| {
+            let (input, row, samples) = self.place(index)?;
+            // the layer is linear: any value of the parameter gives the same slope
+            let [slope] = gradient([0.0], |[parameter]| {
+                samples.clone().fold(Dual::from(0.0), |loss, sample| {
+                    let g = Dual::from(self.output_gradient(row, sample));
+                    loss + g * output(input, sample, parameter)
+                })
+            });
+            Some(slope)
+        };
+        (0..len).map(exact).collect()
     }
 }
 
@@ -250,17 +318,17 @@ impl Parity for DenseWeightSum {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let parameters = self.gradient.len() as u32;
-        let gradient = bench.output_of(&self.gradient)?;
+        let gradient = runner.output_of(&self.gradient)?;
         let slices = self.partial.len() as u32 / parameters.max(1);
         let kernel = DenseWeightSumKernel {
             params: DenseWeightSumParams { parameters, slices },
-            partial: &bench.upload(&self.partial)?,
+            partial: &runner.upload(&self.partial)?,
             gradient: &gradient,
         };
-        bench.items(&kernel, parameters, 1)?;
-        Ok(vec![Output::float("gradient", flat(bench.read(&gradient)?))])
+        runner.items(&kernel, parameters, 1)?;
+        Ok(vec![Output::float("gradient", flat(runner.read(&gradient)?))])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
@@ -268,5 +336,15 @@ impl Parity for DenseWeightSum {
         let slices = self.partial.chunks_exact(self.gradient.len());
         let terms = slices.map(|slice| slice[index / 4]).chain([*before]);
         sum_of_products(terms.map(|vector| (f64::from(vector[index % 4]), 1.0)))
+    }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let exact = |index: usize| {
+            let at = |vectors: &[Vec4]| f64::from(vectors[index / 4][index % 4]);
+            let slices = self.partial.chunks_exact(self.gradient.len().max(1));
+            self.gradient.get(index / 4)?;
+            Some(at(&self.gradient) + slices.map(at).sum::<f64>())
+        };
+        (0..len).map(exact).collect()
     }
 }

@@ -1,13 +1,14 @@
 //! The case of `hash_grid_half`.
 
-use organza_kernels::hash_grid_half::{HashGridHalfKernel, MAX_HALF, half_value};
+use organza_kernel::half::half_value;
+use organza_shaders::hash_grid_half::{HashGridHalfKernel, MAX_HALF};
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::hash_grid::HashGrid;
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use super::runner::KernelRunner;
 use crate::render::pack_halves;
+use organza_device::Result;
 
 /// Inputs of `hash_grid_half`.
 #[derive(Clone, Debug)]
@@ -42,21 +43,25 @@ impl Parity for HashGridHalf {
         HashGrid::sets().into_iter().map(|(name, full)| (name, Self::new(full))).collect()
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let levels = self.full.levels();
-        let output = bench.output(self.full.output_len())?;
+        let output = runner.output(self.full.output_len())?;
         let kernel = HashGridHalfKernel {
             params: self.full.params(),
-            levels: &bench.upload(&levels)?,
-            table: &bench.upload(&self.table)?,
-            position: &bench.upload(&self.full.positions())?,
+            levels: &runner.upload(&levels)?,
+            table: &runner.upload(&self.table)?,
+            position: &runner.upload(&self.full.positions())?,
             output: &output,
         };
-        bench.items(&kernel, kernel.params.points, levels.len() as u32)?;
-        Ok(vec![Output::float("output", bench.read(&output)?)])
+        runner.items(&kernel, kernel.params.points, levels.len() as u32)?;
+        Ok(vec![Output::float("output", runner.read(&output)?)])
     }
 
     fn bound(&self, output: &Output, index: usize, rounding: Rounding) -> Bound {
         self.full.bound(output, index, rounding)
+    }
+
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+        self.full.exact(output, len)
     }
 }

@@ -1,18 +1,19 @@
 //! The cases of `hash_grid_peak`, `hash_grid_norm` and `hash_grid_scale`.
 
 use glam::Vec4;
-use organza_kernels::hash_grid_scale::{
+use organza_kernel::math::TINY;
+use organza_shaders::hash_grid_scale::{
     HashGridNormKernel, HashGridNormParams, HashGridPeakKernel, HashGridPeakParams,
     HashGridScaleKernel, HashGridScaleParams, SCALE_VALUES,
 };
-use organza_kernels::limits::MAX_LAYERS;
-use organza_kernels::math::TINY;
+use organza_shaders::limits::MAX_LAYERS;
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
+use super::exact::hash_grid_scale::{color_bound, largest, transmittance_bound, unit};
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use super::runner::KernelRunner;
+use organza_device::Result;
 
 /// Four numbers at a time.
 fn vectors(fill: Fill, random: &mut Random, len: usize, huge: f32) -> Vec<Vec4> {
@@ -20,10 +21,17 @@ fn vectors(fill: Fill, random: &mut Random, len: usize, huge: f32) -> Vec<Vec4> 
     values.as_chunks::<4>().0.iter().map(|&values| Vec4::from_array(values)).collect()
 }
 
-/// A bound as a number.
-fn number(bound: &[u32]) -> Output {
-    Output::float("bound", bound.iter().map(|&bits| f32::from_bits(bits)))
+/// The first `count` bounds as numbers; NaN counts as infinite.
+fn numbers(bounds: &[u32], count: usize) -> Output {
+    let number = |&bits| {
+        let number = f32::from_bits(bits);
+        if number.is_nan() { f32::INFINITY } else { number }
+    };
+    Output::float("bound", bounds[..count].iter().map(number))
 }
+
+/// Values that must not get lost.
+const NO_NUMBERS: [f32; 3] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
 
 /// Inputs of `hash_grid_peak`.
 #[derive(Clone, Debug)]
@@ -50,20 +58,39 @@ impl Parity for HashGridPeak {
             })
         };
         let name = |(name, set)| (format!("color, {name}"), set);
-        of(false).into_iter().chain(of(true).into_iter().map(name)).collect()
+        let bad = |(bad, color)| {
+            let mut random = Random::new(16);
+            let mut pair_gradient = vectors(Fill::Random, &mut random, 3 * 100, 1.0);
+            pair_gradient[3 * 70] = Vec4::new(0.0, 0.0, 0.0, bad);
+            pair_gradient[3 * 70 + 2] = Vec4::new(0.0, bad, 0.0, 0.0);
+            let transmittance = random.values(100, 0.1, 1.0);
+            let name = format!("{bad}, {}", if color { "color" } else { "transmittance" });
+            (name, Self { pair_gradient, transmittance, color })
+        };
+        let bad = NO_NUMBERS.into_iter().flat_map(|x| [(x, false), (x, true)]).map(bad);
+        of(false).into_iter().chain(of(true).into_iter().map(name)).chain(bad).collect()
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pairs = self.transmittance.len() as u32;
-        let bound = bench.output_of(&[0_u32])?;
+        let bound = runner.output_of(&[0_u32])?;
         let kernel = HashGridPeakKernel {
             params: HashGridPeakParams { pairs, color: u32::from(self.color) },
-            pair_gradient: &bench.upload(&self.pair_gradient)?,
-            transmittance: &bench.upload(&self.transmittance)?,
+            pair_gradient: &runner.upload(&self.pair_gradient)?,
+            transmittance: &runner.upload(&self.transmittance)?,
             bound: &bound,
         };
-        bench.items(&kernel, pairs, 1)?;
-        Ok(vec![number(&bench.read(&bound)?)])
+        runner.items(&kernel, pairs, 1)?;
+        Ok(vec![numbers(&runner.read(&bound)?, 1)])
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let of_pair = |(pair, &t): (&[Vec4], &f32)| match self.color {
+            true => color_bound(pair[2].as_dvec4().truncate().to_array()),
+            false => transmittance_bound(f64::from(pair[0].w), f64::from(t)),
+        };
+        let pairs = self.pair_gradient.chunks_exact(3).zip(&self.transmittance);
+        vec![Some(largest(pairs.map(of_pair)))]
     }
 }
 
@@ -90,30 +117,48 @@ impl Parity for HashGridNorm {
     const WHY: &'static str = "a rounding for each output, of the sum's size: drivers may regroup";
 
     fn sets() -> Vec<(String, Self)> {
-        inputs::sets(|inputs, fill, random| {
+        let mut sets = inputs::sets(|inputs, fill, random| {
             let columns = 1 + random.below(32);
             let len = (BEFORE + inputs * columns) as usize;
             Self { inputs, columns, parameters: vectors(fill, random, len, 1e30) }
-        })
+        });
+        for bad in NO_NUMBERS {
+            let mut parameters = vectors(Fill::Random, &mut Random::new(18), 5 + 70 * 2, 1.0);
+            parameters[5 + 67 * 2 + 1].y = bad;
+            sets.push((bad.to_string(), Self { inputs: 70, columns: 2, parameters }));
+        }
+        sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let bound = bench.output_of(&[0_u32; SLOT as usize + 1])?;
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let bound = runner.output_of(&[0_u32; SLOT as usize + 1])?;
         let params = HashGridNormParams {
             inputs: self.inputs,
             columns: self.columns,
             weight: BEFORE,
             slot: SLOT,
         };
-        let parameters = &bench.upload(&self.parameters)?;
+        let parameters = &runner.upload(&self.parameters)?;
         let kernel = HashGridNormKernel { params, parameters, bound: &bound };
-        bench.items(&kernel, self.inputs, 1)?;
-        Ok(vec![number(&bench.read(&bound)?)])
+        runner.items(&kernel, self.inputs, 1)?;
+        Ok(vec![numbers(&runner.read(&bound)?, SLOT as usize + 1)])
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
         let outputs = f64::from(4 * self.columns);
         Bound { scale: outputs * cpu.floats()[index].abs(), floor: outputs * f64::from(TINY) }
+    }
+
+    /// `max_i sum_o |W[o, i]|`; the bounds of other layers stay 0.
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let weights = self.parameters[BEFORE as usize..].chunks_exact(self.columns as usize);
+        let sum = |input: &[Vec4]| {
+            let numbers = input.iter().flat_map(|vector| vector.to_array());
+            numbers.map(|weight| f64::from(weight).abs()).sum::<f64>()
+        };
+        let mut exact = vec![Some(0.0); len];
+        exact[SLOT as usize] = Some(largest(weights.map(sum)));
+        exact
     }
 }
 
@@ -154,11 +199,11 @@ impl Parity for HashGridScale {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let bits: Vec<_> = self.bound.iter().map(|value| value.to_bits()).collect();
-        let bound = bench.output_of(&bits)?;
-        let scale = bench.output::<f32>(SCALE_VALUES as usize)?;
-        let status = bench.output_of(&[0_u32])?;
+        let bound = runner.output_of(&bits)?;
+        let scale = runner.output::<f32>(SCALE_VALUES as usize)?;
+        let status = runner.output_of(&[0_u32])?;
         let layers = self.bound.len() as u32 - 1;
         let kernel = HashGridScaleKernel {
             params: HashGridScaleParams { layers, samples: self.samples },
@@ -166,12 +211,30 @@ impl Parity for HashGridScale {
             scale: &scale,
             status: &status,
         };
-        bench.items(&kernel, 1, 1)?;
-        let scale = bench.read(&scale)?.into_iter().map(f32::to_bits).collect();
+        runner.items(&kernel, 1, 1)?;
+        let scale = &runner.read(&scale)?[..SCALE_VALUES as usize];
+        let scale = scale.iter().map(|value| value.to_bits()).collect();
         Ok(vec![
             Output::exact("scale", scale),
-            Output::exact("bound", bench.read(&bound)?),
-            Output::exact("status", bench.read(&status)?),
+            Output::exact("bound", runner.read(&bound)?),
+            Output::exact("status", runner.read(&status)?),
         ])
+    }
+
+    /// The bits of the unit, its inverse and the limit.  If a bound is not finite, the limit is 0 and the unit is not used.
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+        let is_finite = self.bound.iter().all(|bound| bound.is_finite());
+        let bits = |x: f32| Some(f64::from(x.to_bits()));
+        let mut exact = match output {
+            "bound" => vec![Some(0.0); self.bound.len()],
+            "status" => vec![Some(if is_finite { 0.0 } else { 2.0 })],
+            _ if is_finite => {
+                let (exponent, limit) = unit(&self.bound, self.samples);
+                vec![bits(2_f32.powi(exponent)), bits(2_f32.powi(-exponent)), bits(limit)]
+            }
+            _ => vec![None, None, bits(0.0)],
+        };
+        exact.resize(len, None);
+        exact
     }
 }

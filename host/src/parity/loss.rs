@@ -1,18 +1,20 @@
 //! Cases of `loss_terms`, `loss_rows` and `loss_gradient`.
 
 use glam::Vec4;
-use organza_kernels::loss::{
+use organza_kernel::math::TINY;
+use organza_shaders::loss::{
     LossGradientKernel, LossGradientParams, LossParams, LossRowsKernel, LossTermsKernel,
 };
-use organza_kernels::math::TINY;
-use organza_kernels::ssim::SLOPES;
+use organza_shaders::ssim::SLOPES;
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
+use super::exact::loss::{sign, sums};
+use super::exact::ssim::weighted_sum;
 use super::inputs::{Fill, Random};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use super::ssim::{tap_sum, window};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Sides around the workgroup's, and around the window's.
 pub const SIDES: [u32; 7] = [1, 7, 8, 9, 11, 12, 17];
@@ -52,6 +54,14 @@ pub struct Terms {
 }
 
 impl Terms {
+    /// d and s of a pixel's channel; `None` for masked pixels.
+    #[must_use]
+    pub fn of(&self, pixel: usize, channel: usize) -> Option<[f64; 2]> {
+        let is_valid = self.difference[pixel].w > 0.0;
+        let of = |values: &[Vec4]| f64::from(values[pixel][channel]);
+        is_valid.then(|| [of(&self.difference), of(&self.sum)])
+    }
+
     /// Of colors in 0 to 1; huge ones are 2.
     pub fn new(side: u32, fill: Fill, random: &mut Random) -> Self {
         let valid = mask(side, random);
@@ -108,22 +118,22 @@ impl Parity for LossTerms {
         sets(Self::new)
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let difference = bench.output::<Vec4>(self.valid.len())?;
-        let sum = bench.output::<Vec4>(self.valid.len())?;
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let difference = runner.output::<Vec4>(self.valid.len())?;
+        let sum = runner.output::<Vec4>(self.valid.len())?;
         let kernel = LossTermsKernel {
             params: LossParams { side: self.side, tiles: TILES },
-            image: &bench.upload(&self.image)?,
-            target: &bench.upload(&self.target)?,
-            valid: &bench.upload(&self.valid)?,
+            image: &runner.upload(&self.image)?,
+            target: &runner.upload(&self.target)?,
+            valid: &runner.upload(&self.valid)?,
             difference: &difference,
             sum: &sum,
         };
-        bench.pixels(&kernel, self.side, TILES)?;
+        runner.pixels(&kernel, self.side, TILES)?;
         let floats = |values: Vec<Vec4>| values.into_iter().flat_map(|value| value.to_array());
         Ok(vec![
-            Output::float("difference", floats(bench.read(&difference)?)),
-            Output::float("sum", floats(bench.read(&sum)?)),
+            Output::float("difference", floats(runner.read(&difference)?)),
+            Output::float("sum", floats(runner.read(&sum)?)),
         ])
     }
 
@@ -138,6 +148,22 @@ impl Parity for LossTerms {
         let size = f64::from(self.image[place].abs()) + f64::from(self.target[place].abs());
         let half = if output.name == "sum" { 1.0 } else { 0.0 };
         Bound { scale: size + half, floor: 4.0 * f64::from(TINY) }
+    }
+
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+        let area = (self.side * self.side) as usize;
+        let exact = |index: usize| {
+            let (pixel, channel) = (index / 4, index % 4);
+            let is_valid = *self.valid.get(pixel)? > 0.0;
+            let is_difference = output == "difference";
+            if !is_valid || channel == 3 {
+                return Some(f64::from(u8::from(is_valid && is_difference)));
+            }
+            let at = (pixel / area * 3 + channel) * area + pixel % area;
+            let [x, y] = [&self.image, &self.target].map(|image| f64::from(image[at]));
+            Some(if is_difference { x - y } else { x + y - 1.0 })
+        };
+        (0..len).map(exact).collect()
     }
 }
 
@@ -177,17 +203,17 @@ impl Parity for LossRows {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let rows = TILES * self.side;
-        let row_sum = bench.output::<Vec4>(rows as usize)?;
+        let row_sum = runner.output::<Vec4>(rows as usize)?;
         let kernel = LossRowsKernel {
             params: LossParams { side: self.side, tiles: TILES },
-            difference: &bench.upload(&self.difference)?,
-            dissimilarity: &bench.upload(&self.dissimilarity)?,
+            difference: &runner.upload(&self.difference)?,
+            dissimilarity: &runner.upload(&self.dissimilarity)?,
             row_sum: &row_sum,
         };
-        bench.items(&kernel, rows, 1)?;
-        let sums = bench.read(&row_sum)?;
+        runner.items(&kernel, rows, 1)?;
+        let sums = runner.read(&row_sum)?;
         Ok(vec![Output::float("row_sum", sums.iter().flat_map(|sum| sum.to_array()))])
     }
 
@@ -209,6 +235,21 @@ impl Parity for LossRows {
         // what is flushed: three values of each pixel
         let floor = if part == 3 { 0.0 } else { 3.0 * roundings * f64::from(TINY) };
         Bound { scale: roundings * sizes.sum::<f64>(), floor }
+    }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let side = self.side as usize;
+        let exact = |index: usize| {
+            let (row, part) = (index / 4, index % 4);
+            let pixels = row * side..(row + 1) * side;
+            let of = |at: usize| {
+                let d = self.difference[at].as_dvec4();
+                sums(d.truncate().to_array(), f64::from(self.dissimilarity[at]), d.w)[part]
+            };
+            self.difference.get(pixels.clone())?;
+            Some(pixels.map(of).sum::<f64>())
+        };
+        (0..len).map(exact).collect()
     }
 }
 
@@ -243,20 +284,20 @@ impl Parity for LossGradient {
         sets(Self::new)
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let terms = &self.terms;
-        let grad_image = bench.output(3 * terms.sum.len())?;
+        let grad_image = runner.output(3 * terms.sum.len())?;
         let [absolute_scale, ssim_scale] = self.scales;
         let kernel = LossGradientKernel {
             params: LossGradientParams { side: terms.side, absolute_scale, ssim_scale },
-            window: &bench.upload(&window())?,
-            difference: &bench.upload(&terms.difference)?,
-            sum: &bench.upload(&terms.sum)?,
-            row_slopes: &bench.upload(&self.row_slopes)?,
+            window: &runner.upload(&window())?,
+            difference: &runner.upload(&terms.difference)?,
+            sum: &runner.upload(&terms.sum)?,
+            row_slopes: &runner.upload(&self.row_slopes)?,
             grad_image: &grad_image,
         };
-        bench.pixels(&kernel, terms.side, TILES)?;
-        Ok(vec![Output::float("grad_image", bench.read(&grad_image)?)])
+        runner.pixels(&kernel, terms.side, TILES)?;
+        Ok(vec![Output::float("grad_image", runner.read(&grad_image)?)])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
@@ -279,5 +320,26 @@ impl Parity for LossGradient {
         let [absolute, ssim] = self.scales.map(f64::from);
         let floor = (d + s + 30.0) * f64::from(TINY);
         Bound { scale: ssim * (slope(0) + d * slope(1) + s * slope(2)) + absolute, floor }
+    }
+
+    /// A pixel adds w (1, d, s) to the windows around it, and the slopes belong to those sums.
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let side = self.terms.side as usize;
+        let area = side * side;
+        let exact = |index: usize| {
+            let (tile, channel, at) = (index / 3 / area, index / area % 3, index % area);
+            let pixel = tile * area + at;
+            self.terms.sum.get(pixel)?;
+            let Some([d, s]) = self.terms.of(pixel, channel) else { return Some(0.0) };
+            let (row, column) = (at / side, at % side);
+            let slope = |part: usize| {
+                let vector = |tap: usize| SLOPES as usize * (tile * area + tap * side + column);
+                let value = |tap| f64::from(self.row_slopes[vector(tap) + part][channel]);
+                weighted_sum(row, (0..side).map(value))
+            };
+            let [absolute, ssim] = self.scales.map(f64::from);
+            Some(absolute * sign(d) + ssim * (slope(0) + d * slope(1) + s * slope(2)))
+        };
+        (0..len).map(exact).collect()
     }
 }

@@ -5,8 +5,6 @@
 //! without a case fails a test.
 
 pub mod adam;
-pub mod bench;
-mod case;
 pub mod color;
 pub mod color_backward;
 pub mod composite;
@@ -15,18 +13,16 @@ pub mod count;
 pub mod dense;
 pub mod dense_backward;
 pub mod dense_half;
+pub mod exact;
 pub mod hash_grid;
 pub mod hash_grid_backward;
 pub mod hash_grid_half;
 pub mod hash_grid_scale;
-pub mod inputs;
 pub mod loss;
-mod measure;
 pub mod pair;
 pub mod peak;
 pub mod project;
 pub mod project_backward;
-mod report;
 pub mod resolve;
 pub mod scan;
 pub mod segment;
@@ -37,10 +33,9 @@ pub mod tile_cells;
 pub mod transmittance;
 pub mod transmittance_backward;
 
-pub use bench::{Bench, Canary};
-pub use case::{Case, Parity, Rounding, missing};
-pub use measure::{Bound, Measure, Output, Values, Worst};
-pub use report::{Report, Row};
+pub use organza_check::{case, inputs, measure, runner};
+
+use case::Case;
 
 /// The case of every kernel.  A new kernel's goes here.
 #[must_use]
@@ -50,8 +45,8 @@ pub fn cases() -> Vec<Case> {
         Case::of::<tile::TileMask>(),
         Case::of::<tile::TileFill>(),
         Case::of::<tile::TileRange>(),
-        Case::of::<count::CountAdmit>(),
-        Case::of::<count::CountWithhold>(),
+        Case::of::<count::RecordTotal>(),
+        Case::of::<count::ClearOnOverflow>(),
         Case::of::<count::CountFill>(),
         Case::of::<pair::PairMask>(),
         Case::of::<pair::PairFill>(),

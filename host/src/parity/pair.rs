@@ -1,15 +1,16 @@
 //! Cases of `pair_mask`, `pair_fill` and `pair_sum`.
 
-use organza_kernels::math::TINY;
-use organza_kernels::pair::{
+use organza_kernel::math::TINY;
+use organza_shaders::pair::{
     PairFillKernel, PairFillParams, PairMaskKernel, PairMaskParams, PairSumKernel, PairSumParams,
 };
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
+use super::exact::{bits, listed};
 use super::inputs::{Fill, Random, SIZES};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use super::runner::KernelRunner;
+use organza_device::Result;
 
 /// How masks are filled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,22 +88,35 @@ impl Parity for PairMask {
         })
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let cameras = self.first_tile.len() as u32 - 1;
-        let [mask, count] = [(); 2].map(|()| bench.output((cameras * self.words) as usize));
+        let [mask, count] = [(); 2].map(|()| runner.output((cameras * self.words) as usize));
         let (mask, count) = (mask?, count?);
         let kernel = PairMaskKernel {
             params: PairMaskParams { words: self.words },
-            first_tile: &bench.upload(&self.first_tile)?,
-            tile_mask: &bench.upload(&self.tile_mask)?,
+            first_tile: &runner.upload(&self.first_tile)?,
+            tile_mask: &runner.upload(&self.tile_mask)?,
             mask: &mask,
             count: &count,
         };
-        bench.items(&kernel, self.words, cameras)?;
+        runner.items(&kernel, self.words, cameras)?;
         Ok(vec![
-            Output::exact("mask", bench.read(&mask)?),
-            Output::exact("count", bench.read(&count)?),
+            Output::exact("mask", runner.read(&mask)?),
+            Output::exact("count", runner.read(&count)?),
         ])
+    }
+
+    /// The union of a camera's tiles.
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
+        let words = self.words as usize;
+        let cameras = self.first_tile.windows(2);
+        let union = cameras.flat_map(|tiles| {
+            let tiles = tiles[0] as usize..tiles[1] as usize;
+            (0..words).map(move |word| {
+                tiles.clone().fold(0, |mask, tile| mask | self.tile_mask[tile * words + word])
+            })
+        });
+        listed(union.map(|mask| if output == "mask" { mask } else { mask.count_ones() }))
     }
 }
 
@@ -124,17 +138,22 @@ impl Parity for PairFill {
         mask_sets(|words, bits, random| Self { words, mask: bits.words(random, 2 * words) })
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let first_pair = scanned(&self.mask);
-        let pair = bench.output(*first_pair.last().unwrap_or(&0) as usize)?;
+        let pair = runner.output(*first_pair.last().unwrap_or(&0) as usize)?;
         let kernel = PairFillKernel {
             params: PairFillParams { words: self.words, gaussians: self.words * 32 },
-            mask: &bench.upload(&self.mask)?,
-            first_pair: &bench.upload(&first_pair)?,
+            mask: &runner.upload(&self.mask)?,
+            first_pair: &runner.upload(&first_pair)?,
             pair: &pair,
         };
-        bench.items(&kernel, self.words, 2)?;
-        Ok(vec![Output::exact("pair", bench.read(&pair)?)])
+        runner.items(&kernel, self.words, 2)?;
+        Ok(vec![Output::exact("pair", runner.read(&pair)?)])
+    }
+
+    /// The words of both cameras follow each other, and so do their pairs.
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        listed(bits(&self.mask).map(|pair| pair as u32))
     }
 }
 
@@ -201,8 +220,8 @@ impl Parity for PairSum {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let vector = bench.output_of(&self.vector)?;
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let vector = runner.output_of(&self.vector)?;
         let kernel = PairSumKernel {
             params: PairSumParams {
                 words: self.words,
@@ -210,13 +229,27 @@ impl Parity for PairSum {
                 gaussians: self.gaussians(),
                 width: self.width,
             },
-            mask: &bench.upload(&self.mask)?,
-            first_pair: &bench.upload(&scanned(&self.mask))?,
-            pair_vector: &bench.upload(&self.pair_vector)?,
+            mask: &runner.upload(&self.mask)?,
+            first_pair: &runner.upload(&scanned(&self.mask))?,
+            pair_vector: &runner.upload(&self.pair_vector)?,
             vector: &vector,
         };
-        bench.items(&kernel, self.gaussians() * self.width, 1)?;
-        Ok(vec![Output::float("vector", bench.read(&vector)?)])
+        runner.items(&kernel, self.gaussians() * self.width, 1)?;
+        Ok(vec![Output::float("vector", runner.read(&vector)?)])
+    }
+
+    /// What was there, and the vectors of the pairs, which lie in the order of the masks' bits.
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let mut exact: Vec<_> = self.vector.iter().copied().map(f64::from).collect();
+        let width = self.width as usize;
+        for (vector, slot) in self.pair_vector.chunks(width).zip(bits(&self.mask)) {
+            let gaussian = slot % (32 * self.words as usize);
+            // those of bits behind the last Gaussian are nobody's
+            let sums = exact.get_mut(gaussian * width..).unwrap_or_default();
+            sums.iter_mut().zip(vector).for_each(|(sum, &value)| *sum += f64::from(value));
+        }
+        let exact = exact.into_iter().map(Some);
+        exact.collect()
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

@@ -1,16 +1,16 @@
 //! The cases of `peak_multiply_add` and `peak_read`.
 
-use organza_kernels::math::TINY;
-use organza_kernels::peak::{
-    FIRST_SUMS, INVOCATION_SHARE, MULTIPLY_ADDS, PeakMultiplyAddKernel, PeakMultiplyAddParams,
-    PeakReadKernel, PeakReadParams, READS,
+use organza_kernel::math::TINY;
+use organza_shaders::peak::{
+    MULTIPLY_ADDS, PeakMultiplyAddKernel, PeakMultiplyAddParams, PeakReadKernel, PeakReadParams,
+    READS,
 };
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::inputs::{self, Fill};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use super::runner::KernelRunner;
+use organza_device::Result;
 
 /// Sums of an invocation of `peak_multiply_add`.
 const SUMS: u32 = 12;
@@ -32,17 +32,8 @@ pub struct PeakMultiplyAdd {
 
 impl PeakMultiplyAdd {
     /// Multiply-adds of each of an invocation's sums.
-    #[must_use]
-    pub fn rounds(&self) -> u32 {
+    fn rounds(&self) -> u32 {
         self.steps * MULTIPLY_ADDS / SUMS
-    }
-
-    /// What an invocation's sums begin with.
-    pub fn beginnings(&self, index: u32) -> impl Iterator<Item = f64> {
-        let base = f64::from(index) * f64::from(INVOCATION_SHARE);
-        (0..SUMS).map(move |sum| {
-            f64::from(4 * (sum / 4)) + f64::from(FIRST_SUMS[sum as usize % 4]) + base
-        })
     }
 }
 
@@ -62,12 +53,23 @@ impl Parity for PeakMultiplyAdd {
         })
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let Self { count, steps, factor, addend } = *self;
-        let output = bench.output(count as usize)?;
+        let output = runner.output(count as usize)?;
         let params = PeakMultiplyAddParams { count, steps, factor, addend };
-        bench.items(&PeakMultiplyAddKernel { params, output: &output }, count, 1)?;
-        Ok(vec![Output::float("output", bench.read(&output)?)])
+        runner.items(&PeakMultiplyAddKernel { params, output: &output }, count, 1)?;
+        Ok(vec![Output::float("output", runner.read(&output)?)])
+    }
+
+    /// Twelve sums, which begin with 0 to 11 and a 4,194,304th of the invocation's number.
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let next = |x: f64| x * f64::from(self.factor) + f64::from(self.addend);
+        let sum = |index: u32| {
+            let begins = (0..12).map(|sum| f64::from(sum) + f64::from(index) / 4_194_304.0);
+            begins.map(|first| (0..self.rounds()).fold(first, |x, _| next(x))).sum()
+        };
+        let exact = (0..self.count).map(|index| Some(sum(index)));
+        exact.collect()
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
@@ -100,7 +102,7 @@ impl PeakRead {
     }
 
     /// What an invocation reads.
-    pub fn read_by(&self, index: u32) -> impl Iterator<Item = f64> {
+    fn read_by(&self, index: u32) -> impl Iterator<Item = f64> {
         let (rows, local) = (self.steps * READS, index % WORKGROUP);
         let first = index / WORKGROUP * rows;
         (first..first + rows)
@@ -120,15 +122,20 @@ impl Parity for PeakRead {
         })
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let output = bench.output(self.count as usize)?;
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let output = runner.output(self.count as usize)?;
         let kernel = PeakReadKernel {
             params: PeakReadParams { count: self.count, steps: self.steps },
-            values: &bench.upload(&self.values)?,
+            values: &runner.upload(&self.values)?,
             output: &output,
         };
-        bench.items(&kernel, self.count, 1)?;
-        Ok(vec![Output::float("output", bench.read(&output)?)])
+        runner.items(&kernel, self.count, 1)?;
+        Ok(vec![Output::float("output", runner.read(&output)?)])
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let exact = (0..self.count).map(|index| Some(self.read_by(index).sum()));
+        exact.collect()
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
@@ -138,5 +145,19 @@ impl Parity for PeakRead {
         let terms = f64::from(self.steps * READS);
         let size: f64 = self.read_by(index as u32).map(f64::abs).sum();
         Bound { scale: terms * size, floor: terms * f64::from(TINY) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_value_is_read_once() {
+        for (_, set) in PeakRead::sets() {
+            let invocations = 0..set.count.next_multiple_of(WORKGROUP);
+            let read: usize = invocations.map(|index| set.read_by(index).count()).sum();
+            assert_eq!(read, set.values.len());
+        }
     }
 }

@@ -1,16 +1,18 @@
 //! The case of `project`, and cameras for the others.
 
-use glam::{DQuat, DVec3, DVec4, Vec2, Vec3, Vec4};
-use organza_kernels::camera::Camera;
-use organza_kernels::project::{
-    BEHIND, DEGENERATE, FALLOFF_CUTOFF, NEAR_PLANE, ProjectKernel, ProjectParams, rotation_columns,
+use glam::{DVec3, DVec4, Vec2, Vec3, Vec4};
+use organza_shaders::camera::Camera;
+use organza_shaders::lens::NEAR_PLANE;
+use organza_shaders::project::{
+    BEHIND, DEGENERATE, FALLOFF_CUTOFF, ProjectKernel, ProjectParams, rotation_columns,
 };
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
+use super::exact::project::{Gaussian, Projected, View, project};
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use super::runner::KernelRunner;
+use organza_device::Result;
 
 /// Three cameras around the origin, the first of them axis-parallel.
 pub fn cameras(random: &mut Random) -> Vec<Camera> {
@@ -106,11 +108,41 @@ impl Project {
         Vec3::from_slice(&self.log_scale[3 * gaussian..]).as_dvec3()
     }
 
+    /// What is projected, in f64.
+    #[must_use]
+    pub fn gaussian(&self, gaussian: usize) -> Gaussian<f64> {
+        Gaussian {
+            position: self.center(gaussian).to_array(),
+            rotation: self.quaternion(gaussian).to_array(),
+            log_scale: self.log_axes(gaussian).to_array(),
+        }
+    }
+
+    /// What becomes of a Gaussian; `None` where it depends on how far the kernel's numbers reach.
+    pub(super) fn fate(&self, camera: usize, gaussian: usize) -> Option<Fate> {
+        let view = View::of(&self.cameras[camera]);
+        let Some(found) = project(&view, f64::from(self.blur), &self.gaussian(gaussian)) else {
+            return Some(Fate::Behind);
+        };
+        let [xx, xy, yy] = found.covariance;
+        let numbers = [found.mean[0], found.mean[1], xx, xy, yy];
+        let is_f32 = |x: &f64| x.abs() <= f64::from(f32::MAX);
+        if !numbers.iter().all(is_f32) || found.determinant <= 0.0 {
+            return Some(Fate::Degenerate);
+        }
+        // the determinant has squares of these
+        (xx.max(yy) < 1e15).then_some(Fate::Projected(found))
+    }
+
     pub(super) fn sensitivity(&self, camera: usize, gaussian: usize) -> Sensitivity {
-        let (position, rotation) = (self.center(gaussian), self.quaternion(gaussian));
-        let camera = &self.cameras[camera];
-        let blur = f64::from(self.blur);
-        Sensitivity::new(camera, blur, position, rotation, self.log_axes(gaussian))
+        let gaussian = self.limited(gaussian);
+        Sensitivity::new(&View::of(&self.cameras[camera]), f64::from(self.blur), &gaussian)
+    }
+
+    /// A Gaussian whose axes f64 can multiply: far beyond f32 they are all the same.
+    pub(super) fn limited(&self, gaussian: usize) -> Gaussian<f64> {
+        let gaussian = self.gaussian(gaussian);
+        Gaussian { log_scale: gaussian.log_scale.map(|x| x.clamp(-200.0, 200.0)), ..gaussian }
     }
 }
 
@@ -138,22 +170,22 @@ impl Parity for Project {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let packed: Vec<_> = self.cameras.iter().flat_map(Camera::pack).collect();
         let slots = self.cameras.len() * self.gaussians as usize;
-        let projection = bench.output::<Vec4>(2 * slots)?;
-        let degenerate = bench.output_of(&[0_u32])?;
+        let projection = runner.output::<Vec4>(2 * slots)?;
+        let degenerate = runner.output_of(&[0_u32])?;
         let kernel = ProjectKernel {
             params: ProjectParams { gaussians: self.gaussians, blur: self.blur },
-            camera: &bench.upload(&packed)?,
-            position: &bench.upload(&self.position)?,
-            rotation: &bench.upload(&self.rotation)?,
-            log_scale: &bench.upload(&self.log_scale)?,
+            camera: &runner.upload(&packed)?,
+            position: &runner.upload(&self.position)?,
+            rotation: &runner.upload(&self.rotation)?,
+            log_scale: &runner.upload(&self.log_scale)?,
             projection: &projection,
             degenerate: &degenerate,
         };
-        bench.items(&kernel, self.gaussians, self.cameras.len() as u32)?;
-        let projection = bench.read(&projection)?;
+        runner.items(&kernel, self.gaussians, self.cameras.len() as u32)?;
+        let projection = runner.read(&projection)?;
         let class = |p: &[Vec4; 2]| match p[0].z {
             BEHIND => 1,
             DEGENERATE => 2,
@@ -169,7 +201,7 @@ impl Parity for Project {
         let extent = places.iter().flat_map(|p| [of(p, p[0].w), of(p, p[1].w)]);
         Ok(vec![
             Output::exact("class", places.iter().map(class).collect()),
-            Output::exact("degenerate", bench.read(&degenerate)?),
+            Output::exact("degenerate", runner.read(&degenerate)?),
             Output::float("mean2d", mean2d),
             Output::float("radius", places.iter().map(|p| of(p, p[0].z))),
             Output::float("conic", conic),
@@ -178,13 +210,43 @@ impl Parity for Project {
         ])
     }
 
-    fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        let width = match cpu.name {
-            "mean2d" | "extent" => 2,
-            "radius" => 1,
-            "conic" => 3,
-            _ => return Bound { scale: 0.0, floor: 0.0 },
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
+        let gaussians = self.gaussians as usize;
+        let slots = (0..self.cameras.len() * gaussians)
+            .map(|slot| self.fate(slot / gaussians, slot % gaussians));
+        let of = |fate: &Option<Fate>| match (output, fate) {
+            (_, None) => vec![None; width(output)],
+            ("class", Some(Fate::Behind)) => vec![Some(1.0)],
+            ("class", Some(Fate::Degenerate)) => vec![Some(2.0)],
+            (_, Some(Fate::Behind | Fate::Degenerate)) => vec![Some(0.0); width(output)],
+            (_, Some(Fate::Projected(found))) => {
+                let values = match output {
+                    "class" => vec![0.0],
+                    "mean2d" => found.mean.to_vec(),
+                    "radius" => vec![found.radius()],
+                    "conic" => found.conic().to_vec(),
+                    _ => found.extent().to_vec(),
+                };
+                values.into_iter().map(Some).collect()
+            }
         };
+        let exact: Vec<_> = match output {
+            "behind" => Vec::new(),
+            "degenerate" => {
+                let told: Option<Vec<_>> = slots.collect();
+                let is_culled = |fate: &&Fate| matches!(fate, Fate::Degenerate);
+                vec![told.map(|fates| fates.iter().filter(is_culled).count() as f64)]
+            }
+            _ => slots.flat_map(|fate| of(&fate)).collect(),
+        };
+        exact
+    }
+
+    fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
+        if cpu.name == "behind" {
+            return Bound { scale: 0.0, floor: 0.0 };
+        }
+        let width = width(cpu.name);
         let (slot, part) = (index / width, index % width);
         let gaussians = self.gaussians as usize;
         let sensitivity = self.sensitivity(slot / gaussians, slot % gaussians);
@@ -193,6 +255,26 @@ impl Parity for Project {
             "mean2d" => sensitivity.mean2d[part],
             _ => sensitivity.conic,
         })
+    }
+}
+
+/// What becomes of a Gaussian in a camera.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Fate {
+    /// It lies behind the near plane.
+    Behind,
+    /// It has no place, no finite covariance or no inverse of it.
+    Degenerate,
+    /// It lies there.
+    Projected(Projected<f64>),
+}
+
+/// Values of a slot in an output.
+fn width(output: &str) -> usize {
+    match output {
+        "mean2d" | "extent" => 2,
+        "conic" => 3,
+        _ => 1,
     }
 }
 
@@ -207,17 +289,19 @@ pub(super) struct Sensitivity {
 }
 
 impl Sensitivity {
-    fn new(camera: &Camera, blur: f64, center: DVec3, rotation: DVec4, log_axes: DVec3) -> Self {
-        let offset = center - camera.eye.as_dvec3();
-        let t = DVec3::from_array(camera.rotation.map(|row| row.as_dvec3().dot(offset)));
-        let above_near = t.z - f64::from(NEAR_PLANE);
+    fn new(view: &View, blur: f64, gaussian: &Gaussian<f64>) -> Self {
+        let offset = DVec3::from(gaussian.position) - DVec3::from(view.eye);
+        let above_near = view.place(gaussian.position)[2] - f64::from(NEAR_PLANE);
         let is_near =
             above_near.abs() < 1e-5 * (1.0 + offset.length()) || is_large(offset.length());
-        if above_near <= 0.0 {
+        let Some(found) = project(view, blur, gaussian) else {
             return Self { is_undecided: is_near, ..Self::default() };
-        }
-        let (u, v, rows) = rows(camera, t, rotation, log_axes);
-        let mut axes = axes(log_axes).to_array();
+        };
+        let [u, v] = found.footprint.map(DVec3::from);
+        let rows = found.jacobian.map(|row| DVec3::from(row).length());
+        let t = DVec3::from(found.place);
+        let log_axes = DVec3::from(gaussian.log_scale);
+        let mut axes = gaussian.axes();
         axes.sort_by(f64::total_cmp);
         // what the terms of u and v may be, whatever cancels in them
         let [uu, vv] = rows.map(|row| (row * axes[2]).powi(2));
@@ -230,9 +314,8 @@ impl Sensitivity {
         // cancellation in t, and the argument of exp
         let depth = 1.0 + offset.length() / t.z;
         let grade = depth * (1.0 + log_axes.abs().max_element().min(200.0));
-        let focal = camera.focal.as_dvec2();
         let ratio = 1.0 + t.x.abs().max(t.y.abs()) / t.z;
-        let mean2d = [0, 1].map(|axis| focal[axis] * depth * ratio + 500.0);
+        let mean2d = [0, 1].map(|axis| view.focal[axis] * depth * ratio + 500.0);
         let sizes = [uu, vv, uu * uu, vv * vv, determinant, 1.0 / determinant, conic, axes[2]];
         let overflows = sizes.into_iter().chain(mean2d).any(is_large) || determinant < 1e-34;
         let radius = (uu + vv + blur) / (lengths + blur).sqrt();
@@ -248,29 +331,4 @@ impl Sensitivity {
 /// Whether an f32 may overflow on one device and not on another.
 fn is_large(x: f64) -> bool {
     (1e35..1e42).contains(&x.abs())
-}
-
-/// What exp makes of them: far beyond f32 it is all the same.
-pub(super) fn axes(log_axes: DVec3) -> DVec3 {
-    log_axes.clamp(DVec3::splat(-200.0), DVec3::splat(200.0)).exp()
-}
-
-/// Rows of J W R S, and the lengths of those of J W.
-pub(super) fn rows(
-    camera: &Camera,
-    t: DVec3,
-    q: DVec4,
-    log_axes: DVec3,
-) -> (DVec3, DVec3, [f64; 2]) {
-    let [right, down, forward] = camera.rotation.map(|row| row.as_dvec3());
-    let (focal, center) = (camera.focal.as_dvec2(), camera.center.as_dvec2());
-    let (low, high) = (-center, camera.size.as_dvec2() - center);
-    let margin = 0.15 * camera.size.as_dvec2();
-    let ratio = (t.truncate() / t.z).clamp((low - margin) / focal, (high + margin) / focal);
-    let rows =
-        [(right - forward * ratio.x) * focal.x / t.z, (down - forward * ratio.y) * focal.y / t.z];
-    let q = q.normalize();
-    let turn = DQuat::from_xyzw(q.y, q.z, q.w, q.x).inverse();
-    let [u, v] = rows.map(|row| (turn * row) * axes(log_axes));
-    (u, v, rows.map(DVec3::length))
 }

@@ -1,17 +1,19 @@
 //! The case of `project_backward`.
 
 use glam::{DVec3, Vec3, Vec4};
-use organza_kernels::camera::Camera;
-use organza_kernels::math::TINY;
-use organza_kernels::project::project_gaussian;
-use organza_kernels::project_backward::{ProjectBackwardKernel, ProjectBackwardParams};
+use organza_kernel::math::TINY;
+use organza_shaders::camera::Camera;
+use organza_shaders::project::project_gaussian;
+use organza_shaders::project_backward::{ProjectBackwardKernel, ProjectBackwardParams};
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
+use super::exact::numeric::{Dual, gradient};
+use super::exact::project::{Gaussian, View, project};
 use super::inputs::Random;
 use super::measure::{Bound, Output};
-use super::project::{Project, axes, rows};
-use crate::error::Result;
+use super::project::{Fate, Project};
+use super::runner::KernelRunner;
+use organza_device::Result;
 
 /// Inputs of `project_backward`.
 #[derive(Clone)]
@@ -76,33 +78,22 @@ impl ProjectBackward {
         set
     }
 
-    /// Where a Gaussian is for a camera.
-    fn place(&self, camera: usize, gaussian: usize) -> DVec3 {
-        let camera = &self.forward.cameras[camera];
-        let offset = self.forward.center(gaussian) - camera.eye.as_dvec3();
-        DVec3::from_array(camera.rotation.map(|row| row.as_dvec3().dot(offset)))
-    }
-
     /// Not culled, and no ratio so near its limit that rounding decides whether it is clamped.
     fn is_usable(&self, camera: usize, gaussian: usize) -> bool {
-        let t = self.place(camera, gaussian);
-        let view = &self.forward.cameras[camera];
-        let (focal, center, size) =
-            (view.focal.as_dvec2(), view.center.as_dvec2(), view.size.as_dvec2());
-        let offset = self.forward.center(gaussian) - view.eye.as_dvec3();
+        let view = View::of(&self.forward.cameras[camera]);
+        let center = self.forward.center(gaussian);
+        let t = DVec3::from(view.place(center.to_array()));
+        let offset = center - DVec3::from(view.eye);
         let slack = 1e-5 * (1.0 + offset.length() / t.z) * (1.0 + t.truncate().length() / t.z);
         let is_clear = (0..2).all(|axis| {
-            let ratio = t[axis] / t.z;
-            let margin = 0.15 * size[axis];
-            let limits = [-center[axis] - margin, size[axis] - center[axis] + margin];
-            limits.iter().all(|limit| (ratio - limit / focal[axis]).abs() > slack)
+            let limits = view.limits(axis);
+            limits.iter().all(|limit| (t[axis] / t.z - limit).abs() > slack)
         });
         is_clear && self.radius[camera * self.forward.gaussians as usize + gaussian] >= 0.0
     }
 
     /// The pair of a camera and a Gaussian.
-    #[must_use]
-    pub fn pair(&self, camera: usize, gaussian: usize) -> Option<usize> {
+    fn pair(&self, camera: usize, gaussian: usize) -> Option<usize> {
         let words = (self.forward.gaussians as usize).div_ceil(32);
         let word = camera * words + gaussian / 32;
         let (bits, bit) = (self.pair_mask[word], gaussian % 32);
@@ -110,19 +101,33 @@ impl ProjectBackward {
         (bits >> bit & 1 == 1).then_some((self.first_pair[word] + below) as usize)
     }
 
+    /// Where the centers of all pairs lie in their images, in pixels.
+    #[must_use]
+    pub fn pairs_in_image(&self) -> Vec<[f64; 2]> {
+        let (set, count) = (&self.forward, self.forward.gaussians as usize);
+        let slots = (0..set.cameras.len() * count).map(|slot| (slot / count, slot % count));
+        let pairs = slots.filter(|&(camera, gaussian)| self.pair(camera, gaussian).is_some());
+        pairs
+            .filter_map(|(camera, gaussian)| match set.fate(camera, gaussian) {
+                Some(Fate::Projected(found)) => Some(found.mean),
+                _ => None,
+            })
+            .collect()
+    }
+
     /// How large what a pair adds may be, whatever cancels in it.
     fn sizes(&self, camera: usize, gaussian: usize, pair: usize) -> Sizes {
         let set = &self.forward;
         let [geometry, shape, _] = self.pair_gradient[pair].map(|v| v.as_dvec4().abs());
         let sensitivity = set.sensitivity(camera, gaussian);
-        let t = self.place(camera, gaussian);
-        let (view, log_axes) = (&set.cameras[camera], set.log_axes(gaussian));
-        let rotation = set.quaternion(gaussian);
-        let (u, v, lengths) = rows(view, t, rotation, log_axes);
-        let longest = axes(log_axes).max_element();
-        let row = lengths[0] + lengths[1];
-        // conic G conic H
+        let (view, limited) = (View::of(&set.cameras[camera]), set.limited(gaussian));
         let blur = f64::from(set.blur);
+        let found = project(&view, blur, &limited).expect("it has a pair");
+        let t = DVec3::from(found.place);
+        let [u, v] = found.footprint.map(DVec3::from);
+        let longest = DVec3::from(limited.axes()).max_element();
+        let row: f64 = found.jacobian.map(|row| DVec3::from(row).length()).iter().sum();
+        // conic G conic H
         let cross = u.cross(v).length_squared();
         let trace = u.length_squared() + v.length_squared() + 2.0 * blur;
         let conic = trace / (cross + 0.5 * blur * trace);
@@ -130,13 +135,64 @@ impl ProjectBackward {
             2.0 * conic * sensitivity.conic * shape.truncate().element_sum() * row * longest;
         let by_row = by_half * longest;
         let center = geometry.x.hypot(geometry.y);
-        let offset = set.center(gaussian) - view.eye.as_dvec3();
+        let offset = set.center(gaussian) - DVec3::from(view.eye);
         let depth = 1.0 + offset.length() / t.z;
         let ratio = 1.0 + t.truncate().length() / t.z;
-        let focal = f64::from(view.focal.max_element()) / t.z;
+        let focal = view.focal[0].max(view.focal[1]) / t.z;
         let position = (by_row * (focal / t.z + row / t.z) + focal * center) * ratio * depth;
         let shape = by_row * row;
-        [position, 4.0 * shape / rotation.length(), shape, geometry.z, center]
+        [position, 4.0 * shape / set.quaternion(gaussian).length(), shape, geometry.z, center]
+    }
+
+    /// The derivatives of what a Gaussian's pairs have in the loss, by position, rotation and log_scale; `None` where
+    /// a projection is told by nobody.
+    fn derivatives(&self, gaussian: usize) -> Option<[f64; 10]> {
+        let set = &self.forward;
+        let cameras = (0..set.cameras.len())
+            .filter_map(|camera| Some((camera, self.pair(camera, gaussian)?)));
+        let cameras: Vec<_> = cameras.collect();
+        let is_told = |&(camera, _): &(usize, usize)| {
+            matches!(set.fate(camera, gaussian), Some(Fate::Projected(_)))
+        };
+        if !cameras.iter().all(is_told) {
+            return None;
+        }
+        let of = |camera: usize, pair: usize, moved: &Gaussian<Dual>| {
+            let view = View::of(&set.cameras[camera]);
+            let [center, shape, _] = self.pair_gradient[pair].map(|v| v.as_dvec4().to_array());
+            let found = project(&view, f64::from(set.blur), moved).expect("it has a pair");
+            let weights = center[..2].iter().chain(&shape[..3]);
+            let values = found.mean.into_iter().chain(found.conic());
+            values.zip(weights).fold(Dual::from(0.0), |sum, (x, &w)| sum + x * Dual::from(w))
+        };
+        let Gaussian { position: [a, b, c], rotation: [w, x, y, z], log_scale: [l, m, n] } =
+            set.gaussian(gaussian);
+        Some(gradient([a, b, c, w, x, y, z, l, m, n], |[a, b, c, w, x, y, z, l, m, n]| {
+            let moved =
+                Gaussian { position: [a, b, c], rotation: [w, x, y, z], log_scale: [l, m, n] };
+            let losses = cameras.iter().map(|&(camera, pair)| of(camera, pair, &moved));
+            losses.fold(Dual::from(0.0), |sum, loss| sum + loss)
+        }))
+    }
+
+    /// The pairs of a Gaussian.
+    fn pairs(&self, gaussian: usize) -> impl Iterator<Item = (usize, &[Vec4; 3])> {
+        let cameras = 0..self.forward.cameras.len();
+        cameras.filter_map(move |camera| {
+            Some((camera, &self.pair_gradient[self.pair(camera, gaussian)?]))
+        })
+    }
+
+    /// What is left of the statistics: the centers' ways, the cameras that have a pair, the largest radius.
+    fn exact_statistics(&self, gaussian: usize) -> [f64; 4] {
+        let mut after = self.statistics[gaussian].as_dvec4().to_array();
+        for (camera, [center, ..]) in self.pairs(gaussian) {
+            let radius = self.radius[camera * self.forward.gaussians as usize + gaussian];
+            after[0] += f64::from(center.x).hypot(f64::from(center.y));
+            after[1] += 1.0;
+            after[2] = after[2].max(f64::from(radius));
+        }
+        after
     }
 
     /// Of a Gaussian, in all cameras.
@@ -162,13 +218,13 @@ impl Parity for ProjectBackward {
         Project::sets().into_iter().map(|(name, set)| (name, Self::new(set))).collect()
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let set = &self.forward;
         let packed: Vec<_> = set.cameras.iter().flat_map(Camera::pack).collect();
         let projection =
             self.radius.iter().flat_map(|&radius| [Vec4::ONE.with_z(radius), Vec4::ONE]);
-        let gradient = bench.output_of(&self.gradient)?;
-        let statistics = bench.output_of(&self.statistics)?;
+        let gradient = runner.output_of(&self.gradient)?;
+        let statistics = runner.output_of(&self.statistics)?;
         let kernel = ProjectBackwardKernel {
             params: ProjectBackwardParams {
                 gaussians: set.gaussians,
@@ -176,23 +232,54 @@ impl Parity for ProjectBackward {
                 cameras: set.cameras.len() as u32,
                 blur: set.blur,
             },
-            camera: &bench.upload(&packed)?,
-            position: &bench.upload(&set.position)?,
-            rotation: &bench.upload(&set.rotation)?,
-            log_scale: &bench.upload(&set.log_scale)?,
-            projection: &bench.upload(&projection.collect::<Vec<_>>())?,
-            pair_mask: &bench.upload(&self.pair_mask)?,
-            first_pair: &bench.upload(&self.first_pair)?,
-            pair_gradient: &bench.upload(self.pair_gradient.as_flattened())?,
+            camera: &runner.upload(&packed)?,
+            position: &runner.upload(&set.position)?,
+            rotation: &runner.upload(&set.rotation)?,
+            log_scale: &runner.upload(&set.log_scale)?,
+            projection: &runner.upload(&projection.collect::<Vec<_>>())?,
+            pair_mask: &runner.upload(&self.pair_mask)?,
+            first_pair: &runner.upload(&self.first_pair)?,
+            pair_gradient: &runner.upload(self.pair_gradient.as_flattened())?,
             gradient: &gradient,
             statistics: &statistics,
         };
-        bench.items(&kernel, set.gaussians, 1)?;
-        let statistics = bench.read(&statistics)?.into_iter().flat_map(|v| v.to_array());
+        runner.items(&kernel, set.gaussians, 1)?;
+        let statistics = runner.read(&statistics)?.into_iter().flat_map(|v| v.to_array());
         Ok(vec![
-            Output::float("gradient", bench.read(&gradient)?),
+            Output::float("gradient", runner.read(&gradient)?),
             Output::float("statistics", statistics),
         ])
+    }
+
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
+        let count = self.forward.gaussians as usize;
+        let exact: Vec<_> = if output == "statistics" {
+            (0..count).flat_map(|gaussian| self.exact_statistics(gaussian)).map(Some).collect()
+        } else {
+            let before = |index: usize| f64::from(self.gradient[index]);
+            let derivatives: Vec<_> = (0..count).map(|g| self.derivatives(g)).collect();
+            let part = |first: usize, width: usize| {
+                let derivatives = &derivatives;
+                (0..width * count).map(move |at| {
+                    let of = derivatives[at / width].as_ref()?;
+                    Some(before(first * count + at) + of[first + at % width])
+                })
+            };
+            let opacity = (0..count).map(|gaussian| {
+                let sum: f64 = self.pairs(gaussian).map(|(_, pair)| f64::from(pair[0].z)).sum();
+                Some(before(10 * count + gaussian) + sum)
+            });
+            part(0, 3).chain(part(3, 4)).chain(part(7, 3)).chain(opacity).collect()
+        };
+        exact
+    }
+
+    /// The number of cameras is added to what other parts have left: one rounding, the same on every device.
+    fn exact_bound(&self, exact: &Output, index: usize, rounding: Rounding) -> Bound {
+        match (exact.name, self.statistics.get(index / 4)) {
+            ("statistics", Some(_)) if index % 4 == 1 => Bound::of(exact.floats()[index]),
+            _ => self.bound(exact, index, rounding),
+        }
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {

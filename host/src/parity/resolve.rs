@@ -1,17 +1,19 @@
 //! Cases of `resolve` and `resolve_backward`.
 
 use glam::Vec4;
-use organza_kernels::math::TINY;
-use organza_kernels::resolve::{DIVIDE_ABOVE, ResolveBackwardKernel, ResolveKernel, ResolveParams};
-use organza_kernels::tile::Tile;
+use organza_kernel::math::TINY;
+use organza_shaders::resolve::{DIVIDE_ABOVE, ResolveBackwardKernel, ResolveKernel, ResolveParams};
+use organza_shaders::tile::Tile;
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::composite::{SIDES, pixels, planes, tiles};
+use super::exact::numeric::{Dual, gradient};
+use super::exact::resolve::pixel;
 use super::inputs::{Fill, Random};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use super::tile::pack;
-use crate::error::Result;
+use organza_device::Result;
 
 /// Inputs of `resolve`.
 #[derive(Clone, Debug)]
@@ -62,8 +64,8 @@ impl Parity for Resolve {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let image = bench.output(3 * self.sum.len())?;
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let image = runner.output(3 * self.sum.len())?;
         let [background_r, background_g, background_b] = self.background;
         let side = self.side;
         let kernel = ResolveKernel {
@@ -74,12 +76,24 @@ impl Parity for Resolve {
                 background_b,
                 divide_above: DIVIDE_ABOVE,
             },
-            tile: &bench.upload(&pack(&self.tiles))?,
-            sum: &bench.upload(&planes(&self.sum, (side * side) as usize))?,
+            tile: &runner.upload(&pack(&self.tiles))?,
+            sum: &runner.upload(&planes(&self.sum, (side * side) as usize))?,
             image: &image,
         };
-        bench.pixels(&kernel, side, self.tiles.len() as u32)?;
-        Ok(vec![Output::float("image", bench.read(&image)?)])
+        runner.pixels(&kernel, side, self.tiles.len() as u32)?;
+        Ok(vec![Output::float("image", runner.read(&image)?)])
+    }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let area = (self.side * self.side) as usize;
+        // Y [K, 3, S, S], each tile at its own place of the batch
+        let of = |index: usize| {
+            let (place, channel, at) = (index / (3 * area), index / area % 3, index % area);
+            let tile = self.tiles.iter().position(|tile| tile.output as usize == place)?;
+            let sum = self.sum[tile * area + at].as_dvec4();
+            Some(pixel(sum[channel], sum.w, f64::from(self.background[channel])))
+        };
+        (0..len).map(of).collect()
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
@@ -126,9 +140,9 @@ impl Parity for ResolveBackward {
         Resolve::sets().into_iter().map(|(name, set)| (name, Self::new(set))).collect()
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let set = &self.forward;
-        let sum_gradient = bench.output(4 * set.sum.len())?;
+        let sum_gradient = runner.output(4 * set.sum.len())?;
         let [background_r, background_g, background_b] = set.background;
         let side = set.side;
         let kernel = ResolveBackwardKernel {
@@ -139,14 +153,32 @@ impl Parity for ResolveBackward {
                 background_b,
                 divide_above: DIVIDE_ABOVE,
             },
-            tile: &bench.upload(&pack(&set.tiles))?,
-            sum: &bench.upload(&planes(&set.sum, self.area()))?,
-            image_gradient: &bench.upload(&self.image_gradient)?,
+            tile: &runner.upload(&pack(&set.tiles))?,
+            sum: &runner.upload(&planes(&set.sum, self.area()))?,
+            image_gradient: &runner.upload(&self.image_gradient)?,
             sum_gradient: &sum_gradient,
         };
-        bench.pixels(&kernel, side, set.tiles.len() as u32)?;
-        let found = bench.read(&sum_gradient)?;
+        runner.pixels(&kernel, side, set.tiles.len() as u32)?;
+        let found = runner.read(&sum_gradient)?;
         Ok(vec![Output::float("sum_gradient", pixels(&found, self.area()))])
+    }
+
+    /// Of the branch that was taken.
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let (set, area) = (&self.forward, self.area());
+        let of = |(index, sum): (usize, &Vec4)| {
+            let first = 3 * set.tiles[index / area].output as usize * area + index % area;
+            gradient(sum.as_dvec4().to_array(), |[r, g, b, weight]| {
+                let channels = [r, g, b].into_iter().enumerate();
+                channels.fold(Dual::from(0.0), |loss, (channel, color)| {
+                    let slope = f64::from(self.image_gradient[first + channel * area]);
+                    let background = f64::from(set.background[channel]);
+                    loss + pixel(color, weight, background) * Dual::from(slope)
+                })
+            })
+        };
+        let exact = set.sum.iter().enumerate().flat_map(of).map(Some);
+        exact.collect()
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

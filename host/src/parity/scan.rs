@@ -1,12 +1,13 @@
 //! Cases of `scan_block` and `scan_add`.
 
-use organza_kernels::scan::{BLOCK, ScanAddKernel, ScanBlockKernel, ScanParams};
+use organza_shaders::scan::{BLOCK, ScanAddKernel, ScanBlockKernel, ScanParams};
 
-use super::bench::Bench;
 use super::case::Parity;
+use super::exact::listed;
 use super::inputs::{Random, SIZES};
 use super::measure::Output;
-use crate::error::Result;
+use super::runner::KernelRunner;
+use organza_device::Result;
 
 /// Sizes around the workgroup and around the block.
 fn sizes() -> impl Iterator<Item = u32> {
@@ -40,23 +41,38 @@ impl Parity for ScanBlock {
         sets(|values| Self { values })
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let count = self.values.len() as u32;
         let blocks = (count + 1).div_ceil(BLOCK);
-        let prefix = bench.output(count as usize + 1)?;
-        let block_sum = bench.output(blocks as usize)?;
+        let prefix = runner.output(count as usize + 1)?;
+        let block_sum = runner.output(blocks as usize)?;
         let kernel = ScanBlockKernel {
             params: ScanParams { count },
-            value: &bench.upload(&self.values)?,
+            value: &runner.upload(&self.values)?,
             prefix: &prefix,
             block_sum: &block_sum,
         };
         // a workgroup more than there are blocks: it must leave everything alone
-        bench.items(&kernel, (blocks + 1) * 64, 1)?;
+        runner.items(&kernel, (blocks + 1) * 64, 1)?;
         Ok(vec![
-            Output::exact("prefix", bench.read(&prefix)?),
-            Output::exact("block_sum", bench.read(&block_sum)?),
+            Output::exact("prefix", runner.read(&prefix)?),
+            Output::exact("block_sum", runner.read(&block_sum)?),
         ])
+    }
+
+    /// Sums from a block's begin on, one of them behind the last value; and those of whole blocks.
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
+        let mut sum = 0;
+        let (mut prefix, mut block_sum) = (Vec::new(), Vec::new());
+        for (index, value) in self.values.iter().copied().chain([0]).enumerate() {
+            if index > 0 && index % 1024 == 0 {
+                block_sum.push(std::mem::take(&mut sum));
+            }
+            prefix.push(sum);
+            sum += value;
+        }
+        block_sum.push(sum);
+        listed(if output == "prefix" { prefix } else { block_sum })
     }
 }
 
@@ -82,15 +98,20 @@ impl Parity for ScanAdd {
         })
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let count = self.prefix.len() as u32 - 1;
-        let prefix = bench.output_of(&self.prefix)?;
+        let prefix = runner.output_of(&self.prefix)?;
         let kernel = ScanAddKernel {
             params: ScanParams { count },
-            block_prefix: &bench.upload(&self.block_prefix)?,
+            block_prefix: &runner.upload(&self.block_prefix)?,
             prefix: &prefix,
         };
-        bench.items(&kernel, count + 1, 1)?;
-        Ok(vec![Output::exact("prefix", bench.read(&prefix)?)])
+        runner.items(&kernel, count + 1, 1)?;
+        Ok(vec![Output::exact("prefix", runner.read(&prefix)?)])
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let blocks = self.prefix.chunks(1024).zip(&self.block_prefix);
+        listed(blocks.flat_map(|(block, before)| block.iter().map(move |x| x + before)))
     }
 }

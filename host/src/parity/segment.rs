@@ -1,18 +1,20 @@
 //! The case of `segment`.
 
 use glam::{DVec3, Vec3, Vec4};
-use organza_kernels::camera::Camera;
-use organza_kernels::limits::MAX_SAMPLES;
-use organza_kernels::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
-use organza_kernels::unit_cube::SceneBox;
+use organza_shaders::camera::Camera;
+use organza_shaders::limits::MAX_SAMPLES;
+use organza_shaders::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
+use organza_shaders::unit_cube::SceneBox;
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::color::BOXES;
+use super::exact::segment as exact;
+use super::exact::unit_cube::unit;
 use super::inputs::{self, Fill, ITEMS, Random};
 use super::measure::{Bound, Output, Values};
 use super::project;
-use crate::error::Result;
+use super::runner::KernelRunner;
+use organza_device::Result;
 
 /// How far from a decision of the kernel the inputs stay, relative to the ray.
 const AWAY: f64 = 2e-5;
@@ -39,35 +41,25 @@ pub struct Segment {
 
 /// A ray in the unit cube's space, and where it lies in the cube, in f64.
 #[derive(Clone, Copy, Debug)]
-pub struct Ray {
+struct Ray {
     /// The Gaussian.
-    pub p: DVec3,
+    p: DVec3,
     /// To the camera.
-    pub v: DVec3,
+    v: DVec3,
     /// The last entry into a pair of planes, and the first exit.
-    pub planes: [f64; 2],
+    planes: [f64; 2],
 }
 
 impl Ray {
-    fn new(p: DVec3, v: DVec3) -> Self {
-        let mut planes = [f64::NEG_INFINITY, f64::INFINITY];
-        for axis in 0..3 {
-            let (p, v) = (p[axis], v[axis]);
-            let inside = (0.0..=1.0).contains(&p);
-            let [low, high] = match v == 0.0 {
-                true if inside => continue,
-                true => [f64::INFINITY, f64::NEG_INFINITY],
-                false => [(-p / v).min((1.0 - p) / v), (-p / v).max((1.0 - p) / v)],
-            };
-            planes = [planes[0].max(low), planes[1].min(high)];
-        }
-        Self { p, v, planes }
+    fn new(p: [f64; 3], eye: [f64; 3]) -> Self {
+        let v = [0, 1, 2].map(|axis| eye[axis] - p[axis]);
+        Self { p: p.into(), v: v.into(), planes: exact::planes(p, v) }
     }
 
     /// The length within the cube, before and after the ray's own ends.
     fn length(&self) -> f64 {
-        let [enter, exit] = self.planes.map(|t| t.clamp(0.0, 1.0));
-        (exit - enter).max(0.0) * self.v.length()
+        let [_, lambda] = exact::clip(self.planes);
+        lambda * self.v.length()
     }
 
     /// Whether rounding decides if the ray meets the cube, or how many steps it has.
@@ -121,18 +113,17 @@ impl Segment {
         set
     }
 
-    /// The ray of a pair.
-    #[must_use]
-    pub fn ray(&self, slot: u32) -> Ray {
+    /// A pair's Gaussian and camera in the unit cube's space.
+    fn ends(&self, slot: u32) -> [[f64; 3]; 2] {
         let position = &self.position[3 * (slot % self.gaussians) as usize..];
         let eye = self.cameras[(slot / self.gaussians) as usize].eye;
-        let unit = |x: f32, axis: usize| {
-            let (low, high) = (self.aabb[0][axis], self.aabb[1][axis]);
-            0.05 + 0.9 * (f64::from(x) - low) / (high - low)
-        };
-        let p = DVec3::from_array([0, 1, 2].map(|axis| unit(position[axis], axis)));
-        let eye = DVec3::from_array([0, 1, 2].map(|axis| unit(eye[axis], axis)));
-        Ray::new(p, eye - p)
+        [Vec3::from_slice(position), eye].map(|point| unit(point.as_dvec3().to_array(), self.aabb))
+    }
+
+    /// The ray of a pair.
+    fn ray(&self, slot: u32) -> Ray {
+        let [p, eye] = self.ends(slot);
+        Ray::new(p, eye)
     }
 }
 
@@ -170,26 +161,40 @@ impl Parity for Segment {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pairs = self.pair.len() as u32;
         let cameras: Vec<_> = self.cameras.iter().flat_map(Camera::pack).collect();
-        let segment = bench.output::<Vec4>((SEGMENT_VECTORS * pairs) as usize)?;
-        let count = bench.output(pairs as usize)?;
+        let segment = runner.output::<Vec4>((SEGMENT_VECTORS * pairs) as usize)?;
+        let count = runner.output(pairs as usize)?;
         let kernel = SegmentKernel {
             params: SegmentParams { pairs, gaussians: self.gaussians, step: self.step },
-            pair: &bench.upload(&self.pair)?,
-            camera: &bench.upload(&cameras)?,
-            scene_box: &bench.upload(&SceneBox::new(self.aabb).pack())?,
-            position: &bench.upload(&self.position)?,
+            pair: &runner.upload(&self.pair)?,
+            camera: &runner.upload(&cameras)?,
+            scene_box: &runner.upload(&SceneBox::new(self.aabb).pack())?,
+            position: &runner.upload(&self.position)?,
             segment: &segment,
             count: &count,
         };
-        bench.items(&kernel, pairs, 1)?;
-        let segment = bench.read(&segment)?;
+        runner.items(&kernel, pairs, 1)?;
+        let segment = runner.read(&segment)?;
         Ok(vec![
             Output { name: "segment", values: Values::Float(joined(&segment)) },
-            Output::exact("count", bench.read(&count)?),
+            Output::exact("count", runner.read(&count)?),
         ])
+    }
+
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
+        let of = |&slot: &u32| {
+            let [p, eye] = self.ends(slot);
+            let found = exact::segment(p, eye, f64::from(self.step));
+            if output == "count" {
+                return vec![Some(found.count)];
+            }
+            let values = found.start.into_iter().chain([found.factor]).chain(found.way);
+            values.chain([0.0]).map(Some).collect()
+        };
+        let exact = self.pair.iter().flat_map(of);
+        exact.collect()
     }
 
     fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {

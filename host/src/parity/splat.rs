@@ -1,16 +1,21 @@
 //! The cases of `splat` and `splat_backward`.
 
+use std::collections::BTreeMap;
+
 use glam::Vec4;
-use organza_kernels::math::TINY;
-use organza_kernels::splat::{
+use organza_kernel::math::TINY;
+use organza_shaders::splat::{
     SplatBackwardKernel, SplatBackwardParams, SplatKernel, SplatParams, VECTORS,
 };
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
+use super::exact::bits;
+use super::exact::composite::weight;
+use super::exact::numeric::{Dual, gradient};
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use super::runner::KernelRunner;
+use organza_device::Result;
 
 /// Inputs of `splat`.
 #[derive(Clone, Debug)]
@@ -68,21 +73,35 @@ impl Parity for Splat {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pairs = self.pair.len() as u32;
-        let splat = bench.output::<Vec4>((VECTORS * pairs) as usize)?;
+        let splat = runner.output::<Vec4>((VECTORS * pairs) as usize)?;
         let kernel = SplatKernel {
             params: SplatParams { pairs, gaussians: self.gaussians },
-            pair: &bench.upload(&self.pair)?,
-            projection: &bench.upload(&self.projection)?,
-            opacity: &bench.upload(&self.opacity)?,
-            transmittance: &bench.upload(&self.transmittance)?,
-            color: &bench.upload(&self.color)?,
+            pair: &runner.upload(&self.pair)?,
+            projection: &runner.upload(&self.projection)?,
+            opacity: &runner.upload(&self.opacity)?,
+            transmittance: &runner.upload(&self.transmittance)?,
+            color: &runner.upload(&self.color)?,
             splat: &splat,
         };
-        bench.items(&kernel, pairs, 1)?;
-        let splat = bench.read(&splat)?;
+        runner.items(&kernel, pairs, 1)?;
+        let splat = runner.read(&splat)?;
         Ok(vec![Output::float("splat", splat.iter().flat_map(|v| v.to_array()))])
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let of = |(pair, &slot): (usize, &u32)| {
+            let slot = slot as usize;
+            let logit = f64::from(self.opacity[slot % self.gaussians as usize]);
+            let weight = weight(logit, f64::from(self.transmittance[pair]));
+            let [placed, conic] = [0, 1].map(|at| self.projection[2 * slot + at].as_dvec4());
+            let [r, g, b] = [0, 1, 2].map(|channel| f64::from(self.color[3 * pair + channel]));
+            let geometry = [placed.x, placed.y, weight, placed.w];
+            [geometry, conic.to_array(), [r, g, b, 0.0]].concat()
+        };
+        let exact = self.pair.iter().enumerate().flat_map(of).map(Some);
+        exact.collect()
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
@@ -161,9 +180,23 @@ impl SplatBackward {
         set
     }
 
+    /// The sums of every pair's members: those lie in the order of the masks' bits.
+    fn sums(&self) -> BTreeMap<u32, [f64; 12]> {
+        let row = 32 * self.gaussians.div_ceil(32) as usize;
+        let mut sums = BTreeMap::new();
+        for (vectors, at) in self.member_gradient.iter().zip(bits(&self.tile_mask)) {
+            let (tile, gaussian) = (at / row, at % row);
+            let camera = FIRST_TILE.iter().rposition(|&first| first as usize <= tile);
+            let slot = camera.expect("the first is 0") as u32 * self.gaussians + gaussian as u32;
+            let sum = sums.entry(slot).or_insert([0.0; 12]);
+            let values = vectors.iter().flat_map(Vec4::to_array);
+            sum.iter_mut().zip(values).for_each(|(sum, x)| *sum += f64::from(x));
+        }
+        sums
+    }
+
     /// Members that a pair is.
-    #[must_use]
-    pub fn members(&self, slot: u32) -> Vec<usize> {
+    fn members(&self, slot: u32) -> Vec<usize> {
         let words = self.gaussians.div_ceil(32);
         let (camera, gaussian) = ((slot / self.gaussians) as usize, slot % self.gaussians);
         let of = |tile: u32| {
@@ -191,24 +224,39 @@ impl Parity for SplatBackward {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pairs = self.pair.len() as u32;
-        let pair_gradient = bench.output::<Vec4>((VECTORS * pairs) as usize)?;
+        let pair_gradient = runner.output::<Vec4>((VECTORS * pairs) as usize)?;
         let words = self.gaussians.div_ceil(32);
         let kernel = SplatBackwardKernel {
             params: SplatBackwardParams { pairs, gaussians: self.gaussians, words },
-            pair: &bench.upload(&self.pair)?,
-            first_tile: &bench.upload(&FIRST_TILE)?,
-            tile_mask: &bench.upload(&self.tile_mask)?,
-            first_member: &bench.upload(&self.first_member)?,
-            opacity: &bench.upload(&self.opacity)?,
-            transmittance: &bench.upload(&self.transmittance)?,
-            member_gradient: &bench.upload(self.member_gradient.as_flattened())?,
+            pair: &runner.upload(&self.pair)?,
+            first_tile: &runner.upload(&FIRST_TILE)?,
+            tile_mask: &runner.upload(&self.tile_mask)?,
+            first_member: &runner.upload(&self.first_member)?,
+            opacity: &runner.upload(&self.opacity)?,
+            transmittance: &runner.upload(&self.transmittance)?,
+            member_gradient: &runner.upload(self.member_gradient.as_flattened())?,
             pair_gradient: &pair_gradient,
         };
-        bench.items(&kernel, pairs, 1)?;
-        let values = bench.read(&pair_gradient)?.into_iter().flat_map(|v| v.to_array());
+        runner.items(&kernel, pairs, 1)?;
+        let values = runner.read(&pair_gradient)?.into_iter().flat_map(|v| v.to_array());
         Ok(vec![Output::float("pair_gradient", values)])
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let sums = self.sums();
+        let of = |(pair, slot): (usize, &u32)| {
+            let mut exact = sums[slot];
+            let by_weight = Dual::from(exact[2]);
+            let logit = f64::from(self.opacity[(slot % self.gaussians) as usize]);
+            let transmittance = f64::from(self.transmittance[pair]);
+            [exact[2], exact[3]] =
+                gradient([logit, transmittance], |[x, t]| by_weight * weight(x, t));
+            exact
+        };
+        let exact = self.pair.iter().enumerate().flat_map(of).map(Some);
+        exact.collect()
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

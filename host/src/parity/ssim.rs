@@ -1,19 +1,21 @@
 //! Cases of `ssim_rows`, `ssim_columns` and `ssim_rows_backward`.
 
 use glam::Vec4;
-use organza_kernels::math::TINY;
-use organza_kernels::ssim::{
+use organza_kernel::math::TINY;
+use organza_shaders::ssim::{
     C1, C2, MOMENTS, RADIUS, SLOPES, SsimColumnsKernel, SsimParams, SsimRowsBackwardKernel,
     SsimRowsKernel, WINDOW,
 };
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
+use super::exact::numeric::{Dual, gradient};
+use super::exact::ssim::{dissimilarity, weighted_sum};
 use super::inputs::{Fill, Random};
 use super::loss::{TILES, Terms, sets};
 use super::measure::{Bound, Output};
-use crate::error::Result;
+use super::runner::KernelRunner;
 use crate::metrics;
+use organza_device::Result;
 
 /// The window's weights, as kernels have them.
 #[must_use]
@@ -64,18 +66,18 @@ impl Parity for SsimRows {
         sets(|side, fill, random| Self { terms: Terms::new(side, fill, random) })
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let terms = &self.terms;
-        let moments = bench.output::<Vec4>(MOMENTS as usize * terms.sum.len())?;
+        let moments = runner.output::<Vec4>(MOMENTS as usize * terms.sum.len())?;
         let kernel = SsimRowsKernel {
             params: SsimParams { side: terms.side },
-            window: &bench.upload(&window())?,
-            difference: &bench.upload(&terms.difference)?,
-            sum: &bench.upload(&terms.sum)?,
+            window: &runner.upload(&window())?,
+            difference: &runner.upload(&terms.difference)?,
+            sum: &runner.upload(&terms.sum)?,
             moments: &moments,
         };
-        bench.pixels(&kernel, terms.side, TILES)?;
-        Ok(vec![Output::float("moments", floats(bench.read(&moments)?))])
+        runner.pixels(&kernel, terms.side, TILES)?;
+        Ok(vec![Output::float("moments", floats(runner.read(&moments)?))])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
@@ -88,6 +90,18 @@ impl Parity for SsimRows {
         let size = |tap| moment(&self.terms, tile + row * side + tap, part, channel).abs();
         let floor = 2.0 * f64::from(WINDOW) * f64::from(TINY);
         Bound { scale: tap_sum(column, side, size), floor }
+    }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let side = self.terms.side as usize;
+        let exact = |index: usize| {
+            let (pixel, part, channel) = (index / 16, index / 4 % 4, index % 4);
+            self.terms.sum.get(pixel)?;
+            let [tile, row, column] = place(pixel, side);
+            let value = |tap| moment(&self.terms, tile + row * side + tap, part, channel);
+            Some(weighted_sum(column, (0..side).map(value)))
+        };
+        (0..len).map(exact).collect()
     }
 }
 
@@ -129,13 +143,13 @@ impl SsimColumns {
                 f64::from(self.moments[at][channel])
             }
         };
-        let sums = [0, 1, 2, 3, 4].map(|sum| tap_sum(row, side, of(sum)));
+        let sums = [0, 1, 2, 3, 4].map(|sum| weighted_sum(row, (0..side).map(of(sum))));
         let sizes = [0, 1, 2, 3, 4].map(|sum| tap_sum(row, side, |tap| of(sum)(tap).abs()));
         [sums, sizes]
     }
 }
 
-/// `1 - SSIM` and its three slopes in f64 from a window's sums, as [`organza_kernels::ssim`] has them, and the sizes of
+/// `1 - SSIM` and its three slopes in f64 from a window's sums, as [`organza_shaders::ssim`] has them, and the sizes of
 /// what they are sums of.
 fn similarity([d, s, dd, ss, weight]: [f64; 5]) -> [[f64; 4]; 2] {
     let (mean_d, mean_s) = (d / weight, s / weight);
@@ -185,22 +199,22 @@ impl Parity for SsimColumns {
         sets(Self::new)
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pixels = self.terms.sum.len();
-        let dissimilarity = bench.output(pixels)?;
-        let slopes = bench.output::<Vec4>(SLOPES as usize * pixels)?;
+        let dissimilarity = runner.output(pixels)?;
+        let slopes = runner.output::<Vec4>(SLOPES as usize * pixels)?;
         let kernel = SsimColumnsKernel {
             params: SsimParams { side: self.terms.side },
-            window: &bench.upload(&window())?,
-            difference: &bench.upload(&self.terms.difference)?,
-            moments: &bench.upload(&self.moments)?,
+            window: &runner.upload(&window())?,
+            difference: &runner.upload(&self.terms.difference)?,
+            moments: &runner.upload(&self.moments)?,
             dissimilarity: &dissimilarity,
             slopes: &slopes,
         };
-        bench.pixels(&kernel, self.terms.side, TILES)?;
+        runner.pixels(&kernel, self.terms.side, TILES)?;
         Ok(vec![
-            Output::float("dissimilarity", bench.read(&dissimilarity)?),
-            Output::float("slopes", floats(bench.read(&slopes)?)),
+            Output::float("dissimilarity", runner.read(&dissimilarity)?),
+            Output::float("slopes", floats(runner.read(&slopes)?)),
         ])
     }
 
@@ -218,6 +232,26 @@ impl Parity for SsimColumns {
         };
         // 2 / Q W of a mean that is flushed
         Bound { scale, floor: 1e6 * f64::from(TINY) }
+    }
+
+    /// A pixel of a window adds w (1, d, s, d^2, s^2) to its sums, and x enters d and s alike.
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+        let values = if output == "slopes" { 4 * SLOPES as usize } else { 1 };
+        let exact = |index: usize| {
+            let (pixel, channel) = (index / values, index % 4);
+            let is_valid = self.terms.difference.get(pixel)?.w > 0.0;
+            if !is_valid || values > 1 && channel == 3 {
+                return Some(0.0);
+            }
+            if values == 1 {
+                let of = |channel| dissimilarity(self.window(pixel, channel)[0]);
+                return Some([0, 1, 2].map(of).iter().sum());
+            }
+            let [by_d, by_s, by_dd, by_ss, _] =
+                gradient(self.window(pixel, channel)[0], dissimilarity::<Dual>);
+            Some([by_d + by_s, 2.0 * by_dd, 2.0 * by_ss][index / 4 % SLOPES as usize])
+        };
+        (0..len).map(exact).collect()
     }
 }
 
@@ -247,16 +281,16 @@ impl Parity for SsimRowsBackward {
         sets(Self::new)
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let row_slopes = bench.output::<Vec4>(self.slopes.len())?;
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let row_slopes = runner.output::<Vec4>(self.slopes.len())?;
         let kernel = SsimRowsBackwardKernel {
             params: SsimParams { side: self.side },
-            window: &bench.upload(&window())?,
-            slopes: &bench.upload(&self.slopes)?,
+            window: &runner.upload(&window())?,
+            slopes: &runner.upload(&self.slopes)?,
             row_slopes: &row_slopes,
         };
-        bench.pixels(&kernel, self.side, TILES)?;
-        Ok(vec![Output::float("row_slopes", floats(bench.read(&row_slopes)?))])
+        runner.pixels(&kernel, self.side, TILES)?;
+        Ok(vec![Output::float("row_slopes", floats(runner.read(&row_slopes)?))])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
@@ -272,5 +306,20 @@ impl Parity for SsimRowsBackward {
         };
         let floor = 2.0 * f64::from(WINDOW) * f64::from(TINY);
         Bound { scale: tap_sum(column, side, size), floor }
+    }
+
+    /// The transpose of a symmetric window is the window itself.
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let side = self.side as usize;
+        let exact = |index: usize| {
+            let (vector, channel) = (index / 4, index % 4);
+            self.slopes.get(vector)?;
+            let (pixel, part) = (vector / SLOPES as usize, vector % SLOPES as usize);
+            let [tile, row, column] = place(pixel, side);
+            let at = |tap: usize| (tile + row * side + tap) * SLOPES as usize + part;
+            let value = |tap| f64::from(self.slopes[at(tap)][channel]);
+            Some(weighted_sum(column, (0..side).map(value)))
+        };
+        (0..len).map(exact).collect()
     }
 }

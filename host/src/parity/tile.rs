@@ -1,18 +1,20 @@
 //! Cases of `tile_mask`, `tile_fill` and `tile_range`.
 
 use glam::Vec4;
-use organza_kernels::project::{BEHIND, DEGENERATE};
-use organza_kernels::tile::{
+use organza_shaders::project::{BEHIND, DEGENERATE};
+use organza_shaders::tile::{
     Tile, TileFillKernel, TileFillParams, TileMaskKernel, TileMaskParams, TileRangeKernel,
     TileRangeParams,
 };
 
-use super::bench::Bench;
 use super::case::Parity;
+use super::exact::tile::reaches;
+use super::exact::{bits, listed};
 use super::inputs::{Fill, Random, SIZES};
 use super::measure::Output;
 use super::pair::{mask_sets, scanned};
-use crate::error::Result;
+use super::runner::KernelRunner;
+use organza_device::Result;
 
 /// Tiles as they lie in a buffer.
 #[must_use]
@@ -110,22 +112,44 @@ impl Parity for TileMask {
         sized.into_iter().chain(sides).chain(filled).collect()
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let words = self.gaussians.div_ceil(32);
         let len = self.tiles.len() * words as usize;
-        let (mask, count) = (bench.output(len)?, bench.output(len)?);
+        let (mask, count) = (runner.output(len)?, runner.output(len)?);
         let kernel = TileMaskKernel {
             params: TileMaskParams { gaussians: self.gaussians, words, side: self.side },
-            tile: &bench.upload(&pack(&self.tiles))?,
-            projection: &bench.upload(&self.projection)?,
+            tile: &runner.upload(&pack(&self.tiles))?,
+            projection: &runner.upload(&self.projection)?,
             mask: &mask,
             count: &count,
         };
-        bench.items(&kernel, words, self.tiles.len() as u32)?;
+        runner.items(&kernel, words, self.tiles.len() as u32)?;
         Ok(vec![
-            Output::exact("mask", bench.read(&mask)?),
-            Output::exact("count", bench.read(&count)?),
+            Output::exact("mask", runner.read(&mask)?),
+            Output::exact("count", runner.read(&count)?),
         ])
+    }
+
+    /// The Gaussians within reach.
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
+        let words = self.gaussians.div_ceil(32);
+        let word = |tile: &Tile, word: u32| {
+            let mut mask = 0_u32;
+            for bit in 0..32.min(self.gaussians - 32 * word) {
+                let slot = tile.camera * self.gaussians + 32 * word + bit;
+                let p = self.projection[2 * slot as usize].as_dvec4();
+                // squares of more are no f32: such a Gaussian may be a member of any tile
+                if p.truncate().abs().max_element() >= 1e18 {
+                    return None;
+                }
+                let is_member = reaches([p.x, p.y], p.z, tile.origin, self.side);
+                mask |= u32::from(is_member) << bit;
+            }
+            Some(f64::from(if output == "mask" { mask } else { mask.count_ones() }))
+        };
+        let tiles = self.tiles.iter();
+        let exact = tiles.flat_map(|tile| (0..words).map(move |at| word(tile, at)));
+        exact.collect()
     }
 }
 
@@ -160,20 +184,33 @@ impl Parity for TileFill {
         })
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let first_member = scanned(&self.tile_mask);
-        let member = bench.output(*first_member.last().unwrap_or(&0) as usize)?;
+        let member = runner.output(*first_member.last().unwrap_or(&0) as usize)?;
         let kernel = TileFillKernel {
             params: TileFillParams { words: self.words },
-            tile: &bench.upload(&pack(&self.tiles))?,
-            tile_mask: &bench.upload(&self.tile_mask)?,
-            first_member: &bench.upload(&first_member)?,
-            pair_mask: &bench.upload(&self.pair_mask)?,
-            first_pair: &bench.upload(&scanned(&self.pair_mask))?,
+            tile: &runner.upload(&pack(&self.tiles))?,
+            tile_mask: &runner.upload(&self.tile_mask)?,
+            first_member: &runner.upload(&first_member)?,
+            pair_mask: &runner.upload(&self.pair_mask)?,
+            first_pair: &runner.upload(&scanned(&self.pair_mask))?,
             member: &member,
         };
-        bench.items(&kernel, self.words, self.tiles.len() as u32)?;
-        Ok(vec![Output::exact("member", bench.read(&member)?)])
+        runner.items(&kernel, self.words, self.tiles.len() as u32)?;
+        Ok(vec![Output::exact("member", runner.read(&member)?)])
+    }
+
+    /// A pair's number is its place among those of its camera, behind those of the cameras before.
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let (words, gaussians) = (self.words as usize, 32 * self.words as usize);
+        let pairs: Vec<_> = bits(&self.pair_mask).collect();
+        let members = self.tiles.iter().enumerate().flat_map(|(t, tile)| {
+            let members = bits(&self.tile_mask[t * words..][..words]);
+            let slots: Vec<_> =
+                members.map(|gaussian| tile.camera as usize * gaussians + gaussian).collect();
+            slots.into_iter().map(|slot| pairs.binary_search(&slot).expect("members are pairs"))
+        });
+        listed(members.map(|pair| pair as u32))
     }
 }
 
@@ -202,14 +239,19 @@ impl Parity for TileRange {
         SIZES.into_iter().flat_map(|tiles| [1, 7].map(|words| (tiles, words))).map(of).collect()
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
-        let tile_first = bench.output(self.tiles as usize + 1)?;
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let tile_first = runner.output(self.tiles as usize + 1)?;
         let kernel = TileRangeKernel {
             params: TileRangeParams { tiles: self.tiles, words: self.words },
-            first_member: &bench.upload(&self.first_member)?,
+            first_member: &runner.upload(&self.first_member)?,
             tile_first: &tile_first,
         };
-        bench.items(&kernel, self.tiles + 1, 1)?;
-        Ok(vec![Output::exact("tile_first", bench.read(&tile_first)?)])
+        runner.items(&kernel, self.tiles + 1, 1)?;
+        Ok(vec![Output::exact("tile_first", runner.read(&tile_first)?)])
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        // the sums end with the total, where a tile more would begin
+        listed(self.first_member.iter().copied().step_by(self.words as usize))
     }
 }

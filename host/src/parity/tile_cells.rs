@@ -1,16 +1,16 @@
 //! The case of `tile_cells`.
 
 use glam::Vec4;
-use organza_kernels::tile::Tile;
-use organza_kernels::tile_cells::{TileCellsKernel, TileCellsParams};
+use organza_shaders::tile::Tile;
+use organza_shaders::tile_cells::{TileCellsKernel, TileCellsParams};
 
-use super::bench::Bench;
 use super::case::Parity;
 use super::composite::{Composite, SIDES};
 use super::inputs::Fill;
 use super::measure::Output;
+use super::runner::KernelRunner;
 use super::tile::pack;
-use crate::error::Result;
+use organza_device::Result;
 
 /// Inputs of `tile_cells`.
 #[derive(Clone, Debug)]
@@ -52,18 +52,50 @@ impl Parity for TileCells {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let members = self.member.len() as u32;
-        let cells = bench.output(self.member.len())?;
+        let cells = runner.output(self.member.len())?;
         let kernel = TileCellsKernel {
             params: TileCellsParams { members, tiles: self.tiles.len() as u32, side: self.side },
-            tile: &bench.upload(&pack(&self.tiles))?,
-            tile_first: &bench.upload(&self.tile_first)?,
-            member: &bench.upload(&self.member)?,
-            splat: &bench.upload(self.splat.as_flattened())?,
+            tile: &runner.upload(&pack(&self.tiles))?,
+            tile_first: &runner.upload(&self.tile_first)?,
+            member: &runner.upload(&self.member)?,
+            splat: &runner.upload(self.splat.as_flattened())?,
             cells: &cells,
         };
-        bench.items(&kernel, members, 1)?;
-        Ok(vec![Output::exact("cells", bench.read(&cells)?)])
+        runner.items(&kernel, members, 1)?;
+        Ok(vec![Output::exact("cells", runner.read(&cells)?)])
+    }
+
+    /// The cells that have pixel centers within a splat's extent.
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        // pixels: 4 cells of whole vectors of 16 across, 8 down
+        let size = [16 * self.side.div_ceil(64), self.side.div_ceil(8)];
+        let cells = |(place, &member): (usize, &u32)| {
+            let tile = self.tile_first.partition_point(|&first| first as usize <= place) - 1;
+            let [placed, conic, _] = self.splat[member as usize].map(|v| v.as_dvec4());
+            let (center, extent) = ([placed.x, placed.y], [placed.w, conic.w]);
+            let mut bits = 0_u32;
+            for cell in 0..32 {
+                let beyond = [0, 1].map(|axis| {
+                    let number = [cell % 4, cell / 4][axis];
+                    let low = f64::from(self.tiles[tile].origin[axis]);
+                    let first = low + f64::from(number * size[axis]) + 0.5;
+                    let last = first + f64::from(size[axis] - 1);
+                    (first - center[axis]).max(center[axis] - last).max(0.0) - extent[axis]
+                });
+                // what is rounded decides where they are about the same
+                let is_close = |axis: usize| {
+                    beyond[axis].abs() < 1e-6 * (4000.0 + center[axis].abs() + extent[axis])
+                };
+                if is_close(0) || is_close(1) {
+                    return None;
+                }
+                bits |= u32::from(beyond.into_iter().all(|beyond| beyond < 0.0)) << cell;
+            }
+            Some(f64::from(bits))
+        };
+        let exact = self.member.iter().enumerate().map(cells);
+        exact.collect()
     }
 }

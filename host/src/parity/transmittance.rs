@@ -1,21 +1,22 @@
 //! Cases of `transmittance_inputs`, `transmittance_head` and `segment_product`.
 
 use glam::Vec4;
-use organza_kernels::hash_grid::POINT_ROWS;
-use organza_kernels::math::TINY;
-use organza_kernels::transmittance::{
+use organza_kernel::math::TINY;
+use organza_shaders::hash_grid::POINT_ROWS;
+use organza_shaders::transmittance::{
     SegmentProductKernel, SegmentProductParams, TransmittanceHeadKernel, TransmittanceHeadParams,
     TransmittanceInputsKernel, TransmittanceInputsParams,
 };
-use organza_kernels::unit_cube::Split;
+use organza_shaders::unit_cube::Split;
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::color::{joined, layer_of_size};
 use super::dense::Layer;
+use super::exact::transmittance::{log_rho, midpoint, transmittance};
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output, Values};
-use crate::error::Result;
+use super::runner::KernelRunner;
+use organza_device::Result;
 
 /// Samples before the chunk.
 const FIRST_SAMPLE: u32 = 3;
@@ -128,10 +129,10 @@ impl Parity for TransmittanceInputs {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let stride = self.stride as usize;
-        let point = bench.output((POINT_ROWS as usize + 1) * stride)?;
-        let input = bench.output(4 * stride)?;
+        let point = runner.output((POINT_ROWS as usize + 1) * stride)?;
+        let input = runner.output(4 * stride)?;
         let kernel = TransmittanceInputsKernel {
             params: TransmittanceInputsParams {
                 samples: self.samples,
@@ -142,30 +143,59 @@ impl Parity for TransmittanceInputs {
                 extra: 2,
                 extra_row: 1,
             },
-            pair: &bench.upload(&self.pair)?,
-            first_sample: &bench.upload(&self.first_sample)?,
-            segment: &bench.upload(&self.segment)?,
-            extra: &bench.upload(&self.extra)?,
+            pair: &runner.upload(&self.pair)?,
+            first_sample: &runner.upload(&self.first_sample)?,
+            segment: &runner.upload(&self.segment)?,
+            extra: &runner.upload(&self.extra)?,
             point: &point,
             input: &input,
         };
-        bench.items(&kernel, self.samples, 1)?;
-        let point = bench.read(&point)?;
+        runner.items(&kernel, self.samples, 1)?;
+        let point = runner.read(&point)?;
         let factor = point[POINT_ROWS as usize * stride..].iter().copied();
         Ok(vec![
             Output { name: "point", values: Values::Float(joined(&point, stride)) },
             Output::float("s_factor", factor),
-            Output::float("input", bench.read(&input)?),
+            Output::float("input", runner.read(&input)?),
         ])
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        let column = index % self.stride as usize;
-        if column >= self.samples as usize {
+        let (row, column) = (index / self.stride as usize, index % self.stride as usize);
+        // the rows before and after the extra vector belong to others
+        let is_written = cpu.name != "input" || (1..3).contains(&row);
+        if column >= self.samples as usize || !is_written {
             return Bound { scale: 0.0, floor: 0.0 };
         }
         // all but the points are copies
         Bound::of(if cpu.name == "point" { 1.0 } else { 0.0 })
+    }
+
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+        let stride = self.stride as usize;
+        let mut exact = vec![None; len];
+        for column in 0..self.samples as usize {
+            let (pair, k) = self.owner(column);
+            let count = self.first_sample[pair + 1] - self.first_sample[pair];
+            let vector = |part: usize| self.segment[4 * pair + part].as_dvec4();
+            let (s, w) = (vector(0) + vector(2), vector(1) + vector(3));
+            let mut give = |row: usize, value| exact[row * stride + column] = Some(value);
+            match output {
+                "point" => {
+                    let [s, w] = [s, w].map(|vector| vector.truncate().to_array());
+                    let point = midpoint(s, w, k, count);
+                    point.into_iter().enumerate().for_each(|(row, x)| give(row, x));
+                }
+                "s_factor" => give(0, s.w),
+                _ => {
+                    let gaussian = (self.pair[pair] % self.gaussians) as usize;
+                    for (row, &value) in self.extra[2 * gaussian..][..2].iter().enumerate() {
+                        give(1 + row, f64::from(value));
+                    }
+                }
+            }
+        }
+        exact
     }
 }
 
@@ -226,18 +256,18 @@ impl Parity for TransmittanceHead {
         head_sets(Self::new)
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
-        let log_rho = bench.output((FIRST_SAMPLE + layer.samples) as usize)?;
+        let log_rho = runner.output((FIRST_SAMPLE + layer.samples) as usize)?;
         let kernel = TransmittanceHeadKernel {
             params: head_params(layer),
-            parameters: &bench.upload(&layer.parameters)?,
-            point: &bench.upload(&points(layer, &self.factor))?,
-            input: &bench.upload(&layer.input)?,
+            parameters: &runner.upload(&layer.parameters)?,
+            point: &runner.upload(&points(layer, &self.factor))?,
+            input: &runner.upload(&layer.input)?,
             log_rho: &log_rho,
         };
-        bench.items(&kernel, layer.samples, 1)?;
-        Ok(vec![Output::float("log_rho", bench.read(&log_rho)?)])
+        runner.items(&kernel, layer.samples, 1)?;
+        Ok(vec![Output::float("log_rho", runner.read(&log_rho)?)])
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
@@ -252,6 +282,16 @@ impl Parity for TransmittanceHead {
         let scale =
             if is_lost { log_rho + 3.0 * factor * terms } else { log_rho * (1.0 + 3.0 * terms) };
         Bound { scale, floor: floor + f64::from(TINY) * (1.0 + log_rho) }
+    }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let exact = |index: usize| {
+            let sample = index.checked_sub(FIRST_SAMPLE as usize)?;
+            let is_sample = sample < self.layer.samples as usize;
+            let a = || self.layer.exact(sample as u32, 0);
+            is_sample.then(|| log_rho(a(), f64::from(self.factor[sample])))
+        };
+        (0..len).map(exact).collect()
     }
 }
 
@@ -293,17 +333,17 @@ impl Parity for SegmentProduct {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pairs = self.first_sample.len() as u32 - 1;
-        let transmittance = bench.output(pairs as usize)?;
+        let transmittance = runner.output(pairs as usize)?;
         let kernel = SegmentProductKernel {
             params: SegmentProductParams { pairs },
-            first_sample: &bench.upload(&self.first_sample)?,
-            log_rho: &bench.upload(&self.log_rho)?,
+            first_sample: &runner.upload(&self.first_sample)?,
+            log_rho: &runner.upload(&self.log_rho)?,
             transmittance: &transmittance,
         };
-        bench.items(&kernel, pairs, 1)?;
-        Ok(vec![Output::float("transmittance", bench.read(&transmittance)?)])
+        runner.items(&kernel, pairs, 1)?;
+        Ok(vec![Output::float("transmittance", runner.read(&transmittance)?)])
     }
 
     fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
@@ -317,5 +357,16 @@ impl Parity for SegmentProduct {
             Rounding::Regrouped => 1.0 + 0.03 * terms.len() as f64,
         };
         Bound::of(cpu.floats()[index] * (1.0 + sum * roundings))
+    }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let product =
+            |pair| transmittance(self.of(pair).iter().map(|&x| f64::from(x)).sum::<f64>());
+        (0..len).map(|pair| (pair + 1 < self.first_sample.len()).then(|| product(pair))).collect()
+    }
+
+    /// Wider than between devices: all of them round a sum of 16,384 logarithms in the same way, and f64 does not.
+    fn exact_bound(&self, exact: &Output, index: usize, _: Rounding) -> Bound {
+        self.bound(exact, index, Rounding::Regrouped)
     }
 }

@@ -1,19 +1,21 @@
 //! Cases of `segment_product_backward`, `transmittance_head_backward` and `extra_backward`.
 
 use glam::Vec4;
-use organza_kernels::math::TINY;
-use organza_kernels::transmittance_backward::{
+use organza_kernel::math::TINY;
+use organza_shaders::transmittance_backward::{
     ExtraBackwardKernel, ExtraBackwardParams, SegmentProductBackwardKernel,
     SegmentProductBackwardParams, TransmittanceHeadBackwardKernel,
 };
 
-use super::bench::Bench;
 use super::case::{Parity, Rounding};
 use super::dense::Layer;
+use super::exact::numeric::{Dual, gradient};
+use super::exact::transmittance::{log_rho, transmittance};
 use super::inputs::{self, Fill, Random};
 use super::measure::{Bound, Output};
+use super::runner::KernelRunner;
 use super::transmittance::{counts, head_params, head_sets, points, prefix};
-use crate::error::Result;
+use organza_device::Result;
 
 /// Nothing may be off.
 const EXACT: Bound = Bound { scale: 0.0, floor: 0.0 };
@@ -119,9 +121,9 @@ impl Parity for SegmentProductBackward {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let chunk = &self.chunk;
-        let log_rho_gradient = bench.output(chunk.samples as usize)?;
+        let log_rho_gradient = runner.output(chunk.samples as usize)?;
         let [first_pair, pairs] = chunk.pairs();
         let kernel = SegmentProductBackwardKernel {
             params: SegmentProductBackwardParams {
@@ -130,13 +132,13 @@ impl Parity for SegmentProductBackward {
                 samples: chunk.samples,
                 first_sample: FIRST_SAMPLE,
             },
-            first_sample: &bench.upload(&chunk.first_sample)?,
-            transmittance: &bench.upload(&self.transmittance)?,
-            pair_gradient: &bench.upload(&self.gradient)?,
+            first_sample: &runner.upload(&chunk.first_sample)?,
+            transmittance: &runner.upload(&self.transmittance)?,
+            pair_gradient: &runner.upload(&self.gradient)?,
             log_rho_gradient: &log_rho_gradient,
         };
-        bench.items(&kernel, pairs, 1)?;
-        Ok(vec![Output::float("log_rho_gradient", bench.read(&log_rho_gradient)?)])
+        runner.items(&kernel, pairs, 1)?;
+        Ok(vec![Output::float("log_rho_gradient", runner.read(&log_rho_gradient)?)])
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
@@ -146,6 +148,20 @@ impl Parity for SegmentProductBackward {
         let gradient = f64::from(self.gradient[3 * self.chunk.owner(index)].w).abs();
         // a transmittance that may be flushed
         Bound { scale: cpu.floats()[index].abs(), floor: f64::from(TINY) * (1.0 + gradient) }
+    }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let exact = |sample: usize| {
+            (sample < self.chunk.samples as usize).then(|| {
+                let pair = self.chunk.owner(sample);
+                let of_pair = Dual::from(f64::from(self.gradient[3 * pair].w));
+                // a sample's logarithm is a term of the sum
+                let sum = f64::from(self.transmittance[pair]).ln().max(-745.0);
+                let [slope] = gradient([sum], |[sum]| of_pair * transmittance(sum));
+                slope
+            })
+        };
+        (0..len).map(exact).collect()
     }
 }
 
@@ -179,19 +195,19 @@ impl Parity for TransmittanceHeadBackward {
         head_sets(Self::new)
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
-        let logit_gradient = bench.output(layer.samples as usize)?;
+        let logit_gradient = runner.output(layer.samples as usize)?;
         let kernel = TransmittanceHeadBackwardKernel {
             params: head_params(layer),
-            parameters: &bench.upload(&layer.parameters)?,
-            point: &bench.upload(&points(layer, &self.factor))?,
-            input: &bench.upload(&layer.input)?,
-            log_rho_gradient: &bench.upload(&self.gradient)?,
+            parameters: &runner.upload(&layer.parameters)?,
+            point: &runner.upload(&points(layer, &self.factor))?,
+            input: &runner.upload(&layer.input)?,
+            log_rho_gradient: &runner.upload(&self.gradient)?,
             logit_gradient: &logit_gradient,
         };
-        bench.items(&kernel, layer.samples, 1)?;
-        Ok(vec![Output::float("logit_gradient", bench.read(&logit_gradient)?)])
+        runner.items(&kernel, layer.samples, 1)?;
+        Ok(vec![Output::float("logit_gradient", runner.read(&logit_gradient)?)])
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
@@ -208,6 +224,17 @@ impl Parity for TransmittanceHeadBackward {
             if is_lost { 1.1 * most / Self::TOLERANCE } else { found * (1.0 + 3.0 * terms) };
         // a factor and a sigmoid that may be flushed
         Bound { scale, floor: (floor + f64::from(TINY)) * (1.0 + gradient) }
+    }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let exact = |sample: usize| {
+            (sample < self.layer.samples as usize).then(|| {
+                let [g, factor] = [&self.gradient, &self.factor].map(|of| f64::from(of[sample]));
+                let a = self.layer.exact(sample as u32, 0);
+                gradient([a], |[a]| Dual::from(g) * log_rho(a, factor))[0]
+            })
+        };
+        (0..len).map(exact).collect()
     }
 }
 
@@ -253,9 +280,9 @@ impl Parity for ExtraBackward {
         sets
     }
 
-    fn run(&self, bench: &Bench<'_>) -> Result<Vec<Output>> {
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let chunk = &self.chunk;
-        let pair_extra = bench.output_of(&self.pair_extra)?;
+        let pair_extra = runner.output_of(&self.pair_extra)?;
         let [first_pair, pairs] = chunk.pairs();
         let kernel = ExtraBackwardKernel {
             params: ExtraBackwardParams {
@@ -267,12 +294,12 @@ impl Parity for ExtraBackward {
                 extra: EXTRA as u32,
                 extra_row: 1,
             },
-            first_sample: &bench.upload(&chunk.first_sample)?,
-            input_gradient: &bench.upload(&self.gradient)?,
+            first_sample: &runner.upload(&chunk.first_sample)?,
+            input_gradient: &runner.upload(&self.gradient)?,
             pair_extra: &pair_extra,
         };
-        bench.items(&kernel, pairs, EXTRA as u32)?;
-        Ok(vec![Output::float("pair_extra", bench.read(&pair_extra)?)])
+        runner.items(&kernel, pairs, EXTRA as u32)?;
+        Ok(vec![Output::float("pair_extra", runner.read(&pair_extra)?)])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
@@ -282,5 +309,16 @@ impl Parity for ExtraBackward {
         let sum: f64 = samples.iter().chain([before]).map(|x| f64::from(x.abs())).sum();
         let terms = 1.0 + samples.len() as f64;
         Bound { scale: sum * terms, floor: f64::from(TINY) * terms }
+    }
+
+    /// Every sample of a pair has a copy of its extra vector.
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let exact = |index: usize| {
+            let before = f64::from(*self.pair_extra.get(index)?);
+            let row = &self.gradient[(1 + index % EXTRA) * self.stride as usize..];
+            let samples = &row[self.chunk.of(index / EXTRA)];
+            Some(before + samples.iter().map(|&g| f64::from(g)).sum::<f64>())
+        };
+        (0..len).map(exact).collect()
     }
 }

@@ -2,16 +2,19 @@
 
 use std::sync::atomic::Ordering;
 
+use super::gradient::SceneGradient;
+use super::loss::{Loss, LossInputs, TileLoss};
 use super::part::Part;
+use super::part_counts::Capacity;
 use super::plan::{Plan, PlannedTile};
 use super::project::project_backward;
-use super::tally::Room;
-use super::{DeviceScene, Loss, LossInputs, Renderer, SceneGradient, TileLoss};
-use crate::backend::{Buffer, Device};
+use super::renderer::Renderer;
+use super::scene::DeviceScene;
 use crate::camera::Camera;
 use crate::error::{Error, Result};
 use crate::scene::Scene;
 use crate::tile::TileBatch;
+use organza_device::{Buffer, Device};
 
 impl Part {
     /// Adds the gradients of all tensors to `gradient`, of `image_gradient [tiles, 3, S, S]`, dLoss/dY of this part's
@@ -105,7 +108,7 @@ impl Renderer {
         let mut plans = self.plans(scene, batch)?;
         loop {
             match work(&plans) {
-                Err(Error::OutOfMemory { .. }) if plans.len() < batch.tiles.len() => {
+                Err(error) if error.is_out_of_memory() && plans.len() < batch.tiles.len() => {
                     let before = plans.len();
                     // the next batch will not fit, either
                     while plans.len() == before {
@@ -114,7 +117,7 @@ impl Renderer {
                         plans = self.plans(scene, batch)?;
                     }
                 }
-                Err(Error::OutOfMemory { .. }) if self.forget() => {}
+                Err(error) if error.is_out_of_memory() && self.forget() => {}
                 result => return result,
             }
         }
@@ -146,17 +149,17 @@ impl Renderer {
         gradient: &SceneGradient,
     ) -> Result<()> {
         let device = self.device();
-        let add = |plan: &Plan, room: Option<Room>| {
-            let part = Part::evaluate(device, scene, cameras, plan, true, room)?;
+        let add = |plan: &Plan, capacity: Option<Capacity>| {
+            let part = Part::evaluate(device, scene, cameras, plan, true, capacity)?;
             let pixels = of_tiles(grad_output, &plan.tiles, 3 * (plan.side * plan.side) as usize);
             let pixels = device.upload("gradient of the tiles", &pixels)?;
             part.backward(device, scene, plan.side, &pixels, gradient)?;
-            part.read(device, Vec::new())
+            Ok(part.read(device, Vec::new())?)
         };
-        device.inside(|| {
-            plans
-                .iter()
-                .try_for_each(|plan| self.foreseen(scene, plan, |room| add(plan, room)).map(drop))
+        device.run_in_pool(|| {
+            plans.iter().try_for_each(|plan| {
+                self.with_predicted_capacity(scene, plan, |capacity| add(plan, capacity)).map(drop)
+            })
         })
     }
 
@@ -179,8 +182,8 @@ impl Renderer {
     ) -> Result<Vec<TileLoss>> {
         let device = self.device();
         let area = (batch.side * batch.side) as usize;
-        let add = |loss: &Loss, plan: &Plan, room: Option<Room>| {
-            let part = Part::evaluate(device, scene, cameras, plan, true, room)?;
+        let add = |loss: &Loss, plan: &Plan, capacity: Option<Capacity>| {
+            let part = Part::evaluate(device, scene, cameras, plan, true, capacity)?;
             let image =
                 device.upload("photographs", &of_tiles(target.image, &plan.tiles, 3 * area))?;
             let valid = device.upload("masks", &of_tiles(target.valid, &plan.tiles, area))?;
@@ -201,8 +204,8 @@ impl Renderer {
             for plan in plans {
                 let found =
                     Loss::of_tiles(loss, device, batch.side, plan.tiles.len()).and_then(|loss| {
-                        let add = |room| add(loss, plan, room);
-                        device.inside(|| self.foreseen(scene, plan, add))
+                        let add = |capacity| add(loss, plan, capacity);
+                        device.run_in_pool(|| self.with_predicted_capacity(scene, plan, add))
                     });
                 losses.extend(found.inspect_err(|_| gradient.restart(device))?);
             }

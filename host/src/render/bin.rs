@@ -1,22 +1,22 @@
 //! Projection and binning: which Gaussians each tile needs, in ascending order, and which pairs that makes.
 
 use glam::{Vec2, Vec3, Vec4};
-use organza_kernels::camera::Camera as KernelCamera;
-use organza_kernels::count::{MEMBERS, PAIRS, SAMPLES};
-use organza_kernels::pair::{PairFillKernel, PairFillParams, PairMaskKernel, PairMaskParams};
-use organza_kernels::project::{ProjectKernel, ProjectParams};
-use organza_kernels::tile::{
+use organza_shaders::camera::Camera as KernelCamera;
+use organza_shaders::count::{MEMBERS, PAIRS, SAMPLES};
+use organza_shaders::pair::{PairFillKernel, PairFillParams, PairMaskKernel, PairMaskParams};
+use organza_shaders::project::{ProjectKernel, ProjectParams};
+use organza_shaders::tile::{
     TileFillKernel, TileFillParams, TileMaskKernel, TileMaskParams, TileRangeKernel,
     TileRangeParams,
 };
 
-use super::DeviceScene;
+use super::part_counts::{Capacity, PartCounts};
 use super::plan::{Plan, words};
 use super::scan::exclusive_scan;
-use super::tally::{Room, Tally};
-use crate::backend::{Buffer, Count, Device};
+use super::scene::DeviceScene;
 use crate::camera::Camera;
-use crate::error::Result;
+use organza_device::Result;
+use organza_device::{Buffer, Count, Device};
 
 /// The (Gaussian, camera) pairs to evaluate.
 #[derive(Debug)]
@@ -59,7 +59,7 @@ pub struct Bins {
     /// Members of the fullest tile, or more.
     pub largest: u32,
     /// Where the host does not know how many there are.
-    pub tally: Option<Tally>,
+    pub tally: Option<PartCounts>,
     /// Gaussians that could not be projected.
     pub degenerate: Buffer<u32>,
 }
@@ -89,9 +89,9 @@ pub fn project(
     let kernel = ProjectKernel {
         params: ProjectParams { gaussians: scene.gaussians, blur: scene.config.blur as f32 },
         camera: &camera,
-        position: &scene.position,
-        rotation: &scene.rotation,
-        log_scale: &scene.log_scale,
+        position: &scene.tensors.gaussians.position,
+        rotation: &scene.tensors.gaussians.rotation,
+        log_scale: &scene.tensors.gaussians.log_scale,
         projection: &projection,
         degenerate: &degenerate,
     };
@@ -156,7 +156,7 @@ struct Numbers {
     members: Count,
     /// Members of the fullest tile, or more.
     largest: u32,
-    tally: Option<Tally>,
+    tally: Option<PartCounts>,
 }
 
 impl Numbers {
@@ -180,12 +180,12 @@ impl Numbers {
         tile_mask: &Mask,
         tile_first: &Buffer<u32>,
         gaussians: u32,
-        room: Room,
+        capacity: Capacity,
     ) -> Result<Self> {
-        let tally = Tally::new(device, room)?;
-        tally.admit(device, PAIRS, &pair_mask.first, pair_mask.bits.len())?;
-        tally.admit(device, MEMBERS, &tile_mask.first, tile_mask.bits.len())?;
-        tally.settle(device, [pair_mask, tile_mask], &[tile_first])?;
+        let tally = PartCounts::new(device, capacity)?;
+        tally.record_total(device, PAIRS, &pair_mask.first, pair_mask.bits.len())?;
+        tally.record_total(device, MEMBERS, &tile_mask.first, tile_mask.bits.len())?;
+        tally.clear_on_overflow(device, [pair_mask, tile_mask], &[tile_first])?;
         let (pairs, members) = (tally.count(PAIRS), tally.count(MEMBERS));
         let largest = members.at_most().min(gaussians);
         Ok(Self { pairs, members, largest, tally: Some(tally) })
@@ -199,7 +199,7 @@ impl Bins {
         scene: &DeviceScene,
         cameras: &[Camera],
         plan: &Plan,
-        room: Option<Room>,
+        capacity: Option<Capacity>,
     ) -> Result<Self> {
         let used: Vec<_> = plan.cameras().iter().map(|&index| &cameras[index]).collect();
         let (camera, projection, degenerate) = project(device, scene, &used)?;
@@ -218,10 +218,10 @@ impl Bins {
         let kernel =
             TileRangeKernel { params, first_member: &tile_mask.first, tile_first: &tile_first };
         device.run(&kernel, tiles + 1, 1)?;
-        let numbers = match room {
+        let numbers = match capacity {
             None => Numbers::read(device, &pair_mask, &tile_first)?,
-            Some(room) => {
-                Numbers::keep(device, &pair_mask, &tile_mask, &tile_first, gaussians, room)?
+            Some(capacity) => {
+                Numbers::keep(device, &pair_mask, &tile_mask, &tile_first, gaussians, capacity)?
             }
         };
         let Numbers { pairs: count, members, largest, tally } = numbers;
@@ -267,9 +267,9 @@ impl Bins {
         let Some(tally) = &self.tally else {
             return self.pairs.read_samples(device, first_sample);
         };
-        tally.admit(device, SAMPLES, first_sample, self.pairs.count.at_most() as usize)?;
+        tally.record_total(device, SAMPLES, first_sample, self.pairs.count.at_most() as usize)?;
         let ranges = [&self.tile_first, first_sample];
-        tally.settle(device, [&self.pair_mask, &self.tile_mask], &ranges)?;
+        tally.clear_on_overflow(device, [&self.pair_mask, &self.tile_mask], &ranges)?;
         Ok(tally.count(SAMPLES))
     }
 }

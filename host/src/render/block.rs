@@ -3,11 +3,11 @@
 //! A grid is evaluated level by level for a whole block, so that a level's entries are read from memory once for many
 //! samples; a network chunk by chunk, so that a chunk's activations stay in a CPU's caches.
 
-use organza_kernels::hash_grid::POINT_ROWS;
-use organza_kernels::limits::{MAX_SLICE, MAX_SLICES};
+use organza_shaders::hash_grid::POINT_ROWS;
+use organza_shaders::limits::{MAX_SLICE, MAX_SLICES};
 
-use crate::backend::{Buffer, Count, Device, TAIL_ALIGNMENT};
-use crate::error::Result;
+use organza_device::Result;
+use organza_device::{Buffer, Count, Device, TAIL_ALIGNMENT};
 
 /// Samples of a block, in whole chunks.
 const BLOCK: u32 = 1 << 17;

@@ -1,26 +1,25 @@
 //! A: the color of every pair.
 
-use std::mem::offset_of;
 use std::sync::Mutex;
 
 use glam::Vec4;
-use organza_kernels::color::{
+use organza_shaders::color::{
     ColorHeadKernel, ColorHeadParams, ColorInputsKernel, ColorInputsParams,
 };
-use organza_kernels::color_backward::{
+use organza_shaders::color_backward::{
     ColorHeadBackwardKernel, ColorHeadBackwardParams, MaterialBackwardKernel,
     MaterialBackwardParams,
 };
 
-use super::DeviceScene;
 use super::bin::{Mask, Pairs};
 use super::block::{BlockOf, Blocks, Chunk};
 use super::field::Scratch;
 use super::field_backward::{ChunkScratch, GroupScratch};
 use super::gradient::SceneGradient;
 use super::pair::sum_pairs;
-use crate::backend::{Buffer, Device};
-use crate::error::Result;
+use super::scene::DeviceScene;
+use organza_device::Result;
+use organza_device::{Buffer, Device};
 
 /// Color of every pair.
 #[derive(Debug)]
@@ -32,7 +31,7 @@ pub struct Color {
 }
 
 impl Color {
-    /// `keep` says whether [`Color::backward`] will be called: what it needs is kept, as far as there is room.
+    /// `keep` says whether [`Color::backward`] will be called: what it needs is kept, as far as there is capacity.
     pub fn evaluate(
         device: &Device,
         scene: &DeviceScene,
@@ -59,7 +58,7 @@ impl Color {
             encode(device, scene, pairs, block)?;
             block.chunks().try_for_each(|chunk| visit(&chunk))?;
             let new = || Scratch::new(device, field, blocks.layout());
-            device.each_with(block.chunks(), &scratches, new, |scratch, chunk| {
+            device.parallel_for_with(block.chunks(), &scratches, new, |scratch, chunk| {
                 let kernel = ColorHeadKernel {
                     params: ColorHeadParams {
                         samples: chunk.samples,
@@ -73,8 +72,7 @@ impl Color {
                     input: field.hidden(device, scratch, &chunk)?,
                     color: &color,
                 };
-                let counts = [(offset_of!(ColorHeadParams, samples), &chunk.count)];
-                device.run_counted(&kernel, &counts, chunk.samples, 1)
+                device.run(&kernel.counted(&chunk.count), chunk.samples, 1)
             })?;
         }
         Ok(Self { color, blocks })
@@ -83,7 +81,7 @@ impl Color {
 
 /// What the network reads, for a block of pairs.
 fn encode(device: &Device, scene: &DeviceScene, pairs: &Pairs, block: BlockOf<'_>) -> Result<()> {
-    device.each(block.chunks(), |chunk| inputs(device, scene, pairs, &chunk))?;
+    device.parallel_for(block.chunks(), |chunk| inputs(device, scene, pairs, &chunk))?;
     scene.color.encode(device, block, scene.config.sh_width() as u32)
 }
 
@@ -103,18 +101,17 @@ fn inputs(device: &Device, scene: &DeviceScene, pairs: &Pairs, chunk: &Chunk) ->
         pair: &pairs.pair,
         camera: &pairs.camera,
         scene_box: &scene.scene_box,
-        position: &scene.position,
-        material: &scene.material,
+        position: &scene.tensors.gaussians.position,
+        material: &scene.tensors.gaussians.material,
         point: &chunk.point,
         input: &chunk.input,
     };
-    let counts = [(offset_of!(ColorInputsParams, pairs), &chunk.count)];
-    device.run_counted(&kernel, &counts, chunk.samples, 1)
+    device.run(&kernel.counted(&chunk.count), chunk.samples, 1)
 }
 
 impl Color {
     /// Adds the gradients of the color field and of the materials, of `pair_gradient [pairs, 3]` (see
-    /// [`splat_backward`](organza_kernels::splat)); `mask` says which pairs there are.
+    /// [`splat_backward`](organza_shaders::splat)); `mask` says which pairs there are.
     pub fn backward(
         &self,
         device: &Device,
@@ -124,8 +121,8 @@ impl Color {
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
     ) -> Result<()> {
-        let room = pairs.count.at_most();
-        if room == 0 {
+        let capacity = pairs.count.at_most();
+        if capacity == 0 {
             return Ok(());
         }
         let (config, field) = (&scene.config, &scene.color);
@@ -134,7 +131,7 @@ impl Color {
         let group_scratch = GroupScratch::new(device, field, layout)?;
         let scratches = Mutex::default();
         let pair_material =
-            device.zeros("gradient of the pairs' material", (room * material) as usize)?;
+            device.zeros("gradient of the pairs' material", (capacity * material) as usize)?;
         let table = &gradient.color.table;
         table.set_scale(device, field, pair_gradient, None, &pairs.count, &pairs.count)?;
         for block in self.blocks.iter() {
@@ -143,7 +140,7 @@ impl Color {
             }
             for group in block.groups() {
                 let new = || ChunkScratch::new(device, field, layout);
-                device.each_with(group.chunks(), &scratches, new, |scratch, chunk| {
+                device.parallel_for_with(group.chunks(), &scratches, new, |scratch, chunk| {
                     field.activate(device, scratch, &chunk)?;
                     self.head_backward(device, scratch, &chunk, pair_gradient)?;
                     field.backward(device, &group_scratch, scratch, &chunk, grid_row)?;
@@ -154,7 +151,14 @@ impl Color {
             }
         }
         table.finish(device)?;
-        sum_pairs(device, scene, mask, material, &pair_material, &gradient.material)
+        sum_pairs(
+            device,
+            scene,
+            mask,
+            material,
+            &pair_material,
+            &gradient.tensors().gaussians.material.buffer,
+        )
     }
 
     /// The gradient of the network's outputs for a chunk of pairs.
@@ -175,8 +179,7 @@ impl Color {
             pair_gradient,
             logit_gradient: &scratch.logit_gradient,
         };
-        let counts = [(offset_of!(ColorHeadBackwardParams, samples), &chunk.count)];
-        device.run_counted(&kernel, &counts, chunk.samples, 1)
+        device.run(&kernel.counted(&chunk.count), chunk.samples, 1)
     }
 }
 
@@ -203,6 +206,5 @@ fn material_backward(
         input_gradient,
         pair_material,
     };
-    let counts = [(offset_of!(MaterialBackwardParams, samples), &chunk.count)];
-    device.run_counted(&kernel, &counts, chunk.samples, 1)
+    device.run(&kernel.counted(&chunk.count), chunk.samples, 1)
 }

@@ -1,24 +1,22 @@
 //! B3 and C: the weighted sums of all tiles, and the image.
 
-use std::mem::offset_of;
-
 use glam::Vec4;
-use organza_kernels::composite::{CompositeKernel, CompositeParams, SUM_PLANES};
-use organza_kernels::composite_backward::{
+use organza_shaders::composite::{CompositeKernel, CompositeParams, SUM_PLANES};
+use organza_shaders::composite_backward::{
     CompositeBackwardKernel, CompositeBackwardParams, band_rows,
 };
-use organza_kernels::limits::MAX_MEMBERS;
-use organza_kernels::resolve::{ResolveBackwardKernel, ResolveKernel, ResolveParams};
-use organza_kernels::splat::{
+use organza_shaders::limits::MAX_MEMBERS;
+use organza_shaders::resolve::{ResolveBackwardKernel, ResolveKernel, ResolveParams};
+use organza_shaders::splat::{
     SplatBackwardKernel, SplatBackwardParams, SplatKernel, SplatParams, VECTORS,
 };
-use organza_kernels::tile_cells::{TileCellsKernel, TileCellsParams};
+use organza_shaders::tile_cells::{TileCellsKernel, TileCellsParams};
 
-use super::DeviceScene;
 use super::bin::Bins;
 use super::plan::words;
-use crate::backend::{Buffer, Device};
-use crate::error::{Error, Result};
+use super::scene::DeviceScene;
+use organza_device::{Buffer, Device};
+use organza_device::{Error, Result};
 
 /// The composited tiles of a part.
 #[derive(Debug)]
@@ -41,19 +39,18 @@ impl Composite {
         color: &Buffer<f32>,
     ) -> Result<Self> {
         let pairs = &bins.pairs;
-        let room = pairs.count.at_most();
-        let splat = device.zeros("splats", (room * VECTORS) as usize)?;
+        let capacity = pairs.count.at_most();
+        let splat = device.zeros("splats", (capacity * VECTORS) as usize)?;
         let kernel = SplatKernel {
-            params: SplatParams { pairs: room, gaussians: scene.gaussians },
+            params: SplatParams { pairs: capacity, gaussians: scene.gaussians },
             pair: &pairs.pair,
             projection: &pairs.projection,
-            opacity: &scene.opacity,
+            opacity: &scene.tensors.gaussians.opacity,
             transmittance,
             color,
             splat: &splat,
         };
-        let counts = [(offset_of!(SplatParams, pairs), &pairs.count)];
-        device.run_counted(&kernel, &counts, room, 1)?;
+        device.run(&kernel.counted(&pairs.count), capacity, 1)?;
 
         let (tiles, members) = (bins.tiles, bins.members.at_most());
         let cells = device.zeros("cells", members as usize)?;
@@ -65,8 +62,7 @@ impl Composite {
             splat: &splat,
             cells: &cells,
         };
-        let counts = [(offset_of!(TileCellsParams, members), &bins.members)];
-        device.run_counted(&kernel, &counts, members, 1)?;
+        device.run(&kernel.counted(&bins.members), members, 1)?;
 
         let pixels = tiles as usize * (side * side) as usize;
         let sum = device.zeros("sums", pixels * SUM_PLANES as usize)?;
@@ -94,7 +90,7 @@ impl Composite {
         Ok(Self { sum, image, splat })
     }
 
-    /// The derivative of all that: `pair_gradient [pairs, 3]`, as [`splat_backward`](organza_kernels::splat) has it, of
+    /// The derivative of all that: `pair_gradient [pairs, 3]`, as [`splat_backward`](organza_shaders::splat) has it, of
     /// `image_gradient [tiles, 3, S, S]`, dL/dI.
     pub fn backward(
         &self,
@@ -118,11 +114,11 @@ impl Composite {
         let member_gradient = self.members_backward(device, side, bins, &sum_gradient)?;
 
         let pairs = &bins.pairs;
-        let room = pairs.count.at_most();
-        let pair_gradient = device.zeros("gradient of the pairs", (room * VECTORS) as usize)?;
+        let capacity = pairs.count.at_most();
+        let pair_gradient = device.zeros("gradient of the pairs", (capacity * VECTORS) as usize)?;
         let kernel = SplatBackwardKernel {
             params: SplatBackwardParams {
-                pairs: room,
+                pairs: capacity,
                 gaussians: scene.gaussians,
                 words: words(scene.gaussians),
             },
@@ -130,13 +126,12 @@ impl Composite {
             first_tile: &bins.first_tile,
             tile_mask: &bins.tile_mask.bits,
             first_member: &bins.tile_mask.first,
-            opacity: &scene.opacity,
+            opacity: &scene.tensors.gaussians.opacity,
             transmittance,
             member_gradient: &member_gradient,
             pair_gradient: &pair_gradient,
         };
-        let counts = [(offset_of!(SplatBackwardParams, pairs), &pairs.count)];
-        device.run_counted(&kernel, &counts, room, 1)?;
+        device.run(&kernel.counted(&pairs.count), capacity, 1)?;
         Ok(pair_gradient)
     }
 
@@ -174,8 +169,7 @@ impl Composite {
                 sum_gradient,
                 member_gradient: &member_gradient,
             };
-            let counts = [(offset_of!(CompositeBackwardParams, members), &bins.members)];
-            device.run_counted(&kernel, &counts, members, 1)?;
+            device.run(&kernel.counted(&bins.members), members, 1)?;
         }
         Ok(member_gradient)
     }

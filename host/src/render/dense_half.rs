@@ -1,37 +1,31 @@
 //! Networks whose hidden layers are computed in half precision.
 
-use std::mem::offset_of;
-
-use glam::Vec4;
 use half::f16;
-use organza_kernels::dense::{DenseParams, HIDDEN_BLOCK};
-use organza_kernels::dense_half::{DenseHalfKernel, GROUP, MAX_WEIGHTS};
-use organza_kernels::half::HalfVector;
+use organza_kernel::half::HalfVector;
+use organza_shaders::dense::{DenseParams, OUTPUTS_PER_INVOCATION};
+use organza_shaders::dense_half::{DenseHalfKernel, MAX_WEIGHTS, PRODUCTS_PER_SUM};
 
-use super::field::{DeviceField, LayerPlace};
+use super::field::DeviceField;
 use super::halves::halves;
-use crate::backend::{Buffer, Count, Device};
+use super::network::{LayerPlace, pack_network};
 use crate::error::{Error, IN_MEMORY, Result};
 use crate::scene::{Layer, Network};
+use organza_device::{Buffer, Count, Device};
 
-/// Weights as [`organza_kernels::dense_half`] reads them: each rounded to the nearest half, or to zero below 2^-14.
-pub fn half_vectors(weights: &[Vec4]) -> Vec<HalfVector> {
-    let halves = halves(bytemuck::cast_slice(weights));
+/// Weights as [`organza_shaders::dense_half`] reads them: each rounded to the nearest half, or to zero below 2^-14.
+/// Four of them are a vector.
+pub fn half_vectors(weights: &[f32]) -> Vec<HalfVector> {
+    let halves = halves(weights);
     let (vectors, _) = halves.as_chunks::<4>();
     vectors.iter().map(|vector| HalfVector(vector.map(f16::to_bits))).collect()
 }
 
-/// The weights of a network's hidden layers as halves, at the places that they have among `parameters`; there are none at
-/// those of the biases.
+/// The weights of a network's hidden layers as halves, at their [places](LayerPlace); there are none at those of the biases.
 ///
 /// # Errors
 /// [`Error::Invalid`] where sums of a layer, whose tensor has a name that begins with `name`, could pass the halves.
-pub(super) fn half_weights(
-    network: &Network,
-    parameters: &[Vec4],
-    places: &[LayerPlace],
-    name: &str,
-) -> Result<Vec<HalfVector>> {
+pub(super) fn half_weights(network: &Network, name: &str) -> Result<Vec<HalfVector>> {
+    let (parameters, places) = (pack_network(network), LayerPlace::of(network));
     let hidden = &places[..places.len() - 1];
     for (index, layer) in network.layers[..hidden.len()].iter().enumerate() {
         require_small(layer, &format!("{name}.mlp.{index}.weight"))?;
@@ -39,7 +33,8 @@ pub(super) fn half_weights(
     let mut weights = Vec::new();
     for place in hidden {
         weights.resize(place.weight as usize, HalfVector([0; 4]));
-        weights.extend(half_vectors(&parameters[place.weight as usize..place.bias as usize]));
+        weights
+            .extend(half_vectors(&parameters[4 * place.weight as usize..4 * place.bias as usize]));
     }
     Ok(weights)
 }
@@ -47,7 +42,7 @@ pub(super) fn half_weights(
 /// Fails where the weights of an output and of a group of inputs add up to more than [`MAX_WEIGHTS`].
 fn require_small(layer: &Layer, tensor: &str) -> Result<()> {
     let rows = layer.weight.chunks(layer.inputs.max(1));
-    let groups = rows.flat_map(|row| row.chunks(GROUP as usize));
+    let groups = rows.flat_map(|row| row.chunks(PRODUCTS_PER_SUM as usize));
     let sum = |group: &[f32]| group.iter().map(|weight| weight.abs()).sum::<f32>();
     let largest = groups.map(sum).fold(0.0, f32::max);
     if largest <= MAX_WEIGHTS {
@@ -56,8 +51,8 @@ fn require_small(layer: &Layer, tensor: &str) -> Result<()> {
     Err(Error::Invalid {
         origin: IN_MEMORY.into(),
         reason: format!(
-            "`{tensor}` has weights that add up to {largest} in size ({GROUP} inputs of an output), above \
-             {MAX_WEIGHTS} their sums may pass what halves hold: leave `--half-networks` away"
+            "`{tensor}` has {PRODUCTS_PER_SUM} weights of an output whose sizes add up to {largest}; above {MAX_WEIGHTS}, sums may \
+             overflow halves: leave out `--half-networks`"
         ),
     })
 }
@@ -71,18 +66,20 @@ impl DeviceField {
         samples: &Count,
         weights: &Buffer<HalfVector>,
         [input, output]: [&Buffer<f32>; 2],
-    ) -> Result<()> {
+    ) -> organza_device::Result<()> {
         let parameters = &self.parameters;
         let kernel = DenseHalfKernel { params, parameters, weights, input, output };
-        let counts = [(offset_of!(DenseParams, samples), samples)];
-        device.run_counted(&kernel, &counts, params.samples, params.columns * 4 / HIDDEN_BLOCK)
+        device.run(
+            &kernel.counted(samples),
+            params.samples,
+            params.columns * 4 / OUTPUTS_PER_INVOCATION,
+        )
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::render::field::pack_network;
 
     fn layer(inputs: usize, outputs: usize, weight: impl Fn(usize) -> f32) -> Layer {
         Layer {
@@ -98,8 +95,8 @@ mod tests {
         let (first, second) = (|i| 1.0 + i as f32 / 8.0, |i| -0.5 - i as f32 / 64.0);
         let layers = vec![layer(3, 5, first), layer(5, 20, second), layer(20, 3, |_| 1e6)];
         let network = Network { layers };
-        let (parameters, places) = pack_network(&network);
-        let packed = half_weights(&network, &parameters, &places, "color").unwrap();
+        let places = LayerPlace::of(&network);
+        let packed = half_weights(&network, "color").unwrap();
         for (place, layer) in places.iter().zip(&network.layers[..2]) {
             for (at, &weight) in layer.weight.iter().enumerate() {
                 let (output, input) = (at / layer.inputs, at % layer.inputs);
@@ -116,13 +113,12 @@ mod tests {
         let just = |i: usize| if i % 20 < 16 { 3.75_f32 } else { -15.0 };
         for (weight, refused) in [(&just as &dyn Fn(usize) -> f32, false), (&|_| -8.0, true)] {
             let network = Network { layers: vec![layer(20, 4, weight), layer(4, 1, |_| 1.0)] };
-            let (parameters, places) = pack_network(&network);
-            match half_weights(&network, &parameters, &places, "color") {
+            match half_weights(&network, "color") {
                 Ok(_) => assert!(!refused),
                 Err(error) => {
                     let text = error.to_string();
                     assert!(refused, "{text}");
-                    for part in ["color.mlp.0.weight", "128", "leave `--half-networks` away"] {
+                    for part in ["color.mlp.0.weight", "128", "leave out `--half-networks`"] {
                         assert!(text.contains(part), "{text}");
                     }
                 }

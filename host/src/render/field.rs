@@ -1,22 +1,21 @@
 //! A hash grid and its network on a device: the grid block by block, the network chunk by chunk.
 
-use std::mem::offset_of;
-
 use glam::Vec4;
-use organza_kernels::dense::{DenseKernel, DenseParams, HIDDEN_BLOCK};
-use organza_kernels::half::HalfVector;
-use organza_kernels::hash_grid::{GridLevel, HashGridKernel, HashGridParams};
-use organza_kernels::hash_grid_half::HashGridHalfKernel;
+use organza_kernel::half::HalfVector;
+use organza_shaders::dense::{DenseKernel, DenseParams, OUTPUTS_PER_INVOCATION};
+use organza_shaders::hash_grid::{GridLevel, HashGridKernel, HashGridParams};
+use organza_shaders::hash_grid_half::HashGridHalfKernel;
 
-use super::UploadOptions;
 use super::block::{BlockOf, Chunk, Layout, ROWS_OF_POINT};
 use super::dense_half::half_weights;
 use super::hash_grid_half::pack_halves;
-use crate::backend::{Buffer, Device};
-use crate::error::Result;
-use crate::scene::{Field, GridConfig, Interpolation, Network};
+use super::network::LayerPlace;
+use super::upload::UploadOptions;
+use crate::scene::{Field, FieldTensors, GridConfig, Interpolation};
+use organza_device::Result;
+use organza_device::{Buffer, Device};
 
-/// A field whose tensors lie on a device.
+/// A field whose tensors lie on a device: `table` and `parameters` are those of the scene.
 #[derive(Debug)]
 pub struct DeviceField {
     pub(super) levels: Buffer<GridLevel>,
@@ -31,56 +30,44 @@ pub struct DeviceField {
     pub(super) layers: Vec<LayerPlace>,
 }
 
-/// Where a layer lies in the buffer of a network's parameters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct LayerPlace {
-    pub inputs: u32,
-    pub columns: u32,
-    pub weight: u32,
-    pub bias: u32,
-}
-
 impl DeviceField {
-    /// `name` is what the names of the field's tensors begin with.
+    /// Of a host's field whose tensors lie on the device; `name` is what their names begin with.
     ///
     /// # Errors
     /// As [`Device::upload`]; [`Error::Invalid`](crate::Error::Invalid) where a value is too large for a half.
-    pub fn upload(
+    pub fn new(
         device: &Device,
+        name: &str,
         grid: &GridConfig,
         field: &Field,
+        tensors: &FieldTensors<Buffer<f32>>,
         options: UploadOptions,
-        name: &str,
-    ) -> Result<Self> {
-        let (table, half_table) = if options.half_grids {
+    ) -> crate::error::Result<Self> {
+        let half_table = || -> crate::error::Result<_> {
             let words = pack_halves(&field.grid, grid.features as usize, &format!("{name}.grid"))?;
-            (device.zeros("hash grid", 0)?, Some(device.upload("hash grid of halves", &words)?))
-        } else {
-            (device.upload("hash grid", &field.grid)?, None)
+            Ok(device.upload("hash grid of halves", &words)?)
         };
-        let (parameters, layers) = pack_network(&field.network);
-        let half_weights = if options.half_networks {
-            let weights = half_weights(&field.network, &parameters, &layers, name)?;
-            Some(device.upload("network of halves", &weights)?)
-        } else {
-            None
+        let half_weights = || -> crate::error::Result<_> {
+            let weights = half_weights(&field.network, name)?;
+            Ok(device.upload("network of halves", &weights)?)
         };
         Ok(Self {
             levels: device.upload("grid levels", &grid.levels_for_kernels())?,
-            table,
-            half_table,
-            parameters: device.upload("network", &parameters)?,
-            half_weights,
+            table: tensors.grid.view(),
+            half_table: options.half_grids.then(half_table).transpose()?,
+            parameters: tensors.network.view(),
+            half_weights: options.half_networks.then(half_weights).transpose()?,
             features: grid.features,
             smoothstep: grid.interpolation == Interpolation::Smoothstep,
-            layers,
+            layers: LayerPlace::of(&field.network),
         })
     }
 
-    pub fn bytes(&self) -> u64 {
-        let halves = self.half_table.as_ref().map_or(0, Buffer::bytes)
-            + self.half_weights.as_ref().map_or(0, Buffer::bytes);
-        self.levels.bytes() + self.table.bytes() + self.parameters.bytes() + halves
+    /// What it takes beside its tensors.
+    pub fn bytes_beside_tensors(&self) -> u64 {
+        self.levels.bytes()
+            + self.half_table.as_ref().map_or(0, Buffer::bytes)
+            + self.half_weights.as_ref().map_or(0, Buffer::bytes)
     }
 
     /// The last layer, which each head evaluates on its own.
@@ -114,16 +101,15 @@ impl DeviceField {
         let params = self.grid_params(block, first_row);
         let (position, output) = (&block.point(), &block.input());
         let (levels, samples, layers) = (&self.levels, block.samples, self.levels.len() as u32);
-        let counts = [(offset_of!(HashGridParams, points), &block.count())];
         match &self.half_table {
             None => {
                 let table = &self.table;
                 let kernel = HashGridKernel { params, levels, table, position, output };
-                device.run_counted(&kernel, &counts, samples, layers)
+                device.run(&kernel.counted(&block.count()), samples, layers)
             }
             Some(table) => {
                 let kernel = HashGridHalfKernel { params, levels, table, position, output };
-                device.run_counted(&kernel, &counts, samples, layers)
+                device.run(&kernel.counted(&block.count()), samples, layers)
             }
         }
     }
@@ -165,8 +151,11 @@ impl DeviceField {
             return self.half_layer(device, params, &chunk.count, weights, [input, output]);
         }
         let kernel = DenseKernel { params, parameters: &self.parameters, input, output };
-        let counts = [(offset_of!(DenseParams, samples), &chunk.count)];
-        device.run_counted(&kernel, &counts, chunk.samples, layer.columns * 4 / HIDDEN_BLOCK)
+        device.run(
+            &kernel.counted(&chunk.count),
+            chunk.samples,
+            layer.columns * 4 / OUTPUTS_PER_INVOCATION,
+        )
     }
 }
 
@@ -183,64 +172,5 @@ impl Scratch {
         Ok(Self {
             activation: [device.zeros("activations", len)?, device.zeros("activations", len)?],
         })
-    }
-}
-
-/// A network's parameters as [`organza_kernels::dense`] reads them.
-pub(super) fn pack_network(network: &Network) -> (Vec<Vec4>, Vec<LayerPlace>) {
-    let mut parameters = Vec::new();
-    let mut places: Vec<LayerPlace> = Vec::new();
-    for (index, layer) in network.layers.iter().enumerate() {
-        let is_hidden = index + 1 < network.layers.len();
-        let padded =
-            layer.outputs.next_multiple_of(if is_hidden { HIDDEN_BLOCK as usize } else { 4 });
-        let columns = padded / 4;
-        // outputs past the last are zero, and nothing reads them
-        let weight = |input: usize, output: usize| {
-            if output < layer.outputs { layer.weight[output * layer.inputs + input] } else { 0.0 }
-        };
-        let bias = |output: usize| layer.bias.get(output).copied().unwrap_or(0.0);
-        let place = parameters.len() as u32;
-        for input in 0..layer.inputs {
-            parameters.extend(
-                (0..columns)
-                    .map(|c| Vec4::from_array(std::array::from_fn(|o| weight(input, 4 * c + o)))),
-            );
-        }
-        places.push(LayerPlace {
-            inputs: layer.inputs as u32,
-            columns: columns as u32,
-            weight: place,
-            bias: parameters.len() as u32,
-        });
-        parameters.extend(
-            (0..columns).map(|c| Vec4::from_array(std::array::from_fn(|o| bias(4 * c + o)))),
-        );
-    }
-    (parameters, places)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scene::Layer;
-
-    #[test]
-    fn a_packed_network_is_the_transpose_padded() {
-        let layer = |inputs: usize, outputs: usize| Layer {
-            weight: (0..inputs * outputs).map(|i| 1.0 + i as f32).collect(),
-            bias: (0..outputs).map(|i| -1.0 - i as f32).collect(),
-            inputs,
-            outputs,
-        };
-        let (parameters, places) =
-            pack_network(&Network { layers: vec![layer(2, 5), layer(5, 3)] });
-        assert_eq!(places[0], LayerPlace { inputs: 2, columns: 4, weight: 0, bias: 8 });
-        assert_eq!(places[1], LayerPlace { inputs: 5, columns: 1, weight: 12, bias: 17 });
-        assert_eq!(parameters.len(), 18);
-        // weights of input 1: the second column of [5, 2]
-        assert_eq!(parameters[4], Vec4::new(2.0, 4.0, 6.0, 8.0));
-        assert_eq!(parameters[5], Vec4::new(10.0, 0.0, 0.0, 0.0));
-        assert_eq!(parameters[17], Vec4::new(-1.0, -2.0, -3.0, 0.0));
     }
 }

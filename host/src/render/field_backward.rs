@@ -1,20 +1,19 @@
 //! The derivatives of a field: chunk by chunk from its network's output back to its parameters and inputs, and group by
 //! group from there to its hash grid.
 
-use std::mem::offset_of;
-
 use glam::Vec4;
-use organza_kernels::dense_backward::{
+use organza_shaders::dense_backward::{
     DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
-    DenseWeightSumKernel, DenseWeightSumParams, INPUT_BLOCK, WEIGHT_BLOCK,
+    DenseWeightSumKernel, DenseWeightSumParams, INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,
 };
-use organza_kernels::limits::{MAX_SLICE, MAX_SLICES};
+use organza_shaders::limits::{MAX_SLICE, MAX_SLICES};
 
 use super::block::{BlockOf, Chunk, Layout};
-use super::field::{DeviceField, LayerPlace};
+use super::field::DeviceField;
 use super::gradient::FieldGradient;
-use crate::backend::{Buffer, Device};
-use crate::error::Result;
+use super::network::LayerPlace;
+use organza_device::Result;
+use organza_device::{Buffer, Device};
 
 /// Samples of a slice on a GPU: a chunk has enough of them to fill it.
 const GPU_SLICE: u32 = 1 << 8;
@@ -137,9 +136,8 @@ impl DeviceField {
                 output_gradient: output,
                 input_gradient: target,
             };
-            let counts = [(offset_of!(DenseBackwardParams, samples), &chunk.count)];
-            let layers = (end_input - first_input).div_ceil(INPUT_BLOCK);
-            device.run_counted(&kernel, &counts, samples, layers)?;
+            let layers = (end_input - first_input).div_ceil(INPUTS_PER_INVOCATION);
+            device.run(&kernel.counted(&chunk.count), samples, layers)?;
             output = target;
         }
         Ok(())
@@ -198,9 +196,8 @@ impl DeviceField {
             output_gradient,
             partial: &group.partial,
         };
-        let blocks = layer.inputs.div_ceil(WEIGHT_BLOCK) + 1;
-        let counts = [(offset_of!(DenseWeightBackwardParams, samples), &chunk.count)];
+        let blocks = layer.inputs.div_ceil(WEIGHT_ROWS_PER_INVOCATION) + 1;
         let slices = chunk.samples.div_ceil(group.slice);
-        device.run_counted(&kernel, &counts, blocks * layer.columns, slices)
+        device.run(&kernel.counted(&chunk.count), blocks * layer.columns, slices)
     }
 }

@@ -1,32 +1,44 @@
 //! Gradients of a scene's tensors, as they lie on a device.
 
-use glam::Vec4;
+use std::ops::Range;
 
-use super::DeviceScene;
+use glam::Vec4;
+use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
+
 use super::field::DeviceField;
 use super::hash_grid::HashGridGradient;
-use crate::backend::{Buffer, Device};
+use super::packed::unpack;
+use super::project::GEOMETRY;
+use super::scene::DeviceScene;
 use crate::error::{Error, Result};
+use crate::scene::{FieldTensors, Scene, SceneConfig, Tensors};
+use organza_device::{Buffer, Device};
 
 /// Gradients of all tensors of a scene; kernels add to them.
 #[derive(Debug)]
 pub struct SceneGradient {
-    /// `[11 N]`: position `[N, 3]`, rotation `[N, 4]`, log_scale `[N, 3]`, opacity `[N]`.
-    pub gaussians: Buffer<f32>,
+    tensors: Tensors<TensorGradient>,
+    /// `[11 N]`: those of [`GEOMETRY`], one after the other.
+    pub(super) geometry: Buffer<f32>,
     /// `[N]`: the sum of |dL/dmean2d| over cameras, the cameras that saw the Gaussian, its largest radius in pixels, 0.
     pub statistics: Buffer<Vec4>,
     /// The statistics as they were when the step began.
     statistics_before: Buffer<Vec4>,
-    /// `[N, M]`
-    pub material: Buffer<f32>,
-    /// `[N, U]`
-    pub extra: Buffer<f32>,
-    /// Of the color field.
-    pub color: FieldGradient,
-    /// Of the transmittance field.
-    pub transmittance: FieldGradient,
+    pub(super) color: FieldGradient,
+    pub(super) transmittance: FieldGradient,
     /// Whether the transmittance field and the extra vectors are wanted at all.
     pub(crate) has_transmittance: bool,
+}
+
+/// The gradient of one tensor, in the order of the tensor's values: a range of a buffer.
+#[derive(Debug)]
+pub struct TensorGradient {
+    /// Several tensors can share a buffer.
+    pub buffer: Buffer<f32>,
+    /// The tensor's values in the buffer.
+    pub range: Range<usize>,
+    /// For a hash grid, one flag per block of 64 values: the optimizer skips blocks whose flag is 0.
+    pub touched: Option<Buffer<u32>>,
 }
 
 /// Gradients of a hash grid and its network.
@@ -44,18 +56,41 @@ impl SceneGradient {
     /// # Errors
     /// [`Error::Argument`] where the scene's grids or networks are halves; as [`Device::zeros`].
     pub fn new(device: &Device, scene: &DeviceScene) -> Result<Self> {
+        const LABEL: &str = "gradient of the Gaussians";
         scene.require_gradients()?;
-        let gaussians = scene.len();
+        let of_scene = || scene.tensors.iter().filter(|(name, _)| GEOMETRY.contains(name));
+        let geometry = device.zeros(LABEL, of_scene().map(|(_, values)| values.len()).sum())?;
+        let mut end = 0;
+        let gaussians = scene.tensors.gaussians.as_ref().try_map(|name, values| {
+            let len = values.len();
+            if !GEOMETRY.contains(&name) {
+                return Ok(TensorGradient::whole(device.zeros(LABEL, len)?, None));
+            }
+            let range = end..end + len;
+            end += len;
+            Ok::<_, Error>(TensorGradient { buffer: geometry.view(), range, touched: None })
+        })?;
+        let color = FieldGradient::new(device, &scene.color)?;
+        let transmittance = FieldGradient::new(device, &scene.transmittance)?;
         Ok(Self {
-            gaussians: device.zeros("gradient of the Gaussians", 11 * gaussians)?,
-            statistics: device.zeros("statistics", gaussians)?,
-            statistics_before: device.zeros("statistics before", gaussians)?,
-            material: device.zeros("gradient of the material", scene.material.len())?,
-            extra: device.zeros("gradient of the extra vectors", scene.extra.len())?,
-            color: FieldGradient::new(device, &scene.color)?,
-            transmittance: FieldGradient::new(device, &scene.transmittance)?,
+            tensors: Tensors {
+                gaussians,
+                color: color.tensors(),
+                transmittance: transmittance.tensors(),
+            },
+            geometry,
+            statistics: device.zeros("statistics", scene.len())?,
+            statistics_before: device.zeros("statistics before", scene.len())?,
+            color,
+            transmittance,
             has_transmittance: true,
         })
+    }
+
+    /// Every tensor's gradient.
+    #[must_use]
+    pub fn tensors(&self) -> &Tensors<TensorGradient> {
+        &self.tensors
     }
 
     /// Looks whether every gradient of a hash grid was a number.
@@ -80,17 +115,55 @@ impl SceneGradient {
     /// As it was when the step began.
     pub(crate) fn restart(&self, device: &Device) {
         device.copy(&self.statistics_before, &self.statistics);
-        [&self.gaussians, &self.material, &self.extra].into_iter().for_each(|b| device.clear(b));
-        for field in [&self.color, &self.transmittance] {
-            device.clear(&field.parameters);
-            field.table.clear(device);
-        }
+        self.tensors.iter().for_each(|(_, tensor)| device.clear(&tensor.buffer));
+        [&self.color, &self.transmittance].into_iter().for_each(|field| field.table.clear(device));
     }
 
     /// Clears what says which blocks of the tables have a gradient: for the next step.
     pub(crate) fn clear_touched(&self, device: &Device) {
-        device.clear(&self.color.table.touched);
-        device.clear(&self.transmittance.table.touched);
+        let touched = self.tensors.iter().filter_map(|(_, tensor)| tensor.touched.as_ref());
+        touched.for_each(|touched| device.clear(touched));
+    }
+
+    /// The gradient as a scene: each tensor is dLoss/dtensor.
+    ///
+    /// # Errors
+    /// As [`Device::read`].
+    pub fn download(&self, device: &Device, config: &SceneConfig, len: usize) -> Result<Scene> {
+        unpack(config, len, self.tensors.as_ref(), |tensor| tensor.read(device))
+    }
+}
+
+impl TensorGradient {
+    fn whole(buffer: Buffer<f32>, touched: Option<Buffer<u32>>) -> Self {
+        Self { range: 0..buffer.len(), buffer, touched }
+    }
+
+    /// The gradient's values.
+    ///
+    /// # Errors
+    /// As [`Device::read`].
+    pub fn read(&self, device: &Device) -> Result<Vec<f32>> {
+        Ok(device.read_range(&self.buffer, self.range.start, self.range.len())?)
+    }
+
+    /// Replaces the gradient's values. Sets the flags of a hash grid's blocks that are not all zero.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] if the number of values differs from the tensor's; as [`Device::write`].
+    pub fn write(&self, device: &Device, values: &[f32]) -> Result<()> {
+        if values.len() != self.range.len() {
+            let (found, expected) = (values.len(), self.range.len());
+            let reason = format!("found {found} values for a gradient, expected {expected}");
+            return Err(Error::Argument { reason });
+        }
+        device.write(&self.buffer, self.range.start, values)?;
+        let Some(touched) = &self.touched else { return Ok(()) };
+        let mut flags = device.read(touched)?;
+        for (flag, block) in flags.iter_mut().zip(values.chunks(VALUES_PER_FLAG as usize)) {
+            *flag |= u32::from(block.iter().any(|&value| value != 0.0));
+        }
+        Ok(device.write(touched, 0, &flags)?)
     }
 }
 
@@ -100,5 +173,13 @@ impl FieldGradient {
             parameters: device.zeros("gradient of a network", field.parameters.len())?,
             table: HashGridGradient::new(device, field)?,
         })
+    }
+
+    fn tensors(&self) -> FieldTensors<TensorGradient> {
+        let touched = Some(self.table.touched.view());
+        FieldTensors {
+            grid: TensorGradient::whole(self.table.gradient.view(), touched),
+            network: TensorGradient::whole(self.parameters.view(), None),
+        }
     }
 }

@@ -13,7 +13,7 @@ pub fn halves(values: &[f32]) -> Vec<f16> {
 
 #[cfg(test)]
 mod tests {
-    use organza_kernels::half::round_to_half;
+    use organza_kernel::half::round_to_half;
 
     use super::*;
 

@@ -1,22 +1,20 @@
 //! The gradient of a hash grid's table: scale, sums in fixed point, and the gradient as numbers.
 
-use std::mem::offset_of;
-
 use glam::Vec4;
-use organza_kernels::hash_grid::HashGridParams;
-use organza_kernels::hash_grid_backward::{
-    FLAG_BLOCK, HashGridBackwardKernel, HashGridGradientKernel, HashGridGradientParams,
+use organza_shaders::hash_grid::HashGridParams;
+use organza_shaders::hash_grid_backward::{
+    HashGridBackwardKernel, HashGridGradientKernel, HashGridGradientParams, VALUES_PER_FLAG,
 };
-use organza_kernels::hash_grid_scale::{
+use organza_shaders::hash_grid_scale::{
     HashGridNormKernel, HashGridNormParams, HashGridPeakKernel, HashGridPeakParams,
     HashGridScaleKernel, HashGridScaleParams, SCALE_VALUES,
 };
-use organza_kernels::limits::MAX_LAYERS;
+use organza_shaders::limits::MAX_LAYERS;
 
 use super::field::DeviceField;
-use crate::backend::{Buffer, Count, Device};
-use crate::error::{Error, Result};
 use crate::scene::MAX_HIDDEN_LAYERS;
+use organza_device::{Buffer, Count, Device};
+use organza_device::{Error, Result};
 
 const _: () = assert!(MAX_LAYERS as usize == MAX_HIDDEN_LAYERS + 1);
 
@@ -31,7 +29,7 @@ pub struct HashGridGradient {
     /// `[ceil(entries * features / 64)]`: not 0 where a block of 64 values of the gradient has been added to.  Who
     /// clears the gradient clears the flags.
     pub touched: Buffer<u32>,
-    /// `[1]`: 0 while all is well, else the last of [`organza_kernels::hash_grid_scale`]'s `STATUS_..`: the
+    /// `[1]`: 0 while all is well, else the last of [`organza_shaders::hash_grid_scale`]'s `STATUS_..`: the
     /// gradient is not finite, and what is not has been left out.
     pub status: Buffer<u32>,
     /// `[2 * entries * features]`: 64-bit integers, the low word first; 0 between parts.
@@ -52,7 +50,7 @@ impl HashGridGradient {
         }
         Ok(Self {
             gradient: device.zeros("gradient of a hash grid", values)?,
-            touched: device.zeros("touched blocks", values.div_ceil(FLAG_BLOCK as usize))?,
+            touched: device.zeros("touched blocks", values.div_ceil(VALUES_PER_FLAG as usize))?,
             status: device.zeros("status of a gradient", 1)?,
             sum: device.zeros("sums of a hash grid", 2 * values)?,
             bound: device.zeros("bounds of a gradient", 1 + field.layers.len())?,
@@ -72,16 +70,18 @@ impl HashGridGradient {
         pairs: &Count,
         samples: &Count,
     ) -> Result<()> {
-        let room = pairs.at_most();
+        let capacity = pairs.at_most();
         let kernel = HashGridPeakKernel {
-            params: HashGridPeakParams { pairs: room, color: u32::from(transmittance.is_none()) },
+            params: HashGridPeakParams {
+                pairs: capacity,
+                color: u32::from(transmittance.is_none()),
+            },
             pair_gradient,
             // a binding must be bound
             transmittance: transmittance.unwrap_or(&self.scale),
             bound: &self.bound,
         };
-        let counts = [(offset_of!(HashGridPeakParams, pairs), pairs)];
-        device.run_counted(&kernel, &counts, room, 1)?;
+        device.run(&kernel.counted(pairs), capacity, 1)?;
         for (layer, slot) in field.layers.iter().zip(1..) {
             let params = HashGridNormParams {
                 inputs: layer.inputs,
@@ -100,8 +100,7 @@ impl HashGridGradient {
             scale: &self.scale,
             status: &self.status,
         };
-        let counts = [(offset_of!(HashGridScaleParams, samples), samples)];
-        device.run_counted(&kernel, &counts, 1, 1)
+        device.run(&kernel.counted(samples), 1, 1)
     }
 
     /// Adds the gradients of a block of `count` samples to the sums.
@@ -127,8 +126,7 @@ impl HashGridGradient {
             touched: &self.touched,
             status: &self.status,
         };
-        let counts = [(offset_of!(HashGridParams, points), count)];
-        device.run_counted(&kernel, &counts, params.points, field.levels.len() as u32)
+        device.run(&kernel.counted(count), params.points, field.levels.len() as u32)
     }
 
     /// Adds the sums to the gradient, and clears them.
@@ -149,19 +147,17 @@ impl HashGridGradient {
         device.clear(&self.gradient);
         [&self.touched, &self.sum, &self.bound].into_iter().for_each(|b| device.clear(b));
     }
-
-    /// Bytes on the device.
-    pub fn bytes(&self) -> u64 {
-        self.gradient.bytes() + self.touched.bytes() + self.sum.bytes()
-    }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::borrow::Cow;
+
     use super::*;
-    use crate::backend::DeviceOptions;
-    use crate::render::UploadOptions;
+    use crate::render::packed::pack_field;
+    use crate::render::upload::UploadOptions;
     use crate::scene::{Field, GridConfig, Interpolation, Layer, Network};
+    use organza_device::DeviceOptions;
 
     /// A grid with a network of two inputs, one hidden layer and one output.
     fn field(device: &Device) -> DeviceField {
@@ -182,13 +178,15 @@ mod tests {
         let network = Network { layers: vec![layer(4, 3), layer(3, 1)] };
         let table = vec![0.0; grid.entries() * 2];
         let (field, options) = (Field { grid: table, network }, UploadOptions::default());
-        DeviceField::upload(device, &grid, &field, options, "color").expect("a field")
+        let upload = |name, values: Cow<'_, [f32]>| device.upload(name, &values);
+        let tensors = pack_field(&field).try_map(["grid", "network"], upload).expect("memory");
+        DeviceField::new(device, "color", &grid, &field, &tensors, options).expect("a field")
     }
 
     #[test]
     fn parts_of_any_scale_add_up() {
         const STRIDE: u32 = 20;
-        let device = Device::open(&DeviceOptions::cpu(Some(2))).expect("the CPU");
+        let device = crate::open_device(&DeviceOptions::cpu(Some(2))).expect("the CPU");
         let field = field(&device);
         let table = HashGridGradient::new(&device, &field).expect("memory");
         let points: Vec<_> = (0..6 * STRIDE).map(|i| (i % 7) as f32 / 8.0).collect();
@@ -235,7 +233,7 @@ mod tests {
         assert!((found / total - 1.0).abs() < 1e-6, "{found}, {total}");
         assert_eq!(device.read(&table.status).expect("a status"), [0]);
         let touched = device.read(&table.touched).expect("flags");
-        for (block, values) in touched.iter().zip(gradient.chunks(FLAG_BLOCK as usize)) {
+        for (block, values) in touched.iter().zip(gradient.chunks(VALUES_PER_FLAG as usize)) {
             assert!(*block == 1 || values.iter().all(|&value| value == 0.0));
         }
     }

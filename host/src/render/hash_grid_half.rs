@@ -1,12 +1,12 @@
 //! Hash grids whose entries are packed as two halves.
 
 use half::f16;
-use organza_kernels::hash_grid_half::MAX_HALF;
+use organza_shaders::hash_grid_half::MAX_HALF;
 
 use super::halves::halves;
 use crate::error::{Error, IN_MEMORY, Result};
 
-/// A table `[entries, features]` as [`hash_grid_half`](organza_kernels::hash_grid_half) reads it,
+/// A table `[entries, features]` as [`hash_grid_half`](organza_shaders::hash_grid_half) reads it,
 /// `[entries, ceil(features / 2)]`: each value rounded to the nearest half, or to zero below 2^-14.
 ///
 /// # Errors
@@ -14,7 +14,7 @@ use crate::error::{Error, IN_MEMORY, Result};
 pub fn pack_halves(table: &[f32], features: usize, name: &str) -> Result<Vec<u32>> {
     if let Some(value) = table.iter().find(|value| value.abs() > MAX_HALF) {
         let reason = format!(
-            "`{name}` has a value of {value}: halves end at {MAX_HALF}, keep the grids as they are"
+            "`{name}` has the value {value}, but halves end at {MAX_HALF}; leave out `--half-grids`"
         );
         return Err(Error::Invalid { origin: IN_MEMORY.into(), reason });
     }
@@ -28,7 +28,7 @@ pub fn pack_halves(table: &[f32], features: usize, name: &str) -> Result<Vec<u32
 
 #[cfg(test)]
 mod tests {
-    use organza_kernels::hash_grid_half::half_value;
+    use organza_kernel::half::half_value;
 
     use super::*;
 

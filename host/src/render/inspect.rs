@@ -1,21 +1,23 @@
 //! Looks into the stages: each on its own for every Gaussian, or all of them for one pixel.
 
 use glam::{Vec2, Vec4};
-use organza_kernels::composite::{alpha, pixel_center};
-use organza_kernels::project::{falloff, mahalanobis};
-use organza_kernels::splat::VECTORS;
-use organza_kernels::tile::Tile as KernelTile;
+use organza_shaders::composite::{alpha, pixel_center};
+use organza_shaders::project::{falloff, mahalanobis};
+use organza_shaders::splat::VECTORS;
+use organza_shaders::tile::Tile as KernelTile;
 
 use super::bin::{Pairs, project};
 use super::color::Color;
 use super::part::Part;
 use super::plan::{PART_BYTES, Plan};
+use super::renderer::Renderer;
+use super::scene::DeviceScene;
 use super::transmittance::Transmittance;
-use super::{DeviceScene, Renderer};
-use crate::backend::Count;
+
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::tile::{Tile, TileBatch};
+use organza_device::Count;
 
 /// What each stage gives for every Gaussian in one camera, N Gaussians.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -154,7 +156,7 @@ impl Renderer {
         let color = device.read(&part.color.color)?;
         let (color, _) = color.as_chunks::<3>();
         let splat = device.read(&part.composite.splat)?;
-        let opacity = device.read(&scene.opacity)?;
+        let opacity = device.read(&scene.tensors.gaussians.opacity)?;
         let center = pixel_center(&KernelTile { camera: 0, origin: pixel, output: 0 }, 0, 0);
 
         let mut sum = Vec4::ZERO;
@@ -171,7 +173,7 @@ impl Renderer {
                 gaussian,
                 distance: d.length(),
                 falloff: falloff(mahalanobis(conic.truncate(), d.x, d.y)),
-                opacity: organza_kernels::math::sigmoid(opacity[gaussian]),
+                opacity: organza_kernel::math::sigmoid(opacity[gaussian]),
                 samples: first[index + 1] - first[index],
                 transmittance: transmittance[index],
                 alpha,

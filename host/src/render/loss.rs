@@ -1,20 +1,20 @@
-//! The loss of rendered tiles and its gradient by their pixels: [`organza_kernels::loss`] has the formula.
+//! The loss of rendered tiles and its gradient by their pixels: [`organza_shaders::loss`] has the formula.
 
 use glam::Vec4;
-use organza_kernels::limits;
-use organza_kernels::loss::{
+use organza_shaders::limits;
+use organza_shaders::loss::{
     LossGradientKernel, LossGradientParams, LossParams, LossRowsKernel, LossTermsKernel,
 };
-use organza_kernels::ssim::{
+use organza_shaders::ssim::{
     MOMENTS, SLOPES, SsimColumnsKernel, SsimParams, SsimRowsBackwardKernel, SsimRowsKernel,
 };
 
 use super::part::Part;
-use super::tally::Needed;
-use crate::backend::{Buffer, Device};
+use super::part_counts::Needed;
 use crate::error::{Error, Result};
 use crate::metrics;
 use crate::tile::MAX_TILE_SIDE;
+use organza_device::{Buffer, Device};
 
 const _: () = assert!(limits::MAX_TILE_SIDE == MAX_TILE_SIDE, "the longest row of `loss_rows`");
 
@@ -59,7 +59,7 @@ pub struct LossInputs<'a> {
 pub struct LossOutput {
     /// `[K, 3, S, S]`: the derivative of the loss by each value of the image; 0 at masked pixels.
     pub grad_image: Buffer<f32>,
-    /// `[K, S]`: sums of rows, as [`organza_kernels::loss::loss_rows`] writes them.
+    /// `[K, S]`: sums of rows, as [`organza_shaders::loss::loss_rows`] writes them.
     row_sum: Buffer<Vec4>,
     side: u32,
 }
@@ -115,7 +115,8 @@ impl Loss {
         let pixels = u64::from(tiles) * u64::from(side) * u64::from(side);
         let is_addressed = pixels * u64::from(MOMENTS) < 1 << 32;
         if side == 0 || side > MAX_TILE_SIDE || tiles > 65_535 || !is_addressed {
-            let reason = format!("the loss takes no {tiles} tiles of side {side}: take fewer");
+            let reason =
+                format!("{tiles} tiles of side {side} are too many for the loss; use fewer");
             return Err(Error::Argument { reason });
         }
         let pixels = pixels as usize;
@@ -222,7 +223,7 @@ impl Loss {
         };
         device.run_over(&columns, size)?;
         let (slopes, row_slopes) = (&self.slopes, &self.row_slopes);
-        device.run_over(&SsimRowsBackwardKernel { params, window, slopes, row_slopes }, size)
+        Ok(device.run_over(&SsimRowsBackwardKernel { params, window, slopes, row_slopes }, size)?)
     }
 
     /// K

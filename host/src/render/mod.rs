@@ -3,228 +3,42 @@
 mod backward;
 mod bin;
 mod block;
+mod capacity;
 mod color;
 mod composite;
 mod dense_half;
 mod field;
 mod field_backward;
-mod foresight;
 mod gradient;
 mod halves;
 mod hash_grid;
 mod hash_grid_half;
 mod inspect;
 mod loss;
+mod network;
+mod packed;
 mod pair;
-mod parameters;
 mod part;
+mod part_counts;
 mod plan;
 mod project;
+mod renderer;
+mod results;
 mod scan;
 mod scene;
-mod tally;
 #[cfg(test)]
 mod tests;
 mod transmittance;
 mod upload;
 
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-
-use crate::backend::Device;
-use crate::camera::Camera;
-use crate::error::{Error, Result};
-use crate::memory;
-use crate::tile::TileBatch;
-
 pub(crate) use backward::LossTarget;
 pub(crate) use dense_half::half_vectors;
-pub use gradient::SceneGradient;
+pub use gradient::{SceneGradient, TensorGradient};
 pub(crate) use hash_grid_half::pack_halves;
 pub use inspect::{Contribution, Inspection, Stages};
 pub use loss::{Loss, LossInputs, LossOutput, TileLoss};
-pub use parameters::Parameter;
+pub(crate) use packed::{pack, unpack, upload};
+pub use renderer::Renderer;
+pub use results::{RenderReport, RenderedTiles};
 pub use scene::DeviceScene;
 pub use upload::UploadOptions;
-
-use foresight::Foresight;
-use plan::Plan;
-use tally::{Needed, Room};
-
-/// Renders scenes on a device.
-///
-/// ```no_run
-/// use organza::{Camera, Device, DeviceOptions, Renderer, Scene, TileBatch};
-///
-/// let renderer = Renderer::new(Device::open(&DeviceOptions::default())?);
-/// let scene = renderer.upload(&Scene::load("scene.safetensors")?)?;
-/// let cameras = Camera::load_all("cameras.json")?;
-/// let tiles = renderer.render(&scene, &cameras, &TileBatch::load("tiles.json")?)?;
-/// assert_eq!(tiles.data.len(), tiles.count * 3 * (tiles.side * tiles.side) as usize);
-/// # Ok::<(), organza::Error>(())
-/// ```
-#[derive(Clone, Debug)]
-pub struct Renderer {
-    device: Arc<Device>,
-    part_bytes: Arc<AtomicU64>,
-    foresight: Arc<Mutex<Foresight>>,
-}
-
-/// A rendered batch, the tensor Y of Eq. 16.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RenderedTiles {
-    /// S, in pixels.
-    pub side: u32,
-    /// K
-    pub count: usize,
-    /// `[K, 3, S, S]`: tile, channel (RGB), row, column.
-    pub data: Vec<f32>,
-    /// What was done to render it.
-    pub report: RenderReport,
-}
-
-/// What rendering a batch took.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct RenderReport {
-    /// Parts that the batch was rendered in.
-    pub parts: usize,
-    /// (Gaussian, camera) pairs whose color and transmittance were evaluated.
-    pub pairs: u64,
-    /// (Gaussian, tile) memberships.
-    pub members: u64,
-    /// Samples of the transmittance network.
-    pub samples: u64,
-    /// (Gaussian, camera) pairs that were culled because they cannot be projected.
-    pub degenerate: u64,
-}
-
-impl Renderer {
-    /// A renderer on `device`.
-    #[must_use]
-    pub fn new(device: Device) -> Self {
-        Self {
-            device: Arc::new(device),
-            part_bytes: Arc::new(plan::PART_BYTES.into()),
-            foresight: Arc::default(),
-        }
-    }
-
-    /// The same renderer, whose batches are cut into parts with tables of about this many bytes; 512 MiB unless set.
-    ///
-    /// A part holds at least one tile, so that it may take more; what a part takes beside its tables grows with the
-    /// pairs and samples of its tiles.
-    #[must_use]
-    pub fn with_part_bytes(mut self, bytes: u64) -> Self {
-        self.part_bytes = Arc::new(bytes.into());
-        self
-    }
-
-    /// The device it renders on.
-    #[must_use]
-    pub fn device(&self) -> &Device {
-        &self.device
-    }
-
-    /// Renders a batch of tiles.  A batch that does not fit into the device's memory is rendered in parts; a part does
-    /// not change the image.
-    ///
-    /// # Errors
-    /// [`Error::Tile`] where a tile has no camera or an impossible place, [`Error::OutOfMemory`] where a single tile
-    /// does not fit, [`Error::DeviceLost`].
-    pub fn render(
-        &self,
-        scene: &DeviceScene,
-        cameras: &[Camera],
-        batch: &TileBatch,
-    ) -> Result<RenderedTiles> {
-        self.render_with_progress(scene, cameras, batch, &mut |_| {})
-    }
-
-    /// As [`Renderer::render`]; calls `progress` with the number of tiles that each part has finished.
-    ///
-    /// # Errors
-    /// As [`Renderer::render`].
-    pub fn render_with_progress(
-        &self,
-        scene: &DeviceScene,
-        cameras: &[Camera],
-        batch: &TileBatch,
-        progress: &mut dyn FnMut(usize),
-    ) -> Result<RenderedTiles> {
-        batch.validate(cameras)?;
-        let area = 3 * (batch.side * batch.side) as usize;
-        let mut data = memory::zeros(batch.tiles.len() * area, "the rendered batch")?;
-        let mut report = RenderReport::default();
-        let mut plans = self.plans(scene, batch)?;
-        while let Some(plan) = plans.pop() {
-            let device = &*self.device;
-            let render = |room| part::render(device, scene, cameras, &plan, room);
-            match device.inside(|| self.foreseen(scene, &plan, render)) {
-                Ok((pixels, part)) => {
-                    for (place, tile) in pixels.chunks_exact(area).zip(&plan.tiles) {
-                        data[tile.place * area..][..area].copy_from_slice(place);
-                    }
-                    report.add(&part);
-                    progress(plan.tiles.len());
-                }
-                Err(Error::OutOfMemory { .. }) if plan.tiles.len() > 1 => {
-                    plans.extend(plan.halves())
-                }
-                Err(Error::OutOfMemory { .. }) if self.forget() => plans.push(plan),
-                Err(error) => return Err(error),
-            }
-        }
-        Ok(RenderedTiles { side: batch.side, count: batch.tiles.len(), data, report })
-    }
-}
-
-impl Renderer {
-    /// The parts of a batch, last first.
-    fn plans(&self, scene: &DeviceScene, batch: &TileBatch) -> Result<Vec<Plan>> {
-        Plan::split(&self.device, scene, batch, self.part_bytes.load(Ordering::Relaxed))
-    }
-
-    /// Does `work` for a part with as much room as it will need, by what others have needed, so that nothing waits for the
-    /// device before the work is done; where that was not enough and all was empty, or where nobody can tell, with room
-    /// for all.
-    fn foreseen<R>(
-        &self,
-        scene: &DeviceScene,
-        plan: &Plan,
-        work: impl Fn(Option<Room>) -> Result<(R, Needed)>,
-    ) -> Result<R> {
-        let (kind, tiles) = ([scene.gaussians, plan.side], plan.tiles.len());
-        let guesses = self.device.keeps_counts();
-        let mut room = if guesses { self.foresight().room(kind, tiles) } else { None };
-        loop {
-            match work(room)? {
-                (result, Needed::Room(needed)) => {
-                    if guesses {
-                        self.foresight().saw(kind, tiles, needed);
-                    }
-                    return Ok(result);
-                }
-                (_, Needed::More) => room = None,
-            }
-        }
-    }
-
-    /// Forgets what others have needed, for what does not fit: it may need less.  Returns whether there was anything.
-    fn forget(&self) -> bool {
-        std::mem::take(&mut *self.foresight()) != Foresight::default()
-    }
-
-    fn foresight(&self) -> MutexGuard<'_, Foresight> {
-        self.foresight.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-}
-
-impl RenderReport {
-    fn add(&mut self, part: &Self) {
-        self.parts += part.parts;
-        self.pairs += part.pairs;
-        self.members += part.members;
-        self.samples += part.samples;
-        self.degenerate += part.degenerate;
-    }
-}

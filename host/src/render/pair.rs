@@ -1,12 +1,12 @@
 //! What the pairs of a Gaussian share.
 
-use organza_kernels::pair::{PairSumKernel, PairSumParams};
+use organza_shaders::pair::{PairSumKernel, PairSumParams};
 
-use super::DeviceScene;
 use super::bin::Mask;
 use super::plan::words;
-use crate::backend::{Buffer, Device};
-use crate::error::Result;
+use super::scene::DeviceScene;
+use organza_device::Result;
+use organza_device::{Buffer, Device};
 
 /// Adds the vectors of every Gaussian's pairs, `pair_vector [pairs, width]`, to `vector [gaussians, width]`.
 pub fn sum_pairs(

@@ -3,13 +3,14 @@
 use super::bin::Bins;
 use super::color::Color;
 use super::composite::Composite;
+use super::part_counts::{Capacity, Needed};
 use super::plan::Plan;
-use super::tally::{Needed, Room};
+use super::results::RenderReport;
+use super::scene::DeviceScene;
 use super::transmittance::Transmittance;
-use super::{DeviceScene, RenderReport};
-use crate::backend::{Buffer, Device};
 use crate::camera::Camera;
-use crate::error::Result;
+use organza_device::Result;
+use organza_device::{Buffer, Device};
 
 /// Everything that the stages leave on the device.
 #[derive(Debug)]
@@ -29,9 +30,9 @@ impl Part {
         cameras: &[Camera],
         plan: &Plan,
         keep: bool,
-        room: Option<Room>,
+        capacity: Option<Capacity>,
     ) -> Result<Self> {
-        let bins = Bins::new(device, scene, cameras, plan, room)?;
+        let bins = Bins::new(device, scene, cameras, plan, capacity)?;
         let count_samples = |first: &_| bins.count_samples(device, first);
         let transmittance =
             Transmittance::evaluate(device, scene, &bins.pairs, keep, count_samples)?;
@@ -54,7 +55,7 @@ impl Part {
         mut buffers: Vec<Buffer<u32>>,
     ) -> Result<(Vec<Vec<u32>>, Needed)> {
         let Some(tally) = &self.bins.tally else {
-            let needed = Needed::Room(Room {
+            let needed = Needed::Capacity(Capacity {
                 pairs: self.bins.pairs.count.at_most(),
                 members: self.bins.members.at_most(),
                 samples: self.transmittance.samples.at_most(),
@@ -74,14 +75,14 @@ pub fn render(
     scene: &DeviceScene,
     cameras: &[Camera],
     plan: &Plan,
-    room: Option<Room>,
+    capacity: Option<Capacity>,
 ) -> Result<((Vec<f32>, RenderReport), Needed)> {
-    let part = Part::evaluate(device, scene, cameras, plan, false, room)?;
+    let part = Part::evaluate(device, scene, cameras, plan, false, capacity)?;
     let buffers = vec![part.composite.image.view(), part.bins.degenerate.view()];
     let (values, needed) = part.read(device, buffers)?;
     let mut report =
         RenderReport { parts: 1, degenerate: u64::from(values[1][0]), ..RenderReport::default() };
-    if let Needed::Room(Room { pairs, members, samples }) = needed {
+    if let Needed::Capacity(Capacity { pairs, members, samples }) = needed {
         [report.pairs, report.members, report.samples] = [pairs, members, samples].map(u64::from);
     }
     Ok(((bytemuck::pod_collect_to_vec(&values[0]), report), needed))

@@ -1,12 +1,12 @@
 //! Cuts a batch into parts that fit the device.
 
-use organza_kernels::limits::{MAX_CAMERAS, MAX_TILES};
-use organza_kernels::tile::Tile as KernelTile;
+use organza_shaders::limits::{MAX_CAMERAS, MAX_TILES};
+use organza_shaders::tile::Tile as KernelTile;
 
-use super::DeviceScene;
-use crate::backend::Device;
-use crate::error::{Error, Result};
+use super::scene::DeviceScene;
 use crate::tile::{Tile, TileBatch};
+use organza_device::Device;
+use organza_device::{Error, Result};
 
 /// What one part's tables may take, unless told otherwise.  Parts of this size keep every device busy.
 pub const PART_BYTES: u64 = 512 << 20;

@@ -1,15 +1,19 @@
 //! The projection's derivative, for the pairs of a part.
 
 use glam::Vec4;
-use organza_kernels::camera::Camera;
-use organza_kernels::project_backward::{ProjectBackwardKernel, ProjectBackwardParams};
+use organza_shaders::camera::Camera;
+use organza_shaders::project_backward::{ProjectBackwardKernel, ProjectBackwardParams};
 
-use super::DeviceScene;
 use super::bin::Bins;
 use super::gradient::SceneGradient;
 use super::plan::words;
-use crate::backend::{Buffer, Device};
-use crate::error::Result;
+use super::scene::DeviceScene;
+use organza_device::Result;
+use organza_device::{Buffer, Device};
+
+/// The tensors whose gradients [`project_backward`] adds to one buffer, in this order: that of the table, too.
+pub const GEOMETRY: [&str; 4] =
+    ["gaussians.position", "gaussians.rotation", "gaussians.log_scale", "gaussians.opacity"];
 
 /// Adds what `pair_gradient [pairs, 3]` makes of positions, rotations, scales and opacities to `gradient`, and the
 /// statistics of the part's cameras.
@@ -30,14 +34,14 @@ pub fn project_backward(
     let kernel = ProjectBackwardKernel {
         params,
         camera: &pairs.camera,
-        position: &scene.position,
-        rotation: &scene.rotation,
-        log_scale: &scene.log_scale,
+        position: &scene.tensors.gaussians.position,
+        rotation: &scene.tensors.gaussians.rotation,
+        log_scale: &scene.tensors.gaussians.log_scale,
         projection: &pairs.projection,
         pair_mask: &bins.pair_mask.bits,
         first_pair: &bins.pair_mask.first,
         pair_gradient,
-        gradient: &gradient.gaussians,
+        gradient: &gradient.geometry,
         statistics: &gradient.statistics,
     };
     device.run(&kernel, scene.gaussians, 1)

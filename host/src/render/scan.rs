@@ -1,9 +1,9 @@
 //! Exclusive prefix sums of any length.
 
-use organza_kernels::scan::{BLOCK, ScanAddKernel, ScanBlockKernel, ScanParams};
+use organza_shaders::scan::{BLOCK, ScanAddKernel, ScanBlockKernel, ScanParams};
 
-use crate::backend::{Buffer, Device};
-use crate::error::Result;
+use organza_device::Result;
+use organza_device::{Buffer, Device};
 
 /// The exclusive sums of the first `count` values, and the total behind them: `[count + 1]`.
 pub fn exclusive_scan(device: &Device, value: &Buffer<u32>, count: u32) -> Result<Buffer<u32>> {
@@ -30,11 +30,11 @@ pub fn exclusive_scan(device: &Device, value: &Buffer<u32>, count: u32) -> Resul
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::backend::DeviceOptions;
+    use organza_device::DeviceOptions;
 
     #[test]
     fn sums_of_every_size_around_the_blocks() {
-        let device = Device::open(&DeviceOptions::cpu(Some(2))).expect("the CPU");
+        let device = crate::open_device(&DeviceOptions::cpu(Some(2))).expect("the CPU");
         for count in
             [0, 1, 15, 16, 17, 1022, 1023, 1024, 1025, 2047, 2048, 1024 * 1024 - 1, 1024 * 1024 + 5]
         {

@@ -1,13 +1,12 @@
 //! A scene on a device.
 
-use organza_kernels::resolve::DIVIDE_ABOVE;
-use organza_kernels::unit_cube::SceneBox;
+use organza_shaders::hash_grid::GridLevel;
 
 use super::field::DeviceField;
-use super::{Renderer, UploadOptions};
-use crate::backend::Buffer;
+use super::packed::{pack, unpack};
 use crate::error::Result;
-use crate::scene::{Scene, SceneConfig};
+use crate::scene::{Scene, SceneConfig, Tensors};
+use organza_device::{Buffer, Device};
 
 /// A scene whose tensors lie on a device.
 #[derive(Debug)]
@@ -17,60 +16,9 @@ pub struct DeviceScene {
     /// Eq. 13's, but in comparisons.
     pub(crate) divide_above: f32,
     pub(super) scene_box: Buffer<f32>,
-    pub(super) position: Buffer<f32>,
-    pub(super) rotation: Buffer<f32>,
-    pub(super) log_scale: Buffer<f32>,
-    pub(super) opacity: Buffer<f32>,
-    pub(super) material: Buffer<f32>,
-    pub(super) extra: Buffer<f32>,
+    pub(super) tensors: Tensors<Buffer<f32>>,
     pub(super) color: DeviceField,
     pub(super) transmittance: DeviceField,
-}
-
-impl Renderer {
-    /// Copies a scene to the device, as it is; [`Renderer::upload_with`] has choices.
-    ///
-    /// # Errors
-    /// What [`Scene::validate`] finds, and [`Error::OutOfMemory`](crate::Error::OutOfMemory).
-    pub fn upload(&self, scene: &Scene) -> Result<DeviceScene> {
-        scene.validate()?;
-        self.upload_moments(scene)
-    }
-
-    /// As [`Renderer::upload`], for tensors that are no scene, such as an optimizer's.
-    pub(crate) fn upload_moments(&self, scene: &Scene) -> Result<DeviceScene> {
-        self.upload_fields(scene, UploadOptions::default())
-    }
-
-    /// As [`Renderer::upload_with`], without looking at the scene or the device.
-    pub(super) fn upload_fields(
-        &self,
-        scene: &Scene,
-        options: UploadOptions,
-    ) -> Result<DeviceScene> {
-        let device = self.device();
-        let config = &scene.config;
-        let gaussians = &scene.gaussians;
-        let upload = |grid, field, name| DeviceField::upload(device, grid, field, options, name);
-        Ok(DeviceScene {
-            gaussians: gaussians.len() as u32,
-            divide_above: DIVIDE_ABOVE,
-            scene_box: device.upload("scene box", &SceneBox::new(config.aabb).pack())?,
-            position: device.upload("gaussians.position", gaussians.position.as_flattened())?,
-            rotation: device.upload("gaussians.rotation", gaussians.rotation.as_flattened())?,
-            log_scale: device.upload("gaussians.log_scale", gaussians.log_scale.as_flattened())?,
-            opacity: device.upload("gaussians.opacity", &gaussians.opacity)?,
-            material: device.upload("gaussians.material", &gaussians.material)?,
-            extra: device.upload("gaussians.extra", &gaussians.extra)?,
-            color: upload(&config.color_grid, &scene.color, "color")?,
-            transmittance: upload(
-                &config.transmittance_grid,
-                &scene.transmittance,
-                "transmittance",
-            )?,
-            config: config.clone(),
-        })
-    }
 }
 
 impl DeviceScene {
@@ -78,6 +26,12 @@ impl DeviceScene {
     #[must_use]
     pub fn config(&self) -> &SceneConfig {
         &self.config
+    }
+
+    /// Each tensor's values. Writing to them changes the scene. A grid of 16-bit floats has no values here.
+    #[must_use]
+    pub fn tensors(&self) -> &Tensors<Buffer<f32>> {
+        &self.tensors
     }
 
     /// Number of Gaussians.
@@ -92,21 +46,35 @@ impl DeviceScene {
         self.gaussians == 0
     }
 
+    /// Half the longest side of the scene's box, in world units.
+    #[must_use]
+    pub fn extent(&self) -> f64 {
+        let [low, high] = self.config.aabb;
+        (0..3).map(|axis| (high[axis] - low[axis]) / 2.0).fold(0.0, f64::max)
+    }
+
     /// Bytes that the scene takes on the device.
     #[must_use]
     pub fn bytes(&self) -> u64 {
-        [
-            &self.position,
-            &self.rotation,
-            &self.log_scale,
-            &self.opacity,
-            &self.material,
-            &self.extra,
-        ]
-        .iter()
-        .map(|buffer| buffer.bytes())
-        .sum::<u64>()
-            + self.color.bytes()
-            + self.transmittance.bytes()
+        let tensors: u64 = self.tensors.iter().map(|(_, buffer)| buffer.bytes()).sum();
+        tensors + self.color.bytes_beside_tensors() + self.transmittance.bytes_beside_tensors()
+    }
+
+    /// Bytes that a scene takes on a device after [`Renderer::upload`](super::Renderer::upload).
+    #[must_use]
+    pub fn bytes_of(scene: &Scene) -> u64 {
+        let tensors: usize = pack(scene).iter().map(|(_, values)| size_of_val(&**values)).sum();
+        let grids = [&scene.config.color_grid, &scene.config.transmittance_grid];
+        let levels: u32 = grids.iter().map(|grid| grid.levels).sum();
+        (tensors + levels as usize * size_of::<GridLevel>()) as u64
+    }
+
+    /// The scene as it is now.
+    ///
+    /// # Errors
+    /// As [`Device::read`]; [`Error::Argument`](crate::Error::Argument) where the grids are halves.
+    pub fn download(&self, device: &Device) -> Result<Scene> {
+        self.require_full_grids()?;
+        unpack(&self.config, self.len(), self.tensors.as_ref(), |buffer| Ok(device.read(buffer)?))
     }
 }

@@ -1,23 +1,25 @@
 //! A part whose numbers stay on the device, beside one that the host knows all about.
 
+use super::gradient::SceneGradient;
 use super::part::Part;
+use super::part_counts::{Capacity, Needed};
 use super::plan::{PART_BYTES, Plan};
-use super::tally::{Needed, Room};
-use super::{DeviceScene, Renderer, SceneGradient};
-use crate::backend::{Buffer, Device, DeviceOptions, SpirvPath};
+use super::renderer::Renderer;
+use super::scene::DeviceScene;
 use crate::camera::Camera;
 use crate::demo;
-use crate::error::Error;
+use crate::error::{DeviceError, Error};
 use crate::scene::Scene;
 use crate::tile::{Tile, TileBatch};
+use organza_device::{Buffer, Device, DeviceOptions, SpirvPath};
 
 /// The CPU, and what GPU there is; `ORGANZA_REQUIRE_GPU=1` says that there must be one.
 fn devices() -> Vec<Device> {
-    let mut devices = vec![Device::open(&DeviceOptions::cpu(Some(2))).expect("the CPU")];
+    let mut devices = vec![crate::open_device(&DeviceOptions::cpu(Some(2))).expect("the CPU")];
     for path in [SpirvPath::Passthrough, SpirvPath::Naga] {
-        match Device::open(&DeviceOptions::gpu(path)) {
+        match crate::open_device(&DeviceOptions::gpu(path)) {
             Ok(device) => devices.push(device),
-            Err(Error::NoGpu { reason }) => {
+            Err(Error::Device(DeviceError::NoGpu { reason })) => {
                 let required = std::env::var_os("ORGANZA_REQUIRE_GPU").is_some_and(|v| v != "0");
                 assert!(!required, "ORGANZA_REQUIRE_GPU is set, but {reason}");
             }
@@ -34,18 +36,9 @@ fn tiles() -> TileBatch {
 
 /// Every eighth Gaussian of the built-in scene.
 fn some() -> Scene {
-    fn some_of<T: Copy>(values: &mut Vec<T>, width: usize) {
-        *values = values.chunks_exact(width.max(1)).step_by(8).flatten().copied().collect();
-    }
     let mut scene = demo::scene();
-    let (material, extra) = (scene.config.material as usize, scene.config.extra as usize);
-    let gaussians = &mut scene.gaussians;
-    some_of(&mut gaussians.position, 1);
-    some_of(&mut gaussians.rotation, 1);
-    some_of(&mut gaussians.log_scale, 1);
-    some_of(&mut gaussians.opacity, 1);
-    some_of(&mut gaussians.material, material);
-    some_of(&mut gaussians.extra, extra);
+    let indices: Vec<_> = (0..scene.gaussians.len()).step_by(8).collect();
+    scene.gaussians = scene.gaussians.select(&indices);
     scene
 }
 
@@ -60,21 +53,17 @@ fn evaluate(
     scene: &DeviceScene,
     cameras: &[Camera],
     plan: &Plan,
-    room: Option<Room>,
+    capacity: Option<Capacity>,
 ) -> (Vec<Vec<u32>>, Needed) {
-    let part = Part::evaluate(device, scene, cameras, plan, true, room).expect("a part");
+    let part = Part::evaluate(device, scene, cameras, plan, true, capacity).expect("a part");
     let gradient = SceneGradient::new(device, scene).expect("memory");
     let image = &part.composite.image;
     part.backward(device, scene, plan.side, image, &gradient).expect("a gradient");
     let (_, needed) = part.read(device, Vec::new()).expect("counts");
-    let mut values = vec![bits(device, image), bits(device, &gradient.gaussians)];
-    values.push(bits(device, &gradient.statistics));
-    values.push(bits(device, &gradient.material));
-    values.push(bits(device, &gradient.extra));
-    for field in [&gradient.color, &gradient.transmittance] {
-        values.push(bits(device, &field.parameters));
-        values.push(bits(device, &field.table.gradient));
-        values.push(bits(device, &field.table.touched));
+    let mut values = vec![bits(device, image), bits(device, &gradient.statistics)];
+    for (_, tensor) in gradient.tensors().iter() {
+        values.push(bits(device, &tensor.buffer));
+        values.extend(tensor.touched.as_ref().map(|touched| bits(device, touched)));
     }
     (values, needed)
 }
@@ -89,33 +78,35 @@ fn what_is_not_waited_for_has_the_same_bits() {
         let plans = Plan::split(device, &scene, &tiles(), PART_BYTES).expect("a plan");
         assert_eq!(plans.len(), 1);
         let (expected, needed) = evaluate(device, &scene, &cameras, &plans[0], None);
-        let Needed::Room(room) = needed else { panic!("there is room for all") };
-        let Room { pairs, members, samples } = room;
-        assert!(pairs > 100 && members > pairs && samples > 2 * pairs, "{room:?}");
+        let Needed::Capacity(capacity) = needed else { panic!("there is capacity for all") };
+        let Capacity { pairs, members, samples } = capacity;
+        assert!(pairs > 100 && members > pairs && samples > 2 * pairs, "{capacity:?}");
 
         // enough
-        let more = Room { pairs: pairs * 2, members: members + 100, samples: samples * 3 };
-        for room in [room, more] {
-            let (found, told) = evaluate(device, &scene, &cameras, &plans[0], Some(room));
+        let more = Capacity { pairs: pairs * 2, members: members + 100, samples: samples * 3 };
+        for capacity in [capacity, more] {
+            let (found, told) = evaluate(device, &scene, &cameras, &plans[0], Some(capacity));
             assert_eq!(told, needed, "{}", device.choice());
             for (index, (found, expected)) in found.iter().zip(&expected).enumerate() {
-                assert!(found == expected, "{}: value {index}, {room:?}", device.choice());
+                assert!(found == expected, "{}: value {index}, {capacity:?}", device.choice());
             }
         }
         // too little of one: background, and no gradient at all
         let background = scene.config.background.map(|channel| (channel as f32).to_bits());
         let (pairs, members, samples) = (pairs - 1, members - 1, samples - 1);
-        for room in [Room { pairs, ..more }, Room { members, ..more }, Room { samples, ..more }] {
-            let (found, told) = evaluate(device, &scene, &cameras, &plans[0], Some(room));
-            assert_eq!(told, Needed::More, "{}: {room:?}", device.choice());
+        for capacity in
+            [Capacity { pairs, ..more }, Capacity { members, ..more }, Capacity { samples, ..more }]
+        {
+            let (found, told) = evaluate(device, &scene, &cameras, &plans[0], Some(capacity));
+            assert_eq!(told, Needed::Overflow, "{}: {capacity:?}", device.choice());
             let planes = found[0].chunks(16 * 16).zip(background.into_iter().cycle());
             for (plane, value) in planes {
                 // pixels beside the image are black
-                assert!(plane.iter().all(|&bits| bits == value || bits == 0), "{room:?}");
+                assert!(plane.iter().all(|&bits| bits == value || bits == 0), "{capacity:?}");
             }
             for (index, values) in found.iter().enumerate().skip(1) {
                 let is_zero = values.iter().all(|&bits| f32::from_bits(bits) == 0.0);
-                assert!(is_zero, "{}: value {index}, {room:?}", device.choice());
+                assert!(is_zero, "{}: value {index}, {capacity:?}", device.choice());
             }
         }
     }
@@ -136,7 +127,7 @@ fn a_tile_that_does_not_fit_with_more_room_is_tried_with_what_it_needs() {
         assert!(!device.refuse_one(0), "{}: so few buffers", device.choice());
         match (device.backend(), found) {
             // nobody has guessed
-            ("cpu", Err(Error::OutOfMemory { .. })) => {}
+            ("cpu", Err(error)) if error.is_out_of_memory() => {}
             ("gpu", Ok(found)) => assert_eq!(found, expected, "{}", device.choice()),
             (_, found) => panic!("{}: {found:?}", device.choice()),
         }

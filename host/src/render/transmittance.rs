@@ -1,21 +1,19 @@
 //! B1 and B2: the segments of all pairs, their samples as one flat list, and the products.
 
-use std::mem::offset_of;
 use std::sync::Mutex;
 
 use glam::Vec4;
-use organza_kernels::limits::MAX_SAMPLES;
-use organza_kernels::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
-use organza_kernels::transmittance::{
+use organza_shaders::limits::MAX_SAMPLES;
+use organza_shaders::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
+use organza_shaders::transmittance::{
     SegmentProductKernel, SegmentProductParams, TransmittanceHeadKernel, TransmittanceHeadParams,
     TransmittanceInputsKernel, TransmittanceInputsParams,
 };
-use organza_kernels::transmittance_backward::{
+use organza_shaders::transmittance_backward::{
     ExtraBackwardKernel, ExtraBackwardParams, SegmentProductBackwardKernel,
     SegmentProductBackwardParams, TransmittanceHeadBackwardKernel,
 };
 
-use super::DeviceScene;
 use super::bin::{Bins, Pairs};
 use super::block::{BlockOf, Blocks, Chunk, Layout};
 use super::field::{DeviceField, Scratch};
@@ -23,8 +21,9 @@ use super::field_backward::{ChunkScratch, GroupScratch};
 use super::gradient::SceneGradient;
 use super::pair::sum_pairs;
 use super::scan::exclusive_scan;
-use crate::backend::{Buffer, Count, Device};
-use crate::error::{Error, Result};
+use super::scene::DeviceScene;
+use organza_device::{Buffer, Count, Device};
+use organza_device::{Error, Result};
 
 /// Transmittance of every pair.
 #[derive(Debug)]
@@ -42,7 +41,7 @@ pub struct Transmittance {
 }
 
 impl Transmittance {
-    /// `keep` says whether [`Transmittance::backward`] will be called: what it needs is kept, as far as there is room.
+    /// `keep` says whether [`Transmittance::backward`] will be called: what it needs is kept, as far as there is capacity.
     /// `count_samples` says how many samples there are, of the exclusive sums `[pairs + 1]`.
     pub fn evaluate(
         device: &Device,
@@ -52,39 +51,37 @@ impl Transmittance {
         count_samples: impl FnOnce(&Buffer<u32>) -> Result<Count>,
     ) -> Result<Self> {
         check_samples(scene, pairs)?;
-        let room = pairs.count.at_most();
-        let segment = device.zeros("segments", room as usize * SEGMENT_VECTORS as usize)?;
-        let count = device.zeros("sample counts", room as usize)?;
+        let capacity = pairs.count.at_most();
+        let segment = device.zeros("segments", capacity as usize * SEGMENT_VECTORS as usize)?;
+        let count = device.zeros("sample counts", capacity as usize)?;
         let kernel = SegmentKernel {
             params: SegmentParams {
-                pairs: room,
+                pairs: capacity,
                 gaussians: scene.gaussians,
                 step: scene.config.step as f32,
             },
             pair: &pairs.pair,
             camera: &pairs.camera,
             scene_box: &scene.scene_box,
-            position: &scene.position,
+            position: &scene.tensors.gaussians.position,
             segment: &segment,
             count: &count,
         };
-        let counts = [(offset_of!(SegmentParams, pairs), &pairs.count)];
-        device.run_counted(&kernel, &counts, room, 1)?;
-        let first_sample = exclusive_scan(device, &count, room)?;
+        device.run(&kernel.counted(&pairs.count), capacity, 1)?;
+        let first_sample = exclusive_scan(device, &count, capacity)?;
         let samples = count_samples(&first_sample)?;
 
         let inputs = scene.config.transmittance_inputs();
         let blocks = Blocks::new(device, inputs, samples.clone(), keep)?;
         let log_rho = log_rho(device, scene, pairs, &segment, &first_sample, &blocks)?;
-        let transmittance = device.zeros("transmittance", room as usize)?;
+        let transmittance = device.zeros("transmittance", capacity as usize)?;
         let kernel = SegmentProductKernel {
-            params: SegmentProductParams { pairs: room },
+            params: SegmentProductParams { pairs: capacity },
             first_sample: &first_sample,
             log_rho: &log_rho,
             transmittance: &transmittance,
         };
-        let counts = [(offset_of!(SegmentProductParams, pairs), &pairs.count)];
-        device.run_counted(&kernel, &counts, room, 1)?;
+        device.run(&kernel.counted(&pairs.count), capacity, 1)?;
         Ok(Self { transmittance, first_sample, samples, segment, blocks })
     }
 }
@@ -116,7 +113,7 @@ fn log_rho(
     for block in blocks.iter() {
         encode(device, scene, pairs, segment, first_sample, block)?;
         let new = || Scratch::new(device, field, blocks.layout());
-        device.each_with(block.chunks(), &scratches, new, |scratch, chunk| {
+        device.parallel_for_with(block.chunks(), &scratches, new, |scratch, chunk| {
             let kernel = TransmittanceHeadKernel {
                 params: head_params(field, &chunk),
                 parameters: &field.parameters,
@@ -124,8 +121,7 @@ fn log_rho(
                 input: field.hidden(device, scratch, &chunk)?,
                 log_rho: &log_rho,
             };
-            let counts = [(offset_of!(TransmittanceHeadParams, samples), &chunk.count)];
-            device.run_counted(&kernel, &counts, chunk.samples, 1)
+            device.run(&kernel.counted(&chunk.count), chunk.samples, 1)
         })?;
     }
     Ok(log_rho)
@@ -153,7 +149,7 @@ fn encode(
     first_sample: &Buffer<u32>,
     block: BlockOf<'_>,
 ) -> Result<()> {
-    device.each(block.chunks(), |chunk| {
+    device.parallel_for(block.chunks(), |chunk| {
         inputs(device, scene, pairs, segment, first_sample, &chunk)
     })?;
     scene.transmittance.encode(device, block, 0)
@@ -182,20 +178,16 @@ fn inputs(
         pair: &pairs.pair,
         first_sample,
         segment,
-        extra: &scene.extra,
+        extra: &scene.tensors.gaussians.extra,
         point: &chunk.point,
         input: &chunk.input,
     };
-    let counts = [
-        (offset_of!(TransmittanceInputsParams, samples), &chunk.count),
-        (offset_of!(TransmittanceInputsParams, pairs), &pairs.count),
-    ];
-    device.run_counted(&kernel, &counts, chunk.samples, 1)
+    device.run(&kernel.counted(&chunk.count, &pairs.count), chunk.samples, 1)
 }
 
 impl Transmittance {
     /// Adds the gradients of the transmittance field and of the extra vectors, of `pair_gradient [pairs, 3]` (see
-    /// [`splat_backward`](organza_kernels::splat)).
+    /// [`splat_backward`](organza_shaders::splat)).
     pub fn backward(
         &self,
         device: &Device,
@@ -211,9 +203,9 @@ impl Transmittance {
         let layout = self.blocks.layout();
         let group_scratch = GroupScratch::new(device, field, layout)?;
         let scratches = Mutex::default();
-        let room = pairs.count.at_most();
+        let capacity = pairs.count.at_most();
         let pair_extra =
-            device.zeros("gradient of the pairs' extra vectors", (room * extra) as usize)?;
+            device.zeros("gradient of the pairs' extra vectors", (capacity * extra) as usize)?;
         let owners = AllOwners::of(device, bins, &self.first_sample)?;
         let table = &gradient.transmittance.table;
         let transmittance = Some(&self.transmittance);
@@ -231,7 +223,7 @@ impl Transmittance {
             }
             for group in block.groups() {
                 let new = || TransmittanceScratch::new(device, field, layout);
-                device.each_with(group.chunks(), &scratches, new, |scratch, chunk| {
+                device.parallel_for_with(group.chunks(), &scratches, new, |scratch, chunk| {
                     field.activate(device, &scratch.network, &chunk)?;
                     let owners = owners.of_chunk(&chunk);
                     self.head_backward(device, scene, scratch, &chunk, &owners, pair_gradient)?;
@@ -248,7 +240,14 @@ impl Transmittance {
             }
         }
         table.finish(device)?;
-        sum_pairs(device, scene, &bins.pair_mask, extra, &pair_extra, &gradient.extra)
+        sum_pairs(
+            device,
+            scene,
+            &bins.pair_mask,
+            extra,
+            &pair_extra,
+            &gradient.tensors().gaussians.extra.buffer,
+        )
     }
 
     /// The gradient of the network's output for a chunk of samples.
@@ -274,11 +273,7 @@ impl Transmittance {
             pair_gradient,
             log_rho_gradient,
         };
-        let counts = [
-            (offset_of!(SegmentProductBackwardParams, pairs), &owners.pairs),
-            (offset_of!(SegmentProductBackwardParams, samples), &chunk.count),
-        ];
-        device.run_counted(&kernel, &counts, owners.pairs.at_most(), 1)?;
+        device.run(&kernel.counted(&owners.pairs, &chunk.count), owners.pairs.at_most(), 1)?;
         let field = &scene.transmittance;
         let kernel = TransmittanceHeadBackwardKernel {
             params: head_params(field, chunk),
@@ -288,8 +283,7 @@ impl Transmittance {
             log_rho_gradient,
             logit_gradient: &scratch.network.logit_gradient,
         };
-        let counts = [(offset_of!(TransmittanceHeadParams, samples), &chunk.count)];
-        device.run_counted(&kernel, &counts, chunk.samples, 1)
+        device.run(&kernel.counted(&chunk.count), chunk.samples, 1)
     }
 
     /// Adds the gradients of the pairs' extra vectors that come from a chunk of samples.
@@ -316,11 +310,11 @@ impl Transmittance {
             input_gradient,
             pair_extra,
         };
-        let counts = [
-            (offset_of!(ExtraBackwardParams, pairs), &owners.pairs),
-            (offset_of!(ExtraBackwardParams, samples), &chunk.count),
-        ];
-        device.run_counted(&kernel, &counts, owners.pairs.at_most(), scene.config.extra)
+        device.run(
+            &kernel.counted(&owners.pairs, &chunk.count),
+            owners.pairs.at_most(),
+            scene.config.extra,
+        )
     }
 }
 

@@ -1,6 +1,14 @@
 //! How a scene lies on a device, and what cannot lie there so.
 
-use super::{DeviceScene, Renderer};
+use std::borrow::Cow;
+
+use organza_shaders::resolve::DIVIDE_ABOVE;
+use organza_shaders::unit_cube::SceneBox;
+
+use super::field::DeviceField;
+use super::packed::{pack, upload};
+use super::renderer::Renderer;
+use super::scene::DeviceScene;
 use crate::error::{Error, IN_MEMORY, Result};
 use crate::scene::Scene;
 
@@ -11,23 +19,57 @@ pub struct UploadOptions {
     /// around it.  Refused where a value is above 65,504.
     pub half_grids: bool,
     /// The hidden layers of both networks computed in half precision
-    /// ([`dense_half`](organza_kernels::dense_half)): for GPUs, slower on the CPU.  A layer's output is off by up to 0.9%
+    /// ([`dense_half`](organza_shaders::dense_half)): for GPUs, slower on the CPU.  A layer's output is off by up to 0.9%
     /// of the sum of its terms' sizes, and an input beyond 1,024 counts as that.  Refused where a layer's weights add up to
     /// more than halves hold, and on a GPU that does not compute with halves.
     pub half_networks: bool,
 }
 
 impl Renderer {
+    /// Copies a scene to the device, as it is; [`Renderer::upload_with`] has choices.
+    ///
+    /// # Errors
+    /// What [`Scene::validate`] finds, and [`Error::OutOfMemory`].
+    pub fn upload(&self, scene: &Scene) -> Result<DeviceScene> {
+        self.upload_with(scene, UploadOptions::default())
+    }
+
     /// As [`Renderer::upload`], with choices that are for rendering alone.
     ///
     /// # Errors
     /// As [`Renderer::upload`]; [`Error::Invalid`] where [`UploadOptions`] says that it is refused.
     pub fn upload_with(&self, scene: &Scene, options: UploadOptions) -> Result<DeviceScene> {
         scene.validate()?;
+        let (device, config) = (self.device(), &scene.config);
         if options.half_networks {
-            require_halves(self.device().computes_halves(), self.device().choice())?;
+            require_halves(device.computes_halves(), device.choice())?;
         }
-        self.upload_fields(scene, options)
+        let mut packed = pack(scene);
+        if options.half_grids {
+            // the halves are there instead
+            for field in [&mut packed.color, &mut packed.transmittance] {
+                field.grid = Cow::default();
+            }
+        }
+        let tensors = upload(device, packed)?;
+        let field = |name, grid, field, tensors| {
+            DeviceField::new(device, name, grid, field, tensors, options)
+        };
+        let (color, transmittance) = (&scene.color, &scene.transmittance);
+        Ok(DeviceScene {
+            gaussians: scene.gaussians.len() as u32,
+            divide_above: DIVIDE_ABOVE,
+            scene_box: device.upload("scene box", &SceneBox::new(config.aabb).pack())?,
+            color: field("color", &config.color_grid, color, &tensors.color)?,
+            transmittance: field(
+                "transmittance",
+                &config.transmittance_grid,
+                transmittance,
+                &tensors.transmittance,
+            )?,
+            tensors,
+            config: config.clone(),
+        })
     }
 }
 
@@ -39,7 +81,7 @@ impl DeviceScene {
             None => Ok(()),
             Some(_) => {
                 let reason = "the scene's networks are computed in half precision, which has no \
-                    gradients: upload it as it is";
+                    gradients; upload it without `half_networks`";
                 Err(Error::Argument { reason: reason.into() })
             }
         }
@@ -50,8 +92,7 @@ impl DeviceScene {
         match self.color.half_table {
             None => Ok(()),
             Some(_) => {
-                let reason =
-                    "the scene's grids are halves, which have no gradients: upload it as it is";
+                let reason = "the scene's grids are halves, without gradients; upload it without `half_grids`";
                 Err(Error::Argument { reason: reason.into() })
             }
         }
@@ -66,7 +107,7 @@ fn require_halves(computes_halves: bool, device: &str) -> Result<()> {
     Err(Error::Invalid {
         origin: IN_MEMORY.into(),
         reason: format!(
-            "{device} does not compute with halves (16-bit floats): leave `--half-networks` away"
+            "{device} does not support halves (16-bit floats); leave out `--half-networks`"
         ),
     })
 }
@@ -79,6 +120,6 @@ mod tests {
     fn a_device_without_halves_is_refused() {
         assert!(require_halves(true, "gpu: A").is_ok());
         let text = require_halves(false, "gpu: A").unwrap_err().to_string();
-        assert!(text.contains("gpu: A") && text.contains("leave `--half-networks` away"), "{text}");
+        assert!(text.contains("gpu: A") && text.contains("leave out `--half-networks`"), "{text}");
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-pub use organza_kernels::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE, MAX_VECTOR};
+pub use organza_shaders::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE, MAX_VECTOR};
 use serde::{Deserialize, Serialize};
 
 use super::grid::GridConfig;
@@ -143,7 +143,7 @@ impl SceneConfig {
             let reason = format!("is {}, expected 0 to {MAX_SH_DEGREE}", self.sh_degree);
             return Err(Problem::new("sh_degree", reason));
         }
-        for (field, length) in [("material", self.material), ("extra", self.extra)] {
+        for (field, length) in self.vector_lengths() {
             if length > MAX_VECTOR {
                 let reason = format!("is {length}, expected 0 to {MAX_VECTOR}");
                 return Err(Problem::new(field, reason));

@@ -5,7 +5,7 @@ use std::io::{BufReader, Read};
 use std::path::Path;
 
 use super::config::SceneConfig;
-use super::spec::{TensorId, TensorSpec};
+use super::spec::TensorSpec;
 use super::tensor_file::{Header, TensorRef, encode, write_tensors};
 use super::{Scene, validate};
 use crate::error::{Error, Result};
@@ -90,12 +90,8 @@ impl Scene {
         write: impl FnOnce(&[TensorRef<'_>], &[(&str, &str)]) -> Result<T>,
     ) -> Result<T> {
         self.validate()?;
-        let specs = self.config.tensors(self.gaussians.len());
-        let tensors: Vec<_> = specs
-            .iter()
-            .zip(self.tensors())
-            .map(|(spec, (_, data))| TensorRef { name: &spec.name, shape: &spec.shape, data })
-            .collect();
+        let tensors = self.tensors();
+        let tensors: Vec<_> = tensors.iter().map(|(spec, data)| spec.of(data)).collect();
         let config = serde_json::to_string(&self.config)
             .map_err(|error| Error::Argument { reason: error.to_string() })?;
         write(&tensors, &[("format", FORMAT), ("version", VERSION), ("config", &config)])
@@ -111,12 +107,12 @@ pub(crate) fn read_scene(reader: &mut impl Read, length: u64, origin: &Path) -> 
     for spec in &specs {
         check_declared(&header, spec, origin)?;
     }
-    validate::check_sizes(&specs, origin)?;
+    validate::check_sizes(specs.iter(), origin)?;
     // The file declares every tensor with the size allocated here, so no header can ask for more
     // memory than its file is long; what may be absent has no values.
     let mut scene = Scene::zeros(config, gaussians)?;
     let slices: HashMap<_, _> =
-        scene.tensors_mut().into_iter().map(|(id, data)| (id.name(), data)).collect();
+        scene.tensors_mut().into_iter().map(|(spec, data)| (spec.name, data)).collect();
     header.read_into(reader, slices, origin)?;
     scene.validate_at(origin)?;
     Ok(scene)
@@ -144,21 +140,21 @@ fn read_config(header: &Header, origin: &Path) -> Result<SceneConfig> {
 
 /// N, the one size that no configuration tells.
 fn count_gaussians(header: &Header, config: &SceneConfig, origin: &Path) -> Result<usize> {
-    let position = TensorId::Position.name();
-    match header.shape(&position) {
+    let first = |gaussians| config.tensors(gaussians).swap_remove(0);
+    match header.shape(&first(1).name) {
         Some([0, ..]) => Err(Error::EmptyScene { origin: origin.to_owned() }),
         Some([gaussians, 3]) => Ok(*gaussians),
         // With any count, this one cannot be right: let the common check word it.
         other => {
             let gaussians = other.and_then(|shape| shape.first()).copied().unwrap_or(1);
-            check_declared(header, &config.tensors(gaussians)[0], origin).map(|()| gaussians)
+            check_declared(header, &first(gaussians), origin).map(|()| gaussians)
         }
     }
 }
 
 /// Checks one tensor's presence, type and shape in the header.
 fn check_declared(header: &Header, spec: &TensorSpec, origin: &Path) -> Result<()> {
-    let (tensor, why) = (&spec.name, spec.id.why());
+    let (tensor, why) = (&spec.name, spec.why);
     match header.shape(tensor) {
         // A vector of no length need not be there.
         None if spec.values() == 0 => Ok(()),

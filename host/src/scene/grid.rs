@@ -1,8 +1,8 @@
 //! The multiresolution hash grids: their configuration and the geometry of their levels.
 
-use organza_kernels::hash_grid::GridLevel;
-use organza_kernels::limits::MAX_FEATURES;
-pub use organza_kernels::limits::MAX_LEVELS;
+use organza_shaders::hash_grid::GridLevel;
+use organza_shaders::limits::MAX_FEATURES;
+pub use organza_shaders::limits::MAX_LEVELS;
 use serde::{Deserialize, Serialize};
 
 use super::config::Problem;

@@ -2,10 +2,12 @@
 
 mod config;
 mod file;
+mod gaussians;
 mod grid;
 mod network;
 mod spec;
 mod tensor_file;
+mod tensors;
 mod validate;
 mod warnings;
 
@@ -17,17 +19,20 @@ pub use config::{
     MlpConfig, SceneConfig, TRANSMITTANCE_OUTPUTS,
 };
 pub(crate) use file::read_scene;
+pub(crate) use gaussians::gaussian_tensors;
+pub use gaussians::{GaussianTensors, Gaussians};
 pub use grid::{
     FEATURE_WIDTHS, GridConfig, GridLevelGeometry, Interpolation, MAX_LEVELS, MAX_LOG2_TABLE,
     MAX_RESOLUTION,
 };
 pub use network::{Field, Layer, Network};
-pub use spec::{TensorId, TensorSpec};
+pub use spec::TensorSpec;
 pub use tensor_file::{Tensor, TensorRef, read_tensors, write_tensors};
 pub(crate) use tensor_file::{read_metadata, read_tensors_from};
+pub use tensors::{FieldTensors, Tensors};
 
 use crate::error::Result;
-use crate::memory;
+use organza_device::memory;
 
 /// A scene: its configuration and all its tensors.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,37 +47,6 @@ pub struct Scene {
     pub transmittance: Field,
 }
 
-/// N Gaussians, one vector per attribute.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Gaussians {
-    /// Centers in world space.
-    pub position: Vec<[f32; 3]>,
-    /// Quaternions w x y z, not normalized.
-    pub rotation: Vec<[f32; 4]>,
-    /// Natural logarithms of the scales along the rotated axes, in world units.
-    pub log_scale: Vec<[f32; 3]>,
-    /// Opacity logits.
-    pub opacity: Vec<f32>,
-    /// Material vectors, `[N, material]`, row-major.
-    pub material: Vec<f32>,
-    /// Extra vectors, `[N, extra]`, row-major.
-    pub extra: Vec<f32>,
-}
-
-impl Gaussians {
-    /// N, the number of Gaussians.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.position.len()
-    }
-
-    /// Whether there are none.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.position.is_empty()
-    }
-}
-
 impl Scene {
     /// A scene of `gaussians` Gaussians with every tensor zero: a start to fill in, or a place for
     /// gradients. Zero quaternions are no rotations, so such a scene renders as background.
@@ -84,83 +58,48 @@ impl Scene {
     pub fn zeros(config: SceneConfig, gaussians: usize) -> Result<Self> {
         config.validate()?;
         let specs = config.tensors(gaussians);
-        validate::check_sizes(&specs, crate::error::IN_MEMORY.as_ref())?;
+        validate::check_sizes(specs.iter(), crate::error::IN_MEMORY.as_ref())?;
         let values: u64 = specs.iter().map(|spec| spec.values() as u64).sum();
         // All at once: each tensor alone may fit.
         memory::check(values * size_of::<f32>() as u64, "the scene")?;
-        let field = |name: &str, grid: &GridConfig, widths: &[usize]| {
-            let table = memory::zeros(grid.entries() * grid.features as usize, name)?;
-            Ok(Field { grid: table, network: Network::zeros(widths) })
-        };
-        let vector = |name: &str, length: u32| memory::zeros(gaussians * length as usize, name);
+        let [color, transmittance] = config.fields().map(|spec| -> Result<Field> {
+            let table = spec.table();
+            let grid = memory::zeros(table.values(), &table.name)?;
+            Ok(Field { grid, network: Network::zeros(&spec.widths) })
+        });
         Ok(Self {
-            gaussians: Gaussians {
-                position: memory::zeros(gaussians, "gaussians.position")?,
-                rotation: memory::zeros(gaussians, "gaussians.rotation")?,
-                log_scale: memory::zeros(gaussians, "gaussians.log_scale")?,
-                opacity: memory::zeros(gaussians, "gaussians.opacity")?,
-                material: vector("gaussians.material", config.material)?,
-                extra: vector("gaussians.extra", config.extra)?,
-            },
-            color: field("color.grid", &config.color_grid, &config.color_widths())?,
-            transmittance: field(
-                "transmittance.grid",
-                &config.transmittance_grid,
-                &config.transmittance_widths(),
-            )?,
+            gaussians: Gaussians::zeros(&config, gaussians)?,
+            color: color?,
+            transmittance: transmittance?,
             config,
         })
     }
 
-    /// Every tensor's values, row-major, in the order of [`SceneConfig::tensors`].
+    /// Every tensor of the scene's file and its values, row-major, in the order of
+    /// [`SceneConfig::tensors`].
     #[must_use]
-    pub fn tensors(&self) -> Vec<(TensorId, &[f32])> {
-        use TensorId as Id;
-        let gaussians = &self.gaussians;
-        let mut tensors = vec![
-            (Id::Position, gaussians.position.as_flattened()),
-            (Id::Rotation, gaussians.rotation.as_flattened()),
-            (Id::LogScale, gaussians.log_scale.as_flattened()),
-            (Id::Opacity, &gaussians.opacity),
-            (Id::Material, &gaussians.material),
-            (Id::Extra, &gaussians.extra),
-            (Id::ColorGrid, &self.color.grid),
-            (Id::TransmittanceGrid, &self.transmittance.grid),
-        ];
-        for (index, layer) in self.color.network.layers.iter().enumerate() {
-            tensors.push((Id::ColorWeight(index), &layer.weight));
-            tensors.push((Id::ColorBias(index), &layer.bias));
-        }
-        for (index, layer) in self.transmittance.network.layers.iter().enumerate() {
-            tensors.push((Id::TransmittanceWeight(index), &layer.weight));
-            tensors.push((Id::TransmittanceBias(index), &layer.bias));
-        }
+    pub fn tensors(&self) -> Vec<(TensorSpec, &[f32])> {
+        let specs = self.config.tensors(self.gaussians.len());
+        let fields = [&self.color, &self.transmittance].into_iter().flat_map(Field::tensors);
+        let values = self.gaussians.tensors().into_vec().into_iter().chain(fields);
+        specs.into_iter().zip(values).collect()
+    }
+
+    /// Like [`Self::tensors`], with `prefix` before each name: for a file that is not a scene.
+    #[must_use]
+    pub fn tensors_with_prefix(&self, prefix: &str) -> Vec<(TensorSpec, &[f32])> {
+        let mut tensors = self.tensors();
+        tensors.iter_mut().for_each(|(spec, _)| spec.name.insert_str(0, prefix));
         tensors
     }
 
-    /// Every tensor's values for writing, in the order of [`Self::tensors`].
+    /// As [`Self::tensors`], for writing.
     #[must_use]
-    pub fn tensors_mut(&mut self) -> Vec<(TensorId, &mut [f32])> {
-        use TensorId as Id;
-        let gaussians = &mut self.gaussians;
-        let mut tensors = vec![
-            (Id::Position, gaussians.position.as_flattened_mut()),
-            (Id::Rotation, gaussians.rotation.as_flattened_mut()),
-            (Id::LogScale, gaussians.log_scale.as_flattened_mut()),
-            (Id::Opacity, &mut gaussians.opacity),
-            (Id::Material, &mut gaussians.material),
-            (Id::Extra, &mut gaussians.extra),
-            (Id::ColorGrid, &mut self.color.grid),
-            (Id::TransmittanceGrid, &mut self.transmittance.grid),
-        ];
-        for (index, layer) in self.color.network.layers.iter_mut().enumerate() {
-            tensors.push((Id::ColorWeight(index), &mut layer.weight));
-            tensors.push((Id::ColorBias(index), &mut layer.bias));
-        }
-        for (index, layer) in self.transmittance.network.layers.iter_mut().enumerate() {
-            tensors.push((Id::TransmittanceWeight(index), &mut layer.weight));
-            tensors.push((Id::TransmittanceBias(index), &mut layer.bias));
-        }
-        tensors
+    pub fn tensors_mut(&mut self) -> Vec<(TensorSpec, &mut [f32])> {
+        let specs = self.config.tensors(self.gaussians.len());
+        let fields =
+            [&mut self.color, &mut self.transmittance].into_iter().flat_map(Field::tensors_mut);
+        let values = self.gaussians.tensors_mut().into_vec().into_iter().chain(fields);
+        specs.into_iter().zip(values).collect()
     }
 }

@@ -29,6 +29,22 @@ pub struct Layer {
     pub outputs: usize,
 }
 
+impl Field {
+    /// Every tensor's values: the grid's, then each layer's weight and bias.
+    pub(super) fn tensors(&self) -> Vec<&[f32]> {
+        let layers = self.network.layers.iter();
+        let layers = layers.flat_map(|layer| [&layer.weight[..], &layer.bias]);
+        std::iter::once(&self.grid[..]).chain(layers).collect()
+    }
+
+    /// As [`Field::tensors`], for writing.
+    pub(super) fn tensors_mut(&mut self) -> Vec<&mut [f32]> {
+        let layers = self.network.layers.iter_mut();
+        let layers = layers.flat_map(|layer| [&mut layer.weight[..], &mut layer.bias]);
+        std::iter::once(&mut self.grid[..]).chain(layers).collect()
+    }
+}
+
 impl Network {
     /// A network of zeros; `widths` are those [`Self::widths`] returns, such as
     /// [`SceneConfig::color_widths`](super::SceneConfig::color_widths).

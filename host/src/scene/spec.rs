@@ -1,102 +1,28 @@
-//! The one table of a scene's tensors: their names, their shapes and why they have them.
+//! The names and shapes of a scene file's tensors, and why they have them.
 
 use super::config::SceneConfig;
+use super::grid::GridConfig;
+use super::tensor_file::TensorRef;
 
 /// The kernels address values with 32 bits, of which one is kept free.
 pub(super) const MAX_VALUES: usize = 1 << 31;
 
-/// Which tensor of a scene. Layers are counted from 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum TensorId {
-    /// Centers in world space, `[N, 3]`.
-    Position,
-    /// Quaternions w x y z, not normalized, `[N, 4]`.
-    Rotation,
-    /// Natural logarithms of the scales, `[N, 3]`.
-    LogScale,
-    /// Opacity logits, `[N]`.
-    Opacity,
-    /// Material vectors, `[N, M]`.
-    Material,
-    /// Extra vectors, `[N, U]`.
-    Extra,
-    /// The color grid's table, `[entries, features]`.
-    ColorGrid,
-    /// The transmittance grid's table, `[entries, features]`.
-    TransmittanceGrid,
-    /// Weights of a layer of the color network, `[outputs, inputs]`.
-    ColorWeight(usize),
-    /// Biases of a layer of the color network, `[outputs]`.
-    ColorBias(usize),
-    /// Weights of a layer of the transmittance network, `[outputs, inputs]`.
-    TransmittanceWeight(usize),
-    /// Biases of a layer of the transmittance network, `[outputs]`.
-    TransmittanceBias(usize),
-}
-
-/// The name and shape of one tensor.
+/// What a scene file says about one tensor.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TensorSpec {
-    /// Which tensor.
-    pub id: TensorId,
-    /// Its name in a scene file.
+    /// Its name in the file.
     pub name: String,
     /// Its shape, row-major.
     pub shape: Vec<usize>,
-}
-
-impl TensorId {
-    /// The tensor's name in a scene file.
-    #[must_use]
-    pub fn name(self) -> String {
-        match self {
-            Self::Position => "gaussians.position".to_owned(),
-            Self::Rotation => "gaussians.rotation".to_owned(),
-            Self::LogScale => "gaussians.log_scale".to_owned(),
-            Self::Opacity => "gaussians.opacity".to_owned(),
-            Self::Material => "gaussians.material".to_owned(),
-            Self::Extra => "gaussians.extra".to_owned(),
-            Self::ColorGrid => "color.grid".to_owned(),
-            Self::TransmittanceGrid => "transmittance.grid".to_owned(),
-            Self::ColorWeight(layer) => format!("color.mlp.{layer}.weight"),
-            Self::ColorBias(layer) => format!("color.mlp.{layer}.bias"),
-            Self::TransmittanceWeight(layer) => format!("transmittance.mlp.{layer}.weight"),
-            Self::TransmittanceBias(layer) => format!("transmittance.mlp.{layer}.bias"),
-        }
-    }
-
-    /// Where the tensor's shape comes from, for messages.
-    pub(super) fn why(self) -> &'static str {
-        match self {
-            Self::Position => "x, y, z of each Gaussian",
-            Self::Rotation => "a quaternion w, x, y, z for each Gaussian of gaussians.position",
-            Self::LogScale => "three scales for each Gaussian of gaussians.position",
-            Self::Opacity => "one logit for each Gaussian of gaussians.position",
-            Self::Material => "config field `material` values for each Gaussian",
-            Self::Extra => "config field `extra` values for each Gaussian",
-            Self::ColorGrid => "entries by features of config field `color_grid`",
-            Self::TransmittanceGrid => "entries by features of config field `transmittance_grid`",
-            Self::ColorWeight(0) => {
-                "outputs by inputs; the inputs are (sh_degree + 1)^2, then levels * features of \
-                 color_grid, then material"
-            }
-            Self::TransmittanceWeight(0) => {
-                "outputs by inputs; the inputs are levels * features of transmittance_grid, then \
-                 extra"
-            }
-            Self::ColorWeight(_) => "outputs by inputs, from config field `color_mlp.hidden`",
-            Self::TransmittanceWeight(_) => {
-                "outputs by inputs, from config field `transmittance_mlp.hidden`"
-            }
-            Self::ColorBias(_) => "outputs, from config field `color_mlp.hidden`",
-            Self::TransmittanceBias(_) => "outputs, from config field `transmittance_mlp.hidden`",
-        }
-    }
+    /// Where the shape comes from, for messages.
+    pub why: &'static str,
 }
 
 impl TensorSpec {
-    fn new(id: TensorId, shape: &[usize]) -> Self {
-        Self { id, name: id.name(), shape: shape.to_vec() }
+    /// The tensor with these values, for writing.
+    #[must_use]
+    pub fn of<'a>(&'a self, data: &'a [f32]) -> TensorRef<'a> {
+        TensorRef { name: &self.name, shape: &self.shape, data }
     }
 
     /// How many values the tensor holds.
@@ -106,34 +32,87 @@ impl TensorSpec {
     }
 }
 
+/// A field of a scene as the configuration has it.
+pub(super) struct FieldSpec<'a> {
+    /// What the names of its tensors begin with.
+    name: &'static str,
+    /// Its hash grid.
+    pub grid: &'a GridConfig,
+    /// Its network: the inputs, the hidden layers, the outputs.
+    pub widths: Vec<usize>,
+    /// Why the tensors have their shapes: the grid, the first weight, every other weight, every bias.
+    why: [&'static str; 4],
+}
+
+impl FieldSpec<'_> {
+    /// The grid's table.
+    pub fn table(&self) -> TensorSpec {
+        TensorSpec {
+            name: format!("{}.grid", self.name),
+            shape: vec![self.grid.entries(), self.grid.features as usize],
+            why: self.why[0],
+        }
+    }
+
+    /// A layer's weights; layers are counted from 0.
+    pub fn weight(&self, layer: usize, shape: Vec<usize>) -> TensorSpec {
+        let why = self.why[if layer == 0 { 1 } else { 2 }];
+        TensorSpec { name: format!("{}.mlp.{layer}.weight", self.name), shape, why }
+    }
+
+    fn bias(&self, layer: usize, outputs: usize) -> TensorSpec {
+        let name = format!("{}.mlp.{layer}.bias", self.name);
+        TensorSpec { name, shape: vec![outputs], why: self.why[3] }
+    }
+
+    /// All its tensors, in the order of [`Field::tensors`](super::Field::tensors).
+    fn tensors(&self) -> Vec<TensorSpec> {
+        let mut specs = vec![self.table()];
+        for (layer, pair) in self.widths.windows(2).enumerate() {
+            specs.push(self.weight(layer, vec![pair[1], pair[0]]));
+            specs.push(self.bias(layer, pair[1]));
+        }
+        specs
+    }
+}
+
 impl SceneConfig {
-    /// Every tensor of a scene with this configuration and `gaussians` Gaussians, in the order of
+    /// Every tensor of a scene file with this configuration and `gaussians` Gaussians, in the order of
     /// [`Scene::tensors`](super::Scene::tensors).
     #[must_use]
     pub fn tensors(&self, gaussians: usize) -> Vec<TensorSpec> {
-        use TensorId as Id;
-        let spec = TensorSpec::new;
-        let grid = |id, config: &super::GridConfig| {
-            spec(id, &[config.entries(), config.features as usize])
-        };
-        let mut specs = vec![
-            spec(Id::Position, &[gaussians, 3]),
-            spec(Id::Rotation, &[gaussians, 4]),
-            spec(Id::LogScale, &[gaussians, 3]),
-            spec(Id::Opacity, &[gaussians]),
-            spec(Id::Material, &[gaussians, self.material as usize]),
-            spec(Id::Extra, &[gaussians, self.extra as usize]),
-            grid(Id::ColorGrid, &self.color_grid),
-            grid(Id::TransmittanceGrid, &self.transmittance_grid),
-        ];
-        let mut network = |widths: Vec<usize>, weight: fn(_) -> _, bias: fn(_) -> _| {
-            for (layer, pair) in widths.windows(2).enumerate() {
-                specs.push(spec(weight(layer), &[pair[1], pair[0]]));
-                specs.push(spec(bias(layer), &[pair[1]]));
-            }
-        };
-        network(self.color_widths(), Id::ColorWeight, Id::ColorBias);
-        network(self.transmittance_widths(), Id::TransmittanceWeight, Id::TransmittanceBias);
+        let mut specs = self.gaussian_specs(gaussians).into_vec();
+        specs.extend(self.fields().iter().flat_map(FieldSpec::tensors));
         specs
+    }
+
+    /// The color field and the transmittance field.
+    pub(super) fn fields(&self) -> [FieldSpec<'_>; 2] {
+        [
+            FieldSpec {
+                name: "color",
+                grid: &self.color_grid,
+                widths: self.color_widths(),
+                why: [
+                    "entries by features of config field `color_grid`",
+                    "outputs by inputs; the inputs are (sh_degree + 1)^2, then levels * features of \
+                     color_grid, then material",
+                    "outputs by inputs, from config field `color_mlp.hidden`",
+                    "outputs, from config field `color_mlp.hidden`",
+                ],
+            },
+            FieldSpec {
+                name: "transmittance",
+                grid: &self.transmittance_grid,
+                widths: self.transmittance_widths(),
+                why: [
+                    "entries by features of config field `transmittance_grid`",
+                    "outputs by inputs; the inputs are levels * features of transmittance_grid, then \
+                     extra",
+                    "outputs by inputs, from config field `transmittance_mlp.hidden`",
+                    "outputs, from config field `transmittance_mlp.hidden`",
+                ],
+            },
+        ]
     }
 }

@@ -10,7 +10,7 @@ use serde_json::{Map, Value, json};
 use crate::atomic_file::write_atomic;
 use crate::error::{Error, Result};
 use crate::input::open_regular;
-use crate::memory;
+use organza_device::memory;
 
 /// Far more header than the few dozen tensors of a scene need; safetensors itself allows 100 MB.
 const MAX_HEADER_BYTES: u64 = 16 << 20;

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use super::spec::{MAX_VALUES, TensorId, TensorSpec};
-use super::{Network, Scene};
+use super::Scene;
+use super::spec::{MAX_VALUES, TensorSpec};
 use crate::error::{Error, IN_MEMORY, Result};
 
 impl Scene {
@@ -23,40 +23,28 @@ impl Scene {
             return Err(Error::EmptyScene { origin: origin.to_owned() });
         }
         self.check_layers(origin)?;
-        let specs = self.config.tensors(self.gaussians.len());
         let tensors = self.tensors();
-        for (spec, (_, data)) in specs.iter().zip(&tensors) {
+        for (spec, data) in &tensors {
             if data.len() != spec.values() {
-                return Err(wrong_shape(spec.id, vec![data.len()], spec.shape.clone(), origin));
+                return Err(wrong_shape(spec, vec![data.len()], origin));
             }
         }
-        check_sizes(&specs, origin)?;
-        for (id, data) in tensors {
-            check_finite(id, data, origin)?;
-        }
-        Ok(())
+        check_sizes(tensors.iter().map(|(spec, _)| spec), origin)?;
+        tensors.iter().try_for_each(|(spec, data)| check_finite(spec, data, origin))
     }
 
     /// Checks the layers' widths, after which [`Self::tensors`] has the configuration's order.
     fn check_layers(&self, origin: &Path) -> Result<()> {
-        type Id = fn(usize) -> TensorId;
-        let networks: [(&Network, Vec<usize>, Id); 2] = [
-            (&self.color.network, self.config.color_widths(), TensorId::ColorWeight),
-            (
-                &self.transmittance.network,
-                self.config.transmittance_widths(),
-                TensorId::TransmittanceWeight,
-            ),
-        ];
-        for (network, widths, id) in networks {
+        let networks = [&self.color.network, &self.transmittance.network];
+        for (network, field) in networks.into_iter().zip(self.config.fields()) {
             // To the longer of the two: a layer that only one side has is a difference too.
-            for index in 0..network.layers.len().max(widths.len() - 1) {
+            for index in 0..network.layers.len().max(field.widths.len() - 1) {
                 let layer = network.layers.get(index);
                 let found = layer.map_or(Vec::new(), |layer| vec![layer.outputs, layer.inputs]);
-                let pair = widths.get(index..index + 2);
+                let pair = field.widths.get(index..index + 2);
                 let expected = pair.map_or(Vec::new(), |pair| vec![pair[1], pair[0]]);
                 if found != expected {
-                    return Err(wrong_shape(id(index), found, expected, origin));
+                    return Err(wrong_shape(&field.weight(index, expected), found, origin));
                 }
             }
         }
@@ -64,19 +52,22 @@ impl Scene {
     }
 }
 
-fn wrong_shape(id: TensorId, found: Vec<usize>, expected: Vec<usize>, origin: &Path) -> Error {
+fn wrong_shape(spec: &TensorSpec, found: Vec<usize>, origin: &Path) -> Error {
     Error::WrongShape {
         origin: origin.to_owned(),
-        tensor: id.name(),
+        tensor: spec.name.clone(),
         found,
-        expected,
-        why: id.why(),
+        expected: spec.shape.clone(),
+        why: spec.why,
     }
 }
 
 /// Checks that the kernels can address every tensor.
-pub(super) fn check_sizes(specs: &[TensorSpec], origin: &Path) -> Result<()> {
-    match specs.iter().find(|spec| spec.values() >= MAX_VALUES) {
+pub(super) fn check_sizes<'a>(
+    mut specs: impl Iterator<Item = &'a TensorSpec>,
+    origin: &Path,
+) -> Result<()> {
+    match specs.find(|spec| spec.values() >= MAX_VALUES) {
         Some(spec) => Err(Error::TooManyValues {
             origin: origin.to_owned(),
             tensor: spec.name.clone(),
@@ -86,11 +77,11 @@ pub(super) fn check_sizes(specs: &[TensorSpec], origin: &Path) -> Result<()> {
     }
 }
 
-fn check_finite(id: TensorId, data: &[f32], origin: &Path) -> Result<()> {
+fn check_finite(spec: &TensorSpec, data: &[f32], origin: &Path) -> Result<()> {
     match data.iter().position(|value| !value.is_finite()) {
         Some(index) => Err(Error::NotFinite {
             origin: origin.to_owned(),
-            tensor: id.name(),
+            tensor: spec.name.clone(),
             index,
             value: data[index],
         }),

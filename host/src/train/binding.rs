@@ -128,7 +128,7 @@ pub fn settings_of(folder: &Path) -> Result<TrainConfig> {
     let (path, checkpoint) = (folder.join(CONFIG), folder.join(CHECKPOINT));
     if !path.exists() {
         let reason = format!(
-            "the folder holds no {CONFIG}, so it is no training run's; name the folder that \
+            "the folder has no {CONFIG}, so it is not a training run's; name the folder that \
              `organza train -o` wrote to"
         );
         return Err(Error::Invalid { origin: folder.to_owned(), reason });

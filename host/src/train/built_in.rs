@@ -5,8 +5,8 @@ use crate::demo;
 use crate::error::Result;
 use crate::evaluate;
 use crate::image::{Image, bands};
-use crate::memory;
 use crate::render::Renderer;
+use organza_device::memory;
 
 /// `views` images of `side` pixels around the built-in scene, of which every `hold_out_every`-th is held out.
 ///

@@ -50,19 +50,11 @@ impl Checkpoint {
     /// As [`Scene::save`]: [`Error::NotFinite`] where training has left what numbers can hold.
     pub fn save(&self, path: impl AsRef<Path>, binding: Option<&Binding>) -> Result<()> {
         self.check(Path::new(IN_MEMORY))?;
-        let specs = self.scene.config.tensors(self.scene.gaussians.len());
-        let names: Vec<_> = MOMENTS
-            .iter()
-            .flat_map(|prefix| specs.iter().map(move |spec| format!("{prefix}{}", spec.name)))
-            .collect();
-        let values = self.moments.iter().flat_map(Scene::tensors);
-        let shapes = specs.iter().chain(&specs).map(|spec| &spec.shape);
-        let mut tensors: Vec<_> = names
-            .iter()
-            .zip(shapes)
-            .zip(values)
-            .map(|((name, shape), (_, data))| TensorRef { name, shape, data })
-            .collect();
+        let mut moments = Vec::new();
+        for (moment, prefix) in self.moments.iter().zip(MOMENTS) {
+            moments.extend(moment.tensors_with_prefix(prefix));
+        }
+        let mut tensors: Vec<_> = moments.iter().map(|(spec, data)| spec.of(data)).collect();
         let shape = [self.statistics.len(), 4];
         let data = self.statistics.as_flattened();
         tensors.push(TensorRef { name: STATISTICS, shape: &shape, data });
@@ -95,7 +87,7 @@ impl Checkpoint {
     fn read(reader: &mut (impl Read + Seek), length: u64, path: &Path) -> Result<Self> {
         let lacks = |what: &str| Error::Invalid {
             origin: path.to_owned(),
-            reason: format!("it lacks {what}: it is a scene, but no checkpoint to go on from"),
+            reason: format!("it lacks {what}: it is a scene, but not a checkpoint to resume from"),
         };
         let no_file = |source| Error::read(path, source);
         let progress = read_metadata(reader, length, path, PROGRESS)?;
@@ -107,8 +99,8 @@ impl Checkpoint {
         let mut tensors: BTreeMap<String, Tensor> = read_tensors_from(reader, length, path)?;
         let mut moment = |prefix: &str| -> Result<Scene> {
             let mut moment = Scene::zeros(scene.config.clone(), scene.gaussians.len())?;
-            for (id, values) in moment.tensors_mut() {
-                let name = format!("{prefix}{}", id.name());
+            for (spec, values) in moment.tensors_mut() {
+                let name = format!("{prefix}{}", spec.name);
                 let found = tensors.remove(&name).filter(|found| found.data.len() == values.len());
                 let found = found.ok_or_else(|| lacks(&format!("tensor `{name}`")))?;
                 values.copy_from_slice(&found.data);
@@ -130,7 +122,7 @@ impl Checkpoint {
     fn check(&self, origin: &Path) -> Result<()> {
         let moments = MOMENTS.iter().zip(&self.moments).flat_map(|(prefix, moments)| {
             let tensors = moments.tensors().into_iter();
-            tensors.map(move |(id, values)| (format!("{prefix}{}", id.name()), values))
+            tensors.map(move |(spec, values)| (format!("{prefix}{}", spec.name), values))
         });
         let statistics = (STATISTICS.to_owned(), self.statistics.as_flattened());
         for (tensor, values) in moments.chain([statistics]) {

@@ -1,11 +1,13 @@
 //! Every setting of a run: the run folder's `config.toml`, readable back with `--config`.
 
 mod check;
+mod optimizer;
 #[cfg(test)]
 mod tests;
 
 use std::path::{Path, PathBuf};
 
+pub use optimizer::{OptimizerConfig, Rate};
 use serde::{Deserialize, Serialize};
 
 use super::binding;
@@ -149,53 +151,6 @@ pub struct StartConfig {
     pub spread: f32,
 }
 
-/// Adam (Kingma and Ba) and its rates.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct OptimizerConfig {
-    /// beta1
-    pub beta1: f64,
-    /// beta2
-    pub beta2: f64,
-    /// epsilon
-    pub epsilon: f64,
-    /// Centers, as a part of half the scene box's longest side.
-    pub position: Rate,
-    /// Quaternions.
-    pub rotation: Rate,
-    /// Logarithms of scales.
-    pub log_scale: Rate,
-    /// Opacity logits.
-    pub opacity: Rate,
-    /// Material.
-    pub material: Rate,
-    /// Extra.
-    pub extra: Rate,
-    /// Both hash grids.
-    pub grids: Rate,
-    /// Both networks.
-    pub networks: Rate,
-}
-
-/// A learning rate that falls from the first step to the last, by the same factor each step.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Rate {
-    /// At the first step.
-    pub first: f64,
-    /// At the last step.
-    pub last: f64,
-}
-
-impl Rate {
-    /// The rate at `step` of `steps`.
-    #[must_use]
-    pub fn at(&self, step: u32, steps: u32) -> f64 {
-        let share = f64::from(step) / f64::from(steps.max(1));
-        self.first * (self.last / self.first).powf(share.min(1.0))
-    }
-}
-
 /// How the number of Gaussians changes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
@@ -291,25 +246,6 @@ impl Default for ShapeConfig {
 impl Default for StartConfig {
     fn default() -> Self {
         Self { gaussians: 4000, opacity: 0.1, scale: 1.0, transmittance_bias: 5.0, spread: 0.1 }
-    }
-}
-
-impl Default for OptimizerConfig {
-    fn default() -> Self {
-        let falls = |first: f64, share: f64| Rate { first, last: first * share };
-        Self {
-            beta1: 0.9,
-            beta2: 0.99,
-            epsilon: 1e-12,
-            position: falls(1e-3, 0.05),
-            rotation: falls(1e-3, 1.0),
-            log_scale: falls(1e-2, 0.3),
-            opacity: falls(2.5e-2, 1.0),
-            material: falls(1e-2, 0.1),
-            extra: falls(1e-2, 0.1),
-            grids: falls(1e-2, 0.1),
-            networks: falls(2e-3, 0.1),
-        }
     }
 }
 

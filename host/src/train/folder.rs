@@ -52,7 +52,7 @@ impl RunFolder {
             }
             if !resume && [CONFIG, CHECKPOINT].contains(&name) {
                 return invalid(format!(
-                    "the folder holds a run already ({name}); go on with it by `--resume`, or name \
+                    "the folder already holds a run ({name}); continue it with `--resume`, or name \
                      another folder"
                 ));
             }

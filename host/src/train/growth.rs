@@ -57,14 +57,13 @@ pub fn grow(
         GrowthMethod::Split => split(config, scene, statistics),
         GrowthMethod::Relocate => relocate(config, scene, random),
     };
+    let parents: Vec<_> = children.iter().map(|child| child.parent).collect();
+    let is_new: Vec<_> = children.iter().map(|child| child.change.is_some()).collect();
     for moment in moments {
-        moment.gaussians = rows(&moment.gaussians, &children);
-        for (i, child) in children.iter().enumerate().filter(|(_, child)| child.change.is_some()) {
-            let _ = child;
-            clear(&mut moment.gaussians, i);
-        }
+        moment.gaussians = moment.gaussians.select(&parents);
+        clear(&mut moment.gaussians, &is_new);
     }
-    let mut gaussians = rows(&scene.gaussians, &children);
+    let mut gaussians = scene.gaussians.select(&parents);
     for (i, child) in children.iter().enumerate() {
         if let Some(change) = child.change {
             change.apply(&mut gaussians, i);
@@ -188,40 +187,13 @@ impl Change {
     }
 }
 
-/// The children's rows, each its parent's.
-fn rows(gaussians: &Gaussians, children: &[Child]) -> Gaussians {
-    fn pick<T: Copy>(values: &[T], children: &[Child]) -> Vec<T> {
-        children.iter().map(|child| values[child.parent]).collect()
-    }
-    let count = gaussians.len();
-    let wide = |values: &[f32]| -> Vec<f32> {
-        let width = values.len() / count;
-        children
-            .iter()
-            .flat_map(|child| &values[child.parent * width..][..width])
-            .copied()
-            .collect()
-    };
-    Gaussians {
-        position: pick(&gaussians.position, children),
-        rotation: pick(&gaussians.rotation, children),
-        log_scale: pick(&gaussians.log_scale, children),
-        opacity: pick(&gaussians.opacity, children),
-        material: wide(&gaussians.material),
-        extra: wide(&gaussians.extra),
-    }
-}
-
-/// A row of moments of a Gaussian that is new.
-fn clear(gaussians: &mut Gaussians, i: usize) {
-    let count = gaussians.len();
-    gaussians.position[i] = [0.0; 3];
-    gaussians.rotation[i] = [0.0; 4];
-    gaussians.log_scale[i] = [0.0; 3];
-    gaussians.opacity[i] = 0.0;
-    for values in [&mut gaussians.material, &mut gaussians.extra] {
-        let width = values.len() / count;
-        values[i * width..][..width].fill(0.0);
+/// Clears the rows of moments of Gaussians that are new.
+fn clear(gaussians: &mut Gaussians, is_new: &[bool]) {
+    for values in gaussians.tensors_mut().into_vec() {
+        let width = values.len() / is_new.len().max(1);
+        for (row, _) in values.chunks_mut(width.max(1)).zip(is_new).filter(|(_, is_new)| **is_new) {
+            row.fill(0.0);
+        }
     }
 }
 

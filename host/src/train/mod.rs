@@ -20,4 +20,4 @@ pub use checkpoint::{CHECKPOINT, Checkpoint, Progress};
 pub use config::TrainConfig;
 pub use folder::RunFolder;
 pub use session::{CONFIG, Event, METRICS, Outcome, REPORT, Session};
-pub use trainer::{StepReport, Trainer};
+pub use trainer::{GradientHook, StepGradient, StepReport, Trainer};

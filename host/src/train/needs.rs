@@ -3,8 +3,8 @@
 use super::config::TrainConfig;
 use super::start::scene_config;
 use crate::error::{Result, format_bytes};
-use crate::memory;
 use crate::tile::Tile;
+use organza_device::memory;
 
 /// Bytes of a Gaussian beside its tensors while it gets its place: the place, its neighbors.
 const PLACE_BYTES: u64 = 80;
@@ -19,7 +19,7 @@ impl TrainConfig {
     /// Fails where a run cannot fit into memory, before anything is read or made.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory) with what it takes at least, by its parts, and what there is.
+    /// [`Error::OutOfMemory`](crate::error::DeviceError::OutOfMemory) with what it takes at least, by its parts, and what there is.
     pub fn check_memory(&self) -> Result<()> {
         let tiles = u64::from(self.run.tiles_per_step);
         let pixels = tiles * u64::from(self.run.tile_size).pow(2);
@@ -36,14 +36,14 @@ impl TrainConfig {
             "the run (views {views}, the tiles of a step {tiles}, the scene and Adam's moments \
              {moments})"
         );
-        memory::check(photographs.saturating_add(step).saturating_add(scene), &what)
+        Ok(memory::check(photographs.saturating_add(step).saturating_add(scene), &what)?)
     }
 }
 
 /// Fails where a scene of so many Gaussians, and Adam's moments of it, do not fit.
 pub(super) fn check_scene(config: &TrainConfig, gaussians: u64) -> Result<()> {
     let what = format!("a scene of {gaussians} Gaussians with Adam's moments");
-    memory::check(scene_bytes(config, gaussians), &what)
+    Ok(memory::check(scene_bytes(config, gaussians), &what)?)
 }
 
 /// A scene and two moments of its shape.

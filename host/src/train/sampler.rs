@@ -7,8 +7,8 @@ use rand_pcg::Pcg64;
 use super::config::RunConfig;
 use crate::data::Frame;
 use crate::error::Result;
-use crate::memory;
 use crate::tile::{Tile, TileBatch};
+use organza_device::memory;
 
 /// Independent random numbers for each purpose and time: whoever resumes draws the same.
 #[must_use]
@@ -61,14 +61,15 @@ impl Sampler {
     /// Fails where the tiles of an epoch do not fit: there are as many as pixels where they have one each.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    /// [`Error::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
     pub fn check_memory(&self) -> Result<()> {
         let cells = |&[width, height]: &[u32; 2]| {
             u64::from(cells(width, self.side)) * u64::from(cells(height, self.side))
         };
         let tiles: u64 = self.sizes.iter().map(cells).sum();
         let bytes = tiles * size_of::<Tile>() as u64 + self.groups as u64 * 32;
-        memory::check(bytes, "the tiles of all photographs (a larger `run.tile_size` makes fewer)")
+        let what = "the tiles of all photographs (a larger `run.tile_size` makes fewer)";
+        Ok(memory::check(bytes, what)?)
     }
 
     /// The tiles of a step.
@@ -126,7 +127,7 @@ impl Target {
     /// The photographs behind a batch's tiles.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    /// [`Error::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
     pub fn of(batch: &TileBatch, frames: &[&Frame]) -> Result<Self> {
         let side = batch.side as usize;
         let area = side * side;

@@ -12,11 +12,11 @@ use super::folder::RunFolder;
 use super::metrics::{MetricsLog, Record, TimingRow};
 use super::report::{MAX_VIEWS, Report, ReportView, write_report};
 use super::start::start;
-use super::trainer::{StepReport, Trainer};
+use super::trainer::{GradientHook, StepReport, Trainer};
 use crate::data::{Dataset, Frame};
 use crate::error::{Error, Result};
 use crate::evaluate::{self, Evaluation, evaluate};
-use crate::render::Renderer;
+use crate::render::{DeviceScene, Renderer};
 
 /// `config.toml`, every setting.
 pub const CONFIG: &str = "config.toml";
@@ -59,8 +59,8 @@ pub enum Event<'a> {
         seconds: f64,
         /// What it measured.
         report: &'a StepReport,
-        /// Gaussians of the scene.
-        gaussians: usize,
+        /// The scene, on the device.
+        scene: &'a DeviceScene,
     },
     /// Held-out views are being measured.
     Evaluating,
@@ -92,6 +92,7 @@ struct State<'a, 'w> {
     /// When the last line was logged: tiles since, and the seconds then.
     since: (usize, f64),
     watch: &'w mut dyn FnMut(Event<'_>),
+    hook: &'w mut GradientHook<'w>,
 }
 
 impl Session<'_> {
@@ -101,6 +102,19 @@ impl Session<'_> {
     /// # Errors
     /// Whatever a step, the files or the device run into; what was saved stays.
     pub fn run(&self, resume: bool, watch: &mut dyn FnMut(Event<'_>)) -> Result<Outcome> {
+        self.run_with(resume, watch, &mut |_| Ok(()))
+    }
+
+    /// Like [`Session::run`]; calls `hook` in every step, see [`Trainer::step_with`].
+    ///
+    /// # Errors
+    /// As [`Session::run`], and those of `hook`.
+    pub fn run_with(
+        &self,
+        resume: bool,
+        watch: &mut dyn FnMut(Event<'_>),
+        hook: &mut GradientHook<'_>,
+    ) -> Result<Outcome> {
         let path = self.folder.path().join(CHECKPOINT);
         let frames: Vec<&Frame> =
             self.dataset.train.iter().map(|&index| &self.dataset.frames[index]).collect();
@@ -132,6 +146,7 @@ impl Session<'_> {
             stages: BTreeMap::new(),
             since: (0, progress.seconds),
             watch,
+            hook,
         }
         .run()
     }
@@ -207,13 +222,13 @@ impl State<'_, '_> {
 
     fn step(&mut self) -> Result<()> {
         let begin = Instant::now();
-        let report = self.trainer.step()?;
+        let report = self.trainer.step_with(self.hook)?;
         let seconds = begin.elapsed().as_secs_f64();
         self.seconds += seconds;
         self.add_times(seconds);
-        let (step, gaussians) = (self.trainer.steps(), self.trainer.scene().len());
+        let (step, scene) = (self.trainer.steps(), self.trainer.scene());
         self.since.0 += report.tiles;
-        let numbers = (u64::from(step), gaussians as u64);
+        let numbers = (u64::from(step), scene.len() as u64);
         if let Some(grown) = report.grown {
             self.log.append(&Record::Growth {
                 step: numbers.0,
@@ -235,7 +250,7 @@ impl State<'_, '_> {
             })?;
         }
         let seconds = self.seconds;
-        (self.watch)(Event::Step { step, seconds, report: &report, gaussians });
+        (self.watch)(Event::Step { step, seconds, report: &report, scene });
         Ok(())
     }
 

@@ -12,6 +12,7 @@ use crate::metrics;
 use crate::render::{DeviceScene, Loss, LossTarget, Renderer, SceneGradient, TileLoss};
 use crate::scene::Scene;
 use crate::tile::TileBatch;
+use organza_device::Device;
 
 const GROWTH: u64 = 4;
 
@@ -43,6 +44,40 @@ pub struct StepReport {
     pub grown: Option<Grown>,
 }
 
+/// A step's gradient before the optimizer applies it: the argument of a [`GradientHook`].
+#[derive(Clone, Copy, Debug)]
+pub struct StepGradient<'a> {
+    /// The device of the scene and the gradient.
+    pub device: &'a Device,
+    /// Steps before this one.
+    pub step: u32,
+    /// The scene that the gradient is of.
+    pub scene: &'a DeviceScene,
+    /// The gradient of the batch's loss.
+    pub gradient: &'a SceneGradient,
+}
+
+/// A function between a step's gradient and the optimizer: a regularizer, another optimizer, a sum over processes.
+/// Adam uses the gradient that the hook leaves.
+///
+/// ```no_run
+/// use organza::train::{Session, StepGradient};
+///
+/// # fn example(session: &Session<'_>) -> organza::Result<()> {
+/// // keeps materials small: adds 1e-4 times each value to its gradient
+/// let mut decay = |step: &StepGradient<'_>| {
+///     let values = step.device.read(&step.scene.tensors().gaussians.material)?;
+///     let gradient = &step.gradient.tensors().gaussians.material;
+///     let mut sum = gradient.read(step.device)?;
+///     sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += 1e-4 * value);
+///     gradient.write(step.device, &sum)
+/// };
+/// session.run_with(false, &mut |_| {}, &mut decay)?;
+/// # Ok(())
+/// # }
+/// ```
+pub type GradientHook<'h> = dyn FnMut(&StepGradient<'_>) -> Result<()> + 'h;
+
 impl<'a> Trainer<'a> {
     /// Goes on from a checkpoint; [`Trainer::begin`] makes the first.
     ///
@@ -62,10 +97,7 @@ impl<'a> Trainer<'a> {
         if !config.ablation.divide {
             scene.divide_above = f32::MAX;
         }
-        let [first, second] = &checkpoint.moments;
-        let moments = [renderer.upload_moments(first)?, renderer.upload_moments(second)?];
-        let [first, second] = moments;
-        let optimizer = Optimizer::new(device, first, second)?;
+        let optimizer = Optimizer::new(device, &checkpoint.moments)?;
         let gradient = new_gradient(renderer, config, &scene, &checkpoint.statistics)?;
         let cameras = frames.iter().map(|frame| frame.camera.clone()).collect();
         let (step, loss) = (checkpoint.progress.step, None);
@@ -122,10 +154,7 @@ impl<'a> Trainer<'a> {
         let statistics = device.read(&self.gradient.statistics)?;
         Ok(Checkpoint {
             scene: self.scene.download(device)?,
-            moments: [
-                self.optimizer.first.download(device)?,
-                self.optimizer.second.download(device)?,
-            ],
+            moments: self.optimizer.moments(device, &self.scene)?,
             statistics: statistics.iter().map(|v| v.to_array()).collect(),
             progress: Progress { step: self.step, seconds },
         })
@@ -136,6 +165,14 @@ impl<'a> Trainer<'a> {
     /// # Errors
     /// [`Error::Diverged`] where the loss is not finite; [`Error::OutOfMemory`].
     pub fn step(&mut self) -> Result<StepReport> {
+        self.step_with(&mut |_| Ok(()))
+    }
+
+    /// Like [`Trainer::step`]; calls `hook` after the backward pass and before Adam.
+    ///
+    /// # Errors
+    /// As [`Trainer::step`], and those of `hook`: the trainer is then as before the step.
+    pub fn step_with(&mut self, hook: &mut GradientHook<'_>) -> Result<StepReport> {
         let config = self.config;
         let batch = self.sampler.batch(self.step);
         let losses = self.add_gradient(&batch)?;
@@ -147,9 +184,10 @@ impl<'a> Trainer<'a> {
         }
         let device = self.renderer.device();
         let (optimizer, scene, gradient) = (&self.optimizer, &self.scene, &self.gradient);
-        let (settings, learn) = (&config.optimizer, config.ablation.learn_transmittance);
-        let steps = [self.step, config.run.steps];
-        device.inside(|| optimizer.step(device, scene, gradient, settings, steps, learn))?;
+        let between = StepGradient { device, step: self.step, scene, gradient };
+        hook(&between).inspect_err(|_| gradient.restart(device))?;
+        let (settings, steps) = (&config.optimizer, [self.step, config.run.steps]);
+        device.run_in_pool(|| optimizer.step(device, scene, gradient, settings, steps))?;
         self.gradient.clear_touched(device);
         self.step += 1;
         let grown = self.is_time_to_grow().then(|| self.grow()).transpose()?;

@@ -143,17 +143,5 @@ pub fn camera_to(eye: [f64; 3], target: [f64; 3], size: [u32; 2]) -> Camera {
 
 /// The scene with these of its Gaussians alone.
 pub fn keep(scene: &Scene, gaussians: &[usize]) -> Scene {
-    let mut kept = scene.clone();
-    let (material, extra) = (scene.config.material as usize, scene.config.extra as usize);
-    let (from, to) = (&scene.gaussians, &mut kept.gaussians);
-    let pick = |values: &[f32], width: usize| -> Vec<f32> {
-        gaussians.iter().flat_map(|&i| values[i * width..][..width].to_vec()).collect()
-    };
-    to.position = gaussians.iter().map(|&i| from.position[i]).collect();
-    to.rotation = gaussians.iter().map(|&i| from.rotation[i]).collect();
-    to.log_scale = gaussians.iter().map(|&i| from.log_scale[i]).collect();
-    to.opacity = pick(&from.opacity, 1);
-    to.material = pick(&from.material, material);
-    to.extra = pick(&from.extra, extra);
-    kept
+    Scene { gaussians: scene.gaussians.select(gaussians), ..scene.clone() }
 }

@@ -1,15 +1,9 @@
 //! Snapshots: what is recorded, how two records are compared, and what a failure leaves behind.
 
-pub mod compare;
 pub mod exact;
 pub mod generator;
-pub mod harmonics;
-pub mod picture;
-pub mod report;
-pub mod tensors;
 
-#[cfg(test)]
-mod tests;
+pub use organza_check::snapshot::{compare, picture, report, tensors};
 
 use std::path::{Path, PathBuf};
 

@@ -5,9 +5,8 @@ use organza::{Camera, Renderer, Scene, Stages};
 
 use crate::snapshot::exact;
 use crate::snapshot::generator::{Recipe, camera, camera_to};
-use crate::snapshot::harmonics;
 use crate::snapshot::tensors::Tensors;
-use crate::{RENDERERS, Tolerance, assert_tensors};
+use crate::snapshots::{RENDERERS, Tolerance, assert_tensors};
 
 /// Values of about 1.  Measured: features 8e-7 where naga lets a driver fuse, 1e-7 elsewhere.
 const COLOR: Tolerance = Tolerance { absolute: 5e-6, relative: 5e-6 };
@@ -30,17 +29,18 @@ fn near(what: &str, found: f32, exact: f64, tolerance: f64) {
 fn record_color(tensors: &mut Tensors, scene: &Scene, camera: &Camera, stages: &Stages) {
     let count = scene.gaussians.len();
     let (sh, grid) = (scene.config.sh_width(), scene.config.color_grid.width());
-    let directions: Vec<_> = (0..count).map(|i| exact::direction(scene, camera, i)).collect();
-    harmonics::check(&stages.sh, &directions, scene.config.sh_degree as usize);
     for gaussian in 0..count {
         let features = &stages.color_encoding[gaussian * grid..][..grid];
-        let position = scene.gaussians.position[gaussian].map(f64::from);
-        let point = scene.config.normalize(position);
-        let encoded = exact::encode(&scene.config.color_grid, &scene.color.grid, point);
-        for (&found, exact) in features.iter().zip(encoded) {
+        for (&found, exact) in features.iter().zip(exact::color_features(scene, gaussian)) {
             near(&format!("a feature of Gaussian {gaussian}"), found, exact, 1e-4);
         }
         let harmonics = &stages.sh[gaussian * sh..][..sh];
+        let expected = exact::harmonics(scene, camera, gaussian);
+        for (index, (&found, exact)) in harmonics.iter().zip(expected).enumerate() {
+            // band 0 is a constant
+            let tolerance = if index == 0 { 6e-8 } else { 4e-6 };
+            near(&format!("harmonic {index} of Gaussian {gaussian}"), found, exact, tolerance);
+        }
         let color = exact::color(scene, harmonics, features, gaussian);
         for (&found, exact) in stages.color[3 * gaussian..].iter().zip(color) {
             near(&format!("the color of Gaussian {gaussian}"), found, exact, 1e-5);
@@ -201,12 +201,13 @@ fn projection() {
                 conic.extend([0.0; 3]);
                 continue;
             };
-            near("a radius", radius, exact.radius, 1e-5 * exact.radius);
+            near("a radius", radius, exact.radius(), 1e-5 * exact.radius());
             for (&found, exact) in stages.mean2d[gaussian].iter().zip(exact.mean) {
                 near("a center", found, exact, 1e-5 * exact.abs() + 1e-4);
             }
-            for (&found, value) in stages.conic[gaussian].iter().zip(exact.conic) {
-                near("a conic", found, value, 1e-5 * exact.conic[0].max(exact.conic[2]));
+            let exact = exact.conic();
+            for (&found, value) in stages.conic[gaussian].iter().zip(exact) {
+                near("a conic", found, value, 1e-5 * exact[0].max(exact[2]));
             }
             mean2d.extend(stages.mean2d[gaussian]);
             conic.extend(stages.conic[gaussian]);

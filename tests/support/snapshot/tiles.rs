@@ -6,8 +6,8 @@ use crate::snapshot::exact::{self, Branches};
 use crate::snapshot::generator::{Recipe, camera, camera_to, keep};
 use crate::snapshot::picture::Montage;
 use crate::snapshot::tensors::Tensors;
-use crate::stages::record_transmittance;
-use crate::{RENDERERS, Tolerance, assert_picture, assert_tensors};
+use crate::snapshots::stages::record_transmittance;
+use crate::snapshots::{RENDERERS, Tolerance, assert_picture, assert_tensors};
 
 /// Weighted means of colors are no farther off than the colors.  Measured: 4e-7.
 const TILES: Tolerance = Tolerance { absolute: 5e-6, relative: 5e-6 };
@@ -52,7 +52,7 @@ impl Shot<'_> {
             for (camera, stages) in self.cameras.iter().zip(&stages) {
                 record_transmittance(&self.scene, camera, stages);
             }
-            let (exact, branches) = exact::composite(&self.scene, &stages, &self.batch);
+            let (exact, branches) = exact::tiles(&self.scene, &stages, &self.batch);
             for (index, (&found, exact)) in found.data.iter().zip(&exact).enumerate() {
                 let apart = (f64::from(found) - exact).abs();
                 assert!(

@@ -24,11 +24,11 @@ Examples:
   organza info cameras.json
   organza info rendered.safetensors --json";
 
-/// Say what a file holds: a scene, cameras, tiles, or a rendered batch
+/// Describe a file: a scene, cameras, tiles, or a rendered batch
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The file; its content tells what it is
+    /// The file; its content decides what it is
     file: PathBuf,
     /// Print JSON
     #[arg(long)]

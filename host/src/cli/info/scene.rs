@@ -4,10 +4,8 @@ use std::fmt;
 use std::path::Path;
 
 use organza::error::format_bytes;
-use organza::scene::{GridConfig, Interpolation, SceneConfig};
-use organza::{Result, Scene};
-use organza_kernels::dense::HIDDEN_BLOCK;
-use organza_kernels::hash_grid::GridLevel;
+use organza::scene::{GridConfig, Interpolation, SceneConfig, TensorSpec};
+use organza::{DeviceScene, Result, Scene};
 use serde::Serialize;
 
 use super::tensors::{self, TensorInfo};
@@ -44,53 +42,26 @@ struct Level {
 impl SceneInfo {
     pub fn new(path: &Path, scene: &Scene) -> Result<Self> {
         let config = &scene.config;
-        let specs = config.tensors(scene.gaussians.len());
-        let tensors = specs.iter().zip(scene.tensors());
-        let tensors =
-            tensors.map(|(spec, (_, data))| TensorInfo::new(&spec.name, &spec.shape, data));
+        let tensors = scene.tensors();
+        let info =
+            |(spec, data): &(TensorSpec, &[f32])| TensorInfo::new(&spec.name, &spec.shape, data);
         Ok(Self {
             kind: "scene",
             file: path.display().to_string(),
             file_bytes: super::file_bytes(path),
             gaussians: scene.gaussians.len(),
-            values: specs.iter().map(|spec| spec.values()).sum(),
-            device_bytes: device_bytes(scene),
+            values: tensors.iter().map(|(_, data)| data.len()).sum(),
+            device_bytes: DeviceScene::bytes_of(scene),
             color_network: config.color_widths(),
             transmittance_network: config.transmittance_widths(),
             color_levels: levels(&config.color_grid),
             transmittance_levels: levels(&config.transmittance_grid),
-            tensors: tensors.collect(),
+            tensors: tensors.iter().map(info).collect(),
             warnings: scene.warnings(),
             unused_tensors: Scene::unused_tensors(path)?,
             config: config.clone(),
         })
     }
-}
-
-/// `DeviceScene::bytes` without a device; a test holds the two together.
-fn device_bytes(scene: &Scene) -> u64 {
-    let gaussians = &scene.gaussians;
-    let per_gaussian = gaussians.position.as_flattened().len()
-        + gaussians.rotation.as_flattened().len()
-        + gaussians.log_scale.as_flattened().len()
-        + gaussians.opacity.len()
-        + gaussians.material.len()
-        + gaussians.extra.len();
-    let config = &scene.config;
-    let field = |grid: &GridConfig, widths: &[usize]| {
-        let layer = |(index, pair): (usize, &[usize])| {
-            let is_last = index + 2 == widths.len();
-            // Outputs are padded to what a kernel evaluates at once.
-            let block = if is_last { 4 } else { HIDDEN_BLOCK as usize };
-            (pair[0] + 1) * pair[1].next_multiple_of(block)
-        };
-        let network: usize = widths.windows(2).enumerate().map(layer).sum();
-        4 * (grid.entries() * grid.features as usize + network)
-            + grid.levels as usize * size_of::<GridLevel>()
-    };
-    let fields = field(&config.color_grid, &config.color_widths())
-        + field(&config.transmittance_grid, &config.transmittance_widths());
-    (4 * per_gaussian + fields) as u64
 }
 
 fn levels(grid: &GridConfig) -> Vec<Level> {

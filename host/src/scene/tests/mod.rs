@@ -75,10 +75,10 @@ fn values_are_in_their_places() {
     let scene = Scene::load(case_path("basic")).unwrap();
     let bytes = std::fs::read(case_path("basic")).unwrap();
     let file = safetensors::SafeTensors::deserialize(&bytes).unwrap();
-    for (id, data) in scene.tensors() {
-        let expected = file.tensor(&id.name()).unwrap();
+    for (spec, data) in scene.tensors() {
+        let expected = file.tensor(&spec.name).unwrap();
         let bytes: &[u8] = bytemuck::cast_slice(data);
-        assert_eq!(bytes, expected.data(), "{id:?}");
+        assert_eq!(bytes, expected.data(), "{spec:?}");
     }
 }
 
@@ -100,16 +100,16 @@ fn round_trip_is_exact_and_repeatable() {
 }
 
 #[test]
-fn tables_of_tensors_agree() {
+fn tensors_are_as_the_configuration_says() {
     let mut scene = Scene::load(case_path("basic")).unwrap();
     let specs = scene.config.tensors(scene.gaussians.len());
-    let ids: Vec<_> = specs.iter().map(|spec| spec.id).collect();
-    let shared: Vec<_> = scene.tensors().into_iter().map(|(id, data)| (id, data.len())).collect();
-    let unique: Vec<_> =
-        scene.tensors_mut().into_iter().map(|(id, data)| (id, data.len())).collect();
-    assert_eq!(shared, unique);
-    assert_eq!(shared.iter().map(|(id, _)| *id).collect::<Vec<_>>(), ids);
-    assert!(specs.iter().zip(&shared).all(|(spec, (_, length))| spec.values() == *length));
+    let sizes = |specs: &[TensorSpec]| specs.iter().map(TensorSpec::values).collect::<Vec<_>>();
+    let (found, lengths): (Vec<_>, Vec<_>) =
+        scene.tensors().into_iter().map(|(spec, data)| (spec, data.len())).unzip();
+    assert_eq!((&found, lengths), (&specs, sizes(&specs)));
+    let (found, lengths): (Vec<_>, Vec<_>) =
+        scene.tensors_mut().into_iter().map(|(spec, data)| (spec, data.len())).unzip();
+    assert_eq!((&found, lengths), (&specs, sizes(&specs)));
 }
 
 #[test]
@@ -119,15 +119,14 @@ fn empty_vectors_may_be_absent_or_present() {
     scene.gaussians.rotation.fill([1.0, 0.0, 0.0, 0.0]);
     let bytes = scene.to_bytes().unwrap();
     assert_eq!(load(&bytes).unwrap(), scene);
-    let specs = scene.config.tensors(2);
+    let all = scene.tensors();
     let config = serde_json::to_string(&scene.config).unwrap();
-    let tensors: Vec<_> = specs
+    let tensors: Vec<_> = all
         .iter()
-        .zip(scene.tensors())
         .filter(|(spec, _)| spec.values() > 0)
-        .map(|(spec, (_, data))| TensorRef { name: &spec.name, shape: &spec.shape, data })
+        .map(|(spec, data)| spec.of(data))
         .collect();
-    assert_eq!(tensors.len(), specs.len() - 2);
+    assert_eq!(tensors.len(), all.len() - 2);
     let metadata = [("format", file::FORMAT), ("version", file::VERSION), ("config", &*config)];
     let bytes = tensor_file::encode(&tensors, &metadata).unwrap();
     assert_eq!(load(&bytes).unwrap(), scene);

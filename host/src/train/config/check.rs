@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 use super::super::start::scene_config;
-use super::{OptimizerConfig, TrainConfig};
+use super::TrainConfig;
 use crate::error::Error;
 use crate::tile::most_tiles;
 
@@ -84,7 +84,7 @@ impl TrainConfig {
 }
 
 /// In the value's own type, whose digits are those of the file.
-fn within<T: Copy + PartialOrd + Display>(
+pub(super) fn within<T: Copy + PartialOrd + Display>(
     name: &str,
     value: T,
     low: T,
@@ -93,28 +93,5 @@ fn within<T: Copy + PartialOrd + Display>(
     match (low..=high).contains(&value) {
         true => Ok(()),
         false => Err(format!("`{name}` is {value}, expected {low} to {high}")),
-    }
-}
-
-impl OptimizerConfig {
-    fn check(&self) -> Result<(), String> {
-        within("optimizer.beta1", self.beta1, 0.0, 0.999_999)?;
-        within("optimizer.beta2", self.beta2, 0.0, 0.999_999_9)?;
-        within("optimizer.epsilon", self.epsilon, 1e-30, 1.0)?;
-        let rates = [
-            ("position", self.position),
-            ("rotation", self.rotation),
-            ("log_scale", self.log_scale),
-            ("opacity", self.opacity),
-            ("material", self.material),
-            ("extra", self.extra),
-            ("grids", self.grids),
-            ("networks", self.networks),
-        ];
-        for (name, rate) in rates {
-            within(&format!("optimizer.{name}.first"), rate.first, 1e-12, 1.0)?;
-            within(&format!("optimizer.{name}.last"), rate.last, 1e-12, 1.0)?;
-        }
-        Ok(())
     }
 }

@@ -1,0 +1,65 @@
+//! Eq. 12: what a pair adds to a pixel.
+
+use glam::Vec4;
+
+use super::numeric::{Number, sigmoid};
+use super::project::cutoff;
+
+/// A pair in the image.
+#[derive(Clone, Copy, Debug)]
+pub struct Splat<N> {
+    /// Its center, in pixels.
+    pub mean: [N; 2],
+    /// `opacity T`
+    pub weight: N,
+    /// xx, xy, yy of cov2d's inverse.
+    pub conic: [N; 3],
+    /// c
+    pub color: [N; 3],
+}
+
+/// `opacity T`, of an opacity's logit: alpha but for the falloff.
+#[must_use]
+pub fn weight<N: Number>(logit: N, transmittance: N) -> N {
+    sigmoid(logit) * transmittance
+}
+
+/// `exp(-q/2)` up to the cutoff, and 0 behind it.  Rounding may have taken q of a needle below 0.
+#[must_use]
+pub fn falloff<N: Number>(q: N) -> N {
+    if q.value() > cutoff() {
+        return N::from(0.0);
+    }
+    let q = if q.value() < 0.0 { q - N::from(q.value()) } else { q };
+    (N::from(-0.5) * q).exp()
+}
+
+impl Splat<f64> {
+    /// A splat as the kernels have it.
+    #[must_use]
+    pub fn of(vectors: &[Vec4; 3]) -> Self {
+        let [placed, conic, color] = vectors.map(|vector| vector.as_dvec4());
+        Self {
+            mean: [placed.x, placed.y],
+            weight: placed.z,
+            conic: [conic.x, conic.y, conic.z],
+            color: [color.x, color.y, color.z],
+        }
+    }
+}
+
+impl<N: Number> Splat<N> {
+    /// `q = d^T cov2d^-1 d`, d from the center to a place of the image.
+    pub fn q(&self, place: [f64; 2]) -> N {
+        let [dx, dy] = [0, 1].map(|axis| N::from(place[axis]) - self.mean[axis]);
+        let [xx, xy, yy] = self.conic;
+        xx * dx * dx + N::from(2.0) * xy * dx * dy + yy * dy * dy
+    }
+
+    /// `alpha c` and alpha at the center of a pixel.
+    pub fn term(&self, place: [f64; 2]) -> [N; 4] {
+        let alpha = self.weight * falloff(self.q(place));
+        let [r, g, b] = self.color.map(|c| alpha * c);
+        [r, g, b, alpha]
+    }
+}

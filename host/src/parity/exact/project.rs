@@ -1,0 +1,187 @@
+//! EWA: a Gaussian on the image plane.
+
+use super::numeric::{Number, dot};
+
+/// A camera.
+#[derive(Clone, Copy, Debug)]
+pub struct View {
+    /// Its axes in the world: right, down, forward.
+    pub axes: [[f64; 3]; 3],
+    /// Its center in the world.
+    pub eye: [f64; 3],
+    /// Focal lengths, in pixels.
+    pub focal: [f64; 2],
+    /// The principal point, in pixels.
+    pub center: [f64; 2],
+    /// Width and height, in pixels.
+    pub size: [f64; 2],
+}
+
+impl View {
+    /// A camera as the kernels have it.
+    #[must_use]
+    pub fn of(camera: &organza_shaders::camera::Camera) -> Self {
+        Self {
+            axes: camera.rotation.map(|row| row.as_dvec3().to_array()),
+            eye: camera.eye.as_dvec3().to_array(),
+            focal: camera.focal.as_dvec2().to_array(),
+            center: camera.center.as_dvec2().to_array(),
+            size: camera.size.as_dvec2().to_array(),
+        }
+    }
+}
+
+impl View {
+    /// A point of the world in the camera's space: right, down, forward.
+    pub fn place<N: Number>(&self, position: [N; 3]) -> [N; 3] {
+        let offset = std::array::from_fn(|axis| position[axis] - N::from(self.eye[axis]));
+        self.axes.map(|axis| dot(axis.map(N::from), offset))
+    }
+
+    /// What x/z (axis 0) and y/z (axis 1) are clamped to in J: the image's border, and 0.3 of half its size.
+    #[must_use]
+    pub fn limits(&self, axis: usize) -> [f64; 2] {
+        let (focal, center, size) = (self.focal[axis], self.center[axis], self.size[axis]);
+        let margin = 0.3 * 0.5 * size / focal;
+        [-center / focal - margin, (size - center) / focal + margin]
+    }
+}
+
+/// What is projected.
+#[derive(Clone, Copy, Debug)]
+pub struct Gaussian<N> {
+    /// In the world.
+    pub position: [N; 3],
+    /// A quaternion of any length but zero: w, x, y, z.
+    pub rotation: [N; 4],
+    /// Logarithms of the axes.
+    pub log_scale: [N; 3],
+}
+
+impl Gaussian<f64> {
+    /// The lengths of its axes.
+    #[must_use]
+    pub fn axes(&self) -> [f64; 3] {
+        self.log_scale.map(f64::exp)
+    }
+}
+
+/// Where a Gaussian lies in an image.
+#[derive(Clone, Copy, Debug)]
+pub struct Projected<N> {
+    /// Its center in the camera's space.
+    pub place: [N; 3],
+    /// Rows of J W.
+    pub jacobian: [[N; 3]; 2],
+    /// Rows of J W R S, of which cov2d is the Gram matrix but for the blur.
+    pub footprint: [[N; 3]; 2],
+    /// Its center, in pixels.
+    pub mean: [N; 2],
+    /// xx, xy, yy of cov2d, the blur included.
+    pub covariance: [N; 3],
+    /// Of cov2d.
+    pub determinant: N,
+}
+
+/// `2 ln 255`: the q at which the falloff ends.
+#[must_use]
+pub fn cutoff() -> f64 {
+    2.0 * 255f64.ln()
+}
+
+/// A Gaussian that is not behind the near plane.
+#[must_use]
+pub fn project<N: Number>(view: &View, blur: f64, gaussian: &Gaussian<N>) -> Option<Projected<N>> {
+    let place @ [x, y, z] = view.place(gaussian.position);
+    // as an f32 has it
+    if z.value() <= f64::from(0.01_f32) {
+        return None;
+    }
+    let ratios = [x / z, y / z];
+    let axes = scaled_axes(gaussian);
+    let jacobian: [[N; 3]; 2] = std::array::from_fn(|i| {
+        let ratio = clamped(ratios[i], view.limits(i));
+        let focal = N::from(view.focal[i]) / z;
+        std::array::from_fn(|k| {
+            (N::from(view.axes[i][k]) - ratio * N::from(view.axes[2][k])) * focal
+        })
+    });
+    let footprint = jacobian.map(|row| axes.map(|axis| dot(row, axis)));
+    let [u, v] = footprint;
+    let blur = N::from(blur);
+    let (uu, uv, vv) = (dot(u, u), dot(u, v), dot(v, v));
+    Some(Projected {
+        place,
+        jacobian,
+        footprint,
+        mean: std::array::from_fn(|i| N::from(view.focal[i]) * ratios[i] + N::from(view.center[i])),
+        covariance: [uu + blur, uv, vv + blur],
+        determinant: area_squared(u, v) + blur * (uu + vv) + blur * blur,
+    })
+}
+
+/// A ratio between its limits: one that is clamped is constant.
+fn clamped<N: Number>(ratio: N, [low, high]: [f64; 2]) -> N {
+    if ratio.value() < low {
+        N::from(low)
+    } else if ratio.value() > high {
+        N::from(high)
+    } else {
+        ratio
+    }
+}
+
+/// The axes in the world, as long as the scales: each is turned by the quaternion, `e + 2 w n x e + 2 n x (n x e)`.
+fn scaled_axes<N: Number>(gaussian: &Gaussian<N>) -> [[N; 3]; 3] {
+    let [w, x, y, z] = gaussian.rotation;
+    let length = (w * w + x * x + y * y + z * z).sqrt();
+    let (w, n) = (w / length, [x, y, z].map(|part| part / length));
+    let two = N::from(2.0);
+    std::array::from_fn(|k| {
+        let unit: [N; 3] = std::array::from_fn(|i| N::from(f64::from(u8::from(i == k))));
+        let once = cross(n, unit);
+        let twice = cross(n, once);
+        let scale = gaussian.log_scale[k].exp();
+        std::array::from_fn(|i| (unit[i] + two * (w * once[i] + twice[i])) * scale)
+    })
+}
+
+fn cross<N: Number>(a: [N; 3], b: [N; 3]) -> [N; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// The determinant of the Gram matrix of two vectors: the longer one's square times that of the other's part across
+/// it.  `uu vv - uv uv` would cancel for a needle.
+fn area_squared<N: Number>(u: [N; 3], v: [N; 3]) -> N {
+    let (long, short) = if dot(u, u).value() < dot(v, v).value() { (v, u) } else { (u, v) };
+    let square = dot(long, long);
+    if square.value() == 0.0 {
+        return square;
+    }
+    let along = dot(long, short) / square;
+    let across = std::array::from_fn(|k| short[k] - along * long[k]);
+    square * dot(across, across)
+}
+
+impl<N: Number> Projected<N> {
+    /// xx, xy, yy of cov2d's inverse.
+    pub fn conic(&self) -> [N; 3] {
+        let [xx, xy, yy] = self.covariance;
+        [yy, -xy, xx].map(|entry| entry / self.determinant)
+    }
+
+    /// Of the support: `sqrt(2 ln 255 * largest eigenvalue of cov2d)`, in pixels.
+    pub fn radius(&self) -> N {
+        let [xx, xy, yy] = self.covariance;
+        let half = N::from(0.5);
+        let apart = half * (xx - yy);
+        let largest = half * (xx + yy) + (apart * apart + xy * xy).sqrt();
+        (N::from(cutoff()) * largest).sqrt()
+    }
+
+    /// Half the size of the support's bounding box, and the margin for rounding that the kernel gives it, in pixels.
+    pub fn extent(&self) -> [N; 2] {
+        let [xx, _, yy] = self.covariance;
+        [xx, yy].map(|square| (N::from(cutoff()) * square).sqrt() * N::from(1.001) + N::from(0.01))
+    }
+}

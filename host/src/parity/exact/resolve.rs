@@ -1,0 +1,13 @@
+//! Eq. 13: pixels of their sums.
+
+use super::numeric::Number;
+
+/// A channel of a pixel, of C and S.
+#[must_use]
+pub fn pixel<N: Number>(color: N, weight: N, background: f64) -> N {
+    if weight.value() > 1.0 {
+        color / weight
+    } else {
+        color + (N::from(1.0) - weight) * N::from(background)
+    }
+}

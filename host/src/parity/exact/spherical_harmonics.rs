@@ -1,0 +1,86 @@
+//! Real spherical harmonics with the Condon-Shortley phase (the embedding of Eq. 1).
+
+use std::f64::consts::{PI, SQRT_2};
+
+/// The unit direction from a camera to a Gaussian.
+#[must_use]
+pub fn direction(eye: [f64; 3], center: [f64; 3]) -> [f64; 3] {
+    let v: [f64; 3] = std::array::from_fn(|axis| center[axis] - eye[axis]);
+    let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
+    v.map(|x| x / length)
+}
+
+/// The harmonics of the bands 0 to `degree`, that of band l and order m at `l*l + l + m`.
+#[must_use]
+pub fn harmonics(degree: u32, direction: [f64; 3]) -> Vec<f64> {
+    let bands = 0..=degree as i32;
+    bands.flat_map(|l| (-l..=l).map(move |m| harmonic(l, m, direction))).collect()
+}
+
+/// The harmonic of band l and order m, from angles and Rodrigues' associated Legendre functions.
+fn harmonic(l: i32, m: i32, [x, y, z]: [f64; 3]) -> f64 {
+    let order = m.abs();
+    let factorial = |n: i32| (1..=n).map(f64::from).product::<f64>();
+    let sine = (1.0 - z * z).max(0.0).sqrt();
+    // P_m^m with the Condon-Shortley phase, then up to P_l^m
+    let (mut below, mut legendre) =
+        (0.0, (1..=order).map(|k| -f64::from(2 * k - 1) * sine).product::<f64>());
+    for k in order + 1..=l {
+        let next = f64::from(2 * k - 1) * z * legendre - f64::from(k + order - 1) * below;
+        (below, legendre) = (legendre, next / f64::from(k - order));
+    }
+    let ratio = factorial(l - order) / factorial(l + order);
+    let norm = (f64::from(2 * l + 1) / (4.0 * PI) * ratio).sqrt();
+    let angle = f64::from(order) * y.atan2(x);
+    let wave = match m {
+        0 => 1.0,
+        1.. => SQRT_2 * angle.cos(),
+        _ => SQRT_2 * angle.sin(),
+    };
+    norm * legendre * wave
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `P_l(x)` for l = 0..=degree.
+    fn legendre(degree: usize, x: f64) -> Vec<f64> {
+        let mut values = vec![1.0, x];
+        for l in 2..=degree.max(1) {
+            let k = l as f64;
+            values.push(((2.0 * k - 1.0) * x * values[l - 1] - (k - 1.0) * values[l - 2]) / k);
+        }
+        values.truncate(degree + 1);
+        values
+    }
+
+    /// The addition theorem, `sum_m Y_lm(a) Y_lm(b) = (2l + 1) / 4 pi P_l(a . b)`, and the order and signs of band 1.
+    #[test]
+    fn harmonics_add_up() {
+        const DEGREE: u32 = 7;
+        let directions: Vec<_> = (0..20)
+            .map(|i| {
+                let t = f64::from(i);
+                direction([0.1, -0.2, 0.3], [t.sin(), (2.3 * t).cos(), (0.7 * t).sin() + 0.05])
+            })
+            .collect();
+        for a in &directions {
+            let of_a = harmonics(DEGREE, *a);
+            for b in &directions {
+                let of_b = harmonics(DEGREE, *b);
+                let cosine = a.iter().zip(b).map(|(a, b)| a * b).sum();
+                for (l, polynomial) in legendre(DEGREE as usize, cosine).into_iter().enumerate() {
+                    let band = l * l..(l + 1) * (l + 1);
+                    let sum: f64 = band.map(|at| of_a[at] * of_b[at]).sum();
+                    let expected = (2 * l + 1) as f64 / (4.0 * PI) * polynomial;
+                    assert!((sum - expected).abs() < 1e-12, "band {l}: {sum} for {expected}");
+                }
+            }
+            let k = 0.488_602_511_902_919_9;
+            for (found, expected) in of_a[1..4].iter().zip([-k * a[1], k * a[2], -k * a[0]]) {
+                assert!((found - expected).abs() < 1e-14, "band 1: {found} for {expected}");
+            }
+        }
+    }
+}

@@ -1,0 +1,156 @@
+//! Renders batches of tiles, part by part.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use super::capacity::CapacityPredictor;
+use super::part;
+use super::part_counts::{Capacity, Needed};
+use super::plan::{PART_BYTES, Plan};
+use super::results::{RenderReport, RenderedTiles};
+use super::scene::DeviceScene;
+use crate::camera::Camera;
+use crate::error::Result;
+use crate::tile::TileBatch;
+use organza_device::Device;
+use organza_device::memory;
+
+/// Renders scenes on a device.
+///
+/// ```no_run
+/// use organza::{Camera, Device, DeviceOptions, Renderer, Scene, TileBatch};
+///
+/// let renderer = Renderer::new(organza::open_device(&DeviceOptions::default())?);
+/// let scene = renderer.upload(&Scene::load("scene.safetensors")?)?;
+/// let cameras = Camera::load_all("cameras.json")?;
+/// let tiles = renderer.render(&scene, &cameras, &TileBatch::load("tiles.json")?)?;
+/// assert_eq!(tiles.data.len(), tiles.count * 3 * (tiles.side * tiles.side) as usize);
+/// # Ok::<(), organza::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Renderer {
+    device: Arc<Device>,
+    pub(super) part_bytes: Arc<AtomicU64>,
+    predictor: Arc<Mutex<CapacityPredictor>>,
+}
+
+impl Renderer {
+    /// A renderer on `device`.
+    #[must_use]
+    pub fn new(device: Device) -> Self {
+        Self {
+            device: Arc::new(device),
+            part_bytes: Arc::new(PART_BYTES.into()),
+            predictor: Arc::default(),
+        }
+    }
+
+    /// The same renderer, whose batches are cut into parts with tables of about this many bytes; 512 MiB unless set.
+    ///
+    /// A part holds at least one tile, so that it may take more; what a part takes beside its tables grows with the
+    /// pairs and samples of its tiles.
+    #[must_use]
+    pub fn with_part_bytes(mut self, bytes: u64) -> Self {
+        self.part_bytes = Arc::new(bytes.into());
+        self
+    }
+
+    /// The device it renders on.
+    #[must_use]
+    pub fn device(&self) -> &Device {
+        &self.device
+    }
+
+    /// Renders a batch of tiles.  A batch that does not fit into the device's memory is rendered in parts; a part does
+    /// not change the image.
+    ///
+    /// # Errors
+    /// [`Error::Tile`](crate::Error::Tile) where a tile has no camera or an impossible place, [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory) where a single tile
+    /// does not fit, [`DeviceError::DeviceLost`](crate::error::DeviceError::DeviceLost).
+    pub fn render(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        batch: &TileBatch,
+    ) -> Result<RenderedTiles> {
+        self.render_with_progress(scene, cameras, batch, &mut |_| {})
+    }
+
+    /// As [`Renderer::render`]; calls `progress` with the number of tiles that each part has finished.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`].
+    pub fn render_with_progress(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        batch: &TileBatch,
+        progress: &mut dyn FnMut(usize),
+    ) -> Result<RenderedTiles> {
+        batch.validate(cameras)?;
+        let area = 3 * (batch.side * batch.side) as usize;
+        let mut data = memory::zeros(batch.tiles.len() * area, "the rendered batch")?;
+        let mut report = RenderReport::default();
+        let mut plans = self.plans(scene, batch)?;
+        while let Some(plan) = plans.pop() {
+            let device = &*self.device;
+            let render = |capacity| Ok(part::render(device, scene, cameras, &plan, capacity)?);
+            match device.run_in_pool(|| self.with_predicted_capacity(scene, &plan, render)) {
+                Ok((pixels, part)) => {
+                    for (place, tile) in pixels.chunks_exact(area).zip(&plan.tiles) {
+                        data[tile.place * area..][..area].copy_from_slice(place);
+                    }
+                    report.add(&part);
+                    progress(plan.tiles.len());
+                }
+                Err(error) if error.is_out_of_memory() && plan.tiles.len() > 1 => {
+                    plans.extend(plan.halves())
+                }
+                Err(error) if error.is_out_of_memory() && self.forget() => plans.push(plan),
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(RenderedTiles { side: batch.side, count: batch.tiles.len(), data, report })
+    }
+}
+
+impl Renderer {
+    /// The parts of a batch, last first.
+    pub(super) fn plans(&self, scene: &DeviceScene, batch: &TileBatch) -> Result<Vec<Plan>> {
+        Ok(Plan::split(&self.device, scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
+    }
+
+    /// Does `work` for a part with as much room as it will need, by what others have needed, so that nothing waits for the
+    /// device before the work is done; where that was not enough and all was empty, or where nobody can tell, with room
+    /// for all.
+    pub(super) fn with_predicted_capacity<R>(
+        &self,
+        scene: &DeviceScene,
+        plan: &Plan,
+        work: impl Fn(Option<Capacity>) -> Result<(R, Needed)>,
+    ) -> Result<R> {
+        let (kind, tiles) = ([scene.gaussians, plan.side], plan.tiles.len());
+        let guesses = self.device.leaves_counts_on_device();
+        let mut capacity = if guesses { self.predictor().predict(kind, tiles) } else { None };
+        loop {
+            match work(capacity)? {
+                (result, Needed::Capacity(needed)) => {
+                    if guesses {
+                        self.predictor().observe(kind, tiles, needed);
+                    }
+                    return Ok(result);
+                }
+                (_, Needed::Overflow) => capacity = None,
+            }
+        }
+    }
+
+    /// Forgets what others have needed, for what does not fit: it may need less.  Returns whether there was anything.
+    pub(super) fn forget(&self) -> bool {
+        std::mem::take(&mut *self.predictor()) != CapacityPredictor::default()
+    }
+
+    fn predictor(&self) -> MutexGuard<'_, CapacityPredictor> {
+        self.predictor.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}

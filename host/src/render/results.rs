@@ -1,0 +1,39 @@
+//! What rendering a batch gives.
+
+/// A rendered batch, the tensor Y of Eq. 16.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RenderedTiles {
+    /// S, in pixels.
+    pub side: u32,
+    /// K
+    pub count: usize,
+    /// `[K, 3, S, S]`: tile, channel (RGB), row, column.
+    pub data: Vec<f32>,
+    /// What was done to render it.
+    pub report: RenderReport,
+}
+
+/// What rendering a batch took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct RenderReport {
+    /// Parts that the batch was rendered in.
+    pub parts: usize,
+    /// (Gaussian, camera) pairs whose color and transmittance were evaluated.
+    pub pairs: u64,
+    /// (Gaussian, tile) memberships.
+    pub members: u64,
+    /// Samples of the transmittance network.
+    pub samples: u64,
+    /// (Gaussian, camera) pairs that were culled because they cannot be projected.
+    pub degenerate: u64,
+}
+
+impl RenderReport {
+    pub(super) fn add(&mut self, part: &Self) {
+        self.parts += part.parts;
+        self.pairs += part.pairs;
+        self.members += part.members;
+        self.samples += part.samples;
+        self.degenerate += part.degenerate;
+    }
+}

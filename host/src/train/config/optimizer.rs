@@ -1,0 +1,97 @@
+//! Adam and its learning rates: one for each tensor of the Gaussians, and for the fields.
+
+use serde::{Deserialize, Serialize};
+
+use super::check::within;
+use crate::scene::{FieldTensors, GaussianTensors, Tensors, gaussian_tensors};
+
+/// A learning rate that falls from the first step to the last, by the same factor each step.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Rate {
+    /// At the first step.
+    pub first: f64,
+    /// At the last step.
+    pub last: f64,
+}
+
+impl Rate {
+    /// The rate at `step` of `steps`.
+    #[must_use]
+    pub fn at(&self, step: u32, steps: u32) -> f64 {
+        let share = f64::from(step) / f64::from(steps.max(1));
+        self.first * (self.last / self.first).powf(share.min(1.0))
+    }
+}
+
+macro_rules! define {
+    ($($(#[$doc:meta])* $name:ident: $row:tt, $why:literal;)+) => {
+        /// Adam (Kingma and Ba) and its rates.  The rate of `position` is a part of half the scene box's longest side.
+        #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+        #[serde(deny_unknown_fields, default)]
+        pub struct OptimizerConfig {
+            /// beta1
+            pub beta1: f64,
+            /// beta2
+            pub beta2: f64,
+            /// epsilon
+            pub epsilon: f64,
+            $($(#[$doc])* pub $name: Rate,)+
+            /// Both hash grids.
+            pub grids: Rate,
+            /// Both networks.
+            pub networks: Rate,
+        }
+
+        impl OptimizerConfig {
+            /// The rate of each tensor of a scene.
+            #[must_use]
+            pub fn rates(&self) -> Tensors<Rate> {
+                let field = FieldTensors { grid: self.grids, network: self.networks };
+                let gaussians = GaussianTensors { $($name: self.$name,)+ };
+                Tensors { gaussians, color: field, transmittance: field }
+            }
+
+            /// Every rate and its name in the file.
+            fn named_rates(&self) -> impl Iterator<Item = (&'static str, Rate)> {
+                let of_gaussians = [$((stringify!($name), self.$name)),+];
+                of_gaussians.into_iter().chain([("grids", self.grids), ("networks", self.networks)])
+            }
+        }
+    };
+}
+
+gaussian_tensors!(define);
+
+impl Default for OptimizerConfig {
+    fn default() -> Self {
+        let falls = |first: f64, share: f64| Rate { first, last: first * share };
+        Self {
+            beta1: 0.9,
+            beta2: 0.99,
+            epsilon: 1e-12,
+            position: falls(1e-3, 0.05),
+            rotation: falls(1e-3, 1.0),
+            log_scale: falls(1e-2, 0.3),
+            opacity: falls(2.5e-2, 1.0),
+            material: falls(1e-2, 0.1),
+            extra: falls(1e-2, 0.1),
+            grids: falls(1e-2, 0.1),
+            networks: falls(2e-3, 0.1),
+        }
+    }
+}
+
+impl OptimizerConfig {
+    /// The first value that is out of range, as a sentence.
+    pub(super) fn check(&self) -> Result<(), String> {
+        within("optimizer.beta1", self.beta1, 0.0, 0.999_999)?;
+        within("optimizer.beta2", self.beta2, 0.0, 0.999_999_9)?;
+        within("optimizer.epsilon", self.epsilon, 1e-30, 1.0)?;
+        for (name, rate) in self.named_rates() {
+            within(&format!("optimizer.{name}.first"), rate.first, 1e-12, 1.0)?;
+            within(&format!("optimizer.{name}.last"), rate.last, 1e-12, 1.0)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,202 @@
+//! The files that go into the repository: one module for each kernel, and their manifest.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result, bail};
+use organza_manifest::{FILE_NAME, Manifest};
+
+/// The compiled kernels and their manifest, by file name.
+pub struct Artifacts {
+    files: BTreeMap<String, Vec<u8>>,
+}
+
+impl Artifacts {
+    /// Files by name, manifest included.
+    #[must_use]
+    pub fn new(files: BTreeMap<String, Vec<u8>>) -> Self {
+        Self { files }
+    }
+
+    /// The modules with their file names.
+    pub fn modules(&self) -> impl Iterator<Item = (&str, &[u8])> {
+        let files = self.files.iter().filter(|(name, _)| is_module(name));
+        files.map(|(name, contents)| (name.as_str(), contents.as_slice()))
+    }
+
+    /// Brings a folder up to date and tells how many files that changed. The manifest comes last:
+    /// when this is interrupted, the manifest's hashes give the mixture away.
+    pub fn write(&self, folder: &Path) -> Result<usize> {
+        fs::create_dir_all(folder)?;
+        let mut changed = 0;
+        for name in stale(self, folder)? {
+            fs::remove_file(folder.join(name))?;
+            changed += 1;
+        }
+        let (manifest, modules): (Vec<_>, Vec<_>) =
+            self.files.iter().partition(|(name, _)| *name == FILE_NAME);
+        for (name, contents) in modules.into_iter().chain(manifest) {
+            changed += usize::from(replace(&folder.join(name), contents)?);
+        }
+        Ok(changed)
+    }
+
+    /// Fails, with a list of the differences, when a folder holds something else.
+    pub fn check(&self, folder: &Path) -> Result<()> {
+        let mut differences = Vec::new();
+        for name in stale(self, folder)? {
+            differences.push(format!("{name}: belongs to no kernel"));
+        }
+        for (name, contents) in &self.files {
+            match fs::read(folder.join(name)) {
+                Err(_) => differences.push(format!("{name}: missing")),
+                Ok(found) if &found == contents => {}
+                Ok(found) if name == FILE_NAME => {
+                    differences.extend(manifest_differences(&found, contents));
+                }
+                Ok(found) => differences.push(module_difference(name, &found, contents)),
+            }
+        }
+        if !differences.is_empty() {
+            bail!(
+                "{} is not what the sources give (`cargo xtask kernels` makes it so):\n  {}",
+                folder.display(),
+                differences.join("\n  ")
+            );
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for Artifacts {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let width = self.files.keys().map(String::len).max().unwrap_or(0);
+        writeln!(f, "{:width$}  {:>9}", "module", "bytes")?;
+        let mut total = 0;
+        for (name, contents) in self.modules() {
+            writeln!(f, "{name:width$}  {:>9}", contents.len())?;
+            total += contents.len();
+        }
+        write!(f, "{:width$}  {total:>9}", format!("{} modules", self.modules().count()))
+    }
+}
+
+fn is_module(name: &str) -> bool {
+    name.ends_with(".spv")
+}
+
+/// The modules in a folder that belong to no kernel anymore.
+fn stale(artifacts: &Artifacts, folder: &Path) -> Result<Vec<String>> {
+    let mut stale = Vec::new();
+    // A folder that does not exist yet holds nothing.
+    for entry in fs::read_dir(folder).into_iter().flatten() {
+        let name = entry?.file_name().to_string_lossy().into_owned();
+        if is_module(&name) && !artifacts.files.contains_key(&name) {
+            stale.push(name);
+        }
+    }
+    stale.sort();
+    Ok(stale)
+}
+
+/// Writes a file beside its place and moves it there, so that nobody reads half a file. Leaves a
+/// file alone that is right already: the host crate is not compiled again for its sake.
+fn replace(path: &Path, contents: &[u8]) -> Result<bool> {
+    if fs::read(path).is_ok_and(|found| found == contents) {
+        return Ok(false);
+    }
+    let beside = path.with_extension("new");
+    fs::write(&beside, contents)
+        .and_then(|()| fs::rename(&beside, path))
+        .with_context(|| format!("cannot write {}", path.display()))?;
+    Ok(true)
+}
+
+fn module_difference(name: &str, found: &[u8], want: &[u8]) -> String {
+    let at = found.iter().zip(want).take_while(|(a, b)| a == b).count();
+    let (found, want) = (found.len(), want.len());
+    format!("{name}: differs from byte {at} on ({found} bytes there, {want} from the sources)")
+}
+
+/// What differs between two manifests, as far as that says more than the modules' own differences.
+fn manifest_differences(found: &[u8], want: &[u8]) -> Vec<String> {
+    let parse = |json: &[u8]| Manifest::parse(&String::from_utf8_lossy(json)).ok();
+    let (Some(found), Some(want)) = (parse(found), parse(want)) else {
+        return vec![format!("{FILE_NAME}: not readable")];
+    };
+    let pairs = [
+        ("rust_gpu", &found.compiler.rust_gpu, &want.compiler.rust_gpu),
+        ("rustc", &found.compiler.rustc, &want.compiler.rustc),
+        ("target", &found.compiler.target, &want.compiler.target),
+        ("source_hash", &found.source_hash, &want.source_hash),
+    ];
+    let mut lines = Vec::new();
+    for (field, found, want) in pairs {
+        if found != want {
+            lines.push(format!("{FILE_NAME}: {field} is {found} there, {want} from the sources"));
+        }
+    }
+    for kernel in &want.kernels {
+        match found.find(&kernel.name) {
+            Some(other) if other == kernel => {}
+            Some(_) => lines.push(format!("{FILE_NAME}: the entry `{}` differs", kernel.name)),
+            None => lines.push(format!("{FILE_NAME}: no entry `{}`", kernel.name)),
+        }
+    }
+    for kernel in found.kernels.iter().filter(|kernel| want.find(&kernel.name).is_none()) {
+        lines.push(format!("{FILE_NAME}: the entry `{}` belongs to no kernel", kernel.name));
+    }
+    if lines.is_empty() {
+        lines.push(format!("{FILE_NAME}: written otherwise"));
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use organza_manifest::Compiler;
+
+    fn artifacts(modules: &[(&str, &[u8])]) -> Artifacts {
+        let manifest = Manifest::new(Vec::new(), "hash".into(), Compiler::default(), Vec::new());
+        let mut files: BTreeMap<_, _> =
+            modules.iter().map(|(name, bytes)| ((*name).to_owned(), bytes.to_vec())).collect();
+        files.insert(FILE_NAME.to_owned(), manifest.to_json().into_bytes());
+        Artifacts::new(files)
+    }
+
+    #[test]
+    fn writing_replaces_what_differs_and_removes_what_is_stale() {
+        let folder = tempfile::tempdir().unwrap();
+        let old = artifacts(&[("a.spv", b"1"), ("b.spv", b"2")]);
+        assert_eq!(old.write(folder.path()).unwrap(), 3);
+        assert_eq!(old.write(folder.path()).unwrap(), 0);
+        let new = artifacts(&[("a.spv", b"1"), ("c.spv", b"3")]);
+        assert_eq!(new.write(folder.path()).unwrap(), 2);
+        assert!(!folder.path().join("b.spv").exists());
+        new.check(folder.path()).unwrap();
+    }
+
+    #[test]
+    fn checking_lists_every_difference_and_changes_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        artifacts(&[("a.spv", b"1"), ("b.spv", b"2")]).write(folder.path()).unwrap();
+        let new = artifacts(&[("a.spv", b"9"), ("c.spv", b"3")]);
+        let error = new.check(folder.path()).unwrap_err().to_string();
+        for line in ["a.spv: differs", "b.spv: belongs to no kernel", "c.spv: missing"] {
+            assert!(error.contains(line), "{error}");
+        }
+        assert_eq!(fs::read(folder.path().join("a.spv")).unwrap(), b"1");
+    }
+
+    #[test]
+    fn the_compilers_versions_are_part_of_the_check() {
+        let newer = Compiler { rustc: "2.0.0".into(), ..Compiler::default() };
+        let found = Manifest::empty().to_json();
+        let want = Manifest::new(Vec::new(), String::new(), newer, Vec::new()).to_json();
+        let lines = manifest_differences(found.as_bytes(), want.as_bytes());
+        assert_eq!(lines, ["manifest.json: rustc is  there, 2.0.0 from the sources"]);
+    }
+}

@@ -1,0 +1,101 @@
+//! Compiles a crate of kernels and describes what came out.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result, bail, ensure};
+use organza_kernel::{EntryPoint, KernelInfo};
+use organza_manifest as manifest;
+use organza_manifest::{Interface, KernelEntry, Manifest};
+use spirv_builder::{Capability, ModuleResult, SpirvBuilder, SpirvMetadata};
+
+use crate::artifacts::Artifacts;
+use crate::compiler::Compiler;
+use crate::lower::lower;
+use crate::{Project, module};
+
+/// Vulkan 1.2's SPIR-V 1.5 is the newest that every driver we aim at reads.
+pub const TARGET: &str = "spirv-unknown-vulkan1.2";
+
+/// Compiles every kernel that the caller is linked with, to one module each.
+///
+/// # Errors
+/// What the compiler says, and where a kernel and its module do not belong together.
+pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
+    // Before the build: a file saved while it runs must leave the kernels stale.
+    let source_hash = manifest::source_hash(&project.root, &project.sources)?;
+    let mut modules = build(&project.root.join(&project.shader_crate), &project.target, compiler)?;
+    let mut entries = Vec::new();
+    let mut files = BTreeMap::new();
+    let kernels = organza_kernel::kernels();
+    let all = kernels.flat_map(|kernel| kernel.entry_points().map(move |entry| (kernel, entry)));
+    for (kernel, point) in all {
+        let name = point.name;
+        let Some(spirv) = modules.remove(name) else {
+            bail!("{}: the kernel `{name}` has no entry point in the SPIR-V", kernel.file);
+        };
+        let context = || format!("{}: kernel `{name}`", kernel.file);
+        let spirv = lower(&spirv, kernel.fused).with_context(context)?;
+        module::check(kernel, &point, &spirv).with_context(context)?;
+        let entry = entry(kernel, &point, &spirv)?;
+        files.insert(entry.spirv.clone(), spirv);
+        entries.push(entry);
+    }
+    if let Some(name) = modules.keys().next() {
+        bail!("the SPIR-V has an entry point `{name}` that is no kernel of the registry");
+    }
+    let lock = project.root.join("Cargo.lock");
+    let versions = manifest::Compiler {
+        rust_gpu: manifest::locked_version(&lock, "spirv-std")?,
+        rustc: compiler.rustc.clone(),
+        target: TARGET.to_owned(),
+    };
+    let manifest = Manifest::new(project.sources.clone(), source_hash, versions, entries);
+    files.insert(manifest::FILE_NAME.to_owned(), manifest.to_json().into_bytes());
+    Ok(Artifacts::new(files))
+}
+
+/// Runs the compiler on a crate of kernels: the modules by entry point.
+///
+/// # Errors
+/// What the compiler says.
+pub fn build(
+    shader_crate: &Path,
+    target: &Path,
+    compiler: &Compiler,
+) -> Result<BTreeMap<String, Vec<u8>>> {
+    let mut builder = SpirvBuilder::new(shader_crate, TARGET)
+        .release(true)
+        .multimodule(true)
+        .spirv_metadata(SpirvMetadata::None)
+        // of all modules at first: `lower` takes them from those that need none
+        .capability(Capability::Float16)
+        .capability(Capability::StorageBuffer16BitAccess)
+        .target_dir_path(target.join("spirv"));
+    compiler.configure(&mut builder);
+    let result = builder.build().context("the kernels do not compile")?;
+    let ModuleResult::MultiModule(paths) = result.module else {
+        bail!("the compiler gave one module for all kernels, not one for each");
+    };
+    let read = |(name, path)| Ok((name, fs::read(&path)?));
+    paths.into_iter().map(read).collect()
+}
+
+fn entry(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> Result<KernelEntry> {
+    // Modules and manifest are to be the same wherever the workspace lies.
+    let file = kernel.file.replace('\\', "/");
+    ensure!(
+        Path::new(&file).is_relative(),
+        "the kernel `{}` was compiled from outside the workspace: {file}",
+        kernel.name
+    );
+    Ok(KernelEntry {
+        name: point.name.to_owned(),
+        file,
+        spirv: format!("{}.spv", point.name),
+        spirv_bytes: spirv.len() as u64,
+        spirv_sha256: manifest::sha256(spirv),
+        interface: Interface::of(kernel, point),
+    })
+}

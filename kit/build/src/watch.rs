@@ -1,0 +1,48 @@
+//! Compiles the kernels again and again while they are being written.
+
+use std::process::Command;
+use std::thread;
+use std::time::Duration;
+
+use anyhow::{Context, Result};
+use organza_manifest::source_hash;
+
+use crate::Project;
+
+/// How long after saving a file the compiler starts, at most.
+const INTERVAL: Duration = Duration::from_millis(300);
+
+/// Runs `cargo xtask kernels` now and after every change of the sources. Each run is a process of
+/// its own: xtask holds the kernels' declarations, so it must be compiled again, too.
+///
+/// # Errors
+/// Where cargo cannot be run.
+pub fn run(project: &Project, validate: bool) -> Result<()> {
+    let mut compiled = None;
+    loop {
+        // A file may be missing for a moment while an editor replaces it.
+        let hash = source_hash(&project.root, &project.sources).ok();
+        if hash.is_some() && hash != compiled {
+            compile(project, validate)?;
+            println!("watching {} (end with Ctrl-C)", project.sources.join(", "));
+            compiled = hash;
+        }
+        thread::sleep(INTERVAL);
+    }
+}
+
+fn compile(project: &Project, validate: bool) -> Result<()> {
+    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
+    cargo.current_dir(&project.root).args(["run", "--quiet", "--package", "xtask"]);
+    if cfg!(windows) {
+        // A program that runs cannot be replaced there: let the child have its own.
+        cargo.arg("--target-dir").arg(project.target.join("watch"));
+    }
+    cargo.args(["--", "kernels"]);
+    if validate {
+        cargo.arg("--validate");
+    }
+    // A failed build has told its reason: wait for the next change.
+    cargo.status().context("cannot run cargo")?;
+    Ok(())
+}

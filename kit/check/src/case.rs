@@ -1,0 +1,156 @@
+//! What a kernel's case is, and how it is measured.
+
+use super::hold::hold;
+use super::measure::{Bound, Measure, Output};
+use super::runner::KernelRunner;
+use organza_device::{Device, Result};
+
+/// One kernel's inputs, of which there are many sets.
+pub trait Parity: Sized + 'static {
+    /// The kernel.
+    const KERNEL: &'static str;
+    /// How far an output may be off, in units of [`Parity::bound`]'s scale; 0 where all are integers.
+    const TOLERANCE: f64;
+    /// Where the tolerance comes from, and what the inputs stay away from.
+    const WHY: &'static str;
+    /// Whether it computes with halves: a GPU that [does not](Device::computes_halves) leaves it out.
+    const NEEDS_HALVES: bool = false;
+    /// The least part of each output's written elements that [`Parity::exact`] gives, over all sets.
+    ///
+    /// A case with less says why beside it.
+    const COMPARED: f64 = 0.9;
+
+    /// The sets, each with a name.
+    fn sets() -> Vec<(String, Self)>;
+
+    /// Runs the kernel.
+    ///
+    /// # Errors
+    /// What the device runs into.
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>>;
+
+    /// How far an element may be off; `cpu` is what the CPU has computed.
+    fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
+        let _ = rounding;
+        Bound::of(cpu.floats()[index].abs())
+    }
+
+    /// What the equations give in f64 for the `len` elements of an output; `None` where they say nothing: padding,
+    /// what the kernel leaves alone, where rounding decides.  They say nothing of elements behind the last, either.
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>>;
+
+    /// How far a device's element may be from `exact`: mostly as far as from the CPU's.
+    ///
+    /// It is wider only where the kernel's own roundings, the same on all devices, are larger than what devices
+    /// differ by.
+    fn exact_bound(&self, exact: &Output, index: usize, rounding: Rounding) -> Bound {
+        self.bound(exact, index, rounding)
+    }
+}
+
+/// How a device rounds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rounding {
+    /// Operations are those that were written: SPIR-V passed through, with its `NoContraction`.
+    AsWritten,
+    /// The driver may fuse and regroup them: naga drops the decoration.
+    Regrouped,
+}
+
+/// A kernel's case, whatever its inputs' type.
+#[derive(Clone, Copy, Debug)]
+pub struct Case {
+    /// The kernel.
+    pub kernel: &'static str,
+    /// See [`Parity::TOLERANCE`].
+    pub tolerance: f64,
+    /// See [`Parity::WHY`].
+    pub why: &'static str,
+    /// See [`Parity::COMPARED`].
+    pub compared: f64,
+    needs_halves: bool,
+    measure: fn(&Device, &Device, Rounding) -> Result<Measure>,
+    hold: fn(&Device, Rounding) -> Result<Measure>,
+}
+
+impl Case {
+    /// The case of a kernel.
+    #[must_use]
+    pub fn of<P: Parity>() -> Self {
+        Self {
+            kernel: P::KERNEL,
+            tolerance: P::TOLERANCE,
+            why: P::WHY,
+            compared: P::COMPARED,
+            needs_halves: P::NEEDS_HALVES,
+            measure: measure::<P>,
+            hold: hold::<P>,
+        }
+    }
+
+    /// Whether a device can run the kernel.
+    #[must_use]
+    pub fn is_offered(&self, device: &Device) -> bool {
+        !self.needs_halves || device.computes_halves()
+    }
+
+    /// The name of the entry point that a device runs.
+    #[must_use]
+    pub fn entry_point(&self, device: &Device) -> &'static str {
+        let kernel = organza_kernel::kernels().find(|kernel| kernel.name == self.kernel);
+        kernel.map_or(self.kernel, |kernel| device.entry_point(kernel).name)
+    }
+
+    /// Runs all sets on both devices.
+    ///
+    /// # Errors
+    /// What a device runs into.
+    pub fn measure(&self, cpu: &Device, device: &Device, rounding: Rounding) -> Result<Measure> {
+        (self.measure)(cpu, device, rounding)
+    }
+
+    /// Runs all sets on a device and compares with the equations in f64, within the case's own bound.
+    ///
+    /// [`Measure::values`] is the number of elements that the equations speak of.
+    ///
+    /// # Errors
+    /// What the device runs into.
+    pub fn hold(&self, device: &Device, rounding: Rounding) -> Result<Measure> {
+        (self.hold)(device, rounding)
+    }
+}
+
+fn measure<P: Parity>(cpu: &Device, device: &Device, rounding: Rounding) -> Result<Measure> {
+    let mut measure = Measure::default();
+    for (name, set) in P::sets() {
+        let expected = set.run(&KernelRunner::new(cpu, P::KERNEL))?;
+        let found = set.run(&KernelRunner::new(device, P::KERNEL))?;
+        assert_eq!(expected.len(), found.len(), "outputs of `{}`", P::KERNEL);
+        for (expected, found) in expected.iter().zip(&found) {
+            measure.add(&name, expected, found, P::TOLERANCE, |index| {
+                set.bound(expected, index, rounding)
+            });
+        }
+    }
+    Ok(measure)
+}
+
+/// The kernels that have no case, and the cases that have no kernel; `folder` is where cases are.
+#[must_use]
+pub fn missing(cases: &[Case], folder: &str) -> Vec<String> {
+    let declared = || organza_kernel::kernels();
+    let without_case = declared().filter(|kernel| cases.iter().all(|c| c.kernel != kernel.name));
+    let without_kernel = cases.iter().filter(|c| declared().all(|k| k.name != c.kernel));
+    let add = without_case.map(|kernel| {
+        let stage = kernel.file.rsplit(['/', '\\']).next().unwrap_or(kernel.file);
+        format!(
+            "the kernel `{}` has no parity case: implement `Parity` for its inputs in \
+             {folder}/{stage} and add it to `cases()` in {folder}/mod.rs",
+            kernel.name
+        )
+    });
+    let remove = without_kernel.map(|case| {
+        format!("the parity case `{}` has no kernel: take it out of `cases()`", case.kernel)
+    });
+    add.chain(remove).collect()
+}

@@ -1,0 +1,225 @@
+//! How far a device's outputs are from the CPU's.
+
+use std::collections::BTreeMap;
+
+use organza_kernel::math::TINY;
+use serde::Serialize;
+
+/// One output of a kernel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Output {
+    /// Its name: mostly the binding's.
+    pub name: &'static str,
+    /// What it holds.
+    pub values: Values,
+}
+
+/// What an output holds.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Values {
+    /// Numbers that may differ by rounding; f64 holds every f32, and sums of two.
+    Float(Vec<f64>),
+    /// Numbers that must be equal to the bit.
+    Exact(Vec<u32>),
+}
+
+impl Output {
+    /// An output that may differ by rounding.
+    pub fn float(name: &'static str, values: impl IntoIterator<Item = f32>) -> Self {
+        Self { name, values: Values::Float(values.into_iter().map(f64::from).collect()) }
+    }
+
+    /// An output that must be equal to the bit.
+    #[must_use]
+    pub fn exact(name: &'static str, values: Vec<u32>) -> Self {
+        Self { name, values: Values::Exact(values) }
+    }
+
+    /// The numbers of an output that may differ by rounding; none otherwise.
+    #[must_use]
+    pub fn floats(&self) -> &[f64] {
+        match &self.values {
+            Values::Float(values) => values,
+            Values::Exact(_) => &[],
+        }
+    }
+
+    /// Its values as numbers.
+    #[must_use]
+    pub fn to_f64(&self) -> Vec<f64> {
+        match &self.values {
+            Values::Float(values) => values.clone(),
+            Values::Exact(values) => values.iter().copied().map(f64::from).collect(),
+        }
+    }
+}
+
+/// How far an element may be off: `tolerance * scale + floor`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bound {
+    /// What the kernel's tolerance is multiplied by.
+    pub scale: f64,
+    /// What is allowed besides, such as a denormal that a GPU flushes to zero.
+    pub floor: f64,
+}
+
+impl Bound {
+    /// Relative to `scale`; denormals may be flushed.
+    #[must_use]
+    pub fn of(scale: f64) -> Self {
+        Self { scale, floor: f64::from(TINY) }
+    }
+}
+
+/// The largest of one kind of difference, and where it is.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Worst {
+    /// How much.
+    pub value: f64,
+    /// The set of inputs.
+    pub set: String,
+    /// The output.
+    pub output: &'static str,
+    /// The element.
+    pub index: usize,
+    /// What the CPU has there.
+    pub cpu: f64,
+    /// What the device has there.
+    pub found: f64,
+}
+
+/// The largest differences of a kernel on a device.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Measure {
+    /// Largest absolute difference, where the scale is below 1e9: beside 1e30 it says nothing.
+    pub absolute: Worst,
+    /// Largest difference relative to the CPU's value; flushed denormals do not count, and what a cancellation has
+    /// left (less than a thousandth of the scale) does not.
+    pub relative: Worst,
+    /// Largest difference in units of the last place of the CPU's value, as an f32; likewise.
+    pub ulp: Worst,
+    /// Largest difference as a part of what is allowed: above 1 it is a failure.
+    pub share: Worst,
+    /// Values compared.
+    pub values: usize,
+    /// Values that are further off than allowed.
+    pub failures: usize,
+    /// Of each output that is held to the equations: elements that they speak of, and those that the kernel has
+    /// written.
+    #[serde(skip)]
+    pub compared: BTreeMap<&'static str, [usize; 2]>,
+}
+
+impl Measure {
+    /// Compares one output; `bound` is asked for each of its elements.
+    ///
+    /// NaN is never equal to anything: no kernel's contract has one.
+    pub fn add(
+        &mut self,
+        set: &str,
+        cpu: &Output,
+        found: &Output,
+        tolerance: f64,
+        bound: impl Fn(usize) -> Bound,
+    ) {
+        let is_exact = matches!(cpu.values, Values::Exact(_));
+        let (expected, actual) = (cpu.to_f64(), found.to_f64());
+        assert_eq!(expected.len(), actual.len(), "lengths of `{}` differ", cpu.name);
+        self.values += expected.len();
+        for (index, (&cpu_value, &value)) in expected.iter().zip(&actual).enumerate() {
+            // equal infinities too
+            if cpu_value == value {
+                continue;
+            }
+            let difference = nan_is_infinite((cpu_value - value).abs());
+            let Bound { scale, floor } =
+                if is_exact { Bound { scale: 0.0, floor: 0.0 } } else { bound(index) };
+            let allowed = tolerance * scale + floor;
+            let share = if allowed > 0.0 { difference / allowed } else { f64::INFINITY };
+            let share = nan_is_infinite(share);
+            self.failures += usize::from(share > 1.0);
+            let worst = |value: f64| Worst {
+                value,
+                set: set.to_owned(),
+                output: cpu.name,
+                index,
+                cpu: cpu_value,
+                found: actual[index],
+            };
+            raise(&mut self.share, share, worst);
+            if scale < 1e9 {
+                raise(&mut self.absolute, difference, worst);
+            }
+            if difference > floor && cpu_value.abs() >= 1e-3 * scale {
+                raise(&mut self.relative, difference / cpu_value.abs(), worst);
+                raise(&mut self.ulp, difference / spacing(cpu_value), worst);
+            }
+        }
+    }
+
+    /// Whether everything is within what is allowed.
+    #[must_use]
+    pub fn is_ok(&self) -> bool {
+        self.failures == 0
+    }
+}
+
+fn nan_is_infinite(value: f64) -> f64 {
+    if value.is_nan() { f64::INFINITY } else { value }
+}
+
+fn raise(largest: &mut Worst, value: f64, worst: impl Fn(f64) -> Worst) {
+    if value > largest.value {
+        *largest = worst(value);
+    }
+}
+
+/// The distance of the f32 numbers around a value.
+fn spacing(value: f64) -> f64 {
+    let size = value.abs().clamp(f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX)) as f32;
+    f64::from(f32::from_bits(size.to_bits() & 0x7f80_0000)) * f64::from(f32::EPSILON)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn measure(cpu: Output, found: Output, tolerance: f64) -> Measure {
+        let mut measure = Measure::default();
+        measure.add("set", &cpu, &found, tolerance, |index| Bound::of(cpu.floats()[index].abs()));
+        measure
+    }
+
+    #[test]
+    fn differences_are_found_where_they_are() {
+        let cpu = Output::float("out", [1.0, 2.0, 0.0]);
+        let found = Output::float("out", [1.0, 2.0 + 2.0 * f32::EPSILON, 1e-39]);
+        let apart = measure(cpu, found, 1e-6);
+        assert!(apart.is_ok(), "{apart:?}");
+        assert_eq!((apart.ulp.value, apart.ulp.index), (1.0, 1));
+        assert_eq!(apart.absolute.value, f64::from(2.0 * f32::EPSILON));
+        assert_eq!(apart.relative.value, f64::from(f32::EPSILON));
+    }
+
+    #[test]
+    fn nan_and_infinity_are_no_rounding() {
+        for (cpu, found, ok) in [
+            (f32::NAN, f32::NAN, false),
+            (1.0, f32::NAN, false),
+            (f32::INFINITY, f32::INFINITY, true),
+            (f32::INFINITY, f32::MAX, false),
+            (f32::MAX, f32::INFINITY, false),
+            (0.0, -0.0, true),
+        ] {
+            let apart = measure(Output::float("out", [cpu]), Output::float("out", [found]), 1e-3);
+            assert_eq!(apart.is_ok(), ok, "{found} for {cpu}");
+        }
+    }
+
+    #[test]
+    fn integers_are_equal_or_wrong() {
+        let apart = measure(Output::exact("n", vec![7, 8]), Output::exact("n", vec![7, 9]), 1.0);
+        assert_eq!((apart.failures, apart.absolute.index), (1, 1));
+        assert!(measure(Output::exact("n", vec![7]), Output::exact("n", vec![7]), 0.0).is_ok());
+    }
+}

@@ -1,0 +1,76 @@
+//! Rendered tiles as a picture that people can look at.
+
+use std::io::Cursor;
+
+use image::{ImageFormat, Rgb, RgbImage};
+
+/// Between tiles.
+const GAP: Rgb<u8> = Rgb([128, 128, 128]);
+
+/// Tiles side by side, each pixel enlarged to a square, one enlarged pixel of gray between tiles.
+#[derive(Clone, Copy, Debug)]
+pub struct Montage {
+    /// Tiles.
+    pub tiles: usize,
+    /// Their side, in pixels.
+    pub side: usize,
+    /// Tiles in a row.
+    pub columns: usize,
+    /// Side of an enlarged pixel.
+    pub scale: usize,
+}
+
+impl Montage {
+    /// Pixels of all tiles, before they are enlarged.
+    pub fn pixels(&self) -> usize {
+        self.tiles * self.side * self.side
+    }
+
+    /// Draws `[K, 3, S, S]`.
+    #[must_use]
+    pub fn draw(&self, data: &[u8]) -> RgbImage {
+        let (pitch, area) = (self.side + 1, self.side * self.side);
+        let cells = |tiles: usize| ((tiles * pitch - 1) * self.scale) as u32;
+        let (columns, rows) = (self.columns.min(self.tiles), self.tiles.div_ceil(self.columns));
+        RgbImage::from_fn(cells(columns), cells(rows), |x, y| match self.locate([x, y]) {
+            Some([tile, row, column]) => {
+                let at = tile * 3 * area + row * self.side + column;
+                Rgb([data[at], data[at + area], data[at + 2 * area]])
+            }
+            None => GAP,
+        })
+    }
+
+    /// Tile, row and column of a place in the picture.
+    fn locate(&self, place: [u32; 2]) -> Option<[usize; 3]> {
+        let pitch = self.side + 1;
+        let [x, y] = place.map(|place| place as usize / self.scale);
+        let tile = y / pitch * self.columns + x / pitch;
+        let (row, column) = (y % pitch, x % pitch);
+        (tile < self.tiles && row < self.side && column < self.side).then_some([tile, row, column])
+    }
+
+    /// A place in the picture in words.
+    pub fn describe(&self, place: [u32; 2], channel: usize) -> String {
+        let channel = ["red", "green", "blue"][channel];
+        match self.locate(place) {
+            Some([tile, row, column]) => {
+                format!("tile {tile}, channel {channel}, row {row}, column {column}")
+            }
+            None => format!("{place:?} between the tiles, channel {channel}"),
+        }
+    }
+}
+
+/// A picture as PNG.
+pub fn encode(picture: &RgbImage) -> Vec<u8> {
+    let mut bytes = Cursor::new(Vec::new());
+    picture.write_to(&mut bytes, ImageFormat::Png).expect("memory can be written");
+    bytes.into_inner()
+}
+
+/// The picture of a PNG.
+pub fn decode(bytes: &[u8]) -> Result<RgbImage, String> {
+    let picture = image::load_from_memory_with_format(bytes, ImageFormat::Png);
+    picture.map(|picture| picture.to_rgb8()).map_err(|error| format!("no PNG: {error}"))
+}

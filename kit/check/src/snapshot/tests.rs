@@ -1,0 +1,190 @@
+//! The machinery itself: wrong records must be refused, say where, and leave a picture.
+
+use std::sync::{Arc, Mutex};
+
+use insta::internals::{SnapshotContents, TextSnapshotContents};
+
+use super::compare::{Held, Rule, Tolerance, compare_pictures};
+use super::picture::{self, Montage};
+use super::report;
+use super::tensors::Tensors;
+
+const TOLERANCE: Tolerance = Tolerance { absolute: 1e-5, relative: 1e-4 };
+
+fn tensors(name: &str, shape: &[usize], values: &[f32]) -> Tensors {
+    let mut tensors = Tensors::default();
+    tensors.push(name, shape, values);
+    tensors
+}
+
+/// Two tiles of side 4 with values of 0 to 1.
+fn tiles() -> Vec<f32> {
+    (0..2 * 3 * 16).map(|index| index as f32 / 96.0).collect()
+}
+
+/// As a picture has them.
+fn bytes(values: &[f32]) -> Vec<u8> {
+    values.iter().map(|value| (value * 255.0).round() as u8).collect()
+}
+
+#[test]
+fn text_holds_tensors() {
+    let mut all = tensors("a", &[2, 3], &[1.0, -0.5, 1e-12, 3.402_823_5e38, f32::INFINITY, 0.0]);
+    all.push_counts("k", &[3], &[0, 7, 4_000_000]);
+    all.push("none", &[0, 4], &[]);
+    all.push("one", &[], &[0.123_456_79]);
+    let text = all.to_string();
+    assert!(text.contains("# k [3] exact\n0 7 4000000\n"), "{text}");
+    assert!(text.contains("0.1234568\n"), "{text}");
+    let parsed = Tensors::parse(&text).expect("its own text");
+    assert!(TOLERANCE.compare(&all, &parsed).is_ok());
+    for (broken, reason) in [
+        ("# a [2]\n1", "`a` of shape [2] has 1 values"),
+        ("# a [2\n1 2", "no header"),
+        ("# a [1]\none", "no number: `one`"),
+    ] {
+        let error = Tensors::parse(broken).expect_err("it is broken");
+        assert!(error.contains(reason), "{error}");
+    }
+}
+
+#[test]
+fn tensors_are_held_to_both_tolerances() {
+    let expected = tensors("a", &[2, 2], &[0.0, 1.0, -100.0, f32::INFINITY]);
+    let compare = |values: &[f32]| TOLERANCE.compare(&expected, &tensors("a", &[2, 2], values));
+    assert!(compare(&[0.9e-5, 1.0001, -100.009, f32::INFINITY]).is_ok());
+    for (values, place) in [
+        ([1.1e-5, 1.0, -100.0, f32::INFINITY], "[0, 0]: 0.00001"),
+        ([0.0, 1.0002, -100.0, f32::INFINITY], "[0, 1]: 1.0002"),
+        ([0.0, 1.0, -100.015, f32::INFINITY], "[1, 0]: -100.0"),
+        ([0.0, 1.0, -100.0, 1.0], "[1, 1]: 1 for inf"),
+        ([0.0, f32::NAN, -100.0, f32::INFINITY], "[0, 1]: NaN for 1"),
+    ] {
+        let message = compare(&values).expect_err("beyond the tolerance").message;
+        assert!(message.contains(place) && message.contains("1 of 4 values"), "{message}");
+    }
+    let three = |values: [f32; 3]| {
+        let mut tensors = Tensors::default();
+        for (name, value) in ["x", "y", "z"].iter().zip(values) {
+            tensors.push(name, &[1], &[value]);
+        }
+        tensors
+    };
+    let found = TOLERANCE.compare(&three([1.0; 3]), &three([1.0, 2.0, 3.0]));
+    let message = found.expect_err("two of three differ").message;
+    assert!(message.contains("`y`") && message.contains("differing after it: `z`"), "{message}");
+    let nan = tensors("a", &[1], &[f32::NAN]);
+    assert!(TOLERANCE.compare(&nan, &nan).is_err(), "NaN is never right");
+}
+
+#[test]
+fn shapes_names_and_counts_are_held_to_equality() {
+    let expected = tensors("a", &[2, 2], &[0.0; 4]);
+    for other in [
+        tensors("a", &[4], &[0.0; 4]),
+        tensors("b", &[2, 2], &[0.0; 4]),
+        tensors("a", &[2, 3], &[0.0; 6]),
+        Tensors::default(),
+    ] {
+        let message = TOLERANCE.compare(&expected, &other).expect_err("another shape").message;
+        assert!(message.contains("shapes differ") && message.contains("a [2, 2]"), "{message}");
+    }
+    let counts = |counts: &[u32]| {
+        let mut tensors = Tensors::default();
+        tensors.push_counts("k", &[2], counts);
+        tensors
+    };
+    let found = TOLERANCE.compare(&counts(&[1_000_000, 3]), &counts(&[1_000_001, 3]));
+    let message = found.expect_err("a count is exact").message;
+    assert!(message.contains("[0]: 1000001 for 1000000; it must be equal"), "{message}");
+}
+
+#[test]
+fn a_wrong_tensor_leaves_a_picture_and_says_where() {
+    let (expected, mut wrong) = (tiles(), tiles());
+    // tile 1, green, row 2, column 3; and a smaller one elsewhere
+    wrong[48 + 16 + 2 * 4 + 3] += 0.125;
+    wrong[5] += 0.01;
+    let text = |values: &[f32]| -> SnapshotContents {
+        let text = tensors("tiles", &[2, 3, 4, 4], values).to_string();
+        TextSnapshotContents::new(text, insta::TextSnapshotKind::File).into()
+    };
+    let held = Held { rule: Rule::Tensors(TOLERANCE), found: Arc::new(Mutex::new(None)) };
+    assert!(held.allows(&text(&expected), &text(&expected)));
+    assert!(held.found.lock().expect("one thread").is_none());
+    assert!(!held.allows(&text(&expected), &text(&wrong)));
+    let mismatch = held.found.lock().expect("one thread").take().expect("it differs");
+
+    let path = report::path("machinery_tensor", "test");
+    report::save(&mismatch.panels, &path);
+    let message = report::message("machinery_tensor", "test", &mismatch, &path);
+    for part in [
+        "snapshot `machinery_tensor` on test",
+        "1.250e-1 apart at tile 1, channel green, row 2, column 3",
+        "2 of 96 values are beyond",
+        "difference x 8",
+        "target/snapshot-failures/machinery_tensor-test.png",
+        "cargo insta review",
+    ] {
+        assert!(message.contains(part), "`{part}` is not in: {message}");
+    }
+    let picture = picture::decode(&std::fs::read(&path).expect("a picture")).expect("a PNG");
+    // three panels of 4 x 8 pixels, enlarged 16 times, and two gaps
+    assert_eq!(picture.dimensions(), (3 * 64 + 16, 128));
+    let difference =
+        |column: u32, row: u32| picture.get_pixel(2 * 72 + column * 16 + 3, row * 16 + 3).0;
+    assert_eq!(difference(3, 4 + 2), [0, 255, 0], "0.125, 8 times, in green");
+    assert_eq!(difference(0, 0), [0, 0, 0]);
+    assert_eq!(picture.get_pixel(3, 3).0, [0, 43, 85], "expected: values 0, 16 and 32 of 96");
+    std::fs::remove_file(&path).expect("it was there");
+}
+
+#[test]
+fn a_wrong_picture_leaves_a_picture_and_says_where() {
+    let montage = Montage { tiles: 2, side: 4, columns: 2, scale: 4 };
+    let right = picture::encode(&montage.draw(&bytes(&tiles())));
+    let mut values = tiles();
+    values[48 + 32 + 4 + 2] -= 10.0 / 255.0; // tile 1, blue, row 1, column 2
+    let wrong = picture::encode(&montage.draw(&bytes(&values)));
+    let png = |bytes: &[u8]| SnapshotContents::Binary(Some(std::rc::Rc::new(bytes.to_vec())));
+    let held = Held { rule: Rule::Picture(montage), found: Arc::new(Mutex::new(None)) };
+    assert!(held.allows(&png(&right), &png(&right)));
+    assert!(!held.allows(&png(&right), &png(&wrong)));
+    let mismatch = held.found.lock().expect("one thread").take().expect("it differs");
+    let message = &mismatch.message;
+    assert!(
+        message.contains("10 of 255 steps apart at tile 1, channel blue, row 1, column 2"),
+        "{message}"
+    );
+    assert!(message.contains("1 of 32 pixels"), "{message}");
+    assert_eq!(mismatch.panels.amplification, 16);
+    let path = report::path("machinery_picture", "test");
+    report::save(&mismatch.panels, &path);
+    let picture = picture::decode(&std::fs::read(&path).expect("a picture")).expect("a PNG");
+    let width = 4 * 9;
+    assert_eq!(picture.dimensions(), (3 * width + 16, 16));
+    assert_eq!(picture.get_pixel(2 * (width + 8) + 4 * (5 + 2) + 1, 5).0, [0, 0, 160]);
+    std::fs::remove_file(&path).expect("it was there");
+    assert!(!held.allows(&png(&right), &png(b"no picture")));
+    assert!(!held.allows(&png(&right), &SnapshotContents::Binary(None)));
+}
+
+#[test]
+fn pictures_may_be_off_by_a_step_and_at_edges_by_two() {
+    let montage = Montage { tiles: 1, side: 32, columns: 1, scale: 2 };
+    // 102 of 255
+    let base = vec![0.4; 3 * 32 * 32];
+    let with = |pixels: usize, steps: f32| {
+        let mut values = base.clone();
+        values[..pixels].iter_mut().for_each(|value| *value += steps / 255.0);
+        compare_pictures(&montage, &montage.draw(&bytes(&base)), &montage.draw(&bytes(&values)))
+    };
+    assert!(with(1024, 1.0).is_ok(), "every pixel may be rounded otherwise");
+    assert!(with(2, 2.0).is_ok(), "two of 1,024 pixels lie on an edge");
+    assert!(with(3, 2.0).is_err(), "three are too many");
+    assert!(with(1, 3.0).is_err(), "no edge is that high");
+    let small = Montage { side: 31, ..montage };
+    let message =
+        compare_pictures(&montage, &montage.draw(&bytes(&base)), &small.draw(&bytes(&base)));
+    assert!(message.expect_err("another size").message.contains("sizes differ"));
+}

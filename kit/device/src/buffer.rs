@@ -1,0 +1,116 @@
+//! Typed buffers of either backend.
+
+use std::marker::PhantomData;
+use std::sync::Arc;
+
+use bytemuck::Pod;
+use organza_kernel::kernel::Storage;
+
+use crate::count::Count;
+use crate::cpu_memory::CpuMemory;
+
+/// The host's storage: its buffers live on a [`Device`](crate::Device).
+#[derive(Debug)]
+pub enum Host {}
+
+/// `len` values of `T` on a device.
+#[derive(Debug)]
+pub struct Buffer<T> {
+    raw: RawBuffer,
+    element: PhantomData<T>,
+}
+
+/// A buffer whose element type is forgotten.
+#[derive(Clone, Debug)]
+pub struct RawBuffer {
+    pub(super) memory: Memory,
+    pub(super) label: &'static str,
+    /// Where it begins in the memory.
+    pub(super) begin: u64,
+    pub(super) bytes: u64,
+}
+
+/// What a GPU's buffer may begin at: a multiple of so many bytes of its memory.
+pub const TAIL_ALIGNMENT: usize = 256;
+
+#[derive(Clone, Debug)]
+pub(super) enum Memory {
+    Cpu(Arc<CpuMemory>),
+    Gpu(wgpu::Buffer),
+}
+
+impl<T: Pod> Buffer<T> {
+    pub(super) fn new(raw: RawBuffer) -> Self {
+        Self { raw, element: PhantomData }
+    }
+
+    pub(super) fn raw(&self) -> &RawBuffer {
+        &self.raw
+    }
+
+    pub(super) fn raw_mut(&mut self) -> &mut RawBuffer {
+        &mut self.raw
+    }
+
+    /// The same memory as values of another type: what is written through one is read through the other.
+    ///
+    /// # Panics
+    /// Where the memory does not hold a whole number of them.
+    #[must_use]
+    pub fn view<U: Pod>(&self) -> Buffer<U> {
+        let (label, bytes) = (self.raw.label, self.raw.bytes);
+        assert!(
+            bytes.is_multiple_of(size_of::<U>() as u64),
+            "the buffer `{label}` has {bytes} bytes"
+        );
+        Buffer::new(self.raw.clone())
+    }
+
+    /// The same memory from an element on.
+    ///
+    /// # Panics
+    /// Past the end, or where the element is not at a multiple of 256 bytes.
+    #[must_use]
+    pub fn tail(&self, first: usize) -> Self {
+        let skipped = first * size_of::<T>();
+        let label = self.raw.label;
+        assert!(skipped as u64 <= self.raw.bytes, "`{label}` ends before its element {first}");
+        assert!(skipped.is_multiple_of(TAIL_ALIGNMENT), "`{label}` is cut at {skipped} bytes");
+        let mut raw = self.raw.clone();
+        raw.begin += skipped as u64;
+        raw.bytes -= skipped as u64;
+        Buffer::new(raw)
+    }
+
+    /// Number of values.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.raw.bytes as usize / size_of::<T>()
+    }
+
+    /// Whether it holds nothing.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.raw.bytes == 0
+    }
+
+    /// Size in bytes.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        self.raw.bytes
+    }
+}
+
+impl Storage for Host {
+    type Buffer<T: Pod> = Buffer<T>;
+    type Binding<'a> = &'a RawBuffer;
+    type Count = Count;
+
+    fn bind<T: Pod>(buffer: &Buffer<T>) -> &RawBuffer {
+        buffer.raw()
+    }
+
+    fn at_most(count: &Count) -> u32 {
+        count.at_most()
+    }
+}

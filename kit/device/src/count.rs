@@ -1,0 +1,75 @@
+//! How many there are of something, where the device alone may know.
+
+use std::sync::Arc;
+
+use organza_kernel::count::{self, OVERFLOW};
+
+use crate::buffer::{Buffer, Memory};
+
+/// How many there are of something: a number that is known, or what a kernel has written on the device.
+#[derive(Clone, Debug)]
+pub struct Count {
+    /// The number, or what there is room for.
+    at_most: u32,
+    total: Option<Total>,
+}
+
+/// What a number on the device is a piece of.
+#[derive(Clone, Debug)]
+pub(super) struct Total {
+    /// As [`organza_kernel::count`] has it.
+    pub counts: Arc<Buffer<u32>>,
+    pub place: u32,
+    /// How many others come before.
+    pub first: u32,
+}
+
+impl Count {
+    /// A number that is known.
+    #[must_use]
+    pub fn known(number: u32) -> Self {
+        Self { at_most: number, total: None }
+    }
+
+    /// A number at a place of `counts`, of which there is room for `at_most`.
+    pub fn on_device(counts: &Arc<Buffer<u32>>, place: u32, at_most: u32) -> Self {
+        Self { at_most, total: Some(Total { counts: counts.clone(), place, first: 0 }) }
+    }
+
+    /// What tables and dispatches are made for.
+    #[must_use]
+    pub fn at_most(&self) -> u32 {
+        self.at_most
+    }
+
+    /// How many of them there are from `first` on, at most `most`.
+    #[must_use]
+    pub fn piece(&self, first: u32, most: u32) -> Self {
+        let at_most = count::piece(self.at_most, first, most);
+        let further = |total: &Total| Total { first: total.first + first, ..total.clone() };
+        Self { at_most, total: self.total.as_ref().map(further) }
+    }
+
+    /// Whether the host knows it.
+    #[must_use]
+    pub fn is_known(&self) -> bool {
+        self.total.is_none()
+    }
+
+    pub(super) fn total(&self) -> Option<&Total> {
+        self.total.as_ref()
+    }
+
+    /// The number, where the CPU is the device.
+    pub(super) fn on_cpu(&self) -> u32 {
+        let Some(total) = &self.total else { return self.at_most };
+        let Memory::Cpu(memory) = &total.counts.raw().memory else {
+            panic!("the counts belong to a GPU")
+        };
+        let counts: &[u32] = bytemuck::cast_slice(&memory.bytes()[..total.counts.bytes() as usize]);
+        match counts[OVERFLOW as usize] {
+            0 => count::piece(counts[total.place as usize], total.first, self.at_most),
+            _ => 0,
+        }
+    }
+}

@@ -1,0 +1,265 @@
+//! The CPU backend: the kernels as ordinary functions, workgroups spread over threads.
+
+use std::cell::Cell;
+use std::ops::Range;
+
+use glam::{UVec3, Vec3Swizzles};
+use organza_kernel::invocation::Invocation;
+use organza_kernel::kernel::{Access, BindingInfo, CpuBinding, CpuRun, InstructionSet, KernelInfo};
+use organza_kernel::memory::AccessMonitor;
+use organza_kernel::running::{RunningInvocation, begin, unlinear};
+use rayon::prelude::*;
+
+use crate::buffer::{Memory, RawBuffer};
+use crate::cpu_memory::{CpuMemory, MemoryPool};
+use crate::error::{Error, Result};
+use crate::races::Races;
+use crate::{coroutine, memory, supervise};
+
+thread_local! {
+    /// Threads that have work of their own, this one among them; 0 where a dispatch is everyone's.
+    static SINGLE_THREAD: Cell<u32> = const { Cell::new(0) };
+}
+
+/// While it lives, the thread's dispatches are its own.
+struct SingleThread;
+
+impl SingleThread {
+    fn among(threads: u32) -> Self {
+        SINGLE_THREAD.set(threads);
+        Self
+    }
+}
+
+impl Drop for SingleThread {
+    fn drop(&mut self) {
+        SINGLE_THREAD.set(0);
+    }
+}
+
+/// Workgroups that a thread runs one after the other: what it takes to hand them over counts less.
+const AT_ONCE: u64 = 8;
+
+/// The CPU as a device.
+#[derive(Debug)]
+pub struct Cpu {
+    pool: rayon::ThreadPool,
+    check_races: bool,
+    instruction_set: InstructionSet,
+    pool_memory: MemoryPool,
+}
+
+impl Cpu {
+    pub fn new(
+        threads: Option<usize>,
+        check_races: bool,
+        instruction_set: Option<InstructionSet>,
+    ) -> Result<Self> {
+        // a monitor sees one invocation at a time
+        let best = if check_races { InstructionSet::Scalar } else { InstructionSet::best() };
+        let instruction_set = instruction_set.unwrap_or(best);
+        if !instruction_set.is_available() {
+            let reason = format!("this CPU does not have {}", instruction_set.as_str());
+            return Err(Error::Argument { reason });
+        }
+        supervise::install();
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads.unwrap_or(0))
+            .thread_name(|index| format!("organza-{index}"))
+            .build()
+            .map_err(|error| Error::Argument {
+                reason: format!("cannot start threads: {error}"),
+            })?;
+        Ok(Self { pool, check_races, instruction_set, pool_memory: MemoryPool::default() })
+    }
+
+    pub fn instruction_set(&self) -> InstructionSet {
+        self.instruction_set
+    }
+
+    pub fn threads(&self) -> usize {
+        self.pool.current_num_threads()
+    }
+
+    pub fn allocate(&self, label: &'static str, bytes: u64) -> Result<CpuMemory> {
+        if let Some(memory) = self.pool_memory.take(bytes) {
+            return Ok(memory);
+        }
+        let what = format!("the buffer `{label}`");
+        // what lies unused counts as well
+        memory::check(bytes, &what).or_else(|_| {
+            self.pool_memory.clear();
+            memory::check(bytes, &what)
+        })?;
+        let memory = self.pool_memory.allocate(bytes).or_else(|| {
+            self.pool_memory.clear();
+            self.pool_memory.allocate(bytes)
+        });
+        memory.ok_or_else(|| Error::OutOfMemory {
+            needed: bytes,
+            available: memory::available(),
+            what,
+        })
+    }
+
+    pub fn clear(&self, memory: &CpuMemory, begin: u64, bytes: u64) {
+        assert!(begin + bytes <= memory.bytes().len() as u64);
+        // SAFETY: in range, and no dispatch runs: each returns when it is done
+        unsafe { memory.data().add(begin as usize).write_bytes(0, bytes as usize) };
+    }
+
+    pub fn copy(&self, from: &CpuMemory, range: Range<u64>, to: &CpuMemory, begin: u64) {
+        let bytes = (range.end - range.start) as usize;
+        assert!(range.end <= from.bytes().len() as u64);
+        assert!(begin as usize + bytes <= to.bytes().len());
+        // SAFETY: in range, and no dispatch runs: each returns when it is done
+        unsafe {
+            to.data().add(begin as usize).copy_from(from.data().add(range.start as usize), bytes)
+        };
+    }
+
+    pub fn dispatch(
+        &self,
+        info: &'static KernelInfo,
+        uniform: &[u8],
+        buffers: &[&RawBuffer],
+        workgroups: [u32; 3],
+    ) -> Result<()> {
+        let failed = |reason| Error::Kernel { kernel: info.name.into(), reason };
+        let mut bindings = bind(info, uniform, buffers).map_err(failed)?;
+        let races = if self.check_races { races(info, &bindings, workgroups) } else { Vec::new() };
+        for (binding, race) in bindings.iter_mut().zip(&races) {
+            binding.monitor = race.as_ref().map(|race| race as &dyn AccessMonitor);
+        }
+        let [x, y, z] = workgroups.map(u64::from);
+        let size = UVec3::from(workgroups);
+        let place = |index: u64| match info.z_innermost {
+            // z counts fastest
+            true => unlinear(index, size.zxy()).yzx(),
+            false => unlinear(index, size),
+        };
+        let run_of_lanes = match info.run {
+            CpuRun::Lanes(runs) => CpuRun::Workgroup(runs.of(self.instruction_set)),
+            run => run,
+        };
+        let run = |index: u64| match run_of_lanes {
+            CpuRun::Lanes(_) => unreachable!("replaced above"),
+            CpuRun::Workgroup(run) => {
+                // SAFETY: the bindings are those of the typed dispatch, and kernels do not write to the same
+                // element from two invocations without atomics
+                unsafe { run(&bindings, place(index), size) };
+                Ok(())
+            }
+            CpuRun::Invocation(run) => {
+                coroutine::run_workgroup(info, run, &bindings, place(index), size)
+            }
+        };
+        let local = UVec3::from(info.workgroup_size);
+        let run_some = |mut indices: Range<u64>| {
+            supervise::supervise(|| {
+                indices.try_for_each(|index| {
+                    let first = Invocation::new(UVec3::ZERO, place(index), size, local);
+                    begin(Some(RunningInvocation { kernel: info.name, id: first }));
+                    run(index)
+                })
+            })
+        };
+        // a layer is one thread's, whatever lies in it
+        let (all, at_once) = match info.z_serial {
+            true => (z, x * y),
+            false => ((x * y * z).div_ceil(AT_ONCE), AT_ONCE),
+        };
+        let some = |index: usize| {
+            let first = index as u64 * at_once;
+            run_some(first..(first + at_once).min(x * y * z))
+        };
+        if SINGLE_THREAD.get() > 0 {
+            return (0..all as usize).try_for_each(some).map_err(failed);
+        }
+        let run_all = || match info.z_serial {
+            true => (0..all as usize).into_par_iter().with_max_len(1).try_for_each(some),
+            false => (0..all as usize).into_par_iter().try_for_each(some),
+        };
+        self.pool.install(run_all).map_err(failed)
+    }
+
+    /// Runs `work` for every item, on all threads at once; what an item dispatches runs on its thread alone.
+    pub fn parallel_for<T: Send, E: Send>(
+        &self,
+        items: Vec<T>,
+        work: impl Fn(T) -> Result<(), E> + Sync,
+    ) -> Result<(), E> {
+        let at_once = self.threads().min(items.len()) as u32;
+        let alone = |item| {
+            let _alone = SingleThread::among(at_once);
+            work(item)
+        };
+        self.pool.install(|| items.into_par_iter().with_max_len(1).try_for_each(alone))
+    }
+
+    /// Threads that share the device with this one: more than one for an item of [`Cpu::parallel_for`].
+    pub fn concurrent_threads() -> u32 {
+        SINGLE_THREAD.get().max(1)
+    }
+
+    /// Runs `work` on one of the device's threads: its dispatches need not wake one up.
+    pub fn run_in_pool<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        self.pool.install(work)
+    }
+}
+
+/// The memory of every binding, in order.
+fn bind(
+    info: &KernelInfo,
+    uniform: &[u8],
+    buffers: &[&RawBuffer],
+) -> Result<Vec<CpuBinding<'static>>, String> {
+    let mut buffers = buffers.iter();
+    let mut bindings = Vec::with_capacity(info.bindings.len());
+    let mut memories = Vec::with_capacity(info.bindings.len());
+    for binding in info.bindings {
+        let (whole, data, bytes) = match binding.access {
+            Access::Uniform => (uniform.as_ptr(), uniform.as_ptr().cast_mut(), uniform.len()),
+            Access::Read | Access::Write => {
+                let buffer = buffers.next().expect("the typed dispatch binds every buffer");
+                let Memory::Cpu(memory) = &buffer.memory else {
+                    panic!("the buffer `{}` belongs to a GPU", buffer.label)
+                };
+                let whole = memory.data();
+                let begin = whole.wrapping_add(buffer.begin as usize);
+                (whole.cast_const(), begin, buffer.bytes as usize)
+            }
+        };
+        bindings.push(CpuBinding { data, bytes, monitor: None });
+        memories.push(whole);
+    }
+    for (at, (memory, info_of)) in memories.iter().zip(info.bindings).enumerate() {
+        for (other, info_of_other) in memories.iter().zip(info.bindings).take(at) {
+            let written = [info_of, info_of_other].iter().any(|info| info.access == Access::Write);
+            // GPUs refuse it, too, even where the parts that are bound do not meet
+            if memory == other && written {
+                let names = (info_of_other.name, info_of.name);
+                return Err(format!(
+                    "`{}` and `{}` are one buffer, and it is written",
+                    names.0, names.1
+                ));
+            }
+        }
+    }
+    Ok(bindings)
+}
+
+/// A monitor for every binding that is written.
+fn races(
+    info: &KernelInfo,
+    bindings: &[CpuBinding<'_>],
+    workgroups: [u32; 3],
+) -> Vec<Option<Races>> {
+    let invocations = UVec3::from(workgroups) * UVec3::from(info.workgroup_size);
+    let layers = info.z_serial;
+    let monitor = |(info, binding): (&BindingInfo, &CpuBinding<'_>)| {
+        let written = info.access == Access::Write;
+        written.then(|| Races::new(info, binding.bytes, invocations, layers))
+    };
+    info.bindings.iter().zip(bindings).map(monitor).collect()
+}

@@ -1,0 +1,160 @@
+//! Memory of the CPU backend, which is used again: a step allocates what the step before has freed.
+
+use std::alloc::{self, Layout};
+use std::collections::VecDeque;
+use std::ptr::NonNull;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// What may lie unused, in bytes.
+const SPARE_BYTES: usize = 256 << 20;
+
+/// Aligned memory that kernels write through pointers.
+#[derive(Debug)]
+pub struct CpuMemory {
+    block: Option<Allocation>,
+    pool_memory: MemoryPool,
+}
+
+/// Memory that nobody uses, the longest unused first.
+#[derive(Clone, Debug, Default)]
+pub struct MemoryPool(Arc<Mutex<VecDeque<Allocation>>>);
+
+impl MemoryPool {
+    fn blocks(&self) -> MutexGuard<'_, VecDeque<Allocation>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Memory of at least so many bytes, if there is some: all zeros.
+    pub fn take(&self, bytes: u64) -> Option<CpuMemory> {
+        let layout = layout(bytes)?;
+        let block = {
+            let mut blocks = self.blocks();
+            let place = blocks.iter().rposition(|block| block.layout == layout)?;
+            blocks.remove(place)?
+        };
+        // SAFETY: that many bytes are the block's, and nobody else has it
+        unsafe { block.data.as_ptr().write_bytes(0, bytes as usize) };
+        Some(CpuMemory { block: Some(block), pool_memory: self.clone() })
+    }
+
+    /// New memory of at least so many bytes, all zeros; none where the system has none.
+    pub fn allocate(&self, bytes: u64) -> Option<CpuMemory> {
+        let layout = layout(bytes)?;
+        // SAFETY: the size is not zero
+        let data = NonNull::new(crate::memory::asking(|| unsafe { alloc::alloc_zeroed(layout) }))?;
+        Some(CpuMemory { block: Some(Allocation { data, layout }), pool_memory: self.clone() })
+    }
+
+    /// Gives everything back to the system.
+    pub fn clear(&self) {
+        self.blocks().clear();
+    }
+
+    fn put(&self, block: Allocation) {
+        let mut blocks = self.blocks();
+        blocks.push_back(block);
+        let mut bytes: usize = blocks.iter().map(|block| block.layout.size()).sum();
+        while bytes > SPARE_BYTES {
+            bytes -= blocks.pop_front().map_or(bytes, |block| block.layout.size());
+        }
+    }
+}
+
+/// Sizes of four steps between powers of two, so that batches of about the same size share their memory.
+fn layout(bytes: u64) -> Option<Layout> {
+    let bytes = usize::try_from(bytes).ok()?.max(64);
+    let step = (bytes.checked_next_power_of_two()? / 8).max(64);
+    // a cache line: enough for every element type, and for SIMD
+    Layout::from_size_align(bytes.checked_next_multiple_of(step)?, 64).ok()
+}
+
+impl CpuMemory {
+    fn block(&self) -> &Allocation {
+        self.block.as_ref().expect("it has one until it is dropped")
+    }
+
+    /// Where it begins.
+    pub fn data(&self) -> *mut u8 {
+        self.block().data.as_ptr()
+    }
+
+    pub fn bytes(&self) -> &[u8] {
+        let block = self.block();
+        // SAFETY: initialized at allocation, and dispatches have returned before the host reads
+        unsafe { std::slice::from_raw_parts(block.data.as_ptr(), block.layout.size()) }
+    }
+
+    pub fn bytes_mut(&mut self) -> &mut [u8] {
+        let block = self.block();
+        // SAFETY: as above
+        unsafe { std::slice::from_raw_parts_mut(block.data.as_ptr(), block.layout.size()) }
+    }
+}
+
+impl Drop for CpuMemory {
+    fn drop(&mut self) {
+        if let Some(block) = self.block.take() {
+            self.pool_memory.put(block);
+        }
+    }
+}
+
+/// Memory of the system.
+#[derive(Debug)]
+struct Allocation {
+    data: NonNull<u8>,
+    layout: Layout,
+}
+
+// SAFETY: plain bytes; kernels that run at the same time do not write to the same element
+unsafe impl Send for Allocation {}
+// SAFETY: as above
+unsafe impl Sync for Allocation {}
+
+impl Drop for Allocation {
+    fn drop(&mut self) {
+        // SAFETY: allocated with this layout
+        unsafe { alloc::dealloc(self.data.as_ptr(), self.layout) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_hold_what_is_asked_for_and_not_much_more() {
+        for bytes in [0, 1, 64, 65, 1000, 4096, 4097, 1 << 20, (1 << 20) + 1, 7 << 30] {
+            let size = layout(bytes).expect("it exists").size() as u64;
+            assert!(size >= bytes && size as f64 <= 1.25 * bytes as f64 + 128.0, "{bytes}: {size}");
+        }
+        assert!(layout(u64::MAX).is_none());
+    }
+
+    #[test]
+    fn memory_is_used_again_and_all_zeros() {
+        let pool_memory = MemoryPool::default();
+        assert!(pool_memory.take(1000).is_none());
+        let mut memory = pool_memory.allocate(1000).expect("memory");
+        memory.bytes_mut().fill(7);
+        let data = memory.data();
+        drop(memory);
+        assert!(pool_memory.take(5000).is_none());
+        let again = pool_memory.take(990).expect("what was dropped");
+        assert_eq!(again.data(), data);
+        assert!(again.bytes()[..990].iter().all(|&byte| byte == 0));
+        drop(again);
+        pool_memory.clear();
+        assert!(pool_memory.take(1000).is_none());
+    }
+
+    #[test]
+    fn only_so_much_lies_unused() {
+        let pool_memory = MemoryPool::default();
+        let all: Vec<_> =
+            (0..5).map(|_| pool_memory.allocate(100 << 20).expect("memory")).collect();
+        drop(all);
+        let left: usize = pool_memory.blocks().iter().map(|block| block.layout.size()).sum();
+        assert!(left > 0 && left <= SPARE_BYTES);
+    }
+}

@@ -1,0 +1,143 @@
+//! Finds a GPU and opens it.
+
+use crate::error::{Error, Result};
+use crate::open::{DeviceOptions, SpirvPath};
+
+/// Storage buffers that one kernel may bind.
+const STORAGE_BUFFERS: u32 = 8;
+
+fn instance() -> wgpu::Instance {
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+    descriptor.backends = wgpu::Backends::PRIMARY;
+    // the validation layers come with WGPU_VALIDATION=1
+    descriptor.flags = wgpu::InstanceFlags::empty();
+    // refuse a buffer rather than bring the system down
+    descriptor.memory_budget_thresholds.for_resource_creation = Some(95);
+    wgpu::Instance::new(wgpu::InstanceDescriptor {
+        flags: descriptor.flags.with_env(),
+        ..descriptor
+    })
+}
+
+/// The most capable adapter first.
+fn rank(kind: wgpu::DeviceType) -> u32 {
+    match kind {
+        wgpu::DeviceType::DiscreteGpu => 0,
+        wgpu::DeviceType::IntegratedGpu => 1,
+        wgpu::DeviceType::VirtualGpu => 2,
+        wgpu::DeviceType::Other => 3,
+        wgpu::DeviceType::Cpu => 4,
+    }
+}
+
+/// A GPU that the system offers.
+#[derive(Clone, Debug)]
+pub struct AdapterInfo {
+    /// Its name, by which [`DeviceOptions::adapter`] chooses it.
+    pub name: String,
+    /// Interface, driver and version, as far as they are known.
+    pub driver: String,
+    /// Whether it takes SPIR-V as it is.
+    pub passes_through: bool,
+}
+
+/// Every GPU that the system offers, the most capable first; of those of one name the first alone.
+#[must_use]
+pub fn adapters() -> Vec<AdapterInfo> {
+    let mut adapters = enumerate();
+    let mut names = std::collections::HashSet::new();
+    adapters.retain(|adapter| names.insert(adapter.get_info().name));
+    let describe = |adapter: &wgpu::Adapter| {
+        let info = adapter.get_info();
+        let driver = [info.backend.to_string(), info.driver, info.driver_info];
+        let known: Vec<_> = driver.into_iter().filter(|part| !part.is_empty()).collect();
+        AdapterInfo {
+            name: info.name,
+            driver: known.join(", "),
+            passes_through: can_pass_through(adapter),
+        }
+    };
+    adapters.iter().map(describe).collect()
+}
+
+/// Every adapter, the most capable first.
+fn enumerate() -> Vec<wgpu::Adapter> {
+    let mut adapters = pollster::block_on(instance().enumerate_adapters(wgpu::Backends::PRIMARY));
+    adapters.sort_by_key(|adapter| rank(adapter.get_info().device_type));
+    adapters
+}
+
+/// Whether an adapter takes SPIR-V as it is.
+fn can_pass_through(adapter: &wgpu::Adapter) -> bool {
+    adapter.get_info().backend == wgpu::Backend::Vulkan
+        && adapter.features().contains(wgpu::Features::PASSTHROUGH_SHADERS)
+}
+
+/// The adapter that `options` name, else the most capable, and how it takes SPIR-V.
+pub fn choose(options: &DeviceOptions) -> Result<(wgpu::Adapter, SpirvPath)> {
+    let adapters = enumerate();
+    if adapters.is_empty() {
+        return Err(Error::NoGpu {
+            reason: "no Vulkan, Metal or DirectX 12 driver was found".into(),
+        });
+    }
+    let names: Vec<_> = adapters.iter().map(|adapter| adapter.get_info().name).collect();
+    let wanted = options.adapter.as_deref().unwrap_or("").to_lowercase();
+    let adapter = adapters
+        .into_iter()
+        .find(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted))
+        .ok_or_else(|| Error::NoGpu {
+            reason: format!(
+                "no adapter's name contains {wanted:?}; there is: {}",
+                names.join(", ")
+            ),
+        })?;
+
+    let can_pass_through = can_pass_through(&adapter);
+    let spirv = match options.spirv {
+        Some(SpirvPath::Passthrough) if !can_pass_through => {
+            let (name, backend) = (adapter.get_info().name, adapter.get_info().backend);
+            return Err(Error::NoGpu {
+                reason: format!(
+                    "{name} ({backend}) does not take SPIR-V as it is; use `--spirv naga`"
+                ),
+            });
+        }
+        Some(spirv) => spirv,
+        None if can_pass_through => SpirvPath::Passthrough,
+        None => SpirvPath::Naga,
+    };
+    let offered = adapter.limits().max_storage_buffers_per_shader_stage;
+    if offered < STORAGE_BUFFERS {
+        return Err(Error::NoGpu {
+            reason: format!(
+                "{} binds {offered} storage buffers, the kernels need {STORAGE_BUFFERS}",
+                adapter.get_info().name
+            ),
+        });
+    }
+    Ok((adapter, spirv))
+}
+
+/// Opens an adapter with all that it offers: the default limits end at 128 MiB a binding.
+pub fn request(adapter: &wgpu::Adapter, spirv: SpirvPath) -> Result<(wgpu::Device, wgpu::Queue)> {
+    let (required_features, experimental_features) = match spirv {
+        SpirvPath::Passthrough => {
+            // SAFETY: passing shaders through is what is experimental; they are our own compiler's, validated when built
+            (wgpu::Features::PASSTHROUGH_SHADERS, unsafe { wgpu::ExperimentalFeatures::enabled() })
+        }
+        SpirvPath::Naga => (wgpu::Features::empty(), wgpu::ExperimentalFeatures::disabled()),
+    };
+    // for who wants to know what kernels take, and for networks in half precision
+    let optional = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::SHADER_F16;
+    let device = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
+        label: Some("organza"),
+        required_features: required_features | (adapter.features() & optional),
+        required_limits: adapter.limits(),
+        experimental_features,
+        ..Default::default()
+    }));
+    device.map_err(|error| Error::NoGpu {
+        reason: format!("{} cannot be opened: {error}", adapter.get_info().name),
+    })
+}

@@ -1,0 +1,316 @@
+//! The GPU backend: wgpu buffers, and dispatches queued into command buffers.
+
+mod adapter;
+mod fill;
+mod pipeline;
+mod recorder;
+mod timer;
+mod variants;
+
+use std::ops::Range;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use organza_kernel::{EntryPoint, KernelInfo};
+
+use crate::buffer::{Memory, RawBuffer};
+use crate::count::Count;
+use crate::error::{Error, Result};
+use crate::modules::Modules;
+use crate::open::{DeviceOptions, SpirvPath};
+pub use adapter::{AdapterInfo, adapters};
+use pipeline::Pipelines;
+use recorder::{Counted, Recorder};
+use variants::Variants;
+
+/// A GPU as a device.
+#[derive(Debug)]
+pub struct Gpu {
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    info: wgpu::AdapterInfo,
+    limits: wgpu::Limits,
+    spirv: SpirvPath,
+    variants: Variants,
+    pipelines: Pipelines,
+    recorder: Mutex<Recorder>,
+    failures: Arc<Mutex<Failures>>,
+    /// How often someone has waited for what was read.
+    waits: AtomicU64,
+}
+
+impl Gpu {
+    /// Takes the adapter that `options` name, else the most capable one.
+    pub fn open(options: &DeviceOptions, modules: &'static Modules) -> Result<Self> {
+        let (adapter, spirv) = adapter::choose(options)?;
+        let variants = Variants::of(&adapter, options.variants);
+        let (device, queue) = adapter::request(&adapter, spirv)?;
+        let limits = device.limits();
+        let failures = Arc::default();
+        record_failures(&device, &failures);
+        Ok(Self {
+            recorder: Mutex::new(Recorder::new(&device)),
+            pipelines: Pipelines::new(spirv, variants, modules),
+            info: adapter.get_info(),
+            device,
+            queue,
+            limits,
+            spirv,
+            variants,
+            failures,
+            waits: AtomicU64::new(0),
+        })
+    }
+
+    pub fn name(&self) -> &str {
+        &self.info.name
+    }
+
+    pub fn description(&self) -> String {
+        format!(
+            "{}, {}, SPIR-V {}, {}",
+            self.info.name,
+            self.info.backend,
+            match self.spirv {
+                SpirvPath::Passthrough => "passed through",
+                SpirvPath::Naga => "through naga",
+            },
+            self.variants.as_str()
+        )
+    }
+
+    pub fn entry_point(&self, kernel: &KernelInfo) -> EntryPoint {
+        self.variants.entry_point(kernel)
+    }
+
+    pub fn is_software(&self) -> bool {
+        self.info.device_type == wgpu::DeviceType::Cpu
+    }
+
+    /// Whether modules with `Float16` are taken.
+    pub fn computes_halves(&self) -> bool {
+        self.device.features().contains(wgpu::Features::SHADER_F16)
+    }
+
+    pub fn max_buffer_bytes(&self) -> u64 {
+        self.limits.max_buffer_size.min(self.limits.max_storage_buffer_binding_size)
+    }
+
+    pub fn allocate(&self, label: &'static str, bytes: u64) -> Result<wgpu::Buffer> {
+        self.check()?;
+        let what = || format!("the buffer `{label}` on {}", self.info.name);
+        // nothing can be bound that has no bytes, and a copy takes a multiple of four
+        let size = bytes.max(16).next_multiple_of(4);
+        if size > self.max_buffer_bytes() {
+            return Err(Error::OutOfMemory {
+                needed: bytes,
+                available: Some(self.max_buffer_bytes()),
+                what: what(),
+            });
+        }
+        let scope = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
+        let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(label),
+            size,
+            usage: wgpu::BufferUsages::STORAGE
+                | wgpu::BufferUsages::COPY_SRC
+                | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        match pollster::block_on(scope.pop()) {
+            Some(_) => Err(Error::OutOfMemory { needed: bytes, available: None, what: what() }),
+            None => Ok(buffer),
+        }
+    }
+
+    pub fn write(&self, buffer: &wgpu::Buffer, bytes: &[u8]) {
+        if !bytes.is_empty() {
+            self.queue.write_buffer(buffer, 0, bytes);
+        }
+    }
+
+    /// Waits for everything queued and copies bytes of each buffer, from a place on.
+    pub fn read(&self, ranges: &mut [(&wgpu::Buffer, u64, &mut [u8])]) -> Result<()> {
+        self.waits.fetch_add(1, Ordering::Relaxed);
+        let size = ranges.iter().map(|(_, _, target)| target.len() as u64).sum();
+        let staging = self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("read back"),
+            size,
+            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        {
+            let mut recorder = self.recorder();
+            let mut at = 0;
+            for (buffer, begin, target) in ranges.iter() {
+                let bytes = *begin..*begin + target.len() as u64;
+                recorder.copy(&self.device, buffer, bytes, &staging, at);
+                at += target.len() as u64;
+            }
+            recorder.submit(&self.device, &self.queue);
+        }
+        let (sender, receiver) = std::sync::mpsc::channel();
+        staging.slice(..).map_async(wgpu::MapMode::Read, move |result| {
+            // the receiver is gone only if this function has returned an error
+            let _ = sender.send(result);
+        });
+        let polled = self.device.poll(wgpu::PollType::wait_indefinitely());
+        self.check()?;
+        polled.map_err(|error| Error::DeviceLost { reason: error.to_string() })?;
+        let mapped = receiver
+            .recv()
+            .map_err(|_| Error::DeviceLost { reason: "it did not answer".into() })?;
+        mapped.map_err(|error| Error::DeviceLost { reason: error.to_string() })?;
+        let range = staging.slice(..).get_mapped_range();
+        let range = range.map_err(|error| Error::DeviceLost { reason: error.to_string() })?;
+        let mut at = 0;
+        for (_, _, target) in ranges {
+            target.copy_from_slice(&range[at..at + target.len()]);
+            at += target.len();
+        }
+        Ok(())
+    }
+
+    pub fn dispatch(
+        &self,
+        kernel: &'static KernelInfo,
+        uniform: &[u8],
+        counts: &[(usize, &Count)],
+        buffers: &[&RawBuffer],
+        workgroups: [u32; 3],
+    ) -> Result<()> {
+        self.check()?;
+        let pipeline = self.pipelines.get(&self.device, kernel)?;
+        let is_known = counts.iter().all(|(_, count)| count.is_known());
+        let fill = match is_known {
+            true => None,
+            false => Some(self.pipelines.get(&self.device, &fill::KERNEL)?),
+        };
+        let counts = fill.as_ref().map(|fill| Counted { counts, fill });
+        let buffers: Vec<_> = buffers
+            .iter()
+            .map(|buffer| match &buffer.memory {
+                Memory::Gpu(memory) => wgpu::BufferBinding {
+                    buffer: memory,
+                    offset: buffer.begin,
+                    // one that has no bytes has memory nevertheless
+                    size: std::num::NonZero::new(buffer.bytes.next_multiple_of(4)),
+                },
+                Memory::Cpu(_) => panic!("the buffer `{}` belongs to the CPU", buffer.label),
+            })
+            .collect();
+        self.recorder().dispatch(
+            &self.device,
+            &self.queue,
+            kernel,
+            &pipeline,
+            uniform,
+            counts,
+            &buffers,
+            workgroups,
+        );
+        Ok(())
+    }
+
+    pub fn clear(&self, buffer: &wgpu::Buffer, begin: u64, bytes: u64) {
+        let bytes = bytes.next_multiple_of(4);
+        self.recorder().clear(&self.device, buffer, begin..begin + bytes);
+    }
+
+    pub fn copy(&self, from: &wgpu::Buffer, range: Range<u64>, to: &wgpu::Buffer, begin: u64) {
+        let range = range.start..range.start + (range.end - range.start).next_multiple_of(4);
+        self.recorder().copy(&self.device, from, range, to, begin);
+    }
+
+    /// What was dispatched so far has written the numbers that are filled in from here on.
+    pub fn publish_counts(&self) {
+        self.recorder().publish_counts(&self.device);
+    }
+
+    /// Waits for everything queued.
+    pub fn wait(&self) -> Result<()> {
+        self.recorder().submit(&self.device, &self.queue);
+        let polled = self.device.poll(wgpu::PollType::wait_indefinitely());
+        self.check()?;
+        polled.map(drop).map_err(|error| Error::DeviceLost { reason: error.to_string() })
+    }
+
+    /// From now on, whether dispatches are timed; returns whether this device has timestamps for it.
+    pub fn time_dispatches(&self, times: bool) -> bool {
+        self.recorder().time(times)
+    }
+
+    /// Waits for what was timed, and takes what each dispatch took; nothing where the device was lost.
+    pub fn take_times(&self) -> Vec<(&'static str, Duration)> {
+        let mut recorder = self.recorder();
+        if recorder.timer().is_none_or(|timer| timer.is_empty()) {
+            return Vec::new();
+        }
+        recorder.submit(&self.device, &self.queue);
+        let Some(timer) = recorder.timer() else { return Vec::new() };
+        timer.map();
+        match self.device.poll(wgpu::PollType::wait_indefinitely()) {
+            Ok(_) => timer.take(self.queue.get_timestamp_period()),
+            Err(_) => Vec::new(),
+        }
+    }
+
+    /// How often someone has waited for what was read.
+    pub fn waits(&self) -> u64 {
+        self.waits.load(Ordering::Relaxed)
+    }
+
+    pub fn lose(&self) {
+        self.device.destroy();
+    }
+
+    fn recorder(&self) -> std::sync::MutexGuard<'_, Recorder> {
+        self.recorder.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The first failure that the device reported since the last call; that it was lost, once and for all.
+    fn check(&self) -> Result<()> {
+        let failures = || self.failures.lock().unwrap_or_else(PoisonError::into_inner);
+        let first = failures().first.take();
+        if first.is_some() {
+            // what is made on a lost device is invalid, and using it is what gets reported: polling tells of the loss
+            let _ = self.device.poll(wgpu::PollType::Poll);
+        }
+        match (&failures().lost, first) {
+            (Some(reason), _) => Err(Error::DeviceLost { reason: reason.clone() }),
+            (None, Some(first)) => Err(first),
+            (None, None) => Ok(()),
+        }
+    }
+}
+
+/// What a device reported.
+#[derive(Debug, Default)]
+struct Failures {
+    /// Why it was lost.
+    lost: Option<String>,
+    /// The first of all other failures.
+    first: Option<Error>,
+}
+
+/// Keeps what a device reports until someone asks: wgpu does it from callbacks.
+fn record_failures(device: &wgpu::Device, failures: &Arc<Mutex<Failures>>) {
+    let lost = failures.clone();
+    device.set_device_lost_callback(move |reason, message| {
+        // a device that is dropped in good order is reported too
+        if !(reason == wgpu::DeviceLostReason::Destroyed && message.contains("Device dropped")) {
+            lost.lock().unwrap_or_else(PoisonError::into_inner).lost.get_or_insert(message);
+        }
+    });
+    let uncaptured = failures.clone();
+    device.on_uncaptured_error(Arc::new(move |error| {
+        let error = match error {
+            wgpu::Error::OutOfMemory { source } => {
+                Error::OutOfMemory { needed: 0, available: None, what: source.to_string() }
+            }
+            other => Error::Kernel { kernel: "on the GPU".into(), reason: other.to_string() },
+        };
+        uncaptured.lock().unwrap_or_else(PoisonError::into_inner).first.get_or_insert(error);
+    }));
+}

@@ -1,0 +1,131 @@
+//! Compute pipelines, made when a kernel is first dispatched.
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use organza_kernel::{Access, EntryPoint, KernelInfo};
+
+use super::variants::Variants;
+use crate::error::{Error, Result};
+use crate::modules::Modules;
+use crate::open::SpirvPath;
+
+/// The pipelines of a device, by kernel.
+#[derive(Debug)]
+pub struct Pipelines {
+    spirv: SpirvPath,
+    variants: Variants,
+    modules: &'static Modules,
+    made: Mutex<HashMap<&'static str, Arc<Pipeline>>>,
+}
+
+/// A kernel, ready to be bound.
+#[derive(Debug)]
+pub struct Pipeline {
+    pub pipeline: wgpu::ComputePipeline,
+    pub layout: wgpu::BindGroupLayout,
+}
+
+impl Pipelines {
+    pub fn new(spirv: SpirvPath, variants: Variants, modules: &'static Modules) -> Self {
+        Self { spirv, variants, modules, made: Mutex::default() }
+    }
+
+    pub fn get(&self, device: &wgpu::Device, kernel: &'static KernelInfo) -> Result<Arc<Pipeline>> {
+        let mut made = self.made.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(pipeline) = made.get(kernel.name) {
+            return Ok(pipeline.clone());
+        }
+        let point = self.variants.entry_point(kernel);
+        let scope = device.push_error_scope(wgpu::ErrorFilter::Validation);
+        let module = module(device, kernel, &point, self.spirv, self.modules)?;
+        let pipeline = Arc::new(make(device, kernel, &point, &module));
+        if let Some(error) = pollster::block_on(scope.pop()) {
+            return Err(Error::Kernel { kernel: point.name.into(), reason: error.to_string() });
+        }
+        made.insert(kernel.name, pipeline.clone());
+        Ok(pipeline)
+    }
+}
+
+fn make(
+    device: &wgpu::Device,
+    kernel: &KernelInfo,
+    point: &EntryPoint,
+    module: &wgpu::ShaderModule,
+) -> Pipeline {
+    let entries: Vec<_> = kernel
+        .bindings
+        .iter()
+        .zip(0..)
+        .map(|(info, binding)| wgpu::BindGroupLayoutEntry {
+            binding,
+            visibility: wgpu::ShaderStages::COMPUTE,
+            ty: wgpu::BindingType::Buffer {
+                ty: match info.access {
+                    Access::Uniform => wgpu::BufferBindingType::Uniform,
+                    Access::Read => wgpu::BufferBindingType::Storage { read_only: true },
+                    Access::Write => wgpu::BufferBindingType::Storage { read_only: false },
+                },
+                has_dynamic_offset: false,
+                min_binding_size: None,
+            },
+            count: None,
+        })
+        .collect();
+    let label = Some(point.name);
+    let layout = device
+        .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label, entries: &entries });
+    let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label,
+        bind_group_layouts: &[Some(&layout)],
+        ..Default::default()
+    });
+    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label,
+        layout: Some(&pipeline_layout),
+        module,
+        entry_point: Some(point.name),
+        // kernels write workgroup memory before they read it: the CPU run fills it with rubbish to show that
+        compilation_options: wgpu::PipelineCompilationOptions {
+            zero_initialize_workgroup_memory: false,
+            ..Default::default()
+        },
+        cache: None,
+    });
+    Pipeline { pipeline, layout }
+}
+
+fn module(
+    device: &wgpu::Device,
+    kernel: &KernelInfo,
+    point: &EntryPoint,
+    spirv: SpirvPath,
+    modules: &'static Modules,
+) -> Result<wgpu::ShaderModule> {
+    let words = modules.of(kernel, point)?.spirv_words();
+    let label = Some(point.name);
+    let [x, y, z] = kernel.workgroup_size;
+    Ok(match spirv {
+        // SAFETY: our own compiler's output, validated when it was built; the CPU run checks every index
+        SpirvPath::Passthrough => unsafe {
+            device.create_shader_module_passthrough(wgpu::ShaderModuleDescriptorPassthrough {
+                label,
+                entry_points: Cow::Owned(vec![wgpu::PassthroughShaderEntryPoint {
+                    name: point.name.into(),
+                    workgroup_size: (x, y, z),
+                }]),
+                spirv: Some(words),
+                ..Default::default()
+            })
+        },
+        // SAFETY: as above; naga's own checks would add exits inside of loops, which it miscompiles
+        SpirvPath::Naga => unsafe {
+            device.create_shader_module_trusted(
+                wgpu::ShaderModuleDescriptor { label, source: wgpu::ShaderSource::SpirV(words) },
+                wgpu::ShaderRuntimeChecks::unchecked(),
+            )
+        },
+    })
+}

@@ -1,0 +1,190 @@
+//! Dispatches, collected into command buffers.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use organza_kernel::{Access, KernelInfo};
+
+use super::fill::Fills;
+use super::pipeline::Pipeline;
+use super::timer::Timer;
+use crate::count::Count;
+
+/// Bytes of a uniform slot: the largest alignment that an adapter may ask for.
+const SLOT: u64 = 256;
+
+/// Dispatches of one submission: each has its slot until then.  Enough for a training step; and as many timestamps as a
+/// query set takes.
+pub const SLOTS: u64 = 2048;
+
+/// Parameters of a dispatch that the device fills in.
+#[derive(Clone, Copy, Debug)]
+pub struct Counted<'a> {
+    /// By their place in the uniform buffer.
+    pub counts: &'a [(usize, &'a Count)],
+    /// Of `count_fill`.
+    pub fill: &'a Arc<Pipeline>,
+}
+
+/// The command buffers that are being written: they are submitted together.
+#[derive(Debug)]
+pub struct Recorder {
+    /// What comes before `encoder`.
+    finished: Vec<wgpu::CommandBuffer>,
+    /// Parameters that the device fills in between `finished` and `encoder`.
+    fills: Fills,
+    encoder: Option<wgpu::CommandEncoder>,
+    uniforms: wgpu::Buffer,
+    /// What the slots will hold.
+    slots: Vec<u8>,
+    /// None where the device has no timestamps.
+    timer: Option<Timer>,
+    /// Whether dispatches are timed.
+    times: bool,
+}
+
+impl Recorder {
+    pub fn new(device: &wgpu::Device) -> Self {
+        let uniforms = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("uniforms"),
+            size: SLOT * SLOTS,
+            usage: wgpu::BufferUsages::UNIFORM
+                | wgpu::BufferUsages::STORAGE
+                | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        Self {
+            finished: Vec::new(),
+            fills: Fills::default(),
+            encoder: None,
+            uniforms,
+            slots: Vec::new(),
+            timer: Timer::new(device),
+            times: false,
+        }
+    }
+
+    fn encoder(&mut self, device: &wgpu::Device) -> &mut wgpu::CommandEncoder {
+        self.encoder.get_or_insert_with(|| new_encoder(device))
+    }
+
+    #[expect(clippy::too_many_arguments, reason = "a dispatch is what it is")]
+    pub fn dispatch(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        kernel: &'static KernelInfo,
+        pipeline: &Pipeline,
+        uniform: &[u8],
+        counts: Option<Counted<'_>>,
+        buffers: &[wgpu::BufferBinding<'_>],
+        [x, y, z]: [u32; 3],
+    ) {
+        if self.slots.len() as u64 == SLOT * SLOTS {
+            self.submit(device, queue);
+        }
+        let offset = self.slots.len() as u64;
+        self.slots.extend_from_slice(uniform);
+        self.slots.resize((offset + SLOT) as usize, 0);
+        for counted in counts.iter() {
+            for (place, count) in counted.counts {
+                let word = (offset as usize + place) / size_of::<u32>();
+                self.fills.add(counted.fill, word as u32, count);
+            }
+        }
+
+        let mut buffers = buffers.iter();
+        let entries: Vec<_> = kernel
+            .bindings
+            .iter()
+            .zip(0..)
+            .map(|(info, binding)| {
+                let resource = match info.access {
+                    Access::Uniform => wgpu::BindingResource::Buffer(wgpu::BufferBinding {
+                        buffer: &self.uniforms,
+                        offset,
+                        size: std::num::NonZero::new((uniform.len() as u64).next_multiple_of(16)),
+                    }),
+                    Access::Read | Access::Write => wgpu::BindingResource::Buffer(
+                        buffers.next().expect("the typed dispatch binds every buffer").clone(),
+                    ),
+                };
+                wgpu::BindGroupEntry { binding, resource }
+            })
+            .collect();
+        let label = Some(kernel.name);
+        let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label,
+            layout: &pipeline.layout,
+            entries: &entries,
+        });
+        // not `self.encoder`, which would borrow the timer as well
+        let encoder = self.encoder.get_or_insert_with(|| new_encoder(device));
+        let timer = self.timer.as_mut().filter(|_| self.times);
+        let timestamp_writes = timer.map(|timer| timer.time(kernel.name));
+        let mut pass =
+            encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label, timestamp_writes });
+        pass.set_pipeline(&pipeline.pipeline);
+        pass.set_bind_group(0, &bind_group, &[]);
+        pass.dispatch_workgroups(x, y, z);
+    }
+
+    pub fn clear(&mut self, device: &wgpu::Device, buffer: &wgpu::Buffer, bytes: Range<u64>) {
+        let size = Some(bytes.end - bytes.start);
+        self.encoder(device).clear_buffer(buffer, bytes.start, size);
+    }
+
+    /// Copies bytes into `target` after everything recorded.
+    pub fn copy(
+        &mut self,
+        device: &wgpu::Device,
+        source: &wgpu::Buffer,
+        bytes: Range<u64>,
+        target: &wgpu::Buffer,
+        to: u64,
+    ) {
+        let size = bytes.end - bytes.start;
+        self.encoder(device).copy_buffer_to_buffer(source, bytes.start, target, to, size);
+    }
+
+    /// What is recorded so far writes the numbers that later dispatches have filled in.
+    pub fn publish_counts(&mut self, device: &wgpu::Device) {
+        if let Some(encoder) = self.encoder.take() {
+            self.finished.extend(self.fills.take(device, &self.uniforms));
+            self.finished.push(encoder.finish());
+        }
+    }
+
+    /// Hands what is recorded to the device.
+    pub fn submit(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) {
+        if let Some(timer) = self.timer.as_mut().filter(|timer| timer.has_unresolved()) {
+            // not `self.encoder()`, which would borrow the timer as well
+            timer.resolve(device, self.encoder.get_or_insert_with(|| new_encoder(device)));
+        }
+        self.publish_counts(device);
+        if self.finished.is_empty() {
+            return;
+        }
+        // happens before what is submitted next, and after what was submitted before
+        if !self.slots.is_empty() {
+            queue.write_buffer(&self.uniforms, 0, &self.slots);
+            self.slots.clear();
+        }
+        queue.submit(self.finished.drain(..));
+    }
+
+    /// From now on, whether dispatches are timed; returns whether the device can.
+    pub fn time(&mut self, times: bool) -> bool {
+        self.times = times;
+        self.timer.is_some()
+    }
+
+    /// The timestamps of everything that was timed and submitted.
+    pub fn timer(&mut self) -> Option<&mut Timer> {
+        self.timer.as_mut()
+    }
+}
+
+fn new_encoder(device: &wgpu::Device) -> wgpu::CommandEncoder {
+    device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("kernels") })
+}

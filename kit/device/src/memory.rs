@@ -1,0 +1,147 @@
+//! How much memory there is, and asking for it without being killed.
+
+use std::cell::Cell;
+use std::fs;
+use std::path::Path;
+
+use bytemuck::Zeroable;
+
+use crate::error::{Error, Result};
+
+/// Less than this is asked for without looking first.
+const SMALL: u64 = 64 << 20;
+
+/// Fails where `bytes` are more than the system can still give.
+///
+/// Linux promises more memory than there is and kills the process that uses it, so an allocation
+/// that succeeds proves nothing.
+///
+/// # Errors
+/// [`Error::OutOfMemory`] with both numbers, and what the memory is for.
+pub fn check(bytes: u64, what: &str) -> Result<()> {
+    if bytes < SMALL {
+        return Ok(());
+    }
+    match available() {
+        Some(available) if available < bytes => {
+            Err(Error::OutOfMemory { needed: bytes, available: Some(available), what: what.into() })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// `len` zeros, or [`Error::OutOfMemory`] with what was needed.
+pub fn zeros<T: Zeroable + Clone>(len: usize, what: &str) -> Result<Vec<T>> {
+    let mut values = reserve(len, what)?;
+    values.resize(len, T::zeroed());
+    Ok(values)
+}
+
+/// An empty vector with room for `len` values, or [`Error::OutOfMemory`] with what was needed.
+pub fn reserve<T>(len: usize, what: &str) -> Result<Vec<T>> {
+    let needed = (len as u64).saturating_mul(size_of::<T>() as u64);
+    check(needed, what)?;
+    let mut values = Vec::new();
+    asking(|| values.try_reserve_exact(len)).map_err(|_| Error::OutOfMemory {
+        needed,
+        available: available(),
+        what: what.into(),
+    })?;
+    Ok(values)
+}
+
+thread_local! {
+    /// Whether this thread asks for memory and has an answer where it gets none.
+    static ASKING: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Runs an allocation that may fail: the caller turns the failure into an error.
+pub(crate) fn asking<T>(allocate: impl FnOnce() -> T) -> T {
+    let before = ASKING.replace(true);
+    let result = allocate();
+    ASKING.set(before);
+    result
+}
+
+/// Whether the allocation that this thread is making may fail. A program's allocator asks, to end
+/// the program with a message where no one could answer.
+#[doc(hidden)]
+#[must_use]
+pub fn may_fail() -> bool {
+    ASKING.try_with(Cell::get).unwrap_or(false)
+}
+
+/// Bytes that this process can still get, where the system says so.
+pub fn available() -> Option<u64> {
+    [of_the_system(), of_the_address_space(), of_the_control_groups()].into_iter().flatten().min()
+}
+
+/// The most memory that this process has held so far, in bytes, where the system says so (Linux).
+#[must_use]
+pub fn peak() -> Option<u64> {
+    kilobytes("/proc/self/status", "VmHWM:")
+}
+
+fn of_the_system() -> Option<u64> {
+    kilobytes("/proc/meminfo", "MemAvailable:")
+}
+
+/// What `ulimit -v` leaves.
+fn of_the_address_space() -> Option<u64> {
+    let text = fs::read_to_string("/proc/self/limits").ok()?;
+    let line = text.lines().find_map(|line| line.strip_prefix("Max address space"))?;
+    let limit: u64 = line.split_whitespace().next()?.parse().ok()?;
+    Some(limit.saturating_sub(kilobytes("/proc/self/status", "VmSize:")?))
+}
+
+/// What the tightest limit of a container or a service leaves.
+fn of_the_control_groups() -> Option<u64> {
+    let text = fs::read_to_string("/proc/self/cgroup").ok()?;
+    let path = text.lines().find_map(|line| line.strip_prefix("0::/"))?;
+    let number = |path: &Path| fs::read_to_string(path).ok()?.trim().parse::<u64>().ok();
+    let left = |group: &Path| {
+        let group = Path::new("/sys/fs/cgroup").join(group);
+        let limit = number(&group.join("memory.max"))?;
+        // The page cache counts as used, but is given up before anything is refused.
+        let stat = fs::read_to_string(group.join("memory.stat")).ok()?;
+        let cache = stat.lines().find_map(|line| line.strip_prefix("file "))?.parse().ok()?;
+        let used = number(&group.join("memory.current"))?.saturating_sub(cache);
+        Some(limit.saturating_sub(used))
+    };
+    Path::new(path).ancestors().filter_map(left).min()
+}
+
+/// The number after a label, as files of `/proc` have it.
+fn kilobytes(path: &str, label: &str) -> Option<u64> {
+    let text = fs::read_to_string(path).ok()?;
+    let line = text.lines().find_map(|line| line.strip_prefix(label))?;
+    let number: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
+    Some(number * 1024)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zeros_are_zeros() {
+        assert_eq!(zeros::<[f32; 3]>(2, "").unwrap(), [[0.0; 3]; 2]);
+        assert!(zeros::<f32>(0, "").unwrap().is_empty());
+    }
+
+    #[test]
+    fn too_much_is_an_error_that_says_how_much() {
+        let error = zeros::<[f32; 4]>(1 << 56, "the test").unwrap_err();
+        assert!(matches!(error, Error::OutOfMemory { needed: 0x1000_0000_0000_0000, .. }));
+        assert!(zeros::<u64>(usize::MAX, "the test").is_err());
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn linux_says_what_is_available() {
+        let available = available().unwrap();
+        assert!((1 << 20..1 << 50).contains(&available), "{available}");
+        check(available / 2, "").unwrap();
+        assert!(check(u64::MAX, "").is_err());
+    }
+}

@@ -1,0 +1,193 @@
+//! The compiled kernels that a program carries: SPIR-V modules, as the kernel builder made them.
+
+use std::borrow::Cow;
+use std::sync::OnceLock;
+
+use organza_kernel::{EntryPoint, KernelInfo};
+use organza_manifest::{Interface, KernelEntry, Manifest};
+
+use crate::error::{Error, Result};
+
+/// Bytes that begin at a multiple of four, so that they can be read as words.
+#[derive(Debug)]
+#[repr(C, align(4))]
+pub struct Aligned<T: ?Sized>(pub T);
+
+/// The compiled kernels of a program, by entry point; [`modules`](crate::modules!) embeds them.
+#[derive(Debug)]
+pub struct Modules {
+    /// The manifest's text.
+    json: &'static str,
+    table: &'static [(&'static str, &'static Aligned<[u8]>)],
+    manifest: OnceLock<Manifest>,
+}
+
+/// Embeds the modules that the build script has found: see `organza_manifest::embed`.
+///
+/// ```ignore
+/// static MODULES: organza_device::Modules = organza_device::modules!();
+/// ```
+#[macro_export]
+macro_rules! modules {
+    () => {
+        $crate::Modules::new(include_str!(concat!(env!("OUT_DIR"), "/manifest.json")), {
+            use $crate::Aligned;
+            static TABLE: &[(&str, &Aligned<[u8]>)] =
+                &include!(concat!(env!("OUT_DIR"), "/kernels.rs"));
+            TABLE
+        })
+    };
+}
+
+/// A compiled kernel.
+#[derive(Clone, Copy, Debug)]
+pub struct CompiledKernel {
+    entry: &'static KernelEntry,
+    spirv: &'static [u8],
+}
+
+impl CompiledKernel {
+    /// What the manifest says about the kernel.
+    #[must_use]
+    pub fn entry(&self) -> &'static KernelEntry {
+        self.entry
+    }
+
+    /// The module as it lies in the file.
+    #[must_use]
+    pub fn spirv(&self) -> &'static [u8] {
+        self.spirv
+    }
+
+    /// The module as the words that SPIR-V is made of.
+    #[must_use]
+    pub fn spirv_words(&self) -> Cow<'static, [u32]> {
+        match bytemuck::try_cast_slice(self.spirv) {
+            Ok(words) if cfg!(target_endian = "little") => Cow::Borrowed(words),
+            _ => {
+                let (words, _) = self.spirv.as_chunks();
+                Cow::Owned(words.iter().map(|word| u32::from_le_bytes(*word)).collect())
+            }
+        }
+    }
+}
+
+impl Modules {
+    /// No modules: the CPU needs none.
+    pub const NONE: Self = Self::new("", &[]);
+
+    /// Modules by entry point, and the text of their manifest.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn new(
+        json: &'static str,
+        table: &'static [(&'static str, &'static Aligned<[u8]>)],
+    ) -> Self {
+        Self { json, table, manifest: OnceLock::new() }
+    }
+
+    /// The manifest that the program was compiled with; without kernels, if there was none.
+    pub fn manifest(&'static self) -> &'static Manifest {
+        self.manifest.get_or_init(|| match self.json {
+            "" => Manifest::empty(),
+            json => Manifest::parse(json).expect("the build script wrote the manifest"),
+        })
+    }
+
+    /// All compiled kernels, sorted by name.
+    pub fn all(&'static self) -> impl Iterator<Item = CompiledKernel> {
+        self.table.iter().map(|(name, spirv)| CompiledKernel {
+            entry: self.manifest().find(name).expect("the manifest names what is embedded"),
+            spirv: &spirv.0,
+        })
+    }
+
+    /// The compiled kernel of a name.
+    ///
+    /// # Errors
+    /// [`Error::StaleKernels`] when the kernel was not compiled yet.
+    pub fn find(&'static self, name: &str) -> Result<CompiledKernel> {
+        let kernel = self.all().find(|kernel| kernel.entry.name == name);
+        kernel.ok_or_else(|| stale(format!("`{name}` is not among them")))
+    }
+
+    /// The compiled form of a kernel's entry point, which must expect of the host what the sources declare: a driver
+    /// trusts the bindings it is given.
+    ///
+    /// # Errors
+    /// [`Error::StaleKernels`] when the kernel was not compiled since its declaration changed.
+    pub fn of(&'static self, kernel: &KernelInfo, point: &EntryPoint) -> Result<CompiledKernel> {
+        let compiled = self.find(point.name)?;
+        if compiled.entry.interface != Interface::of(kernel, point) {
+            return Err(stale(format!("the declaration of `{}` has changed", point.name)));
+        }
+        Ok(compiled)
+    }
+}
+
+/// What a module's code consists of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
+pub struct CodeSize {
+    /// Instructions of functions, without labels and what else computes nothing.
+    pub instructions: u32,
+    /// Loops.
+    pub loops: u32,
+}
+
+impl CodeSize {
+    /// Counts in a module: each instruction begins with its length and its number.
+    #[must_use]
+    pub fn of(spirv: &[u32]) -> Self {
+        const HEADER: usize = 5;
+        const FUNCTION: u32 = 54;
+        const FUNCTION_END: u32 = 56;
+        const LOOP_MERGE: u32 = 246;
+        // line, no line, parameter, variable, selection merge, label
+        const SILENT: [u32; 6] = [8, 317, 55, 59, 247, 248];
+        let (mut size, mut at, mut inside) = (Self::default(), HEADER, false);
+        while let Some(word) = spirv.get(at) {
+            match word & 0xffff {
+                FUNCTION => inside = true,
+                FUNCTION_END => inside = false,
+                LOOP_MERGE => size.loops += 1,
+                number => size.instructions += u32::from(inside && !SILENT.contains(&number)),
+            }
+            at += (word >> 16).max(1) as usize;
+        }
+        size
+    }
+}
+
+fn stale(reason: String) -> Error {
+    Error::StaleKernels { reason }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn code_is_counted_in_functions_alone() {
+        let word = |number: u32, length: u32| length << 16 | number;
+        // a constant; a function with a label, a loop's merge and branch, a return
+        let module = [
+            &[0x0723_0203, 0x10500, 0, 9, 0][..],
+            &[word(43, 4), 1, 2, 246],
+            &[word(54, 5), 1, 3, 0, 4],
+            &[word(248, 2), 5],
+            &[word(246, 4), 6, 7, 0],
+            &[word(249, 2), 5],
+            &[word(253, 1)],
+            &[word(56, 1)],
+        ]
+        .concat();
+        assert_eq!(CodeSize::of(&module), CodeSize { instructions: 2, loops: 1 });
+    }
+
+    #[test]
+    fn an_unknown_kernel_is_stale() {
+        static NONE: Modules = Modules::NONE;
+        let error = NONE.find("no such kernel").unwrap_err();
+        assert!(error.to_string().contains("`no such kernel`"), "{error}");
+    }
+}

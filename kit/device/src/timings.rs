@@ -1,0 +1,64 @@
+//! What kernels have taken and done.
+
+use std::collections::BTreeMap;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use organza_kernel::work::Work;
+
+/// What the dispatches of a kernel took.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct KernelTime {
+    /// The kernel.
+    pub kernel: &'static str,
+    /// How often it was dispatched.
+    pub dispatches: u64,
+    /// Seconds of all dispatches.
+    pub seconds: f64,
+    /// What all dispatches computed and moved, where that was counted.
+    pub work: Work,
+}
+
+/// Sums over dispatches.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sums {
+    dispatches: u64,
+    time: Duration,
+    work: Work,
+}
+
+/// Sums over the dispatches of each kernel.
+#[derive(Debug, Default)]
+pub struct Timings(Mutex<BTreeMap<&'static str, Sums>>);
+
+impl Timings {
+    fn sums(&self) -> MutexGuard<'_, BTreeMap<&'static str, Sums>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Counts a dispatch.
+    pub fn add(&self, kernel: &'static str, time: Duration, work: Work) {
+        let mut sums = self.sums();
+        let sums = sums.entry(kernel).or_default();
+        sums.dispatches += 1;
+        sums.time += time;
+        sums.work += work;
+    }
+
+    /// Adds what a dispatch took that was counted before.
+    pub fn add_time(&self, kernel: &'static str, time: Duration) {
+        self.sums().entry(kernel).or_default().time += time;
+    }
+
+    /// All sums, which begin anew.
+    pub fn take(&self) -> Vec<KernelTime> {
+        let sums = std::mem::take(&mut *self.sums());
+        let time = |(kernel, Sums { dispatches, time, work }): (&'static str, Sums)| KernelTime {
+            kernel,
+            dispatches,
+            seconds: time.as_secs_f64(),
+            work,
+        };
+        sums.into_iter().map(time).collect()
+    }
+}

@@ -1,0 +1,175 @@
+//! Buffers of a device: made, filled, cleared and read.
+
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+
+use bytemuck::Pod;
+
+use crate::buffer::{Buffer, Memory, RawBuffer};
+use crate::device::{Device, Kind};
+use crate::error::{Error, Result};
+
+impl Device {
+    /// A buffer of `len` zeros.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`], with what was needed.
+    pub fn zeros<T: Pod>(&self, label: &'static str, len: usize) -> Result<Buffer<T>> {
+        let bytes = len as u64 * size_of::<T>() as u64;
+        self.refuse(label, bytes)?;
+        let memory = match &self.kind {
+            Kind::Cpu(cpu) => Memory::Cpu(Arc::new(cpu.allocate(label, bytes)?)),
+            Kind::Gpu(gpu) => Memory::Gpu(gpu.allocate(label, bytes)?),
+        };
+        Ok(Buffer::new(RawBuffer { memory, label, begin: 0, bytes }))
+    }
+
+    /// Fails where [`Device::refuse_one`] has said so.
+    fn refuse(&self, label: &'static str, bytes: u64) -> Result<()> {
+        let is_due = |left: u64| left.checked_sub(1);
+        match self.refused.fetch_update(Ordering::Relaxed, Ordering::Relaxed, is_due) {
+            Ok(1) => Err(Error::OutOfMemory {
+                needed: bytes,
+                available: None,
+                what: format!("the buffer `{label}`"),
+            }),
+            _ => Ok(()),
+        }
+    }
+
+    /// Makes the device refuse memory once, for the buffer of this number from now on, counted from 1: for tests of what
+    /// happens then.  Returns whether one that was asked for before is still to be refused.
+    #[doc(hidden)]
+    pub fn refuse_one(&self, number: u64) -> bool {
+        self.refused.swap(number, Ordering::Relaxed) > 0
+    }
+
+    /// A buffer that holds `values`.
+    ///
+    /// # Errors
+    /// As [`Device::zeros`].
+    pub fn upload<T: Pod>(&self, label: &'static str, values: &[T]) -> Result<Buffer<T>> {
+        let mut buffer = self.zeros(label, values.len())?;
+        match (&self.kind, &mut buffer.raw_mut().memory) {
+            (Kind::Cpu(_), Memory::Cpu(memory)) => {
+                let memory = Arc::get_mut(memory).expect("nobody else has it yet");
+                memory.bytes_mut()[..size_of_val(values)]
+                    .copy_from_slice(bytemuck::cast_slice(values));
+            }
+            (Kind::Gpu(gpu), Memory::Gpu(memory)) => {
+                gpu.write(memory, bytemuck::cast_slice(values))
+            }
+            _ => unreachable!("the buffer was made by this device"),
+        }
+        Ok(buffer)
+    }
+
+    /// Makes a buffer all zeros again, after everything that was dispatched before.
+    pub fn clear<T: Pod>(&self, buffer: &Buffer<T>) {
+        let raw = buffer.raw();
+        match (&self.kind, &raw.memory) {
+            (Kind::Cpu(cpu), Memory::Cpu(memory)) => cpu.clear(memory, raw.begin, raw.bytes),
+            (Kind::Gpu(gpu), Memory::Gpu(memory)) => gpu.clear(memory, raw.begin, raw.bytes),
+            _ => panic!("the buffer `{}` belongs to another device", raw.label),
+        }
+    }
+
+    /// Copies a buffer into another of its size, after everything that was dispatched before.
+    pub fn copy<T: Pod>(&self, from: &Buffer<T>, to: &Buffer<T>) {
+        let labels = [from, to].map(|buffer| buffer.raw().label);
+        assert_eq!(from.len(), to.len(), "{labels:?} are of one size");
+        self.copy_to(from, to, 0);
+    }
+
+    /// Copies a buffer into another, from the element `first` on.
+    fn copy_to<T: Pod>(&self, from: &Buffer<T>, to: &Buffer<T>, first: usize) {
+        let (from, to) = (from.raw(), to.raw());
+        let range = from.begin..from.begin + from.bytes;
+        let begin = to.begin + (first * size_of::<T>()) as u64;
+        match (&self.kind, &from.memory, &to.memory) {
+            (Kind::Cpu(cpu), Memory::Cpu(source), Memory::Cpu(target)) => {
+                cpu.copy(source, range, target, begin);
+            }
+            (Kind::Gpu(gpu), Memory::Gpu(source), Memory::Gpu(target)) => {
+                gpu.copy(source, range, target, begin);
+            }
+            _ => panic!("the buffer `{}` belongs to another device", from.label),
+        }
+    }
+
+    /// Copies `values` into a buffer, from the element `first` on, after everything that was dispatched before.
+    ///
+    /// # Errors
+    /// As [`Device::upload`].
+    ///
+    /// # Panics
+    /// Past the buffer's end, and for elements whose size is not a multiple of 4 bytes.
+    pub fn write<T: Pod>(&self, buffer: &Buffer<T>, first: usize, values: &[T]) -> Result<()> {
+        // a GPU copies whole words
+        assert!(size_of::<T>().is_multiple_of(4), "elements of {} bytes", size_of::<T>());
+        assert!(first + values.len() <= buffer.len(), "past the end of `{}`", buffer.raw().label);
+        if values.is_empty() {
+            return Ok(());
+        }
+        let values = self.upload(buffer.raw().label, values)?;
+        self.copy_to(&values, buffer, first);
+        Ok(())
+    }
+
+    /// What a buffer holds, after everything that was dispatched before.
+    ///
+    /// # Errors
+    /// [`Error::DeviceLost`], or what an earlier dispatch ran into.
+    pub fn read<T: Pod>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
+        self.read_range(buffer, 0, buffer.len())
+    }
+
+    /// `len` elements from `first` on; as [`Device::read`].
+    ///
+    /// # Errors
+    /// As [`Device::read`].
+    pub fn read_range<T: Pod>(
+        &self,
+        buffer: &Buffer<T>,
+        first: usize,
+        len: usize,
+    ) -> Result<Vec<T>> {
+        assert!(first + len <= buffer.len(), "read past the end of `{}`", buffer.raw().label);
+        if len == 0 {
+            return Ok(Vec::new());
+        }
+        let begin = buffer.raw().begin as usize + first * size_of::<T>();
+        let bytes = len * size_of::<T>();
+        let mut values: Vec<T> = crate::memory::zeros(len, buffer.raw().label)?;
+        let target: &mut [u8] = bytemuck::cast_slice_mut(&mut values);
+        match (&self.kind, &buffer.raw().memory) {
+            (Kind::Cpu(_), Memory::Cpu(memory)) => {
+                target.copy_from_slice(&memory.bytes()[begin..begin + bytes])
+            }
+            (Kind::Gpu(gpu), Memory::Gpu(memory)) => {
+                gpu.read(&mut [(memory, begin as u64, target)])?
+            }
+            _ => panic!("the buffer `{}` belongs to another device", buffer.raw().label),
+        }
+        Ok(values)
+    }
+
+    /// As [`Device::read`], of many buffers: waits once.
+    pub fn read_all(&self, buffers: &[Buffer<u32>]) -> Result<Vec<Vec<u32>>> {
+        let Kind::Gpu(gpu) = &self.kind else {
+            return buffers.iter().map(|buffer| self.read(buffer)).collect();
+        };
+        let zeros = |buffer: &Buffer<u32>| crate::memory::zeros(buffer.len(), buffer.raw().label);
+        let mut values: Vec<Vec<u32>> = buffers.iter().map(zeros).collect::<Result<_>>()?;
+        let mut ranges = Vec::with_capacity(buffers.len());
+        for (buffer, values) in buffers.iter().zip(&mut values) {
+            let raw = buffer.raw();
+            let Memory::Gpu(memory) = &raw.memory else {
+                panic!("the buffer `{}` belongs to another device", raw.label)
+            };
+            ranges.push((memory, raw.begin, bytemuck::cast_slice_mut(values)));
+        }
+        gpu.read(&mut ranges)?;
+        Ok(values)
+    }
+}

@@ -1,0 +1,86 @@
+//! What a kernel knows of its place in the dispatch.
+
+#[cfg(not(target_arch = "spirv"))]
+use core::panic::Location;
+
+use glam::UVec3;
+
+/// One invocation of a kernel.
+#[derive(Clone, Copy)]
+pub struct Invocation {
+    /// RunningInvocation in the workgroup.
+    pub local: UVec3,
+    /// RunningInvocation of the workgroup in the dispatch.
+    pub workgroup: UVec3,
+    /// Workgroups in the dispatch.
+    pub workgroups: UVec3,
+    /// Invocations in a workgroup.
+    pub size: UVec3,
+    /// Items along x that an invocation takes.
+    pub each: u32,
+    /// What [`Invocation::barrier`] calls: the executor sets it.
+    #[cfg(not(target_arch = "spirv"))]
+    pub wait: fn(&'static Location<'static>),
+}
+
+impl Invocation {
+    /// An invocation that has no barriers to wait at.
+    #[inline(always)]
+    pub fn new(local: UVec3, workgroup: UVec3, workgroups: UVec3, size: UVec3) -> Self {
+        Self {
+            local,
+            workgroup,
+            workgroups,
+            size,
+            each: 1,
+            #[cfg(not(target_arch = "spirv"))]
+            wait: no_barrier,
+        }
+    }
+
+    /// The same invocation where each takes `each` items.
+    #[inline(always)]
+    #[must_use]
+    pub fn of(self, each: u32) -> Self {
+        Self { each, ..self }
+    }
+
+    /// RunningInvocation in the dispatch, per axis.
+    #[inline(always)]
+    pub fn global(&self) -> UVec3 {
+        self.workgroup * self.size + self.local
+    }
+
+    /// Number of the workgroup.  A dispatch along x and y counts through: an axis alone ends at 65,535.
+    #[inline(always)]
+    pub fn workgroup_index(&self) -> u32 {
+        self.workgroup.x + self.workgroup.y * self.workgroups.x
+    }
+
+    /// Number of the invocation's item, or of the first one, in a dispatch of one-dimensional workgroups.
+    #[inline(always)]
+    pub fn index(&self) -> u32 {
+        (self.workgroup_index() * self.size.x + self.local.x) * self.each
+    }
+
+    /// Number of the invocation in its workgroup.
+    #[inline(always)]
+    pub fn local_index(&self) -> u32 {
+        self.local.x + self.size.x * (self.local.y + self.size.y * self.local.z)
+    }
+
+    /// Waits for the whole workgroup; what it wrote to workgroup memory is visible afterwards.
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    pub fn barrier(&self) {
+        #[cfg(target_arch = "spirv")]
+        spirv_std::arch::workgroup_memory_barrier_with_group_sync();
+        #[cfg(not(target_arch = "spirv"))]
+        (self.wait)(Location::caller());
+    }
+}
+
+#[cfg(not(target_arch = "spirv"))]
+fn no_barrier(_: &'static Location<'static>) {
+    panic!("a barrier in a kernel without workgroup memory");
+}

@@ -1,0 +1,392 @@
+//! The registry of kernels, and what the host needs to run one.
+
+extern crate std;
+
+use core::slice;
+
+use bytemuck::Pod;
+use glam::UVec3;
+
+use crate::invocation::Invocation;
+use crate::memory::{AccessMonitor, Read, Shared, Write};
+pub use crate::running::{PanicContext, enter};
+use crate::work::{Shape, Work, WorkOf};
+
+/// How a kernel uses a binding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Access {
+    /// A uniform buffer.
+    Uniform,
+    /// A storage buffer that is only read.
+    Read,
+    /// A storage buffer that is read and written.
+    Write,
+}
+
+impl Access {
+    /// `uniform`, `read` or `write`.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Uniform => "uniform",
+            Self::Read => "read",
+            Self::Write => "write",
+        }
+    }
+}
+
+/// One binding of a kernel; its number is its place in [`KernelInfo::bindings`], in descriptor set 0.
+#[derive(Clone, Copy, Debug)]
+pub struct BindingInfo {
+    /// Name of the parameter.
+    pub name: &'static str,
+    /// How it is used.
+    pub access: Access,
+    /// The element's type.
+    pub element: &'static str,
+    /// The element's size.
+    pub element_bytes: u32,
+}
+
+/// Workgroup memory of a kernel.
+#[derive(Clone, Copy, Debug)]
+pub struct SharedInfo {
+    /// Name of the parameter.
+    pub name: &'static str,
+    /// The element's type.
+    pub element: &'static str,
+    /// Elements.
+    pub len: u32,
+    /// Bytes in all.
+    pub bytes: u32,
+}
+
+/// The most bytes of workgroup memory that a kernel has: what every implementation of WebGPU offers.
+pub const MAX_WORKGROUP_BYTES: u32 = 16_384;
+
+/// Bytes of all arrays in workgroup memory.
+pub const fn workgroup_bytes(shared: &[SharedInfo]) -> u32 {
+    let (mut bytes, mut i) = (0, 0);
+    while i < shared.len() {
+        bytes += shared[i].bytes;
+        i += 1;
+    }
+    bytes
+}
+
+/// One of a kernel's SPIR-V entry points: of the same body and bindings.
+#[derive(Clone, Copy, Debug)]
+pub struct EntryPoint {
+    /// Its name, and that of its module.
+    pub name: &'static str,
+    /// Workgroup memory: the kernel's own, and in the variant that of its [stages](crate::stage).
+    pub shared: &'static [SharedInfo],
+}
+
+/// Everything about a kernel that its declaration says.
+pub struct KernelInfo {
+    /// Name of the function and of the plain SPIR-V entry point.
+    pub name: &'static str,
+    /// The source file.
+    pub file: &'static str,
+    /// Invocations of a workgroup.
+    pub workgroup_size: [u32; 3],
+    /// The most iterations of all loops of one invocation together; none where it has no loop.
+    pub iterations: Option<u32>,
+    /// Whether drivers may fuse and regroup its arithmetic.
+    pub fused: bool,
+    /// Whether the CPU runs a layer of workgroups, those of one z, on one thread.
+    pub z_serial: bool,
+    /// Whether the CPU runs a stack of workgroups, those of one x and y, one after another.
+    pub z_innermost: bool,
+    /// Items along x that an invocation of a GPU takes.
+    pub each: u32,
+    /// Bindings, by number.
+    pub bindings: &'static [BindingInfo],
+    /// Workgroup memory.
+    pub shared: &'static [SharedInfo],
+    /// The second entry point of kernels with stages: its variant, in which they are workgroup memory.
+    pub variant: Option<EntryPoint>,
+    /// Counts what a dispatch computes and moves, where the kernel declares how.
+    pub work: Option<WorkOf>,
+    /// The CPU execution.
+    pub run: CpuRun,
+}
+
+impl KernelInfo {
+    /// The plain entry point.
+    pub const fn plain(&self) -> EntryPoint {
+        EntryPoint { name: self.name, shared: self.shared }
+    }
+
+    /// What a dispatch computes and moves: its parameters' bytes, the elements of its storage buffers, and its workgroups
+    /// along z.  Zeros where the kernel is not counted.
+    pub fn work(&self, uniform: &[u8], elements: &[u64], workgroups_z: u32) -> Work {
+        let shape = Shape { elements, workgroups_z: u64::from(workgroups_z) };
+        self.work.map_or_else(Work::default, |work| work(uniform, shape))
+    }
+
+    /// All entry points, the plain one first.
+    pub fn entry_points(&self) -> impl Iterator<Item = EntryPoint> {
+        core::iter::once(self.plain()).chain(self.variant)
+    }
+}
+
+/// How the CPU runs a kernel.
+///
+/// # Safety
+/// Both functions take the bindings in the order of [`KernelInfo::bindings`], then those of
+/// [`KernelInfo::shared`], each holding values of the declared type, aligned for it.  A binding that is
+/// written is not written by others meanwhile.
+#[derive(Clone, Copy)]
+pub enum CpuRun {
+    /// Runs a whole workgroup: bindings, workgroup, workgroups.
+    Workgroup(unsafe fn(&[CpuBinding], UVec3, UVec3)),
+    /// Runs one invocation, which may wait at barriers.
+    Invocation(unsafe fn(&[CpuBinding], Invocation)),
+    /// As `Workgroup`, for each instruction set.
+    Lanes(LaneRuns),
+}
+
+/// Runs a whole workgroup: bindings, workgroup, workgroups.
+pub type WorkgroupRun = unsafe fn(&[CpuBinding], UVec3, UVec3);
+
+/// A kernel that is generic over [`Lane`](crate::lane::Lane), compiled for each instruction set.
+#[derive(Clone, Copy)]
+pub struct LaneRuns {
+    runs: [WorkgroupRun; InstructionSet::ALL.len()],
+}
+
+impl LaneRuns {
+    /// The runs, in the order of [`InstructionSet::ALL`].
+    pub const fn new(runs: [WorkgroupRun; InstructionSet::ALL.len()]) -> Self {
+        Self { runs }
+    }
+
+    /// The run of an instruction set, which must be [available](InstructionSet::is_available).
+    pub const fn of(&self, set: InstructionSet) -> WorkgroupRun {
+        self.runs[set as usize]
+    }
+}
+
+/// What the CPU runs kernels with lanes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum InstructionSet {
+    /// One lane: for debuggers, and to find invocations that get in each other's way.
+    Scalar,
+    /// Eight lanes of whatever the program is compiled for.
+    Plain,
+    /// AVX2 and FMA: eight lanes.
+    Avx2,
+    /// AVX-512: sixteen lanes.
+    Avx512,
+}
+
+impl InstructionSet {
+    /// All of them, the best last.
+    pub const ALL: [Self; 4] = [Self::Scalar, Self::Plain, Self::Avx2, Self::Avx512];
+
+    /// `scalar`, `plain`, `avx2` or `avx512`.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Scalar => "scalar",
+            Self::Plain => "plain",
+            Self::Avx2 => "avx2",
+            Self::Avx512 => "avx512",
+        }
+    }
+
+    /// Whether this CPU has it.
+    pub fn is_available(self) -> bool {
+        match self {
+            Self::Scalar | Self::Plain => true,
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2 => {
+                std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma")
+            }
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512 => {
+                Self::Avx2.is_available()
+                    && std::is_x86_feature_detected!("avx512f")
+                    && std::is_x86_feature_detected!("avx512vl")
+                    && std::is_x86_feature_detected!("avx512dq")
+                    && std::is_x86_feature_detected!("avx512bw")
+            }
+            #[cfg(not(target_arch = "x86_64"))]
+            _ => false,
+        }
+    }
+
+    /// The best that this CPU has.
+    pub fn best() -> Self {
+        let best = Self::ALL.into_iter().rfind(|set| set.is_available());
+        best.unwrap_or(Self::Scalar)
+    }
+}
+
+/// Compiles a function that is generic over lanes for each instruction set.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! lane_runs {
+    ($run:ident) => {{
+        unsafe fn scalar(
+            bindings: &[$crate::kernel::CpuBinding],
+            workgroup: $crate::dependencies::glam::UVec3,
+            workgroups: $crate::dependencies::glam::UVec3,
+        ) {
+            // SAFETY: the caller's
+            unsafe { $run::<$crate::lane::Wide<1, false>>(bindings, workgroup, workgroups) }
+        }
+        unsafe fn plain(
+            bindings: &[$crate::kernel::CpuBinding],
+            workgroup: $crate::dependencies::glam::UVec3,
+            workgroups: $crate::dependencies::glam::UVec3,
+        ) {
+            // SAFETY: the caller's
+            unsafe { $run::<$crate::lane::Wide<8, false>>(bindings, workgroup, workgroups) }
+        }
+        #[cfg(target_arch = "x86_64")]
+        #[target_feature(enable = "avx2,fma")]
+        unsafe fn avx2(
+            bindings: &[$crate::kernel::CpuBinding],
+            workgroup: $crate::dependencies::glam::UVec3,
+            workgroups: $crate::dependencies::glam::UVec3,
+        ) {
+            // SAFETY: the caller's
+            unsafe { $run::<$crate::lane::Wide<8, true>>(bindings, workgroup, workgroups) }
+        }
+        #[cfg(target_arch = "x86_64")]
+        #[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq,avx512bw")]
+        unsafe fn avx512(
+            bindings: &[$crate::kernel::CpuBinding],
+            workgroup: $crate::dependencies::glam::UVec3,
+            workgroups: $crate::dependencies::glam::UVec3,
+        ) {
+            // SAFETY: the caller's
+            unsafe { $run::<$crate::lane::Wide<16, true>>(bindings, workgroup, workgroups) }
+        }
+        #[cfg(target_arch = "x86_64")]
+        let runs = $crate::kernel::LaneRuns::new([scalar, plain, avx2, avx512]);
+        #[cfg(not(target_arch = "x86_64"))]
+        let runs = $crate::kernel::LaneRuns::new([scalar, plain, plain, plain]);
+        $crate::kernel::CpuRun::Lanes(runs)
+    }};
+}
+pub use crate::lane_runs;
+
+/// Memory of one binding.
+#[derive(Clone, Copy)]
+pub struct CpuBinding<'a> {
+    /// First byte.
+    pub data: *mut u8,
+    /// Size.
+    pub bytes: usize,
+    /// Sees every access, where the binding is written.
+    pub monitor: Option<&'a dyn AccessMonitor>,
+}
+
+// SAFETY: a pointer and a size; what is done with them is the business of `CpuRun`'s contract
+unsafe impl Send for CpuBinding<'_> {}
+// SAFETY: as above
+unsafe impl Sync for CpuBinding<'_> {}
+
+impl<'a> CpuBinding<'a> {
+    /// # Safety
+    /// Holds a `T`.
+    pub unsafe fn uniform<T: Pod>(self) -> &'a T {
+        // SAFETY: the caller's
+        let bytes = unsafe { slice::from_raw_parts(self.data, self.bytes) };
+        bytemuck::from_bytes(bytes)
+    }
+
+    /// # Safety
+    /// As [`Read::from_raw`].
+    pub unsafe fn read<T: Pod>(self) -> Read<'a, T> {
+        // SAFETY: the caller's
+        unsafe { Read::from_raw(self.data.cast(), self.bytes / size_of::<T>()) }
+    }
+
+    /// # Safety
+    /// As [`Write::from_raw`].
+    pub unsafe fn write<T: Pod>(self) -> Write<'a, T> {
+        // SAFETY: the caller's
+        unsafe { Write::from_raw(self.data.cast(), self.bytes / size_of::<T>()) }
+            .monitored(self.monitor)
+    }
+
+    /// # Safety
+    /// As [`Shared::from_raw`].
+    pub unsafe fn shared<T: Pod, const N: usize>(self) -> Shared<'a, T, N> {
+        debug_assert_eq!(self.bytes, size_of::<[T; N]>());
+        // SAFETY: the caller's
+        unsafe { Shared::from_raw(self.data.cast()) }.monitored(self.monitor)
+    }
+}
+
+/// Where buffers live: the host implements it once for all its backends.
+pub trait Storage {
+    /// A buffer of `T`.
+    type Buffer<T: Pod>;
+    /// A buffer whose element type is forgotten.
+    type Binding<'a>;
+    /// How many there are of something, where the device alone may know.
+    type Count;
+    /// Forgets the element type.
+    fn bind<T: Pod>(buffer: &Self::Buffer<T>) -> Self::Binding<'_>;
+    /// The number, or what there is room for.
+    fn at_most(count: &Self::Count) -> u32;
+}
+
+/// A kernel with all its bindings, ready to run.  `#[kernel]` implements it.
+pub trait Dispatch<'a, S: Storage> {
+    /// The kernel.
+    fn info(&self) -> &'static KernelInfo;
+    /// The uniform buffer's bytes; empty where the kernel has none.
+    fn uniform(&self) -> &[u8];
+    /// Visits the storage buffers in order.
+    fn bind(&self, visit: &mut dyn FnMut(S::Binding<'a>));
+    /// Parameters that the device may know alone, by their place in the uniform buffer, where what they are at most stands.
+    fn counts(&self) -> &[(usize, &'a S::Count)] {
+        &[]
+    }
+}
+
+/// A dispatch with parameters that the device may know alone: `counted` of a kernel that declares `counts(..)` makes it.
+pub struct Counted<'a, S: Storage, K, const N: usize> {
+    kernel: K,
+    counts: [(usize, &'a S::Count); N],
+}
+
+impl<'a, S: Storage, K, const N: usize> Counted<'a, S, K, N> {
+    /// The kernel, and its counts by their place in the uniform buffer.
+    #[doc(hidden)]
+    pub const fn new(kernel: K, counts: [(usize, &'a S::Count); N]) -> Self {
+        Self { kernel, counts }
+    }
+}
+
+impl<'a, S: Storage, K: Dispatch<'a, S>, const N: usize> Dispatch<'a, S> for Counted<'a, S, K, N> {
+    fn info(&self) -> &'static KernelInfo {
+        self.kernel.info()
+    }
+
+    fn uniform(&self) -> &[u8] {
+        self.kernel.uniform()
+    }
+
+    fn bind(&self, visit: &mut dyn FnMut(S::Binding<'a>)) {
+        self.kernel.bind(visit);
+    }
+
+    fn counts(&self) -> &[(usize, &'a S::Count)] {
+        &self.counts
+    }
+}
+
+/// Every kernel; `#[kernel]` adds to it.
+#[linkme::distributed_slice]
+pub static KERNELS: [KernelInfo];
+
+/// Every kernel.
+pub fn kernels() -> impl Iterator<Item = &'static KernelInfo> {
+    KERNELS.iter()
+}

@@ -1,0 +1,315 @@
+//! Several invocations at once: what a kernel computes with where the CPU runs it with SIMD.
+//!
+//! A kernel declared with `lanes(samples)` is generic over [`Lane`].  A GPU runs it with `f32`: an invocation is a
+//! lane already.  The CPU runs it with [`Wide`], as many invocations along x at once as its registers hold, and with
+//! one lane of the same arithmetic for those that are left over, so that no result depends on where a block ends.
+
+use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
+
+#[cfg(target_arch = "spirv")]
+use spirv_std::num_traits::Float;
+
+use crate::half::{Halves, half_value};
+use crate::prelude::*;
+use crate::{atomic, fixed};
+
+#[cfg(not(target_arch = "spirv"))]
+pub use crate::wide::{Wide, WideIndex, WideMask};
+
+/// The most lanes that a [`Lane`] has: workgroups are multiples of it.
+pub const MAX_WIDTH: u32 = 16;
+
+/// One `f32` for each of several invocations.
+pub trait Lane:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// Lanes.
+    const WIDTH: u32;
+    /// Columns of four sums that stay in registers, with what is added to them: 2 or 4.
+    const COLUMNS: u32;
+    /// Whether two values are added to [fixed-point](crate::fixed) sums faster than one after the other.
+    const ADDS_TWO: bool;
+    /// One lane of the same arithmetic.
+    type One: Lane;
+    /// One `bool` for each lane.
+    type Mask: Copy;
+    /// One `u32` for each lane.
+    type Index: LaneIndex<Mask = Self::Mask>;
+    /// Four numbers of half precision for each lane.
+    type Halves: Halves<Self>;
+
+    /// The same value in every lane.
+    fn splat(value: f32) -> Self;
+    /// 0, 1, 2, ...
+    fn ramp() -> Self;
+    /// `self * a + b`, with one rounding where the hardware has that: for kernels that are `fused`.
+    fn mul_add(self, a: Self, b: Self) -> Self;
+    /// The smaller of two values.
+    fn min(self, other: Self) -> Self;
+    /// The larger of two values.
+    fn max(self, other: Self) -> Self;
+    /// `self < other`
+    fn less(self, other: Self) -> Self::Mask;
+    /// `self <= other`
+    fn at_most(self, other: Self) -> Self::Mask;
+    /// `yes` where the mask holds, `no` elsewhere.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// Where both masks hold.
+    fn both(a: Self::Mask, b: Self::Mask) -> Self::Mask;
+    /// Whether a mask holds in any lane.
+    fn any(mask: Self::Mask) -> bool;
+    /// Square root.
+    fn sqrt(self) -> Self;
+    /// e^x; on the CPU to 1.5 ulp, and 0 below the smallest normal number.
+    fn exp(self) -> Self;
+    /// The value without its fraction, for values below 2^31.
+    fn truncate(self) -> Self;
+    /// The value without its fraction as an integer, for values from 0 to 2^31.
+    fn index(self) -> Self::Index;
+    /// The same value.  On the CPU it goes through memory: the compiler then keeps a sum in one register before, and does
+    /// not take it apart for the sum of all lanes.
+    fn settled(self) -> Self;
+    /// The sum of all lanes, of pairs of halves: the same order for every run.
+    fn sum(self) -> f32;
+    /// Consecutive values from `first` on.
+    fn read(buffer: Read<f32>, first: u32) -> Self;
+    /// Consecutive values from `first` on, of a buffer that is written, too.
+    fn read_written(buffer: Write<f32>, first: u32) -> Self;
+    /// Values at any places.
+    fn gather(buffer: Read<f32>, at: Self::Index) -> Self;
+    /// The two [halves](crate::half::half_value) of words at any places, the lower one first.
+    fn gather_halves(buffer: Read<u32>, at: Self::Index) -> [Self; 2];
+    /// Stores consecutive values from `first` on.
+    fn write(self, buffer: Write<f32>, first: u32);
+    /// Adds the values to the [fixed-point](crate::fixed) sums at `at`, where the mask holds: see
+    /// [`atomic::add_wide`].
+    fn add_fixed(self, mask: Self::Mask, sum: Write<u32>, at: Self::Index);
+    /// As [`Lane::add_fixed`] for two values each, the second one behind the first.
+    fn add_fixed_two(values: [Self; 2], mask: Self::Mask, sum: Write<u32>, at: Self::Index);
+    /// Says that the fixed-point sums at `at` are about to be added to.
+    fn expect_fixed(sum: Write<u32>, at: Self::Index);
+    /// Consecutive fixed-point sums from `first` on; leaves zeros.
+    fn take_fixed(sum: Write<u32>, first: u32) -> Self;
+    /// Raises the flags of the blocks of `block` elements that the elements `at` lie in, where the mask holds.
+    fn flag(mask: Self::Mask, flags: Write<u32>, at: Self::Index, block: u32);
+}
+
+/// One `u32` for each of several invocations.
+pub trait LaneIndex: Copy + BitXor<Output = Self> + BitAnd<Output = Self> {
+    /// One `bool` for each lane.
+    type Mask: Copy;
+    /// The same value in every lane.
+    fn splat(value: u32) -> Self;
+    /// `self + other` modulo 2^32
+    fn wrapping_add(self, other: Self) -> Self;
+    /// `self - other` modulo 2^32
+    fn wrapping_sub(self, other: Self) -> Self;
+    /// `self * other` modulo 2^32
+    fn wrapping_mul(self, other: Self) -> Self;
+    /// `self < other`
+    fn less(self, other: Self) -> Self::Mask;
+    /// `yes` where the mask holds, `no` elsewhere.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// The value of a lane.
+    fn lane(self, lane: u32) -> u32;
+}
+
+impl Lane for f32 {
+    const WIDTH: u32 = 1;
+    const COLUMNS: u32 = 4;
+    const ADDS_TWO: bool = false;
+    type One = f32;
+    type Mask = bool;
+    type Index = u32;
+    #[cfg(target_arch = "spirv")]
+    type Halves = crate::half::HalfVector;
+    #[cfg(not(target_arch = "spirv"))]
+    type Halves = crate::half::Rounded<f32>;
+
+    #[inline(always)]
+    fn splat(value: f32) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn ramp() -> Self {
+        0.0
+    }
+
+    #[inline(always)]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        self * a + b
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn less(self, other: Self) -> bool {
+        self < other
+    }
+
+    #[inline(always)]
+    fn at_most(self, other: Self) -> bool {
+        self <= other
+    }
+
+    #[inline(always)]
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+
+    #[inline(always)]
+    fn both(a: bool, b: bool) -> bool {
+        a && b
+    }
+
+    #[inline(always)]
+    fn any(mask: bool) -> bool {
+        mask
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        crate::math::sqrt(self)
+    }
+
+    #[inline(always)]
+    fn exp(self) -> Self {
+        #[cfg(target_arch = "spirv")]
+        {
+            Float::exp(self)
+        }
+        #[cfg(not(target_arch = "spirv"))]
+        {
+            libm::expf(self)
+        }
+    }
+
+    #[inline(always)]
+    fn truncate(self) -> Self {
+        crate::math::truncate(self)
+    }
+
+    #[inline(always)]
+    fn index(self) -> u32 {
+        self as u32
+    }
+
+    #[inline(always)]
+    fn settled(self) -> Self {
+        self
+    }
+
+    #[inline(always)]
+    fn sum(self) -> f32 {
+        self
+    }
+
+    #[inline(always)]
+    fn read(buffer: Read<f32>, first: u32) -> Self {
+        buffer.read(first)
+    }
+
+    #[inline(always)]
+    fn read_written(buffer: Write<f32>, first: u32) -> Self {
+        buffer.read(first)
+    }
+
+    #[inline(always)]
+    fn gather(buffer: Read<f32>, at: u32) -> Self {
+        buffer.read(at)
+    }
+
+    #[inline(always)]
+    fn gather_halves(buffer: Read<u32>, at: u32) -> [Self; 2] {
+        let word = buffer.read(at);
+        [half_value(word & 0xffff), half_value(word >> 16)]
+    }
+
+    #[inline(always)]
+    fn write(self, buffer: Write<f32>, first: u32) {
+        buffer.write(first, self);
+    }
+
+    #[inline(always)]
+    fn add_fixed(self, mask: bool, sum: Write<u32>, at: u32) {
+        if mask {
+            atomic::add_wide(sum, at, fixed::words(self));
+        }
+    }
+
+    #[inline(always)]
+    fn add_fixed_two(values: [Self; 2], mask: bool, sum: Write<u32>, at: u32) {
+        if mask {
+            atomic::add_wide(sum, at, fixed::words(values[0]));
+            atomic::add_wide(sum, at + 1, fixed::words(values[1]));
+        }
+    }
+
+    #[inline(always)]
+    fn expect_fixed(_: Write<u32>, _: u32) {}
+
+    #[inline(always)]
+    fn take_fixed(sum: Write<u32>, first: u32) -> Self {
+        fixed::take(sum, first)
+    }
+
+    #[inline(always)]
+    fn flag(mask: bool, flags: Write<u32>, at: u32, block: u32) {
+        if mask {
+            atomic::raise(flags, at / block, 1);
+        }
+    }
+}
+
+impl LaneIndex for u32 {
+    type Mask = bool;
+
+    #[inline(always)]
+    fn splat(value: u32) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn wrapping_add(self, other: Self) -> Self {
+        u32::wrapping_add(self, other)
+    }
+
+    #[inline(always)]
+    fn wrapping_sub(self, other: Self) -> Self {
+        u32::wrapping_sub(self, other)
+    }
+
+    #[inline(always)]
+    fn wrapping_mul(self, other: Self) -> Self {
+        u32::wrapping_mul(self, other)
+    }
+
+    #[inline(always)]
+    fn less(self, other: Self) -> bool {
+        self < other
+    }
+
+    #[inline(always)]
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+
+    #[inline(always)]
+    fn lane(self, _: u32) -> u32 {
+        self
+    }
+}

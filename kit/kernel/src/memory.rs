@@ -1,0 +1,399 @@
+//! Buffers as kernels see them.
+//!
+//! On the GPU [`Read`] and [`Write`] are slices, indexed without checks: a bounds check inside nested loops
+//! becomes an exit through several levels, which naga's SPIR-V reader miscompiles
+//! (<https://github.com/gfx-rs/wgpu/issues/4449>), and plain `get_unchecked` is not known to Rust-GPU.
+//! On the CPU they are views that check every access.
+
+#[cfg(target_arch = "spirv")]
+pub use device::{Read, ReadBuffer, Shared, Write, WriteBuffer};
+#[cfg(not(target_arch = "spirv"))]
+pub use host::{AccessMonitor, Read, Shared, Touch, Write};
+
+#[cfg(target_arch = "spirv")]
+mod device {
+    use spirv_std::arch::IndexUnchecked;
+
+    /// A storage buffer that is only read.
+    pub type Read<'a, T> = &'a [T];
+    /// A storage buffer that is read and written.
+    pub type Write<'a, T> = &'a mut [T];
+    /// Workgroup memory.
+    pub type Shared<'a, T, const N: usize> = &'a mut [T; N];
+
+    /// Reading at an index.
+    pub trait ReadBuffer<T> {
+        /// The value at `index`, which must be in range.
+        fn read(&self, index: u32) -> T;
+    }
+
+    /// Writing at an index.
+    pub trait WriteBuffer<T>: ReadBuffer<T> {
+        /// Stores `value` at `index`, which must be in range.
+        fn write(&mut self, index: u32, value: T);
+    }
+
+    impl<T: Copy> ReadBuffer<T> for [T] {
+        #[inline(always)]
+        fn read(&self, index: u32) -> T {
+            // SAFETY: the CPU run of every kernel checks its indices
+            unsafe { *self.index_unchecked(index as usize) }
+        }
+    }
+
+    impl<T: Copy> WriteBuffer<T> for [T] {
+        #[inline(always)]
+        fn write(&mut self, index: u32, value: T) {
+            // SAFETY: as above
+            unsafe { *self.index_unchecked_mut(index as usize) = value }
+        }
+    }
+
+    impl<T: Copy, const N: usize> ReadBuffer<T> for [T; N] {
+        #[inline(always)]
+        fn read(&self, index: u32) -> T {
+            // SAFETY: as above
+            unsafe { *self.index_unchecked(index as usize) }
+        }
+    }
+
+    impl<T: Copy, const N: usize> WriteBuffer<T> for [T; N] {
+        #[inline(always)]
+        fn write(&mut self, index: u32, value: T) {
+            // SAFETY: as above
+            unsafe { *self.index_unchecked_mut(index as usize) = value }
+        }
+    }
+}
+
+#[cfg(not(target_arch = "spirv"))]
+mod host {
+    extern crate std;
+
+    use core::marker::PhantomData;
+    use std::string::String;
+
+    /// What an invocation does to an element.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Touch {
+        /// Reads it.
+        Read,
+        /// Writes it.
+        Write,
+        /// Changes it atomically.
+        Atomic,
+        /// Changes it atomically on a GPU; on the CPU no other layer of workgroups, of another z, does.
+        Layer,
+    }
+
+    /// Sees every access to a binding that several invocations may write.
+    pub trait AccessMonitor: Sync {
+        /// The current invocation touches an element.
+        ///
+        /// # Errors
+        /// What is wrong with that.
+        fn touch(&self, index: u32, touch: Touch) -> Result<(), String>;
+    }
+
+    /// A storage buffer that is only read.
+    #[derive(Clone, Copy)]
+    pub struct Read<'a, T> {
+        data: *const T,
+        len: usize,
+        name: &'static str,
+        lifetime: PhantomData<&'a [T]>,
+    }
+
+    /// A storage buffer that is read and written, by many invocations at once.
+    #[derive(Clone, Copy)]
+    pub struct Write<'a, T> {
+        data: *mut T,
+        len: usize,
+        name: &'static str,
+        monitor: Option<&'a dyn AccessMonitor>,
+        lifetime: PhantomData<&'a mut [T]>,
+    }
+
+    /// Workgroup memory.
+    #[derive(Clone, Copy)]
+    pub struct Shared<'a, T, const N: usize>(Write<'a, T>);
+
+    /// What a buffer is called before a kernel has it.
+    const UNNAMED: &str = "a buffer";
+
+    #[cold]
+    #[inline(never)]
+    #[track_caller]
+    fn out_of_range(index: u32, len: usize, name: &str) -> ! {
+        panic!("index {index} is out of range of `{name}`, which has {len} elements");
+    }
+
+    #[cold]
+    #[inline(never)]
+    #[track_caller]
+    fn monitored(monitor: &dyn AccessMonitor, index: u32, touch: Touch) {
+        if let Err(reason) = monitor.touch(index, touch) {
+            panic!("{reason}");
+        }
+    }
+
+    impl<'a, T: Copy> Read<'a, T> {
+        /// # Safety
+        /// `data` points to `len` values that no one writes while the view is in use.
+        pub const unsafe fn from_raw(data: *const T, len: usize) -> Self {
+            Self { data, len, name: UNNAMED, lifetime: PhantomData }
+        }
+
+        /// The same buffer by the name that a kernel has for it.
+        #[inline(always)]
+        #[must_use]
+        pub const fn named(self, name: &'static str) -> Self {
+            Self { name, ..self }
+        }
+
+        /// The value at `index`; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub fn read(&self, index: u32) -> T {
+            if index as usize >= self.len {
+                out_of_range(index, self.len, self.name);
+            }
+            // SAFETY: checked above
+            unsafe { *self.data.add(index as usize) }
+        }
+    }
+
+    impl<T: Copy> Read<'_, T> {
+        /// The `N` values from `first` on; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub fn read_lanes<const N: usize>(&self, first: u32) -> [T; N] {
+            if first as usize + N > self.len {
+                out_of_range(first + N as u32 - 1, self.len, self.name);
+            }
+            // SAFETY: checked above; an array is aligned as its elements
+            unsafe { *self.data.add(first as usize).cast::<[T; N]>() }
+        }
+
+        /// The values at `N` places; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub fn gather<const N: usize>(&self, at: [u32; N]) -> [T; N] {
+            // one test for all of them
+            let mut largest = 0;
+            let mut i = 0;
+            while i < N {
+                largest = if at[i] > largest { at[i] } else { largest };
+                i += 1;
+            }
+            if largest as usize >= self.len {
+                out_of_range(largest, self.len, self.name);
+            }
+            core::array::from_fn(
+                #[inline(always)]
+                // SAFETY: checked above
+                |i| unsafe { *self.data.add(at[i] as usize) },
+            )
+        }
+    }
+
+    impl<'a, T: Copy> Write<'a, T> {
+        /// # Safety
+        /// `data` points to `len` values that are read and written through such views alone, an element
+        /// by one invocation at a time.
+        pub const unsafe fn from_raw(data: *mut T, len: usize) -> Self {
+            Self { data, len, name: UNNAMED, monitor: None, lifetime: PhantomData }
+        }
+
+        /// The same buffer by the name that a kernel has for it.
+        #[inline(always)]
+        #[must_use]
+        pub const fn named(self, name: &'static str) -> Self {
+            Self { name, ..self }
+        }
+
+        /// The same buffer; `monitor` sees every access.
+        #[inline(always)]
+        #[must_use]
+        pub const fn monitored(self, monitor: Option<&'a dyn AccessMonitor>) -> Self {
+            Self { monitor, ..self }
+        }
+
+        /// The value at `index`; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub fn read(&self, index: u32) -> T {
+            // SAFETY: `address` is in range, and no other invocation writes this element meanwhile
+            unsafe { *self.address(index, Touch::Read) }
+        }
+
+        /// Stores `value` at `index`; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub fn write(&self, index: u32, value: T) {
+            // SAFETY: as in `read`
+            unsafe { *self.address(index, Touch::Write) = value }
+        }
+
+        /// The `N` values from `first` on; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub fn read_lanes<const N: usize>(&self, first: u32) -> [T; N] {
+            // SAFETY: `addresses` is in range, and no other invocation writes these elements meanwhile
+            unsafe { *self.addresses::<N>(first, Touch::Read) }
+        }
+
+        /// Stores `N` values from `first` on; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub fn write_lanes<const N: usize>(&self, first: u32, values: [T; N]) {
+            // SAFETY: as in `read_lanes`
+            unsafe { *self.addresses::<N>(first, Touch::Write) = values }
+        }
+
+        /// Where `N` values from `first` on lie; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        fn addresses<const N: usize>(&self, first: u32, touch: Touch) -> *mut [T; N] {
+            if first as usize + N > self.len {
+                out_of_range(first + N as u32 - 1, self.len, self.name);
+            }
+            if let Some(monitor) = self.monitor {
+                (first..first + N as u32).for_each(|index| monitored(monitor, index, touch));
+            }
+            // SAFETY: checked above; an array is aligned as its elements
+            unsafe { self.data.add(first as usize).cast() }
+        }
+
+        /// Where the value at `index` lies; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub(crate) fn address(&self, index: u32, touch: Touch) -> *mut T {
+            if index as usize >= self.len {
+                out_of_range(index, self.len, self.name);
+            }
+            if let Some(monitor) = self.monitor {
+                monitored(monitor, index, touch);
+            }
+            // SAFETY: checked above
+            unsafe { self.data.add(index as usize) }
+        }
+    }
+
+    impl<T: Copy> Write<'_, T> {
+        /// Says that the value at `index` is about to be read and written.
+        #[inline(always)]
+        pub fn prefetch(&self, index: u32) {
+            let address = self.data.wrapping_add(index as usize);
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: a hint: it reads nothing, and no address is wrong
+            unsafe {
+                core::arch::x86_64::_mm_prefetch::<{ core::arch::x86_64::_MM_HINT_T0 }>(
+                    address.cast(),
+                );
+            }
+            #[cfg(not(target_arch = "x86_64"))]
+            let _ = address;
+        }
+    }
+
+    impl Write<'_, u32> {
+        /// Where the first element lies, after a check of all `index`; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub(crate) fn addresses_of<const N: usize>(
+            &self,
+            index: [u32; N],
+            touch: Touch,
+        ) -> *mut u32 {
+            let largest = index.iter().fold(0, |a: u32, &b| if a > b { a } else { b });
+            if largest as usize >= self.len {
+                out_of_range(largest, self.len, self.name);
+            }
+            if let Some(monitor) = self.monitor {
+                index.iter().for_each(|&index| monitored(monitor, index, touch));
+            }
+            self.data
+        }
+
+        /// Where the first 64-bit integer lies, after a check of all `index`: such an integer is the elements `2 index` and
+        /// `2 index + 1`, and the latter stands for both with who watches.  Panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub(crate) fn wide_addresses<const N: usize>(
+            &self,
+            index: [u32; N],
+            touch: Touch,
+        ) -> *mut u64 {
+            let first: *mut u64 = self.addresses_of(index.map(|index| 2 * index + 1), touch).cast();
+            assert!(first.is_aligned(), "`{}` does not hold 64-bit integers", self.name);
+            first
+        }
+
+        /// As [`Self::wide_addresses`], for the 64-bit integers at `index` and `index + 1`.
+        #[inline(always)]
+        #[track_caller]
+        #[cfg(target_endian = "little")]
+        pub(crate) fn two_wide_addresses<const N: usize>(
+            &self,
+            index: [u32; N],
+            touch: Touch,
+        ) -> *mut u64 {
+            if self.monitor.is_some() {
+                self.wide_addresses(index, touch);
+            }
+            self.wide_addresses(index.map(|index| index + 1), touch)
+        }
+    }
+
+    impl<'a, T: Copy, const N: usize> Shared<'a, T, N> {
+        /// # Safety
+        /// As [`Write::from_raw`], for `N` values.
+        pub const unsafe fn from_raw(data: *mut T) -> Self {
+            // SAFETY: the caller's
+            Self(unsafe { Write::from_raw(data, N) })
+        }
+
+        /// As [`Write::named`].
+        #[inline(always)]
+        #[must_use]
+        pub const fn named(self, name: &'static str) -> Self {
+            Self(self.0.named(name))
+        }
+
+        /// As [`Write::watched`].
+        #[inline(always)]
+        #[must_use]
+        pub const fn monitored(self, monitor: Option<&'a dyn AccessMonitor>) -> Self {
+            Self(self.0.monitored(monitor))
+        }
+
+        /// The value at `index`; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub fn read(&self, index: u32) -> T {
+            self.0.read(index)
+        }
+
+        /// Stores `value` at `index`; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub fn write(&self, index: u32, value: T) {
+            self.0.write(index, value);
+        }
+    }
+
+    impl<'a, T: Copy> From<&'a [T]> for Read<'a, T> {
+        fn from(slice: &'a [T]) -> Self {
+            // SAFETY: a slice that is borrowed as long as the view
+            unsafe { Self::from_raw(slice.as_ptr(), slice.len()) }
+        }
+    }
+
+    impl<'a, T: Copy> From<&'a mut [T]> for Write<'a, T> {
+        fn from(slice: &'a mut [T]) -> Self {
+            // SAFETY: a slice that is the view's alone as long as it lives
+            unsafe { Self::from_raw(slice.as_mut_ptr(), slice.len()) }
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! What every kernel needs.
+
+pub use bytemuck::{Pod, Zeroable};
+pub use organza_macros::kernel;
+
+pub use crate::invocation::Invocation;
+pub use crate::lane::{Lane, LaneIndex};
+pub use crate::memory::{Read, Shared, Write};
+#[cfg(target_arch = "spirv")]
+pub use crate::memory::{ReadBuffer, WriteBuffer};
+pub use crate::shared_tile::{SharedTile, Source};

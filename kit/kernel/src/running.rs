@@ -1,0 +1,85 @@
+//! On the CPU: which invocation a thread runs, so that whatever fails can name it.
+
+extern crate std;
+
+use core::cell::Cell;
+use core::fmt;
+
+use glam::UVec3;
+
+use crate::invocation::Invocation;
+
+/// An invocation of a kernel.
+#[derive(Clone, Copy)]
+pub struct RunningInvocation {
+    /// Name of the kernel.
+    pub kernel: &'static str,
+    /// The invocation.
+    pub id: Invocation,
+}
+
+std::thread_local! {
+    /// The first invocation of the workgroup.
+    static WORKGROUP: Cell<Option<RunningInvocation>> = const { Cell::new(None) };
+    /// Number of the invocation in it.
+    static INVOCATION: Cell<u32> = const { Cell::new(0) };
+}
+
+/// Says which workgroup the thread runs from here on, by its first invocation; none where no executor is at work.
+#[inline]
+pub fn begin(workgroup: Option<RunningInvocation>) {
+    WORKGROUP.set(workgroup);
+}
+
+/// Says which invocation of the workgroup the thread runs.  All of the invocation would cost a tenth of a render,
+/// its number costs nothing.
+#[inline(always)]
+pub fn enter(invocation: u32) {
+    INVOCATION.set(invocation);
+}
+
+/// Number of the invocation that the thread runs.
+pub fn invocation() -> u32 {
+    INVOCATION.get()
+}
+
+/// What the thread runs; none where no executor is at work.
+pub fn current() -> Option<RunningInvocation> {
+    let mut place = WORKGROUP.get()?;
+    place.id.local = unlinear(u64::from(INVOCATION.get()), place.id.size);
+    Some(place)
+}
+
+/// The place of a number in a box of a size: of an invocation in its workgroup, of a workgroup in its dispatch; x counts
+/// fastest.
+pub fn unlinear(index: u64, size: UVec3) -> UVec3 {
+    let [x, y] = [size.x, size.y].map(u64::from);
+    UVec3::new((index % x) as u32, (index / x % y) as u32, (index / x / y) as u32)
+}
+
+/// In debug builds every kernel holds one: where it is called without an executor and panics, as in a test, this
+/// says in which invocation.
+pub struct PanicContext(RunningInvocation);
+
+impl PanicContext {
+    /// A witness of an invocation.
+    pub fn new(kernel: &'static str, id: Invocation) -> Self {
+        Self(RunningInvocation { kernel, id })
+    }
+}
+
+impl Drop for PanicContext {
+    fn drop(&mut self) {
+        if std::thread::panicking() && WORKGROUP.get().is_none() {
+            std::eprintln!("in kernel `{}`, {}", self.0.kernel, self.0);
+        }
+    }
+}
+
+impl fmt::Display for RunningInvocation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Invocation { local, workgroup, .. } = self.id;
+        let global = self.id.global();
+        write!(f, "invocation {local} of workgroup {workgroup}, {global} in the dispatch")
+    }
+}

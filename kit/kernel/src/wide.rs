@@ -1,0 +1,370 @@
+//! Lanes on the CPU: arrays that the compiler makes vector instructions of.
+
+use core::array::from_fn;
+use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
+
+use crate::half::{Rounded, half_value};
+use crate::prelude::*;
+use crate::wide_math::{exp, fma, pairwise, wholes};
+use crate::{atomic, fixed};
+
+/// `N` values; with `FUSED`, the instruction set it is compiled for has a fused multiply-add.
+///
+/// The arithmetic is that of plain arrays: inlined into a function with the right target features, the compiler
+/// makes vector instructions of it.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub struct Wide<const N: usize, const FUSED: bool>(pub [f32; N]);
+
+/// `N` truth values.
+#[derive(Clone, Copy, Debug)]
+pub struct WideMask<const N: usize>(pub [bool; N]);
+
+/// `N` integers.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub struct WideIndex<const N: usize>(pub [u32; N]);
+
+macro_rules! elementwise {
+    ($($trait:ident::$name:ident $op:tt;)*) => {$(
+        impl<const N: usize, const FUSED: bool> $trait for Wide<N, FUSED> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $name(self, other: Self) -> Self {
+                Self(from_fn(#[inline(always)] |i| self.0[i] $op other.0[i]))
+            }
+        }
+    )*};
+}
+
+elementwise! {
+    Add::add +;
+    Sub::sub -;
+    Mul::mul *;
+    Div::div /;
+}
+
+impl<const N: usize, const FUSED: bool> Neg for Wide<N, FUSED> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(from_fn(
+            #[inline(always)]
+            |i| -self.0[i],
+        ))
+    }
+}
+
+impl<const N: usize> BitXor for WideIndex<N> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitxor(self, other: Self) -> Self {
+        Self(from_fn(
+            #[inline(always)]
+            |i| self.0[i] ^ other.0[i],
+        ))
+    }
+}
+
+impl<const N: usize> BitAnd for WideIndex<N> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        Self(from_fn(
+            #[inline(always)]
+            |i| self.0[i] & other.0[i],
+        ))
+    }
+}
+
+impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
+    const WIDTH: u32 = N as u32;
+    // eight lanes are for CPUs with 16 registers, too few for sixteen sums and what is added to them
+    const COLUMNS: u32 = if N == 8 { 2 } else { 4 };
+    // AVX-512 alone converts whole vectors to 64-bit integers
+    const ADDS_TWO: bool = N == 16;
+    type One = Wide<1, FUSED>;
+    type Mask = WideMask<N>;
+    type Index = WideIndex<N>;
+    type Halves = Rounded<Self>;
+
+    #[inline(always)]
+    fn splat(value: f32) -> Self {
+        Self([value; N])
+    }
+
+    #[inline(always)]
+    fn ramp() -> Self {
+        Self(from_fn(
+            #[inline(always)]
+            |i| i as f32,
+        ))
+    }
+
+    #[inline(always)]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        Self(from_fn(
+            #[inline(always)]
+            |i| fma::<FUSED>(self.0[i], a.0[i], b.0[i]),
+        ))
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Self(from_fn(
+            #[inline(always)]
+            |i| if self.0[i] < other.0[i] { self.0[i] } else { other.0[i] },
+        ))
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self(from_fn(
+            #[inline(always)]
+            |i| if self.0[i] > other.0[i] { self.0[i] } else { other.0[i] },
+        ))
+    }
+
+    #[inline(always)]
+    fn less(self, other: Self) -> Self::Mask {
+        WideMask(from_fn(
+            #[inline(always)]
+            |i| self.0[i] < other.0[i],
+        ))
+    }
+
+    #[inline(always)]
+    fn at_most(self, other: Self) -> Self::Mask {
+        WideMask(from_fn(
+            #[inline(always)]
+            |i| self.0[i] <= other.0[i],
+        ))
+    }
+
+    #[inline(always)]
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
+        Self(from_fn(
+            #[inline(always)]
+            |i| if mask.0[i] { yes.0[i] } else { no.0[i] },
+        ))
+    }
+
+    #[inline(always)]
+    fn both(a: Self::Mask, b: Self::Mask) -> Self::Mask {
+        WideMask(from_fn(
+            #[inline(always)]
+            |i| a.0[i] & b.0[i],
+        ))
+    }
+
+    #[inline(always)]
+    fn any(mask: Self::Mask) -> bool {
+        let mut any = false;
+        let mut i = 0;
+        while i < N {
+            any |= mask.0[i];
+            i += 1;
+        }
+        any
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(from_fn(
+            #[inline(always)]
+            |i| self.0[i].sqrt(),
+        ))
+    }
+
+    #[inline(always)]
+    fn exp(self) -> Self {
+        // what a GPU may flush is zero
+        let zero = self.less(Self::splat(-87.336_54));
+        Self::select(zero, Self::splat(0.0), exp(self))
+    }
+
+    #[inline(always)]
+    fn truncate(self) -> Self {
+        let whole = wholes(self.0);
+        Self(from_fn(
+            #[inline(always)]
+            |i| whole[i] as f32,
+        ))
+    }
+
+    #[inline(always)]
+    fn index(self) -> Self::Index {
+        let whole = wholes(self.0);
+        WideIndex(from_fn(
+            #[inline(always)]
+            |i| whole[i] as u32,
+        ))
+    }
+
+    #[inline(always)]
+    fn settled(self) -> Self {
+        core::hint::black_box(self)
+    }
+
+    #[inline(always)]
+    fn sum(self) -> f32 {
+        pairwise(&self.0)
+    }
+
+    #[inline(always)]
+    #[track_caller]
+    fn read(buffer: Read<f32>, first: u32) -> Self {
+        Self(buffer.read_lanes(first))
+    }
+
+    #[inline(always)]
+    #[track_caller]
+    fn read_written(buffer: Write<f32>, first: u32) -> Self {
+        Self(buffer.read_lanes(first))
+    }
+
+    #[inline(always)]
+    #[track_caller]
+    fn gather(buffer: Read<f32>, at: Self::Index) -> Self {
+        Self(buffer.gather(at.0))
+    }
+
+    #[inline(always)]
+    #[track_caller]
+    fn gather_halves(buffer: Read<u32>, at: Self::Index) -> [Self; 2] {
+        let words = buffer.gather(at.0);
+        let lower = from_fn(
+            #[inline(always)]
+            |i| half_value(words[i] & 0xffff),
+        );
+        let upper = from_fn(
+            #[inline(always)]
+            |i| half_value(words[i] >> 16),
+        );
+        [Self(lower), Self(upper)]
+    }
+
+    #[inline(always)]
+    #[track_caller]
+    fn write(self, buffer: Write<f32>, first: u32) {
+        buffer.write_lanes(first, self.0);
+    }
+
+    #[inline(always)]
+    #[track_caller]
+    fn add_fixed(self, mask: Self::Mask, sum: Write<u32>, at: Self::Index) {
+        let values = Self::select(mask, self, Self::splat(0.0));
+        atomic::add_wide_lanes(sum, at.0, fixed::integers(values.0));
+    }
+
+    #[inline(always)]
+    #[track_caller]
+    fn add_fixed_two(values: [Self; 2], mask: Self::Mask, sum: Write<u32>, at: Self::Index) {
+        let zero = Self::splat(0.0);
+        let first = fixed::integers(Self::select(mask, values[0], zero).0);
+        let second = fixed::integers(Self::select(mask, values[1], zero).0);
+        atomic::add_two_wide_lanes(sum, at.0, [first, second]);
+    }
+
+    #[inline(always)]
+    fn expect_fixed(sum: Write<u32>, at: Self::Index) {
+        let mut i = 0;
+        while i < N {
+            sum.prefetch(2 * at.0[i]);
+            i += 1;
+        }
+    }
+
+    #[inline(always)]
+    #[track_caller]
+    fn take_fixed(sum: Write<u32>, first: u32) -> Self {
+        Self(fixed::take_lanes(sum, first))
+    }
+
+    #[inline(always)]
+    #[track_caller]
+    fn flag(mask: Self::Mask, flags: Write<u32>, at: Self::Index, block: u32) {
+        let at = from_fn(
+            #[inline(always)]
+            |i| at.0[i] / block,
+        );
+        atomic::flag_lanes(flags, mask.0, at);
+    }
+}
+
+impl<const N: usize> LaneIndex for WideIndex<N> {
+    type Mask = WideMask<N>;
+
+    #[inline(always)]
+    fn splat(value: u32) -> Self {
+        Self([value; N])
+    }
+
+    #[inline(always)]
+    fn wrapping_add(self, other: Self) -> Self {
+        Self(from_fn(
+            #[inline(always)]
+            |i| self.0[i].wrapping_add(other.0[i]),
+        ))
+    }
+
+    #[inline(always)]
+    fn wrapping_sub(self, other: Self) -> Self {
+        Self(from_fn(
+            #[inline(always)]
+            |i| self.0[i].wrapping_sub(other.0[i]),
+        ))
+    }
+
+    #[inline(always)]
+    fn wrapping_mul(self, other: Self) -> Self {
+        Self(from_fn(
+            #[inline(always)]
+            |i| self.0[i].wrapping_mul(other.0[i]),
+        ))
+    }
+
+    #[inline(always)]
+    fn less(self, other: Self) -> Self::Mask {
+        WideMask(from_fn(
+            #[inline(always)]
+            |i| self.0[i] < other.0[i],
+        ))
+    }
+
+    #[inline(always)]
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
+        Self(from_fn(
+            #[inline(always)]
+            |i| if mask.0[i] { yes.0[i] } else { no.0[i] },
+        ))
+    }
+
+    #[inline(always)]
+    fn lane(self, lane: u32) -> u32 {
+        self.0[lane as usize]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sum_takes_every_lane_once() {
+        let lanes = Wide::<16, true>::ramp();
+        assert_eq!(lanes.sum(), 120.0);
+        assert_eq!(Wide::<1, false>::splat(3.0).sum(), 3.0);
+    }
+
+    #[test]
+    fn what_an_index_keeps_of_a_value() {
+        let values = Wide::<4, false>([0.0, 0.99, 1.5, 16_777_215.0]);
+        assert_eq!(values.index().0, [0, 0, 1, 16_777_215]);
+        assert_eq!(values.truncate().0, [0.0, 0.0, 1.0, 16_777_215.0]);
+    }
+}

@@ -1,0 +1,129 @@
+//! How the CPU runs a kernel.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::expand::plain_argument;
+use crate::parse::{Kernel, Lanes, Role};
+
+/// `const fn run()`: a workgroup at a time where no invocation waits for another, else one invocation.
+pub fn cpu_run(kernel: &Kernel) -> TokenStream {
+    let name = &kernel.function.sig.ident;
+    // workgroup memory follows the bindings
+    let mut binding = 0usize;
+    let mut shared = kernel.parameters.iter().filter(|p| p.role.is_binding()).count();
+    let views = kernel.parameters.iter().filter_map(|parameter| {
+        let (name, element) = (&parameter.name, &parameter.element);
+        let slot = if parameter.role.is_binding() { &mut binding } else { &mut shared };
+        let index = *slot;
+        let view = match &parameter.role {
+            Role::Uniform => quote!(uniform::<#element>()),
+            Role::Read => quote!(read::<#element>()),
+            Role::Write => quote!(write::<#element>()),
+            Role::Shared(len) => quote!(shared::<#element, {#len}>()),
+            Role::SharedTile(_) => return None,
+        };
+        *slot += 1;
+        // SAFETY: of the generated code, see `CpuRun`: the caller passes bindings of the declared types.
+        Some(quote! { let #name = unsafe { bindings[#index].#view }; })
+    });
+    let names: Vec<_> = kernel.parameters.iter().map(plain_argument).collect();
+    if kernel.has_shared() {
+        return quote! {
+            unsafe fn run_invocation(bindings: &[::organza_kernel::kernel::CpuBinding], id: ::organza_kernel::invocation::Invocation) {
+                #(
+                    // SAFETY: the caller passes bindings of the declared types
+                    #views
+                )*
+                self::#name(id, #(#names),*);
+            }
+            const fn run() -> ::organza_kernel::kernel::CpuRun { ::organza_kernel::kernel::CpuRun::Invocation(run_invocation) }
+        };
+    }
+    if let Some(lanes) = &kernel.lanes {
+        return lane_run(kernel, lanes, &views.collect::<Vec<_>>());
+    }
+    let step = quote! {
+        self::#name(id, #(#names),*);
+        local_x += 1;
+    };
+    let body = workgroup(kernel, &views.collect::<Vec<_>>(), &step);
+    quote! {
+        unsafe fn run_workgroup #body
+        const fn run() -> ::organza_kernel::kernel::CpuRun { ::organza_kernel::kernel::CpuRun::Workgroup(run_workgroup) }
+    }
+}
+
+/// Parameters and body of a function that runs a workgroup: `step` runs the invocation `id`, or several from it on, and
+/// adds their number to `local_x`.
+fn workgroup(kernel: &Kernel, views: &[TokenStream], step: &TokenStream) -> TokenStream {
+    let [x, y, z] = kernel.threads;
+    quote! {
+        (
+            bindings: &[::organza_kernel::kernel::CpuBinding],
+            workgroup: ::organza_kernel::dependencies::glam::UVec3,
+            workgroups: ::organza_kernel::dependencies::glam::UVec3,
+        ) {
+            #(
+                // SAFETY: the caller passes bindings of the declared types
+                #views
+            )*
+            let size = ::organza_kernel::dependencies::glam::UVec3::new(#x, #y, #z);
+            for local_z in 0..#z {
+                for local_y in 0..#y {
+                    let mut local_x = 0;
+                    while local_x < #x {
+                        let local = ::organza_kernel::dependencies::glam::UVec3::new(local_x, local_y, local_z);
+                        let id = ::organza_kernel::invocation::Invocation::new(local, workgroup, workgroups, size);
+                        ::organza_kernel::kernel::enter(local_x + #x * (local_y + #y * local_z));
+                        #step
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// `const fn run()` of a kernel that is generic over lanes: one function for each instruction set.
+fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStream {
+    let name = &kernel.function.sig.ident;
+    let names: Vec<_> = kernel.parameters.iter().map(plain_argument).collect();
+    let [x, y, z] = kernel.threads;
+    let flat = y == 1 && z == 1;
+    let uniform = kernel.uniform().map(|parameter| &parameter.name);
+    let step = match lanes {
+        Lanes::Inside => quote! {
+            self::#name::<L>(id, #(#names),*);
+            local_x += 1;
+        },
+        Lanes::Invocations(end) => {
+            let at = if flat { quote!(id.index()) } else { quote!(id.global().x) };
+            quote! {
+                let end: u32 = #uniform.#end;
+                if end >= L::WIDTH && #at <= end - L::WIDTH {
+                    self::#name::<L>(id, #(#names),*);
+                    local_x += L::WIDTH;
+                } else {
+                    // what is left over, lane by lane
+                    self::#name::<L::One>(id, #(#names),*);
+                    local_x += 1;
+                }
+            }
+        }
+    };
+    let whole = match lanes {
+        Lanes::Inside => quote!(),
+        Lanes::Invocations(_) => quote! {
+            const _: () = ::core::assert!(#x % ::organza_kernel::lane::MAX_WIDTH == 0, "lanes fill a workgroup");
+        },
+    };
+    let body = workgroup(kernel, views, &step);
+    quote! {
+        #whole
+        #[inline(always)]
+        unsafe fn run_lanes<L: ::organza_kernel::lane::Lane> #body
+        const fn run() -> ::organza_kernel::kernel::CpuRun {
+            ::organza_kernel::kernel::lane_runs!(run_lanes)
+        }
+    }
+}

@@ -1,0 +1,311 @@
+//! Writes what follows from a kernel's declaration.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+use syn::parse_quote;
+
+use crate::cpu::cpu_run;
+use crate::parse::{Kernel, Parameter, Role};
+
+pub fn expand(kernel: &Kernel) -> TokenStream {
+    let function = function(kernel);
+    let variants = if kernel.has_shared_tiles() { &[false, true][..] } else { &[false] };
+    let entries = variants.iter().map(|&staged| entry_point(kernel, staged));
+    let info = info(kernel);
+    let dispatch = dispatch(kernel);
+    let iterations = kernel.iterations.iter();
+    quote! {
+        #[inline(always)]
+        #[allow(clippy::too_many_arguments)]
+        #function
+        // names what the declaration names, on the GPU too
+        #(const _: u32 = #iterations;)*
+        #(#entries)*
+        #info
+        #dispatch
+    }
+}
+
+/// The kernel itself. On the CPU it knows who it is and what its buffers are called: for messages.
+fn function(kernel: &Kernel) -> syn::ItemFn {
+    let mut function = kernel.function.clone();
+    let (name, id) = (function.sig.ident.to_string(), &kernel.id);
+    let buffers = kernel.parameters.iter().filter(|parameter| parameter.role.is_named());
+    let named = buffers.map(|parameter| {
+        let (name, text) = (&parameter.name, parameter.name.to_string());
+        parse_quote! { #[cfg(not(target_arch = "spirv"))] let #name = #name.named(#text); }
+    });
+    let witness = parse_quote! {
+        #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+        let _witness = ::organza_kernel::kernel::PanicContext::new(#name, #id);
+    };
+    let statements: Vec<syn::Stmt> = std::iter::once(witness).chain(named).collect();
+    function.block.stmts.splice(0..0, statements);
+    function
+}
+
+/// `tile_mask` -> `TileMaskKernel`
+fn dispatch_name(kernel: &Kernel) -> syn::Ident {
+    let camel: String = kernel
+        .function
+        .sig
+        .ident
+        .to_string()
+        .split('_')
+        .map(|word| word[..1].to_uppercase() + &word[1..])
+        .collect();
+    format_ident!("{camel}Kernel")
+}
+
+fn info_name(kernel: &Kernel) -> syn::Ident {
+    format_ident!("{}_KERNEL", kernel.function.sig.ident.to_string().to_uppercase())
+}
+
+/// An entry point's name: of the plain one, or of the variant.
+fn entry_name(kernel: &Kernel, staged: bool) -> String {
+    let name = &kernel.function.sig.ident;
+    if staged { format!("{name}_shared") } else { name.to_string() }
+}
+
+/// A SPIR-V entry point: the built-ins and bindings as Rust-GPU wants them, then the function.
+fn entry_point(kernel: &Kernel, staged: bool) -> TokenStream {
+    let name = &kernel.function.sig.ident;
+    let entry_point_name = entry_name(kernel, staged);
+    let entry = format_ident!("{entry_point_name}_entry_point");
+    let [x, y, z] = kernel.threads.map(Literal::u32_unsuffixed);
+    let mut binding = 0;
+    let parameters = kernel.parameters.iter().filter_map(|parameter| {
+        let (name, element) = (&parameter.name, &parameter.element);
+        let number = Literal::u32_unsuffixed(binding);
+        binding += u32::from(parameter.role.is_binding());
+        Some(match &parameter.role {
+            Role::Uniform => quote! { #[spirv(uniform, descriptor_set = 0, binding = #number)] #name: &#element },
+            Role::Read => quote! { #[spirv(storage_buffer, descriptor_set = 0, binding = #number)] #name: &[#element] },
+            Role::Write => {
+                quote! { #[spirv(storage_buffer, descriptor_set = 0, binding = #number)] #name: &mut [#element] }
+            }
+            Role::Shared(len) => quote! { #[spirv(workgroup)] #name: &mut [#element; #len] },
+            Role::SharedTile(_) if !staged => return None,
+            Role::SharedTile(len) => quote! { #[spirv(workgroup)] #name: &mut [#element; #len] },
+        })
+    });
+    let arguments = kernel.parameters.iter().map(|parameter| {
+        let name = &parameter.name;
+        if staged { quote!(#name) } else { plain_argument(parameter) }
+    });
+    // an invocation of a GPU is a lane, or takes four samples
+    let lane = kernel.lanes.is_some().then(|| match kernel.samples {
+        true => quote!(::<::organza_kernel::samples::Four>),
+        false => quote!(::<f32>),
+    });
+    let each = each(kernel);
+    quote! {
+        #[cfg(target_arch = "spirv")]
+        #[allow(missing_docs, clippy::too_many_arguments)]
+        #[::organza_kernel::dependencies::spirv_std::spirv(compute(threads(#x, #y, #z), entry_point_name = #entry_point_name))]
+        pub fn #entry(
+            #[spirv(local_invocation_id)] local: ::organza_kernel::dependencies::glam::UVec3,
+            #[spirv(workgroup_id)] workgroup: ::organza_kernel::dependencies::glam::UVec3,
+            #[spirv(num_workgroups)] workgroups: ::organza_kernel::dependencies::glam::UVec3,
+            #(#parameters),*
+        ) {
+            let id = ::organza_kernel::invocation::Invocation::new(local, workgroup, workgroups, ::organza_kernel::dependencies::glam::UVec3::new(#x, #y, #z)).of(#each);
+            self::#name #lane (id, #(#arguments),*);
+        }
+    }
+}
+
+/// Items along x that an invocation of a GPU takes.
+fn each(kernel: &Kernel) -> TokenStream {
+    match kernel.samples {
+        true => {
+            quote!(<::organza_kernel::samples::Four as ::organza_kernel::samples::Samples>::WIDTH)
+        }
+        false => quote!(1),
+    }
+}
+
+/// What the plain entry point and the CPU pass for a parameter.
+pub fn plain_argument(parameter: &Parameter) -> TokenStream {
+    let name = &parameter.name;
+    match parameter.role {
+        Role::SharedTile(_) => quote!(&mut ::organza_kernel::shared_tile::Unshared),
+        _ => quote!(#name),
+    }
+}
+
+/// The registry's entry: what the manifest says, and how the CPU runs it.
+fn info(kernel: &Kernel) -> TokenStream {
+    let name = &kernel.function.sig.ident;
+    let name_text = name.to_string();
+    let info_name = info_name(kernel);
+    let [x, y, z] = kernel.threads;
+    let bindings = kernel.parameters.iter().filter_map(|parameter| {
+        let (name, element) = (parameter.name.to_string(), &parameter.element);
+        let access = match parameter.role {
+            Role::Uniform => quote!(Uniform),
+            Role::Read => quote!(Read),
+            Role::Write => quote!(Write),
+            Role::Shared(_) | Role::SharedTile(_) => return None,
+        };
+        Some(quote! {
+            ::organza_kernel::kernel::BindingInfo {
+                name: #name,
+                access: ::organza_kernel::kernel::Access::#access,
+                element: ::core::stringify!(#element),
+                element_bytes: ::core::mem::size_of::<#element>() as u32,
+            }
+        })
+    });
+    let (all_shared, shared) = (shared(kernel, true), shared(kernel, false));
+    let variant = variant(kernel);
+    let iterations = match &kernel.iterations {
+        Some(iterations) => quote!(::core::option::Option::Some(#iterations)),
+        None => quote!(::core::option::Option::None),
+    };
+    let count = kernel.parameters.iter().filter(|parameter| parameter.role.is_binding()).count();
+    let run = cpu_run(kernel);
+    let (fused, z_serial, z_innermost) = (kernel.fused, kernel.z_serial, kernel.z_innermost);
+    let each = each(kernel);
+    let work = work(kernel);
+    quote! {
+        #[cfg(not(target_arch = "spirv"))]
+        #[::organza_kernel::dependencies::linkme::distributed_slice(::organza_kernel::kernel::KERNELS)]
+        #[linkme(crate = ::organza_kernel::dependencies::linkme)]
+        static #info_name: ::organza_kernel::kernel::KernelInfo = {
+            #run
+            ::organza_kernel::kernel::KernelInfo {
+                name: #name_text,
+                file: ::core::file!(),
+                workgroup_size: [#x, #y, #z],
+                iterations: #iterations,
+                fused: #fused,
+                z_serial: #z_serial,
+                z_innermost: #z_innermost,
+                each: #each,
+                bindings: &[#(#bindings),*],
+                shared: &#shared,
+                variant: #variant,
+                work: #work,
+                run: run(),
+            }
+        };
+        #[cfg(not(target_arch = "spirv"))]
+        const _: () = {
+            ::core::assert!(#count <= 12, "a kernel has at most 12 bindings");
+            let bytes = ::organza_kernel::kernel::workgroup_bytes(&#all_shared);
+            ::core::assert!(bytes <= ::organza_kernel::kernel::MAX_WORKGROUP_BYTES, "a workgroup has 16 KiB of memory");
+        };
+    }
+}
+
+/// What counts a dispatch: the declared function, of the parameters' bytes.
+fn work(kernel: &Kernel) -> TokenStream {
+    let (Some(count), Some(Parameter { element, .. })) = (&kernel.work, kernel.uniform()) else {
+        return quote!(::core::option::Option::None);
+    };
+    quote! {{
+        fn work(uniform: &[u8], shape: ::organza_kernel::work::Shape<'_>) -> ::organza_kernel::work::Work {
+            let params = ::organza_kernel::dependencies::bytemuck::pod_read_unaligned::<#element>(uniform);
+            #count(&params, shape)
+        }
+        ::core::option::Option::Some(work)
+    }}
+}
+
+/// The arrays in workgroup memory, those of stages with them or without.
+fn shared(kernel: &Kernel, stages: bool) -> TokenStream {
+    let arrays = kernel.parameters.iter().filter_map(|parameter| {
+        let (name, element) = (parameter.name.to_string(), &parameter.element);
+        let len = match &parameter.role {
+            Role::Shared(len) => len,
+            Role::SharedTile(len) if stages => len,
+            _ => return None,
+        };
+        Some(quote! {
+            ::organza_kernel::kernel::SharedInfo {
+                name: #name,
+                element: ::core::stringify!(#element),
+                len: #len as u32,
+                bytes: ::core::mem::size_of::<[#element; #len]>() as u32,
+            }
+        })
+    });
+    quote!([#(#arrays),*])
+}
+
+/// What the registry says of the second entry point.
+fn variant(kernel: &Kernel) -> TokenStream {
+    if !kernel.has_shared_tiles() {
+        return quote!(::core::option::Option::None);
+    }
+    let (name, shared) = (entry_name(kernel, true), shared(kernel, true));
+    quote! {
+        ::core::option::Option::Some(::organza_kernel::kernel::EntryPoint { name: #name, shared: &#shared })
+    }
+}
+
+/// The typed dispatch of the host: a struct with a field for each binding.
+fn dispatch(kernel: &Kernel) -> TokenStream {
+    let struct_name = dispatch_name(kernel);
+    let info_name = info_name(kernel);
+    let doc = format!("The bindings of [`{0}`]({0}()), by name.", kernel.function.sig.ident);
+    let mut fields = Vec::new();
+    let mut binds = Vec::new();
+    let mut uniform = quote!(&[]);
+    for parameter in &kernel.parameters {
+        let (name, element) = (&parameter.name, &parameter.element);
+        match parameter.role {
+            Role::Uniform => {
+                fields.push(quote! { /// Uniform buffer.
+                #[allow(missing_docs)] pub #name: #element });
+                uniform = quote!(::organza_kernel::dependencies::bytemuck::bytes_of(&self.#name));
+            }
+            Role::Read | Role::Write => {
+                let access = if matches!(parameter.role, Role::Read) {
+                    "Read."
+                } else {
+                    "Read and written."
+                };
+                fields.push(quote! { #[doc = #access] pub #name: &'a S::Buffer<#element> });
+                binds.push(quote! { visit(S::bind(self.#name)); });
+            }
+            Role::Shared(_) | Role::SharedTile(_) => {}
+        }
+    }
+    let counted = counted(kernel, &struct_name);
+    quote! {
+        #counted
+
+        #[cfg(not(target_arch = "spirv"))]
+        #[doc = #doc]
+        pub struct #struct_name<'a, S: ::organza_kernel::kernel::Storage> { #(#fields),* }
+
+        #[cfg(not(target_arch = "spirv"))]
+        impl<'a, S: ::organza_kernel::kernel::Storage> ::organza_kernel::kernel::Dispatch<'a, S> for #struct_name<'a, S> {
+            fn info(&self) -> &'static ::organza_kernel::kernel::KernelInfo { &#info_name }
+            fn uniform(&self) -> &[u8] { #uniform }
+            fn bind(&self, visit: &mut dyn FnMut(S::Binding<'a>)) { #(#binds)* }
+        }
+    }
+}
+
+/// `counted(self, ..)` of the typed dispatch, where the kernel declares counts.
+fn counted(kernel: &Kernel, struct_name: &syn::Ident) -> TokenStream {
+    let (fields, Some(uniform)) = (&kernel.counts, kernel.uniform()) else { return quote!() };
+    if fields.is_empty() {
+        return quote!();
+    }
+    let (params, element, n) = (&uniform.name, &uniform.element, fields.len());
+    quote! {
+        #[cfg(not(target_arch = "spirv"))]
+        impl<'a, S: ::organza_kernel::kernel::Storage> #struct_name<'a, S> {
+            /// The same dispatch, of numbers that the device may know alone: they take the place of the parameters'.
+            #[must_use]
+            pub fn counted(mut self, #(#fields: &'a S::Count),*) -> ::organza_kernel::kernel::Counted<'a, S, Self, #n> {
+                #(self.#params.#fields = S::at_most(#fields);)*
+                ::organza_kernel::kernel::Counted::new(self, [#((::core::mem::offset_of!(#element, #fields), #fields)),*])
+            }
+        }
+    }
+}

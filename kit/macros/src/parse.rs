@@ -1,0 +1,326 @@
+//! Reads a kernel's declaration.
+
+use proc_macro2::TokenStream;
+use syn::parse::{Parse, Parser};
+use syn::spanned::Spanned;
+use syn::{
+    Error, Expr, FnArg, GenericArgument, Ident, ItemFn, LitInt, Pat, Path, PathArguments,
+    PathSegment, Result, Type, TypeParamBound,
+};
+
+/// What a parameter of a kernel stands for.
+pub enum Role {
+    /// `&P`
+    Uniform,
+    /// `Read<T>`
+    Read,
+    /// `Write<T>`
+    Write,
+    /// `Shared<T, N>`, with its length
+    Shared(Box<GenericArgument>),
+    /// `&mut impl SharedTile<T, N>`, with its length
+    SharedTile(Box<GenericArgument>),
+}
+
+impl Role {
+    /// Whether the host binds a buffer to it.
+    pub fn is_binding(&self) -> bool {
+        matches!(self, Self::Uniform | Self::Read | Self::Write)
+    }
+
+    /// Whether it is a view of memory that the CPU run names in its messages.
+    pub fn is_named(&self) -> bool {
+        matches!(self, Self::Read | Self::Write | Self::Shared(_))
+    }
+}
+
+/// One parameter after the invocation.
+pub struct Parameter {
+    pub name: Ident,
+    pub role: Role,
+    /// `P` or `T` of [`Role`].
+    pub element: Type,
+}
+
+/// How the CPU fills the lanes of a kernel that is generic over them.
+pub enum Lanes {
+    /// With consecutive invocations along x, those below a field of the uniform buffer.
+    Invocations(Ident),
+    /// The kernel does it itself: each invocation has all lanes.
+    Inside,
+}
+
+/// A kernel's declaration.
+pub struct Kernel {
+    pub function: ItemFn,
+    pub threads: [u32; 3],
+    pub fused: bool,
+    /// On the CPU a layer of workgroups, those of one z, runs on one thread.
+    pub z_serial: bool,
+    /// On the CPU a stack of workgroups, those of one x and y, runs together.
+    pub z_innermost: bool,
+    pub lanes: Option<Lanes>,
+    /// Whether it is generic over `Samples`, of which an invocation of a GPU takes four.
+    pub samples: bool,
+    /// The most iterations of one invocation.
+    pub iterations: Option<Expr>,
+    /// Fields of the uniform buffer that the device may know alone.
+    pub counts: Vec<Ident>,
+    /// The function that counts what a dispatch computes and moves.
+    pub work: Option<Path>,
+    /// What the kernel calls its invocation.
+    pub id: Ident,
+    pub parameters: Vec<Parameter>,
+}
+
+impl Kernel {
+    pub fn parse(attribute: TokenStream, item: TokenStream) -> Result<Self> {
+        let function: ItemFn = syn::parse2(item)?;
+        let Attribute { threads, fused, z_serial, z_innermost, lanes, iterations, counts, work } =
+            parse_attribute(attribute)?;
+        let mut inputs = function.sig.inputs.iter();
+        let id = inputs.next().and_then(invocation).ok_or_else(|| {
+            Error::new(function.sig.span(), "the first parameter of a kernel is `id: Invocation`")
+        })?;
+        let parameters = inputs.map(parse_parameter).collect::<Result<Vec<_>>>()?;
+        if parameters.iter().filter(|p| matches!(p.role, Role::Uniform)).count() > 1 {
+            return Err(Error::new(function.sig.span(), "a kernel has at most one `&Params`"));
+        }
+        let generics = &function.sig.generics;
+        if lanes.is_none() && !generics.params.is_empty() {
+            return Err(Error::new(generics.span(), "a kernel without `lanes` has no generics"));
+        }
+        if lanes.is_some() && (generics.params.len() != 1 || generics.type_params().count() != 1) {
+            return Err(Error::new(
+                function.sig.span(),
+                "a kernel with `lanes` is generic over one `Lane` or `Samples`",
+            ));
+        }
+        let samples =
+            generics.type_params().flat_map(|parameter| &parameter.bounds).any(is_samples);
+        let kernel = Self {
+            function,
+            threads,
+            fused,
+            z_serial,
+            z_innermost,
+            lanes,
+            samples,
+            iterations,
+            counts,
+            work,
+            id,
+            parameters,
+        };
+        if kernel.samples && !matches!(kernel.lanes, Some(Lanes::Invocations(_))) {
+            let message = "a kernel that is generic over `Samples` has `lanes(field)`";
+            return Err(Error::new(kernel.function.sig.span(), message));
+        }
+        if !kernel.counts.is_empty() && kernel.uniform().is_none() {
+            let message = "`counts` are fields of the kernel's `&Params`";
+            return Err(Error::new(kernel.function.sig.span(), message));
+        }
+        if kernel.lanes.is_some() && kernel.has_shared() {
+            let message = "a kernel with workgroup memory has no `lanes`";
+            return Err(Error::new(kernel.function.sig.span(), message));
+        }
+        Ok(kernel)
+    }
+
+    /// The uniform buffer.
+    pub fn uniform(&self) -> Option<&Parameter> {
+        self.parameters.iter().find(|parameter| matches!(parameter.role, Role::Uniform))
+    }
+
+    pub fn has_shared(&self) -> bool {
+        self.has(|role| matches!(role, Role::Shared(_)))
+    }
+
+    /// Whether it has a second entry point, in which stages are workgroup memory.
+    pub fn has_shared_tiles(&self) -> bool {
+        self.has(|role| matches!(role, Role::SharedTile(_)))
+    }
+
+    fn has(&self, what: impl Fn(&Role) -> bool) -> bool {
+        self.parameters.iter().any(|parameter| what(&parameter.role))
+    }
+}
+
+struct Attribute {
+    threads: [u32; 3],
+    fused: bool,
+    z_serial: bool,
+    z_innermost: bool,
+    lanes: Option<Lanes>,
+    iterations: Option<Expr>,
+    counts: Vec<Ident>,
+    work: Option<Path>,
+}
+
+/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `z_serial` or `z_innermost`, `lanes` or
+/// `lanes(field)`, and `counts(field, ..)`
+fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
+    let mut threads = None;
+    let mut fused = false;
+    let mut z_serial = false;
+    let mut z_innermost = false;
+    let mut lanes = None;
+    let mut iterations = None;
+    let mut counts = Vec::new();
+    let mut work = None;
+    let parser = syn::meta::parser(|meta| {
+        if meta.path.is_ident("fused") {
+            fused = true;
+            return Ok(());
+        }
+        if meta.path.is_ident("z_serial") {
+            z_serial = true;
+            return Ok(());
+        }
+        if meta.path.is_ident("z_innermost") {
+            z_innermost = true;
+            return Ok(());
+        }
+        if meta.path.is_ident("iterations") {
+            iterations = Some(meta.value()?.parse()?);
+            return Ok(());
+        }
+        if meta.path.is_ident("work") {
+            let content;
+            syn::parenthesized!(content in meta.input);
+            work = Some(content.parse()?);
+            return Ok(());
+        }
+        if meta.path.is_ident("lanes") {
+            lanes = Some(if meta.input.peek(syn::token::Paren) {
+                let content;
+                syn::parenthesized!(content in meta.input);
+                Lanes::Invocations(content.parse()?)
+            } else {
+                Lanes::Inside
+            });
+            return Ok(());
+        }
+        if meta.path.is_ident("counts") {
+            let content;
+            syn::parenthesized!(content in meta.input);
+            let fields = content.parse_terminated(Ident::parse, syn::Token![,])?;
+            counts = fields.into_iter().collect();
+            return Ok(());
+        }
+        if !meta.path.is_ident("threads") {
+            let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `z_serial`, \
+                `z_innermost`, `lanes`, `lanes(field)` `counts(field, ..)` or `work(function)`";
+            return Err(meta.error(expected));
+        }
+        let content;
+        syn::parenthesized!(content in meta.input);
+        let sizes = content.parse_terminated(LitInt::parse, syn::Token![,])?;
+        let mut size = [1; 3];
+        if sizes.is_empty() || sizes.len() > 3 {
+            return Err(meta.error("expected one to three sizes"));
+        }
+        for (axis, value) in sizes.iter().enumerate() {
+            size[axis] = value.base10_parse()?;
+        }
+        // what every implementation of WebGPU offers
+        if size.iter().product::<u32>() > 256 || size[2] > 64 || size.contains(&0) {
+            return Err(meta.error("a workgroup has 1 to 256 invocations"));
+        }
+        threads = Some(size);
+        Ok(())
+    });
+    parser.parse2(attribute.clone())?;
+    let threads = threads
+        .ok_or_else(|| Error::new(attribute.span(), "expected `#[kernel(threads(x, y, z))]`"))?;
+    if z_serial && threads[2] != 1 {
+        return Err(Error::new(
+            attribute.span(),
+            "a layer is one workgroup thick: `threads(x, y)`",
+        ));
+    }
+    if z_serial && z_innermost {
+        return Err(Error::new(
+            attribute.span(),
+            "workgroups run by `z_serial` or by `z_innermost`",
+        ));
+    }
+    Ok(Attribute { threads, fused, z_serial, z_innermost, lanes, iterations, counts, work })
+}
+
+/// The name of `id: Invocation`.
+fn invocation(argument: &FnArg) -> Option<Ident> {
+    let FnArg::Typed(argument) = argument else { return None };
+    let Pat::Ident(pattern) = &*argument.pat else { return None };
+    let is_invocation = last_segment(&argument.ty).is_some_and(|s| s.ident == "Invocation");
+    is_invocation.then(|| pattern.ident.clone())
+}
+
+fn last_segment(ty: &Type) -> Option<&syn::PathSegment> {
+    match ty {
+        Type::Path(path) => path.path.segments.last(),
+        _ => None,
+    }
+}
+
+/// `Samples`
+fn is_samples(bound: &TypeParamBound) -> bool {
+    let TypeParamBound::Trait(bound) = bound else { return false };
+    bound.path.segments.last().is_some_and(|segment| segment.ident == "Samples")
+}
+
+/// The trait of `impl Trait`.
+fn implemented(ty: &Type) -> Option<&PathSegment> {
+    let Type::ImplTrait(ty) = ty else { return None };
+    ty.bounds.iter().find_map(|bound| match bound {
+        TypeParamBound::Trait(bound) => bound.path.segments.last(),
+        _ => None,
+    })
+}
+
+fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
+    let FnArg::Typed(argument) = argument else {
+        return Err(Error::new(argument.span(), "a kernel is a free function"));
+    };
+    let Pat::Ident(pattern) = &*argument.pat else {
+        return Err(Error::new(argument.pat.span(), "a binding is a plain name"));
+    };
+    let name = pattern.ident.clone();
+    let (role, element) = role(&argument.ty).ok_or_else(|| {
+        Error::new(
+            argument.ty.span(),
+            "a parameter is `&Params`, `Read<T>`, `Write<T>`, `Shared<T, N>` or `&mut impl SharedTile<T, N>`",
+        )
+    })?;
+    Ok(Parameter { name, role, element })
+}
+
+/// What a parameter's type stands for, and the type of its elements.
+fn role(ty: &Type) -> Option<(Role, Type)> {
+    if let Type::Reference(reference) = ty {
+        if reference.mutability.is_none() {
+            return Some((Role::Uniform, (*reference.elem).clone()));
+        }
+        let segment =
+            implemented(&reference.elem).filter(|segment| segment.ident == "SharedTile")?;
+        let (element, length) = arguments(segment)?;
+        return Some((Role::SharedTile(Box::new(length?)), element));
+    }
+    let segment = last_segment(ty)?;
+    let (element, length) = arguments(segment)?;
+    let role = match segment.ident.to_string().as_str() {
+        "Read" => Role::Read,
+        "Write" => Role::Write,
+        "Shared" => Role::Shared(Box::new(length?)),
+        _ => return None,
+    };
+    Some((role, element))
+}
+
+/// `T` and N of `Name<T, N>`.
+fn arguments(segment: &PathSegment) -> Option<(Type, Option<GenericArgument>)> {
+    let PathArguments::AngleBracketed(generics) = &segment.arguments else { return None };
+    let mut generics = generics.args.iter().filter(|a| !matches!(a, GenericArgument::Lifetime(_)));
+    let Some(GenericArgument::Type(element)) = generics.next() else { return None };
+    Some((element.clone(), generics.next().cloned()))
+}

@@ -1,0 +1,62 @@
+//! Embeds compiled kernels: what a build script calls.
+
+use std::env;
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::{Manifest, source_hash};
+
+/// Has the crate embed the modules of a folder and their manifest; `workspace` is what the manifest's sources are
+/// relative to.  Called by a build script; `organza_device::modules!()` is the counterpart in the crate.
+///
+/// Nothing here fails: where kernels are missing or older than their sources, the crate compiles all the same, and its
+/// program says at run time which kernel it lacks and how to compile it.
+///
+/// # Panics
+/// Where cargo does not run it, or its output folder cannot be written to.
+pub fn embed(kernels: &Path, workspace: &Path) {
+    let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
+    println!("cargo::rerun-if-changed=build.rs");
+    // A missing folder would have the script run at every build.
+    let watched = if kernels.is_dir() { kernels } else { kernels.parent().unwrap_or(kernels) };
+    println!("cargo::rerun-if-changed={}", watched.display());
+
+    let manifest = Manifest::load(kernels).unwrap_or_else(|error| {
+        println!("cargo::warning=no compiled kernels ({error}): run `cargo xtask kernels`");
+        Manifest::empty()
+    });
+    warn_when_stale(workspace, &manifest);
+    fs::write(out.join("manifest.json"), manifest.to_json()).expect("OUT_DIR is writable");
+    fs::write(out.join("kernels.rs"), table(kernels, &manifest)).expect("OUT_DIR is writable");
+}
+
+/// Rust source: an array of the modules that are there, each with its kernel's name.
+fn table(kernels: &Path, manifest: &Manifest) -> String {
+    let mut table = String::from("[\n");
+    for kernel in &manifest.kernels {
+        let path = kernels.join(&kernel.spirv);
+        if path.is_file() {
+            let name = &kernel.name;
+            writeln!(table, "    ({name:?}, &Aligned(*include_bytes!({path:?}))),")
+                .expect("a string can be written to");
+        }
+    }
+    table + "]\n"
+}
+
+/// Says so when the GPU still runs the last version of a kernel. Where there are no sources, there is nothing to say.
+fn warn_when_stale(workspace: &Path, manifest: &Manifest) {
+    let folders: Vec<_> = manifest.sources.iter().map(|folder| workspace.join(folder)).collect();
+    if folders.is_empty() || !folders.iter().all(|folder| folder.is_dir()) {
+        return;
+    }
+    for folder in folders {
+        println!("cargo::rerun-if-changed={}", folder.display());
+    }
+    if source_hash(workspace, &manifest.sources).is_ok_and(|hash| hash != manifest.source_hash) {
+        println!(
+            "cargo::warning=the compiled kernels are older than their sources: run `cargo xtask kernels`"
+        );
+    }
+}

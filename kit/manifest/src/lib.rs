@@ -1,0 +1,272 @@
+//! The manifest of compiled kernels: which SPIR-V module holds which kernel, what the kernel expects of
+//! the host, and which sources and compiler the modules were made from.
+//!
+//! The kernel builder writes it, a build script [embeds](embed()) it, and tests hold it against the kernel
+//! sources. It says nothing that depends on the machine it was written on.
+
+mod embed;
+mod source;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+pub use embed::embed;
+pub use source::{locked_version, source_hash};
+
+/// The layout of the manifest that this crate reads and writes.
+pub const FORMAT_VERSION: u32 = 2;
+
+/// The manifest's file name, in the folder of the modules it describes.
+pub const FILE_NAME: &str = "manifest.json";
+
+/// What can go wrong with a manifest or with the sources it describes.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// A file could not be read.
+    #[error("cannot read {}: {reason}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        reason: std::io::Error,
+    },
+    /// The text is not a manifest.
+    #[error("the kernel manifest is malformed: {0}")]
+    Malformed(serde_json::Error),
+    /// The manifest has a layout that this crate does not know.
+    #[error("the kernel manifest has format {0}, this crate reads format {FORMAT_VERSION}")]
+    UnknownFormat(u32),
+    /// The lock file does not hold a package that the kernels are compiled with.
+    #[error("{} does not name the package `{package}`", path.display())]
+    NotLocked {
+        /// The lock file.
+        path: PathBuf,
+        /// The package missing from it.
+        package: String,
+    },
+}
+
+/// Everything known about the compiled kernels.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Manifest {
+    /// Always [`FORMAT_VERSION`].
+    pub format_version: u32,
+    /// The folders of the sources that the modules were compiled from, relative to the workspace.
+    pub sources: Vec<String>,
+    /// [`source_hash`] of those sources.
+    pub source_hash: String,
+    /// The compiler that compiled them.
+    pub compiler: Compiler,
+    /// The kernels, sorted by name.
+    pub kernels: Vec<KernelEntry>,
+}
+
+/// The compiler that made the modules.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Compiler {
+    /// The version of Rust-GPU.
+    pub rust_gpu: String,
+    /// The version of the rustc that Rust-GPU was plugged into.
+    pub rustc: String,
+    /// The SPIR-V target.
+    pub target: String,
+}
+
+/// One compiled kernel.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct KernelEntry {
+    /// The name of the SPIR-V entry point: the kernel's, or that of its variant.
+    pub name: String,
+    /// The Rust source that declares it, relative to the workspace.
+    pub file: String,
+    /// The module's file name, beside the manifest.
+    pub spirv: String,
+    /// The module's length.
+    pub spirv_bytes: u64,
+    /// The module's SHA-256, in lower-case hexadecimal.
+    pub spirv_sha256: String,
+    /// What the kernel expects of the host.
+    #[serde(flatten)]
+    pub interface: Interface,
+}
+
+/// What a kernel expects of the host that dispatches it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Interface {
+    /// The invocations of one workgroup along x, y and z.
+    pub workgroup_size: [u32; 3],
+    /// The items along x that an invocation takes.
+    pub each: u32,
+    /// The buffers, all in descriptor set 0: a buffer's position is its binding number.
+    pub bindings: Vec<Binding>,
+    /// The workgroup's shared arrays.
+    pub shared: Vec<Shared>,
+}
+
+/// One buffer of a kernel.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Binding {
+    /// The name of the kernel's parameter.
+    pub name: String,
+    /// How the kernel uses the buffer: `uniform`, `read` or `write`.
+    pub access: String,
+    /// The Rust type of an element.
+    pub element: String,
+    /// The size of an element.
+    pub element_bytes: u32,
+}
+
+/// One workgroup-shared array of a kernel.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Shared {
+    /// The name of the kernel's parameter.
+    pub name: String,
+    /// The Rust type of an element.
+    pub element: String,
+    /// The number of elements.
+    pub len: u32,
+    /// The size of the whole array.
+    pub bytes: u32,
+}
+
+impl Manifest {
+    /// A manifest of these kernels, in whatever order they come.
+    pub fn new(
+        sources: Vec<String>,
+        source_hash: String,
+        compiler: Compiler,
+        mut kernels: Vec<KernelEntry>,
+    ) -> Self {
+        kernels.sort_by(|a, b| a.name.cmp(&b.name));
+        Self { format_version: FORMAT_VERSION, sources, source_hash, compiler, kernels }
+    }
+
+    /// A manifest without kernels: what a checkout has before its kernels are compiled.
+    pub fn empty() -> Self {
+        Self::new(Vec::new(), String::new(), Compiler::default(), Vec::new())
+    }
+
+    /// Reads a manifest from its text.
+    pub fn parse(json: &str) -> Result<Self, Error> {
+        /// The one field that every format has.
+        #[derive(Deserialize)]
+        struct Head {
+            format_version: u32,
+        }
+        let head: Head = serde_json::from_str(json).map_err(Error::Malformed)?;
+        if head.format_version != FORMAT_VERSION {
+            return Err(Error::UnknownFormat(head.format_version));
+        }
+        serde_json::from_str(json).map_err(Error::Malformed)
+    }
+
+    /// Reads the manifest file in a folder of compiled kernels.
+    pub fn load(folder: &Path) -> Result<Self, Error> {
+        let path = folder.join(FILE_NAME);
+        let json = fs::read_to_string(&path).map_err(|reason| Error::Read { path, reason })?;
+        Self::parse(&json)
+    }
+
+    /// The manifest's text: the same bytes for the same manifest, on every machine.
+    pub fn to_json(&self) -> String {
+        let json = serde_json::to_string_pretty(self);
+        // Serialization fails on maps with odd keys and on failing writers: neither is here.
+        json.expect("a manifest is made of strings and numbers") + "\n"
+    }
+
+    /// The entry of one kernel.
+    pub fn find(&self, name: &str) -> Option<&KernelEntry> {
+        self.kernels.iter().find(|kernel| kernel.name == name)
+    }
+}
+
+#[cfg(feature = "kernels")]
+impl Interface {
+    /// The interface that a kernel declares in the sources, by one of its entry points.
+    pub fn of(kernel: &organza_kernel::KernelInfo, point: &organza_kernel::EntryPoint) -> Self {
+        let binding = |binding: &organza_kernel::BindingInfo| Binding {
+            name: binding.name.to_owned(),
+            access: binding.access.as_str().to_owned(),
+            element: binding.element.to_owned(),
+            element_bytes: binding.element_bytes,
+        };
+        let shared = |shared: &organza_kernel::SharedInfo| Shared {
+            name: shared.name.to_owned(),
+            element: shared.element.to_owned(),
+            len: shared.len,
+            bytes: shared.bytes,
+        };
+        Self {
+            workgroup_size: kernel.workgroup_size,
+            each: kernel.each,
+            bindings: kernel.bindings.iter().map(binding).collect(),
+            shared: point.shared.iter().map(shared).collect(),
+        }
+    }
+}
+
+/// The SHA-256 of some bytes, in lower-case hexadecimal.
+pub fn sha256(bytes: &[u8]) -> String {
+    hex(Sha256::digest(bytes).as_slice())
+}
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn entry(name: &str) -> KernelEntry {
+        KernelEntry {
+            name: name.into(),
+            file: format!("shader-crate/src/{name}.rs"),
+            spirv: format!("{name}.spv"),
+            spirv_bytes: 4,
+            spirv_sha256: sha256(b"test"),
+            interface: Interface {
+                workgroup_size: [64, 1, 1],
+                each: 1,
+                bindings: vec![Binding {
+                    name: "data".into(),
+                    access: "write".into(),
+                    element: "f32".into(),
+                    element_bytes: 4,
+                }],
+                shared: Vec::new(),
+            },
+        }
+    }
+
+    #[test]
+    fn text_is_sorted_and_survives_a_round_trip() {
+        let manifest = Manifest::new(
+            Vec::new(),
+            "hash".into(),
+            Compiler::default(),
+            vec![entry("b"), entry("a")],
+        );
+        let json = manifest.to_json();
+        assert!(json.ends_with("}\n"));
+        assert!(json.find("\"a\"").unwrap() < json.find("\"b\"").unwrap());
+        assert_eq!(Manifest::parse(&json).unwrap(), manifest);
+        assert_eq!(manifest.find("b").unwrap(), &entry("b"));
+    }
+
+    #[test]
+    fn other_formats_are_refused() {
+        let error = Manifest::parse("{\"format_version\": 99}").unwrap_err();
+        assert!(matches!(error, Error::UnknownFormat(99)));
+        assert!(matches!(Manifest::parse("{").unwrap_err(), Error::Malformed(_)));
+    }
+
+    #[test]
+    fn hash_is_the_published_one() {
+        let want = "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08";
+        assert_eq!(sha256(b"test"), want);
+    }
+}

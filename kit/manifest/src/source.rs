@@ -1,0 +1,143 @@
+//! The hash that ties compiled kernels to the sources they were compiled from.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use sha2::{Digest, Sha256};
+
+use crate::{Error, hex};
+
+/// The packages whose code or whose compiler ends up in the SPIR-V: another version of one of them
+/// may give other modules from the same sources.
+const COMPILED_IN: [&str; 5] = ["glam", "libm", "num-traits", "spirv-std", "spirv-std-macros"];
+
+/// The hash of the kernel sources: every `.rs` file and `Cargo.toml` under the folders, which are relative to the
+/// workspace, and the versions, from the workspace's lock file, of the packages that are compiled into kernels.
+///
+/// Line ends count as `\n` and paths with `/`, so that checkouts on every system agree.
+///
+/// # Errors
+/// [`Error::Read`], and [`Error::NotLocked`] where the lock file lacks one of the packages.
+pub fn source_hash(workspace: &Path, folders: &[String]) -> Result<String, Error> {
+    let mut files = Vec::new();
+    for folder in folders {
+        collect(&workspace.join(folder), &format!("{folder}/"), &mut files)?;
+    }
+    files.sort();
+    let mut hash = Sha256::new();
+    for (name, path) in files {
+        let contents = fs::read(&path).map_err(|reason| Error::Read { path, reason })?;
+        // Lengths go in too, so that text cannot move from one file to the next unnoticed.
+        let contents = without_carriage_returns(&contents);
+        hash.update(format!("file {name} {}\n", contents.len()));
+        hash.update(contents);
+    }
+    let lock = workspace.join("Cargo.lock");
+    for package in COMPILED_IN {
+        hash.update(format!("package {package} {}\n", locked_version(&lock, package)?));
+    }
+    Ok(hex(hash.finalize().as_slice()))
+}
+
+/// The version of a package in a `Cargo.lock`; all of them, when several are locked.
+pub fn locked_version(lock: &Path, package: &str) -> Result<String, Error> {
+    let text =
+        fs::read_to_string(lock).map_err(|reason| Error::Read { path: lock.to_owned(), reason })?;
+    let name = format!("name = \"{package}\"");
+    let mut versions = Vec::new();
+    let mut lines = text.lines();
+    while let Some(line) = lines.next() {
+        // Cargo writes a package's version on the line after its name.
+        if line == name
+            && let Some(version) = lines.next().and_then(|line| line.strip_prefix("version = \""))
+        {
+            versions.push(version.trim_end_matches('"').to_owned());
+        }
+    }
+    if versions.is_empty() {
+        return Err(Error::NotLocked { path: lock.to_owned(), package: package.to_owned() });
+    }
+    Ok(versions.join(", "))
+}
+
+/// Finds the hashed files below a folder, with their names relative to the workspace.
+fn collect(folder: &Path, prefix: &str, files: &mut Vec<(String, PathBuf)>) -> Result<(), Error> {
+    let unreadable = |reason| Error::Read { path: folder.to_owned(), reason };
+    for entry in fs::read_dir(folder).map_err(unreadable)? {
+        let entry = entry.map_err(unreadable)?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        let relative = format!("{prefix}{name}");
+        if entry.file_type().map_err(unreadable)?.is_dir() {
+            if name != "target" && !name.starts_with('.') {
+                collect(&entry.path(), &format!("{relative}/"), files)?;
+            }
+        } else if name == "Cargo.toml" || (name.ends_with(".rs") && !name.starts_with('.')) {
+            files.push((relative, entry.path()));
+        }
+    }
+    Ok(())
+}
+
+fn without_carriage_returns(text: &[u8]) -> Vec<u8> {
+    let mut out = Vec::with_capacity(text.len());
+    for (i, &byte) in text.iter().enumerate() {
+        if byte != b'\r' || text.get(i + 1) != Some(&b'\n') {
+            out.push(byte);
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A workspace with a shader crate of one file, and the lock file of `glam`'s given version.
+    fn workspace(source: &str, glam: &str) -> tempfile::TempDir {
+        let root = tempfile::tempdir().unwrap();
+        let lock: String = COMPILED_IN
+            .iter()
+            .map(|name| (name, if *name == "glam" { glam } else { "1.0.0" }))
+            .map(|(name, version)| {
+                format!("[[package]]\nname = \"{name}\"\nversion = \"{version}\"\n\n")
+            })
+            .collect();
+        fs::write(root.path().join("Cargo.lock"), lock).unwrap();
+        fs::create_dir_all(root.path().join("shader-crate/src")).unwrap();
+        fs::write(root.path().join("shader-crate/Cargo.toml"), "[package]\n").unwrap();
+        fs::write(root.path().join("shader-crate/src/lib.rs"), source).unwrap();
+        root
+    }
+
+    fn hash_of(root: &tempfile::TempDir) -> String {
+        source_hash(root.path(), &["shader-crate".to_owned()]).unwrap()
+    }
+
+    #[test]
+    fn line_ends_and_build_outputs_do_not_count() {
+        let unix = workspace("a\nb\n", "0.33.0");
+        let windows = workspace("a\r\nb\r\n", "0.33.0");
+        fs::create_dir(windows.path().join("shader-crate/target")).unwrap();
+        fs::write(windows.path().join("shader-crate/target/x.rs"), "x").unwrap();
+        fs::write(windows.path().join("shader-crate/notes.txt"), "x").unwrap();
+        assert_eq!(hash_of(&unix), hash_of(&windows));
+    }
+
+    #[test]
+    fn sources_names_and_versions_count() {
+        let base = hash_of(&workspace("a\n", "0.33.0"));
+        assert_ne!(base, hash_of(&workspace("b\n", "0.33.0")));
+        assert_ne!(base, hash_of(&workspace("a\n", "0.33.1")));
+        let renamed = workspace("a\n", "0.33.0");
+        let src = renamed.path().join("shader-crate/src");
+        fs::rename(src.join("lib.rs"), src.join("other.rs")).unwrap();
+        assert_ne!(base, hash_of(&renamed));
+    }
+
+    #[test]
+    fn a_package_missing_from_the_lock_is_named() {
+        let root = workspace("", "0.33.0");
+        let error = locked_version(&root.path().join("Cargo.lock"), "nothing").unwrap_err();
+        assert!(error.to_string().contains("`nothing`"));
+    }
+}

@@ -1,0 +1,70 @@
+//! The compiled kernels belong to the kernel sources.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use organza::MODULES;
+use organza_manifest::{Interface, sha256, source_hash};
+
+const REMEDY: &str = "run `cargo xtask kernels` and commit what it writes to host/kernels \
+                      (docs/rebuilding-kernels.md tells how to get the compiler)";
+
+#[test]
+fn kernels_are_compiled_from_these_sources() {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let sources = source_hash(&workspace, &MODULES.manifest().sources).unwrap();
+    let compiled = &MODULES.manifest().source_hash;
+    assert!(
+        *compiled == sources,
+        "the compiled kernels are not from these sources: {REMEDY}\n  \
+         sources: {sources}\n  compiled from: {compiled}"
+    );
+}
+
+#[test]
+fn every_kernel_is_compiled_as_it_is_declared() {
+    for kernel in organza_kernel::kernels() {
+        for point in kernel.entry_points() {
+            let name = point.name;
+            let Some(entry) = MODULES.manifest().find(name) else {
+                panic!("the kernel `{name}` is not compiled: {REMEDY}");
+            };
+            assert_eq!(
+                entry.interface,
+                Interface::of(kernel, &point),
+                "the compiled kernel `{name}` (left) is not the declared one (right): {REMEDY}"
+            );
+            assert_eq!(entry.file, kernel.file.replace('\\', "/"), "`{name}` has moved: {REMEDY}");
+        }
+    }
+}
+
+#[test]
+fn nothing_else_is_compiled() {
+    let declared: BTreeSet<_> = organza_kernel::kernels()
+        .flat_map(|kernel| kernel.entry_points())
+        .map(|point| point.name)
+        .collect();
+    assert!(!declared.is_empty(), "the registry of kernels is empty");
+    for kernel in &MODULES.manifest().kernels {
+        assert!(
+            declared.contains(kernel.name.as_str()),
+            "`{}` is compiled but no longer declared: {REMEDY}",
+            kernel.name
+        );
+    }
+}
+
+#[test]
+fn modules_are_those_of_the_manifest() {
+    assert_eq!(
+        MODULES.all().count(),
+        MODULES.manifest().kernels.len(),
+        "modules are missing from host/kernels: {REMEDY}"
+    );
+    for kernel in MODULES.all() {
+        let (entry, spirv) = (kernel.entry(), kernel.spirv());
+        assert_eq!(entry.spirv_bytes, spirv.len() as u64, "{}: {REMEDY}", entry.spirv);
+        assert_eq!(entry.spirv_sha256, sha256(spirv), "{}: {REMEDY}", entry.spirv);
+    }
+}

@@ -1,0 +1,183 @@
+//! Every kernel on every device beside the CPU, and the CPU beside the equations in f64.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use organza::parity;
+use organza::parity::project_backward::ProjectBackward;
+use organza::{DeviceOptions, InstructionSet, SpirvPath};
+use organza_check::{KernelRunner, Output, Parity, Rounding, Values, missing};
+use organza_tests::devices;
+
+#[test]
+fn every_kernel_has_a_case() {
+    let missing = missing(&parity::cases(), "host/src/parity");
+    assert!(missing.is_empty(), "{}", missing.join("\n"));
+}
+
+#[test]
+fn a_kernel_without_a_case_is_told_where_to_add_it() {
+    let mut cases = parity::cases();
+    let removed = cases.remove(0);
+    let missing = missing(&cases, "host/src/parity");
+    assert_eq!(missing.len(), 1);
+    for part in [removed.kernel, "host/src/parity/project.rs", "cases()"] {
+        assert!(missing[0].contains(part), "{}", missing[0]);
+    }
+}
+
+/// How a device of this name rounds.
+fn rounding(device: &str) -> Rounding {
+    match device.contains(SpirvPath::Naga.as_str()) {
+        true => Rounding::Regrouped,
+        false => Rounding::AsWritten,
+    }
+}
+
+#[test]
+fn every_device_is_within_tolerance_of_the_cpu() {
+    let cpu = devices::cpu(None);
+    let mut failures = Vec::new();
+    let variants = devices::variants().into_iter().map(|(name, [_, variants])| (name, variants));
+    for (name, device) in devices::all().into_iter().chain(devices::cpus()).chain(variants) {
+        for case in parity::cases().into_iter().filter(|case| case.is_offered(&device)) {
+            let measure = case.measure(&cpu, &device, rounding(name)).expect("the kernel runs");
+            let kernel = case.entry_point(&device);
+            println!(
+                "{name} {kernel}: {:.1e} absolute, {:.1e} relative, {:.1} ulp, {:.1e} of what is allowed",
+                measure.absolute.value,
+                measure.relative.value,
+                measure.ulp.value,
+                measure.share.value
+            );
+            if !measure.is_ok() {
+                let (failed, all) = (measure.failures, measure.values);
+                failures.push(format!(
+                    "{kernel} on {name}: {failed} of {all}, most {:?}",
+                    measure.share
+                ));
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// The CPU with every instruction set, and the GPUs, beside `Parity::exact`.
+#[test]
+fn every_device_is_within_tolerance_of_the_equations() {
+    let mut failures = Vec::new();
+    let gpus = devices::all().into_iter().filter(|(_, device)| device.backend() == "gpu");
+    for (name, device) in devices::cpus().into_iter().chain(gpus) {
+        for case in parity::cases().into_iter().filter(|case| case.is_offered(&device)) {
+            let kernel = case.entry_point(&device);
+            let measure = match case.hold(&device, rounding(name)) {
+                Ok(measure) => measure,
+                Err(error) => {
+                    failures.push(format!("{kernel} on {name}: {error}"));
+                    continue;
+                }
+            };
+            let shares = measure.compared.values().map(|&[compared, written]| {
+                if written == 0 { 1.0 } else { compared as f64 / written as f64 }
+            });
+            println!(
+                "{name} {kernel}: {} values, at least {:.1}% of an output, {:.0}% of what is allowed, {:.1} ulp",
+                measure.values,
+                100.0 * shares.fold(1.0, f64::min),
+                100.0 * measure.share.value,
+                measure.ulp.value
+            );
+            if !measure.is_ok() {
+                let (failed, worst) = (measure.failures, &measure.share);
+                failures.push(format!("{kernel} on {name}: {failed} are off, most {worst:?}"));
+            }
+            if measure.values == 0 {
+                failures.push(format!("{kernel} on {name}: nothing is compared"));
+            }
+            for (output, [compared, written]) in measure.compared {
+                if (compared as f64) < case.compared * written as f64 {
+                    failures.push(format!(
+                        "{kernel} on {name}: the equations speak of {compared} of {written} in `{output}`"
+                    ));
+                }
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// Hostile inputs, and every invocation's accesses beside those of all others.
+#[test]
+fn no_two_invocations_get_in_each_others_way() {
+    let options = DeviceOptions { check_races: true, ..DeviceOptions::cpu(None) };
+    let scalar = devices::with(InstructionSet::Scalar);
+    let checked = organza::open_device(&options).expect("the CPU");
+    for case in parity::cases() {
+        let measure = case.measure(&scalar, &checked, Rounding::AsWritten).expect("no race");
+        assert_eq!(measure.share.value, 0.0, "{}: checking changes the result", case.kernel);
+    }
+}
+
+/// Nothing is added up in an order that threads decide.
+#[test]
+fn the_number_of_threads_changes_no_bit() {
+    let [one, three] = [1, 3].map(|threads| devices::cpu(Some(threads)));
+    for case in parity::cases() {
+        let measure = case.measure(&one, &three, Rounding::AsWritten).expect("the kernel runs");
+        assert_eq!(measure.share.value, 0.0, "{}: the number of threads shows", case.kernel);
+    }
+}
+
+/// The table of docs/parity.md is that of the cases, in their order, to the number.
+#[test]
+fn the_page_has_every_tolerance() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/parity.md");
+    let page = std::fs::read_to_string(page).expect("docs/parity.md");
+    let (_, tables) = page.split_once("## Tolerances\n").expect("a chapter of tolerances");
+    let table = tables.split("\n## ").next().unwrap_or_default();
+    let rows = table.lines().filter(|line| line.starts_with('|')).skip(2);
+    let rows: Vec<Vec<_>> =
+        rows.map(|row| row.trim_matches('|').split(" | ").map(str::trim).collect()).collect();
+    let cases = parity::cases();
+    for (row, case) in rows.iter().zip(&cases) {
+        let [kernel, tolerance, why] = row[..] else { panic!("a row of {} columns", row.len()) };
+        let remedy = "`organza parity --markdown` prints the table";
+        assert_eq!((kernel, why), (case.kernel, case.why), "docs/parity.md: {remedy}");
+        let written = if tolerance == "equal" { Ok(0.0) } else { tolerance.parse() };
+        assert_eq!(written, Ok(case.tolerance), "docs/parity.md, {kernel}: {remedy}");
+    }
+    assert_eq!(rows.len(), cases.len(), "docs/parity.md has another number of kernels");
+}
+
+/// The integers that an output of a kernel takes on, over all sets.
+fn all_of<P: Parity>(output: &str) -> BTreeSet<u32> {
+    let cpu = devices::cpu(None);
+    let outputs = |set: P| set.run(&KernelRunner::new(&cpu, P::KERNEL)).expect("the kernel runs");
+    let named = |Output { name, values }: Output| match values {
+        Values::Exact(values) if name == output => values,
+        _ => Vec::new(),
+    };
+    P::sets().into_iter().flat_map(|(_, set)| outputs(set)).flat_map(named).collect()
+}
+
+/// Sets that keep away from what rounding decides must not keep away from what they are to test.
+#[test]
+fn sets_reach_every_branch() {
+    let classes = all_of::<parity::project::Project>("class");
+    assert!([0, 1, 2].iter().all(|class| classes.contains(class)), "{classes:?}");
+    let counts = all_of::<parity::segment::Segment>("count");
+    assert!([0, 1, 2, 16_384].iter().all(|count| counts.contains(count)), "{counts:?}");
+    let words = all_of::<parity::tile::TileMask>("mask");
+    assert!(words.contains(&0) && words.len() > 100, "{} words", words.len());
+    // x / z and y / z of a pair: below what J clamps them to, between, and above
+    let mut ratios = [[0; 3]; 2];
+    for (_, set) in ProjectBackward::sets() {
+        for (axis, seen) in ratios.iter_mut().enumerate() {
+            for place in set.pairs_in_image() {
+                let [x, size] = [place[axis], f64::from(set.forward.cameras[0].size[axis])];
+                seen[usize::from(x >= -0.15 * size) + usize::from(x > 1.15 * size)] += 1;
+            }
+        }
+    }
+    assert!(ratios.as_flattened().iter().all(|&count| count > 100), "{ratios:?}");
+}

@@ -1,0 +1,77 @@
+//! What kernels take and compute, on every device.
+
+use organza::Device;
+use organza_device::KernelTime;
+use organza_shaders::peak::{PeakReadKernel, PeakReadParams};
+use organza_shaders::scan::{ScanAddKernel, ScanParams};
+use organza_tests::devices;
+
+const COUNT: u32 = 1_000;
+const STEPS: u32 = 3;
+
+/// Dispatches a kernel that is counted, and some that are not.
+fn dispatch(device: &Device, times: u32) {
+    let values = device.zeros("values", (COUNT.next_multiple_of(64) * 4 * STEPS) as usize);
+    let output = device.zeros("output", COUNT as usize).unwrap();
+    let read = PeakReadKernel {
+        params: PeakReadParams { count: COUNT, steps: STEPS },
+        values: &values.unwrap(),
+        output: &output,
+    };
+    let scan = ScanAddKernel {
+        params: ScanParams { count: COUNT },
+        block_prefix: &device.zeros("blocks", COUNT as usize).unwrap(),
+        prefix: &device.zeros("prefix", COUNT as usize + 1).unwrap(),
+    };
+    for _ in 0..times {
+        device.run(&read, COUNT, 1).unwrap();
+        device.run(&scan, COUNT, 1).unwrap();
+    }
+}
+
+fn names(timings: &[KernelTime]) -> Vec<(&'static str, u64)> {
+    timings.iter().map(|time| (time.kernel, time.dispatches)).collect()
+}
+
+#[test]
+fn dispatches_are_timed_and_counted_where_asked_for() {
+    for (name, device) in devices::all() {
+        dispatch(&device, 2);
+        let untimed = device.take_timings();
+        assert!(untimed.iter().all(|time| time.work == Default::default()), "{name}");
+        assert_eq!(untimed.is_empty(), device.backend() == "gpu", "{name}");
+
+        device.time_dispatches(true);
+        // more than one command buffer holds
+        dispatch(&device, 300);
+        let timed = device.take_timings();
+        assert_eq!(names(&timed), [("peak_read", 300), ("scan_add", 300)], "{name}");
+        assert!(timed.iter().all(|time| time.seconds > 0.0), "{name}: {timed:?}");
+        let (flops, bytes) = (COUNT * 4 * STEPS, 4 * COUNT * (4 * STEPS + 1));
+        let work = timed[0].work;
+        assert_eq!(
+            [work.flops, work.bytes],
+            [flops, bytes].map(|of| u64::from(300 * of)),
+            "{name}"
+        );
+        assert_eq!(timed[1].work, Default::default(), "{name}");
+        assert!(device.take_timings().is_empty(), "{name}");
+
+        device.time_dispatches(false);
+        dispatch(&device, 2);
+        assert_eq!(device.take_timings().is_empty(), device.backend() == "gpu", "{name}");
+    }
+}
+
+/// Nothing is to be had of a device that is gone, and nobody waits for it.
+#[test]
+fn a_lost_device_has_no_times() {
+    for (name, device) in devices::all() {
+        if device.backend() == "gpu" {
+            device.time_dispatches(true);
+            dispatch(&device, 2);
+            device.lose();
+            assert!(device.take_timings().iter().all(|time| time.seconds == 0.0), "{name}");
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! The variants of kernels: what they give beside the plain entry points, and who runs them.
+
+use organza::parity;
+use organza::{DeviceOptions, Renderer, SpirvPath};
+use organza_check::Rounding;
+use organza_kernel::KernelInfo;
+use organza_kernel::kernel::{MAX_WORKGROUP_BYTES, workgroup_bytes};
+use organza_tests::compare::assert_close;
+use organza_tests::{cases, devices};
+
+/// As the tiles of every device (`tests/pictures/reference_cases.rs`).
+const TILES: f64 = 2e-4;
+
+fn kernel(name: &str) -> &'static KernelInfo {
+    organza_kernel::kernels().find(|kernel| kernel.name == name).expect("a kernel")
+}
+
+#[test]
+fn variants_give_what_the_plain_kernels_give() {
+    for (name, [plain, variants]) in devices::variants() {
+        let passed_through = name.contains(SpirvPath::Passthrough.as_str());
+        let mut compared = 0;
+        for case in parity::cases() {
+            let point = case.entry_point(&variants);
+            if point == case.entry_point(&plain) {
+                continue;
+            }
+            compared += 1;
+            let measure = case.measure(&plain, &variants, Rounding::AsWritten).expect("it runs");
+            assert!(measure.values > 0, "{point} on {name}: {} values", measure.values);
+            // without NoContraction, and where a kernel does without it, a driver may compile each in its own way
+            if passed_through && !kernel(case.kernel).fused {
+                assert_eq!(measure.absolute.value, 0.0, "{point} on {name}: {measure:?}");
+                assert_eq!(measure.share.value, 0.0, "{point} on {name}: {measure:?}");
+            }
+            assert!(measure.is_ok(), "{point} on {name}: {measure:?}");
+        }
+        assert!(compared > 0, "{name} runs no variant");
+    }
+}
+
+#[test]
+fn tiles_of_variants_are_those_of_the_reference() {
+    let all = cases::all();
+    for (name, [_, variants]) in devices::variants() {
+        let renderer = Renderer::new(variants);
+        for case in &all {
+            let scene = renderer.upload(&case.scene).expect("it is uploaded");
+            let tiles = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
+            let what = format!("{}, tiles of variants on {name}", case.name);
+            assert_close(&what, &tiles.data, case.expected("tiles"), TILES);
+        }
+    }
+}
+
+#[test]
+fn plain_kernels_are_what_the_cpu_and_software_devices_run() {
+    let composite = kernel("composite");
+    for (name, device) in devices::all().into_iter().chain(devices::cpus()) {
+        let is_software = device.backend() == "cpu" || device.choice().contains("llvmpipe");
+        let expected = if is_software { "composite" } else { "composite_shared" };
+        assert_eq!(device.entry_point(composite).name, expected, "{name}: {}", device.choice());
+    }
+}
+
+#[test]
+fn a_device_says_which_kernels_it_runs() {
+    for (name, [plain, variants]) in devices::variants() {
+        assert!(plain.choice().contains("plain kernels"), "{name}: {}", plain.choice());
+        assert!(variants.choice().contains("variants with"), "{name}: {}", variants.choice());
+        for kernel in organza_kernel::kernels() {
+            assert_eq!(plain.entry_point(kernel).name, kernel.name, "{name}");
+        }
+        let Some(composite) = kernel("composite").variant else { panic!("it has a variant") };
+        assert_eq!(variants.entry_point(kernel("composite")).name, composite.name, "{name}");
+    }
+    // who asks for variants does not ask for a GPU
+    let options = DeviceOptions { variants: Some(true), ..DeviceOptions::cpu(None) };
+    let cpu = organza::open_device(&options).expect("the CPU");
+    assert_eq!(cpu.entry_point(kernel("composite")).name, "composite");
+}
+
+#[test]
+fn workgroup_memory_is_what_every_gpu_has() {
+    let staged = kernel("composite").variant.map(|point| workgroup_bytes(point.shared));
+    assert!(staged > Some(1_000), "{staged:?}");
+    for point in organza_kernel::kernels().flat_map(KernelInfo::entry_points) {
+        let bytes = workgroup_bytes(point.shared);
+        assert!(bytes <= MAX_WORKGROUP_BYTES, "{}: {bytes} bytes", point.name);
+    }
+}

@@ -1,0 +1,260 @@
+//! The CPU runs kernels as a GPU does, and says what a GPU would not: which invocation of which kernel does something
+//! that no kernel may do.
+//!
+//! The broken kernels are declared here, with the macro of all kernels; the registry of organza has none of them.
+
+#[path = "../support/broken.rs"]
+mod broken;
+
+use std::process::Command;
+
+use glam::UVec3;
+use organza::error::DeviceError;
+use organza::{Device, DeviceOptions, InstructionSet, Renderer};
+use organza_kernel::invocation::Invocation;
+use organza_kernel::kernel::Dispatch;
+use organza_kernel::memory::{Read, Write};
+use organza_tests::{cases, devices};
+
+use broken::*;
+
+/// The message of a kernel that must fail.
+fn failure<'a>(
+    device: &Device,
+    kernel: &impl Dispatch<'a, organza_device::Host>,
+    items: u32,
+) -> String {
+    match device.run(kernel, items, 1) {
+        Err(error @ DeviceError::Kernel { .. }) => error.to_string(),
+        other => panic!("`{}` gave {other:?}", kernel.info().name),
+    }
+}
+
+fn assert_contains(message: &str, parts: &[&str]) {
+    for part in parts {
+        assert!(message.contains(part), "no {part:?} in: {message}");
+    }
+}
+
+fn checked() -> Device {
+    let options = DeviceOptions { check_races: true, ..DeviceOptions::cpu(None) };
+    organza::open_device(&options).expect("the CPU")
+}
+
+/// The line of this crate's broken kernels that has a text.
+fn line(text: &str) -> String {
+    let source = include_str!("../support/broken.rs");
+    let line = source.lines().position(|line| line.contains(text)).expect("a line");
+    format!("broken.rs:{}:", line + 1)
+}
+
+#[test]
+fn an_index_out_of_range_is_told_with_its_invocation() {
+    let device = devices::cpu(Some(2));
+    let (input, output) = (device.zeros("in", 100).unwrap(), device.zeros("out", 70).unwrap());
+    let message = failure(&device, &ReachesTooFarKernel { input: &input, output: &output }, 100);
+    assert_contains(
+        &message,
+        &[
+            "kernel `reaches_too_far`: index 70 is out of range of `output`, which has 70 elements",
+            "invocation [6, 0, 0] of workgroup [1, 0, 0], [70, 0, 0] in the dispatch",
+            &line("output.write(id.index()"),
+        ],
+    );
+    let long = device.zeros("out", 128).unwrap();
+    let message = failure(&device, &ReachesTooFarKernel { input: &input, output: &long }, 128);
+    assert_contains(&message, &["index 100 is out of range of `input`, which has 100 elements"]);
+}
+
+#[test]
+#[cfg(debug_assertions)]
+fn arithmetic_that_overflows_is_told_with_its_invocation() {
+    let device = devices::cpu(Some(2));
+    for (divisor, start, message) in
+        [(0, 0, "attempt to divide by zero"), (1, u32::MAX - 4, "attempt to add with overflow")]
+    {
+        let output = device.zeros("out", 64).unwrap();
+        let params = ArithmeticParams { start, divisor };
+        let found = failure(&device, &ArithmeticKernel { params, output: &output }, 64);
+        let invocation = if divisor == 0 { "[0, 0, 0]" } else { "[5, 0, 0]" };
+        assert_contains(&found, &["kernel `arithmetic`: ", message, &line("/ params.divisor")]);
+        assert_contains(&found, &[&format!("invocation {invocation} of workgroup [0, 0, 0]")]);
+    }
+}
+
+#[test]
+fn a_device_works_on_after_a_failure() {
+    let device = devices::cpu(Some(2));
+    let (short, long) =
+        (device.zeros::<u32>("short", 1).unwrap(), device.zeros("long", 64).unwrap());
+    for _ in 0..3 {
+        failure(&device, &NeverWrittenKernel { output: &long }, 64);
+        failure(&device, &MissingBarrierKernel { output: &long }, 64);
+        failure(&device, &DivergentBarrierKernel { output: &long }, 64);
+    }
+    device.run(&NeighborKernel { output: &long }, 64, 1).unwrap();
+    assert_eq!(device.read(&long).unwrap(), (0..64).map(|i| (i + 1) % 64).collect::<Vec<u32>>());
+    assert_contains(&failure(&device, &NeighborKernel { output: &short }, 64), &["`output`"]);
+}
+
+#[test]
+fn a_missing_barrier_is_found_whoever_comes_first() {
+    let device = devices::cpu(None);
+    let output = device.zeros("out", 64).unwrap();
+    let message = failure(&device, &MissingBarrierKernel { output: &output }, 64);
+    assert_contains(
+        &message,
+        &[
+            "kernel `missing_barrier`: reads element 0 of `values`, which invocation [0, 0, 0] of the workgroup has \
+             written, and no barrier lies between",
+            "in invocation [1, 0, 0] of workgroup [0, 0, 0]",
+            &line("values.read(below)"),
+        ],
+    );
+    // an element is read by one invocation, and written by one that comes later
+    let message = failure(&device, &MissingSecondBarrierKernel { output: &output }, 64);
+    assert_contains(
+        &message,
+        &[
+            "kernel `missing_second_barrier`: writes element 1 of `values`, which invocation [0, 0, 0] of the workgroup \
+             has read, and no barrier lies between",
+            "in invocation [1, 0, 0] of",
+        ],
+    );
+    let message = failure(&device, &OneCellKernel { output: &output }, 64);
+    assert_contains(
+        &message,
+        &["writes element 0 of `values`, which invocation [0, 0, 0]", "written"],
+    );
+}
+
+#[test]
+fn workgroup_memory_must_be_written_before_it_is_read() {
+    let device = devices::cpu(None);
+    let output = device.zeros("out", 64).unwrap();
+    let message = failure(&device, &NeverWrittenKernel { output: &output }, 64);
+    assert_contains(
+        &message,
+        &[
+            "kernel `never_written`: reads element 1 of `values`, which no invocation has written",
+            "in invocation [1, 0, 0]",
+        ],
+    );
+}
+
+#[test]
+fn a_barrier_is_reached_by_all_or_none() {
+    let device = devices::cpu(None);
+    let output = device.zeros("out", 64).unwrap();
+    let message = failure(&device, &DivergentBarrierKernel { output: &output }, 64);
+    assert_contains(
+        &message,
+        &[
+            "kernel `divergent_barrier`: a barrier in divergent control flow: invocation [0, 0, 0] (with 39 more) waits",
+            &line("// some wait"),
+            "while invocation [40, 0, 0] (with 23 more) has ended, in workgroup [0, 0, 0]",
+        ],
+    );
+    let message = failure(&device, &TwoBarriersKernel { output: &output }, 64);
+    assert_contains(&message, &[&line("// the lower half"), &line("// the upper half")]);
+    let message = failure(&device, &BarrierAloneKernel { output: &output }, 64);
+    assert_contains(
+        &message,
+        &["a barrier in a kernel without workgroup memory", "invocation [0, 0, 0]"],
+    );
+}
+
+#[test]
+fn races_in_storage_are_found() {
+    let device = checked();
+    let output = device.zeros("out", 256).unwrap();
+    let message = failure(&device, &SameElementKernel { output: &output }, 256);
+    assert_contains(
+        &message,
+        &[
+            "kernel `same_element`: writes element ",
+            " of `output`, which invocation [",
+            "written in the same dispatch",
+        ],
+    );
+    let message = failure(&device, &ReadsNeighborKernel { output: &output }, 256);
+    assert_contains(&message, &["kernel `reads_neighbor`: ", "in the same dispatch"]);
+    let message = failure(&device, &AtomicAndPlainKernel { output: &output }, 256);
+    assert_contains(&message, &["kernel `atomic_and_plain`: ", "element 0 of `output`"]);
+    device.run(&NeighborKernel { output: &output }, 256, 1).expect("no race");
+    // without the check none of it is noticed
+    let device = devices::cpu(None);
+    let output = device.zeros("out", 256).unwrap();
+    device.run(&SameElementKernel { output: &output }, 256, 1).expect("not checked");
+}
+
+#[test]
+fn layers_stay_apart() {
+    let device = checked();
+    let sums = device.zeros("sums", 8).unwrap();
+    let message = failure(&device, &LayersUndeclaredKernel { sums: &sums }, 128);
+    let parts =
+        ["`layers_undeclared`: changes with its layer element 1 of `sums`", "same dispatch"];
+    assert_contains(&message, &parts);
+    let Err(error) = device.run(&LayersOverlapKernel { sums: &sums }, 128, 2) else {
+        panic!("layers overlap")
+    };
+    assert_contains(&error.to_string(), &["`layers_overlap`: changes with its layer element"]);
+    for device in [checked(), devices::cpu(Some(1)), devices::cpu(Some(3))] {
+        let sums = device.zeros("sums", 8).unwrap();
+        device.run(&LayersApartKernel { sums: &sums }, 128, 4).expect("no race");
+        assert_eq!(device.read(&sums).unwrap(), [u32::MAX - 127, 127].repeat(4));
+    }
+}
+
+#[test]
+fn one_buffer_is_not_bound_twice_where_it_is_written() {
+    let device = devices::cpu(None);
+    let buffer = device.zeros("both", 100).unwrap();
+    let message = failure(&device, &ReachesTooFarKernel { input: &buffer, output: &buffer }, 100);
+    assert_contains(&message, &["`input` and `output` are one buffer, and it is written"]);
+}
+
+#[test]
+fn the_pipeline_has_no_races() {
+    let renderer = Renderer::new(checked());
+    for case in cases::all() {
+        let scene = renderer.upload(&case.scene).unwrap();
+        let checked = renderer.render(&scene, &case.cameras, &case.tiles);
+        let checked = checked.unwrap_or_else(|error| panic!("{}: {error}", case.name));
+        let plain = Renderer::new(devices::with(InstructionSet::Scalar));
+        let scene = plain.upload(&case.scene).unwrap();
+        let plain = plain.render(&scene, &case.cameras, &case.tiles).unwrap();
+        assert!(checked.data == plain.data, "{}: checking changes the image", case.name);
+    }
+}
+
+/// What [`a_test_that_calls_a_kernel_says_which_invocation_failed`] runs.
+#[test]
+#[ignore = "it fails, and another test looks how"]
+fn calls_a_kernel_that_fails() {
+    let input = [1, 2, 3];
+    let mut output = [0; 2];
+    for x in 0..3 {
+        let (local, size) = (UVec3::new(x, 0, 0), UVec3::new(64, 1, 1));
+        let id = Invocation::new(local, UVec3::ZERO, UVec3::ONE, size);
+        reaches_too_far(id, Read::from(&input[..]), Write::from(output.as_mut_slice()));
+    }
+}
+
+#[test]
+#[cfg(debug_assertions)]
+fn a_test_that_calls_a_kernel_says_which_invocation_failed() {
+    let mut test = Command::new(std::env::current_exe().unwrap());
+    let name = "cpu_execution::calls_a_kernel_that_fails";
+    let test = test.args(["--exact", name, "--ignored", "--nocapture"]);
+    let message = String::from_utf8(test.output().unwrap().stderr).unwrap();
+    assert_contains(
+        &message,
+        &[
+            "index 2 is out of range of `output`, which has 2 elements",
+            &line("output.write(id.index()"),
+            "in kernel `reaches_too_far`, invocation [2, 0, 0] of workgroup [0, 0, 0], [2, 0, 0] in the dispatch",
+        ],
+    );
+}

@@ -1,0 +1,102 @@
+//! What changes of one character in the kernels showed that no other test looks at: `docs/mutations.md`.
+
+use glam::Vec2;
+use organza::{Renderer, Scene};
+use organza_shaders::tile::reaches;
+use organza_shaders::unit_cube::Split;
+use organza_tests::cases::Case;
+use organza_tests::{cases, devices};
+
+/// The reference's basic case, its Gaussians repeated.
+fn repeated(times: usize) -> (Case, Scene) {
+    let case = Case::load(&cases::folder().join("basic"));
+    let mut scene = case.scene.clone();
+    let all: Vec<_> = (0..scene.gaussians.len()).collect();
+    scene.gaussians = scene.gaussians.select(&all.repeat(times));
+    (case, scene)
+}
+
+#[test]
+fn scans_of_many_blocks_are_those_of_one() {
+    // a block scans 1,024 counts
+    let times = 50;
+    let (case, scene) = repeated(times);
+    assert!(scene.gaussians.len() > 2048);
+    for (backend, device) in devices::all() {
+        let renderer = Renderer::new(device);
+        let stages = |scene: &Scene| {
+            let scene = renderer.upload(scene).expect("the scene fits");
+            renderer.stages(&scene, &case.cameras[0]).expect("the stages run")
+        };
+        let (one, many) = (stages(&case.scene), stages(&scene));
+        assert_eq!(many.sample_count, one.sample_count.repeat(times), "K on {backend}");
+        assert_eq!(many.transmittance, one.transmittance.repeat(times), "T on {backend}");
+    }
+}
+
+#[test]
+fn members_of_many_blocks_are_those_of_one() {
+    let times = 50;
+    let (case, scene) = repeated(times);
+    for (backend, device) in devices::all() {
+        let renderer = Renderer::new(device);
+        let report = |scene: &Scene| {
+            let scene = renderer.upload(scene).expect("the scene fits");
+            renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders").report
+        };
+        let (one, many) = (report(&case.scene), report(&scene));
+        let times = times as u64;
+        assert_eq!(
+            [many.pairs, many.members, many.samples],
+            [one.pairs, one.members, one.samples].map(|count| count * times),
+            "on {backend}"
+        );
+    }
+}
+
+#[test]
+fn only_what_cannot_be_projected_is_counted() {
+    let case = Case::load(&cases::folder().join("basic"));
+    for (backend, device) in devices::all() {
+        let renderer = Renderer::new(device);
+        let degenerate = |scene: &Scene| {
+            let scene = renderer.upload(scene).expect("the scene fits");
+            let tiles = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
+            tiles.report.degenerate
+        };
+        assert_eq!(degenerate(&case.scene), 0, "on {backend}");
+        let mut scene = case.scene.clone();
+        // no rotation: culled in every camera that has a tile
+        scene.gaussians.rotation[3] = [0.0; 4];
+        scene.gaussians.rotation[7] = [0.0; 4];
+        let mut cameras: Vec<usize> = case.tiles.tiles.iter().map(|tile| tile.camera).collect();
+        cameras.sort_unstable();
+        cameras.dedup();
+        let found = degenerate(&scene);
+        let most = 2 * cameras.len() as u64;
+        assert!(found > 0 && found <= most, "{found} of at most {most} on {backend}");
+    }
+}
+
+#[test]
+fn a_gaussian_that_touches_a_tile_is_a_member() {
+    for step in 1..200 {
+        let radius = step as f32 * 0.25;
+        for center in [
+            Vec2::new(-radius, 3.0),
+            Vec2::new(8.0 + radius, 3.0),
+            Vec2::new(3.0, -radius),
+            Vec2::new(3.0, 8.0 + radius),
+        ] {
+            assert!(reaches(center, radius, Vec2::ZERO, 8.0), "{radius} from {center}");
+        }
+    }
+}
+
+#[test]
+fn the_faces_of_the_cube_are_in_it() {
+    let clamped = |x| Split::new(x, 0.0).clamped();
+    for (x, face) in [(1.0, 1.0), (1.5, 1.0), (0.0, 0.0), (-0.5, 0.0)] {
+        assert_eq!((clamped(x).coarse, clamped(x).fine), (face, 0.0), "{x}");
+    }
+}

@@ -1,0 +1,60 @@
+//! Devices that fail: lost, or with too little memory.
+
+use organza::error::DeviceError;
+use organza::{DeviceOptions, Error, Renderer, SpirvPath};
+use organza_tests::{cases, devices};
+
+#[test]
+fn a_lost_device_is_an_error() {
+    for (backend, device) in
+        devices::all().into_iter().filter(|(_, device)| device.backend() == "gpu")
+    {
+        let renderer = Renderer::new(device);
+        let case = &cases::all()[0];
+        let scene = renderer.upload(&case.scene).expect("the scene fits");
+        renderer.render(&scene, &case.cameras, &case.tiles).expect("the device is there");
+        renderer.device().lose();
+        for attempt in 0..2 {
+            let error = renderer
+                .render(&scene, &case.cameras, &case.tiles)
+                .expect_err("the device is gone");
+            assert!(
+                matches!(error, Error::Device(DeviceError::DeviceLost { .. })),
+                "{backend}, attempt {attempt}: {error:?}"
+            );
+            assert!(error.to_string().contains("lost"), "{error}");
+        }
+    }
+}
+
+#[test]
+fn too_little_memory_is_an_error_that_says_how_much() {
+    for (backend, device) in devices::all() {
+        // more than any machine has
+        let needed = 1u64 << 50;
+        let error = device.zeros::<u32>("test", (needed / 4) as usize).expect_err("a pebibyte");
+        match &error {
+            DeviceError::OutOfMemory { needed: found, .. } => {
+                assert_eq!(*found, needed, "{backend}")
+            }
+            other => panic!("{backend}: {other:?}"),
+        }
+        let text = error.to_string();
+        assert!(text.contains("1048576.00 GiB") && text.contains("test"), "{backend}: {text}");
+        // and the device goes on
+        let buffer = device.upload("after", &[1u32, 2, 3]).expect("twelve bytes");
+        assert_eq!(device.read(&buffer).expect("the device goes on"), [1, 2, 3]);
+    }
+}
+
+#[test]
+fn an_adapter_that_is_not_there_is_named() {
+    let options = DeviceOptions {
+        adapter: Some("no such adapter".into()),
+        ..DeviceOptions::gpu(SpirvPath::Naga)
+    };
+    let error = organza::open_device(&options).expect_err("there is none of that name");
+    assert!(matches!(&error, Error::Device(DeviceError::NoGpu { .. })), "{error:?}");
+    let without_driver = error.to_string().contains("driver");
+    assert!(without_driver || error.to_string().contains("no such adapter"), "{error}");
+}

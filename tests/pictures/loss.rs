@@ -1,0 +1,268 @@
+//! The loss kernels beside the loss's definition in f64.
+
+mod exact;
+
+use organza::render::{Loss, LossInputs, TileLoss};
+use organza::{Device, Result, metrics};
+use organza_tests::devices;
+
+use exact::Batch;
+use organza::parity::exact::loss::mean;
+
+/// Numbers without a pattern, in [0, 1).
+fn noise(index: usize) -> f32 {
+    let mut x = (index as u32).wrapping_add(1).wrapping_mul(0x9e37_79b9);
+    x = (x ^ (x >> 16)).wrapping_mul(0x85eb_ca6b);
+    x = (x ^ (x >> 13)).wrapping_mul(0xc2b2_ae35);
+    ((x ^ (x >> 16)) >> 8) as f32 / (1 << 24) as f32
+}
+
+/// What a batch looks like.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Look {
+    /// Noise beside other noise.
+    Noise,
+    /// A smooth photograph, and a render that is off by about `0.05`.
+    Near,
+    /// As `Near`, about white: where f32 cancels.
+    Bright,
+}
+
+/// Four tiles: all valid, the right and lower edge of a photograph, holes, and nothing valid.
+fn batch(side: usize, look: Look) -> Batch {
+    let area = side * side;
+    let value = |index: usize| {
+        let (tile, channel) = (index / area / 3, index / area % 3);
+        let (row, column) = (index / side % side, index % side);
+        let wave =
+            |period: f32| ((row * (tile + 2) + column * (channel + 1)) as f32 / period).sin();
+        let smooth = 0.5 + 0.3 * wave(7.0) + 0.1 * wave(2.5);
+        let (a, b) = (noise(2 * index), noise(2 * index + 1));
+        match look {
+            Look::Noise => (a, b),
+            Look::Near => (smooth + 0.1 * (a - 0.5), smooth + 0.02 * (b - 0.5)),
+            Look::Bright => (0.95 + 0.02 * (smooth + a), 0.95 + 0.02 * (smooth + b)),
+        }
+    };
+    let (image, target) = (0..4 * 3 * area).map(value).unzip();
+    let valid = (0..4 * area).map(|index| {
+        let (tile, row, column) = (index / area, index / side % side, index % side);
+        let is_valid = match tile {
+            0 => true,
+            1 => row < side.div_ceil(2) && column < side - side / 3,
+            2 => noise(index) < 0.7 && !(side > 11 && row > 3 && column > 3 && column < 12),
+            _ => false,
+        };
+        f32::from(u8::from(is_valid))
+    });
+    Batch { side, image, target, valid: valid.collect() }
+}
+
+/// The gradient and the sums of a batch.
+fn evaluate(device: &Device, batch: &Batch, ssim_weight: f32) -> Result<(Vec<f32>, Vec<TileLoss>)> {
+    let loss = Loss::new(device, batch.side as u32, batch.tiles() as u32)?;
+    let inputs = LossInputs {
+        image: &device.upload("image", &batch.image)?,
+        target: &device.upload("target", &batch.target)?,
+        valid: &device.upload("valid", &batch.valid)?,
+        valid_pixels: batch.valid_pixels(),
+        ssim_weight,
+    };
+    let output = loss.evaluate(device, &inputs)?;
+    Ok((device.read(&output.grad_image)?, output.sums(device)?))
+}
+
+/// The largest of the relative differences of the sums, and of the loss.
+fn apart(batch: &Batch, sums: &[TileLoss], ssim_weight: f32) -> f64 {
+    let mut worst: f64 = 0.0;
+    let relative = |found: f64, exact: f64| (found - exact).abs() / exact.abs().max(1e-9);
+    let (mut absolute, mut dissimilarity) = (0.0, 0.0);
+    for (tile, found) in sums.iter().enumerate() {
+        let exact = batch.sums(tile);
+        assert!((found.valid - exact.valid).abs() < 1e-6, "{} for {}", found.valid, exact.valid);
+        worst = worst.max(relative(found.absolute, exact.absolute));
+        worst = worst.max(relative(found.squared, exact.squared));
+        worst = worst.max(relative(found.dissimilarity, exact.dissimilarity));
+        absolute += exact.absolute;
+        dissimilarity += exact.dissimilarity;
+    }
+    let loss = mean(absolute, dissimilarity, batch.valid_pixels(), f64::from(ssim_weight));
+    worst.max(relative(TileLoss::total(sums).value(ssim_weight), loss))
+}
+
+const SIDES: [usize; 6] = [1, 8, 11, 16, 33, 64];
+const LOOKS: [Look; 3] = [Look::Noise, Look::Near, Look::Bright];
+
+#[test]
+fn sums_are_those_of_the_definition() {
+    for (name, device) in devices::all() {
+        for look in LOOKS {
+            let mut worst: f64 = 0.0;
+            for side in SIDES {
+                let batch = batch(side, look);
+                let (_, sums) = evaluate(&device, &batch, 0.2).expect("it runs");
+                assert_eq!(sums[3], TileLoss::default(), "a tile without valid pixels");
+                worst = worst.max(apart(&batch, &sums, 0.2));
+            }
+            println!("{name} {look:?}: sums {worst:.1e} relative");
+            // a variance about white is what is left of 1 - 1
+            let tolerance = if look == Look::Bright { 1e-3 } else { 1e-4 };
+            assert!(worst < tolerance, "{name} {look:?}: {worst:.1e} relative");
+        }
+    }
+}
+
+/// Central differences at some pixels of a batch: the index, and what both terms of the loss have there.
+fn differences(batch: &Batch) -> Vec<(usize, [f64; 2])> {
+    let area = batch.side * batch.side;
+    let share = 1.0 / (3.0 * batch.valid_pixels());
+    let every = (area / 100).max(1) | 1;
+    let mut found = Vec::new();
+    for tile in 0..batch.tiles() {
+        for channel in 0..3 {
+            let plane = batch.plane(tile, channel);
+            for at in (0..area).step_by(every) {
+                // |x - y| has a kink
+                if (plane.x[at] - plane.y[at]).abs() > 1e-4 {
+                    let slopes = plane.slopes(at).map(|slope| share * slope);
+                    found.push(((tile * 3 + channel) * area + at, slopes));
+                }
+            }
+        }
+    }
+    found
+}
+
+/// The norm of the differences over the norm of what was expected.
+fn relative(found: &[f32], expected: &[(usize, [f64; 2])], ssim_weight: f32) -> f64 {
+    let weight = f64::from(ssim_weight);
+    let (mut apart, mut norm) = (0.0, 0.0);
+    for &(at, [absolute, ssim]) in expected {
+        let slope = (1.0 - weight) * absolute + weight * ssim;
+        apart += (f64::from(found[at]) - slope).powi(2);
+        norm += slope * slope;
+    }
+    (apart / norm).sqrt()
+}
+
+#[test]
+fn gradients_are_those_of_central_differences() {
+    let devices = devices::all();
+    for look in LOOKS {
+        let mut worst = vec![[0.0_f64; 2]; devices.len()];
+        for side in SIDES {
+            let batch = batch(side, look);
+            let expected = differences(&batch);
+            for ((name, device), worst) in devices.iter().zip(&mut worst) {
+                for (worst, ssim_weight) in worst.iter_mut().zip([0.2, 1.0]) {
+                    let (found, _) = evaluate(device, &batch, ssim_weight).expect("it runs");
+                    let apart = relative(&found, &expected, ssim_weight);
+                    assert!(apart < 1e-3, "{name} {look:?}, side {side}: {apart:.1e} relative");
+                    *worst = worst.max(apart);
+                    let is_masked = |index: usize| batch.valid[batch.pixel(index)] == 0.0;
+                    let mut slopes = found.iter().enumerate();
+                    assert!(
+                        slopes.all(|(at, slope)| *slope == 0.0 || !is_masked(at)),
+                        "{name}: a gradient at a masked pixel"
+                    );
+                }
+            }
+        }
+        for ((name, _), [usual, ssim]) in devices.iter().zip(worst) {
+            println!("{name} {look:?}: gradients {usual:.1e} relative, of SSIM alone {ssim:.1e}");
+        }
+    }
+}
+
+/// Equal images have no loss and no gradient, at borders and holes either, and the derivative of |x| is 0 at 0.
+#[test]
+fn equal_images_lose_nothing() {
+    for (name, device) in devices::all() {
+        let mut batch = batch(16, Look::Near);
+        batch.image = batch.target.clone();
+        let (gradient, sums) = evaluate(&device, &batch, 0.2).expect("it runs");
+        assert!(gradient.iter().all(|&slope| slope == 0.0), "{name}: a gradient");
+        assert_eq!(TileLoss::total(&sums).value(0.2), 0.0, "{name}");
+    }
+}
+
+/// What lies under the mask does not matter, whatever it is.
+#[test]
+fn what_is_masked_has_no_influence() {
+    for (name, device) in devices::all() {
+        let batch = batch(33, Look::Near);
+        let expected = evaluate(&device, &batch, 0.2).expect("it runs");
+        let mut other = Batch { valid: batch.valid.clone(), ..batch };
+        for index in 0..other.image.len() {
+            if other.valid[other.pixel(index)] == 0.0 {
+                other.image[index] = f32::NAN;
+                other.target[index] = f32::INFINITY;
+            }
+        }
+        assert!(evaluate(&device, &other, 0.2).expect("it runs") == expected, "{name}");
+    }
+}
+
+/// Where windows lie inside, SSIM is the evaluation's.
+#[test]
+fn windows_inside_are_those_of_the_metric() {
+    const SIDE: usize = 33;
+    let area = SIDE * SIDE;
+    for look in LOOKS {
+        let batch = batch(SIDE, look);
+        let pixels = |values: &[f32]| -> Vec<[f32; 3]> {
+            (0..area).map(|at| [0, 1, 2].map(|channel| values[channel * area + at])).collect()
+        };
+        let (image, truth) = (pixels(&batch.image), pixels(&batch.target));
+        let expected = metrics::ssim([SIDE, SIDE], &image, &truth, None).expect("windows");
+        let inside = |at: &usize| {
+            let range = 5..SIDE - 5;
+            range.contains(&(at / SIDE)) && range.contains(&(at % SIDE))
+        };
+        let (mut sum, mut count) = (0.0, 0.0);
+        for channel in 0..3 {
+            let plane = batch.plane(0, channel);
+            for at in (0..area).filter(inside) {
+                sum += plane.similarity(at);
+                count += 1.0;
+            }
+        }
+        assert!((sum / count - expected).abs() < 1e-10, "{} for {expected}", sum / count);
+    }
+}
+
+/// Sums and gradients are the same to the bit for any number of threads.
+#[test]
+fn sums_do_not_depend_on_threads() {
+    let batch = batch(33, Look::Noise);
+    let one = evaluate(&devices::cpu(Some(1)), &batch, 0.2).expect("it runs");
+    let many = evaluate(&devices::cpu(Some(4)), &batch, 0.2).expect("it runs");
+    assert!(one == many);
+}
+
+#[test]
+fn buffers_of_another_batch_are_refused() {
+    let device = devices::cpu(Some(1));
+    let loss = Loss::new(&device, 8, 2).expect("memory");
+    let run = |image: usize, target: usize, valid: usize| {
+        let zeros = |label, len| device.zeros::<f32>(label, len).expect("memory");
+        let inputs = LossInputs {
+            image: &zeros("image", image),
+            target: &zeros("target", target),
+            valid: &zeros("valid", valid),
+            valid_pixels: 0.0,
+            ssim_weight: 0.2,
+        };
+        let output = loss.evaluate(&device, &inputs)?;
+        Ok::<_, organza::Error>((device.read(&output.grad_image)?, output.sums(&device)?))
+    };
+    assert!(run(3 * 192, 3 * 192, 192).is_err(), "three tiles where there is memory for two");
+    assert!(run(192, 384, 64).is_err() && run(384, 192, 64).is_err() && run(192, 192, 65).is_err());
+    // fewer tiles are fine, and so is none; without valid pixels nothing is lost
+    let (gradient, sums) = run(192, 192, 64).expect("one tile");
+    assert!(gradient.iter().all(|&slope| slope == 0.0) && sums == [TileLoss::default()]);
+    assert!(run(0, 0, 0).expect("no tile").1.is_empty());
+    for (side, tiles) in [(0, 1), (4097, 1), (8, 65_536), (4096, 64)] {
+        assert!(Loss::new(&device, side, tiles).is_err(), "{tiles} tiles of side {side}");
+    }
+}

@@ -1,0 +1,11 @@
+//! The kernels together: what scenes give, on every device.
+
+mod edges;
+mod failures;
+mod loss;
+mod properties;
+mod reference_cases;
+mod reproducible;
+#[path = "../support/snapshot/mod.rs"]
+mod snapshot;
+mod snapshots;

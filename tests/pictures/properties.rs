@@ -1,0 +1,258 @@
+//! What holds for every input: the clip, the hash index, tile membership, the composite.
+
+use glam::{Vec2, Vec3, Vec4};
+use organza::parity::exact::composite::Splat;
+use organza::parity::exact::project::cutoff;
+use organza::{Device, scene::GridConfig, scene::Interpolation};
+use organza_device::Buffer;
+use organza_shaders::camera::Camera;
+use organza_shaders::composite::{CompositeKernel, CompositeParams};
+use organza_shaders::project::{falloff, mahalanobis, project_gaussian};
+use organza_shaders::resolve::{DIVIDE_ABOVE, ResolveKernel, ResolveParams};
+use organza_shaders::segment::{clip_to_unit_cube, clipped_segment, point_along};
+use organza_shaders::tile::{Tile, distance_squared, reaches};
+use organza_shaders::unit_cube::Split;
+use organza_tests::devices;
+use proptest::prelude::*;
+
+/// Coordinates that lie on the cube's planes, beside them, and anywhere.
+fn coordinate() -> impl Strategy<Value = f32> + Clone {
+    prop_oneof![4 => -2.0f32..3.0, 1 => Just(0.0), 1 => Just(1.0), 1 => Just(-0.0), 1 => Just(1.0 + f32::EPSILON)]
+}
+
+/// Directions with axis-parallel, tiny and denormal components.
+fn component() -> impl Strategy<Value = f32> + Clone {
+    prop_oneof![6 => -3.0f32..3.0, 2 => Just(0.0), 1 => Just(-0.0), 1 => Just(1e-40), 1 => Just(1e-20), 1 => Just(-1e-20)]
+}
+
+fn split(x: Vec3) -> [Split; 3] {
+    x.to_array().map(|x| Split::new(x, 0.0))
+}
+
+/// What the two parts hold.
+fn exact(x: Split) -> f64 {
+    f64::from(x.coarse) + f64::from(x.fine)
+}
+
+fn vector(of: impl Strategy<Value = f32> + Clone) -> impl Strategy<Value = Vec3> {
+    [of.clone(), of.clone(), of].prop_map(Vec3::from_array)
+}
+
+/// Eq. 4-6 in f64, as the reference has it.
+fn exact_clip(p: Vec3, v: Vec3) -> (f64, f64) {
+    let (mut enter, mut exit) = (f64::NEG_INFINITY, f64::INFINITY);
+    for (p, v) in p.to_array().map(f64::from).into_iter().zip(v.to_array().map(f64::from)) {
+        let inside = (0.0..=1.0).contains(&p);
+        // what a GPU may flush to zero counts as zero
+        let (low, high) = match v.abs() < f64::from(f32::MIN_POSITIVE) {
+            true if inside => (f64::NEG_INFINITY, f64::INFINITY),
+            true => (f64::INFINITY, f64::NEG_INFINITY),
+            false => ((-p / v).min((1.0 - p) / v), (-p / v).max((1.0 - p) / v)),
+        };
+        (enter, exit) = (enter.max(low), exit.min(high));
+    }
+    (enter.clamp(0.0, 1.0), exit.clamp(0.0, 1.0))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4096))]
+
+    #[test]
+    fn a_clipped_ray_is_what_lies_in_the_cube(p in vector(coordinate()), v in vector(component())) {
+        let clip = clip_to_unit_cube(split(p), split(v));
+        let (t0, t1) = exact_clip(p, v);
+        let [found0, found1, lambda] = [clip.t0, clip.t1, clip.lambda].map(exact);
+        prop_assert!((found0 - t0).abs() <= 1e-7, "t0 {found0} for {t0}");
+        prop_assert!((found1 - t1).abs() <= 1e-7, "t1 {found1} for {t1}");
+        prop_assert!((lambda - (found1 - found0).max(0.0)).abs() <= 1e-7, "{lambda}");
+        if lambda > 0.0 {
+            for t in [clip.t0, clip.t1] {
+                let x = point_along(split(p), t, split(v)).map(exact);
+                prop_assert!(x.iter().all(|x| (-3e-7..=1.0 + 3e-7).contains(x)), "{x:?} at {t:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_segment_has_whole_steps_of_at_most_sigma(p in vector(coordinate()), v in vector(component()), step in 0.001f32..2.0) {
+        let segment = clipped_segment(split(p), split(v), step);
+        let w = Vec3::from_array(segment.w.map(Split::value));
+        let start = Vec3::from_array(segment.start.map(Split::value));
+        prop_assert!(w.is_finite() && start.is_finite() && segment.factor.is_finite());
+        let length = w.length();
+        if segment.count == 0 {
+            prop_assert_eq!(segment.factor, 0.0);
+            // components whose squares vanish in f32 have no length
+            prop_assert!(length <= 1e-18, "{length} but no samples");
+        } else {
+            // K is the smallest number of steps that are no longer than sigma
+            let steps = length / step;
+            prop_assert!(segment.count as f32 >= steps * (1.0 - 1e-6) && (segment.count - 1) as f32 <= steps * (1.0 + 1e-6));
+            prop_assert!(segment.factor <= 1.0 + 1e-6, "{}", segment.factor);
+            prop_assert!((segment.factor * segment.count as f32 - steps).abs() <= 1e-5 * steps.max(1.0));
+        }
+    }
+
+    #[test]
+    fn entries_are_those_of_the_conventions(
+        base in 1u32..40, growth in 1.0f64..2.2, log2_table in 3u32..20, levels in 1u32..10, x in vector(coordinate()),
+    ) {
+        let grid = GridConfig {
+            levels, features: 2, log2_table, base_resolution: f64::from(base), growth, interpolation: Interpolation::Linear,
+        };
+        for level in grid.levels_geometry() {
+            let kernel = level.for_kernels();
+            let cell = kernel.cell::<f32>(x.to_array().map(|x| Split::new(x, 0.0)), false);
+            prop_assert!(cell.weight.iter().all(|weight| (0.0..=1.0).contains(weight)));
+            for corner in 0..8u32 {
+                let [x, y, z] = [0, 1, 2].map(|axis| cell.corner[axis] + (corner >> axis & 1));
+                let index = if level.hashed {
+                    x ^ y.wrapping_mul(2_654_435_761) ^ z.wrapping_mul(805_459_861)
+                } else {
+                    x + y * level.resolution + z * level.resolution * level.resolution
+                };
+                prop_assert_eq!(kernel.entry(x, y, z), level.first + index % level.count, "{:?}", (x, y, z));
+            }
+        }
+    }
+
+    #[test]
+    fn members_are_all_whose_falloff_reaches_a_pixel(
+        position in vector(-1.5f32..1.5), rotation in [-1.0f32..1.0, -1.0f32..1.0, -1.0f32..1.0, 0.1f32..1.0],
+        log_scale in vector(-7.0f32..0.5), origin in [-40i32..100, -40i32..100], side in 1u32..24,
+    ) {
+        let camera = Camera {
+            rotation: [Vec3::X, Vec3::Y, Vec3::Z], eye: Vec3::new(0.0, 0.0, -3.0), focal: Vec2::new(90.0, 88.0),
+            center: Vec2::new(47.5, 40.5), size: Vec2::new(96.0, 80.0),
+        };
+        let projection = project_gaussian(&camera, 0.3, position, Vec4::from_array(rotation), log_scale);
+        prop_assert!(projection.radius > 0.0);
+        let low = Vec2::new(origin[0] as f32, origin[1] as f32);
+        let is_member = reaches(projection.mean2d, projection.radius, low, side as f32);
+        // with Eq. 15's own radius it is one; and it is none where the margin is passed
+        let distance = distance_squared(projection.mean2d, low, side as f32).sqrt();
+        prop_assert!(is_member || distance > projection.radius);
+        prop_assert!(!is_member || distance <= projection.radius * 1.0011 + 0.011);
+        for row in 0..side {
+            for column in 0..side {
+                let pixel = low + Vec2::new(column as f32 + 0.5, row as f32 + 0.5);
+                let d = pixel - projection.mean2d;
+                let weight = falloff(mahalanobis(projection.conic, d.x, d.y));
+                let inside = d.x.abs() <= projection.extent.x && d.y.abs() <= projection.extent.y;
+                prop_assert!(inside || weight == 0.0, "{weight} at {pixel}, outside of its extent");
+                prop_assert!(is_member || weight == 0.0, "{weight} at {pixel} of a tile it is no member of");
+            }
+        }
+    }
+}
+
+/// Splats anywhere around a tile of side 8, and whether they are sheer enough to keep S below 1.
+fn splats() -> impl Strategy<Value = Vec<[Vec4; 3]>> {
+    let one = (
+        -4.0f32..12.0,
+        -4.0f32..12.0,
+        0.0f32..1.0,
+        0.005f32..0.5,
+        0.005f32..0.5,
+        vector(0.0f32..1.0),
+    )
+        .prop_map(|(x, y, weight, xx, yy, color)| {
+            [Vec4::new(x, y, weight, 1e9), Vec4::new(xx, 0.0, yy, 1e9), color.extend(0.0)]
+        });
+    prop::collection::vec(one, 0..32)
+}
+
+/// Runs `composite` and `resolve` over one tile of side 8: sums and pixels.
+fn composite(
+    device: &Device,
+    splats: &[[Vec4; 3]],
+    order: &[u32],
+    background: Vec3,
+) -> (Vec<Vec4>, Vec<Vec3>) {
+    const SIDE: u32 = 8;
+    let upload =
+        |label, values: &[u32]| -> Buffer<u32> { device.upload(label, values).expect("memory") };
+    let tile = Tile { camera: 0, origin: [0, 0], output: 0 };
+    let tile = device.upload("tile", &tile.pack()).expect("memory");
+    let sum = device.zeros("sum", (4 * SIDE * SIDE) as usize).expect("memory");
+    let kernel = CompositeKernel {
+        params: CompositeParams { side: SIDE, skip: 0 },
+        tile: &tile,
+        tile_first: &upload("first", &[0, order.len() as u32]),
+        member: &upload("member", order),
+        cells: &upload("cells", &vec![u32::MAX; order.len()]),
+        splat: &device.upload("splat", splats.as_flattened()).expect("memory"),
+        sum: &sum,
+    };
+    device.run_over(&kernel, [SIDE, SIDE, 1]).expect("it runs");
+    let image = device.zeros("image", (3 * SIDE * SIDE) as usize).expect("memory");
+    let [background_r, background_g, background_b] = background.to_array();
+    let params = ResolveParams {
+        side: SIDE,
+        background_r,
+        background_g,
+        background_b,
+        divide_above: DIVIDE_ABOVE,
+    };
+    device
+        .run_over(&ResolveKernel { params, tile: &tile, sum: &sum, image: &image }, [SIDE, SIDE, 1])
+        .expect("it runs");
+    let image = device.read(&image).expect("it ran");
+    let area = (SIDE * SIDE) as usize;
+    let pixels =
+        (0..area).map(|p| Vec3::new(image[p], image[area + p], image[2 * area + p])).collect();
+    let sum = device.read(&sum).expect("it ran");
+    let plane = |channel: usize, p: usize| sum[channel * area + p];
+    let sums = (0..area).map(|p| Vec4::from_array([0, 1, 2, 3].map(|c| plane(c, p))));
+    (sums.collect(), pixels)
+}
+
+#[test]
+fn composites_are_weighted_means() {
+    let device = devices::cpu(Some(1));
+    let mut runner = proptest::test_runner::TestRunner::new(ProptestConfig::with_cases(256));
+    let divided = std::cell::Cell::new(0);
+    runner
+        .run(&(splats(), vector(0.0f32..1.0), any::<u64>()), |(splats, background, seed)| {
+            let order: Vec<u32> = (0..splats.len() as u32).collect();
+            let (sums, pixels) = composite(&device, &splats, &order, background);
+            let mut shuffled = order.clone();
+            shuffled.sort_by_key(|&i| {
+                (u64::from(i) + 1).wrapping_mul(seed | 1).wrapping_mul(0x9e37_79b9_7f4a_7c15)
+            });
+            let (_, other) = composite(&device, &splats, &shuffled, background);
+            for (index, (sum, pixel)) in sums.iter().zip(&pixels).enumerate() {
+                let center = Vec2::new((index % 8) as f32 + 0.5, (index / 8) as f32 + 0.5);
+                let center = center.as_dvec2().to_array();
+                let exact: Vec<_> = splats.iter().map(Splat::of).collect();
+                if exact.iter().any(|splat| (splat.q(center) - cutoff()).abs() < 1e-4) {
+                    continue; // rounding decides whether that falloff has ended: either is right
+                }
+                let total: f64 = exact.iter().map(|splat| splat.term(center)[3]).sum();
+                prop_assert!(
+                    (f64::from(sum.w) - total).abs() <= 1e-5 * total.max(1.0) + 1e-9,
+                    "S {} for {total}",
+                    sum.w
+                );
+                let mixed = splats.iter().map(|[_, _, color]| color.truncate());
+                let (mut low, mut high) =
+                    (Vec3::splat(f32::INFINITY), Vec3::splat(f32::NEG_INFINITY));
+                for color in mixed.chain((sum.w <= 1.0).then_some(background)) {
+                    (low, high) = (low.min(color), high.max(color));
+                }
+                prop_assert!(
+                    pixel.cmpge(low - 1e-5).all() && pixel.cmple(high + 1e-5).all(),
+                    "{pixel} of {low}..{high}"
+                );
+                prop_assert!(
+                    (*pixel - other[index]).abs().max_element() <= 1e-5,
+                    "the order of the members shows"
+                );
+                divided.set(divided.get() + u32::from(sum.w > 1.0));
+            }
+            Ok(())
+        })
+        .unwrap_or_else(|error| panic!("{error}"));
+    let divided = divided.get();
+    assert!(divided > 1000, "the branch S > 1 of Eq. 13 was taken {divided} times");
+}

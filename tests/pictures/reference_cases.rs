@@ -1,0 +1,127 @@
+//! Every case of the float64 reference, on every backend: the tiles and each stage on its own.
+
+use organza::render::SceneGradient;
+use organza::{DeviceScene, Renderer, UploadOptions};
+use organza_tests::cases::{self, Case};
+use organza_tests::compare::{assert_close, assert_close_relative, difference};
+
+/// Absolute, on the tiles.
+const TILES: f64 = 2e-4;
+/// Absolute, on the tiles of scenes whose grids are halves.
+const HALF_TILES: f32 = 2e-4;
+/// Absolute, on the tiles of scenes whose networks are computed with halves.
+const HALF_NETWORK_TILES: f32 = 5e-4;
+/// Relative, on each stage.
+const STAGE: f64 = 1e-4;
+
+#[test]
+fn tiles_are_those_of_the_reference() {
+    cases::on_every_device(|backend, renderer, case, scene| {
+        let tiles = renderer.render(scene, &case.cameras, &case.tiles).expect("it renders");
+        let what = format!("{}, tiles on {backend}", case.name);
+        assert_close(&what, &tiles.data, case.expected("tiles"), TILES);
+    });
+}
+
+/// Features are off by 2^-11 of the entries around them; what that does to a pixel is for the networks to say.
+#[test]
+fn tiles_of_half_grids_are_close() {
+    cases::on_every_device(|backend, renderer, case, full| {
+        let scene = renderer
+            .upload_with(&case.scene, UploadOptions { half_grids: true, ..Default::default() })
+            .expect("it is uploaded");
+        assert!(scene.bytes() < full.bytes(), "{}: no smaller on {backend}", case.name);
+        let tiles = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
+        let expected = case.expected("tiles");
+        let error = tiles.data.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+        println!("{}, tiles of half grids on {backend}: off by {error:.1e}", case.name);
+        assert!(error < HALF_TILES, "{}: {error} on {backend}", case.name);
+        let more = SceneGradient::new(renderer.device(), &scene);
+        assert!(more.is_err(), "halves have gradients");
+    });
+}
+
+/// Each layer's outputs are off by up to 0.9% of the sum of their terms' sizes; what that does to a pixel is for the scene to
+/// say.
+#[test]
+fn tiles_of_half_networks_are_close() {
+    cases::on_every_device(|backend, renderer, case, _| {
+        let options = UploadOptions { half_networks: true, ..Default::default() };
+        let scene = renderer.upload_with(&case.scene, options).expect("it is uploaded");
+        let tiles = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
+        let expected = case.expected("tiles");
+        let error = tiles.data.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+        println!("{}, tiles of half networks on {backend}: off by {error:.1e}", case.name);
+        assert!(error < HALF_NETWORK_TILES, "{}: {error} on {backend}", case.name);
+        let more = SceneGradient::new(renderer.device(), &scene);
+        assert!(more.is_err(), "networks of halves have gradients");
+    });
+}
+
+#[test]
+fn stages_are_those_of_the_reference() {
+    cases::on_every_device(|backend, renderer, case, scene| {
+        for camera in 0..case.cameras.len() {
+            compare_stages(renderer, backend, case, scene, camera);
+        }
+    });
+}
+
+fn compare_stages(
+    renderer: &Renderer,
+    backend: &str,
+    case: &Case,
+    scene: &DeviceScene,
+    camera: usize,
+) {
+    let stages = renderer.stages(scene, &case.cameras[camera]).expect("the stages run");
+    let expected = |stage: &str| case.expected(&format!("stage.{camera}.{stage}"));
+    let compare = |stage: &str, actual: &[f32], expected: &[f32]| {
+        assert_close_relative(
+            &format!("{}, {stage} of camera {camera} on {backend}", case.name),
+            actual,
+            expected,
+            STAGE,
+        );
+    };
+    compare("color_encoding", &stages.color_encoding, case.expected("stage.color_encoding"));
+    compare("sh", &stages.sh, expected("sh"));
+    compare("color", &stages.color, expected("color"));
+    compare("transmittance", &stages.transmittance, expected("transmittance"));
+    let counts: Vec<f32> = stages.sample_count.iter().map(|&count| count as f32).collect();
+    assert_eq!(counts, expected("sample_count"), "{}: sample counts on {backend}", case.name);
+
+    // what is behind the camera has no projection to compare
+    let visible: Vec<bool> = expected("visible").iter().map(|&v| v != 0.0).collect();
+    let found: Vec<bool> = stages.radius.iter().map(|&radius| radius >= 0.0).collect();
+    assert_eq!(found, visible, "{}: visibility on {backend}", case.name);
+    let keep = |values: &[f32], width: usize| -> Vec<f32> {
+        let rows = values.chunks_exact(width).zip(&visible);
+        rows.filter(|(_, visible)| **visible).flat_map(|(row, _)| row.to_vec()).collect()
+    };
+    compare("mean2d", &keep(stages.mean2d.as_flattened(), 2), &keep(expected("mean2d"), 2));
+    compare("radius", &keep(&stages.radius, 1), &keep(expected("radius"), 1));
+    let conic: Vec<f32> = stages.conic.iter().flat_map(|&[xx, xy, yy]| [xx, xy, xy, yy]).collect();
+    compare("conic", &keep(&conic, 4), &keep(expected("conic"), 4));
+}
+
+/// Relative to the norm of a tensor's gradient.
+const GRADIENT: f64 = 1e-3;
+
+#[test]
+fn gradients_are_those_of_the_reference() {
+    cases::on_every_device(|backend, renderer, case, scene| {
+        let grad_output = case.expected("grad_output");
+        let gradient = renderer
+            .gradient(scene, &case.cameras, &case.tiles, grad_output)
+            .expect("there is a gradient");
+        for (tensor, found) in gradient.tensors() {
+            let name = format!("grad.{}", tensor.name);
+            let expected = if found.is_empty() { &[] } else { case.expected(&name) };
+            let what = format!("{}, {name} on {backend}", case.name);
+            let relative = difference(found, expected).relative;
+            assert!(relative <= GRADIENT, "{what}: {relative:.3e} relative");
+            println!("{what}: {relative:.1e} relative");
+        }
+    });
+}

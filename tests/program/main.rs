@@ -1,0 +1,16 @@
+//! The program as a user meets it: a process, its exit code, and what it leaves behind.
+
+mod bad_files;
+mod bad_requests;
+mod bench;
+mod corpus;
+mod eval;
+mod hostile;
+mod kernels;
+mod limits;
+mod mutate;
+mod mutations;
+mod parity;
+mod results;
+mod sandbox;
+mod train;

@@ -1,0 +1,190 @@
+//! Runs that end before their last step, and go on to what they would have come to.
+#![cfg(unix)]
+
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::sync::atomic::AtomicBool;
+use std::time::{Duration, Instant};
+use std::{fs, thread};
+
+use organza::Renderer;
+use organza::train::metrics::Record;
+use organza::train::{
+    self, CHECKPOINT, CONFIG, Checkpoint, METRICS, REPORT, RunFolder, Session, TrainConfig,
+    built_in,
+};
+use organza_tests::devices;
+
+use super::runs::{TINY, assert_same, bits, records, sandbox, without_times};
+use crate::sandbox::{Outcome, Sandbox};
+
+const LONGEST: Duration = Duration::from_secs(120);
+
+fn start(sandbox: &Sandbox, words: &str) -> Child {
+    let mut command = sandbox.command(words);
+    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
+}
+
+/// The steps that a log tells of, also while it is written to.
+fn steps(folder: &Path) -> usize {
+    let text = fs::read_to_string(folder.join(METRICS)).unwrap_or_default();
+    text.lines().filter(|line| line.starts_with("{\"kind\":\"step\"")).count()
+}
+
+/// Waits until a run has done a number of steps, or has ended.
+fn wait_for_steps(child: &mut Child, folder: &Path, count: usize) {
+    let start = Instant::now();
+    while steps(folder) < count && child.try_wait().unwrap().is_none() {
+        assert!(start.elapsed() < LONGEST, "{count} steps take too long");
+        thread::sleep(Duration::from_millis(2));
+    }
+}
+
+/// Sends a signal, and waits for the end.
+fn stop(child: Child, signal: &str) -> Outcome {
+    let kill = format!("kill -{signal} {}", child.id());
+    assert!(Command::new("sh").args(["-c", &kill]).status().expect("a shell").success());
+    child.wait_with_output().expect("it ends").into()
+}
+
+/// `run` has come to what `whole` has, and tells the same.
+#[track_caller]
+fn assert_like_whole(sandbox: &Sandbox, run: &str) {
+    assert_same(run, &bits(sandbox, run), &bits(sandbox, "whole"));
+    let told = |run: &str| without_times(&records(&sandbox.path(run)));
+    assert_eq!(told(run), told("whole"), "{run}");
+}
+
+#[test]
+fn a_run_that_is_told_to_stop_goes_on_to_the_same_bits() {
+    let sandbox = sandbox();
+    sandbox.run(&format!("{TINY} whole")).assert_ok();
+    let mut words = format!("{TINY} run");
+    // before Gaussians change for the first time, and between the second and the third
+    for (signal, after) in [("TERM", 3), ("INT", 23)] {
+        let mut child = start(&sandbox, &words);
+        wait_for_steps(&mut child, &sandbox.path("run"), after);
+        let outcome = stop(child, signal).assert_ok();
+        assert!(outcome.stderr.contains("saved; `organza train --resume run`"), "{outcome:?}");
+        let progress = Checkpoint::load(sandbox.path("run").join(CHECKPOINT)).unwrap().progress;
+        assert!(progress.step >= after as u32 && progress.step < 40, "{progress:?}");
+        assert_eq!(steps(&sandbox.path("run")), progress.step as usize);
+        assert!(sandbox.path("run").join(REPORT).exists());
+        words = "train --resume run --backend cpu".to_owned();
+    }
+    let outcome = sandbox.run(&words).assert_ok();
+    assert!(outcome.stderr.contains("continuing after step"), "{outcome:?}");
+    assert_like_whole(&sandbox, "run");
+}
+
+#[test]
+fn a_run_ends_at_its_time_limit() {
+    let sandbox = sandbox();
+    sandbox.run(&format!("{TINY} run --steps 1000000 --time-limit 1")).assert_ok();
+    let stopped = Checkpoint::load(sandbox.path("run").join(CHECKPOINT)).unwrap().progress;
+    assert!(stopped.seconds >= 1.0 && stopped.step < 1_000_000, "{stopped:?}");
+    let last = u64::from(stopped.step);
+    let is_last =
+        |record: &Record| matches!(record, Record::Evaluation { step, .. } if *step == last);
+    assert!(records(&sandbox.path("run")).iter().any(is_last), "the end is measured");
+}
+
+#[test]
+fn a_run_at_its_time_limit_goes_on_to_the_same_bits() {
+    let sandbox = sandbox();
+    let config = TrainConfig::load(sandbox.path("tiny.toml")).unwrap();
+    let renderer = Renderer::new(devices::cpu(None));
+    let data = &config.data;
+    let (views, side) = (data.built_in_views, data.built_in_side);
+    let dataset =
+        built_in::dataset(&renderer, views, side, data.hold_out_every, &|_, _| {}).unwrap();
+    let train = |name: &str, resume: bool, time_limit: Option<f64>| {
+        let folder = sandbox.path(name);
+        fs::create_dir_all(&folder).unwrap();
+        let folder = RunFolder::lock(&folder, resume).expect("nobody else has it");
+        let session = Session {
+            renderer: &renderer,
+            config: &config,
+            dataset: &dataset,
+            background: built_in::background(),
+            folder: &folder,
+            time_limit,
+            stop: &AtomicBool::new(false),
+        };
+        session.run(resume, &mut |_| {}).expect("it trains")
+    };
+    assert_eq!(train("whole", false, None), train::Outcome::Finished);
+    // no step is faster
+    assert_eq!(train("run", false, Some(1e-6)), train::Outcome::TimeLimit);
+    for limits in 1.. {
+        let progress = Checkpoint::load(sandbox.path("run").join(CHECKPOINT)).unwrap().progress;
+        assert!(progress.step >= limits, "{progress:?} after {limits} limits");
+        match train("run", true, Some(progress.seconds + 1e-6)) {
+            train::Outcome::TimeLimit => {}
+            outcome => {
+                assert_eq!((outcome, progress.step), (train::Outcome::Finished, 39));
+                break;
+            }
+        }
+    }
+    assert_same("run", &bits(&sandbox, "run"), &bits(&sandbox, "whole"));
+    assert_eq!(steps(&sandbox.path("run")), 40);
+}
+
+/// Whatever there is can be read.
+fn assert_readable(folder: &Path) {
+    TrainConfig::load(folder.join(CONFIG)).expect("settings");
+    if folder.join(METRICS).exists() {
+        let _ = records(folder);
+    }
+    if folder.join(CHECKPOINT).exists() {
+        Checkpoint::load(folder.join(CHECKPOINT)).expect("a checkpoint");
+    }
+}
+
+#[test]
+fn a_run_that_is_killed_goes_on_to_the_same_bits() {
+    let sandbox = sandbox();
+    // most of the time it is writing
+    let config = fs::read_to_string(sandbox.path("tiny.toml")).unwrap();
+    let often = config.replace("checkpoint_every = 5", "checkpoint_every = 1");
+    assert_ne!(often, config);
+    fs::write(sandbox.path("tiny.toml"), often).unwrap();
+    sandbox.run(&format!("{TINY} whole")).assert_ok();
+    let folder = sandbox.path("run");
+    let mut words = format!("{TINY} run");
+    let mut kills = 0;
+    for delay in [0, 7, 31, 2, 19, 53] {
+        let mut child = start(&sandbox, &words);
+        // at least one more step, so that it gets anywhere
+        let count = steps(&folder) + 1;
+        wait_for_steps(&mut child, &folder, count);
+        thread::sleep(Duration::from_millis(delay));
+        kills += usize::from(child.try_wait().unwrap().is_none());
+        let _ = child.kill();
+        child.wait().unwrap();
+        assert_readable(&folder);
+        words = "train --resume run --backend cpu".to_owned();
+    }
+    assert!(kills >= 3, "{kills} of 6 runs were there to be killed");
+    sandbox.run(&words).assert_ok();
+    assert_like_whole(&sandbox, "run");
+    let names = fs::read_dir(&folder).unwrap();
+    let mut names: Vec<_> =
+        names.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    assert_eq!(names, [CHECKPOINT, CONFIG, METRICS, REPORT]);
+}
+
+#[test]
+fn a_run_that_is_done_stays_as_it_is() {
+    let sandbox = sandbox();
+    sandbox.run(&format!("{TINY} run --steps 12")).assert_ok();
+    let read = |name: &str| fs::read(sandbox.path("run").join(name)).unwrap();
+    let names = [CHECKPOINT, CONFIG, METRICS, REPORT];
+    let before = names.map(read);
+    sandbox.run("train --resume run --backend cpu").assert_ok();
+    for (name, before) in names.into_iter().zip(before) {
+        assert!(read(name) == before, "{name} has changed");
+    }
+}

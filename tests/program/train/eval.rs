@@ -1,0 +1,79 @@
+//! `organza eval RUN`: what a run was trained on is known to it.
+
+use std::fs;
+
+use organza::train::metrics::Record;
+use serde_json::Value;
+
+use super::runs::{TINY, photographs, records, sandbox};
+use crate::sandbox::Sandbox;
+
+/// The names of the views and the mean PSNR that `organza eval` prints.
+fn eval(sandbox: &Sandbox, words: &str) -> (Vec<String>, f64) {
+    let outcome = sandbox.run(&format!("eval {words} --backend cpu --json")).assert_ok();
+    let found: Value = serde_json::from_str(&outcome.stdout).expect("JSON");
+    let views = found["views"].as_array().expect("views").iter();
+    let name = |view: &Value| view["name"].as_str().expect("a name").to_owned();
+    (views.map(name).collect(), found["mean"]["psnr"].as_f64().expect("a number"))
+}
+
+/// What the run measured after its last step.
+fn measured(sandbox: &Sandbox, run: &str) -> (Vec<String>, f64) {
+    let evaluation = |record| match record {
+        Record::Evaluation { views, psnr, .. } => {
+            let names = views.into_iter().map(|view| view.name).collect();
+            Some((names, psnr.expect("a number")))
+        }
+        _ => None,
+    };
+    records(&sandbox.path(run))
+        .into_iter()
+        .filter_map(evaluation)
+        .next_back()
+        .expect("an evaluation")
+}
+
+#[track_caller]
+fn assert_like(found: (Vec<String>, f64), expected: (Vec<String>, f64)) {
+    assert_eq!(found.0, expected.0);
+    assert!((found.1 - expected.1).abs() < 1e-9, "{found:?} {expected:?}");
+}
+
+#[test]
+fn the_built_in_scene_is_measured_as_the_run_measured_it() {
+    let sandbox = sandbox();
+    sandbox.run(&format!("{TINY} run --steps 5")).assert_ok();
+    let expected = measured(&sandbox, "run");
+    assert_eq!(expected.0, ["view-000", "view-003"]);
+    assert_like(eval(&sandbox, "run"), expected);
+    assert_eq!(eval(&sandbox, "run --split train").0.len(), 4);
+    assert_eq!(eval(&sandbox, "run --split all").0.len(), 6);
+    // options count before the run's own settings
+    assert_eq!(eval(&sandbox, "run --hold-out-every 2").0, ["view-000", "view-002", "view-004"]);
+}
+
+#[test]
+fn photographs_are_measured_as_the_run_measured_them() {
+    let sandbox = sandbox();
+    photographs(&sandbox);
+    let clear = image::RgbaImage::from_pixel(96, 80, image::Rgba([200, 10, 10, 100]));
+    clear.save(sandbox.path("data/images/0000.png")).unwrap();
+    let config = fs::read_to_string(sandbox.path("tiny.toml")).unwrap();
+    let config = config.replace("[data]", "[data]\nbackground = [1.0, 0.5, 0.25]\ndownscale = 4");
+    fs::write(sandbox.path("tiny.toml"), config).unwrap();
+    let words = "train data --config tiny.toml --backend cpu --steps 5 --hold-out-every 2 -o run";
+    sandbox.run(words).assert_ok();
+    let expected = measured(&sandbox, "run");
+    assert_eq!(expected.0, ["images/0000.png"]);
+    let own = eval(&sandbox, "run");
+    assert_like(own.clone(), expected.clone());
+    assert_like(eval(&sandbox, "run data"), expected);
+    assert!(eval(&sandbox, "run --background 0,0,0").1 != own.1);
+    assert!(eval(&sandbox, "run --downscale 2").1 != own.1);
+}
+
+#[test]
+fn a_scene_alone_does_not_tell() {
+    let facts = ["scene.safetensors", "does not say what it was trained on", "eval SCENE DATA"];
+    sandbox().assert_refuses("eval scene.safetensors --backend cpu", &facts);
+}

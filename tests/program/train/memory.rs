@@ -1,0 +1,50 @@
+//! Steps that do not fit into memory.
+
+use organza::train::Trainer;
+use organza::{Device, Renderer, Result};
+use organza_tests::devices;
+
+use super::runs::{begun, state_bits};
+
+#[test]
+fn a_step_that_does_not_fit_goes_in_parts() {
+    let (config, checkpoint, dataset) = begun();
+    let step = |renderer: &Renderer, refuse: &dyn Fn(&Device)| -> Result<Vec<Vec<u32>>> {
+        let frames = dataset.train.iter().map(|&index| &dataset.frames[index]).collect();
+        let mut trainer = Trainer::new(renderer, &config, frames, &checkpoint)?;
+        refuse(renderer.device());
+        trainer.step()?;
+        Ok(state_bits(&trainer.checkpoint(0.0)?))
+    };
+    for (name, device) in devices::all() {
+        let renderer = Renderer::new(device);
+        let in_parts_of = |bytes: u64| renderer.clone().with_part_bytes(bytes);
+        let whole = step(&renderer, &|_| {}).expect("a step");
+        // the largest parts that are not the whole
+        let in_parts = (0..30)
+            .map(|halvings| step(&in_parts_of((512 << 20) >> halvings), &|_| {}).expect("a step"))
+            .find(|bits| *bits != whole)
+            .expect("sums in another order");
+        let (mut split, mut refused) = (0, 0);
+        for number in (1..).step_by(4) {
+            let renderer = in_parts_of(512 << 20);
+            let found = step(&renderer, &|device| {
+                device.refuse_one(number);
+            });
+            if renderer.device().refuse_one(0) {
+                // there were not so many
+                break;
+            }
+            match found {
+                Ok(bits) => {
+                    split += 1;
+                    assert!(bits == in_parts, "{name}: buffer {number}");
+                }
+                // what is not a part's: the scene, when it is read
+                Err(error) if error.is_out_of_memory() => refused += 1,
+                Err(error) => panic!("{name}: buffer {number}: {error}"),
+            }
+        }
+        assert!(split > 10 && split > 2 * refused, "{name}: {split} and {refused}");
+    }
+}

@@ -1,0 +1,105 @@
+//! What cannot be trained is said in one message, and leaves nothing.
+
+use std::fs;
+
+use serde_json::json;
+
+use super::runs::{TINY, photographs, sandbox};
+use crate::sandbox::Sandbox;
+
+/// `tiny.toml` with something else in it, as `other.toml`.
+fn other(sandbox: &Sandbox, from: &str, to: &str) {
+    let config = fs::read_to_string(sandbox.path("tiny.toml")).unwrap();
+    let changed = config.replacen(from, to, 1);
+    assert_ne!(changed, config, "{from} is not in tiny.toml");
+    fs::write(sandbox.path("other.toml"), changed).unwrap();
+}
+
+#[test]
+fn bad_requests() {
+    let sandbox = sandbox();
+    fs::create_dir(sandbox.path("old")).unwrap();
+    fs::write(sandbox.path("old/config.toml"), "").unwrap();
+    for (words, facts) in [
+        ("absent -o new", ["absent", "no such file"]),
+        (". -o deep/new", ["no data set", "transforms.json"]),
+        ("-o old", ["old", "already holds a run (config.toml)"]),
+        ("--resume absent", ["absent: the folder has no config.toml", "organza train -o"]),
+        ("--resume .", ["the folder has no config.toml", "not a training run's"]),
+        ("--resume old --steps 5", ["'--resume <RUN>'", "'--steps <N>'"]),
+        ("--config absent.toml -o new", ["absent.toml", "no such file"]),
+        ("-o tiny.toml", ["tiny.toml", "file"]),
+        ("-o new --hold-out-every 1", ["`data.hold_out_every` is 1", "nothing to train on"]),
+        ("-o new --steps 0", ["`run.steps` is 0", "1 or more"]),
+        ("-o new --tile-size 513", ["`run.tile_size` is 513", "1 to 512"]),
+        ("-o new --time-limit 0", ["--time-limit", "0"]),
+    ] {
+        sandbox.assert_refuses(&format!("train {words} --backend cpu"), &facts);
+    }
+}
+
+#[test]
+fn bad_settings() {
+    let sandbox = sandbox();
+    for (from, to, facts) in [
+        ("[run]", "[run]\nstpes = 3", ["other.toml: line 9", "unknown field `stpes`"]),
+        ("steps = 40", "steps = many", ["other.toml: line 9", "string"]),
+        ("hidden = [8]", "hidden = [8, 8, 8, 8, 8]", ["color_mlp.hidden", "5 layers"]),
+        ("rate = 0.1", "rate = 7.0", ["other.toml", "`growth.rate` is 7, expected 0 to 1"]),
+        ("max_gaussians = 400", "max_gaussians = 100", ["`start.gaussians` is 200", "100"]),
+    ] {
+        other(&sandbox, from, to);
+        sandbox.assert_refuses("train --config other.toml --backend cpu -o new", &facts);
+    }
+}
+
+/// Whoever asks for fewer Gaussians than a run begins with gets that many.
+#[test]
+fn the_most_gaussians_are_the_most_at_the_start() {
+    let sandbox = sandbox();
+    sandbox.run(&format!("{TINY} run --steps 1 --max-gaussians 50")).assert_ok();
+    let outcome = sandbox.run("info run/checkpoint.safetensors --json").assert_ok();
+    let info: serde_json::Value = serde_json::from_str(&outcome.stdout).expect("JSON");
+    assert_eq!(info["gaussians"], json!(50), "{info}");
+}
+
+#[test]
+fn data_with_nothing_to_train_on() {
+    let sandbox = sandbox();
+    photographs(&sandbox);
+    let train = "train data --config tiny.toml --backend cpu -o new";
+    let frame = fs::read(sandbox.path("data/transforms.json")).unwrap();
+    let frame: serde_json::Value = serde_json::from_slice(&frame).unwrap();
+    sandbox.edit_json("data/transforms.json", "/frames", json!([]));
+    sandbox.assert_refuses(train, &["transforms.json", "frames"]);
+    // the only one is held out
+    sandbox.edit_json("data/transforms.json", "/frames", json!([frame["frames"][0]]));
+    sandbox.assert_refuses(train, &["data", "held out", "none is left to train on"]);
+    fs::write(sandbox.path("data/images/0000.png"), "no picture").unwrap();
+    sandbox.assert_refuses(&format!("{train} --hold-out-every 0"), &["0000.png"]);
+}
+
+/// Values that numbers cannot hold end a run; its last checkpoint stays.
+#[test]
+fn what_diverges_is_said() {
+    let sandbox = sandbox();
+    sandbox.run(&format!("{TINY} run --steps 30")).assert_ok();
+    let checkpoint = sandbox.path("run/checkpoint.safetensors");
+    fs::copy(&checkpoint, sandbox.path("scene.safetensors")).unwrap();
+    sandbox.edit_scene(|metadata, tensors| {
+        // as if it had been stopped on the way
+        metadata.insert("train".to_owned(), json!(r#"{"step": 4, "seconds": 1.0}"#));
+        let is_color = |name: &str| name.starts_with("color") && name.ends_with("weight");
+        for (_, _, data) in tensors.iter_mut().filter(|(name, ..)| is_color(name)) {
+            data.chunks_mut(4).enumerate().for_each(|(i, value)| {
+                let large = if i % 2 == 0 { 3e38_f32 } else { -3e38 };
+                value.copy_from_slice(&large.to_le_bytes());
+            });
+        }
+    });
+    fs::copy(sandbox.path("scene.safetensors"), &checkpoint).unwrap();
+    let before = fs::read(&checkpoint).unwrap();
+    let outcome = sandbox.run("train --resume run --backend cpu");
+    outcome.assert_refused(&["lower the learning rates"]);
+    assert!(fs::read(&checkpoint).unwrap() == before, "the checkpoint has changed");
+}

@@ -1,0 +1,94 @@
+//! The table of settings in `docs/training.md` is that of the program.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use organza::train::TrainConfig;
+use serde_json::Value;
+
+/// Every setting's values: one, a list's, or the first and the last of a rate.
+fn defaults() -> BTreeMap<String, Vec<Value>> {
+    fn walk(name: &str, value: &Value, found: &mut BTreeMap<String, Vec<Value>>) {
+        let dotted =
+            |key: &str| if name.is_empty() { key.to_owned() } else { format!("{name}.{key}") };
+        match value {
+            Value::Object(rate) if rate.len() == 2 && rate.contains_key("first") => {
+                found.insert(name.to_owned(), vec![rate["first"].clone(), rate["last"].clone()]);
+            }
+            Value::Object(table) => {
+                table.iter().for_each(|(key, value)| walk(&dotted(key), value, found));
+            }
+            Value::Array(values) => {
+                found.insert(name.to_owned(), values.clone());
+            }
+            value => {
+                found.insert(name.to_owned(), vec![value.clone()]);
+            }
+        }
+    }
+    // through text, so that an f32 has its own digits
+    let text = serde_json::to_string(&TrainConfig::default()).expect("plain values");
+    let mut found = BTreeMap::new();
+    walk("", &serde_json::from_str(&text).expect("JSON"), &mut found);
+    // it has no default, and no place where there is none
+    found.insert("data.path".to_owned(), Vec::new());
+    // it is written where it is true alone
+    found.insert("data.allow_outside".to_owned(), vec![Value::Bool(false)]);
+    found
+}
+
+fn page() -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/training.md");
+    fs::read_to_string(path).expect("the page")
+}
+
+/// The rows of the table: names are in backticks in the first cell, values in the second.
+fn documented() -> BTreeMap<String, Vec<Value>> {
+    let text = page();
+    let (_, table) = text.split_once("| setting | default |").expect("a table");
+    let mut found = BTreeMap::new();
+    for row in table.lines().skip(2).take_while(|line| line.starts_with('|')) {
+        let cells: Vec<_> = row.split('|').map(str::trim).collect();
+        let values = serde_json::from_str(&format!("[{}]", cells[2]));
+        let values: Vec<Value> = values.unwrap_or_else(|error| panic!("{row}: {error}"));
+        assert!(!cells[3].is_empty(), "{row}: what is it?");
+        for name in cells[1].split(", ") {
+            let is_new = found.insert(name.trim_matches('`').to_owned(), values.clone()).is_none();
+            assert!(is_new, "{name} comes twice");
+        }
+    }
+    found
+}
+
+fn is_same(a: &Value, b: &Value) -> bool {
+    match (a.as_f64(), b.as_f64()) {
+        (Some(a), Some(b)) => (a - b).abs() <= 1e-9 * a.abs(),
+        _ => a == b,
+    }
+}
+
+#[test]
+fn the_table_of_settings_is_that_of_the_program() {
+    let (expected, found) = (defaults(), documented());
+    let names =
+        |settings: &BTreeMap<String, Vec<Value>>| settings.keys().cloned().collect::<Vec<_>>();
+    assert_eq!(names(&found), names(&expected), "docs/training.md");
+    for (name, expected) in &expected {
+        let found = &found[name];
+        let same =
+            found.len() == expected.len() && found.iter().zip(expected).all(|(a, b)| is_same(a, b));
+        assert!(same, "docs/training.md says that `{name}` is {found:?}, but it is {expected:?}");
+    }
+}
+
+#[test]
+fn the_settings_of_the_built_in_scene_are_those_of_the_program() {
+    let page = page();
+    let (_, text) = page.split_once("### The built-in scene\n").expect("a heading");
+    let (_, text) = text.split_once("```toml\n").expect("settings");
+    let (text, _) = text.split_once("```").expect("an end");
+    let found = TrainConfig::parse(text, Path::new("docs/training.md")).expect("settings");
+    assert_eq!(found, TrainConfig::built_in());
+    assert_ne!(found, TrainConfig::default());
+}

@@ -1,0 +1,44 @@
+//! How often a step waits for the device.
+
+use organza::Renderer;
+use organza::train::Trainer;
+use organza_tests::devices;
+
+use super::runs::{begun, state_bits};
+
+#[test]
+fn a_step_waits_once_and_that_changes_nothing() {
+    let (config, checkpoint, dataset) = begun();
+    let frames = || dataset.train.iter().map(|&index| &dataset.frames[index]).collect();
+    for (name, device) in devices::all() {
+        let renderer = Renderer::new(device);
+        let device = renderer.device();
+        let mut trainer =
+            Trainer::new(&renderer, &config, frames(), &checkpoint).expect("a trainer");
+        let mut waits = Vec::new();
+        for _ in 0..4 {
+            let before = device.waits();
+            trainer.step().expect("a step");
+            waits.push(device.waits() - before);
+        }
+        match device.backend() {
+            "cpu" => assert_eq!(waits, [0; 4]),
+            // the first one learns how much room there must be
+            _ => assert!(waits[0] > 1 && waits[1..] == [1; 3], "{name}: {waits:?}"),
+        }
+        // every step the first one of a device
+        let mut state = checkpoint.clone();
+        for _ in 0..4 {
+            let (_, device) =
+                devices::all().into_iter().find(|(other, _)| *other == name).expect("it was there");
+            let renderer = Renderer::new(device);
+            let mut trainer =
+                Trainer::new(&renderer, &config, frames(), &state).expect("a trainer");
+            trainer.step().expect("a step");
+            state = trainer.checkpoint(0.0).expect("a state");
+        }
+        let found = trainer.checkpoint(0.0).expect("a state");
+        assert_eq!(found.progress.step, state.progress.step);
+        assert!(state_bits(&found) == state_bits(&state), "{name}");
+    }
+}

@@ -107,6 +107,15 @@ pub fn evaluate(
     Ok(Evaluation { mean: mean(&views), views, not_finite })
 }
 
+impl Evaluation {
+    /// That of all frames, from those of some each, in order.
+    pub(crate) fn of_parts(parts: Vec<Self>) -> Self {
+        let not_finite = parts.iter().map(|part| part.not_finite).sum();
+        let views: Vec<_> = parts.into_iter().flat_map(|part| part.views).collect();
+        Self { mean: mean(&views), views, not_finite }
+    }
+}
+
 /// The means over the views that have the value.
 fn mean(views: &[ViewScore]) -> Score {
     let mean = |value: fn(&Score) -> Option<f64>| {

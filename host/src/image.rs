@@ -41,6 +41,17 @@ impl Image {
         Ok(Self { width, height, pixels: memory::zeros(len, &what)?, not_finite: 0 })
     }
 
+    /// Fails where an image cannot be made and written: PNG's encoder may take as much again.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn check_memory(width: u32, height: u32) -> Result<()> {
+        let what = format!("an image of {width} x {height} pixels");
+        let bytes = 3 * u64::from(width) * u64::from(height);
+        memory::check(bytes, &what)?;
+        Ok(memory::check(2 * bytes, &format!("{what} and writing it"))?)
+    }
+
     /// Width and height in pixels.
     #[must_use]
     pub fn size(&self) -> [u32; 2] {

@@ -1,49 +1,77 @@
 //! Opening what a user names, without trusting it.
 
-use std::fs::{self, File};
+use std::fs::{self, File, Metadata};
 use std::io::{self, Read};
 use std::path::Path;
 
 use serde_json::Value;
 
 use crate::error::{Error, Result, format_bytes};
+use organza_device::memory;
 
 /// More JSON than any camera or tile list has; what is larger was named by mistake.
 const MAX_JSON_BYTES: u64 = 256 << 20;
 
 /// Opens a regular file and returns it with its length in bytes.
 ///
-/// Anything else is refused before it is opened: a pipe may block and a device may never end.
+/// Anything else is refused before it is opened: a pipe may block and a device may never end. What
+/// has been put in its place meanwhile is refused, too.
 pub(crate) fn open_regular(path: &Path) -> Result<(File, u64)> {
+    let check = |found: &Metadata| match found {
+        _ if found.is_dir() => Err(io::Error::other("it is a folder, expected a file")),
+        _ if !found.is_file() => {
+            Err(io::Error::other("it is a device or a pipe, expected a regular file"))
+        }
+        _ => Ok(()),
+    };
     let open = || {
-        let metadata = fs::metadata(path)?;
-        if metadata.is_dir() {
-            return Err(io::Error::other("it is a folder, expected a file"));
-        }
-        if !metadata.is_file() {
-            return Err(io::Error::other("it is a device or a pipe, expected a regular file"));
-        }
-        let file = File::open(path)?;
-        let length = file.metadata()?.len();
-        Ok((file, length))
+        check(&fs::metadata(path)?)?;
+        let mut options = File::options();
+        options.read(true);
+        // Opening a pipe does not wait for its other end.
+        #[cfg(unix)]
+        std::os::unix::fs::OpenOptionsExt::custom_flags(&mut options, libc::O_NONBLOCK);
+        let file = options.open(path)?;
+        let found = file.metadata()?;
+        check(&found)?;
+        Ok((file, found.len()))
     };
     open().map_err(|source| Error::read(path, source))
 }
 
-/// Reads and parses a JSON file. A byte order mark, which some editors leave, is skipped.
-pub(crate) fn read_json(path: &Path) -> Result<Value> {
+/// Reads a regular file of at most `limit` bytes; `what` is what it should be, for the message.
+pub(crate) fn read_file(path: &Path, limit: u64, what: &str) -> Result<Vec<u8>> {
     let (file, length) = open_regular(path)?;
-    if length > MAX_JSON_BYTES {
-        let (length, limit) = (format_bytes(length), format_bytes(MAX_JSON_BYTES));
+    if length > limit {
+        let (length, limit) = (format_bytes(length), format_bytes(limit));
         let reason = format!(
-            "the file has {length}, too large for JSON (limit {limit}): is it the right file?"
+            "the file has {length}, too large for {what} (limit {limit}): is it the right file?"
         );
         return Err(Error::Invalid { origin: path.to_owned(), reason });
     }
-    let mut text = Vec::new();
-    file.take(MAX_JSON_BYTES).read_to_end(&mut text).map_err(|source| Error::read(path, source))?;
-    let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&text);
-    serde_json::from_slice(text).map_err(|error| Error::json(path, "JSON", text, &error))
+    let mut bytes = memory::reserve(length as usize, what)?;
+    // No more than was checked, should the file grow.
+    file.take(length).read_to_end(&mut bytes).map_err(|source| Error::read(path, source))?;
+    Ok(bytes)
+}
+
+/// [`read_file`] of UTF-8 text.
+pub(crate) fn read_text(path: &Path, limit: u64, what: &str) -> Result<String> {
+    String::from_utf8(read_file(path, limit, what)?).map_err(|_| Error::Invalid {
+        origin: path.to_owned(),
+        reason: format!("the file is not UTF-8 text, so it is not {what}: is it the right file?"),
+    })
+}
+
+/// Reads and parses a JSON file.
+pub(crate) fn read_json(path: &Path) -> Result<Value> {
+    parse_json(&read_file(path, MAX_JSON_BYTES, "JSON")?, path)
+}
+
+/// Parses JSON. A byte order mark, which some editors leave, is skipped.
+pub(crate) fn parse_json(bytes: &[u8], origin: &Path) -> Result<Value> {
+    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    serde_json::from_slice(text).map_err(|error| Error::json(origin, "JSON", text, &error))
 }
 
 /// What a JSON value is, for messages.

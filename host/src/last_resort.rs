@@ -4,10 +4,6 @@
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::io::Write;
 
-/// What is larger is asked for by code that takes no for an answer: the library's tensors and
-/// buffers, which tell what they were for.
-const ANSWERED: usize = 4 << 20;
-
 #[global_allocator]
 static ALLOCATOR: LastResort = LastResort;
 
@@ -39,7 +35,8 @@ unsafe impl GlobalAlloc for LastResort {
 
 #[inline]
 fn checked(memory: *mut u8, size: usize) -> *mut u8 {
-    if memory.is_null() && size < ANSWERED { give_up(size) } else { memory }
+    // The library's tensors and buffers take no for an answer, and say what they were for.
+    if memory.is_null() && !organza_device::memory::may_fail() { give_up(size) } else { memory }
 }
 
 #[cold]

@@ -13,6 +13,8 @@ pub mod data;
 pub mod demo;
 pub mod error;
 pub mod evaluate;
+#[doc(hidden)]
+pub mod fuzz;
 pub mod image;
 mod input;
 pub mod metrics;

@@ -54,6 +54,11 @@ impl TileBatch {
         parse_batch(&read_json(path)?, path)
     }
 
+    /// [`Self::load`] of what is JSON already; `origin` is what errors name.
+    pub(crate) fn parse(file: &Value, origin: &Path) -> Result<Self> {
+        parse_batch(file, origin)
+    }
+
     /// Writes a file that [`Self::load`] reads, atomically.
     ///
     /// # Errors
@@ -148,12 +153,17 @@ fn check_side(side: u32, origin: &Path) -> Result<()> {
     Err(Error::Invalid { origin: origin.to_owned(), reason: side_range(&side.to_string()) })
 }
 
+/// The most tiles of a side, which is not 0, that one batch may have.
+pub(crate) fn most_tiles(side: u32) -> u64 {
+    (MAX_OUTPUT_VALUES - 1) / (CHANNELS * u64::from(side) * u64::from(side))
+}
+
 fn check_output(tiles: u64, side: u32, origin: &Path) -> Result<()> {
-    let per_tile = CHANNELS * u64::from(side) * u64::from(side);
-    if tiles.saturating_mul(per_tile) < MAX_OUTPUT_VALUES {
+    let most = most_tiles(side);
+    if tiles <= most {
         return Ok(());
     }
-    let most = (MAX_OUTPUT_VALUES - 1) / per_tile;
+    let per_tile = CHANNELS * u64::from(side) * u64::from(side);
     let bytes = format_bytes(tiles.saturating_mul(per_tile).saturating_mul(4));
     let limit = format_bytes(4 * MAX_OUTPUT_VALUES);
     let reason = format!(

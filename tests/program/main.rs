@@ -3,9 +3,13 @@
 mod bad_files;
 mod bad_requests;
 mod bench;
+mod corpus;
 mod eval;
+mod hostile;
 mod kernels;
 mod limits;
+mod mutate;
+mod mutations;
 mod parity;
 mod results;
 mod sandbox;

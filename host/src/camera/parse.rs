@@ -16,7 +16,7 @@ pub(crate) const PINHOLE_MODELS: [&str; 2] = ["PINHOLE", "SIMPLE_PINHOLE"];
 const COEFFICIENTS: [&str; 6] = ["k1", "k2", "k3", "k4", "p1", "p2"];
 
 /// Every camera of a file's JSON.
-pub(super) fn cameras(file: &Value, origin: &Path) -> Result<Vec<Camera>> {
+pub(crate) fn cameras(file: &Value, origin: &Path) -> Result<Vec<Camera>> {
     let parse = |(index, frame): (usize, &Value)| {
         Source { file, frame, size: None }.valid_camera(index, origin)
     };

@@ -1,5 +1,6 @@
 //! What the user sees: notes and progress on stderr, data on stdout.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::io::{self, Write};
 use std::time::Duration;
@@ -26,7 +27,7 @@ impl Console {
     /// Says something, unless told to be quiet.
     pub fn note(self, text: &str) {
         if !self.quiet {
-            write(&format!("{text}\n"));
+            write(&format!("{}\n", plain(text)));
         }
     }
 
@@ -70,7 +71,7 @@ impl Console {
 impl Progress {
     /// What is being done.
     pub fn say(&self, what: &str) {
-        self.0.set_message(what.to_owned());
+        self.0.set_message(shortened(&plain(what).replace('\n', " "), MAX_NAME));
     }
 
     /// So many steps are done, in all.
@@ -94,6 +95,11 @@ impl Progress {
         self.0.suspend(|| console.note(text));
     }
 
+    /// Says something above the bar that should not be missed.
+    pub fn warn(&self, console: Console, text: &str) {
+        self.0.suspend(|| console.warn(text));
+    }
+
     /// So many steps are done.
     pub fn advance(&self, steps: usize) {
         self.0.inc(steps as u64);
@@ -106,9 +112,50 @@ impl Drop for Progress {
     }
 }
 
-/// `kind: text` on stderr.
+/// `kind: text` on stderr, in one line.
 pub fn line(kind: &str, text: &str) {
-    write(&format!("{kind}: {text}\n"));
+    let text = plain(text).replace('\n', "\\n");
+    write(&format!("{kind}: {}\n", shortened(&text, MAX_MESSAGE)));
+}
+
+/// The longest message, in characters: names and values of files may be of any length.
+const MAX_MESSAGE: usize = 1200;
+/// The longest name beside a bar.
+const MAX_NAME: usize = 80;
+
+/// Text in which only `\n` controls anything. Names come from files of anybody's, and a terminal
+/// does what control characters say: these are escaped, as are marks that turn the direction of
+/// text around.
+fn plain(text: &str) -> Cow<'_, str> {
+    let is_plain = |c: char| c == '\n' || !(c.is_control() || is_direction(c));
+    if text.chars().all(is_plain) {
+        return text.into();
+    }
+    let mut escaped = String::with_capacity(text.len() + 16);
+    for c in text.chars() {
+        if is_plain(c) {
+            escaped.push(c);
+        } else {
+            escaped.extend(c.escape_default());
+        }
+    }
+    escaped.into()
+}
+
+fn is_direction(c: char) -> bool {
+    matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
+/// The beginning and the end of a text that is too long.
+fn shortened(text: &str, most: usize) -> String {
+    let length = text.chars().count();
+    if length <= most {
+        return text.to_owned();
+    }
+    let (begin, end) = (most * 2 / 3, most / 3);
+    let first: String = text.chars().take(begin).collect();
+    let last: String = text.chars().skip(length - end).collect();
+    format!("{first} ... {last}")
 }
 
 /// Where nobody listens to stderr there is nobody to tell.
@@ -118,6 +165,10 @@ fn write(text: &str) {
 
 /// Writes data to stdout. A reader that has seen enough, such as `head`, is no error.
 pub fn print(text: &str) -> Result<()> {
+    write_out(&plain(text))
+}
+
+fn write_out(text: &str) -> Result<()> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(source) if source.kind() != io::ErrorKind::BrokenPipe => {
@@ -131,5 +182,36 @@ pub fn print(text: &str) -> Result<()> {
 pub fn print_json(value: &impl serde::Serialize) -> Result<()> {
     let text = serde_json::to_string_pretty(value)
         .map_err(|error| Error::Argument { reason: error.to_string() })?;
-    print(&(text + "\n"))
+    // JSON itself escapes what is below a blank.
+    let is_plain = |c: char| !('\u{7f}'..='\u{9f}').contains(&c) && !is_direction(c);
+    let mut escaped = String::with_capacity(text.len() + 1);
+    for c in text.chars() {
+        if is_plain(c) {
+            escaped.push(c);
+        } else {
+            escaped += &format!("\\u{:04x}", u32::from(c));
+        }
+    }
+    write_out(&(escaped + "\n"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_controls_a_terminal() {
+        assert_eq!(plain("a\nb é"), "a\nb é");
+        assert_eq!(plain("\x1b[31m\r\x07\u{9b}"), "\\u{1b}[31m\\r\\u{7}\\u{9b}");
+        assert_eq!(plain("exe\u{202e}gnp"), "exe\\u{202e}gnp");
+    }
+
+    #[test]
+    fn long_texts_keep_both_ends() {
+        let text = format!("begin{}end", "é".repeat(10_000));
+        let short = shortened(&text, 300);
+        assert!(short.starts_with("begin") && short.ends_with("end"), "{short}");
+        assert!(short.chars().count() < 310);
+        assert_eq!(shortened("short", 5), "short");
+    }
 }

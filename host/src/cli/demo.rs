@@ -1,6 +1,5 @@
 //! `organza demo`: a built-in scene, so that there is something to see and to try.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use organza::{Camera, Image, Renderer, Result, Scene, Tile, TileBatch, demo};
@@ -59,8 +58,8 @@ pub fn run(args: &Args) -> Result<()> {
 
 /// A folder that holds somebody's files is no place for others of the same names.
 fn refuse_foreign(folder: &Folder, scene: &Scene, cameras: &[Camera], path: &Path) -> Result<()> {
-    let own = fs::read(folder.join("scene.safetensors"))
-        .is_ok_and(|found| scene.to_bytes().is_ok_and(|bytes| bytes == found));
+    // What was written and is read again has the same values: f32 in a file are exact.
+    let own = Scene::load(folder.join("scene.safetensors")).is_ok_and(|found| found == *scene);
     let fixed = ["scene.safetensors", "cameras.json", "tiles.json", "turntable.png"];
     let views = names(cameras).into_iter().map(|name| format!("{name}.png"));
     let mut files = fixed.map(str::to_owned).into_iter().chain(views);

@@ -8,7 +8,7 @@ use clap::ValueEnum;
 use organza::data::{Dataset, DatasetOptions, Frame};
 use organza::evaluate::{Event, Score, evaluate, tiles};
 use organza::train::config::DataConfig;
-use organza::train::{self, CHECKPOINT, CONFIG, TrainConfig};
+use organza::train::{self, CHECKPOINT, CONFIG};
 use organza::{DeviceScene, Error, Evaluation, Renderer, Result, Scene};
 
 use super::console::{Console, print, print_json};
@@ -16,6 +16,7 @@ use super::device::{DeviceArgs, SceneArgs};
 use super::picture::warn_not_finite;
 use super::summary::count;
 use super::table::Table;
+use super::train::warn_of_files;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -54,6 +55,9 @@ pub struct Args {
     /// background]
     #[arg(long, value_name = "R,G,B")]
     background: Option<Color>,
+    /// Read what the data set names outside its own folder, by a path or a link
+    #[arg(long)]
+    allow_outside: bool,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -107,9 +111,10 @@ pub fn run(args: &Args) -> Result<()> {
 
 /// The photographs: what is asked for, and what a run's folder says about the rest.
 fn data(args: &Args) -> Result<DataConfig> {
-    let config = args.scene.join(CONFIG);
-    let is_run = config.exists();
-    let mut data = if is_run { TrainConfig::load(config)?.data } else { DataConfig::default() };
+    let is_run = args.scene.join(CONFIG).exists();
+    let mut data =
+        if is_run { train::settings_of(&args.scene)?.data } else { DataConfig::default() };
+    data.allow_outside |= args.allow_outside;
     if args.data.is_none() && !is_run {
         let reason = "a scene file does not say what it was trained on, only a training run's folder does; name the \
                       data set: `organza eval SCENE DATA`";
@@ -158,13 +163,11 @@ fn load(
         |Color(color)| color,
     );
     let (downscale, hold_out_every) = (data.downscale, data.hold_out_every);
-    let options = DatasetOptions { downscale, hold_out_every, background };
+    let allow_outside = data.allow_outside;
+    let options = DatasetOptions { downscale, hold_out_every, background, allow_outside };
     let dataset =
         console.during("reading the photographs", || Dataset::load(path, &options, &|_, _| {}))?;
-    if let Some(first) = dataset.missing.first() {
-        let (missing, first) = (count(dataset.missing.len() as u64, "photograph"), first.display());
-        console.warn(&format!("missing, so left out: {missing}, the first is {first}"));
-    }
+    warn_of_files(console, &dataset);
     Ok(dataset)
 }
 

@@ -12,6 +12,7 @@ mod output;
 mod parity;
 mod picture;
 mod render;
+mod signals;
 mod summary;
 mod table;
 mod tiles;
@@ -23,6 +24,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Mutex;
 
+use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
 use organza::Result;
 
@@ -63,8 +65,11 @@ enum Command {
 
 /// Runs the program; returns its exit code.
 pub fn main() -> ExitCode {
-    let Cli { command } = Cli::parse();
     remember_panics();
+    let command = match Cli::try_parse() {
+        Ok(Cli { command }) => command,
+        Err(error) => return usage(&error),
+    };
     let run = || match &command {
         Command::Train(args) => train::run(args).map(done),
         Command::Tiles(args) => tiles::run(args).map(done),
@@ -86,6 +91,32 @@ pub fn main() -> ExitCode {
         }
     };
     console::line("error", &message);
+    ExitCode::from(FAILURE)
+}
+
+/// What the parser of the command line has to say: help, or what is wrong, a line each and in few.
+fn usage(error: &clap::Error) -> ExitCode {
+    if !error.use_stderr() {
+        // A reader that has seen enough is no error.
+        let _ = error.print();
+        return ExitCode::SUCCESS;
+    }
+    if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        console::line("error", "no subcommand is named; `organza --help` lists them");
+        return ExitCode::from(FAILURE);
+    }
+    let text = error.render().to_string();
+    // The message, then hints, then the usage: paragraphs of which some have several lines.
+    let one_line = |lines: &str| lines.split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut paragraphs = text.split("\n\n").map(one_line).filter(|text| !text.is_empty());
+    let message = paragraphs.next().unwrap_or_default();
+    console::line("error", message.strip_prefix("error: ").unwrap_or(&message));
+    for hint in paragraphs.take(3) {
+        match hint.split_once(": ") {
+            Some((kind @ ("tip" | "Usage"), text)) => console::line(kind, text),
+            _ => console::line("help", &hint),
+        }
+    }
     ExitCode::from(FAILURE)
 }
 

@@ -77,6 +77,15 @@ impl Folder {
         Ok(folder)
     }
 
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The folders that were made for it, innermost first.
+    pub fn made(&self) -> &[PathBuf] {
+        &self.made
+    }
+
     pub fn join(&self, name: &str) -> PathBuf {
         self.path.join(name)
     }

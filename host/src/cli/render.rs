@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use organza::tile::MAX_TILE_SIDE;
-use organza::{Camera, Result, Scene};
+use organza::{Camera, Image, Result, Scene};
 
 use super::console::Console;
 use super::device::{DeviceArgs, SceneArgs};
@@ -53,6 +53,9 @@ pub fn run(args: &Args) -> Result<()> {
         None => (0..cameras.len()).collect(),
     };
     warn_distorted(console, &cameras, &views);
+    for &view in &views {
+        Image::check_memory(cameras[view].width, cameras[view].height)?;
+    }
     let scene = console.during("reading the scene", || Scene::load(&args.scene))?;
     let folder = Folder::make(&args.output)?;
     let files = files(args, &folder, &cameras, &views)?;

@@ -109,6 +109,16 @@ fn read_grad_output(path: &Path, batch: &TileBatch) -> Result<Vec<f32>> {
 }
 
 fn write_gradient(gradient: Scene, path: &Path) -> Result<()> {
+    for (spec, values) in gradient.tensors() {
+        if let Some(index) = values.iter().position(|value| !value.is_finite()) {
+            let (name, value) = (spec.name, values[index]);
+            let reason = format!(
+                "the gradient of `{name}` holds {value} at flat index {index}, more than f32 can \
+                 hold; nothing was written"
+            );
+            return Err(Error::Diverged { reason });
+        }
+    }
     let tensors = gradient.tensors_with_prefix("grad.");
     let tensors: Vec<_> = tensors.iter().map(|(spec, data)| spec.of(data)).collect();
     write_tensors(path, &tensors, &[])

@@ -1,17 +1,15 @@
 //! `organza train`: from photographs to a scene.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use organza::data::{Dataset, DatasetOptions};
-use organza::train::{self, CHECKPOINT, CONFIG, Event, Outcome, REPORT, Session, TrainConfig};
-use organza::{Error, Renderer, Result};
+use organza::train::{self, CHECKPOINT, Event, Outcome, REPORT, RunFolder, Session, TrainConfig};
+use organza::{Renderer, Result};
 
 use super::console::{Console, Progress};
 use super::device::DeviceArgs;
 use super::output::Folder;
-use super::refuse;
+use super::signals::Signals;
 use super::summary::count;
 
 const EXAMPLES: &str = "\
@@ -37,7 +35,7 @@ pub struct Args {
     output: Option<PathBuf>,
     /// Continue a run that was stopped, with its own settings
     #[arg(long, value_name = "RUN", conflicts_with_all = ["output", "data", "config", "steps", "seed",
-        "tiles_per_step", "tile_size", "downscale", "max_gaussians", "hold_out_every"])]
+        "tiles_per_step", "tile_size", "downscale", "max_gaussians", "hold_out_every", "allow_outside"])]
     resume: Option<PathBuf>,
     /// A settings file, TOML, such as a run's config.toml; options override it
     #[arg(long, value_name = "TOML")]
@@ -60,6 +58,9 @@ pub struct Args {
     /// Hold out every Nth frame, starting with the first; 0 holds out none
     #[arg(long, value_name = "N")]
     hold_out_every: Option<usize>,
+    /// Read what the data set names outside its own folder, by a path or a link
+    #[arg(long)]
+    allow_outside: bool,
     /// Seed of all random choices
     #[arg(long, value_name = "N")]
     seed: Option<u64>,
@@ -72,17 +73,20 @@ pub struct Args {
 }
 
 pub fn run(args: &Args) -> Result<()> {
+    let signals = Signals::listen()?;
     let console = args.device.console();
     let (folder, config) = prepare(args)?;
+    config.check_memory()?;
     // until there is something in it
-    let _made = Folder::make(&folder)?;
+    let made = Folder::make(&folder)?;
+    signals.has_made(&made);
+    let folder = RunFolder::lock(&folder, args.resume.is_some())?;
     let renderer = args.device.open()?;
     let dataset = load(&config, &renderer, console)?;
     let background = match config.data.path {
         Some(_) => config.data.background.map(f64::from),
         None => train::built_in::background(),
     };
-    let stop = stop_on_signals()?;
     let session = Session {
         renderer: &renderer,
         config: &config,
@@ -90,12 +94,18 @@ pub fn run(args: &Args) -> Result<()> {
         background,
         folder: &folder,
         time_limit: args.time_limit.map(f64::from),
-        stop: &stop,
+        stop: signals.stop(),
     };
     let bar = console.progress(u64::from(config.run.steps), "steps");
     bar.say("training");
-    let outcome = session.run(args.resume.is_some(), &mut |event| show(event, &bar, console))?;
+    let outcome = session.run(args.resume.is_some(), &mut |event| {
+        if matches!(event, Event::Begin(_)) {
+            signals.training_begins();
+        }
+        show(event, &bar, console);
+    })?;
     drop(bar);
+    let folder = folder.path();
     console.note(&match outcome {
         Outcome::Stopped => {
             format!("saved; `organza train --resume {}` continues from here", folder.display())
@@ -114,28 +124,10 @@ pub fn run(args: &Args) -> Result<()> {
 /// The run's folder and its settings.
 fn prepare(args: &Args) -> Result<(PathBuf, TrainConfig)> {
     if let Some(folder) = &args.resume {
-        let path = folder.join(CONFIG);
-        if !path.exists() {
-            let reason = format!(
-                "the folder has no {CONFIG}, so it is not a training run's; name the folder that \
-                 `organza train -o` wrote to"
-            );
-            return Err(Error::Invalid { origin: folder.clone(), reason });
-        }
-        return Ok((folder.clone(), TrainConfig::load(path)?));
+        return Ok((folder.clone(), train::settings_of(folder)?));
     }
     let folder = args.output.clone().expect("clap requires it");
-    let config = settings(args)?;
-    for name in [CONFIG, CHECKPOINT] {
-        if folder.join(name).exists() {
-            let reason = format!(
-                "the folder already holds a run ({name}); continue it with `--resume`, or name \
-                 another folder"
-            );
-            return Err(Error::Invalid { origin: folder, reason });
-        }
-    }
-    Ok((folder, config))
+    Ok((folder, settings(args)?))
 }
 
 fn settings(args: &Args) -> Result<TrainConfig> {
@@ -164,6 +156,7 @@ fn settings(args: &Args) -> Result<TrainConfig> {
     set(&mut config.data.downscale, &args.downscale);
     set(&mut config.data.hold_out_every, &args.hold_out_every);
     set(&mut config.run.seed, &args.seed);
+    config.data.allow_outside |= args.allow_outside;
     // options are held to what files are held to
     TrainConfig::parse(&config.to_toml(), Path::new(""))
 }
@@ -182,36 +175,35 @@ fn load(config: &TrainConfig, renderer: &Renderer, console: Console) -> Result<D
         downscale: data.downscale,
         hold_out_every: data.hold_out_every,
         background: data.background,
+        allow_outside: data.allow_outside,
     };
     let bar = console.progress(0, "photographs");
     bar.say("reading");
     let dataset = Dataset::load(path, &options, &|done, all| bar.set_of(done, all))?;
     drop(bar);
-    for missing in &dataset.missing {
-        console.warn(&format!("missing, so left out: {}", missing.display()));
-    }
+    warn_of_files(console, &dataset);
     let (all, held_out) = (dataset.frames.len() as u64, dataset.held_out.len());
     console.note(&format!("{} ({}), {held_out} held out", count(all, "photograph"), dataset.kind));
     Ok(dataset)
 }
 
-/// A flag that Ctrl-C and SIGTERM set; the second time they end the program at once.
-fn stop_on_signals() -> Result<Arc<AtomicBool>> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let flag = stop.clone();
-    let handler = move || {
-        if flag.swap(true, Ordering::Relaxed) {
-            std::process::exit(i32::from(super::FAILURE));
+/// Says which files of a data set are not there, and which are outside its folder.
+pub fn warn_of_files(console: Console, dataset: &Dataset) {
+    let kinds = [
+        (&dataset.missing, "photograph", "missing, so left out"),
+        (&dataset.outside, "file", "read outside the data set's folder, as was allowed"),
+    ];
+    for (files, unit, what) in kinds {
+        if let Some(first) = files.first() {
+            let (files, first) = (count(files.len() as u64, unit), first.display());
+            console.warn(&format!("{what}: {files}, the first is {first}"));
         }
-    };
-    match ctrlc::set_handler(handler) {
-        Ok(()) => Ok(stop),
-        Err(error) => refuse(format!("cannot handle signals: {error}")),
     }
 }
 
 fn show(event: Event<'_>, bar: &Progress, console: Console) {
     match event {
+        Event::Warning(text) => bar.warn(console, text),
         Event::Begin(0) => {}
         Event::Begin(step) => {
             bar.set(step as usize);

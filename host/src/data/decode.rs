@@ -1,27 +1,74 @@
 //! Photographs from their files: PNG and JPEG, whole or refused.
 
-use std::io::{BufReader, Cursor, Read};
+use std::io::{BufRead, BufReader, Cursor, Seek};
 use std::path::Path;
 
-use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader};
+use image::error::{ImageFormatHint, UnsupportedError, UnsupportedErrorKind};
+use image::{ColorType, ImageDecoder, ImageError, ImageFormat, ImageReader};
 
+use super::budget::{Budget, Share};
 use super::invalid;
 use crate::error::{Error, Result};
-use crate::input::open_regular;
+use crate::input::{open_regular, read_file};
 use organza_device::memory;
+
+/// Bytes a pixel that decoding may take: 8 for the widest pixel (RGBA of 16 bits), or else 3 and
+/// the 16-bit coefficients of a progressive JPEG's four components.
+const BYTES_A_PIXEL: u64 = 3 + 4 * 2;
+/// Rows, tables and text beside the pixels.
+const BYTES_BESIDE: u64 = 1 << 20;
+/// The most bytes that one byte of a PNG's compressed data becomes.
+const DEFLATE_RATIO: u64 = 1032;
+
+/// A photograph as its file has it.
+pub(super) struct Decoded {
+    width: u32,
+    color: ColorType,
+    /// Row by row, channels together.
+    bytes: Vec<u8>,
+}
 
 /// Width and height in pixels of a photograph, from its header.
 pub(super) fn size(path: &Path) -> Result<[u32; 2]> {
-    let reader = ImageReader::new(BufReader::new(open_regular(path)?.0));
+    let (file, length) = open_regular(path)?;
+    // A JPEG's decoder reads the whole file.
+    memory::check(length, "a photograph's file")?;
+    size_from(BufReader::new(file), path)
+}
+
+/// [`size`] from what a photograph's file holds.
+pub(super) fn size_from(source: impl BufRead + Seek, path: &Path) -> Result<[u32; 2]> {
+    let reader = ImageReader::new(source);
     let reader = reader.with_guessed_format().map_err(|source| Error::read(path, source))?;
     let (width, height) = reader.into_dimensions().map_err(|error| broken(path, &error))?;
     Ok([width, height])
 }
 
-/// Reads a photograph that should have `expected` pixels, width and height.
-pub(super) fn decode(path: &Path, expected: [u32; 2]) -> Result<DynamicImage> {
-    let bytes = read(path)?;
-    let reader = ImageReader::new(Cursor::new(&bytes));
+/// The bytes of a photograph's file that should have `expected` pixels, width and height, and the
+/// share of the budget that decoding them takes. Keep it until they are decoded.
+pub(super) fn read<'a>(
+    path: &Path,
+    expected: [u32; 2],
+    budget: &'a Budget,
+) -> Result<(Vec<u8>, Share<'a>)> {
+    let (_, length) = open_regular(path)?;
+    let share = budget.take(bytes_to_decode(length, expected), || {
+        let ([width, height], path) = (expected, path.display());
+        format!("decoding {path} ({width} x {height} pixels)")
+    })?;
+    Ok((read_file(path, length, "a photograph")?, share))
+}
+
+/// The most that decoding a file of `length` bytes takes.
+pub(super) fn bytes_to_decode(length: u64, [width, height]: [u32; 2]) -> u64 {
+    let pixels = u64::from(width) * u64::from(height);
+    // The decoder has a copy of the file.
+    length.saturating_mul(2).saturating_add(BYTES_A_PIXEL * pixels + BYTES_BESIDE)
+}
+
+/// Decodes a photograph that should have `expected` pixels, width and height.
+pub(super) fn decode(bytes: &[u8], expected: [u32; 2], path: &Path) -> Result<Decoded> {
+    let reader = ImageReader::new(Cursor::new(bytes));
     let reader = reader.with_guessed_format().map_err(|source| Error::read(path, source))?;
     let is_jpeg = reader.format() == Some(ImageFormat::Jpeg);
     let decoder = reader.into_decoder().map_err(|error| broken(path, &error))?;
@@ -30,20 +77,51 @@ pub(super) fn decode(path: &Path, expected: [u32; 2]) -> Result<DynamicImage> {
         return wrong_size(path, [width, height], expected);
     }
     // The decoder fills what is missing of a JPEG with gray, and says nothing.
-    if is_jpeg && !has_jpeg_end(&bytes) {
+    let is_whole = !is_jpeg || has_jpeg_end(bytes);
+    if !is_whole || (bytes.len() as u64) < fewest_bytes(is_jpeg, expected) {
         return invalid(path, "the photograph was cut short; copy it again".to_owned());
     }
-    DynamicImage::from_decoder(decoder).map_err(|error| broken(path, &error))
+    let color = decoder.color_type();
+    if sample_bytes(color).is_none() {
+        let (hint, kind) = (ImageFormatHint::Unknown, UnsupportedErrorKind::Color(color.into()));
+        let error = UnsupportedError::from_format_and_kind(hint, kind);
+        return Err(broken(path, &ImageError::Unsupported(error)));
+    }
+    let length = usize::try_from(decoder.total_bytes()).unwrap_or(usize::MAX);
+    let mut pixels = memory::zeros::<u8>(length, "a photograph")?;
+    decoder.read_image(&mut pixels).map_err(|error| broken(path, &error))?;
+    Ok(Decoded { width, color, bytes: pixels })
 }
 
-fn read(path: &Path) -> Result<Vec<u8>> {
-    let (file, length) = open_regular(path)?;
-    memory::check(length, "a photograph's file")?;
-    let mut bytes = Vec::new();
-    // No more than was checked, should the file grow.
-    let read = file.take(length).read_to_end(&mut bytes);
-    read.map_err(|source| Error::read(path, source))?;
-    Ok(bytes)
+impl Decoded {
+    /// Red, green, blue and alpha of column `x` and row `y`, of 0 to 1.
+    pub fn rgba(&self, x: u32, y: u32) -> [f32; 4] {
+        let channels = usize::from(self.color.channel_count());
+        let first = (y as usize * self.width as usize + x as usize) * channels;
+        let sample = |channel: usize| match sample_bytes(self.color) {
+            Some(2) => {
+                let at = 2 * (first + channel);
+                f32::from(u16::from_ne_bytes([self.bytes[at], self.bytes[at + 1]])) / 65535.0
+            }
+            _ => f32::from(self.bytes[first + channel]) / 255.0,
+        };
+        match channels {
+            1 => [sample(0), sample(0), sample(0), 1.0],
+            2 => [sample(0), sample(0), sample(0), sample(1)],
+            3 => [sample(0), sample(1), sample(2), 1.0],
+            _ => [0, 1, 2, 3].map(sample),
+        }
+    }
+}
+
+/// Bytes of a channel of a pixel, for the types that are read.
+fn sample_bytes(color: ColorType) -> Option<u8> {
+    use ColorType::{L8, L16, La8, La16, Rgb8, Rgb16, Rgba8, Rgba16};
+    match color {
+        L8 | La8 | Rgb8 | Rgba8 => Some(1),
+        L16 | La16 | Rgb16 | Rgba16 => Some(2),
+        _ => None,
+    }
 }
 
 fn broken(path: &Path, error: &ImageError) -> Error {
@@ -68,6 +146,16 @@ fn wrong_size<T>(path: &Path, found: [u32; 2], expected: [u32; 2]) -> Result<T> 
     let reason =
         format!("the photograph is {width} x {height} pixels, but its camera {w} x {h}; {hint}");
     invalid(path, reason)
+}
+
+/// The length below which no file of the format holds so many pixels: a block of 8 x 8 has at least
+/// one bit in a JPEG, and a pixel of a PNG one before it is compressed.
+fn fewest_bytes(is_jpeg: bool, [width, height]: [u32; 2]) -> u64 {
+    let [width, height] = [width, height].map(u64::from);
+    match is_jpeg {
+        true => width.div_ceil(8) * height.div_ceil(8) / 8,
+        false => width.div_ceil(8) * height / DEFLATE_RATIO,
+    }
 }
 
 /// Whether a JPEG's own end-of-image marker is there. That of a thumbnail does not count.

@@ -3,6 +3,8 @@
 
 use std::path::PathBuf;
 
+use super::budget::Budget;
+use super::fingerprint::Digest;
 use super::lens::{Lens, Undistortion};
 use super::{DatasetOptions, Frame, Photograph, decode, invalid};
 use crate::camera::Camera;
@@ -25,41 +27,33 @@ pub(super) struct Shot {
 }
 
 impl Shot {
-    /// Reads the photograph.
+    /// Reads the photograph; the digest is that of its file.
     ///
     /// # Errors
     /// [`crate::Error::ReadFile`]; [`crate::Error::Invalid`] for a photograph that cannot be
-    /// decoded, is not of the camera's size, or of which no pixel remains.
-    pub fn develop(&self, options: &DatasetOptions) -> Result<Frame> {
+    /// decoded, is not of the camera's size, or of which no pixel remains;
+    /// [`crate::error::DeviceError::OutOfMemory`] for one that does not fit into the budget.
+    pub fn develop(&self, options: &DatasetOptions, budget: &Budget) -> Result<(Frame, Digest)> {
         let Camera { width, height, .. } = self.camera;
         let factor = options.downscale;
         if width.min(height) < factor {
             let reason = format!("a downscale of {factor} leaves nothing of {width} x {height}");
             return invalid(&self.path, format!("{reason} pixels; use a smaller one"));
         }
-        let decoded = decode::decode(&self.path, [width, height])?;
+        let (bytes, _share) = decode::read(&self.path, [width, height], budget)?;
+        let digest = Digest::of(&bytes);
+        let decoded = decode::decode(&bytes, [width, height], &self.path)?;
         let over = |[red, green, blue, alpha]: [f32; 4]| {
             let color = [red, green, blue];
             std::array::from_fn(|i| color[i] * alpha + options.background[i] * (1.0 - alpha))
         };
-        let has_8_bits = decoded.color().bytes_per_pixel() == decoded.color().channel_count();
-        let image = if has_8_bits {
-            let image = decoded.into_rgba8();
-            self.resample(factor, |x, y| {
-                over(image.get_pixel(x, y).0.map(|v| f32::from(v) / 255.0))
-            })
-        } else {
-            let image = decoded.into_rgba16();
-            self.resample(factor, |x, y| {
-                over(image.get_pixel(x, y).0.map(|v| f32::from(v) / 65535.0))
-            })
-        }?;
+        let image = self.resample(factor, |x, y| over(decoded.rgba(x, y)))?;
         if image.valid().is_some_and(|valid| !valid.contains(&true)) {
             let reason = "the lens's coefficients leave no pixel of the photograph; check them";
             return invalid(&self.path, reason.to_owned());
         }
         let camera = Camera { distorted: false, ..smaller(&self.camera, factor) };
-        Ok(Frame { name: self.name.clone(), camera, image })
+        Ok((Frame { name: self.name.clone(), camera, image }, digest))
     }
 
     /// The undistorted, smaller photograph; `texel` is the color of a column and a row of the
@@ -71,7 +65,7 @@ impl Shot {
         let undistortion =
             (!self.lens.is_pinhole()).then(|| Undistortion::new(&self.camera, &self.lens));
         let mut valid = match undistortion {
-            Some(_) => vec![true; count],
+            Some(_) => memory::zeros(count, "a photograph's mask")?,
             None => Vec::new(),
         };
         let size = [self.camera.width, self.camera.height];
@@ -84,9 +78,11 @@ impl Shot {
         };
         for (index, pixel) in pixels.iter_mut().enumerate() {
             let (column, row) = (index as u32 % width, index as u32 / width);
-            match mean([column * factor, row * factor], factor, sample) {
-                Some(color) => *pixel = color.map(to_8_bit),
-                None => valid[index] = false,
+            if let Some(color) = mean([column * factor, row * factor], factor, sample) {
+                *pixel = color.map(to_8_bit);
+                if let Some(valid) = valid.get_mut(index) {
+                    *valid = true;
+                }
             }
         }
         Photograph::new([width, height], pixels, undistortion.map(|_| valid))

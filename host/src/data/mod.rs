@@ -2,12 +2,16 @@
 //!
 //! Read are nerfstudio's, Blender's (NeRF synthetic) and COLMAP's data sets; see `docs/data.md`.
 
+mod budget;
 mod colmap;
 mod decode;
 mod develop;
+mod fingerprint;
+pub(crate) mod fuzz;
 mod lens;
 mod photograph;
 mod ply;
+mod reach;
 #[cfg(test)]
 mod tests;
 mod transforms;
@@ -21,9 +25,13 @@ use rayon::prelude::*;
 
 use crate::camera::Camera;
 use crate::error::{Error, Result};
+use budget::Budget;
 use develop::Shot;
+pub use fingerprint::Fingerprint;
+use lens::Lens;
 use organza_device::memory;
 pub use photograph::Photograph;
+use reach::Reach;
 
 /// How photographs are read, and which of them are kept from training.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,11 +46,13 @@ pub struct DatasetOptions {
     /// What photographs with an alpha channel are put in front of: red, green and blue of 0 to 1,
     /// as sRGB values.
     pub background: [f32; 3],
+    /// Whether the data set may name files outside its own folder, by their paths or by links.
+    pub allow_outside: bool,
 }
 
 impl Default for DatasetOptions {
     fn default() -> Self {
-        Self { downscale: 1, hold_out_every: 8, background: [0.0; 3] }
+        Self { downscale: 1, hold_out_every: 8, background: [0.0; 3], allow_outside: false }
     }
 }
 
@@ -125,6 +135,10 @@ pub struct Dataset {
     pub points: Vec<Point>,
     /// Photographs that the data set names and that are not there; their frames are left out.
     pub missing: Vec<PathBuf>,
+    /// Files that were read outside the data set's folder, as it names them.
+    pub outside: Vec<PathBuf>,
+    /// What it is known by.
+    pub fingerprint: Fingerprint,
     /// What kind of data set it was.
     pub kind: DatasetKind,
     /// What it was read from; empty for frames that a caller made.
@@ -153,14 +167,17 @@ impl Dataset {
     /// # Errors
     /// [`Error::Argument`] for options out of range; [`Error::ReadFile`], [`Error::BadJson`],
     /// [`Error::Invalid`] or [`Error::Camera`] for what is damaged, unknown or not supported;
-    /// [`Error::Invalid`] where no frame is left to train on; [`Error::OutOfMemory`].
+    /// [`Error::Invalid`] where no frame is left to train on, or where a file is outside the data
+    /// set's folder and must not be; [`Error::OutOfMemory`].
     pub fn load(
         path: &Path,
         options: &DatasetOptions,
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Self> {
         options.check()?;
-        let listing = list(path, options)?;
+        fs::metadata(path).map_err(|source| Error::read(path, source))?;
+        let mut reach = Reach::of(path, options.allow_outside)?;
+        let listing = list(path, options, &mut reach)?;
         let count = listing.shots.len();
         if let (0, Some(missing)) = (count, listing.missing.first()) {
             let (all, missing) = (listing.missing.len(), missing.display());
@@ -169,15 +186,16 @@ impl Dataset {
                 format!("none of the {all} photographs exists; the first should be {missing}"),
             );
         }
-        check_memory(&listing.shots, options)?;
+        let budget = Budget::beside(check_memory(&listing.shots, options)?);
         progress(0, count);
         let done = AtomicUsize::new(0);
         let develop = |shot: &Shot| {
-            let frame = shot.develop(options)?;
+            let frame = shot.develop(options, &budget)?;
             progress(done.fetch_add(1, Ordering::Relaxed) + 1, count);
             Ok(frame)
         };
-        let frames = listing.shots.par_iter().map(develop).collect::<Result<Vec<_>>>()?;
+        let developed = listing.shots.par_iter().map(develop).collect::<Result<Vec<_>>>()?;
+        let (frames, digests): (Vec<_>, Vec<_>) = developed.into_iter().unzip();
         let (held_out, train): (Vec<_>, Vec<_>) =
             (0..count).partition(|&index| listing.shots[index].held_out);
         if train.is_empty() {
@@ -187,8 +205,11 @@ impl Dataset {
             );
             return invalid(path, reason);
         }
-        let Listing { kind, missing, points, .. } = listing;
-        Ok(Self { frames, train, held_out, points, missing, kind, path: path.to_owned() })
+        let Listing { kind, missing, points, shots } = listing;
+        let known = shots.iter().map(|shot| (&*shot.name, &shot.camera, shot.lens, shot.held_out));
+        let fingerprint = Fingerprint::of(known, &digests, &points);
+        let (outside, path) = (reach.outside, path.to_owned());
+        Ok(Self { frames, train, held_out, points, missing, outside, fingerprint, kind, path })
     }
 
     /// A data set of frames that were not read from files. Every `hold_out_every`-th is held out,
@@ -197,8 +218,14 @@ impl Dataset {
     pub fn from_frames(frames: Vec<Frame>, hold_out_every: usize) -> Self {
         let (held_out, train) =
             (0..frames.len()).partition(|&index| is_held_out(index, hold_out_every));
-        let (points, missing, path) = Default::default();
-        Self { frames, train, held_out, points, missing, kind: DatasetKind::Generated, path }
+        let known = frames.iter().enumerate().map(|(index, frame)| {
+            let held_out = is_held_out(index, hold_out_every);
+            (&*frame.name, &frame.camera, Lens::default(), held_out)
+        });
+        let fingerprint = Fingerprint::of(known, &[], &[]);
+        let (points, missing, outside, path) = Default::default();
+        let kind = DatasetKind::Generated;
+        Self { frames, train, held_out, points, missing, outside, fingerprint, kind, path }
     }
 }
 
@@ -209,25 +236,24 @@ fn is_held_out(position: usize, every: usize) -> bool {
 }
 
 /// Finds out what kind of data set a path is, and what it holds.
-fn list(path: &Path, options: &DatasetOptions) -> Result<Listing> {
+fn list(path: &Path, options: &DatasetOptions, reach: &mut Reach) -> Result<Listing> {
     let every = options.hold_out_every;
     let nerfstudio = path.join("transforms.json");
     let blender = path.join(transforms::BLENDER_TRAIN);
-    let metadata = fs::metadata(path).map_err(|source| Error::read(path, source))?;
-    if !metadata.is_dir() {
+    if !path.is_dir() {
         let is_blender = path.file_name().is_some_and(|name| name == transforms::BLENDER_TRAIN);
         return if is_blender {
-            transforms::blender(path, every)
+            transforms::blender(path, every, reach)
         } else {
-            transforms::nerfstudio(path, every)
+            transforms::nerfstudio(path, every, reach)
         };
     }
     if nerfstudio.exists() {
-        transforms::nerfstudio(&nerfstudio, every)
+        transforms::nerfstudio(&nerfstudio, every, reach)
     } else if blender.exists() {
-        transforms::blender(&blender, every)
+        transforms::blender(&blender, every, reach)
     } else if let Some(model) = colmap::find(path) {
-        colmap::list(path, &model, every)
+        colmap::list(path, &model, every, reach)
     } else {
         let reason = "no data set was found here; looked for transforms.json (nerfstudio), \
                       transforms_train.json (Blender), and cameras.bin or cameras.txt of a sparse \
@@ -236,14 +262,15 @@ fn list(path: &Path, options: &DatasetOptions) -> Result<Listing> {
     }
 }
 
-/// Fails before hours of reading where the photographs will not fit.
-fn check_memory(shots: &[Shot], options: &DatasetOptions) -> Result<()> {
+/// The bytes that the photographs will take; fails before hours of reading where they do not fit.
+fn check_memory(shots: &[Shot], options: &DatasetOptions) -> Result<u64> {
     let pixels = |shot: &Shot| {
         let side = |side: u32| u64::from(side / options.downscale);
         side(shot.camera.width) * side(shot.camera.height)
     };
     let bytes = shots.iter().map(pixels).sum::<u64>() * size_of::<([u8; 3], bool)>() as u64;
-    Ok(memory::check(bytes, "the photographs (a larger downscale makes them smaller)")?)
+    memory::check(bytes, "the photographs (a larger downscale makes them smaller)")?;
+    Ok(bytes)
 }
 
 fn invalid<T>(origin: &Path, reason: String) -> Result<T> {

@@ -1,17 +1,23 @@
 //! Point clouds from PLY files, as nerfstudio writes them: text, and binary of either byte order.
 
-use std::io::BufReader;
+use std::cell::Cell;
+use std::io::{self, BufReader, Read};
 use std::path::Path;
 
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
-use ply_rs_bw::ply::{Header, Property, PropertyAccess, PropertyAccessResult};
+use ply_rs_bw::ply::{
+    ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType,
+    ScalarType,
+};
 
 use super::{Point, invalid};
 use crate::error::{Error, Result};
 use crate::input::open_regular;
+use organza_device::memory;
 
-/// More of a parser's words than a message needs: it quotes whole lines of what it could not read.
-const MAX_REASON: usize = 240;
+/// The longest header and the longest line of text that are read. A header of a scan with all its
+/// comments has some kilobytes.
+const MAX_LINE: u64 = 1 << 20;
 const POSITION: [&str; 3] = ["x", "y", "z"];
 const COLOR: [&str; 3] = ["red", "green", "blue"];
 
@@ -22,10 +28,19 @@ const COLOR: [&str; 3] = ["red", "green", "blue"];
 /// vertices without a finite position.
 pub(super) fn read(path: &Path) -> Result<Vec<Point>> {
     let (file, length) = open_regular(path)?;
-    let mut reader = Reader::new(BufReader::new(file));
+    read_from(file, length, path)
+}
+
+/// [`read`] from what is `length` bytes long; `path` is what errors name.
+pub(super) fn read_from(source: impl Read, length: u64, path: &Path) -> Result<Vec<Point>> {
+    let (limit, since) = (Cell::new(Some(Limit::Header)), Cell::new(0));
+    let limited = Limited { source, limit: &limit, since: &since };
+    let mut reader = Reader::new(BufReader::new(limited));
     let parser = Parser::<Vertex>::new();
     let broken = |error: ParseError| broken(path, &error);
     let header = parser.read_header(&mut reader).map_err(broken)?;
+    limit.set((header.encoding == Encoding::Ascii).then_some(Limit::Line));
+    since.set(0);
     check(&header, length, path)?;
     for element in header.elements.values() {
         // Elements lie one after the other, so those in front must be read too.
@@ -38,17 +53,61 @@ pub(super) fn read(path: &Path) -> Result<Vec<Point>> {
     invalid(path, "the PLY file has no `vertex` element; is it a point cloud?".to_owned())
 }
 
+/// What a reader counts: a line or a header without an end would be read until memory is used up.
+#[derive(Clone, Copy)]
+enum Limit {
+    /// Bytes since the beginning.
+    Header,
+    /// Bytes since the last end of a line.
+    Line,
+}
+
+/// Reads up to [`MAX_LINE`] bytes of what `limit` counts.
+struct Limited<'a, R> {
+    source: R,
+    limit: &'a Cell<Option<Limit>>,
+    since: &'a Cell<u64>,
+}
+
+impl<R: Read> Read for Limited<'_, R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let read = self.source.read(buffer)?;
+        let Some(limit) = self.limit.get() else { return Ok(read) };
+        let end = buffer[..read].iter().rposition(|&byte| byte == b'\n');
+        let since = match (limit, end) {
+            (Limit::Line, Some(end)) => (read - end) as u64,
+            _ => self.since.get() + read as u64,
+        };
+        self.since.set(since);
+        match since > MAX_LINE {
+            true => Err(io::Error::other(TOO_LONG)),
+            false => Ok(read),
+        }
+    }
+}
+
+/// Also what [`broken`] knows such an error by.
+const TOO_LONG: &str = "a line is too long";
+
 /// Holds the header to the file: what it claims must be no more than what there is.
 fn check(header: &Header, length: u64, path: &Path) -> Result<()> {
     for element in header.elements.values() {
-        if element.count as u64 > length {
-            let (count, name) = (element.count, &element.name);
+        let (count, name) = (element.count as u64, &element.name);
+        if count > 0 && element.properties.is_empty() {
+            let reason = format!(
+                "the header has {count} of `{name}`, which has no properties; is the file damaged?"
+            );
+            return invalid(path, reason);
+        }
+        if count.saturating_mul(fewest_bytes(element, header.encoding)) > length {
             let reason = format!(
                 "the header has {count} of `{name}`, more than {length} bytes can hold; the file \
                  was cut short or is damaged"
             );
             return invalid(path, reason);
         }
+        let bytes = count.saturating_mul((size_of::<Vertex>() + size_of::<Point>()) as u64);
+        memory::check(bytes, "the points")?;
     }
     let vertex = header.elements.get("vertex");
     let missing = vertex
@@ -60,6 +119,26 @@ fn check(header: &Header, length: u64, path: &Path) -> Result<()> {
         );
     }
     Ok(())
+}
+
+/// The length below which no file holds one element.
+fn fewest_bytes(element: &ElementDef, encoding: Encoding) -> u64 {
+    let size = |scalar: &ScalarType| match scalar {
+        ScalarType::Char | ScalarType::UChar => 1,
+        ScalarType::Short | ScalarType::UShort => 2,
+        ScalarType::Int | ScalarType::UInt | ScalarType::Float => 4,
+        ScalarType::Double => 8,
+    };
+    let properties = element.properties.values();
+    match encoding {
+        // a digit and what ends it, but for the last line's
+        Encoding::Ascii => (2 * properties.count() as u64).saturating_sub(1),
+        _ => properties
+            .map(|property| match &property.data_type {
+                PropertyType::Scalar(scalar) | PropertyType::List(scalar, _) => size(scalar),
+            })
+            .sum(),
+    }
 }
 
 fn points(vertices: &[Vertex], path: &Path) -> Result<Vec<Point>> {
@@ -116,9 +195,16 @@ fn number(property: &Property) -> Option<f64> {
     })
 }
 
+/// The parser's own words quote what it could not read, and a data set may name any file.
 fn broken(path: &Path, error: &ParseError) -> Error {
-    let words = error.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
-    let reason: String = words.chars().take(MAX_REASON).collect();
-    let reason = format!("not a whole PLY file: {reason}");
+    let place = match (error.kind(), error.line()) {
+        (io::ErrorKind::UnexpectedEof, _) => "it was cut short".to_owned(),
+        _ if error.to_string().contains(TOO_LONG) => {
+            format!("its header, or a line of it, is longer than {MAX_LINE} bytes")
+        }
+        (_, Some(line)) => format!("line {line} does not parse"),
+        (_, None) => "a value does not parse".to_owned(),
+    };
+    let reason = format!("not a whole PLY file: {place}; copy it again, or write it again");
     Error::Invalid { origin: path.to_owned(), reason }
 }

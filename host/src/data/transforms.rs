@@ -6,6 +6,7 @@ use serde_json::Value;
 
 use super::develop::Shot;
 use super::lens::Lens;
+use super::reach::Reach;
 use super::{DatasetKind, Listing, decode, invalid, is_held_out, ply};
 use crate::camera::parse::{PERSPECTIVE_MODELS, PINHOLE_MODELS, Source, frames};
 use crate::camera::{Camera, camera_error};
@@ -18,14 +19,30 @@ const BLENDER_TEST: &str = "transforms_test.json";
 /// What a frame's `file_path` may lack.
 const EXTENSIONS: [&str; 4] = ["", ".png", ".jpg", ".jpeg"];
 
+/// How a data set's photographs are found and measured.
+pub(super) struct Photographs {
+    /// The one that a frame names, in a folder, or else where it should have been.
+    pub find: fn(&Path, &str) -> Result<PathBuf, PathBuf>,
+    /// Its width and height in pixels.
+    pub size: fn(&Path) -> Result<[u32; 2]>,
+}
+
+const ON_DISK: Photographs = Photographs { find, size: decode::size };
+
 /// What nerfstudio's file at `path` holds.
-pub(super) fn nerfstudio(path: &Path, hold_out_every: usize) -> Result<Listing> {
+pub(super) fn nerfstudio(path: &Path, hold_out_every: usize, reach: &mut Reach) -> Result<Listing> {
     let mut listing =
         Listing { kind: DatasetKind::Nerfstudio, shots: vec![], missing: vec![], points: vec![] };
-    let file = read(path, &mut listing, |position| is_held_out(position, hold_out_every))?;
+    let file = read_json(path)?;
+    let held_out = |position| is_held_out(position, hold_out_every);
+    add_frames(&file, path, &mut listing, held_out, reach, &ON_DISK)?;
     listing.points = match file.get("ply_file_path") {
         None | Some(Value::Null) => Vec::new(),
-        Some(Value::String(points)) => ply::read(&folder(path).join(points))?,
+        Some(Value::String(points)) => {
+            let points = folder(path).join(points);
+            reach.check(&points)?;
+            ply::read(&points)?
+        }
         Some(other) => {
             let reason = format!("`ply_file_path` is {}, expected a path", kind(other));
             return invalid(path, reason);
@@ -35,34 +52,42 @@ pub(super) fn nerfstudio(path: &Path, hold_out_every: usize) -> Result<Listing> 
 }
 
 /// What Blender's files hold; `train` is the first of them.
-pub(super) fn blender(train: &Path, hold_out_every: usize) -> Result<Listing> {
+pub(super) fn blender(train: &Path, hold_out_every: usize, reach: &mut Reach) -> Result<Listing> {
     let mut listing =
         Listing { kind: DatasetKind::Blender, shots: vec![], missing: vec![], points: vec![] };
     let test = train.with_file_name(BLENDER_TEST);
     let has_test = test.exists();
-    read(train, &mut listing, |position| !has_test && is_held_out(position, hold_out_every))?;
+    let held_out = |position| !has_test && is_held_out(position, hold_out_every);
+    add_frames(&read_json(train)?, train, &mut listing, held_out, reach, &ON_DISK)?;
     if has_test {
-        read(&test, &mut listing, |_| true)?;
+        add_frames(&read_json(&test)?, &test, &mut listing, |_| true, reach, &ON_DISK)?;
     }
     Ok(listing)
 }
 
-/// Adds the frames of a file to a listing; `held_out` decides by the position in the file.
-fn read(path: &Path, listing: &mut Listing, held_out: impl Fn(usize) -> bool) -> Result<Value> {
-    let file = read_json(path)?;
-    for (index, frame) in frames(&file, path)?.iter().enumerate() {
+/// Adds the frames of a file at `path` to a listing; `held_out` decides by the position in the file.
+pub(super) fn add_frames(
+    file: &Value,
+    path: &Path,
+    listing: &mut Listing,
+    held_out: impl Fn(usize) -> bool,
+    reach: &mut Reach,
+    photographs: &Photographs,
+) -> Result<()> {
+    for (index, frame) in frames(file, path)?.iter().enumerate() {
         let name = name(frame).map_err(|reason| camera_error(path, index, reason))?;
-        let photograph = match find(folder(path), name) {
+        let photograph = match (photographs.find)(folder(path), name) {
             Ok(photograph) => photograph,
             Err(expected) => {
                 listing.missing.push(expected);
                 continue;
             }
         };
-        let mut source = Source { file: &file, frame, size: None };
+        reach.check(&photograph)?;
+        let mut source = Source { file, frame, size: None };
         // Blender's files leave it to the photographs how large they are.
         if source.get("w").is_none() || source.get("h").is_none() {
-            source.size = Some(decode::size(&photograph)?);
+            source.size = Some((photographs.size)(&photograph)?);
         }
         let camera = source.valid_camera(index, path)?;
         let lens = lens(&source).map_err(|reason| camera_error(path, index, reason))?;
@@ -76,7 +101,7 @@ fn read(path: &Path, listing: &mut Listing, held_out: impl Fn(usize) -> bool) ->
             held_out,
         });
     }
-    Ok(file)
+    Ok(())
 }
 
 fn name(frame: &Value) -> Result<&str, String> {

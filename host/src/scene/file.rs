@@ -98,7 +98,8 @@ impl Scene {
     }
 }
 
-fn read_scene(reader: &mut impl Read, length: u64, origin: &Path) -> Result<Scene> {
+/// [`Scene::load`] from what is `length` bytes long; `origin` is what errors name.
+pub(crate) fn read_scene(reader: &mut impl Read, length: u64, origin: &Path) -> Result<Scene> {
     let header = Header::read(reader, length, origin)?;
     let config = read_config(&header, origin)?;
     let gaussians = count_gaussians(&header, &config, origin)?;

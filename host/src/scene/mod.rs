@@ -18,6 +18,7 @@ pub use config::{
     COLOR_OUTPUTS, MAX_HIDDEN_LAYERS, MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE, MAX_VECTOR,
     MlpConfig, SceneConfig, TRANSMITTANCE_OUTPUTS,
 };
+pub(crate) use file::read_scene;
 pub(crate) use gaussians::gaussian_tensors;
 pub use gaussians::{GaussianTensors, Gaussians};
 pub use grid::{
@@ -26,8 +27,8 @@ pub use grid::{
 };
 pub use network::{Field, Layer, Network};
 pub use spec::TensorSpec;
-pub(crate) use tensor_file::read_metadata;
 pub use tensor_file::{Tensor, TensorRef, read_tensors, write_tensors};
+pub(crate) use tensor_file::{read_metadata, read_tensors_from};
 pub use tensors::{FieldTensors, Tensors};
 
 use crate::error::Result;

@@ -45,24 +45,36 @@ pub struct TensorRef<'a> {
 pub fn read_tensors(path: impl AsRef<Path>) -> Result<BTreeMap<String, Tensor>> {
     let path = path.as_ref();
     let (file, length) = open_regular(path)?;
-    let mut reader = BufReader::new(file);
-    let header = Header::read(&mut reader, length, path)?;
+    read_tensors_from(&mut BufReader::new(file), length, path)
+}
+
+/// [`read_tensors`] from what is `length` bytes long; `origin` is what errors name.
+pub(crate) fn read_tensors_from(
+    reader: &mut impl Read,
+    length: u64,
+    origin: &Path,
+) -> Result<BTreeMap<String, Tensor>> {
+    let header = Header::read(reader, length, origin)?;
     let mut tensors = BTreeMap::new();
     for name in header.names() {
-        header.require_f32(name, path)?;
+        header.require_f32(name, origin)?;
         let shape = header.shape(name).unwrap_or_default().to_vec();
         // The header was held to the file's length, so this asks for no more than the file has.
         let mut data = memory::zeros(shape.iter().product(), name)?;
-        read_values(&mut reader, &mut data, path)?;
+        read_values(reader, &mut data, origin)?;
         tensors.insert(name.clone(), Tensor { shape, data });
     }
     Ok(tensors)
 }
 
-/// An entry of a safetensors file's metadata.
-pub(crate) fn read_metadata(path: &Path, key: &str) -> Result<Option<String>> {
-    let (file, length) = open_regular(path)?;
-    let header = Header::read(&mut BufReader::new(file), length, path)?;
+/// An entry of the metadata of a safetensors file that is `length` bytes long.
+pub(crate) fn read_metadata(
+    reader: &mut impl Read,
+    length: u64,
+    origin: &Path,
+    key: &str,
+) -> Result<Option<String>> {
+    let header = Header::read(reader, length, origin)?;
     Ok(header.metadata(key).map(str::to_owned))
 }
 
@@ -114,7 +126,7 @@ impl Header {
                  follow: it is another kind of file or was cut short"
             )));
         }
-        let mut text = vec![0; header_bytes as usize];
+        let mut text: Vec<u8> = memory::zeros(header_bytes as usize, "a header")?;
         reader.read_exact(&mut text).map_err(|source| Error::read(origin, source))?;
         let header: Metadata = serde_json::from_slice(&text)
             .map_err(|error| bad(format!("its header does not parse: {error}")))?;

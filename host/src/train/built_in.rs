@@ -6,6 +6,7 @@ use crate::error::Result;
 use crate::evaluate;
 use crate::image::{Image, bands};
 use crate::render::Renderer;
+use organza_device::memory;
 
 /// `views` images of `side` pixels around the built-in scene, of which every `hold_out_every`-th is held out.
 ///
@@ -18,6 +19,8 @@ pub fn dataset(
     hold_out_every: usize,
     progress: &dyn Fn(usize, usize),
 ) -> Result<Dataset> {
+    let pixels = u64::from(views) * u64::from(side) * u64::from(side);
+    memory::check(3 * pixels, "the views of the built-in scene")?;
     let scene = renderer.upload(&demo::scene())?;
     let cameras = demo::turntable(views as usize, side);
     let mut frames = Vec::with_capacity(cameras.len());

@@ -1,11 +1,15 @@
 //! `checkpoint.safetensors`: a scene file that also holds what training needs to go on.
 
+use std::collections::BTreeMap;
+use std::io::{BufReader, Cursor, Read, Seek};
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::error::{Error, Result};
-use crate::scene::{Scene, TensorRef, read_metadata, read_tensors};
+use super::binding::{BINDING, Binding};
+use crate::error::{Error, IN_MEMORY, Result};
+use crate::input::open_regular;
+use crate::scene::{Scene, Tensor, TensorRef, read_metadata, read_scene, read_tensors_from};
 
 /// The file's name in a run's folder.
 pub const CHECKPOINT: &str = "checkpoint.safetensors";
@@ -40,11 +44,12 @@ pub struct Progress {
 }
 
 impl Checkpoint {
-    /// Writes the file, beside and renamed.
+    /// Writes the file, beside and renamed. It is bound to a run's settings and data, if to any.
     ///
     /// # Errors
     /// As [`Scene::save`]: [`Error::NotFinite`] where training has left what numbers can hold.
-    pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
+    pub fn save(&self, path: impl AsRef<Path>, binding: Option<&Binding>) -> Result<()> {
+        self.check(Path::new(IN_MEMORY))?;
         let mut moments = Vec::new();
         for (moment, prefix) in self.moments.iter().zip(MOMENTS) {
             moments.extend(moment.tensors_with_prefix(prefix));
@@ -53,9 +58,12 @@ impl Checkpoint {
         let shape = [self.statistics.len(), 4];
         let data = self.statistics.as_flattened();
         tensors.push(TensorRef { name: STATISTICS, shape: &shape, data });
-        let progress = serde_json::to_string(&self.progress)
-            .map_err(|error| Error::Argument { reason: error.to_string() })?;
-        self.scene.save_with(path, &tensors, &[(PROGRESS, &progress)])
+        let no_json = |error: serde_json::Error| Error::Argument { reason: error.to_string() };
+        let progress = serde_json::to_string(&self.progress).map_err(no_json)?;
+        let binding = binding.map(serde_json::to_string).transpose().map_err(no_json)?;
+        let mut metadata = vec![(PROGRESS, progress.as_str())];
+        metadata.extend(binding.as_deref().map(|binding| (BINDING, binding)));
+        self.scene.save_with(path, &tensors, &metadata)
     }
 
     /// Reads a file that [`Checkpoint::save`] wrote.
@@ -64,14 +72,31 @@ impl Checkpoint {
     /// As [`Scene::load`]; [`Error::Invalid`] for a scene that no training can go on from.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
+        let (file, length) = open_regular(path)?;
+        Self::read(&mut BufReader::new(file), length, path)
+    }
+
+    /// [`Self::load`] from memory; `origin` is the name errors give to the bytes.
+    ///
+    /// # Errors
+    /// As [`Self::load`].
+    pub fn from_bytes(bytes: &[u8], origin: impl AsRef<Path>) -> Result<Self> {
+        Self::read(&mut Cursor::new(bytes), bytes.len() as u64, origin.as_ref())
+    }
+
+    fn read(reader: &mut (impl Read + Seek), length: u64, path: &Path) -> Result<Self> {
         let lacks = |what: &str| Error::Invalid {
             origin: path.to_owned(),
             reason: format!("it lacks {what}: it is a scene, but not a checkpoint to resume from"),
         };
-        let progress = read_metadata(path, PROGRESS)?.ok_or_else(|| lacks("`train` metadata"))?;
+        let no_file = |source| Error::read(path, source);
+        let progress = read_metadata(reader, length, path, PROGRESS)?;
+        let progress = progress.ok_or_else(|| lacks("`train` metadata"))?;
         let progress = serde_json::from_str(&progress).map_err(|_| lacks("`train` metadata"))?;
-        let scene = Scene::load(path)?;
-        let mut tensors = read_tensors(path)?;
+        reader.rewind().map_err(no_file)?;
+        let scene = read_scene(reader, length, path)?;
+        reader.rewind().map_err(no_file)?;
+        let mut tensors: BTreeMap<String, Tensor> = read_tensors_from(reader, length, path)?;
         let mut moment = |prefix: &str| -> Result<Scene> {
             let mut moment = Scene::zeros(scene.config.clone(), scene.gaussians.len())?;
             for (spec, values) in moment.tensors_mut() {
@@ -88,6 +113,34 @@ impl Checkpoint {
         if statistics.len() != scene.gaussians.len() || !rest.is_empty() {
             return Err(lacks(STATISTICS));
         }
-        Ok(Self { statistics: statistics.to_vec(), scene, moments, progress })
+        let checkpoint = Self { statistics: statistics.to_vec(), scene, moments, progress };
+        checkpoint.check(path)?;
+        Ok(checkpoint)
+    }
+
+    /// Everything beside the scene is what training can have come to.
+    fn check(&self, origin: &Path) -> Result<()> {
+        let moments = MOMENTS.iter().zip(&self.moments).flat_map(|(prefix, moments)| {
+            let tensors = moments.tensors().into_iter();
+            tensors.map(move |(spec, values)| (format!("{prefix}{}", spec.name), values))
+        });
+        let statistics = (STATISTICS.to_owned(), self.statistics.as_flattened());
+        for (tensor, values) in moments.chain([statistics]) {
+            if let Some(index) = values.iter().position(|value| !value.is_finite()) {
+                let (origin, value) = (origin.to_owned(), values[index]);
+                return Err(Error::NotFinite { origin, tensor, index, value });
+            }
+            // means of squares, of which roots are taken
+            let is_square = tensor.starts_with(MOMENTS[1]);
+            if let Some(index) = values.iter().position(|value| is_square && *value < 0.0) {
+                let value = values[index];
+                let reason = format!(
+                    "tensor `{tensor}` holds {value} at flat index {index}, expected 0 or more: \
+                     the checkpoint is damaged"
+                );
+                return Err(Error::Invalid { origin: origin.to_owned(), reason });
+            }
+        }
+        Ok(())
     }
 }

@@ -10,9 +10,14 @@ use std::path::{Path, PathBuf};
 pub use optimizer::{OptimizerConfig, Rate};
 use serde::{Deserialize, Serialize};
 
+use super::binding;
 use crate::atomic_file::write_atomic;
 use crate::error::{Error, Result};
+use crate::input::read_text;
 use crate::scene::{GridConfig, Interpolation, MlpConfig};
+
+/// Far more than all settings need; what is larger was named by mistake.
+const MAX_BYTES: u64 = 1 << 20;
 
 /// Every setting of a run.  Names are those of the file; what a file leaves out has its default.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -53,6 +58,9 @@ pub struct DataConfig {
     pub built_in_views: u32,
     /// See `built_in_views`.
     pub built_in_side: u32,
+    /// Whether the data set may name files outside its own folder, by their paths or by links.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub allow_outside: bool,
 }
 
 /// How long, how much at once, how often what is written.
@@ -185,6 +193,7 @@ impl Default for DataConfig {
             background: [0.0; 3],
             built_in_views: 48,
             built_in_side: 128,
+            allow_outside: false,
         }
     }
 }
@@ -274,9 +283,28 @@ impl TrainConfig {
     /// is out of range.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
-        let text = std::fs::read_to_string(path)
-            .map_err(|source| Error::ReadFile { path: path.to_owned(), source })?;
-        Self::parse(&text, path)
+        Self::parse(&read_text(path, MAX_BYTES, "settings")?, path)
+    }
+
+    /// Fails where a run's own file, which has every setting, lacks one.
+    pub(super) fn check_complete(&self, path: &Path) -> Result<()> {
+        let text = read_text(path, MAX_BYTES, "settings")?;
+        let found: toml::Table = toml::from_str(&text).unwrap_or_default();
+        let has = |name: &str| {
+            let mut keys = name.split('.');
+            let table = keys.next().and_then(|key| found.get(key));
+            keys.try_fold(table, |value, key| Some(value?.get(key))).flatten().is_some()
+        };
+        match binding::list(&Self::default()).iter().find(|(name, _)| !has(name)) {
+            None => Ok(()),
+            Some((name, _)) => {
+                let reason = format!(
+                    "`{name}` is missing, and a run's settings are all there: the file was cut \
+                     short or is another; copy it again, or begin another run with `--config`"
+                );
+                Err(Error::Invalid { origin: path.to_owned(), reason })
+            }
+        }
     }
 
     /// As [`TrainConfig::load`], from text.

@@ -137,13 +137,14 @@ fn relocate(config: &GrowthConfig, scene: &Scene, random: &mut Pcg64) -> (Vec<Ch
     let kept: Vec<_> = (0..opacity.len()).filter(|&i| is_kept(config, opacity[i])).collect();
     let dead = opacity.len() - kept.len();
     let mut copies = vec![1_u32; opacity.len()];
-    let new = if kept.is_empty() { 0 } else { dead + room(config, opacity.len()) };
     let mut sums = Vec::with_capacity(kept.len());
     let mut sum = 0.0_f64;
     for &i in &kept {
         sum += f64::from(sigmoid(opacity[i]));
         sums.push(sum);
     }
+    // where all have vanished there is nothing to choose by
+    let new = if sum > 0.0 { dead + room(config, opacity.len()) } else { 0 };
     for _ in 0..new {
         let at = random.random_range(0.0..sum);
         copies[kept[sums.partition_point(|&sum| sum <= at).min(kept.len() - 1)]] += 1;
@@ -170,12 +171,19 @@ impl Change {
         let scale = Vec3::from(gaussians.log_scale[i]).exp();
         let offset = Quat::from_xyzw(x, y, z, w).normalize() * (self.offset * scale);
         let position = Vec3::from(gaussians.position[i]) + offset;
-        gaussians.position[i] = position.to_array();
+        // a scale that overflows, or a rotation of no length, leads nowhere
+        if position.is_finite() {
+            gaussians.position[i] = position.to_array();
+        }
         if let Some(axis) = self.shorter {
             gaussians.log_scale[i][axis] += SPLIT_SCALE.ln();
         }
         let opacity = sigmoid(gaussians.opacity[i]) * self.opacity;
-        gaussians.opacity[i] = (opacity / (1.0 - opacity)).ln();
+        let logit = (opacity / (1.0 - opacity)).ln();
+        // what has vanished has no logit; it stays what it was
+        if logit.is_finite() {
+            gaussians.opacity[i] = logit;
+        }
     }
 }
 
@@ -250,6 +258,24 @@ mod tests {
         let all: f32 = (0..6).map(weight).sum();
         let before: f32 = [1.0, 0.0, -1.0].map(sigmoid).iter().sum();
         assert!((all - before).abs() < 1e-5, "{all} {before}");
+    }
+
+    /// In f32 the sigmoid of a logit below -104 is 0.
+    #[test]
+    fn gaussians_that_have_all_vanished_stay_as_they_are() {
+        for method in [GrowthMethod::Relocate, GrowthMethod::Split] {
+            let (mut grown_scene, mut first, mut second) = (scene(), scene(), scene());
+            grown_scene.gaussians.opacity.fill(-200.0);
+            grown_scene.gaussians.log_scale[0] = [100.0; 3];
+            grown_scene.gaussians.rotation[1] = [0.0; 4];
+            let config = GrowthConfig { min_opacity: 0.0, rate: 1.0, ..config(method) };
+            let moments = [&mut first, &mut second];
+            let statistics = [[1.0, 1.0, 5.0, 0.0]; 4];
+            let mut random = Pcg64::seed_from_u64(5);
+            grow(&config, &mut grown_scene, moments, &statistics, &mut random);
+            grown_scene.validate().unwrap();
+            assert!(grown_scene.gaussians.opacity.iter().all(|&opacity| opacity == -200.0));
+        }
     }
 
     #[test]

@@ -3,7 +3,7 @@
 #[cfg(test)]
 mod tests;
 
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -12,6 +12,10 @@ use serde::{Deserialize, Deserializer, Serialize};
 use crate::atomic_file::write_atomic;
 use crate::error::{Error, Result};
 use crate::evaluate::{Evaluation, ViewScore};
+use crate::input::read_file;
+
+/// More than any run logs; what is larger was put there by mistake.
+const MAX_BYTES: u64 = 1 << 30;
 
 /// One line of `metrics.jsonl`: an object whose `kind` tells which.
 ///
@@ -180,11 +184,11 @@ impl MetricsLog {
 }
 
 fn read(path: &Path) -> Result<Vec<u8>> {
-    fs::read(path).map_err(|source| Error::read(path, source))
+    read_file(path, MAX_BYTES, "a log of training")
 }
 
 /// The records with their lines.
-fn parse<'a>(path: &Path, text: &'a [u8]) -> Result<Vec<(&'a [u8], Record)>> {
+pub(crate) fn parse<'a>(path: &Path, text: &'a [u8]) -> Result<Vec<(&'a [u8], Record)>> {
     let lines: Vec<_> = text.split(|&byte| byte == b'\n').enumerate().collect();
     let filled = lines.iter().filter(|(_, line)| !line.trim_ascii().is_empty());
     let last = filled.clone().next_back().map(|(number, _)| *number);

@@ -1,10 +1,13 @@
 //! Training: from photographs with poses to a scene.
 
+mod binding;
 pub mod built_in;
 mod checkpoint;
 pub mod config;
+mod folder;
 mod growth;
 pub mod metrics;
+mod needs;
 mod optimizer;
 pub mod report;
 mod sampler;
@@ -12,7 +15,9 @@ mod session;
 mod start;
 mod trainer;
 
+pub use binding::{Binding, settings_of};
 pub use checkpoint::{CHECKPOINT, Checkpoint, Progress};
 pub use config::TrainConfig;
+pub use folder::RunFolder;
 pub use session::{CONFIG, Event, METRICS, Outcome, REPORT, Session};
 pub use trainer::{GradientHook, StepGradient, StepReport, Trainer};

@@ -6,7 +6,9 @@ use rand_pcg::Pcg64;
 
 use super::config::RunConfig;
 use crate::data::Frame;
+use crate::error::Result;
 use crate::tile::{Tile, TileBatch};
+use organza_device::memory;
 
 /// Independent random numbers for each purpose and time: whoever resumes draws the same.
 #[must_use]
@@ -54,6 +56,20 @@ impl Sampler {
         let groups = sizes.iter().map(|size| cells(size).div_ceil(group)).sum();
         let groups_per_step = (run.tiles_per_step as usize / group).max(1);
         Self { side, seed: run.seed, group, groups_per_step, sizes, groups, epoch: None }
+    }
+
+    /// Fails where the tiles of an epoch do not fit: there are as many as pixels where they have one each.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+    pub fn check_memory(&self) -> Result<()> {
+        let cells = |&[width, height]: &[u32; 2]| {
+            u64::from(cells(width, self.side)) * u64::from(cells(height, self.side))
+        };
+        let tiles: u64 = self.sizes.iter().map(cells).sum();
+        let bytes = tiles * size_of::<Tile>() as u64 + self.groups as u64 * 32;
+        let what = "the tiles of all photographs (a larger `run.tile_size` makes fewer)";
+        Ok(memory::check(bytes, what)?)
     }
 
     /// The tiles of a step.
@@ -109,19 +125,21 @@ pub struct Target {
 
 impl Target {
     /// The photographs behind a batch's tiles.
-    #[must_use]
-    pub fn of(batch: &TileBatch, frames: &[&Frame]) -> Self {
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+    pub fn of(batch: &TileBatch, frames: &[&Frame]) -> Result<Self> {
         let side = batch.side as usize;
         let area = side * side;
-        let mut image = vec![0.0; batch.tiles.len() * 3 * area];
-        let mut valid = vec![0.0; batch.tiles.len() * area];
+        let mut image = memory::zeros(batch.tiles.len() * 3 * area, "the tiles of a step")?;
+        let mut valid = memory::zeros(batch.tiles.len() * area, "the mask of a step")?;
         for ((tile, image), valid) in
             batch.tiles.iter().zip(image.chunks_mut(3 * area)).zip(valid.chunks_mut(area))
         {
             fill(tile, &frames[tile.camera].image, side, image, valid);
         }
         let valid_pixels = valid.iter().map(|&valid| f64::from(valid)).sum();
-        Self { image, valid, valid_pixels }
+        Ok(Self { image, valid, valid_pixels })
     }
 }
 

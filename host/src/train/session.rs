@@ -5,13 +5,14 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
+use super::binding::{self, Binding};
 use super::checkpoint::{CHECKPOINT, Checkpoint};
 use super::config::TrainConfig;
+use super::folder::RunFolder;
 use super::metrics::{MetricsLog, Record, TimingRow};
 use super::report::{MAX_VIEWS, Report, ReportView, write_report};
 use super::start::start;
 use super::trainer::{GradientHook, StepReport, Trainer};
-use crate::atomic_file::remove_leftovers;
 use crate::data::{Dataset, Frame};
 use crate::error::{Error, Result};
 use crate::evaluate::{self, Evaluation, evaluate};
@@ -35,8 +36,8 @@ pub struct Session<'a> {
     pub dataset: &'a Dataset,
     /// What the scene is in front of.
     pub background: [f64; 3],
-    /// The folder of the run; it exists. A run that begins writes its settings there.
-    pub folder: &'a Path,
+    /// The folder of the run. A run that begins writes its settings there.
+    pub folder: &'a RunFolder,
     /// Training ends after so many seconds, those before a resume included, as it does after the last step.
     pub time_limit: Option<f64>,
     /// Set from outside to save and stop.
@@ -46,7 +47,9 @@ pub struct Session<'a> {
 /// What happens during a run.
 #[derive(Debug)]
 pub enum Event<'a> {
-    /// Training goes on after so many steps; 0 where it begins.
+    /// Something that should not be missed.
+    Warning(&'a str),
+    /// Training goes on after so many steps; 0 where it begins. Nothing was written to the folder yet.
     Begin(u32),
     /// A step is done.
     Step {
@@ -112,7 +115,7 @@ impl Session<'_> {
         watch: &mut dyn FnMut(Event<'_>),
         hook: &mut GradientHook<'_>,
     ) -> Result<Outcome> {
-        let path = self.folder.join(CHECKPOINT);
+        let path = self.folder.path().join(CHECKPOINT);
         let frames: Vec<&Frame> =
             self.dataset.train.iter().map(|&index| &self.dataset.frames[index]).collect();
         if frames.is_empty() {
@@ -120,6 +123,7 @@ impl Session<'_> {
             return Err(Error::Invalid { origin: self.dataset.path.clone(), reason });
         }
         let checkpoint = if resume && path.exists() {
+            self.check_binding(&path, watch)?;
             Checkpoint::load(&path)?
         } else {
             let cameras: Vec<_> = frames.iter().map(|frame| frame.camera.clone()).collect();
@@ -130,8 +134,8 @@ impl Session<'_> {
         let trainer = Trainer::new(self.renderer, self.config, frames, &checkpoint)?;
         drop(checkpoint);
         // only what can begin leaves anything
-        let (log, evaluated) = self.open_log(resume, u64::from(progress.step))?;
         watch(Event::Begin(progress.step));
+        let (log, evaluated) = self.open_log(resume, u64::from(progress.step))?;
         let _ = self.renderer.device().take_timings();
         State {
             session: self,
@@ -147,14 +151,26 @@ impl Session<'_> {
         .run()
     }
 
+    /// Holds the settings and the data to what the checkpoint was trained with.
+    fn check_binding(&self, checkpoint: &Path, watch: &mut dyn FnMut(Event<'_>)) -> Result<()> {
+        let Some(binding) = Binding::load(checkpoint)? else {
+            watch(Event::Warning(
+                "the checkpoint does not say which settings and data it belongs to, as an older \
+                 program wrote it: those of the run's folder are taken as they are",
+            ));
+            return Ok(());
+        };
+        binding.check_settings(self.config, self.folder.path())?;
+        binding.check_data(&self.dataset.fingerprint, &self.dataset.path)
+    }
+
     /// The log, and the step of its last evaluation.
     fn open_log(&self, resume: bool, step: u64) -> Result<(MetricsLog, Option<u64>)> {
-        let path = self.folder.join(METRICS);
+        let path = self.folder.path().join(METRICS);
         if !resume {
-            self.config.save(self.folder.join(CONFIG))?;
+            self.config.save(self.folder.path().join(CONFIG))?;
             return Ok((MetricsLog::create(path)?, None));
         }
-        remove_leftovers(self.folder);
         let log = MetricsLog::resume(&path, step)?;
         let is_evaluation = |record: &&Record| matches!(record, Record::Evaluation { .. });
         let records = MetricsLog::read(path)?;
@@ -183,8 +199,9 @@ impl State<'_, '_> {
             }
             // here, so that whoever was ended between a checkpoint and this makes up for it
             let is_due = run.evaluate_every > 0 && step.is_multiple_of(run.evaluate_every);
-            if is_due && step > 0 && self.evaluated != Some(u64::from(step)) {
-                self.evaluate()?;
+            let is_due = is_due && step > 0 && self.evaluated != Some(u64::from(step));
+            if is_due && !self.evaluate()? {
+                break Outcome::Stopped;
             }
             self.step()?;
             let step = self.trainer.steps();
@@ -196,10 +213,9 @@ impl State<'_, '_> {
         if saved != Some(self.trainer.steps()) {
             self.save()?;
         }
-        if outcome == Outcome::Stopped {
+        if outcome == Outcome::Stopped || !self.evaluate()? {
             self.report(Vec::new())?;
-        } else {
-            self.evaluate()?;
+            return Ok(Outcome::Stopped);
         }
         Ok(outcome)
     }
@@ -249,13 +265,17 @@ impl State<'_, '_> {
     }
 
     fn save(&self) -> Result<()> {
-        self.trainer.checkpoint(self.seconds)?.save(self.session.folder.join(CHECKPOINT))
+        let Session { config, dataset, folder, .. } = self.session;
+        let binding = Binding::new(config, &dataset.fingerprint);
+        let path = folder.path().join(CHECKPOINT);
+        self.trainer.checkpoint(self.seconds)?.save(path, Some(&binding))
     }
 
-    fn evaluate(&mut self) -> Result<()> {
+    /// Measures the held-out views; false where it was told to stop before the last.
+    fn evaluate(&mut self) -> Result<bool> {
         let frames = self.session.held_out();
         if frames.is_empty() {
-            return self.report(Vec::new());
+            return self.report(Vec::new()).map(|()| true);
         }
         (self.watch)(Event::Evaluating);
         let mut images = Vec::new();
@@ -266,8 +286,15 @@ impl State<'_, '_> {
                 images.push(image.clone());
             }
         };
-        let scene = self.trainer.scene();
-        let evaluation = evaluate(self.session.renderer, scene, &frames, &mut keep)?;
+        let (renderer, scene) = (self.session.renderer, self.trainer.scene());
+        let mut parts = Vec::with_capacity(frames.len());
+        for frame in &frames {
+            if self.session.stop.load(Ordering::Relaxed) {
+                return Ok(false);
+            }
+            parts.push(evaluate(renderer, scene, &[frame], &mut keep)?);
+        }
+        let evaluation = Evaluation::of_parts(parts);
         let step = u64::from(self.trainer.steps());
         if self.evaluated.replace(step) != Some(step) {
             self.log.append(&Record::evaluation(step, self.seconds, &evaluation))?;
@@ -281,7 +308,7 @@ impl State<'_, '_> {
             views.push(ReportView { name, truth, rendered, psnr: score.psnr, ssim: score.ssim });
         }
         self.timing()?;
-        self.write_report(views)
+        self.write_report(views).map(|()| true)
     }
 
     fn report(&mut self, views: Vec<ReportView<'_>>) -> Result<()> {
@@ -307,42 +334,21 @@ impl State<'_, '_> {
 
     fn write_report(&self, views: Vec<ReportView<'_>>) -> Result<()> {
         let session = self.session;
-        let records = MetricsLog::read(session.folder.join(METRICS))?;
+        let records = MetricsLog::read(session.folder.path().join(METRICS))?;
         let data = session.config.data.path.as_deref();
         let title = data.map_or_else(|| "the built-in scene".to_owned(), title);
         let report = Report {
             title,
             device: session.renderer.device().choice().to_owned(),
-            config: settings(session.config),
+            config: binding::list(session.config),
             records: &records,
             views,
         };
-        write_report(session.folder.join(REPORT), &report)
+        write_report(session.folder.path().join(REPORT), &report)
     }
 }
 
 fn title(path: &Path) -> String {
     let path: PathBuf = path.canonicalize().unwrap_or_else(|_| path.to_owned());
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
-}
-
-/// Every setting as `table.name` and its value.
-fn settings(config: &TrainConfig) -> Vec<(String, String)> {
-    fn walk(prefix: &str, value: &toml::Value, found: &mut Vec<(String, String)>) {
-        match value {
-            toml::Value::Table(table) => {
-                for (key, value) in table {
-                    let name =
-                        if prefix.is_empty() { key.clone() } else { format!("{prefix}.{key}") };
-                    walk(&name, value, found);
-                }
-            }
-            value => found.push((prefix.to_owned(), value.to_string())),
-        }
-    }
-    let mut found = Vec::new();
-    if let Ok(value) = toml::Value::try_from(config) {
-        walk("", &value, &mut found);
-    }
-    found
 }

@@ -10,6 +10,7 @@ use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 use super::config::TrainConfig;
+use super::needs;
 use super::sampler::random;
 use crate::camera::Camera;
 use crate::data::Point;
@@ -37,6 +38,11 @@ pub fn start(
     cameras: &[Camera],
     points: &[Point],
 ) -> Result<Scene> {
+    let count = match points.len() {
+        0 => u64::from(config.start.gaussians),
+        points => u64::from(config.start.gaussians).min(points as u64),
+    };
+    needs::check_scene(config, count)?;
     let mut random_places = random(config.run.seed, PLACES, 0);
     let target = Target::of(cameras);
     let (places, colors) = if points.is_empty() {
@@ -51,7 +57,12 @@ pub fn start(
     Ok(scene)
 }
 
-fn scene_config(config: &TrainConfig, background: [f64; 3], aabb: [[f64; 3]; 2]) -> SceneConfig {
+/// The shape of a run's scene.
+pub(super) fn scene_config(
+    config: &TrainConfig,
+    background: [f64; 3],
+    aabb: [[f64; 3]; 2],
+) -> SceneConfig {
     let shape = config.scene.clone();
     SceneConfig {
         sh_degree: shape.sh_degree,

@@ -92,6 +92,7 @@ impl<'a> Trainer<'a> {
         let device = renderer.device();
         let sizes = frames.iter().map(|frame| [frame.camera.width, frame.camera.height]).collect();
         let sampler = Sampler::new(sizes, &config.run);
+        sampler.check_memory()?;
         let mut scene = renderer.upload(&checkpoint.scene)?;
         if !config.ablation.divide {
             scene.divide_above = f32::MAX;
@@ -195,7 +196,7 @@ impl<'a> Trainer<'a> {
     }
 
     fn add_gradient(&mut self, batch: &TileBatch) -> Result<Vec<TileLoss>> {
-        let target = Target::of(batch, &self.frames);
+        let target = Target::of(batch, &self.frames)?;
         let target = LossTarget {
             image: &target.image,
             valid: &target.valid,

@@ -41,7 +41,7 @@ impl MemoryPool {
     pub fn allocate(&self, bytes: u64) -> Option<CpuMemory> {
         let layout = layout(bytes)?;
         // SAFETY: the size is not zero
-        let data = NonNull::new(unsafe { alloc::alloc_zeroed(layout) })?;
+        let data = NonNull::new(crate::memory::asking(|| unsafe { alloc::alloc_zeroed(layout) }))?;
         Some(CpuMemory { block: Some(Allocation { data, layout }), pool_memory: self.clone() })
     }
 

@@ -1,5 +1,6 @@
 //! How much memory there is, and asking for it without being killed.
 
+use std::cell::Cell;
 use std::fs;
 use std::path::Path;
 
@@ -31,16 +32,43 @@ pub fn check(bytes: u64, what: &str) -> Result<()> {
 
 /// `len` zeros, or [`Error::OutOfMemory`] with what was needed.
 pub fn zeros<T: Zeroable + Clone>(len: usize, what: &str) -> Result<Vec<T>> {
+    let mut values = reserve(len, what)?;
+    values.resize(len, T::zeroed());
+    Ok(values)
+}
+
+/// An empty vector with room for `len` values, or [`Error::OutOfMemory`] with what was needed.
+pub fn reserve<T>(len: usize, what: &str) -> Result<Vec<T>> {
     let needed = (len as u64).saturating_mul(size_of::<T>() as u64);
     check(needed, what)?;
     let mut values = Vec::new();
-    values.try_reserve_exact(len).map_err(|_| Error::OutOfMemory {
+    asking(|| values.try_reserve_exact(len)).map_err(|_| Error::OutOfMemory {
         needed,
         available: available(),
         what: what.into(),
     })?;
-    values.resize(len, T::zeroed());
     Ok(values)
+}
+
+thread_local! {
+    /// Whether this thread asks for memory and has an answer where it gets none.
+    static ASKING: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Runs an allocation that may fail: the caller turns the failure into an error.
+pub(crate) fn asking<T>(allocate: impl FnOnce() -> T) -> T {
+    let before = ASKING.replace(true);
+    let result = allocate();
+    ASKING.set(before);
+    result
+}
+
+/// Whether the allocation that this thread is making may fail. A program's allocator asks, to end
+/// the program with a message where no one could answer.
+#[doc(hidden)]
+#[must_use]
+pub fn may_fail() -> bool {
+    ASKING.try_with(Cell::get).unwrap_or(false)
 }
 
 /// Bytes that this process can still get, where the system says so.

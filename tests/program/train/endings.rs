@@ -10,7 +10,8 @@ use std::{fs, thread};
 use organza::Renderer;
 use organza::train::metrics::Record;
 use organza::train::{
-    self, CHECKPOINT, CONFIG, Checkpoint, METRICS, REPORT, Session, TrainConfig, built_in,
+    self, CHECKPOINT, CONFIG, Checkpoint, METRICS, REPORT, RunFolder, Session, TrainConfig,
+    built_in,
 };
 use organza_tests::devices;
 
@@ -100,6 +101,7 @@ fn a_run_at_its_time_limit_goes_on_to_the_same_bits() {
     let train = |name: &str, resume: bool, time_limit: Option<f64>| {
         let folder = sandbox.path(name);
         fs::create_dir_all(&folder).unwrap();
+        let folder = RunFolder::lock(&folder, resume).expect("nobody else has it");
         let session = Session {
             renderer: &renderer,
             config: &config,

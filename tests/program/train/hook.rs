@@ -5,7 +5,8 @@ use std::sync::atomic::AtomicBool;
 
 use organza::scene::TensorSpec;
 use organza::train::{
-    CHECKPOINT, Checkpoint, Event, GradientHook, Session, StepGradient, Trainer, built_in,
+    CHECKPOINT, Checkpoint, Event, GradientHook, RunFolder, Session, StepGradient, Trainer,
+    built_in,
 };
 use organza::{Error, Renderer, Result, Scene};
 use organza_tests::devices;
@@ -102,6 +103,7 @@ fn a_run_calls_its_hook_every_step_and_lends_the_scene() {
     let (sandbox, renderer) = (sandbox(), Renderer::new(devices::cpu(None)));
     let folder = sandbox.path("run");
     fs::create_dir(&folder).unwrap();
+    let folder = RunFolder::lock(&folder, false).expect("nobody else has it");
     let session = Session {
         renderer: &renderer,
         config: &config,
@@ -126,6 +128,6 @@ fn a_run_calls_its_hook_every_step_and_lends_the_scene() {
     assert_eq!(steps, [0, 1, 2]);
     // a hook sees the scene that the step before has left
     assert!(before[1..] == scenes[..2] && scenes.windows(2).all(|pair| pair[0] != pair[1]));
-    let saved = Checkpoint::load(folder.join(CHECKPOINT)).expect("a checkpoint");
+    let saved = Checkpoint::load(folder.path().join(CHECKPOINT)).expect("a checkpoint");
     assert!(scenes[2] == saved.scene);
 }

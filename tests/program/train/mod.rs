@@ -3,10 +3,15 @@
 mod bits;
 mod endings;
 mod eval;
+mod faults;
+mod folder;
 mod hook;
+mod hostile;
 mod memory;
 mod mistakes;
+mod monstrous;
 mod results;
 mod runs;
 mod settings;
+mod signals;
 mod waits;

@@ -33,6 +33,8 @@ fn defaults() -> BTreeMap<String, Vec<Value>> {
     walk("", &serde_json::from_str(&text).expect("JSON"), &mut found);
     // it has no default, and no place where there is none
     found.insert("data.path".to_owned(), Vec::new());
+    // it is written where it is true alone
+    found.insert("data.allow_outside".to_owned(), vec![Value::Bool(false)]);
     found
 }
 

@@ -1,14 +1,12 @@
 //! `cameras.bin`, `images.bin` and `points3D.bin`: little endian, a count and as many records.
 
-use std::fs::File;
-use std::io::{BufRead, BufReader, Read};
+use std::io::{BufRead, BufReader, Read, Seek};
 use std::path::Path;
 
 use super::model::Lenses;
 use super::{Cameras, Image, Points};
 use crate::data::{Point, invalid};
 use crate::error::{Error, Result};
-use crate::input::open_regular;
 
 /// A point of an image in bytes: two coordinates and a point's id.
 const OBSERVATION: u64 = 24;
@@ -16,8 +14,8 @@ const OBSERVATION: u64 = 24;
 const TRACK_ENTRY: u64 = 8;
 
 /// Reads `cameras.bin`.
-pub(super) fn cameras(path: &Path) -> Result<Cameras> {
-    let mut records = Records::open(path, "camera", 24)?;
+pub(super) fn cameras(source: impl Read + Seek, length: u64, path: &Path) -> Result<Cameras> {
+    let mut records = Records::open(source, length, path, "camera", 24)?;
     let mut cameras = Cameras::new();
     while records.next() {
         let id = records.u32()?;
@@ -35,8 +33,8 @@ pub(super) fn cameras(path: &Path) -> Result<Cameras> {
 }
 
 /// Reads `images.bin`.
-pub(super) fn images(path: &Path) -> Result<Vec<Image>> {
-    let mut records = Records::open(path, "image", 73)?;
+pub(super) fn images(source: impl Read + Seek, length: u64, path: &Path) -> Result<Vec<Image>> {
+    let mut records = Records::open(source, length, path, "image", 73)?;
     let mut images = Vec::new();
     while records.next() {
         let _id = records.u32()?;
@@ -53,8 +51,8 @@ pub(super) fn images(path: &Path) -> Result<Vec<Image>> {
 }
 
 /// Reads `points3D.bin`.
-pub(super) fn points(path: &Path) -> Result<Points> {
-    let mut records = Records::open(path, "point", 51)?;
+pub(super) fn points(source: impl Read + Seek, length: u64, path: &Path) -> Result<Points> {
+    let mut records = Records::open(source, length, path, "point", 51)?;
     let mut points = Points::new();
     while records.next() {
         let id = records.u64()?;
@@ -70,8 +68,8 @@ pub(super) fn points(path: &Path) -> Result<Points> {
 }
 
 /// A file of records that is never believed to be longer than it is.
-struct Records<'a> {
-    reader: BufReader<File>,
+struct Records<'a, R> {
+    reader: BufReader<R>,
     path: &'a Path,
     what: &'static str,
     /// Bytes that have not been read.
@@ -81,12 +79,17 @@ struct Records<'a> {
     current: u64,
 }
 
-impl<'a> Records<'a> {
-    /// Opens a file whose records have at least `smallest` bytes each.
-    fn open(path: &'a Path, what: &'static str, smallest: u64) -> Result<Self> {
-        let (file, remaining) = open_regular(path)?;
-        let reader = BufReader::new(file);
-        let mut records = Self { reader, path, what, remaining, count: 0, current: 0 };
+impl<'a, R: Read + Seek> Records<'a, R> {
+    /// What is `length` bytes long, and whose records have at least `smallest` bytes each.
+    fn open(
+        source: R,
+        length: u64,
+        path: &'a Path,
+        what: &'static str,
+        smallest: u64,
+    ) -> Result<Self> {
+        let reader = BufReader::new(source);
+        let mut records = Self { reader, path, what, remaining: length, count: 0, current: 0 };
         records.count = records.u64()?;
         let (count, remaining) = (records.count, records.remaining);
         if count.checked_mul(smallest).is_none_or(|bytes| bytes > remaining) {

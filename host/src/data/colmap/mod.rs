@@ -8,9 +8,11 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use super::develop::Shot;
+use super::reach::Reach;
 use super::{DatasetKind, Listing, Point, invalid, is_held_out};
 use crate::camera::Camera;
 use crate::error::Result;
+use crate::input::open_regular;
 use model::Intrinsics;
 
 /// Where a model may be in a data set, the first one first.
@@ -52,7 +54,12 @@ pub(super) fn find(folder: &Path) -> Option<Model> {
 
 /// What a model holds. Images are sorted by name, and points by id: COLMAP writes both in no
 /// particular order.
-pub(super) fn list(folder: &Path, model: &Model, hold_out_every: usize) -> Result<Listing> {
+pub(super) fn list(
+    folder: &Path,
+    model: &Model,
+    hold_out_every: usize,
+    reach: &mut Reach,
+) -> Result<Listing> {
     let (cameras, mut images, mut points) = read(model)?;
     images.sort_by(|a, b| a.name.cmp(&b.name));
     points.sort_by_key(|(id, _)| *id);
@@ -74,13 +81,16 @@ pub(super) fn list(folder: &Path, model: &Model, hold_out_every: usize) -> Resul
         let expected = folder.join("images").join(&image.name);
         let candidates = [expected.clone(), folder.join(&image.name)];
         match candidates.into_iter().find(|path| path.exists() && !path.is_dir()) {
-            Some(path) => listing.shots.push(Shot {
-                name: image.name,
-                path,
-                camera,
-                lens: intrinsics.lens,
-                held_out: is_held_out(position, hold_out_every),
-            }),
+            Some(path) => {
+                reach.check(&path)?;
+                listing.shots.push(Shot {
+                    name: image.name,
+                    path,
+                    camera,
+                    lens: intrinsics.lens,
+                    held_out: is_held_out(position, hold_out_every),
+                });
+            }
             None => listing.missing.push(expected),
         }
     }
@@ -94,15 +104,24 @@ pub(super) fn list(folder: &Path, model: &Model, hold_out_every: usize) -> Resul
 }
 
 fn read(model: &Model) -> Result<(Cameras, Vec<Image>, Points)> {
-    // A model without points still has cameras, and other starting points will do.
-    let has_points = model.points.exists();
-    let read = if model.is_binary {
-        let points = if has_points { binary::points(&model.points)? } else { Vec::new() };
-        (binary::cameras(&model.cameras)?, binary::images(&model.images)?, points)
-    } else {
-        let points = if has_points { text::points(&model.points)? } else { Vec::new() };
-        (text::cameras(&model.cameras)?, text::images(&model.images)?, points)
+    let Model { cameras, images, points, is_binary } = model;
+    let (cameras_file, length) = open_regular(cameras)?;
+    let cameras = match is_binary {
+        true => binary::cameras(cameras_file, length, cameras)?,
+        false => text::cameras(cameras_file, cameras)?,
     };
+    let (images_file, length) = open_regular(images)?;
+    let images = match is_binary {
+        true => binary::images(images_file, length, images)?,
+        false => text::images(images_file, images)?,
+    };
+    // A model without points still has cameras, and other starting points will do.
+    let points = match (points.exists().then(|| open_regular(points)).transpose()?, is_binary) {
+        (Some((file, length)), true) => binary::points(file, length, points)?,
+        (Some((file, _)), false) => text::points(file, points)?,
+        (None, _) => Vec::new(),
+    };
+    let read = (cameras, images, points);
     if read.1.is_empty() {
         return invalid(&model.images, "the model has no images; did COLMAP finish?".to_owned());
     }
@@ -111,4 +130,19 @@ fn read(model: &Model) -> Result<(Cameras, Vec<Image>, Points)> {
 
 fn is_finite(point: &Point) -> bool {
     point.position.iter().all(|&value| (value as f32).is_finite())
+}
+
+/// Reads bytes as each file of a model, for `data::fuzz`.
+pub(super) fn fuzz(bytes: &[u8], path: &Path) {
+    let (source, length) = (|| std::io::Cursor::new(bytes), bytes.len() as u64);
+    let _ = binary::cameras(source(), length, path);
+    let _ = binary::points(source(), length, path);
+    let _ = text::cameras(source(), path);
+    let _ = text::points(source(), path);
+    let images = [binary::images(source(), length, path), text::images(source(), path)];
+    let lenses = model::Lenses::of_name("PINHOLE");
+    let camera = lenses.and_then(|lenses| lenses.intrinsics([64, 48], &[90.0, 90.0, 32.0, 24.0]));
+    for image in images.into_iter().flatten().flatten() {
+        let _ = camera.as_ref().map(|camera| model::camera(&image, camera));
+    }
 }

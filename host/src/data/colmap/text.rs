@@ -1,7 +1,6 @@
 //! `cameras.txt`, `images.txt` and `points3D.txt`: a record a line, values between blanks.
 
-use std::fs::File;
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 use std::str::FromStr;
 
@@ -9,11 +8,13 @@ use super::model::{Intrinsics, Lenses};
 use super::{Cameras, Image, Points};
 use crate::data::{Point, invalid};
 use crate::error::{Error, Result};
-use crate::input::open_regular;
+
+/// The longest line of a record; a point that 50,000 images see has less.
+const MAX_LINE: u64 = 1 << 20;
 
 /// Reads `cameras.txt`.
-pub(super) fn cameras(path: &Path) -> Result<Cameras> {
-    let mut lines = Lines::open(path)?;
+pub(super) fn cameras(source: impl Read, path: &Path) -> Result<Cameras> {
+    let mut lines = Lines::new(source, path);
     let mut cameras = Cameras::new();
     while lines.next_record()? {
         let (id, intrinsics) = lines.parse(camera)?;
@@ -23,20 +24,20 @@ pub(super) fn cameras(path: &Path) -> Result<Cameras> {
 }
 
 /// Reads `images.txt`.
-pub(super) fn images(path: &Path) -> Result<Vec<Image>> {
-    let mut lines = Lines::open(path)?;
+pub(super) fn images(source: impl Read, path: &Path) -> Result<Vec<Image>> {
+    let mut lines = Lines::new(source, path);
     let mut images = Vec::new();
     while lines.next_record()? {
         images.push(lines.parse(image)?);
         // The second line has the image's points, and may be empty.
-        lines.advance()?;
+        lines.skip()?;
     }
     Ok(images)
 }
 
 /// Reads `points3D.txt`.
-pub(super) fn points(path: &Path) -> Result<Points> {
-    let mut lines = Lines::open(path)?;
+pub(super) fn points(source: impl Read, path: &Path) -> Result<Points> {
+    let mut lines = Lines::new(source, path);
     let mut points = Points::new();
     while lines.next_record()? {
         points.push(lines.parse(point)?);
@@ -90,25 +91,37 @@ fn value<T: FromStr>(line: &mut &str, name: &str) -> Result<T, String> {
 }
 
 /// The lines of a file, and where it is.
-struct Lines<'a> {
-    reader: BufReader<File>,
+struct Lines<'a, R> {
+    reader: BufReader<R>,
     path: &'a Path,
     line: String,
     number: u64,
 }
 
-impl<'a> Lines<'a> {
-    fn open(path: &'a Path) -> Result<Self> {
-        let reader = BufReader::new(open_regular(path)?.0);
-        Ok(Self { reader, path, line: String::new(), number: 0 })
+impl<'a, R: Read> Lines<'a, R> {
+    fn new(source: R, path: &'a Path) -> Self {
+        Self { reader: BufReader::new(source), path, line: String::new(), number: 0 }
     }
 
     /// Goes to the next line, if there is one.
     fn advance(&mut self) -> Result<bool> {
         self.line.clear();
         self.number += 1;
-        let read = self.reader.read_line(&mut self.line);
-        Ok(read.map_err(|source| Error::read(self.path, source))? > 0)
+        let read = self.reader.by_ref().take(MAX_LINE).read_line(&mut self.line);
+        let read = read.map_err(|source| Error::read(self.path, source))?;
+        if read as u64 == MAX_LINE && !self.line.ends_with('\n') {
+            let number = self.number;
+            let reason = format!("line {number} is longer than {MAX_LINE} bytes; is it damaged?");
+            return invalid(self.path, reason);
+        }
+        Ok(read > 0)
+    }
+
+    /// Passes over the next line, however long.
+    fn skip(&mut self) -> Result<()> {
+        self.number += 1;
+        self.reader.skip_until(b'\n').map_err(|source| Error::read(self.path, source))?;
+        Ok(())
     }
 
     /// Goes to the next line that is neither empty nor a comment.

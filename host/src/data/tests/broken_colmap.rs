@@ -9,7 +9,8 @@ use super::colmap_files::{
 use super::*;
 
 fn list_folder(root: &Path) -> Result<usize> {
-    list(root, &find(root).unwrap(), 8).map(|listing| listing.shots.len())
+    let mut reach = Reach::of(root, false)?;
+    list(root, &find(root).unwrap(), 8, &mut reach).map(|listing| listing.shots.len())
 }
 
 /// Asserts that the edited model is refused with all the facts, binary and text.

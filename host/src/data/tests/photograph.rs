@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
+use super::super::budget::Budget;
 use super::super::develop::Shot;
 use super::super::lens::{Lens, Undistortion};
 use super::*;
@@ -24,6 +25,13 @@ fn camera(width: u32, height: u32) -> Camera {
 
 fn shot(path: PathBuf, camera: Camera, lens: Lens) -> Shot {
     Shot { name: "a".to_owned(), path, camera, lens, held_out: false }
+}
+
+impl Shot {
+    /// The frame, with all memory there is.
+    fn developed(&self, options: &DatasetOptions) -> Result<Frame> {
+        self.develop(options, &Budget::of(u64::MAX)).map(|(frame, _)| frame)
+    }
 }
 
 fn options(downscale: u32) -> DatasetOptions {
@@ -62,7 +70,7 @@ fn undistorted_pixels_come_from_where_the_lens_put_them() {
     let lens = Lens { radial: [0.12, -0.05, 0.01], tangential: [0.004, -0.003] };
     let camera = camera(120, 90);
     let way = Undistortion::new(&camera, &lens);
-    let frame = shot(path, camera.clone(), lens).develop(&options(1)).unwrap();
+    let frame = shot(path, camera.clone(), lens).developed(&options(1)).unwrap();
     assert_eq!(frame.camera, Camera { distorted: false, ..camera.clone() });
     let (mut inside, mut outside) = (0, 0);
     for (x, y) in (0..90).flat_map(|y| (0..120).map(move |x| (x, y))) {
@@ -89,7 +97,7 @@ fn downscaling_takes_means_and_scales_the_camera() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("ramp.png");
     ramp(&path, 11, 7);
-    let frame = shot(path.clone(), camera(11, 7), Lens::default()).develop(&options(3)).unwrap();
+    let frame = shot(path.clone(), camera(11, 7), Lens::default()).developed(&options(3)).unwrap();
     // The last two columns and the last row are cut off.
     assert_eq!((frame.image.width(), frame.image.height()), (3, 2));
     let expected = [[1, 1, 7], [4, 1, 7], [7, 1, 7], [1, 4, 7], [4, 4, 7], [7, 4, 7]];
@@ -99,7 +107,7 @@ fn downscaling_takes_means_and_scales_the_camera() {
     assert_eq!((small.width, small.height), (3, 2));
     assert_eq!((small.fl_x, small.fl_y), (30.0, 80.0 / 3.0));
     assert_eq!((small.cx, small.cy), (0.45 * 11.0 / 3.0, 0.52 * 7.0 / 3.0));
-    let result = shot(path, camera(11, 7), Lens::default()).develop(&options(8));
+    let result = shot(path, camera(11, 7), Lens::default()).developed(&options(8));
     assert_facts(result, &["ramp.png", "downscale of 8", "11 x 7"]);
 }
 
@@ -110,7 +118,7 @@ fn downscaled_masks_are_strict() {
     let path = folder.path().join("ramp.png");
     ramp(&path, 60, 40);
     let lens = Lens { radial: [0.5, 0.0, 0.0], tangential: [0.0; 2] };
-    let develop = |factor| shot(path.clone(), camera(60, 40), lens).develop(&options(factor));
+    let develop = |factor| shot(path.clone(), camera(60, 40), lens).developed(&options(factor));
     let (full, half) = (develop(1).unwrap().image, develop(2).unwrap().image);
     assert!(!half.all_valid());
     for (x, y) in (0..20).flat_map(|y| (0..30).map(move |x| (x, y))) {
@@ -129,7 +137,7 @@ fn downscaled_masks_are_strict() {
 fn every_depth_and_format_is_read() {
     let folder = tempfile::tempdir().unwrap();
     let develop = |path: PathBuf| {
-        let frame = shot(path, camera(5, 4), Lens::default()).develop(&options(1));
+        let frame = shot(path, camera(5, 4), Lens::default()).developed(&options(1));
         frame.unwrap().image.pixels()[0]
     };
     let path = |name: &str| folder.path().join(name);
@@ -155,7 +163,7 @@ fn sizes_must_be_those_of_the_camera() {
         [([24, 16], "resized"), ([8, 12], "rotated"), ([12, 9], "the right photograph")]
     {
         let result =
-            shot(path.clone(), camera(size[0], size[1]), Lens::default()).develop(&options(1));
+            shot(path.clone(), camera(size[0], size[1]), Lens::default()).developed(&options(1));
         let expected = format!("camera {} x {}", size[0], size[1]);
         assert_facts(result, &["a.png", "12 x 8", &expected, hint]);
     }
@@ -168,7 +176,7 @@ fn a_lens_that_leaves_nothing_is_an_error() {
     write_image(&path, [12, 8], [0; 3]);
     let lens = Lens { radial: [0.0; 3], tangential: [1e30, 1e30] };
     let far = Camera { cx: 0.0, cy: 0.0, ..camera(12, 8) };
-    assert_facts(shot(path, far, lens).develop(&options(1)), &["a.png", "coefficients"]);
+    assert_facts(shot(path, far, lens).developed(&options(1)), &["a.png", "coefficients"]);
 }
 
 /// A photograph that was cut short anywhere is an error, and never half gray.
@@ -181,11 +189,11 @@ fn damaged_photographs_are_named() {
         let path = folder.path().join(name);
         image::RgbImage::from_fn(40, 30, noise).save(&path).unwrap();
         let whole = fs::read(&path).unwrap();
-        shot(path.clone(), camera(40, 30), Lens::default()).develop(&options(1)).unwrap();
+        shot(path.clone(), camera(40, 30), Lens::default()).developed(&options(1)).unwrap();
         // PNG's last 12 bytes say only that it ends.
         for length in (0..whole.len() - 12).step_by(7).chain([whole.len() - 13]) {
             fs::write(&path, &whole[..length]).unwrap();
-            let result = shot(path.clone(), camera(40, 30), Lens::default()).develop(&options(1));
+            let result = shot(path.clone(), camera(40, 30), Lens::default()).developed(&options(1));
             assert_facts(result, &[name, "again"]);
         }
     }
@@ -194,7 +202,7 @@ fn damaged_photographs_are_named() {
     for (path, facts) in
         [(path.with_file_name("none.png"), "no such file"), (folder_path, "folder")]
     {
-        let result = shot(path, camera(40, 30), Lens::default()).develop(&options(1));
+        let result = shot(path, camera(40, 30), Lens::default()).developed(&options(1));
         assert_facts(result, &[facts]);
     }
 }

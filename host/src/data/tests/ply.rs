@@ -95,5 +95,7 @@ fn errors_say_what_is_wrong() {
                        property float z\n",
     );
     assert_error(list.as_bytes(), &["not a whole PLY file"]);
+    let empty = header(&format!("element face 1000000000\nelement vertex 1\n{xyz}"));
+    assert_error(empty.as_bytes(), &["1000000000 of `face`", "no properties"]);
     assert_facts(read(Path::new("absent.ply")), &["absent.ply", "no such file"]);
 }

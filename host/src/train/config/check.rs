@@ -1,6 +1,11 @@
 //! Values that no run can have.
 
+use std::fmt::Display;
+
+use super::super::start::scene_config;
 use super::TrainConfig;
+use crate::error::Error;
+use crate::tile::most_tiles;
 
 impl TrainConfig {
     /// The first value that is out of range, as a sentence.
@@ -18,20 +23,45 @@ impl TrainConfig {
         positive("start.gaussians", self.start.gaussians)?;
         positive("growth.every", self.growth.every)?;
         positive("growth.max_gaussians", self.growth.max_gaussians)?;
-        within("run.tile_size", f64::from(self.run.tile_size), 1.0, 512.0)?;
-        within("data.built_in_views", f64::from(self.data.built_in_views), 2.0, 1000.0)?;
-        within("data.built_in_side", f64::from(self.data.built_in_side), 16.0, 2048.0)?;
-        within("loss.ssim_weight", f64::from(self.loss.ssim_weight), 0.0, 1.0)?;
-        within("start.opacity", f64::from(self.start.opacity), 1e-4, 0.9999)?;
-        within("start.scale", f64::from(self.start.scale), 1e-4, 1e4)?;
-        within("start.spread", f64::from(self.start.spread), 0.0, 1e3)?;
-        within("start.transmittance_bias", f64::from(self.start.transmittance_bias), -50.0, 50.0)?;
+        within("run.tile_size", self.run.tile_size, 1, 512)?;
+        within("data.built_in_views", self.data.built_in_views, 2, 1000)?;
+        within("data.built_in_side", self.data.built_in_side, 16, 2048)?;
+        within("loss.ssim_weight", self.loss.ssim_weight, 0.0, 1.0)?;
+        within("start.opacity", self.start.opacity, 1e-4, 0.9999)?;
+        within("start.scale", self.start.scale, 1e-4, 1e4)?;
+        within("start.spread", self.start.spread, 0.0, 1e3)?;
+        within("start.transmittance_bias", self.start.transmittance_bias, -50.0, 50.0)?;
         within("growth.rate", self.growth.rate, 0.0, 1.0)?;
         within("growth.begin", self.growth.begin, 0.0, 1.0)?;
         within("growth.end", self.growth.end, 0.0, 1.0)?;
-        within("growth.min_opacity", f64::from(self.growth.min_opacity), 0.0, 0.5)?;
+        within("growth.min_opacity", self.growth.min_opacity, 0.0, 0.5)?;
+        for (name, value) in ["red", "green", "blue"].iter().zip(self.data.background) {
+            within(&format!("data.background, {name},"), value, 0.0, 1.0)?;
+        }
         self.check_together()?;
+        self.check_scene()?;
         self.optimizer.check()
+    }
+
+    /// What the kernels can address, and what a scene can be.
+    fn check_scene(&self) -> Result<(), String> {
+        let (tiles, side) = (self.run.tiles_per_step, self.run.tile_size);
+        let most = most_tiles(side);
+        if u64::from(tiles) > most {
+            return Err(format!(
+                "`run.tiles_per_step` is {tiles}, expected at most {most} of side {side}: the \
+                 kernels address fewer than 2^31 values"
+            ));
+        }
+        let scene = scene_config(self, [0.0; 3], [[0.0; 3], [1.0; 3]]);
+        scene.validate().map_err(|error| match error {
+            Error::BadConfig { field, reason, .. } => format!("`scene.{field}` {reason}"),
+            other => other.to_string(),
+        })?;
+        let gaussians = self.start.gaussians;
+        let widest = self.scene.material.max(self.scene.extra).max(4);
+        let most = ((1 << 31) - 1) / widest;
+        within("start.gaussians", gaussians, 1, most)
     }
 
     /// What one value says about another.
@@ -53,7 +83,13 @@ impl TrainConfig {
     }
 }
 
-pub(super) fn within(name: &str, value: f64, low: f64, high: f64) -> Result<(), String> {
+/// In the value's own type, whose digits are those of the file.
+pub(super) fn within<T: Copy + PartialOrd + Display>(
+    name: &str,
+    value: T,
+    low: T,
+    high: T,
+) -> Result<(), String> {
     match (low..=high).contains(&value) {
         true => Ok(()),
         false => Err(format!("`{name}` is {value}, expected {low} to {high}")),

@@ -29,10 +29,37 @@ fn mistakes_are_named() {
         ("[growth]\nmax_gaussians = 9", "`start.gaussians` is 4000, more than the 9 of"),
         ("[data]\nhold_out_every = 1", "`data.hold_out_every` is 1, which leaves nothing"),
         ("steps", "line 1:"),
+        ("[run]\ntiles_per_step = 100000000", "at most 174762 of side 64"),
+        ("[start]\ngaussians = 4000000000", "`start.gaussians` is 4000000000"),
+        ("[start]\nopacity = 0.00009", "`start.opacity` is 0.00009, expected 0.0001 to 0.9999"),
+        ("[scene.color_mlp]\nhidden = []", "`scene.color_mlp.hidden` has 0 layers"),
+        ("[data]\nbackground = [0.0, 2.0, 0.0]", "`data.background, green,` is 2, expected 0 to 1"),
     ] {
         let error = parse(text).unwrap_err().to_string();
         assert!(error.contains(expected) && error.contains("config.toml"), "{error}");
     }
+}
+
+/// In f32 the nearest number to 1e-4 is less than that of f64.
+#[test]
+fn the_ends_of_a_range_belong_to_it() {
+    for text in ["[start]\nopacity = 1e-4", "[start]\nopacity = 0.9999", "[start]\nscale = 1e-4"] {
+        parse(text).unwrap();
+    }
+}
+
+#[test]
+fn a_run_that_cannot_fit_is_refused_with_what_it_takes() {
+    let mut config = TrainConfig::default();
+    config.check_memory().unwrap();
+    config.start.gaussians = 200_000_000;
+    config.growth.max_gaussians = 200_000_000;
+    let text = config.check_memory().unwrap_err().to_string();
+    for fact in ["the tiles of a step 17.00 MiB", "Adam's moments 61.", "but", "are available"] {
+        assert!(text.contains(fact), "{text}");
+    }
+    config.data.path = Some("data".into());
+    config.check_memory().unwrap();
 }
 
 #[test]

@@ -1,0 +1,126 @@
+//! Photographs of the right structure and any content: bytes alone seldom have a checksum that fits.
+#![no_main]
+
+use arbitrary::Arbitrary;
+use libfuzzer_sys::fuzz_target;
+
+#[path = "../held.rs"]
+mod held;
+
+#[derive(Arbitrary, Debug)]
+enum Photograph {
+    Png {
+        size: [u8; 2],
+        depth: u8,
+        color: u8,
+        is_interlaced: bool,
+        chunks: Vec<Chunk>,
+        rows: Vec<u8>,
+    },
+    Jpeg {
+        size: [u8; 2],
+        process: u8,
+        components: Vec<[u8; 3]>,
+        segments: Vec<Segment>,
+        scan: Vec<u8>,
+    },
+}
+
+#[derive(Arbitrary, Debug)]
+struct Chunk {
+    name: u8,
+    data: Vec<u8>,
+}
+
+#[derive(Arbitrary, Debug)]
+struct Segment {
+    marker: u8,
+    data: Vec<u8>,
+}
+
+const CHUNKS: [&[u8; 4]; 12] = [
+    b"PLTE", b"tRNS", b"gAMA", b"cHRM", b"iCCP", b"sRGB", b"pHYs", b"tEXt", b"zTXt", b"iTXt",
+    b"acTL", b"fcTL",
+];
+
+impl Photograph {
+    fn file(&self) -> Vec<u8> {
+        match self {
+            Self::Png { size, depth, color, is_interlaced, chunks, rows } => {
+                let mut file = b"\x89PNG\r\n\x1a\n".to_vec();
+                let [width, height] = size.map(|side| u32::from(side % 40 + 1).to_be_bytes());
+                let depth = [1, 2, 4, 8, 16][usize::from(depth % 5)];
+                let color = [0, 2, 3, 4, 6][usize::from(color % 5)];
+                let rest = [depth, color, 0, 0, u8::from(*is_interlaced)];
+                chunk(&mut file, b"IHDR", &[width.as_slice(), &height, &rest].concat());
+                for Chunk { name, data } in chunks {
+                    chunk(&mut file, CHUNKS[usize::from(*name) % CHUNKS.len()], data);
+                }
+                chunk(&mut file, b"IDAT", &stored(rows));
+                chunk(&mut file, b"IEND", &[]);
+                file
+            }
+            Self::Jpeg { size, process, components, segments, scan } => {
+                let mut file = vec![0xff, 0xd8];
+                for Segment { marker, data } in segments {
+                    segment(
+                        &mut file,
+                        [0xdb, 0xc4, 0xdd, 0xe0, 0xe1, 0xe2, 0xee][usize::from(marker % 7)],
+                        data,
+                    );
+                }
+                let [width, height] = size.map(|side| u16::from(side % 70 + 1).to_be_bytes());
+                let components = &components[..components.len().min(4)];
+                let mut header =
+                    [&[8], height.as_slice(), &width, &[components.len() as u8]].concat();
+                components.iter().for_each(|component| header.extend(component));
+                segment(&mut file, 0xc0 + process % 3, &header);
+                let mut begin = vec![components.len() as u8];
+                components.iter().for_each(|component| begin.extend([component[0], component[2]]));
+                begin.extend([0, 63, 0]);
+                segment(&mut file, 0xda, &begin);
+                file.extend(scan);
+                file.extend([0xff, 0xd9]);
+                file
+            }
+        }
+    }
+}
+
+fn segment(file: &mut Vec<u8>, marker: u8, data: &[u8]) {
+    let data = &data[..data.len().min(60_000)];
+    file.extend([0xff, marker]);
+    file.extend((data.len() as u16 + 2).to_be_bytes());
+    file.extend(data);
+}
+
+fn chunk(file: &mut Vec<u8>, name: &[u8; 4], data: &[u8]) {
+    let body = [name.as_slice(), data].concat();
+    file.extend((data.len() as u32).to_be_bytes());
+    file.extend(&body);
+    file.extend(crc32fast::hash(&body).to_be_bytes());
+}
+
+/// A zlib stream of stored blocks.
+fn stored(data: &[u8]) -> Vec<u8> {
+    let mut stream = vec![0x78, 1];
+    let mut blocks = data.chunks(65_535).peekable();
+    while let Some(block) = blocks.next() {
+        stream.push(u8::from(blocks.peek().is_none()));
+        stream.extend((block.len() as u16).to_le_bytes());
+        stream.extend((!(block.len() as u16)).to_le_bytes());
+        stream.extend(block);
+    }
+    let [a, b] = data.iter().fold([1_u32, 0], |[a, b], &byte| {
+        let a = (a + u32::from(byte)) % 65_521;
+        [a, (b + a) % 65_521]
+    });
+    stream.extend((b << 16 | a).to_be_bytes());
+    stream
+}
+
+fuzz_target!(|photograph: Photograph| held::run(
+    organza::fuzz::photograph,
+    &photograph.file(),
+    "a photograph"
+));

@@ -1,0 +1,65 @@
+//! An allocator that counts, and what a parser may hold at most: shared by the fuzzers and the tests.
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+/// The most that a parser may hold at once, beside what grows with its input.
+const MOST: usize = 96 << 20;
+/// Bytes for each byte of the input.
+const MOST_A_BYTE: usize = 256;
+
+#[global_allocator]
+static ALLOCATOR: Counted = Counted;
+
+/// Counts what each thread holds.
+struct Counted;
+
+thread_local! {
+    static HELD: Cell<usize> = const { Cell::new(0) };
+    static PEAK: Cell<usize> = const { Cell::new(0) };
+}
+
+fn count(more: usize, less: usize) {
+    // A thread that ends frees what no one counts any more.
+    let _ = HELD.try_with(|held| {
+        // What another thread has allocated is freed here, too.
+        held.set(held.get().saturating_add(more).saturating_sub(less));
+        let _ = PEAK.try_with(|peak| peak.set(peak.get().max(held.get())));
+    });
+}
+
+// SAFETY: every call goes to the system's allocator as it is.
+unsafe impl GlobalAlloc for Counted {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        count(layout.size(), 0);
+        // SAFETY: the caller's promise
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        count(layout.size(), 0);
+        // SAFETY: the caller's promise
+        unsafe { System.alloc_zeroed(layout) }
+    }
+
+    unsafe fn realloc(&self, memory: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        count(size, layout.size());
+        // SAFETY: the caller's promise
+        unsafe { System.realloc(memory, layout, size) }
+    }
+
+    unsafe fn dealloc(&self, memory: *mut u8, layout: Layout) {
+        count(0, layout.size());
+        // SAFETY: the caller's promise
+        unsafe { System.dealloc(memory, layout) }
+    }
+}
+
+/// Runs a parser on bytes, and panics where it held too much.
+pub fn run(target: fn(&[u8]), bytes: &[u8], what: &str) {
+    let before = HELD.get();
+    PEAK.set(before);
+    target(bytes);
+    let took = PEAK.get().saturating_sub(before);
+    assert!(took <= MOST + MOST_A_BYTE * bytes.len(), "{what} took {took} bytes of memory");
+}

@@ -1,0 +1,186 @@
+//! A run's folder: one training at a time writes to it.
+
+use std::fs::{self, File, TryLockError};
+use std::io::{self, Read, Seek, Write};
+use std::path::{Path, PathBuf};
+
+use super::checkpoint::CHECKPOINT;
+use super::session::{CONFIG, METRICS, REPORT};
+use crate::atomic_file::remove_leftovers;
+use crate::error::{Error, Result};
+
+/// The locked file; it goes when the training ends.
+const LOCK: &str = ".organza-lock";
+
+/// A run's folder, locked: as long as this lives no other training writes to it.
+#[derive(Debug)]
+pub struct RunFolder {
+    path: PathBuf,
+    /// Dropped, and so unlocked, after the file is gone.
+    _lock: File,
+}
+
+impl RunFolder {
+    /// Locks a folder, which exists, and removes what a training left there that was killed.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] where another training has it, which is named; where it holds a run and
+    /// none is to be resumed; where one of a run's files is a device, a pipe or a folder.
+    /// [`Error::WriteFile`] where it cannot be written to.
+    pub fn lock(path: &Path, resume: bool) -> Result<Self> {
+        let invalid = |reason| Err(Error::Invalid { origin: path.to_owned(), reason });
+        let file = path.join(LOCK);
+        let lock = match lock(&file).map_err(|source| Error::write(&file, source))? {
+            Ok(lock) => lock,
+            Err(holder) => {
+                return invalid(format!(
+                    "another training writes to this folder ({holder}): wait for it, stop it, or \
+                     name another folder"
+                ));
+            }
+        };
+        let folder = Self { path: path.to_owned(), _lock: lock };
+        remove_leftovers(path);
+        for name in [CONFIG, CHECKPOINT, METRICS, REPORT] {
+            // Not through a link: it may lead to a file of somebody else's.
+            let Ok(found) = fs::symlink_metadata(path.join(name)) else { continue };
+            if !found.is_file() {
+                return invalid(format!(
+                    "{name} is a folder, a link, a device or a pipe, expected a file: remove it, \
+                     or name another folder"
+                ));
+            }
+            if !resume && [CONFIG, CHECKPOINT].contains(&name) {
+                return invalid(format!(
+                    "the folder already holds a run ({name}); continue it with `--resume`, or name \
+                     another folder"
+                ));
+            }
+        }
+        Ok(folder)
+    }
+
+    /// Where it is.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// What dropping does, for a program that ends at once: removes the lock's file, where it is
+    /// this process's, and what was being written.
+    pub fn clear(path: &Path) {
+        let file = path.join(LOCK);
+        if fs::read_to_string(&file).is_ok_and(|holder| holder == own_name()) {
+            remove_leftovers(path);
+            let _ = fs::remove_file(file);
+        }
+    }
+}
+
+impl Drop for RunFolder {
+    fn drop(&mut self) {
+        // Whoever has opened it meanwhile finds it gone, and begins again.
+        let _ = fs::remove_file(self.path.join(LOCK));
+    }
+}
+
+/// What the locked file says.
+fn own_name() -> String {
+    format!("process {}", std::process::id())
+}
+
+/// The locked file, or else who has it.
+fn lock(path: &Path) -> io::Result<Result<File, String>> {
+    loop {
+        let mut file = open(path)?;
+        match file.try_lock() {
+            Ok(()) => {}
+            Err(TryLockError::WouldBlock) => {
+                let mut holder = String::new();
+                let _ = (&mut file).take(64).read_to_string(&mut holder);
+                let is_named = holder.starts_with("process ");
+                return Ok(Err(if is_named { holder } else { "another process".to_owned() }));
+            }
+            // A file system without locks: there is one writer if the user sees to it.
+            Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Unsupported => {}
+            Err(TryLockError::Error(error)) => return Err(error),
+        }
+        if is_at(&file, path) {
+            let mut name = || {
+                file.set_len(0)?;
+                file.rewind()?;
+                file.write_all(own_name().as_bytes())
+            };
+            if let Err(error) = name() {
+                let _ = fs::remove_file(path);
+                return Err(error);
+            }
+            return Ok(Ok(file));
+        }
+    }
+}
+
+/// Opens or makes the file, and nothing that has taken its place: what it held is written over.
+fn open(path: &Path) -> io::Result<File> {
+    let mut options = File::options();
+    options.read(true).write(true).create(true).truncate(false);
+    #[cfg(unix)]
+    std::os::unix::fs::OpenOptionsExt::custom_flags(
+        &mut options,
+        libc::O_NOFOLLOW | libc::O_NONBLOCK,
+    );
+    let file = options.open(path)?;
+    match file.metadata()?.is_file() {
+        true => Ok(file),
+        false => Err(io::Error::other("it is no regular file; remove it")),
+    }
+}
+
+/// Whether an open file is still the one of that name.
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let place = |found: fs::Metadata| (found.dev(), found.ino());
+    let (open, named) = (file.metadata().map(place), fs::metadata(path).map(place));
+    matches!((open, named), (Ok(open), Ok(named)) if open == named)
+}
+
+/// An open file cannot be removed.
+#[cfg(not(unix))]
+fn is_at(_: &File, _: &Path) -> bool {
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_at_a_time() {
+        let folder = tempfile::tempdir().unwrap();
+        let first = RunFolder::lock(folder.path(), false).unwrap();
+        let text = RunFolder::lock(folder.path(), false).unwrap_err().to_string();
+        let holder = format!("process {}", std::process::id());
+        assert!(text.contains(&holder) && text.contains("another training"), "{text}");
+        drop(first);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+        drop(RunFolder::lock(folder.path(), false).unwrap());
+    }
+
+    #[test]
+    fn what_a_killed_training_left_is_removed() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join(".organza-abc.tmp"), "half").unwrap();
+        fs::write(folder.path().join(LOCK), "process 1, which has gone").unwrap();
+        drop(RunFolder::lock(folder.path(), false).unwrap());
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+    }
+
+    #[test]
+    fn a_folder_in_the_place_of_a_file_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::create_dir(folder.path().join(METRICS)).unwrap();
+        let text = RunFolder::lock(folder.path(), true).unwrap_err().to_string();
+        assert!(text.contains("metrics.jsonl is a folder"), "{text}");
+    }
+}

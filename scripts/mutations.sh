@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# Thousands of mutated command lines and files, and a fault at each system call that writes: what
+# the tests try some of. Each round of mutations takes another seed.
+#
+#   ROUNDS=10 INPUTS=2000 scripts/mutations.sh
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+export ORGANZA_REQUIRE_STRACE=1
+for (( round = 0; round < ${ROUNDS:-4}; round++ )); do
+  seed=$RANDOM
+  echo "mutations, seed $seed"
+  ORGANZA_MUTATIONS=${INPUTS:-2000} ORGANZA_MUTATION_SEED=$seed \
+    cargo test --package organza-tests --test program mutations -- --nocapture
+done
+ORGANZA_CORPUS_MUTATIONS=${INPUTS:-2000} cargo test --package organza-tests --test program corpus -- --nocapture
+ORGANZA_ALL_FAULTS=1 cargo test --package organza-tests --test program faults -- --nocapture

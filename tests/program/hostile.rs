@@ -1,0 +1,135 @@
+//! Text that controls terminals, streams that are closed, and folders that cannot be written to.
+
+use std::fs;
+use std::process::Stdio;
+
+use serde_json::json;
+
+use crate::sandbox::{Outcome, Sandbox};
+
+const TILES: &str = "tiles scene.safetensors cameras.json tiles.json --backend cpu";
+
+/// Clears the screen, rings, turns text around, and begins another line.
+const NASTY: &str = "a\x1b[2Jb\x07c\u{9b}31md\u{202e}e\rf\ng";
+
+#[track_caller]
+fn assert_plain(outcome: &Outcome) {
+    for text in [&outcome.stdout, &outcome.stderr] {
+        let bad = |c: char| c != '\n' && (c.is_control() || c == '\u{202e}');
+        assert!(!text.contains(bad), "{text:?}");
+    }
+}
+
+#[test]
+fn messages_do_not_control_the_terminal() {
+    let sandbox = Sandbox::new("tiny");
+    let run = |words: &[&str]| -> Outcome {
+        let mut command = sandbox.command("");
+        command.args(words).output().expect("the program starts").into()
+    };
+    let cpu = ["--backend", "cpu"];
+    for words in [
+        &["info", NASTY][..],
+        &[NASTY],
+        &["render", NASTY, "cameras.json", "-o", "out"],
+        &["render", "scene.safetensors", "cameras.json", "-o", "out", "--views", NASTY],
+        &[
+            "tiles",
+            "scene.safetensors",
+            "cameras.json",
+            "tiles.json",
+            "-o",
+            "x",
+            "--threads",
+            NASTY,
+        ],
+        &["train", NASTY, "-o", "run"],
+    ] {
+        let outcome = run(words);
+        outcome.assert_refused(&["\\u{202e}"]);
+        assert_plain(&outcome);
+        assert!(outcome.stderr.lines().count() <= 4, "{outcome:?}");
+    }
+    // names of files' own, and on the way to a success
+    sandbox.edit_json("cameras.json", "/frames/0/file_path", json!(NASTY));
+    for words in [
+        &["info", "cameras.json"][..],
+        &["info", "cameras.json", "--json"],
+        &["explain", "scene.safetensors", "cameras.json", "--pixel", "1,1"],
+        &[&["render", "scene.safetensors", "cameras.json", "-o", NASTY], &cpu[..]].concat(),
+    ] {
+        let outcome = run(words).assert_ok();
+        assert_plain(&outcome);
+    }
+    assert!(sandbox.path(NASTY).is_dir());
+    let info = run(&["info", "cameras.json", "--json"]).stdout;
+    let info: serde_json::Value = serde_json::from_str(&info).expect("JSON");
+    assert_eq!(info["cameras"][0]["file_path"], json!(NASTY), "JSON says it all the same");
+}
+
+#[test]
+fn messages_are_short() {
+    let sandbox = Sandbox::new("tiny");
+    let long = "long".repeat(25_000);
+    let outcome: Outcome =
+        sandbox.command("info").arg(&long).output().expect("the program starts").into();
+    outcome.assert_refused(&["cannot read longlong", " ... ", "longlong: "]);
+    assert!(outcome.stderr.len() < 2000);
+    sandbox.edit_json("tiles.json", "/side", json!(vec![123_456_789; 100_000]));
+    let outcome = sandbox.run(&format!("{TILES} -o out"));
+    outcome.assert_refused(&["tiles.json", "`side` is", "1 to 4096"]);
+    assert!(outcome.stderr.len() < 2000);
+    let outcome: Outcome =
+        sandbox.command("render").args(["--views", &long]).output().unwrap().into();
+    outcome.assert_refused(&["invalid value", " ... "]);
+    assert!(outcome.stderr.len() < 4000 && outcome.stderr.lines().count() <= 4);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn closed_streams_are_no_bug() {
+    let sandbox = Sandbox::new("tiny");
+    for (streams, code) in [("<&-", 0), ("2>&-", 0), ("<&- >&- 2>&-", 0), ("2>/dev/full", 0)] {
+        let outcome = sandbox.shell(&format!("\"$ORGANZA\" {TILES} -o out {streams}"));
+        assert_eq!(outcome.code, Some(code), "{streams}: {outcome:?}");
+        assert!(fs::metadata(sandbox.path("out")).unwrap().len() > 1000, "{streams}");
+        // a scene is not written into what stands for a closed stream
+        fs::remove_file(sandbox.path("out")).unwrap();
+    }
+    for streams in ["2>&-", "2>/dev/full", ">&- 2>&-"] {
+        let outcome = sandbox.shell(&format!("\"$ORGANZA\" info absent {streams}"));
+        assert_eq!((outcome.code, outcome.stdout.as_str()), (Some(2), ""), "{streams}");
+    }
+    let outcome = sandbox.shell("\"$ORGANZA\" info tiles.json >/dev/full");
+    outcome.assert_refused(&["standard output", "disk is full"]);
+    // help is not data; nobody waits for it
+    for words in ["--help", "--version"] {
+        let mut child = sandbox.command(words).stdout(Stdio::piped()).spawn().unwrap();
+        drop(child.stdout.take());
+        assert_eq!(child.wait().unwrap().code(), Some(0), "{words}");
+    }
+}
+
+/// As root a mode keeps nobody out, but a mount does.
+#[cfg(target_os = "linux")]
+#[test]
+fn folders_that_are_read_only_are_said() {
+    let sandbox = Sandbox::new("tiny");
+    fs::create_dir(sandbox.path("locked")).unwrap();
+    let mount = "mount -t tmpfs -o ro none locked";
+    if sandbox.shell(&format!("unshare -rm {mount}")).code != Some(0) {
+        eprintln!("skipped: no file system can be mounted here");
+        return;
+    }
+    for words in [
+        format!("{TILES} -o locked/out"),
+        "render scene.safetensors cameras.json -o locked/images --backend cpu".to_owned(),
+        "demo -o locked --backend cpu".to_owned(),
+        "train -o locked --backend cpu".to_owned(),
+        "train -o locked/run --backend cpu".to_owned(),
+    ] {
+        let outcome =
+            sandbox.shell(&format!("unshare -rm sh -c '{mount} && \"$ORGANZA\" {words}'"));
+        outcome.assert_refused(&["cannot write", "locked", "ead-only"]);
+    }
+}

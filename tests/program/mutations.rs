@@ -1,0 +1,243 @@
+//! Command lines and files, changed at random: whatever is asked for, the program ends in good order.
+#![cfg(target_os = "linux")]
+
+use std::fs;
+use std::process::{Command, Stdio};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use crate::mutate::{Random, mutate_bytes, number};
+use crate::sandbox::{Outcome, Sandbox, program};
+
+/// Inputs in a run of the tests; `ORGANZA_MUTATIONS` asks for more, and `ORGANZA_MUTATION_SEED` for others.
+const INPUTS: u64 = 500;
+/// A run that takes longer hangs.
+const LONGEST: Duration = Duration::from_secs(30);
+/// In KiB.
+const MEMORY: u64 = 4_000_000;
+
+/// What works before it is changed. Each ends soon, whatever number is put into it.
+const COMMANDS: [&str; 18] = [
+    "info scene.safetensors",
+    "info cameras.json --json",
+    "info tiles.json",
+    "info run/checkpoint.safetensors",
+    "tiles scene.safetensors cameras.json tiles.json -o out --backend cpu --threads 1",
+    "tiles scene.safetensors cameras.json tiles.json -o out --backend cpu --half-grids",
+    "tiles scene.safetensors cameras.json tiles.json --backend cpu --grad-output g --grad out",
+    "render scene.safetensors cameras.json -o images --backend cpu --views 0 --tile-size 16",
+    "explain scene.safetensors cameras.json --pixel 48,40 --view 1",
+    "explain scene.safetensors cameras.json --pixel 48,40 --all --json",
+    "demo -o demo --views 1 --size 8 --backend cpu --quiet",
+    "kernels --json",
+    "parity --adapter none",
+    "bench scene.safetensors cameras.json tiles.json --backend cpu --repeat 1 --forward",
+    "eval run --backend cpu",
+    "eval scene.safetensors data --backend cpu --split all --downscale 4 --json",
+    "train data --config small.toml --backend cpu -o new --time-limit 1 --downscale 8",
+    "train --resume run --backend cpu --time-limit 1",
+];
+
+/// Files that are read, for a change of one of them.
+const FILES: [&str; 12] = [
+    "scene.safetensors",
+    "cameras.json",
+    "tiles.json",
+    "g",
+    "small.toml",
+    "run/checkpoint.safetensors",
+    "run/config.toml",
+    "run/metrics.jsonl",
+    "data/transforms.json",
+    "data/images/0000.png",
+    "data/images/0001.png",
+    "data/points.ply",
+];
+
+/// No path of them leads to what could be changed outside the sandbox.
+const WORDS: [&str; 34] = [
+    "",
+    "-",
+    "--",
+    "0",
+    "-1",
+    "1",
+    "2",
+    "1e9",
+    "NaN",
+    "inf",
+    "4294967295",
+    "4294967296",
+    "18446744073709551616",
+    "0.5",
+    "1,1",
+    "0,0,0",
+    "-1,-1",
+    "0-1",
+    "1-0",
+    ".",
+    "/proc/absent",
+    "/dev/null",
+    "/dev/full",
+    "/dev/zero",
+    "absent",
+    "scene.safetensors",
+    "data",
+    "run",
+    "new/er/est",
+    "--help",
+    "--quiet",
+    "--json",
+    "\u{1b}[2J\n",
+    "a\u{202e}b",
+];
+
+/// A sandbox with everything that the commands read.
+fn template() -> Sandbox {
+    let sandbox = Sandbox::new("tiny");
+    let tiny = include_str!("train/tiny.toml");
+    fs::write(sandbox.path("tiny.toml"), tiny).unwrap();
+    let small = tiny.replace("steps = 40", "steps = 3");
+    assert_ne!(small, tiny);
+    fs::write(sandbox.path("small.toml"), small).unwrap();
+    sandbox.run("render scene.safetensors cameras.json -o data/images --backend cpu").assert_ok();
+    sandbox.run("tiles scene.safetensors cameras.json tiles.json -o out --backend cpu").assert_ok();
+    let tiles = organza::scene::read_tensors(sandbox.path("out")).unwrap().remove("tiles").unwrap();
+    let name = "grad_output";
+    let tensor = organza::scene::TensorRef { name, shape: &tiles.shape, data: &tiles.data };
+    organza::scene::write_tensors(sandbox.path("g"), &[tensor], &[]).unwrap();
+    fs::remove_file(sandbox.path("out")).unwrap();
+    let ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+               property float z\nend_header\n0 0 0\n1 2 3\n0.5 0.1 -1\n";
+    fs::write(sandbox.path("data/points.ply"), ply).unwrap();
+    let cameras = fs::read_to_string(sandbox.path("cameras.json")).unwrap();
+    let named = cameras.replacen('{', "{\"ply_file_path\": \"points.ply\",", 1);
+    fs::write(sandbox.path("data/transforms.json"), named).unwrap();
+    let words =
+        "train data --config small.toml --backend cpu --downscale 8 --hold-out-every 2 -o run";
+    sandbox.run(words).assert_ok();
+    sandbox
+}
+
+fn mutate_words(words: &mut Vec<String>, random: &mut Random) {
+    let at = random.below(words.len());
+    let word = random.one(&WORDS).to_owned();
+    match random.below(5) {
+        0 => words.insert(at, word),
+        1 if words.len() > 1 => drop(words.remove(at)),
+        2 => words.push(words[at].clone()),
+        3 => words[at] = format!("{}{word}", words[at]),
+        _ => words[at] = word,
+    }
+}
+
+/// Runs the program with bounds; none where it did not end.
+fn bounded(sandbox: &Sandbox, words: &[String]) -> Option<Outcome> {
+    let script = format!("ulimit -v {MEMORY}; exec \"$0\" \"$@\"");
+    let mut command = Command::new("sh");
+    command.args(["-c", &script]).arg(program()).args(words).current_dir(sandbox.path(""));
+    command.stdin(Stdio::null()).env_remove("RUST_BACKTRACE").env("XDG_RUNTIME_DIR", "/tmp");
+    let out = fs::File::create(sandbox.path(".stdout")).unwrap();
+    let err = fs::File::create(sandbox.path(".stderr")).unwrap();
+    let mut child = command.stdout(out).stderr(err).spawn().expect("a shell");
+    let begin = Instant::now();
+    while child.try_wait().unwrap().is_none() {
+        if begin.elapsed() > LONGEST {
+            let _ = child.kill();
+            let _ = child.wait();
+            return None;
+        }
+        thread::sleep(Duration::from_millis(3));
+    }
+    let read = |name: &str| {
+        String::from_utf8(fs::read(sandbox.path(name)).unwrap()).expect("the program writes UTF-8")
+    };
+    let code = child.wait().unwrap().code();
+    Some(Outcome { code, stdout: read(".stdout"), stderr: read(".stderr") })
+}
+
+/// What is wrong with an outcome.
+fn fault(outcome: Option<&Outcome>) -> Option<&'static str> {
+    let Some(Outcome { code, stdout, stderr }) = outcome else { return Some("hangs") };
+    let is_control = |c: char| c != '\n' && (c.is_control() || c == '\u{202e}');
+    let error = stderr.find("error: ").map_or("", |at| &stderr[at..]);
+    if !matches!(code, Some(0 | 2)) {
+        return Some("another exit code than 0 and 2");
+    }
+    if stderr.contains("bug in organza") || stderr.contains("panicked") {
+        return Some("a bug");
+    }
+    if stdout.contains(is_control) || stderr.contains(is_control) {
+        return Some("control characters");
+    }
+    if *code == Some(2) && error.is_empty() {
+        return Some("no message");
+    }
+    (error.lines().count() > 4 || error.len() > 6000).then_some("a long message")
+}
+
+/// One input: a sandbox of its own, and what is run in it.
+fn input(template: &Sandbox, number: u64, seed: u64) -> (Sandbox, Vec<String>, String) {
+    let mut random = Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d).wrapping_add(number));
+    let sandbox = Sandbox::copy(template);
+    let command = random.one(&COMMANDS);
+    let mut words: Vec<_> = command.split(' ').map(str::to_owned).collect();
+    let mut changed = String::new();
+    if random.below(3) == 0 {
+        (0..=random.below(2)).for_each(|_| mutate_words(&mut words, &mut random));
+    } else {
+        // one of those that the command reads, if it has any
+        let read: Vec<_> = FILES
+            .into_iter()
+            .filter(|file| {
+                command.split(' ').any(|word| {
+                    word == *file || matches!(word, "run" | "data") && file.starts_with(word)
+                })
+            })
+            .collect();
+        let name = if read.is_empty() { random.one(&FILES) } else { random.one(&read) };
+        let mut bytes = fs::read(sandbox.path(name)).unwrap();
+        (0..=random.below(3)).for_each(|_| mutate_bytes(&mut bytes, &mut random));
+        fs::write(sandbox.path(name), bytes).unwrap();
+        changed = format!("{name} changed");
+    }
+    (sandbox, words, changed)
+}
+
+#[test]
+fn whatever_is_asked_for_the_program_ends_in_good_order() {
+    if std::env::var_os("ORGANZA_VALIDATION").is_some() {
+        // nothing of it is about Vulkan
+        return;
+    }
+    let (inputs, seed) = (number("ORGANZA_MUTATIONS", INPUTS), number("ORGANZA_MUTATION_SEED", 1));
+    static TEMPLATE: OnceLock<Sandbox> = OnceLock::new();
+    let template = TEMPLATE.get_or_init(template);
+    let (next, refused) = (AtomicU64::new(0), AtomicU64::new(0));
+    let work = || {
+        let mut faults = Vec::new();
+        loop {
+            let number = next.fetch_add(1, Ordering::Relaxed);
+            if number >= inputs {
+                return faults;
+            }
+            let (sandbox, words, changed) = input(template, number, seed);
+            let outcome = bounded(&sandbox, &words);
+            let code = outcome.as_ref().and_then(|outcome| outcome.code);
+            refused.fetch_add(u64::from(code == Some(2)), Ordering::Relaxed);
+            if let Some(fault) = fault(outcome.as_ref()) {
+                faults.push(format!("input {number}: {fault}: {words:?} {changed}\n{outcome:?}"));
+            }
+        }
+    };
+    let faults: Vec<String> = thread::scope(|scope| {
+        let workers: Vec<_> = (0..2).map(|_| scope.spawn(work)).collect();
+        workers.into_iter().flat_map(|worker| worker.join().expect("no panic")).collect()
+    });
+    assert!(faults.is_empty(), "{} of {inputs}:\n{}", faults.len(), faults.join("\n"));
+    let refused = refused.into_inner();
+    eprintln!("{inputs} inputs: {refused} refused");
+    assert!(refused > inputs / 4 && refused < inputs, "{refused} of {inputs} were refused");
+}

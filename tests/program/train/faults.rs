@@ -1,0 +1,144 @@
+//! Every system call by which a training writes fails once, or is the last one; then it goes on.
+#![cfg(target_os = "linux")]
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use organza::train::{CHECKPOINT, CONFIG, Checkpoint, METRICS, REPORT, TrainConfig};
+
+use super::runs::{Bits, assert_same, bits, photographs, records, sandbox};
+use crate::sandbox::{Outcome, Sandbox, program};
+
+/// What writes, and what makes it last.
+const CALLS: &str = "write,fsync,rename,renameat,renameat2,unlink,ftruncate,openat";
+/// Every so many-th call of those of a run, unless all are asked for.
+const SAMPLE: usize = 5;
+const RUN: &str = "train data --config tiny.toml --downscale 4 --hold-out-every 2 --backend cpu --threads 1 --steps 6 -o run";
+const RESUME: &str = "train --resume run --backend cpu --threads 1";
+
+/// A kind of call and its number among those of its kind, from 1.
+type Place = (String, usize);
+
+/// Runs the program under strace with more options.
+fn strace(sandbox: &Sandbox, options: &[&str], words: &str) -> Outcome {
+    let mut command = Command::new("strace");
+    command.args(["-f", "-qq", "-y"]).args(options).arg(program()).args(words.split(' '));
+    command.current_dir(sandbox.path("")).env_remove("RUST_BACKTRACE");
+    command.output().expect("strace runs").into()
+}
+
+/// The calls of a run that are about its folder. strace counts each thread's calls by themselves, and these are the first
+/// one's.
+fn places(sandbox: &Sandbox) -> Vec<Place> {
+    let trace = sandbox.path("trace");
+    let options = ["-o", trace.to_str().expect("a path"), "-e", &format!("trace={CALLS}")];
+    strace(sandbox, &options, RUN).assert_ok();
+    let text = fs::read_to_string(&trace).unwrap();
+    let first = text.split_whitespace().next().expect("a process").to_owned();
+    let mut counts = BTreeMap::<String, usize>::new();
+    let mut places = Vec::new();
+    for line in text.lines() {
+        let Some((thread, call)) = line.split_once(' ') else { continue };
+        let Some((name, arguments)) = call.trim_start().split_once('(') else { continue };
+        if thread != first || name.starts_with('<') {
+            continue;
+        }
+        let count = counts.entry(name.to_owned()).or_default();
+        *count += 1;
+        let is_read = name == "openat" && !arguments.contains("O_CREAT");
+        let is_about_it = arguments.contains("/run") || arguments.contains("\"run/");
+        if is_about_it && !is_read {
+            places.push((name.to_owned(), *count));
+        }
+    }
+    fs::remove_dir_all(sandbox.path("run")).unwrap();
+    places
+}
+
+/// Whatever there is can be read.
+fn assert_readable(folder: &Path) {
+    if folder.join(CONFIG).exists() {
+        TrainConfig::load(folder.join(CONFIG)).expect("settings");
+    }
+    if folder.join(METRICS).exists() {
+        let _ = records(folder);
+    }
+    if folder.join(CHECKPOINT).exists() {
+        Checkpoint::load(folder.join(CHECKPOINT)).expect("a checkpoint");
+    }
+}
+
+/// Goes on, and comes to the same bits; nothing else is left.
+fn assert_goes_on(sandbox: &Sandbox, what: &str, expected: &Bits) {
+    let folder = sandbox.path("run");
+    assert_readable(&folder);
+    let words = if folder.join(CONFIG).exists() { RESUME } else { RUN };
+    let outcome = sandbox.run(words);
+    assert_eq!(outcome.code, Some(0), "{what}: {outcome:?}");
+    assert_same(what, &bits(sandbox, "run"), expected);
+    let names = fs::read_dir(&folder).unwrap();
+    let mut names: Vec<_> =
+        names.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    assert_eq!(names, [CHECKPOINT, CONFIG, METRICS, REPORT], "{what}");
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn a_run_goes_on_whatever_fails_in_writing() {
+    if std::env::var_os("ORGANZA_VALIDATION").is_some() {
+        // nothing of it is about Vulkan
+        return;
+    }
+    if Command::new("strace").arg("-V").output().is_err() {
+        assert!(std::env::var_os("ORGANZA_REQUIRE_STRACE").is_none(), "install strace");
+        eprintln!("skipped: there is no strace");
+        return;
+    }
+    let sandbox = sandbox();
+    photographs(&sandbox);
+    let config = fs::read_to_string(sandbox.path("tiny.toml")).unwrap();
+    let often = config.replace("checkpoint_every = 5", "checkpoint_every = 2");
+    assert_ne!(often, config);
+    fs::write(sandbox.path("tiny.toml"), often).unwrap();
+    sandbox.run(RUN).assert_ok();
+    let expected = bits(&sandbox, "run");
+    fs::remove_dir_all(sandbox.path("run")).unwrap();
+    let places = places(&sandbox);
+    assert!(places.len() > 40, "{places:?}");
+    for call in ["write", "fsync", "rename", "unlink"] {
+        assert!(places.iter().any(|(name, _)| name.starts_with(call)), "no {call}: {places:?}");
+    }
+    let every = if std::env::var_os("ORGANZA_ALL_FAULTS").is_some() { 1 } else { SAMPLE };
+    let faults = ["signal=KILL", "error=ENOSPC", "error=EIO"];
+    let (mut killed, mut refused) = (0, 0);
+    for (number, (call, count)) in places.iter().enumerate() {
+        for (which, fault) in faults.iter().enumerate() {
+            // each fault at others
+            if !(number + 2 * which).is_multiple_of(every) {
+                continue;
+            }
+            let what = format!("{fault} at {call} {count}");
+            let inject = format!("inject={call}:{fault}:when={count}");
+            let options = ["-o", "/dev/null", "-e", &format!("trace={call}"), "-e", &inject];
+            let outcome = strace(&sandbox, &options, RUN);
+            match outcome.code {
+                // strace ends as its program did
+                None => killed += 1,
+                Some(2) => {
+                    outcome.assert_refused(&["cannot write"]);
+                    refused += 1;
+                }
+                // what a file system cannot do is not needed: to sync a folder, to remove a file
+                code => assert_eq!(code, Some(0), "{what}: {outcome:?}"),
+            }
+            if sandbox.path("run").exists() {
+                assert_goes_on(&sandbox, &what, &expected);
+            }
+        }
+    }
+    eprintln!("{} places: {killed} killed, {refused} refused", places.len());
+    assert!(killed > 5 && refused > 10, "{killed} killed, {refused} refused");
+}

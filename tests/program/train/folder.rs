@@ -1,0 +1,194 @@
+//! A run's folder is one thing: its settings, its data and its checkpoint, and one training that writes to it.
+
+use std::fs;
+use std::path::Path;
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+
+use organza::train::CHECKPOINT;
+use serde_json::json;
+
+use super::runs::{TINY, assert_same, bits, photographs, sandbox};
+use crate::sandbox::{Metadata, Sandbox, Tensors};
+
+const RESUME: &str = "train --resume run --backend cpu";
+
+/// A run on photographs that was stopped after ten steps of 40.
+fn stopped(sandbox: &Sandbox) {
+    photographs(sandbox);
+    let words =
+        "train data --config tiny.toml --downscale 4 --hold-out-every 2 --backend cpu -o run";
+    sandbox.run(words).assert_ok();
+    edit_checkpoint(sandbox, |metadata, _| {
+        metadata.insert("train".to_owned(), json!(r#"{"step": 10, "seconds": 1.0}"#));
+    });
+}
+
+/// Takes the checkpoint apart, and writes it again as `edit` left it.
+fn edit_checkpoint(sandbox: &Sandbox, edit: impl FnOnce(&mut Metadata, &mut Tensors)) {
+    let (checkpoint, scene) =
+        (sandbox.path("run").join(CHECKPOINT), sandbox.path("scene.safetensors"));
+    fs::copy(&scene, sandbox.path("kept")).unwrap();
+    fs::copy(&checkpoint, &scene).unwrap();
+    sandbox.edit_scene(edit);
+    fs::copy(&scene, checkpoint).unwrap();
+    fs::rename(sandbox.path("kept"), scene).unwrap();
+}
+
+fn edit_config(sandbox: &Sandbox, edit: impl FnOnce(String) -> String) {
+    let path = sandbox.path("run/config.toml");
+    let before = fs::read_to_string(&path).unwrap();
+    let after = edit(before.clone());
+    assert_ne!(before, after);
+    fs::write(path, after).unwrap();
+}
+
+#[test]
+fn settings_that_are_not_the_checkpoints_are_refused_by_name() {
+    let sandbox = sandbox();
+    stopped(&sandbox);
+    let config = fs::read_to_string(sandbox.path("run/config.toml")).unwrap();
+    let facts = ["run/config.toml", "but the checkpoint beside it was trained with"];
+    for (from, to, name) in [
+        ("seed = 0", "seed = 1", "`run.seed` is 1"),
+        ("steps = 40", "steps = 50", "`run.steps` is 50"),
+        ("downscale = 4", "downscale = 2", "`data.downscale` is 2"),
+        ("ssim_weight = 0.2", "ssim_weight = 0.25", "`loss.ssim_weight` is 0.25"),
+    ] {
+        edit_config(&sandbox, |config| config.replacen(from, to, 1));
+        sandbox.assert_refuses(RESUME, &[facts[0], facts[1], name]);
+        sandbox.assert_refuses("eval run --backend cpu", &[facts[0], facts[1], name]);
+        fs::write(sandbox.path("run/config.toml"), &config).unwrap();
+    }
+    // cut short anywhere, and to nothing
+    for part in [0, 1, 3, 5, 7] {
+        edit_config(&sandbox, |config| config[..config.len() * part / 8].to_owned());
+        sandbox.assert_refuses(RESUME, &["run/config.toml"]);
+        fs::write(sandbox.path("run/config.toml"), &config).unwrap();
+    }
+    sandbox.run(RESUME).assert_ok();
+}
+
+#[test]
+fn data_that_is_not_the_checkpoints_is_refused_by_name() {
+    let sandbox = sandbox();
+    stopped(&sandbox);
+    let transforms = fs::read(sandbox.path("data/transforms.json")).unwrap();
+    let photograph = fs::read(sandbox.path("data/images/0001.png")).unwrap();
+    let other = "are not those that the run was trained on";
+    sandbox.edit_json("data/transforms.json", "/fl_x", json!(50.0));
+    sandbox.assert_refuses(RESUME, &["data", "frames", other]);
+    fs::write(sandbox.path("data/transforms.json"), &transforms).unwrap();
+    fs::copy(sandbox.path("data/images/0000.png"), sandbox.path("data/images/0001.png")).unwrap();
+    sandbox.assert_refuses(RESUME, &["data", "photographs", other]);
+    fs::write(sandbox.path("data/images/0001.png"), &photograph).unwrap();
+    // it may move
+    fs::rename(sandbox.path("data"), sandbox.path("moved")).unwrap();
+    edit_config(&sandbox, |config| config.replacen("/data\"", "/moved\"", 1));
+    sandbox.run(RESUME).assert_ok();
+}
+
+#[test]
+fn a_checkpoint_of_an_older_program_goes_on_with_a_warning() {
+    let sandbox = sandbox();
+    sandbox.run(&format!("{TINY} whole")).assert_ok();
+    sandbox.run(&format!("{TINY} run")).assert_ok();
+    edit_checkpoint(&sandbox, |metadata, _| {
+        assert!(metadata.remove("run").is_some(), "it is bound");
+    });
+    let outcome = sandbox.run(RESUME).assert_ok();
+    assert!(outcome.stderr.contains("warning: the checkpoint does not say"), "{outcome:?}");
+    assert_same("run", &bits(&sandbox, "run"), &bits(&sandbox, "whole"));
+    // but not with settings that may be any
+    edit_checkpoint(&sandbox, |metadata, _| {
+        metadata.remove("run");
+    });
+    fs::write(sandbox.path("run/config.toml"), "").unwrap();
+    sandbox.assert_refuses(RESUME, &["config.toml", "is missing", "cut short"]);
+    sandbox.assert_refuses("eval run --backend cpu", &["config.toml", "is missing"]);
+}
+
+#[test]
+fn moments_and_statistics_that_are_no_numbers_are_refused_by_name() {
+    let sandbox = sandbox();
+    sandbox.run(&format!("{TINY} run --steps 10")).assert_ok();
+    let checkpoint = fs::read(sandbox.path("run").join(CHECKPOINT)).unwrap();
+    for (name, value, fact) in [
+        ("adam.first.gaussians.position", f32::NAN, "holds NaN at flat index 2"),
+        ("adam.second.color.grid", f32::INFINITY, "holds inf at flat index 2"),
+        ("adam.second.gaussians.opacity", -1.0, "holds -1 at flat index 2, expected 0 or more"),
+        ("train.statistics", f32::NAN, "holds NaN at flat index 2"),
+    ] {
+        edit_checkpoint(&sandbox, |_, tensors| {
+            let tensor = tensors.iter_mut().find(|(found, ..)| found == name).expect("a tensor");
+            tensor.2[8..12].copy_from_slice(&value.to_le_bytes());
+        });
+        sandbox.assert_refuses(RESUME, &["checkpoint.safetensors", name, fact]);
+        fs::write(sandbox.path("run").join(CHECKPOINT), &checkpoint).unwrap();
+    }
+}
+
+fn wait_for(path: &Path) {
+    let start = Instant::now();
+    while !path.exists() {
+        assert!(start.elapsed() < Duration::from_secs(60), "no {}", path.display());
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}
+
+#[test]
+fn a_second_training_in_the_same_folder_is_refused() {
+    let sandbox = sandbox();
+    let mut first = sandbox.command(&format!("{TINY} run --steps 1000000"));
+    let mut first = first.stderr(Stdio::null()).spawn().expect("the program starts");
+    wait_for(&sandbox.path("run/checkpoint.safetensors"));
+    let holder = format!("process {}", first.id());
+    let facts = ["run", "another training writes to this folder", holder.as_str()];
+    sandbox.run(RESUME).assert_refused(&facts);
+    sandbox.run(&format!("{TINY} run")).assert_refused(&facts);
+    assert!(first.try_wait().unwrap().is_none(), "the first goes on");
+    first.kill().unwrap();
+    first.wait().unwrap();
+    // what a kill leaves does not lock anybody out, and goes
+    sandbox.run(&format!("{RESUME} --time-limit 1")).assert_ok();
+    assert!(!sandbox.path("run/.organza-lock").exists());
+}
+
+#[test]
+fn what_a_kill_left_before_the_first_step_is_removed() {
+    let sandbox = sandbox();
+    fs::create_dir(sandbox.path("run")).unwrap();
+    fs::write(sandbox.path("run/.organza-half.tmp"), "half").unwrap();
+    fs::write(sandbox.path("run/.organza-lock"), "process 1").unwrap();
+    sandbox.run(&format!("{TINY} run --steps 2")).assert_ok();
+    let names = fs::read_dir(sandbox.path("run")).unwrap();
+    let mut names: Vec<_> =
+        names.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    assert_eq!(names, ["checkpoint.safetensors", "config.toml", "metrics.jsonl", "report.html"]);
+}
+
+/// Opening one for writing would wait, and writing through one would change what is elsewhere.
+#[cfg(unix)]
+#[test]
+fn pipes_and_links_in_the_place_of_a_runs_files_are_refused() {
+    let sandbox = sandbox();
+    sandbox.run(&format!("{TINY} run --steps 2")).assert_ok();
+    fs::create_dir(sandbox.path("new")).unwrap();
+    fs::write(sandbox.path("precious"), "precious").unwrap();
+    for name in ["metrics.jsonl", "report.html", "config.toml", "checkpoint.safetensors"] {
+        for make in ["mkfifo", "ln -s ../precious", "mkdir"] {
+            let script = format!("rm -r new; mkdir new; {make} new/{name}");
+            sandbox.shell(&script).assert_ok();
+            let outcome = sandbox.shell(&format!("timeout 20 \"$ORGANZA\" {TINY} new --steps 2"));
+            outcome.assert_refused(&["new", name]);
+        }
+    }
+    for name in ["metrics.jsonl", "config.toml", "checkpoint.safetensors"] {
+        sandbox.shell(&format!("cp -r run old; rm old/{name}; mkfifo old/{name}")).assert_ok();
+        let resume = RESUME.replace(" run", " old");
+        sandbox.shell(&format!("timeout 20 \"$ORGANZA\" {resume}")).assert_refused(&[name]);
+        fs::remove_dir_all(sandbox.path("old")).unwrap();
+    }
+    assert_eq!(fs::read_to_string(sandbox.path("precious")).unwrap(), "precious");
+}

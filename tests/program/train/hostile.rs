@@ -1,0 +1,261 @@
+//! Data sets that mean harm, or were damaged as if they did.
+#![cfg(target_os = "linux")]
+
+use std::fs;
+use std::time::{Duration, Instant};
+
+use serde_json::{Value, json};
+
+use super::runs::{photographs, sandbox};
+use crate::sandbox::Sandbox;
+
+const TRAIN: &str = "train data --config tiny.toml --steps 2 --backend cpu -o run";
+
+/// A data set of two photographs of 96 x 80 pixels.
+fn data() -> Sandbox {
+    let sandbox = sandbox();
+    photographs(&sandbox);
+    sandbox
+}
+
+/// A gray JPEG that says it has so many pixels, and holds one block.
+fn small_jpeg([width, height]: [u16; 2]) -> Vec<u8> {
+    let mut file = vec![0xff, 0xd8, 0xff, 0xdb, 0, 67, 0];
+    file.extend([1; 64]);
+    file.extend([0xff, 0xc0, 0, 11, 8]);
+    file.extend([height.to_be_bytes(), width.to_be_bytes()].as_flattened());
+    file.extend([1, 1, 0x11, 0]);
+    for table in [0x00, 0x10] {
+        file.extend([0xff, 0xc4, 0, 20, table, 1]);
+        file.extend([0; 15]);
+        file.push(0);
+    }
+    file.extend([0xff, 0xda, 0, 8, 1, 1, 0, 0, 63, 0, 0x3f, 0xff, 0xd9]);
+    file
+}
+
+/// A chunk of a PNG with its checksum.
+fn chunk(name: &[u8; 4], data: &[u8]) -> Vec<u8> {
+    let body = [name, data].concat();
+    let crc = !body.iter().fold(u32::MAX, |crc, &byte| {
+        (0..8).fold(crc ^ u32::from(byte), |crc, _| {
+            if crc & 1 == 1 { crc >> 1 ^ 0xedb8_8320 } else { crc >> 1 }
+        })
+    });
+    [&(data.len() as u32).to_be_bytes(), body.as_slice(), &crc.to_be_bytes()].concat()
+}
+
+/// A PNG that says it has so many pixels, and holds none.
+fn small_png(size: [u32; 2], depth: u8, color: u8) -> Vec<u8> {
+    let [width, height] = size.map(u32::to_be_bytes);
+    let header = [width.as_slice(), &height, &[depth, color, 0, 0, 0]].concat();
+    let nothing = [0x78, 0x9c, 3, 0, 0, 0, 0, 1];
+    [
+        b"\x89PNG\r\n\x1a\n".as_slice(),
+        &chunk(b"IHDR", &header),
+        &chunk(b"IDAT", &nothing),
+        &chunk(b"IEND", b""),
+    ]
+    .concat()
+}
+
+/// The first photograph, and every camera, has this size.
+fn replace_photograph(sandbox: &Sandbox, file: &[u8], [width, height]: [u32; 2]) {
+    fs::write(sandbox.path("data/images/0000.png"), file).unwrap();
+    sandbox.edit_json("data/transforms.json", "/w", json!(width));
+    sandbox.edit_json("data/transforms.json", "/h", json!(height));
+}
+
+#[test]
+fn photographs_that_say_they_are_huge_are_refused() {
+    let sandbox = data();
+    for (file, size) in [
+        (small_jpeg([30_000, 30_000]), [30_000, 30_000]),
+        (small_jpeg([65_500, 65_500]), [65_500, 65_500]),
+        (small_png([65_536, 65_536], 16, 6), [65_536, 65_536]),
+        (small_png([30_000, 30_000], 1, 0), [30_000, 30_000]),
+    ] {
+        assert!(file.len() < 400);
+        replace_photograph(&sandbox, &file, size);
+        for more in ["", "--downscale 64"] {
+            for limit in ["", "ulimit -v 4000000;"] {
+                let script = format!("{limit} \"$ORGANZA\" {TRAIN} --hold-out-every 0 {more}");
+                let start = Instant::now();
+                sandbox.shell(&script).assert_refused(&[]);
+                assert!(start.elapsed() < Duration::from_secs(10), "{script}");
+                assert!(!sandbox.path("run").exists());
+            }
+        }
+    }
+}
+
+/// All of it is there, and one after the other all would fit.
+#[test]
+fn decoding_has_a_budget() {
+    let sandbox = data();
+    let size = [6000, 4000];
+    let photograph = image::GrayImage::new(size[0], size[1]);
+    photograph.save(sandbox.path("data/images/0000.png")).unwrap();
+    fs::copy(sandbox.path("data/images/0000.png"), sandbox.path("data/images/0001.png")).unwrap();
+    let file = fs::read(sandbox.path("data/images/0000.png")).unwrap();
+    replace_photograph(&sandbox, &file, size);
+    let train = format!("{TRAIN} --downscale 50 --hold-out-every 0");
+    sandbox.shell(&format!("ulimit -v 500000; \"$ORGANZA\" {train}")).assert_refused(&[
+        "out of memory",
+        "decoding",
+        "6000 x 4000",
+        "are available",
+    ]);
+    sandbox.run(&train).assert_ok();
+}
+
+#[test]
+fn many_missing_photographs_are_one_line() {
+    let sandbox = data();
+    let path = sandbox.path("data/transforms.json");
+    let mut file: Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    let frames = file["frames"].as_array_mut().unwrap();
+    let pose = frames[0]["transform_matrix"].clone();
+    frames.extend((0..20_000).map(|number| {
+        json!({"file_path": format!("images/lost-{number}.png"), "transform_matrix": pose})
+    }));
+    fs::write(&path, serde_json::to_vec(&file).unwrap()).unwrap();
+    let outcome = sandbox.run(&format!("{TRAIN} --downscale 8 --hold-out-every 0")).assert_ok();
+    let facts = "missing, so left out: 20,000 photographs, the first is ";
+    assert!(outcome.stderr.contains(facts) && outcome.stderr.len() < 2000, "{outcome:?}");
+}
+
+#[test]
+fn files_outside_the_data_sets_folder_are_read_where_that_is_allowed() {
+    let allow = format!("{TRAIN} --downscale 8 --hold-out-every 0 --allow-outside");
+    let facts = ["outside of", "--allow-outside"];
+    for link in [false, true] {
+        let sandbox = data();
+        fs::rename(sandbox.path("data/images/0001.png"), sandbox.path("other.png")).unwrap();
+        if link {
+            std::os::unix::fs::symlink("../../other.png", sandbox.path("data/images/0001.png"))
+                .unwrap();
+        } else {
+            sandbox.edit_json("data/transforms.json", "/frames/1/file_path", json!("../other.png"));
+        }
+        sandbox.assert_refuses(TRAIN, &facts);
+        sandbox.assert_refuses("eval scene.safetensors data --backend cpu", &facts);
+        let outcome = sandbox.run(&allow).assert_ok();
+        assert!(outcome.stderr.contains("read outside the data set's folder"), "{outcome:?}");
+        assert!(outcome.stderr.contains("1 file, the first is "), "{outcome:?}");
+        // the run says so itself
+        sandbox.run("train --resume run --backend cpu").assert_ok();
+        sandbox
+            .run("eval scene.safetensors data --split all --allow-outside --backend cpu")
+            .assert_ok();
+    }
+}
+
+#[test]
+fn no_text_of_a_file_that_a_data_set_names_is_shown() {
+    let sandbox = data();
+    fs::write(sandbox.path("data/secret"), "root:hunter2:0:0\nply hunter2\n").unwrap();
+    let path = sandbox.path("data/transforms.json");
+    let mut file: Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    for (points, facts) in [
+        ("/etc/passwd", ["/etc/passwd", "--allow-outside"]),
+        ("secret", ["secret", "not a whole PLY file"]),
+    ] {
+        file["ply_file_path"] = json!(points);
+        fs::write(&path, serde_json::to_vec(&file).unwrap()).unwrap();
+        for more in ["", "--allow-outside"] {
+            let outcome = sandbox.run(&format!("{TRAIN} {more}"));
+            outcome.assert_refused(if more.is_empty() { &facts[..] } else { &facts[..1] });
+            for secret in ["root", "hunter2"] {
+                assert!(!outcome.stderr.contains(secret), "{outcome:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn point_clouds_are_held_to_their_size() {
+    let sandbox = data();
+    let path = sandbox.path("data/transforms.json");
+    let mut file: Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    file["ply_file_path"] = json!("points.ply");
+    fs::write(&path, serde_json::to_vec(&file).unwrap()).unwrap();
+    let xyz = "property float x\nproperty float y\nproperty float z\n";
+    let header =
+        |format: &str, elements: &str| format!("ply\nformat {format} 1.0\n{elements}end_header\n");
+    let empty = format!("element face 1000000000\nelement vertex 1\n{xyz}");
+    let huge = format!("element vertex 4000000000\n{xyz}");
+    let comment = format!("comment {}\n", "x".repeat(3 << 20));
+    for (content, fact) in [
+        (header("binary_little_endian", &empty), "no properties"),
+        (header("ascii", &empty), "no properties"),
+        (header("ascii", &huge), "more than"),
+        (header("ascii", &format!("{comment}element vertex 1\n{xyz}")), "longer than 1048576"),
+        (
+            header("ascii", &format!("element vertex 1\n{xyz}")) + &"1".repeat(3 << 20),
+            "longer than",
+        ),
+    ] {
+        fs::write(sandbox.path("data/points.ply"), content).unwrap();
+        let script = format!("ulimit -v 2000000; timeout 20 \"$ORGANZA\" {TRAIN}");
+        sandbox.shell(&script).assert_refused(&["points.ply", fact]);
+    }
+}
+
+#[test]
+fn lines_of_text_models_are_bounded() {
+    let sandbox = sandbox();
+    fs::create_dir_all(sandbox.path("data/sparse")).unwrap();
+    let write = |name: &str, text: &str| {
+        fs::write(sandbox.path(&format!("data/sparse/{name}.txt")), text).unwrap();
+    };
+    let long = "1 ".repeat(1 << 20);
+    write("cameras", "1 PINHOLE 96 80 90 90 48 40\n");
+    // what an image has seen may be long, and is not kept
+    write("images", &format!("1 1 0 0 0 0 0 0 1 a.png\n{long}\n"));
+    write("points3D", &format!("1 0 0 0 1 2 3 0.5 {long}\n"));
+    sandbox.assert_refuses(TRAIN, &["points3D.txt", "line 1 is longer than 1048576 bytes"]);
+    write("points3D", "1 0 0 0 1 2 3 0.5 1 1\n");
+    sandbox.assert_refuses(TRAIN, &["none of the 1 photographs", "a.png"]);
+    write("cameras", &long);
+    sandbox.assert_refuses(TRAIN, &["cameras.txt", "line 1 is longer"]);
+}
+
+#[test]
+fn settings_that_are_no_files_are_refused() {
+    let sandbox = sandbox();
+    sandbox
+        .shell("mkfifo pipe; head -c 3000000 /dev/zero >large; printf '\\377' >bytes")
+        .assert_ok();
+    for (path, fact) in [
+        ("pipe", "device or a pipe"),
+        ("/dev/zero", "device or a pipe"),
+        (".", "a folder"),
+        ("large", "too large for settings"),
+        ("bytes", "not UTF-8"),
+    ] {
+        let script = format!(
+            "ulimit -v 2000000; timeout 20 \"$ORGANZA\" train --config {path} -o run --backend cpu"
+        );
+        sandbox.shell(&script).assert_refused(&[path, fact]);
+    }
+}
+
+/// 1e38 at every pixel sums up to more than f32 can hold.
+#[test]
+fn gradients_that_overflow_are_refused() {
+    let sandbox = sandbox();
+    let shape = [4, 3, 8, 8];
+    let tiles = sandbox.run("info tiles.json --json").assert_ok().stdout;
+    let tiles: Value = serde_json::from_str(&tiles).unwrap();
+    let side = tiles["side"].as_u64().unwrap() as usize;
+    let shape = [shape[0], shape[1], side, side];
+    let values = vec![3.4e38_f32; shape.iter().product()];
+    let tensor = organza::scene::TensorRef { name: "grad_output", shape: &shape, data: &values };
+    organza::scene::write_tensors(sandbox.path("g.safetensors"), &[tensor], &[]).unwrap();
+    let words = "tiles scene.safetensors cameras.json tiles.json --backend cpu \
+                 --grad-output g.safetensors --grad out.safetensors";
+    let outcome = sandbox.run(words);
+    outcome.assert_refused(&["gradient", "lower the learning rates, or look for values"]);
+    assert!(!sandbox.path("out.safetensors").exists());
+}

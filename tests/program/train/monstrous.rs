@@ -1,0 +1,104 @@
+//! Settings of any size: each is refused in a second, with what it takes and what there is.
+#![cfg(target_os = "linux")]
+
+use std::fs;
+use std::time::{Duration, Instant};
+
+use super::runs::{photographs, sandbox};
+
+/// As an ordinary machine with some memory in use has it.
+const LIMIT: &str = "ulimit -v 6000000;";
+/// The program's own start is in it, and a machine that does other things.
+const SOON: Duration = Duration::from_secs(5);
+
+/// The color grid with something else in it.
+fn grid(from: &str, to: &str) -> String {
+    let grid = "[scene.color_grid]\nlevels = 8\nfeatures = 2\nlog2_table = 14\nbase_resolution = 16.0\n\
+                growth = 1.35\ninterpolation = \"linear\"\n";
+    let changed = grid.replace(from, to);
+    assert_ne!(changed, grid);
+    changed
+}
+
+#[test]
+fn monstrous_settings_are_refused_at_once() {
+    let sandbox = sandbox();
+    for (settings, facts) in [
+        ("[run]\ntile_size = 512\ntiles_per_step = 1000", ["tiles of a step 5.91 GiB", "needs"]),
+        ("[run]\ntiles_per_step = 100000000", ["`run.tiles_per_step` is 100000000", "174762"]),
+        ("[run]\ntiles_per_step = 4294967295\ntile_size = 1", ["`run.tiles_per_step`", "at most"]),
+        ("[run]\ntiles_per_step = 700000000\ntile_size = 1", ["out of memory", "tiles of a step"]),
+        (
+            "[start]\ngaussians = 4000000000",
+            ["`start.gaussians` is 4000000000", "growth.max_gaussians"],
+        ),
+        (
+            "[start]\ngaussians = 4000000000\n[growth]\nmax_gaussians = 4000000000",
+            ["`start.gaussians` is 4000000000", "expected 1 to"],
+        ),
+        (
+            "[start]\ngaussians = 100000000\n[growth]\nmax_gaussians = 100000000",
+            ["out of memory", "Adam's moments"],
+        ),
+        ("[data]\nbuilt_in_views = 1000\nbuilt_in_side = 2048", ["views 11.72 GiB", "available"]),
+        ("[data]\nbuilt_in_views = 4294967295", ["`data.built_in_views`", "2 to 1000"]),
+        ("[data]\nbuilt_in_side = 65536", ["`data.built_in_side`", "16 to 2048"]),
+        (&grid("levels = 8", "levels = 4294967295"), ["color_grid.levels", "4294967295"]),
+        (&grid("log2_table = 14", "log2_table = 4294967295"), ["log2_table", "4294967295"]),
+        (
+            &grid("base_resolution = 16.0", "base_resolution = 1e300"),
+            ["base_resolution", "at most"],
+        ),
+        ("[scene.color_mlp]\nhidden = [4294967295]", ["color_mlp.hidden", "4294967295"]),
+        ("[scene]\nmaterial = 4294967295", ["`scene.material`", "4294967295"]),
+        ("[scene]\nsh_degree = 4294967295", ["`scene.sh_degree`", "4294967295"]),
+        ("[scene]\nstep = 1e-30", ["`scene.step`", "16384 samples"]),
+        ("[run]\nsteps = 99999999999999999999", ["line 2", ""]),
+    ] {
+        // sizes that a file leaves out are those of the default
+        fs::write(sandbox.path("monster.toml"), settings).unwrap();
+        let before = sandbox.files();
+        let start = Instant::now();
+        let words = "train --config monster.toml --backend cpu -o new";
+        sandbox.shell(&format!("{LIMIT} \"$ORGANZA\" {words}")).assert_refused(&facts);
+        let took = start.elapsed();
+        assert!(took < SOON, "{settings}: {took:?}");
+        assert!(before == sandbox.files(), "{settings} left {:?}", sandbox.files().keys());
+    }
+}
+
+#[test]
+fn monstrous_options_are_refused_at_once() {
+    let sandbox = sandbox();
+    photographs(&sandbox);
+    for (words, facts) in [
+        ("train -o new --backend cpu --tiles-per-step 4294967295", ["`run.tiles_per_step`", ""]),
+        ("train -o new --backend cpu --tile-size 4294967295", ["`run.tile_size`", "1 to 512"]),
+        (
+            "train data -o new --backend cpu --downscale 4294967295",
+            ["4294967295", "leaves nothing"],
+        ),
+        ("train -o new --backend cpu --steps 99999999999", ["99999999999", "--steps"]),
+        ("demo -o new --backend cpu --views 65535", ["65535", "--views"]),
+        ("eval scene.safetensors data --backend cpu --downscale 1025", ["1025", "--downscale"]),
+    ] {
+        let start = Instant::now();
+        sandbox.assert_refuses(words, &facts);
+        let took = start.elapsed();
+        assert!(took < SOON, "{words}: {took:?}");
+    }
+}
+
+/// Tiles of one pixel are as many as pixels; photographs of 24 million would be 24 million tiles.
+#[test]
+fn an_image_of_any_size_is_held_to_memory_before_it_is_rendered() {
+    let sandbox = sandbox();
+    for side in ["/w", "/h"] {
+        sandbox.edit_json("cameras.json", side, serde_json::json!(65536));
+    }
+    let start = Instant::now();
+    let words = "render scene.safetensors cameras.json -o images --backend cpu";
+    let outcome = sandbox.shell(&format!("{LIMIT} \"$ORGANZA\" {words}"));
+    outcome.assert_refused(&["65536 x 65536", "needs 12.00 GiB", "are available"]);
+    assert!(start.elapsed() < SOON && !sandbox.path("images").exists());
+}

@@ -1,0 +1,112 @@
+//! Signals, whenever they come.
+#![cfg(target_os = "linux")]
+
+use std::fs;
+use std::process::{Child, Command, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use super::runs::{TINY, sandbox};
+use crate::sandbox::{Outcome, Sandbox};
+
+fn start(sandbox: &Sandbox, words: &str) -> Child {
+    let mut command = sandbox.command(words);
+    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
+}
+
+fn signal(child: &Child, signal: &str) {
+    let kill = format!("kill -{signal} {}", child.id());
+    assert!(Command::new("sh").args(["-c", &kill]).status().expect("a shell").success());
+}
+
+fn wait_until(what: &str, mut is_so: impl FnMut() -> bool) {
+    let start = Instant::now();
+    while !is_so() {
+        assert!(start.elapsed() < Duration::from_secs(120), "{what}");
+        thread::sleep(Duration::from_millis(2));
+    }
+}
+
+/// The program ends within seconds.
+fn end(mut child: Child) -> Outcome {
+    let begin = Instant::now();
+    while child.try_wait().unwrap().is_none() {
+        if begin.elapsed() > Duration::from_secs(10) {
+            let _ = child.kill();
+            panic!("the signal was swallowed");
+        }
+        thread::sleep(Duration::from_millis(5));
+    }
+    child.wait_with_output().expect("it has ended").into()
+}
+
+/// Half a minute of views are to be rendered.
+#[test]
+fn a_signal_while_loading_ends_at_once_and_leaves_nothing() {
+    let sandbox = sandbox();
+    let config = fs::read_to_string(sandbox.path("tiny.toml")).unwrap();
+    let long = config
+        .replace("built_in_views = 6", "built_in_views = 600")
+        .replace("built_in_side = 32", "built_in_side = 512");
+    assert_ne!(long, config);
+    fs::write(sandbox.path("tiny.toml"), long).unwrap();
+    let before = sandbox.files();
+    for (name, delay) in [("TERM", 0), ("INT", 100), ("HUP", 400)] {
+        let child = start(&sandbox, &format!("{TINY} deep/run"));
+        wait_until("the folder is locked", || sandbox.path("deep/run/.organza-lock").exists());
+        thread::sleep(Duration::from_millis(delay));
+        signal(&child, name);
+        end(child).assert_refused(&["stopped before training began", "nothing was written"]);
+        assert!(before == sandbox.files(), "SIG{name} left {:?}", sandbox.files().keys());
+    }
+}
+
+/// Nobody reads what it says, so that it blocks in saying it.
+#[test]
+fn a_signal_is_not_swallowed_where_standard_error_blocks() {
+    let sandbox = sandbox();
+    sandbox.shell("mkfifo pipe").assert_ok();
+    let script =
+        format!("exec 3<>pipe; head -c 65536 /dev/zero >&3; exec \"$ORGANZA\" {TINY} run 2>&3");
+    let mut command = Command::new("sh");
+    command.args(["-c", &script]).env("ORGANZA", crate::sandbox::program());
+    command.current_dir(sandbox.path("")).stdin(Stdio::null());
+    let mut child = command.spawn().expect("a shell");
+    // It has locked the folder, and is about to say which device it has.
+    wait_until("the folder is locked", || sandbox.path("run/.organza-lock").exists());
+    thread::sleep(Duration::from_millis(500));
+    signal(&child, "TERM");
+    let begin = Instant::now();
+    while child.try_wait().unwrap().is_none() {
+        if begin.elapsed() > Duration::from_secs(10) {
+            let _ = child.kill();
+            panic!("the signal was swallowed");
+        }
+        thread::sleep(Duration::from_millis(5));
+    }
+    assert_eq!(child.wait().unwrap().code(), Some(2));
+    assert!(!sandbox.path("run").exists());
+}
+
+/// Half of the views are measured after each step.
+#[test]
+fn a_signal_while_measuring_saves_and_stops() {
+    let sandbox = sandbox();
+    let config = fs::read_to_string(sandbox.path("tiny.toml")).unwrap();
+    let long = config
+        .replace("built_in_views = 6", "built_in_views = 40")
+        .replace("built_in_side = 32", "built_in_side = 64")
+        .replace("hold_out_every = 3", "hold_out_every = 2")
+        .replace("evaluate_every = 20", "evaluate_every = 1");
+    fs::write(sandbox.path("tiny.toml"), long).unwrap();
+    let child = start(&sandbox, &format!("{TINY} run"));
+    wait_until("a first step", || {
+        let text = fs::read_to_string(sandbox.path("run/metrics.jsonl")).unwrap_or_default();
+        text.contains("\"kind\":\"step\"")
+    });
+    signal(&child, "TERM");
+    let outcome = end(child).assert_ok();
+    assert!(outcome.stderr.contains("saved; `organza train --resume run`"), "{outcome:?}");
+    assert!(sandbox.path("run/checkpoint.safetensors").exists());
+    assert!(!sandbox.path("run/.organza-lock").exists());
+}

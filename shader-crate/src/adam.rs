@@ -1,4 +1,4 @@
-//! Adam (Kingma and Ba 2015, Algorithm 1), one kernel for the parameters of every kind.
+//! Adam (Kingma and Ba 2015, Algorithm 1): one kernel for all tensors.
 
 use crate::hash_grid_backward::VALUES_PER_FLAG;
 use organza_kernel::prelude::*;

@@ -55,7 +55,7 @@ pub fn pixel_center(tile: &Tile, column: u32, row: u32) -> Vec2 {
 /// Planes of a tile's sums: the channels of C, then S.
 pub const SUM_PLANES: u32 = 4;
 
-/// Members that a stage of [`composite`] holds.
+/// Members that [`composite`] copies to workgroup memory at once.
 const SHARED_MEMBERS: usize = 64;
 
 /// Their vectors.

@@ -1,4 +1,4 @@
-//! B3. The derivative of the weighted sums (Eq. 12): what each member's splat has of the pixels it reaches.
+//! B3. The derivative of the weighted sums (Eq. 12): the gradient of each member's splat, summed over its tile's pixels.
 
 use glam::{Vec3, Vec4};
 

@@ -1,17 +1,17 @@
-//! Numbers that stay on the device: how many pairs, members and samples there are.
+//! Counts that stay on the device: how many pairs, members and samples there are.
 //!
-//! Tables are made for so many, by what was needed before, and nobody waits to hear how many there are.  Where more are
-//! found than there is room for, there are none at all: nothing is written past a table's end, nothing adds to a
-//! gradient, and the host, who reads the numbers in the end, does it again.
+//! The host sizes tables by what earlier batches needed, and does not wait for the numbers. If one of them exceeds its
+//! capacity, all count as 0: nothing is written past a table's end, and nothing is added to a gradient. The host reads the
+//! numbers at the end, and then repeats the work with more room.
 
 use organza_kernel::count::OVERFLOW;
 use organza_kernel::prelude::*;
 
-/// Place in `counts`: (Gaussian, camera) pairs.
+/// Index in `counts`: (Gaussian, camera) pairs.
 pub const PAIRS: u32 = 1;
-/// Place in `counts`: (Gaussian, tile) memberships.
+/// Index in `counts`: (Gaussian, tile) memberships.
 pub const MEMBERS: u32 = 2;
-/// Place in `counts`: samples of the transmittance network.
+/// Index in `counts`: samples of the transmittance network.
 pub const SAMPLES: u32 = 3;
 /// Values of `counts`.
 pub const COUNTS: u32 = 4;
@@ -20,16 +20,16 @@ pub const COUNTS: u32 = 4;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct RecordTotalParams {
-    /// Place of the number in `counts`.
+    /// Index of the number in `counts`.
     pub slot: u32,
-    /// Place of the total in `first`.
+    /// Index of the total in `first`.
     pub last: u32,
-    /// How many there is room for.
+    /// How many the tables have room for.
     pub capacity: u32,
 }
 
-/// Takes a total from the end of exclusive sums, `first [last + 1]`, and raises [`OVERFLOW`] where it is more than there is
-/// room for: a single invocation.
+/// Copies the total at the end of exclusive sums, `first [last + 1]`, to `counts`, and raises [`OVERFLOW`] if it exceeds the
+/// capacity. Runs as a single invocation.
 #[kernel(threads(1))]
 pub fn record_total(
     id: Invocation,
@@ -54,7 +54,7 @@ pub struct ClearOnOverflowParams {
     pub len: u32,
 }
 
-/// Clears a table where something did not fit: a mask has no bits then, and a range begins where it ends.
+/// Clears a table after an overflow: a mask then has no bits, and ranges are empty.
 #[kernel(threads(64))]
 pub fn clear_on_overflow(
     id: Invocation,

@@ -1,7 +1,7 @@
-//! The derivatives of the dense layers (Eq. 2 and 10), of dL/d of a layer's outputs before the activation.
+//! The derivatives of the dense layers (Eq. 2 and 10), from dL/d of a layer's outputs before the activation.
 //!
-//! A gradient has the layout of what it belongs to: that of inputs and outputs is `[rows, stride]`, that of a
-//! network's parameters is packed as [`dense`](crate::dense) has it, its padding zero.
+//! A gradient has the layout of its tensor: `[rows, stride]` for inputs and outputs, and for a network's parameters the layout
+//! of [`dense`](crate::dense), with zeros as padding.
 
 use glam::Vec4;
 

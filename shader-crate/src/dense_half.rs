@@ -1,5 +1,5 @@
-//! Hidden layers computed in half precision, for rendering alone: half the weights' bytes, and the multiply-adds of
-//! GPUs that compute two halves at once.
+//! Hidden layers with 16-bit floats (halves), only for rendering: half the bytes of weights, and twice the multiply-adds on GPUs
+//! that compute two halves at once.
 //!
 //! Products of [`PRODUCTS_PER_SUM`] inputs are added up as halves; such sums are added to an `f32`, as biases are.  With
 //! u = 2^-11, the largest relative error of a rounding, a term has one of its weight, one of its input, one of its

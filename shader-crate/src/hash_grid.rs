@@ -1,4 +1,4 @@
-//! Multiresolution hash grid.
+//! The multiresolution hash grid of both fields (Eq. 1 and 9).
 
 use crate::limits::MAX_FEATURES;
 use crate::unit_cube::Split;

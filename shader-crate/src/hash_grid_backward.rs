@@ -1,7 +1,7 @@
 //! Gradient of the hash grids' tables: the transpose of the interpolation of [`hash_grid`](crate::hash_grid).
 //!
-//! Many points share an entry.  Their terms are summed in 64-bit [fixed point](organza_kernel::fixed), so that neither the
-//! order nor the number of threads changes a bit; [`hash_grid_scale`](crate::hash_grid_scale) says in what unit.
+//! Many points share an entry. Their terms are summed in 64-bit [fixed point](organza_kernel::fixed), so the order and the number
+//! of threads change no bit. [`hash_grid_scale`](crate::hash_grid_scale) chooses the unit.
 
 #[cfg(not(target_arch = "spirv"))]
 use crate::hash_grid::POINT;

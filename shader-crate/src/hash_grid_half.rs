@@ -1,4 +1,4 @@
-//! The hash grid with entries of half precision: half the memory, and half the reads.
+//! The hash grid with entries as 16-bit floats: half the memory, and half the reads.
 //!
 //! Two features are one word: an entry takes half as many words as it has features, rounded up.  Features are
 //! rounded once, to 11 bits, when the table is packed; all else is as in [`hash_grid`](crate::hash_grid).

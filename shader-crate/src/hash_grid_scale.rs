@@ -12,11 +12,11 @@ use organza_kernel::atomic;
 use organza_kernel::math::abs;
 use organza_kernel::prelude::*;
 
-/// Place in `scale`: what a gradient is multiplied by, a power of two.
+/// Index in `scale`: the factor of gradients, a power of two.
 pub const SCALE: u32 = 0;
-/// Place in `scale`: 1 / [`SCALE`].
+/// Index in `scale`: 1 / [`SCALE`].
 pub const INVERSE: u32 = 1;
-/// Place in `scale`: the largest gradient that can be added.
+/// Index in `scale`: the largest gradient that can be added.
 pub const LIMIT: u32 = 2;
 /// Values of `scale`.
 pub const SCALE_VALUES: u32 = 3;
@@ -92,7 +92,7 @@ pub struct HashGridNormParams {
     pub columns: u32,
     /// Where the layer's weights begin.
     pub weight: u32,
-    /// Place of the layer in `bound`.
+    /// Index of the layer in `bound`.
     pub slot: u32,
 }
 

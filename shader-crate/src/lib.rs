@@ -1,10 +1,13 @@
-//! The kernels of organza.  One stage, one file; each kernel is an ordinary function.
+//! The kernels of organza, one file per stage. Each kernel is an ordinary function in the language of [`organza_kernel`].
 //!
-//! The crate is compiled twice: to SPIR-V by Rust-GPU, where [`Read`](organza_kernel::memory::Read) and [`Write`](organza_kernel::memory::Write) are
-//! storage buffers, and for the host, where they are views of slices and every access is checked.
+//! The pipeline, in order: [`project`], [`tile`], [`pair`], [`scan`], [`segment`], [`transmittance`], [`color`] (both with
+//! [`hash_grid`] and [`dense`]), [`splat`], [`tile_cells`], [`composite`], [`resolve`]. Gradients run the other way, in the same
+//! files or those named `_backward`; [`loss`], [`ssim`] and [`adam`] are for training. `docs/architecture.md` has the map.
+//!
+//! Rust-GPU compiles this crate to SPIR-V. The host compiles it too, to run kernels on the CPU and to dispatch them.
 #![no_std]
 #![cfg_attr(target_arch = "spirv", feature(f16, asm_experimental_arch))]
-// what clippy would have instead is more than the shader compiler takes
+// the shader compiler cannot compile what clippy suggests instead
 #![allow(clippy::implicit_saturating_sub, clippy::manual_range_contains, clippy::manual_clamp)]
 
 pub mod adam;

@@ -1,4 +1,4 @@
-//! How large things may be: the host holds scenes and batches to it, and no kernel loops longer.
+//! Size limits: the host checks scenes and batches against them, and they bound the kernels' loops.
 
 /// Iterations of all loops of one invocation together: llvmpipe ends it silently after 65,536.
 pub const MAX_ITERATIONS: u32 = 60_000;
@@ -6,19 +6,19 @@ pub const MAX_ITERATIONS: u32 = 60_000;
 /// The highest degree of the spherical harmonics.
 pub const MAX_SH_DEGREE: u32 = 7;
 
-/// The longest material or extra vector a Gaussian may carry.
+/// The longest material or extra vector of a Gaussian.
 pub const MAX_VECTOR: u32 = 256;
 
-/// The widest a hidden layer may be.
+/// The widest hidden layer.
 pub const MAX_HIDDEN_WIDTH: u32 = 128;
 
-/// The most layers a network may have, the last one included.
+/// Largest number of layers of a network, including the last one.
 pub const MAX_LAYERS: u32 = 5;
 
-/// The most levels a grid may have.
+/// Largest number of levels of a grid.
 pub const MAX_LEVELS: u32 = 32;
 
-/// The most features a level may have.
+/// Largest number of features of a level.
 pub const MAX_FEATURES: u32 = 8;
 
 /// Largest number of samples of a segment, and of one across the whole unit cube.
@@ -30,7 +30,7 @@ pub const MAX_MEMBERS: u32 = 16_384;
 /// Tiles of one part of a batch: [`pair_mask`](crate::pair::pair_mask) loops over those of a camera.
 pub const MAX_TILES: u32 = 16_384;
 
-/// The most values a sample may have in the color network's input, the wider of the two (Eq. 1).
+/// Largest number of values of a sample in the color network's input, the wider of the two (Eq. 1).
 pub const MAX_INPUTS: u32 =
     (MAX_SH_DEGREE + 1) * (MAX_SH_DEGREE + 1) + MAX_LEVELS * MAX_FEATURES + MAX_VECTOR;
 

@@ -1,8 +1,8 @@
-//! What a rendered batch has missed: `(1 - w) |x - y| + w (1 - SSIM)`, the mean over the valid pixels of all tiles and
-//! their three channels, and its gradient by the image (Kerbl et al. 2023, Eq. 7).
+//! The loss of a rendered batch, `(1 - w) |x - y| + w (1 - SSIM)`: the mean over the valid pixels of all tiles and their three
+//! channels, and its gradient with respect to the image (Kerbl et al. 2023, Eq. 7).
 //!
-//! x is `image [K, 3, S, S]`, y `target [K, 3, S, S]`, both with colors about 0 to 1; `valid [K, S, S]` is 1 where the
-//! photograph has a pixel and 0 elsewhere.  What lies at masked pixels has no influence, whatever it is.
+//! x is `image [K, 3, S, S]`, y `target [K, 3, S, S]`, both with colors about 0 to 1. `valid [K, S, S]` is 1 where the
+//! photograph has a pixel and 0 elsewhere. Values at masked pixels have no influence, even NaN.
 
 use glam::Vec4;
 

@@ -1,4 +1,4 @@
-//! The (Gaussian, camera) pairs that some tile needs: color and transmittance are evaluated for these alone.
+//! The (Gaussian, camera) pairs that some tile needs: color and transmittance are evaluated only for these.
 
 use crate::limits::{MAX_CAMERAS, MAX_TILES};
 use organza_kernel::prelude::*;

@@ -1,4 +1,4 @@
-//! The most that a device computes and reads: `organza bench` says how much of that each kernel comes to.
+//! The peak of a device in multiply-adds and reads: `organza bench` compares each kernel with it.
 
 use glam::Vec4;
 

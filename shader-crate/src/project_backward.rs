@@ -1,4 +1,4 @@
-//! The derivative of the EWA projection, from a pair's center and conic to its Gaussian's position, rotation and scale.
+//! The derivative of the EWA projection: from gradients of pairs' centers and conics to those of Gaussians.
 
 use glam::{Vec2, Vec3, Vec4};
 

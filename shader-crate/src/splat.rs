@@ -1,4 +1,4 @@
-//! What the composite reads of a pair, gathered into one place.
+//! Splats: everything that the composite reads about a pair, next to each other in memory.
 
 use glam::Vec4;
 

@@ -16,7 +16,7 @@ pub struct Tile {
     pub camera: u32,
     /// `o_t`, in pixels.
     pub origin: [i32; 2],
-    /// Place in the rendered batch: kernels see tiles ordered by camera.
+    /// Index in the rendered batch: kernels see tiles ordered by camera.
     pub output: u32,
 }
 

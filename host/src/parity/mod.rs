@@ -1,8 +1,8 @@
-//! Every kernel on a device beside the same kernel on the CPU: one file a stage, as in `shader-crate`.
+//! The test case of every kernel: one file per stage, with the names of `shader-crate`.
 //!
-//! A [`Parity`] case builds its kernel's typed dispatch from inputs that are random, and from those that break
-//! careless code; [`Measure`] says how far a device is from the CPU.  [`cases`] lists all of them: a kernel
-//! without a case fails a test.
+//! A case implements [`Parity`](organza_check::Parity): it dispatches its kernel with random inputs and with inputs that break careless
+//! code. [`Measure`](organza_check::Measure) says how far a device is from the CPU. [`cases`] lists all cases: a kernel without
+//! one fails a test.
 
 pub mod adam;
 pub mod color;
@@ -37,7 +37,7 @@ pub use organza_check::{case, inputs, measure, runner};
 
 use case::Case;
 
-/// The case of every kernel.  A new kernel's goes here.
+/// The case of every kernel. Add a new kernel's here.
 #[must_use]
 pub fn cases() -> Vec<Case> {
     vec![

@@ -173,7 +173,7 @@ impl Numbers {
         })
     }
 
-    /// Leaves them on the device; where there is no room for them, there are none.
+    /// Leaves the counts on the device; if they exceed `capacity`, the bins are empty.
     fn keep(
         device: &Device,
         pair_mask: &Mask,
@@ -193,7 +193,7 @@ impl Numbers {
 }
 
 impl Bins {
-    /// With `room` for so many, or for as many as there are: that waits for the device.
+    /// With a `capacity`, nothing waits. Without one, waits for the counts and has room for everything.
     pub fn new(
         device: &Device,
         scene: &DeviceScene,

@@ -20,7 +20,7 @@ const CPU_CHUNK: u32 = 1 << 11;
 const GPU_CHUNK: u32 = 1 << 16;
 /// What the blocks of a field may take that are kept for the way back, in bytes; others are computed again.
 const KEPT_BYTES: u64 = 256 << 20;
-/// Rows of a point: its place, and what else a stage puts behind it.
+/// Rows of a point: its position, and one more for the stage.
 pub const ROWS_OF_POINT: u32 = POINT_ROWS + 1;
 
 const _: () = assert!(CPU_CHUNK <= MAX_SLICE && BLOCK.is_multiple_of(GPU_CHUNK));
@@ -110,7 +110,7 @@ impl Block {
 pub struct Chunk {
     /// The first, counted from the first block's.
     pub first: u32,
-    /// How many there are, or room for.
+    /// Their number, or the capacity.
     pub samples: u32,
     pub count: Count,
     /// Its place in its block or group.
@@ -141,7 +141,7 @@ pub struct BlockOf<'a> {
     pub is_kept: bool,
     /// Its first sample.
     pub first: u32,
-    /// How many it has, or room for.
+    /// Their number, or the capacity.
     pub samples: u32,
     /// All blocks together.
     total: &'a Count,
@@ -170,7 +170,7 @@ impl Blocks {
         self.layout
     }
 
-    /// How many there are, or room for.
+    /// Their number, or the capacity.
     pub fn samples(&self) -> u32 {
         self.count.at_most()
     }

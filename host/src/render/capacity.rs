@@ -1,28 +1,28 @@
-//! How much room the next batch will need, by what those before it have needed.
+//! Predicts how many pairs, members and samples the next batch will have, from the batches before it.
 
 use std::collections::VecDeque;
 
 use super::part_counts::Capacity;
 
-/// Batches that are looked back at.
+/// Batches that a prediction takes into account.
 const BATCHES: usize = 16;
-/// Capacity beyond the most that any of them needed, as a share of it.
+/// Extra capacity, as a share of the largest number that one of them needed.
 const MARGIN: f64 = 0.125;
-/// Capacity that there is in any case.
+/// Extra capacity, whatever they needed.
 const LEAST: f64 = 1024.0;
-/// Kernels number what there is in 32 bits, some of it three at a time.
+/// Kernels count items in 32 bits, and some of them in steps of three.
 const MOST: f64 = (u32::MAX / 4) as f64;
 
-/// What batches have needed, for each of their tiles.
+/// What recent batches have needed, per tile.
 #[derive(Debug, Default, PartialEq)]
 pub struct CapacityPredictor {
-    /// Gaussians of the scene and the tiles' side: others need something else.
+    /// The scene's Gaussians and the tiles' side: other kinds of batches need other capacities.
     kind: [u32; 2],
     seen: VecDeque<[f64; 3]>,
 }
 
 impl CapacityPredictor {
-    /// A batch of `tiles` tiles has needed this.
+    /// Records what a batch of `tiles` tiles has needed.
     pub fn observe(&mut self, kind: [u32; 2], tiles: usize, needed: Capacity) {
         if kind != self.kind {
             (self.kind, self.seen) = (kind, VecDeque::new());
@@ -33,7 +33,7 @@ impl CapacityPredictor {
             .push_front([pairs, members, samples].map(|number| f64::from(number) / tiles as f64));
     }
 
-    /// What a batch of `tiles` tiles will need; none where nobody can tell.
+    /// The capacity for a batch of `tiles` tiles; `None` before the first batch of this kind, or if it exceeds 32 bits.
     pub fn predict(&self, kind: [u32; 2], tiles: usize) -> Option<Capacity> {
         if kind != self.kind {
             return None;

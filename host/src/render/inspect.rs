@@ -1,4 +1,4 @@
-//! Looks into the stages: each on its own for every Gaussian, or all of them for one pixel.
+//! The results of single stages: each stage for every Gaussian, or all stages for one pixel.
 
 use glam::{Vec2, Vec4};
 use organza_shaders::composite::{alpha, pixel_center};

@@ -1,4 +1,4 @@
-//! From a scene, cameras and tiles to a rendered batch: one file for each stage.
+//! From a scene, cameras and tiles to a rendered batch, and back to gradients: one file per stage.
 
 mod backward;
 mod bin;

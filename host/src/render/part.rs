@@ -12,7 +12,7 @@ use crate::camera::Camera;
 use organza_device::Result;
 use organza_device::{Buffer, Device};
 
-/// Everything that the stages leave on the device.
+/// Everything that the stages have written on the device.
 #[derive(Debug)]
 pub struct Part {
     pub bins: Bins,
@@ -22,8 +22,8 @@ pub struct Part {
 }
 
 impl Part {
-    /// `keep` says whether [`Part::backward`] will be called.  With `room` for so much nothing waits for the device, and
-    /// where that is not enough, all is empty; without, there is room for all.
+    /// `keep` says whether [`Part::backward`] will be called. With a `capacity`, nothing waits for the device; if it is too
+    /// small, the part is empty. Without one, the host waits for the counts, and there is room for everything.
     pub fn evaluate(
         device: &Device,
         scene: &DeviceScene,
@@ -48,7 +48,7 @@ impl Part {
         Ok(Self { bins, transmittance, color, composite })
     }
 
-    /// Reads buffers, and what the part has needed: waits once.
+    /// Reads buffers, and the capacity that the part needed. Waits once.
     pub fn read(
         &self,
         device: &Device,
@@ -69,7 +69,8 @@ impl Part {
     }
 }
 
-/// The pixels of a part, `[tiles, 3, S, S]`, what it took, and what it needed; with `room` as [`Part::evaluate`].
+/// The pixels of a part, `[tiles, 3, S, S]`, its report, and the capacity that it needed. `capacity` is as for
+/// [`Part::evaluate`].
 pub fn render(
     device: &Device,
     scene: &DeviceScene,

@@ -1,4 +1,4 @@
-//! How many pairs, members and samples a part has: heard from the device, or left there.
+//! How many pairs, members and samples a part has, as numbers that stay on the device.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use super::bin::Mask;
 use organza_device::Result;
 use organza_device::{Buffer, Count, Device};
 
-/// How many there is room for.
+/// How many items the tables of a part have room for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Capacity {
     /// (Gaussian, camera) pairs.
@@ -23,17 +23,17 @@ pub struct Capacity {
     pub samples: u32,
 }
 
-/// What a part has found out about the room it needs.
+/// The capacity that a part needed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Needed {
-    /// So much.
+    /// This many of each.
     Capacity(Capacity),
-    /// More than there was: all of the part is empty.
+    /// More than it had: the part is empty.
     Overflow,
 }
 
 impl Needed {
-    /// Of the values of [`PartCounts::counts`].
+    /// Reads the values of [`PartCounts::counts`].
     pub fn of(counts: &[u32]) -> Self {
         let [pairs, members, samples] = [PAIRS, MEMBERS, SAMPLES].map(|slot| counts[slot as usize]);
         match counts[OVERFLOW as usize] {
@@ -51,12 +51,12 @@ pub struct PartCounts {
 }
 
 impl PartCounts {
-    /// Of nothing yet.
+    /// No counts yet.
     pub fn new(device: &Device, capacity: Capacity) -> Result<Self> {
         Ok(Self { counts: Arc::new(device.zeros("counts", COUNTS as usize)?), capacity })
     }
 
-    /// The total at `last` of exclusive sums is the number at a slot.
+    /// Records the total at `last` of exclusive sums as the number at a slot.
     pub fn record_total(
         &self,
         device: &Device,
@@ -69,7 +69,7 @@ impl PartCounts {
         device.run(&RecordTotalKernel { params, first, counts: &*self.counts }, 1, 1)
     }
 
-    /// What was admitted counts from here on; where something did not fit, masks and ranges are empty.
+    /// Publishes the recorded totals to later dispatches. If one exceeds its capacity, clears the masks and ranges.
     pub fn clear_on_overflow(
         &self,
         device: &Device,
@@ -91,7 +91,7 @@ impl PartCounts {
         Count::on_device(&self.counts, slot, self.capacity_for(slot))
     }
 
-    /// Where the numbers are: what [`Needed::of`] makes sense of.
+    /// The buffer of the numbers; [`Needed::of`] reads its values.
     pub fn counts(&self) -> &Buffer<u32> {
         &self.counts
     }

@@ -120,9 +120,8 @@ impl Renderer {
         Ok(Plan::split(&self.device, scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
     }
 
-    /// Does `work` for a part with as much room as it will need, by what others have needed, so that nothing waits for the
-    /// device before the work is done; where that was not enough and all was empty, or where nobody can tell, with room
-    /// for all.
+    /// Does `work` for a part with a predicted capacity, so that nothing waits for the device before the end. If the capacity
+    /// was too small, or without a prediction, does it with room for everything.
     pub(super) fn with_predicted_capacity<R>(
         &self,
         scene: &DeviceScene,
@@ -145,7 +144,7 @@ impl Renderer {
         }
     }
 
-    /// Forgets what others have needed, for what does not fit: it may need less.  Returns whether there was anything.
+    /// Forgets the predictions, after memory ran out: a part may need less. Returns whether there were any.
     pub(super) fn forget(&self) -> bool {
         std::mem::take(&mut *self.predictor()) != CapacityPredictor::default()
     }

@@ -1,4 +1,4 @@
-//! The files that go into the repository: one module for each kernel, and their manifest.
+//! The files that go into the repository: one module per entry point, and their manifest.
 
 use std::collections::BTreeMap;
 use std::fmt;

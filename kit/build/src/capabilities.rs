@@ -1,6 +1,7 @@
-//! Takes from a module the capabilities that it does not need.
+//! Removes the capabilities that a module does not need.
 //!
-//! The compiler is given those of all kernels at once: it looks at all of them before it makes a module of each.  A driver refuses a module that asks for a capability whose feature its device lacks, used or not.
+//! The compiler gets the capabilities of all kernels at once, because it compiles all of them before it writes one module per
+//! kernel. A driver refuses a module with a capability that its device lacks, even if the module does not use it.
 
 use rspirv::dr::{Instruction, Module, Operand};
 use rspirv::spirv::{Capability, Op};

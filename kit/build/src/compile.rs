@@ -1,4 +1,4 @@
-//! Compiles a crate of kernels and describes what came out.
+//! Compiles a crate of kernels and describes the modules.
 
 use std::collections::BTreeMap;
 use std::fs;

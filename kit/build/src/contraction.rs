@@ -1,9 +1,8 @@
 //! Keeps drivers from fusing and regrouping arithmetic: every operation gets the decoration
 //! `NoContraction`, unless its kernel is declared `fused`.
 //!
-//! Rust-GPU has no way to ask for it. Without it a driver may compute `a * b + c` with one rounding, or
-//! find that `(x - a) + b` has a shorter form; results then differ between devices, and what is kept
-//! in two parts (`shader-crate/src/unit_cube.rs`) loses the second.
+//! Rust-GPU has no option for it. Without it a driver can compute `a * b + c` with one rounding, or shorten `(x - a) + b`.
+//! Results then differ between devices, and numbers in two parts (`shader-crate/src/unit_cube.rs`) lose the second part.
 
 use anyhow::{Context, Result};
 use rspirv::dr::{Instruction, Module, Operand};

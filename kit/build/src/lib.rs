@@ -1,4 +1,4 @@
-//! Builds kernels: from a crate of `#[kernel]` functions to SPIR-V modules that drivers and naga take, and their
+//! Builds kernels: compiles a crate of `#[kernel]` functions to SPIR-V modules that drivers and naga accept, and writes their
 //! manifest.
 //!
 //! A program that is linked with the kernels calls [`run`]; in organza that is `cargo xtask kernels`.

@@ -1,4 +1,4 @@
-//! What happens to a module between the compiler and `host/kernels`.
+//! The passes over a module, between the compiler and the folder of modules.
 
 use anyhow::{Result, anyhow};
 use rspirv::binary::Assemble;

@@ -1,5 +1,4 @@
-//! Takes the compiled modules from Vulkan's memory model, the only one that Rust-GPU knows for
-//! Vulkan, to GLSL's.
+//! Rewrites the compiled modules from Vulkan's memory model, the only one that Rust-GPU has for Vulkan, to GLSL's.
 //!
 //! A module with Vulkan's memory model asks for the device feature `vulkanMemoryModel`, which wgpu
 //! does not enable: the validation layers report every such module. And Rust-GPU never marks an

@@ -1,4 +1,4 @@
-//! Holds a compiled module against what its kernel declares.
+//! Compares a compiled module with its kernel's declaration.
 
 use std::collections::{BTreeMap, BTreeSet};
 

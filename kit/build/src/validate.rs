@@ -1,4 +1,4 @@
-//! Holds the modules against the SPIR-V specification, by way of `spirv-val`.
+//! Checks the modules against the SPIR-V specification, with `spirv-val`.
 
 use std::io::Write;
 use std::process::{Command, Stdio};

@@ -1,4 +1,4 @@
-//! Compiles the kernels again and again while they are being written.
+//! Compiles the kernels again whenever a source is saved.
 
 use std::process::Command;
 use std::thread;

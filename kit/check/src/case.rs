@@ -1,4 +1,4 @@
-//! What a kernel's case is, and how it is measured.
+//! The test case of a kernel: its inputs, its equation, its tolerance.
 
 use super::hold::hold;
 use super::measure::{Bound, Measure, Output};
@@ -9,15 +9,15 @@ use organza_device::{Device, Result};
 pub trait Parity: Sized + 'static {
     /// The kernel.
     const KERNEL: &'static str;
-    /// How far an output may be off, in units of [`Parity::bound`]'s scale; 0 where all are integers.
+    /// How far an output may differ, in units of [`Parity::bound`]'s scale; 0 if all outputs are integers.
     const TOLERANCE: f64;
     /// Where the tolerance comes from, and what the inputs stay away from.
     const WHY: &'static str;
-    /// Whether it computes with halves: a GPU that [does not](Device::computes_halves) leaves it out.
+    /// Whether it computes with 16-bit floats: it is skipped on a GPU that [does not](Device::computes_halves).
     const NEEDS_HALVES: bool = false;
-    /// The least part of each output's written elements that [`Parity::exact`] gives, over all sets.
+    /// The part of each output's written elements that [`Parity::exact`] must give, over all sets.
     ///
-    /// A case with less says why beside it.
+    /// If a case lowers it, a comment says why.
     const COMPARED: f64 = 0.9;
 
     /// The sets, each with a name.
@@ -26,23 +26,22 @@ pub trait Parity: Sized + 'static {
     /// Runs the kernel.
     ///
     /// # Errors
-    /// What the device runs into.
+    /// Any error of the device.
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>>;
 
-    /// How far an element may be off; `cpu` is what the CPU has computed.
+    /// How far an element may differ; `cpu` is what the CPU has computed.
     fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
         let _ = rounding;
         Bound::of(cpu.floats()[index].abs())
     }
 
-    /// What the equations give in f64 for the `len` elements of an output; `None` where they say nothing: padding,
-    /// what the kernel leaves alone, where rounding decides.  They say nothing of elements behind the last, either.
+    /// The equations in f64, for the `len` elements of an output. `None` for padding, for elements that the kernel does not
+    /// write, and if rounding decides. Missing elements at the end count as `None`.
     fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>>;
 
-    /// How far a device's element may be from `exact`: mostly as far as from the CPU's.
+    /// How far a device's element may be from `exact`: usually as far as from the CPU's.
     ///
-    /// It is wider only where the kernel's own roundings, the same on all devices, are larger than what devices
-    /// differ by.
+    /// It is wider only if the kernel's roundings, which are the same on all devices, exceed the differences between devices.
     fn exact_bound(&self, exact: &Output, index: usize, rounding: Rounding) -> Bound {
         self.bound(exact, index, rounding)
     }
@@ -114,7 +113,7 @@ impl Case {
     /// [`Measure::values`] is the number of elements that the equations speak of.
     ///
     /// # Errors
-    /// What the device runs into.
+    /// Any error of the device.
     pub fn hold(&self, device: &Device, rounding: Rounding) -> Result<Measure> {
         (self.hold)(device, rounding)
     }

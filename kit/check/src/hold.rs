@@ -1,4 +1,4 @@
-//! Holds a device's outputs to the equations in f64.
+//! Compares a device's outputs with the equations in f64.
 
 use organza_device::{Device, Result};
 

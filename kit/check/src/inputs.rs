@@ -1,4 +1,4 @@
-//! Inputs that are the same on every machine: random ones, and those that break careless code.
+//! Inputs for kernels, the same on every machine: random ones, and ones that break careless code.
 
 use organza_kernel::math::TINY;
 

@@ -1,4 +1,7 @@
-//! Tests of kernels: [parity](case) between devices and the CPU, and [snapshots](snapshot) with pictures.
+//! Tests of kernels: [parity](case) cases, and [snapshots](snapshot) with pictures.
+//!
+//! A [`Case`] has a kernel's inputs, its equation in f64 and its tolerance. A [`KernelRunner`] runs the kernel on a device, and a
+//! [`Report`] says how far each device is from the CPU.
 
 pub mod case;
 pub mod devices;

@@ -96,7 +96,7 @@ pub struct Measure {
     /// Largest difference relative to the CPU's value; flushed denormals do not count, and what a cancellation has
     /// left (less than a thousandth of the scale) does not.
     pub relative: Worst,
-    /// Largest difference in units of the last place of the CPU's value, as an f32; likewise.
+    /// Largest difference in units in the last place (ulp) of the CPU's value, as an f32; likewise.
     pub ulp: Worst,
     /// Largest difference as a part of what is allowed: above 1 it is a failure.
     pub share: Worst,

@@ -1,4 +1,4 @@
-//! All cases on one device.
+//! The results of all cases on one device.
 
 use serde::Serialize;
 

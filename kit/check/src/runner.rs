@@ -6,7 +6,7 @@ use organza_kernel::kernel::Dispatch;
 
 use organza_device::{Buffer, Device, Error, Host, Result};
 
-/// Elements behind every output that no kernel may touch.
+/// Elements after every output that no kernel may touch.
 const TAIL: usize = 8;
 
 /// A device with one kernel under test.

@@ -1,4 +1,4 @@
-//! Says what was not tested.
+//! Reports what was not tested.
 
 use std::collections::BTreeSet;
 use std::io::Write;

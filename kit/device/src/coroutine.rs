@@ -1,4 +1,4 @@
-//! Workgroups whose invocations wait for one another: each invocation is a coroutine that yields at barriers.
+//! Workgroups with barriers: each invocation is a coroutine that yields at them.
 
 use std::cell::{Cell, RefCell};
 use std::panic::Location;
@@ -14,7 +14,7 @@ use organza_kernel::running::{self, unlinear};
 
 use crate::races::WorkgroupMemory;
 
-/// Stack of an invocation, in bytes: kernels keep little, panics and unoptimized builds want more.
+/// Stack of an invocation, in bytes: kernels need little, panics and unoptimized builds more.
 const STACK: usize = 64 << 10;
 
 /// What workgroup memory holds before a kernel writes it: no kernel may rely on it.

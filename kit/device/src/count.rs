@@ -1,4 +1,4 @@
-//! How many there are of something, where the device alone may know.
+//! A number of items that the host knows, or that only the device knows.
 
 use std::sync::Arc;
 
@@ -6,21 +6,21 @@ use organza_kernel::count::{self, OVERFLOW};
 
 use crate::buffer::{Buffer, Memory};
 
-/// How many there are of something: a number that is known, or what a kernel has written on the device.
+/// A number of items: known to the host, or written on the device by a kernel.
 #[derive(Clone, Debug)]
 pub struct Count {
-    /// The number, or what there is room for.
+    /// The number, or the capacity if only the device knows the number.
     at_most: u32,
     total: Option<Total>,
 }
 
-/// What a number on the device is a piece of.
+/// The total that a number on the device is a piece of.
 #[derive(Clone, Debug)]
 pub(super) struct Total {
     /// As [`organza_kernel::count`] has it.
     pub counts: Arc<Buffer<u32>>,
     pub place: u32,
-    /// How many others come before.
+    /// Items before this piece.
     pub first: u32,
 }
 
@@ -31,18 +31,18 @@ impl Count {
         Self { at_most: number, total: None }
     }
 
-    /// A number at a place of `counts`, of which there is room for `at_most`.
+    /// The number at the index `place` of `counts`, for tables with room for `at_most`.
     pub fn on_device(counts: &Arc<Buffer<u32>>, place: u32, at_most: u32) -> Self {
         Self { at_most, total: Some(Total { counts: counts.clone(), place, first: 0 }) }
     }
 
-    /// What tables and dispatches are made for.
+    /// The number that tables and dispatches are sized for.
     #[must_use]
     pub fn at_most(&self) -> u32 {
         self.at_most
     }
 
-    /// How many of them there are from `first` on, at most `most`.
+    /// How many items there are from `first` on, at most `most`.
     #[must_use]
     pub fn piece(&self, first: u32, most: u32) -> Self {
         let at_most = count::piece(self.at_most, first, most);

@@ -1,4 +1,4 @@
-//! The CPU backend: the kernels as ordinary functions, workgroups spread over threads.
+//! The CPU backend: kernels are ordinary functions, and workgroups are spread over threads.
 
 use std::cell::Cell;
 use std::ops::Range;
@@ -164,7 +164,7 @@ impl Cpu {
                 })
             })
         };
-        // a layer is one thread's, whatever lies in it
+        // one thread runs all workgroups of one z
         let (all, at_once) = match info.z_serial {
             true => (z, x * y),
             false => ((x * y * z).div_ceil(AT_ONCE), AT_ONCE),

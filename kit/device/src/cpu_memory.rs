@@ -1,11 +1,11 @@
-//! Memory of the CPU backend, which is used again: a step allocates what the step before has freed.
+//! Memory of the CPU backend. It is reused: a step gets the memory that the step before has freed.
 
 use std::alloc::{self, Layout};
 use std::collections::VecDeque;
 use std::ptr::NonNull;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// What may lie unused, in bytes.
+/// Largest unused memory that is kept, in bytes.
 const SPARE_BYTES: usize = 256 << 20;
 
 /// Aligned memory that kernels write through pointers.
@@ -15,7 +15,7 @@ pub struct CpuMemory {
     pool_memory: MemoryPool,
 }
 
-/// Memory that nobody uses, the longest unused first.
+/// Memory that is not in use; the block that was unused longest is first.
 #[derive(Clone, Debug, Default)]
 pub struct MemoryPool(Arc<Mutex<VecDeque<Allocation>>>);
 

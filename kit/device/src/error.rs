@@ -1,4 +1,4 @@
-//! What can go wrong on a device.
+//! Errors of a device.
 //!
 //! The `Display` text of an [`Error`] is complete: what happened, where, and what to do about it.
 

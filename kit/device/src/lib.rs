@@ -1,6 +1,7 @@
-//! Two backends, one source: buffers and dispatches on a GPU through wgpu, or on the CPU.
+//! Devices: buffers and dispatches, on a GPU through wgpu or on the CPU.
 //!
-//! A kernel runs on whichever [`Device`] its buffers belong to; nothing above this crate knows which.
+//! [`Device::open`] chooses a backend and gets the program's compiled kernels, its [`Modules`]. Code that uses a [`Device`] does
+//! not know the backend: the same dispatch of the same kernel runs on both.
 
 mod buffer;
 mod coroutine;

@@ -1,4 +1,4 @@
-//! How much memory there is, and asking for it without being killed.
+//! How much memory there is, and how to allocate it without being killed.
 
 use std::cell::Cell;
 use std::fs;

@@ -1,4 +1,4 @@
-//! The compiled kernels that a program carries: SPIR-V modules, as the kernel builder made them.
+//! The compiled kernels of a program: SPIR-V modules, as the kernel builder wrote them.
 
 use std::borrow::Cow;
 use std::sync::OnceLock;

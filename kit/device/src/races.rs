@@ -1,4 +1,4 @@
-//! Finds invocations that get in each other's way: their results would depend on who comes first.
+//! Finds data races between invocations: their results would depend on which one comes first.
 
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
@@ -7,7 +7,7 @@ use organza_kernel::memory::{AccessMonitor, Touch};
 use organza_kernel::running::{self, unlinear};
 use organza_kernel::{BindingInfo, SharedInfo};
 
-/// Watches an array of workgroup memory: between two barriers an element belongs to who writes it.
+/// Monitors an array of workgroup memory: between two barriers, only the invocation that writes an element may read it.
 ///
 /// The invocations of a workgroup take turns on one thread; atomics are here for the trait's sake.
 pub struct WorkgroupMemory {
@@ -93,11 +93,11 @@ impl AccessMonitor for WorkgroupMemory {
     }
 }
 
-/// Watches a storage buffer during one dispatch: no barrier orders what different invocations do to it.
+/// Monitors a storage buffer during one dispatch: no barrier orders what different invocations do to it.
 pub struct Races {
     name: &'static str,
     invocations: UVec3,
-    /// Whether a layer of workgroups runs on one thread.
+    /// Whether the workgroups of one z run on one thread (`z_serial`).
     layers: bool,
     elements: Vec<Touched>,
 }
@@ -112,7 +112,7 @@ struct Touched {
 /// Marks a writer that did so atomically: atomics do not disturb each other.
 const ATOMIC: u64 = 1 << 63;
 
-/// Marks a writer that disturbs no other of its layer of workgroups, besides `ATOMIC`.
+/// With `ATOMIC`, marks a writer that does not disturb others of the same z.
 const LAYER: u64 = 1 << 62;
 
 /// Stands for several readers.
@@ -186,7 +186,7 @@ impl AccessMonitor for Races {
     }
 }
 
-/// The number that [`unlinear`] places.
+/// The inverse of [`unlinear`].
 fn linear(at: UVec3, size: UVec3) -> u64 {
     let [x, y, z] = at.to_array().map(u64::from);
     x + u64::from(size.x) * (y + u64::from(size.y) * z)

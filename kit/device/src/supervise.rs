@@ -1,4 +1,4 @@
-//! Runs kernels so that a panic becomes a message that says where it happened, and in which invocation.
+//! Turns a kernel's panic into an error that says where it happened, and in which invocation.
 
 use std::any::Any;
 use std::cell::Cell;

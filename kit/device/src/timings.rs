@@ -1,4 +1,4 @@
-//! What kernels have taken and done.
+//! How long kernels took, and how much they computed and moved.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};

@@ -1,4 +1,4 @@
-//! Buffers of a device: made, filled, cleared and read.
+//! Creates, fills, clears and reads buffers.
 
 use std::sync::Arc;
 use std::sync::atomic::Ordering;

@@ -1,4 +1,4 @@
-//! Integer atomics.  Rust-GPU's own panic on the CPU, so each has its CPU twin here.
+//! Integer atomics. Rust-GPU's panic on the CPU, so each has a CPU twin here.
 
 #[cfg(target_arch = "spirv")]
 use spirv_std::arch::IndexUnchecked;
@@ -60,7 +60,8 @@ pub fn raise(buffer: Write<u32>, index: u32, value: u32) {
 
 /// Adds to the 64-bit integer at `2 index` (low word) and `2 index + 1` (high word), modulo 2^64.
 ///
-/// On the CPU it is a plain sum: only in kernels that are `layers`, and on integers that a single layer changes.
+/// On the CPU it is a plain addition. So use it only in kernels with `z_serial`, and on integers that the workgroups of a
+/// single z change.
 #[inline(always)]
 #[cfg_attr(not(target_arch = "spirv"), track_caller)]
 pub fn add_wide(buffer: Write<u32>, index: u32, [low, high]: [u32; 2]) {
@@ -117,7 +118,7 @@ pub fn add_two_wide_lanes<const N: usize>(
         let begin = buffer.two_wide_addresses(index, Touch::Layer);
         let mut i = 0;
         while i < N {
-            // SAFETY: the address is in range and aligned, and as a single layer changes these sums, so does a single thread
+            // SAFETY: the address is in range and aligned, and only the workgroups of one z change these sums: one thread
             let sums = unsafe { &mut *begin.add(index[i] as usize).cast::<[i64; 2]>() };
             *sums = [sums[0].wrapping_add(first[i]), sums[1].wrapping_add(second[i])];
             i += 1;
@@ -125,7 +126,7 @@ pub fn add_two_wide_lanes<const N: usize>(
     }
 }
 
-/// Raises the flags at several places to 1, where the mask holds.
+/// Sets the flags at several indices to 1, if the mask is set.
 #[cfg(not(target_arch = "spirv"))]
 #[inline(always)]
 #[track_caller]

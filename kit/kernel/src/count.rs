@@ -1,27 +1,27 @@
-//! Numbers that stay on the device: how many items a dispatch has, where an earlier dispatch has found that out.
+//! Counts that stay on the device: how many items a dispatch has, if an earlier dispatch has computed that.
 //!
-//! The host sizes tables and dispatches for as many as it expects and does not wait for the number.  `counts` holds
-//! the numbers; where one of them is more than there is room for, [`OVERFLOW`] is raised and all of them count as 0.
+//! The host sizes tables and dispatches for the number that it expects, and does not wait for the real one. The buffer
+//! `counts` has the numbers. If one of them exceeds its capacity, [`OVERFLOW`] is raised and all of them count as 0.
 
 use crate::prelude::*;
 
-/// RunningInvocation in `counts`: not 0 where something was more than there is room for.
+/// Index in `counts` of a flag: not 0 if a number exceeds its capacity.
 pub const OVERFLOW: u32 = 0;
 
-/// Values of `placement` for each number, and what precedes them: [`count_fill`].
+/// Values of `placement` for each number, and before the first one: see [`count_fill`].
 pub const PLACEMENT_VALUES: u32 = 4;
 
-/// How many of `total` there are from `first` on, at most `most`.
+/// How many of `total` items there are from `first` on, at most `most`.
 #[inline(always)]
 pub fn piece(total: u32, first: u32, most: u32) -> u32 {
     let rest = if total > first { total - first } else { 0 };
     if rest < most { rest } else { most }
 }
 
-/// Writes numbers to where kernels will read them as their parameters.
+/// Writes counts into the parameters of the kernels that will read them.
 ///
-/// `placement [1 + n, 4]`: n, and three values that nobody reads; then for each number its place in `parameters`, its
-/// total's place in `counts`, and `first` and `most` of [`piece`].
+/// `placement [1 + n, 4]` starts with n and three unused values. Then, for each number: its index in `parameters`, the
+/// index of its total in `counts`, and `first` and `most` of [`piece`].
 #[kernel(threads(64))]
 pub fn count_fill(id: Invocation, placement: Read<u32>, counts: Read<u32>, parameters: Write<u32>) {
     let index = id.index();

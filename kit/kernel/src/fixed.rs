@@ -1,6 +1,6 @@
-//! Fixed point: sums of numbers as 64-bit integers, which do not depend on the order.
+//! Fixed point: sums as 64-bit integers, which do not depend on the order.
 //!
-//! GPUs have no 64-bit integers everywhere, so that one is two words, the low one first, in two's complement.
+//! Not every GPU has 64-bit integers. So a sum is two words in two's complement, the low one first.
 
 use crate::math::abs;
 use crate::prelude::*;

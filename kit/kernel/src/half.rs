@@ -1,9 +1,9 @@
-//! Arithmetic in half precision, four numbers at once: on GPUs their own, on the CPU its twin in `f32`.
+//! Arithmetic with 16-bit floats (halves), four numbers at once: native on GPUs, and a twin in `f32` on the CPU.
 //!
-//! The twin is exact.  A half has 11 bits, so that the product of two has 22, which an `f32` holds; and a sum that
-//! is rounded to the 24 bits of an `f32` and then to 11 comes out as one that is rounded once, because 24 is at least
-//! 2 x 11 + 2 (S. Figueroa, "When is double rounding innocuous?", 1995).  So both are the half nearest to the exact
-//! result.  A GPU may round a product and its sum at once, and may make zero of a half below 2^-14.
+//! The twin is exact. A half has 11 bits, so the product of two has 22, and an `f32` holds that. A sum can be rounded to the 24
+//! bits of an `f32` first and to 11 then: the result is the same as with one rounding, because 24 is at least 2 x 11 + 2
+//! (S. Figueroa, "When is double rounding innocuous?", 1995). So both are the half nearest to the exact result. A GPU can
+//! round a product and its sum at once, and can flush a half below 2^-14 to zero.
 
 use crate::lane_vec4::LaneVec4;
 

@@ -1,4 +1,4 @@
-//! What a kernel knows of its place in the dispatch.
+//! One invocation of a kernel: its position in the dispatch, and barriers.
 
 #[cfg(not(target_arch = "spirv"))]
 use core::panic::Location;
@@ -8,9 +8,9 @@ use glam::UVec3;
 /// One invocation of a kernel.
 #[derive(Clone, Copy)]
 pub struct Invocation {
-    /// RunningInvocation in the workgroup.
+    /// Position in the workgroup.
     pub local: UVec3,
-    /// RunningInvocation of the workgroup in the dispatch.
+    /// Position of the workgroup in the dispatch.
     pub workgroup: UVec3,
     /// Workgroups in the dispatch.
     pub workgroups: UVec3,
@@ -45,13 +45,13 @@ impl Invocation {
         Self { each, ..self }
     }
 
-    /// RunningInvocation in the dispatch, per axis.
+    /// Position in the dispatch, per axis.
     #[inline(always)]
     pub fn global(&self) -> UVec3 {
         self.workgroup * self.size + self.local
     }
 
-    /// Number of the workgroup.  A dispatch along x and y counts through: an axis alone ends at 65,535.
+    /// Number of the workgroup, counted along x and then y: a single axis has at most 65,535.
     #[inline(always)]
     pub fn workgroup_index(&self) -> u32 {
         self.workgroup.x + self.workgroup.y * self.workgroups.x

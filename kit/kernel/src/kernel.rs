@@ -1,4 +1,4 @@
-//! The registry of kernels, and what the host needs to run one.
+//! The registry of kernels, and everything that the host needs to run one.
 
 extern crate std;
 
@@ -34,7 +34,7 @@ impl Access {
     }
 }
 
-/// One binding of a kernel; its number is its place in [`KernelInfo::bindings`], in descriptor set 0.
+/// One binding of a kernel. Its number is its index in [`KernelInfo::bindings`], in descriptor set 0.
 #[derive(Clone, Copy, Debug)]
 pub struct BindingInfo {
     /// Name of the parameter.
@@ -73,12 +73,12 @@ pub const fn workgroup_bytes(shared: &[SharedInfo]) -> u32 {
     bytes
 }
 
-/// One of a kernel's SPIR-V entry points: of the same body and bindings.
+/// One of a kernel's SPIR-V entry points. All have the same body and bindings.
 #[derive(Clone, Copy, Debug)]
 pub struct EntryPoint {
     /// Its name, and that of its module.
     pub name: &'static str,
-    /// Workgroup memory: the kernel's own, and in the variant that of its [stages](crate::stage).
+    /// Workgroup memory: the kernel's, and in the variant that of its [shared tiles](crate::shared_tile).
     pub shared: &'static [SharedInfo],
 }
 
@@ -90,13 +90,13 @@ pub struct KernelInfo {
     pub file: &'static str,
     /// Invocations of a workgroup.
     pub workgroup_size: [u32; 3],
-    /// The most iterations of all loops of one invocation together; none where it has no loop.
+    /// Largest number of iterations of all loops of one invocation together; `None` without a loop.
     pub iterations: Option<u32>,
     /// Whether drivers may fuse and regroup its arithmetic.
     pub fused: bool,
-    /// Whether the CPU runs a layer of workgroups, those of one z, on one thread.
+    /// Whether the CPU runs the workgroups of one z one after another, on one thread.
     pub z_serial: bool,
-    /// Whether the CPU runs a stack of workgroups, those of one x and y, one after another.
+    /// Whether the CPU runs the workgroups of one x and y one after another.
     pub z_innermost: bool,
     /// Items along x that an invocation of a GPU takes.
     pub each: u32,
@@ -104,9 +104,9 @@ pub struct KernelInfo {
     pub bindings: &'static [BindingInfo],
     /// Workgroup memory.
     pub shared: &'static [SharedInfo],
-    /// The second entry point of kernels with stages: its variant, in which they are workgroup memory.
+    /// The second entry point of kernels with shared tiles: the variant, in which these are workgroup memory.
     pub variant: Option<EntryPoint>,
-    /// Counts what a dispatch computes and moves, where the kernel declares how.
+    /// Counts what a dispatch computes and moves, if the kernel declares it.
     pub work: Option<WorkOf>,
     /// The CPU execution.
     pub run: CpuRun,

@@ -1,8 +1,8 @@
-//! Several invocations at once: what a kernel computes with where the CPU runs it with SIMD.
+//! Lanes: several invocations at once, as SIMD on the CPU.
 //!
-//! A kernel declared with `lanes(samples)` is generic over [`Lane`].  A GPU runs it with `f32`: an invocation is a
-//! lane already.  The CPU runs it with [`Wide`], as many invocations along x at once as its registers hold, and with
-//! one lane of the same arithmetic for those that are left over, so that no result depends on where a block ends.
+//! A kernel declared with `lanes(samples)` is generic over [`Lane`]. A GPU runs it with `f32`: an invocation already is a
+//! lane. The CPU runs it with [`Wide`]: as many invocations along x at once as its registers hold. The rest runs with one lane
+//! of the same arithmetic, so no result depends on where a group of lanes ends.
 
 use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
 
@@ -80,9 +80,9 @@ pub trait Lane:
     fn read(buffer: Read<f32>, first: u32) -> Self;
     /// Consecutive values from `first` on, of a buffer that is written, too.
     fn read_written(buffer: Write<f32>, first: u32) -> Self;
-    /// Values at any places.
+    /// Values at any indices.
     fn gather(buffer: Read<f32>, at: Self::Index) -> Self;
-    /// The two [halves](crate::half::half_value) of words at any places, the lower one first.
+    /// The two [16-bit floats](crate::half::half_value) of words at any indices, the lower one first.
     fn gather_halves(buffer: Read<u32>, at: Self::Index) -> [Self; 2];
     /// Stores consecutive values from `first` on.
     fn write(self, buffer: Write<f32>, first: u32);

@@ -1,4 +1,4 @@
-//! Four numbers for each of several samples.
+//! A `Vec4` of lanes: four numbers for each of several samples.
 
 use glam::Vec4;
 

@@ -1,11 +1,15 @@
-//! The kernel language: what a compute kernel is written in, once, for every GPU and for the CPU.
+//! The kernel language: write a compute kernel once, in Rust, and run it on every GPU and on the CPU.
 //!
-//! A kernel is an ordinary function with the attribute [`kernel`](macro@prelude::kernel); its parameters are its bindings.
-//! The crate is compiled twice: to SPIR-V by Rust-GPU, where [`memory::Read`] and [`memory::Write`] are storage
-//! buffers, and for the host, where they are views of slices and every access is checked.
+//! A kernel is a function with the attribute [`kernel`](macro@prelude::kernel). Its parameters are its bindings. Start with
+//! the [`prelude`], [`memory`] (buffers) and [`invocation`]. [`lane`] and [`samples`] are SIMD on the CPU, [`shared_tile`] is
+//! workgroup memory as a cache, [`atomic`] and [`fixed`] are sums that do not depend on the order, and [`count`] has numbers
+//! that stay on the device. The host finds all kernels in the [registry](kernel::kernels).
+//!
+//! The crate is compiled twice. Rust-GPU compiles it to SPIR-V, where [`memory::Read`] and [`memory::Write`] are storage
+//! buffers. For the CPU they are views of slices, and every access is checked.
 #![no_std]
 #![cfg_attr(target_arch = "spirv", feature(f16, asm_experimental_arch))]
-// what clippy would have instead is more than the shader compiler takes
+// the shader compiler cannot compile what clippy suggests instead
 #![allow(clippy::implicit_saturating_sub, clippy::manual_range_contains, clippy::manual_clamp)]
 
 // `#[kernel]` writes `::organza_kernel`, here as everywhere

@@ -1,7 +1,7 @@
 //! Elementary functions, the same for every kernel.
 //!
-//! On the GPU they are the instructions of GLSL.std.450; on the CPU those of the crate `libm`, so that the
-//! CPU's results do not depend on the system's C library.
+//! A GPU uses the instructions of GLSL.std.450. The CPU uses the crate `libm`, so its results do not depend on the system's C
+//! library.
 
 #[cfg(target_arch = "spirv")]
 use spirv_std::num_traits::Float;

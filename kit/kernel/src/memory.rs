@@ -1,4 +1,4 @@
-//! Buffers as kernels see them.
+//! Buffers, as kernels see them: [`Read`], [`Write`] and workgroup memory, [`Shared`].
 //!
 //! On the GPU [`Read`] and [`Write`] are slices, indexed without checks: a bounds check inside nested loops
 //! becomes an exit through several levels, which naga's SPIR-V reader miscompiles
@@ -82,7 +82,7 @@ mod host {
         Write,
         /// Changes it atomically.
         Atomic,
-        /// Changes it atomically on a GPU; on the CPU no other layer of workgroups, of another z, does.
+        /// Changes it atomically on a GPU. On the CPU no workgroup of another z changes it.
         Layer,
     }
 
@@ -175,7 +175,7 @@ mod host {
             unsafe { *self.data.add(first as usize).cast::<[T; N]>() }
         }
 
-        /// The values at `N` places; panics out of range.
+        /// The values at `N` indices; panics out of range.
         #[inline(always)]
         #[track_caller]
         pub fn gather<const N: usize>(&self, at: [u32; N]) -> [T; N] {
@@ -316,8 +316,8 @@ mod host {
             self.data
         }
 
-        /// Where the first 64-bit integer lies, after a check of all `index`: such an integer is the elements `2 index` and
-        /// `2 index + 1`, and the latter stands for both with who watches.  Panics out of range.
+        /// The address of the first 64-bit integer, after a check of all `index`. The integer at `index` is the elements
+        /// `2 index` and `2 index + 1`; the monitor sees only the latter. Panics out of range.
         #[inline(always)]
         #[track_caller]
         pub(crate) fn wide_addresses<const N: usize>(
@@ -361,7 +361,7 @@ mod host {
             Self(self.0.named(name))
         }
 
-        /// As [`Write::watched`].
+        /// As [`Write::monitored`].
         #[inline(always)]
         #[must_use]
         pub const fn monitored(self, monitor: Option<&'a dyn AccessMonitor>) -> Self {

@@ -1,4 +1,4 @@
-//! What every kernel needs.
+//! Everything that a kernel needs: `use organza_kernel::prelude::*`.
 
 pub use bytemuck::{Pod, Zeroable};
 pub use organza_macros::kernel;

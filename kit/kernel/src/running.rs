@@ -1,4 +1,4 @@
-//! On the CPU: which invocation a thread runs, so that whatever fails can name it.
+//! Which invocation a CPU thread runs, so that error messages can name it.
 
 extern crate std;
 
@@ -25,14 +25,14 @@ std::thread_local! {
     static INVOCATION: Cell<u32> = const { Cell::new(0) };
 }
 
-/// Says which workgroup the thread runs from here on, by its first invocation; none where no executor is at work.
+/// Sets the workgroup that the thread runs from now on, by its first invocation; `None` after the dispatch.
 #[inline]
 pub fn begin(workgroup: Option<RunningInvocation>) {
     WORKGROUP.set(workgroup);
 }
 
-/// Says which invocation of the workgroup the thread runs.  All of the invocation would cost a tenth of a render,
-/// its number costs nothing.
+/// Sets the invocation of the workgroup that the thread runs. It takes only the number, which costs nothing: to store the
+/// whole invocation would cost a tenth of a render.
 #[inline(always)]
 pub fn enter(invocation: u32) {
     INVOCATION.set(invocation);
@@ -43,26 +43,26 @@ pub fn invocation() -> u32 {
     INVOCATION.get()
 }
 
-/// What the thread runs; none where no executor is at work.
+/// The invocation that the thread runs; `None` outside of a dispatch.
 pub fn current() -> Option<RunningInvocation> {
     let mut place = WORKGROUP.get()?;
     place.id.local = unlinear(u64::from(INVOCATION.get()), place.id.size);
     Some(place)
 }
 
-/// The place of a number in a box of a size: of an invocation in its workgroup, of a workgroup in its dispatch; x counts
-/// fastest.
+/// The position of the element `index` in a box of `size`, such as an invocation in its workgroup or a workgroup in its
+/// dispatch. x counts fastest.
 pub fn unlinear(index: u64, size: UVec3) -> UVec3 {
     let [x, y] = [size.x, size.y].map(u64::from);
     UVec3::new((index % x) as u32, (index / x % y) as u32, (index / x / y) as u32)
 }
 
-/// In debug builds every kernel holds one: where it is called without an executor and panics, as in a test, this
-/// says in which invocation.
+/// Prints the invocation if a kernel panics outside of a dispatch, as in a unit test that calls it. In debug builds every
+/// kernel has one.
 pub struct PanicContext(RunningInvocation);
 
 impl PanicContext {
-    /// A witness of an invocation.
+    /// The context of an invocation.
     pub fn new(kernel: &'static str, id: Invocation) -> Self {
         Self(RunningInvocation { kernel, id })
     }

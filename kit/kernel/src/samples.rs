@@ -1,8 +1,8 @@
-//! Several samples an invocation: what the layers of networks compute with.
+//! Several samples per invocation, for the layers of networks.
 //!
-//! A layer reads sixteen weights for sixteen multiply-adds of a sample; with four samples they serve for sixty-four.  A
-//! kernel that is generic over [`Samples`] rather than over [`Lane`] runs on a GPU with [`Four`]: an invocation takes
-//! four consecutive samples.  On the CPU it runs with lanes like all others.
+//! A layer reads sixteen weights for sixteen multiply-adds of one sample; with four samples they serve for sixty-four. So a
+//! kernel can be generic over [`Samples`] instead of [`Lane`]. A GPU runs it with [`Four`]: an invocation takes four
+//! consecutive samples. The CPU runs it with lanes, like other kernels.
 
 use crate::prelude::*;
 
@@ -20,14 +20,14 @@ pub trait Samples: Copy {
     fn max(self, other: Self) -> Self;
     /// `self` where `x` is above 0, and 0 elsewhere.
     fn where_positive(self, x: Self) -> Self;
-    /// Consecutive values from `first` on.  All of them must lie in the buffer: behind the last sample of a row is room
-    /// for three.
+    /// Consecutive values from `first` on. All of them must be in the buffer: each row has room for three values after its
+    /// last sample.
     fn read(buffer: Read<f32>, first: u32) -> Self;
     /// Stores consecutive values from `first` on, those of the first `count` samples; at least 1.
     fn write(self, buffer: Write<f32>, first: u32, count: u32);
 }
 
-/// Where lanes are samples, those that are left over have a lane each: there are never fewer than [`Lane::WIDTH`].
+/// If lanes are samples, the rest has one lane each, so there are never fewer than [`Lane::WIDTH`].
 impl<L: Lane> Samples for L {
     const WIDTH: u32 = L::WIDTH;
     const COLUMNS: u32 = L::COLUMNS;

@@ -1,12 +1,12 @@
 //! Workgroup memory as a cache.
 //!
-//! A kernel with a parameter `near: &mut impl SharedTile<Vec4, 192>` has two entry points of one body.  In the plain one, and on
-//! the CPU, the stage is [`Unshared`]: it holds nothing, and reads go to where its [`Source`] says.  In the one named
-//! `_shared` it is workgroup memory: an invocation copies its share of what all of them will read, and reads go there.
+//! A kernel with a parameter `near: &mut impl SharedTile<Vec4, 192>` has two entry points with the same body. In the plain
+//! one, and on the CPU, the tile is [`Unshared`]: it is empty, and reads go to its [`Source`]. In the one named `_shared` it is
+//! workgroup memory: each invocation copies a share of what all of them will read, and reads go there.
 
 use crate::prelude::*;
 
-/// Where a stage's elements come from: items of several elements each.
+/// Where a tile's elements come from: items of several elements each.
 pub trait Source<T>: Copy {
     /// Elements of an item.
     const ELEMENTS: u32;
@@ -14,20 +14,20 @@ pub trait Source<T>: Copy {
     /// Index of an item's first element; the others follow.
     fn offset(self, item: u32) -> u32;
 
-    /// The element at a place.
+    /// The element at an offset.
     fn element(self, offset: u32) -> T;
 }
 
 /// Up to `N` elements that all invocations of a workgroup read.
 pub trait SharedTile<T: Copy, const N: usize> {
-    /// Whether invocations without work must run along: they copy, and the others wait for them.
+    /// Whether invocations without an item must take part: they copy, and the others wait for them at barriers.
     fn is_shared(&self) -> bool;
 
     /// How many of the next `items` fit at once; all of them if nothing is copied.
     fn capacity<S: Source<T>>(&self, source: S, items: u32) -> u32;
 
-    /// Waits for the workgroup: before a stage is filled, until all invocations have read the last items, and again after,
-    /// until it is full.  One wait is enough for all stages of a kernel.
+    /// Waits for the workgroup. Call it before filling, so that all invocations have read the last items, and again after,
+    /// so that the tile is full. One wait is enough for all tiles of a kernel.
     fn wait(&self, id: Invocation);
 
     /// Copies the first `items`.  Each element is copied by one invocation.
@@ -36,11 +36,11 @@ pub trait SharedTile<T: Copy, const N: usize> {
     /// Index of an item's first element, in workgroup memory or at the source; the others follow.
     fn offset<S: Source<T>>(&self, item: u32, source: S) -> u32;
 
-    /// The element at a place.
+    /// The element at an offset.
     fn element<S: Source<T>>(&self, offset: u32, source: S) -> T;
 }
 
-/// A stage that holds nothing.
+/// A tile that is empty: reads go to the source.
 pub struct Unshared;
 
 impl<T: Copy, const N: usize> SharedTile<T, N> for Unshared {

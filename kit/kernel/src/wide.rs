@@ -1,4 +1,4 @@
-//! Lanes on the CPU: arrays that the compiler makes vector instructions of.
+//! Lanes on the CPU: arrays that the compiler turns into vector instructions.
 
 use core::array::from_fn;
 use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};

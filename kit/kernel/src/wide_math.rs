@@ -1,4 +1,4 @@
-//! What [`Wide`](crate::lane::Wide) computes in more than one instruction.
+//! Functions of [`Wide`](crate::lane::Wide) that take more than one instruction.
 
 use core::array::from_fn;
 

@@ -1,16 +1,16 @@
-//! What a dispatch computes and moves, counted from its parameters.
+//! How many operations a dispatch computes and how many bytes it moves, from its parameters.
 //!
-//! A kernel that is counted declares its formula: `#[kernel(threads(64), work(square_work))]`, a function of the
-//! parameters and the dispatch's [`Shape`] that stands beside the parameters.
+//! A kernel declares its formula: `#[kernel(threads(64), work(square_work))]`. That is a function of the parameters and the
+//! dispatch's [`Shape`]; write it next to the parameters.
 
 use core::ops::AddAssign;
 
-/// What was computed and moved; zeros where that is not counted.
+/// What was computed and moved; zeros if that is not counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
     /// Floating-point operations: a multiply-add is two, an elementary function one.
     pub flops: u64,
-    /// Bytes that must be read and written if each value that stays the same is read once a dispatch.
+    /// Bytes that must be read and written, if each value that does not change is read once per dispatch.
     pub bytes: u64,
 }
 
@@ -21,7 +21,7 @@ impl AddAssign for Work {
     }
 }
 
-/// What a formula knows of a dispatch beside its parameters.
+/// What a formula knows about a dispatch, besides its parameters.
 #[derive(Clone, Copy, Debug)]
 pub struct Shape<'a> {
     /// Elements of each storage buffer, in the order of the bindings.

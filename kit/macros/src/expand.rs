@@ -1,4 +1,4 @@
-//! Writes what follows from a kernel's declaration.
+//! Writes everything that follows from a kernel's declaration.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -213,7 +213,7 @@ fn work(kernel: &Kernel) -> TokenStream {
     }}
 }
 
-/// The arrays in workgroup memory, those of stages with them or without.
+/// The arrays in workgroup memory, with or without those of shared tiles.
 fn shared(kernel: &Kernel, stages: bool) -> TokenStream {
     let arrays = kernel.parameters.iter().filter_map(|parameter| {
         let (name, element) = (parameter.name.to_string(), &parameter.element);

@@ -55,16 +55,16 @@ pub struct Kernel {
     pub function: ItemFn,
     pub threads: [u32; 3],
     pub fused: bool,
-    /// On the CPU a layer of workgroups, those of one z, runs on one thread.
+    /// On the CPU the workgroups of one z run one after another, on one thread.
     pub z_serial: bool,
-    /// On the CPU a stack of workgroups, those of one x and y, runs together.
+    /// On the CPU the workgroups of one x and y run one after another.
     pub z_innermost: bool,
     pub lanes: Option<Lanes>,
-    /// Whether it is generic over `Samples`, of which an invocation of a GPU takes four.
+    /// Whether it is generic over `Samples`: an invocation of a GPU takes four of them.
     pub samples: bool,
-    /// The most iterations of one invocation.
+    /// Largest number of iterations of one invocation.
     pub iterations: Option<Expr>,
-    /// Fields of the uniform buffer that only the device may know.
+    /// Fields of the uniform buffer whose values only the device can know.
     pub counts: Vec<Ident>,
     /// The function that counts what a dispatch computes and moves.
     pub work: Option<Path>,
@@ -136,7 +136,7 @@ impl Kernel {
         self.has(|role| matches!(role, Role::Shared(_)))
     }
 
-    /// Whether it has a second entry point, in which stages are workgroup memory.
+    /// Whether it has a second entry point, in which shared tiles are workgroup memory.
     pub fn has_shared_tiles(&self) -> bool {
         self.has(|role| matches!(role, Role::SharedTile(_)))
     }

@@ -1,4 +1,4 @@
-//! Embeds compiled kernels: what a build script calls.
+//! Embeds compiled kernels in a program; its build script calls this.
 
 use std::env;
 use std::fmt::Write;

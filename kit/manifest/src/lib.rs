@@ -1,8 +1,8 @@
-//! The manifest of compiled kernels: which SPIR-V module holds which kernel, what the kernel expects of
-//! the host, and which sources and compiler the modules were made from.
+//! The manifest of compiled kernels: which SPIR-V module has which kernel, what the kernel expects from the host, and which
+//! sources and compiler the modules were built from.
 //!
-//! The kernel builder writes it, a build script [embeds](embed()) it, and tests hold it against the kernel
-//! sources. It says nothing that depends on the machine it was written on.
+//! The kernel builder writes it, a build script [embeds](embed()) it, and tests compare it with the kernel sources. Nothing
+//! in it depends on the machine that wrote it.
 
 mod embed;
 mod source;

@@ -1,4 +1,4 @@
-//! The comparators: whether a record is the accepted one, and the message where it is not.
+//! Compares a record with the accepted one, and describes the difference.
 
 use std::sync::{Arc, Mutex};
 

@@ -1,4 +1,4 @@
-//! Snapshots of tensors and pictures: what is recorded, how two records are compared, and what a failure leaves behind.
+//! Snapshots of tensors and pictures: how they are recorded and compared, and what a failure writes.
 
 pub mod compare;
 pub mod picture;

@@ -1,4 +1,4 @@
-//! Rendered tiles as a picture that people can look at.
+//! Rendered tiles as a picture.
 
 use std::io::Cursor;
 
@@ -41,7 +41,7 @@ impl Montage {
         })
     }
 
-    /// Tile, row and column of a place in the picture.
+    /// Tile, row and column of a pixel of the picture.
     fn locate(&self, place: [u32; 2]) -> Option<[usize; 3]> {
         let pitch = self.side + 1;
         let [x, y] = place.map(|place| place as usize / self.scale);
@@ -50,7 +50,7 @@ impl Montage {
         (tile < self.tiles && row < self.side && column < self.side).then_some([tile, row, column])
     }
 
-    /// A place in the picture in words.
+    /// A pixel of the picture in words.
     pub fn describe(&self, place: [u32; 2], channel: usize) -> String {
         let channel = ["red", "green", "blue"][channel];
         match self.locate(place) {

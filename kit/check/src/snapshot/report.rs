@@ -1,4 +1,4 @@
-//! What a failure leaves behind: expected, actual and difference as one PNG, in a folder that CI keeps.
+//! What a failure writes: expected, actual and difference as one PNG, in a folder that CI keeps.
 
 use std::path::{Path, PathBuf};
 

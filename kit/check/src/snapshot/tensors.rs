@@ -1,7 +1,7 @@
-//! Named tensors as text: what a tensor snapshot holds.
+//! Named tensors as text: the content of a tensor snapshot.
 //!
-//! `# name [shape]`, then the values, a line for each row of the last axis, with seven significant digits: more than
-//! any tolerance looks at, and readable in a diff.  `exact` behind the shape holds the values to equality.
+//! `# name [shape]`, then the values: one line per row of the last axis, with seven significant digits. That is more than any
+//! tolerance needs, and readable in a diff. With `exact` after the shape, the values must be equal.
 
 use std::fmt::{self, Write};
 

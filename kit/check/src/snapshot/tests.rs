@@ -1,4 +1,4 @@
-//! The machinery itself: wrong records must be refused, say where, and leave a picture.
+//! Wrong records must be refused, with a message that says where, and a picture.
 
 use std::sync::{Arc, Mutex};
 

@@ -1,5 +1,5 @@
-//! Numbers that a dispatch reads as its parameters and the device alone knows: a kernel writes them into the uniform
-//! buffer, after the dispatches that count and before those that read.
+//! Parameters that only the device knows: `count_fill` writes them into the uniform buffer, after the dispatches that count and
+//! before those that read.
 
 use std::sync::{Arc, LazyLock};
 

@@ -130,7 +130,7 @@ impl Gpu {
         }
     }
 
-    /// Waits for everything queued and copies bytes of each buffer, from a place on.
+    /// Waits for everything queued and copies bytes of each buffer, from an offset on.
     pub fn read(&self, ranges: &mut [(&wgpu::Buffer, u64, &mut [u8])]) -> Result<()> {
         self.waits.fetch_add(1, Ordering::Relaxed);
         let size = ranges.iter().map(|(_, _, target)| target.len() as u64).sum();

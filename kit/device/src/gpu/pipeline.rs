@@ -1,4 +1,4 @@
-//! Compute pipelines, made when a kernel is first dispatched.
+//! Compute pipelines, created when a kernel is dispatched for the first time.
 
 use std::borrow::Cow;
 use std::collections::HashMap;

@@ -20,7 +20,7 @@ pub const SLOTS: u64 = 2048;
 /// Parameters of a dispatch that the device fills in.
 #[derive(Clone, Copy, Debug)]
 pub struct Counted<'a> {
-    /// By their place in the uniform buffer.
+    /// By their offset in the uniform buffer.
     pub counts: &'a [(usize, &'a Count)],
     /// Of `count_fill`.
     pub fill: &'a Arc<Pipeline>,

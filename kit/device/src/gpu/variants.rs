@@ -1,4 +1,4 @@
-//! Which of a kernel's entry points a GPU runs.
+//! Chooses the entry point of a kernel that a GPU runs: the plain one or the variant.
 
 use organza_kernel::kernel::{EntryPoint, KernelInfo};
 

@@ -3,7 +3,7 @@
 /// One instruction of a module.
 #[derive(Clone, Copy, Debug)]
 pub struct Instruction<'a> {
-    /// RunningInvocation of its first word in the module.
+    /// Index of its first word in the module.
     pub at: usize,
     /// Its number in the specification.
     pub opcode: u32,

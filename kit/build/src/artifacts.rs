@@ -26,7 +26,7 @@ impl Artifacts {
         files.map(|(name, contents)| (name.as_str(), contents.as_slice()))
     }
 
-    /// Brings a folder up to date and tells how many files that changed. The manifest comes last:
+    /// Updates a folder, and returns how many files changed. The manifest comes last:
     /// when this is interrupted, the manifest's hashes give the mixture away.
     pub fn write(&self, folder: &Path) -> Result<usize> {
         fs::create_dir_all(folder)?;
@@ -101,8 +101,8 @@ fn stale(artifacts: &Artifacts, folder: &Path) -> Result<Vec<String>> {
     Ok(stale)
 }
 
-/// Writes a file beside its place and moves it there, so that nobody reads half a file. Leaves a
-/// file alone that is right already: the host crate is not compiled again for its sake.
+/// Writes a temporary file and renames it, so that no reader sees half a file. Does not touch a file that is right already,
+/// so the host crate is not compiled again because of it.
 fn replace(path: &Path, contents: &[u8]) -> Result<bool> {
     if fs::read(path).is_ok_and(|found| found == contents) {
         return Ok(false);

@@ -83,7 +83,7 @@ pub fn build(
 }
 
 fn entry(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> Result<KernelEntry> {
-    // Modules and manifest are to be the same wherever the workspace lies.
+    // Modules and manifest must not depend on where the workspace is.
     let file = kernel.file.replace('\\', "/");
     ensure!(
         Path::new(&file).is_relative(),

@@ -1,4 +1,4 @@
-//! Where the SPIR-V compiler comes from: a rustc, and Rust-GPU's backend for exactly that rustc.
+//! Finds the SPIR-V compiler: a rustc, and Rust-GPU's backend for exactly that rustc.
 
 use std::env;
 use std::ffi::OsString;
@@ -22,8 +22,8 @@ const PINNED: &str = "pinned";
 /// What to do when no compiler can be had.
 const ADVICE: &str = "docs/rebuilding-kernels.md tells how to get the compiler";
 
-/// Variables that would change what the compiler is told, besides all `CARGO_PROFILE_*`. The modules
-/// are to depend on the sources and the compiler alone.
+/// Variables that would change the compiler's options, besides all `CARGO_PROFILE_*`. The modules must depend only on the
+/// sources and the compiler.
 const UNWANTED: [&str; 7] = [
     "CARGO_BUILD_RUSTC",
     "CARGO_BUILD_RUSTC_WRAPPER",
@@ -44,7 +44,7 @@ const PROFILE: [(&str, &str); 3] = [
 
 /// A rustc with Rust-GPU's backend.
 pub struct Compiler {
-    /// How cargo is told to use this rustc; without a toolchain, by the search path.
+    /// The argument that makes cargo use this rustc; without a toolchain, the search path does.
     origin: Origin,
     backend: PathBuf,
     /// The version of the rustc.

@@ -7,7 +7,7 @@ use organza_kernel::{EntryPoint, KernelInfo};
 use rspirv::dr::{self, Instruction, Module, Operand};
 use rspirv::spirv::{Decoration, ExecutionMode, ExecutionModel, Op, StorageClass, Word};
 
-/// Checks that a module holds that entry point of the kernel alone, with its workgroup size, and no
+/// Checks that a module has only that entry point of the kernel, with its workgroup size, and no
 /// buffers besides the kernel's bindings.
 pub fn check(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> Result<()> {
     ensure!(spirv.len().is_multiple_of(4), "the module is no sequence of words");

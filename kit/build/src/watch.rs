@@ -42,7 +42,7 @@ fn compile(project: &Project, validate: bool) -> Result<()> {
     if validate {
         cargo.arg("--validate");
     }
-    // A failed build has told its reason: wait for the next change.
+    // A failed build has printed its reason: wait for the next change.
     cargo.status().context("cannot run cargo")?;
     Ok(())
 }

@@ -5,7 +5,7 @@ use super::measure::{Bound, Measure, Output};
 use super::runner::KernelRunner;
 use organza_device::{Device, Result};
 
-/// One kernel's inputs, of which there are many sets.
+/// One set of a kernel's inputs, with everything that tests need to know about the kernel.
 pub trait Parity: Sized + 'static {
     /// The kernel.
     const KERNEL: &'static str;

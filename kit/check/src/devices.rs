@@ -12,7 +12,7 @@ const GPUS: [(&str, SpirvPath); 2] =
 
 /// Every way to run a kernel: `cpu`, and `gpu` passed through and through naga where there is one.
 ///
-/// Without a GPU the tests run on the CPU alone, and say so; `ORGANZA_REQUIRE_GPU=1` makes that a failure.
+/// Without a GPU the tests run only on the CPU, and say so; `ORGANZA_REQUIRE_GPU=1` makes that a failure.
 ///
 /// # Panics
 /// Where a GPU is required and there is none, or one is there and cannot be used.

@@ -52,7 +52,7 @@ fn add<P: Parity>(measure: &mut Measure, name: &str, set: &P, output: &Output, r
     *share = [share[0] + compared, share[1] + written];
 }
 
-/// Whether a kernel has left an element alone; an output that adds two rows has two canaries.
+/// Whether a kernel has not written an element; an output that adds two rows has two canaries.
 fn is_canary(found: f64, is_float: bool) -> bool {
     let [float, integer] = [f64::from(f32::CANARY), f64::from(u32::CANARY)];
     if is_float { found == float || found == 2.0 * float } else { found == integer }

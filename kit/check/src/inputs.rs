@@ -56,7 +56,7 @@ pub enum Fill {
     Denormal,
     /// The largest numbers that the kernel takes, of both signs.
     Huge,
-    /// All of these beside each other.
+    /// All of these, mixed.
     Mixed,
 }
 

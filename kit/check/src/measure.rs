@@ -1,4 +1,4 @@
-//! How far a device's outputs are from the CPU's.
+//! Measures how far a device's outputs are from the CPU's.
 
 use std::collections::BTreeMap;
 
@@ -91,7 +91,7 @@ pub struct Worst {
 /// The largest differences of a kernel on a device.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Measure {
-    /// Largest absolute difference, where the scale is below 1e9: beside 1e30 it says nothing.
+    /// Largest absolute difference, if the scale is below 1e9: next to 1e30 it means nothing.
     pub absolute: Worst,
     /// Largest difference relative to the CPU's value; flushed denormals do not count, and what a cancellation has
     /// left (less than a thousandth of the scale) does not.

@@ -41,7 +41,7 @@ pub struct Row {
 }
 
 impl Report {
-    /// Runs cases on a GPU, beside the CPU; `done` hears of each kernel.
+    /// Runs cases on a GPU and on the CPU; calls `done` after each kernel.
     ///
     /// # Errors
     /// What a device runs into.
@@ -69,7 +69,7 @@ impl Report {
         Ok(Self { adapter, driver, path: path.as_str(), left_out, kernels })
     }
 
-    /// Runs cases on one thread of the CPU, beside all of them.
+    /// Runs cases on one thread of the CPU, and on all of them.
     ///
     /// # Errors
     /// What a device runs into.

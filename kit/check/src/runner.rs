@@ -16,7 +16,7 @@ pub struct KernelRunner<'d> {
     kernel: &'static str,
 }
 
-/// What fills an output before the kernel runs: what it leaves alone must stay.
+/// Fills an output before the kernel runs: elements that the kernel should not write must keep this value.
 pub trait Canary: Pod + PartialEq {
     /// A value that no kernel computes.
     const CANARY: Self;
@@ -49,7 +49,7 @@ impl<'d> KernelRunner<'d> {
         self.device.upload("parity input", values)
     }
 
-    /// A buffer of `len` elements to write to, and canaries behind them.
+    /// A buffer of `len` elements to write to, and canaries after them.
     ///
     /// # Errors
     /// As [`Device::upload`].
@@ -57,7 +57,7 @@ impl<'d> KernelRunner<'d> {
         self.output_of(&vec![T::CANARY; len])
     }
 
-    /// A buffer that holds `values`, is written to, and has canaries behind them.
+    /// A buffer of `values` that the kernel writes to, and canaries after them.
     ///
     /// # Errors
     /// As [`Device::upload`].
@@ -68,7 +68,7 @@ impl<'d> KernelRunner<'d> {
     /// What an output holds, canaries included.
     ///
     /// # Errors
-    /// As [`Device::read`], and where the kernel has written behind the output.
+    /// As [`Device::read`], or if the kernel has written after the output.
     pub fn read<T: Canary>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
         let values = self.device.read(buffer)?;
         if values[values.len() - TAIL..].iter().any(|value| *value != T::CANARY) {

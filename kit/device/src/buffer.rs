@@ -30,7 +30,7 @@ pub struct RawBuffer {
     pub(super) bytes: u64,
 }
 
-/// What a GPU's buffer may begin at: a multiple of so many bytes of its memory.
+/// Alignment of a buffer within a GPU's memory, in bytes.
 pub const TAIL_ALIGNMENT: usize = 256;
 
 #[derive(Clone, Debug)]

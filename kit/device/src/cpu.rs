@@ -86,7 +86,7 @@ impl Cpu {
             return Ok(memory);
         }
         let what = format!("the buffer `{label}`");
-        // what lies unused counts as well
+        // unused memory counts too
         memory::check(bytes, &what).or_else(|_| {
             self.pool_memory.clear();
             memory::check(bytes, &what)
@@ -183,7 +183,7 @@ impl Cpu {
         self.pool.install(run_all).map_err(failed)
     }
 
-    /// Runs `work` for every item, on all threads at once; what an item dispatches runs on its thread alone.
+    /// Runs `work` for every item, on all threads at once. The dispatches of an item run on its thread.
     pub fn parallel_for<T: Send, E: Send>(
         &self,
         items: Vec<T>,

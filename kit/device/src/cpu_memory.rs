@@ -24,7 +24,7 @@ impl MemoryPool {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Memory of at least so many bytes, if there is some: all zeros.
+    /// Memory of at least this many bytes, all zeros, if the pool has some.
     pub fn take(&self, bytes: u64) -> Option<CpuMemory> {
         let layout = layout(bytes)?;
         let block = {
@@ -32,12 +32,12 @@ impl MemoryPool {
             let place = blocks.iter().rposition(|block| block.layout == layout)?;
             blocks.remove(place)?
         };
-        // SAFETY: that many bytes are the block's, and nobody else has it
+        // SAFETY: the block has that many bytes, and no other owner
         unsafe { block.data.as_ptr().write_bytes(0, bytes as usize) };
         Some(CpuMemory { block: Some(block), pool_memory: self.clone() })
     }
 
-    /// New memory of at least so many bytes, all zeros; none where the system has none.
+    /// New memory of at least this many bytes, all zeros; `None` if the system has none.
     pub fn allocate(&self, bytes: u64) -> Option<CpuMemory> {
         let layout = layout(bytes)?;
         // SAFETY: the size is not zero

@@ -183,7 +183,7 @@ impl Device {
         matches!(self.kind, Kind::Gpu(_)) && !self.times.load(Ordering::Relaxed)
     }
 
-    /// Runs `work`, which dispatches many kernels, where that is cheapest: on a CPU in one of the threads that run them.
+    /// Runs `work`, which dispatches many kernels. On a CPU it runs in the thread pool of the kernels, which is cheaper.
     pub fn run_in_pool<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
         match &self.kind {
             Kind::Cpu(cpu) => cpu.run_in_pool(work),
@@ -191,8 +191,8 @@ impl Device {
         }
     }
 
-    /// Does `work` for every item.  On a CPU as many items as there are threads at once, each on its thread alone, so that
-    /// what it computes stays in that core's caches: items must not write to the same memory.
+    /// Does `work` for every item. On a CPU it takes one item per thread at a time, so that the data of an item stays in its
+    /// core's caches. Items must not write to the same memory.
     ///
     /// # Errors
     /// What `work` runs into first.
@@ -207,7 +207,7 @@ impl Device {
         }
     }
 
-    /// As [`Device::parallel_for`], with scratch memory of `scratches`, of which `new` makes more.
+    /// As [`Device::parallel_for`], with scratch memory from `scratches`; `new` makes more of it.
     ///
     /// # Errors
     /// What `new` or `work` runs into first.
@@ -236,7 +236,7 @@ impl Device {
         }
     }
 
-    /// Workgroups along x and y for so many items.
+    /// Workgroups along x and y for this many items.
     fn workgroups_for(&self, info: &KernelInfo, items: u32) -> [u32; 2] {
         match self.kind {
             Kind::Cpu(_) => workgroups_for(info, items),

@@ -53,7 +53,7 @@ impl CompiledKernel {
         self.entry
     }
 
-    /// The module as it lies in the file.
+    /// The bytes of the module's file.
     #[must_use]
     pub fn spirv(&self) -> &'static [u8] {
         self.spirv

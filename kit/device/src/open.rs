@@ -22,7 +22,7 @@ pub enum BackendChoice {
 /// How SPIR-V reaches the driver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SpirvPath {
-    /// As it is: Vulkan alone.
+    /// Unchanged: only on Vulkan.
     Passthrough,
     /// Read and written again by naga: everywhere.
     Naga,

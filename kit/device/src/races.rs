@@ -41,7 +41,7 @@ impl WorkgroupMemory {
         u64::from(self.barriers.load(Ordering::Relaxed)) << 32 | u64::from(invocation)
     }
 
-    /// Who left a stamp, where that was another one and no barrier lies between.
+    /// The invocation that left a stamp, if it was another one and there was no barrier in between.
     fn other(&self, stamp: u64, own: u64) -> Option<UVec3> {
         let conflict = stamp != 0 && stamp != own && stamp >> 32 == own >> 32;
         conflict.then(|| unlinear(u64::from(stamp as u32 - 1), self.size))

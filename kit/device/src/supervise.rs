@@ -28,7 +28,7 @@ pub fn install() {
     });
 }
 
-/// Runs workgroups, each of which says where it [begins](running::begin).
+/// Runs workgroups; each of them calls [`running::begin`].
 pub fn supervise(workgroups: impl FnOnce() -> Result<(), String>) -> Result<(), String> {
     let result = panic::catch_unwind(AssertUnwindSafe(workgroups));
     let result = result.unwrap_or_else(|payload| Err(describe(payload.as_ref())));

@@ -50,7 +50,7 @@ impl Timings {
         self.sums().entry(kernel).or_default().time += time;
     }
 
-    /// All sums, which begin anew.
+    /// Returns all sums, and starts again at 0.
     pub fn take(&self) -> Vec<KernelTime> {
         let sums = std::mem::take(&mut *self.sums());
         let time = |(kernel, Sums { dispatches, time, work }): (&'static str, Sums)| KernelTime {

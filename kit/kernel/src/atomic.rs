@@ -31,7 +31,7 @@ pub fn add(buffer: Write<u32>, index: u32, value: u32) {
     }
     #[cfg(not(target_arch = "spirv"))]
     {
-        // SAFETY: the address is in range and aligned, and kernels touch a counter through atomics alone
+        // SAFETY: the address is in range and aligned, and kernels touch a counter only through atomics
         unsafe { AtomicU32::from_ptr(buffer.address(index, Touch::Atomic)) }
             .fetch_add(value, Ordering::Relaxed);
     }
@@ -86,7 +86,7 @@ pub fn add_wide_lanes<const N: usize>(buffer: Write<u32>, index: [u32; N], value
     let first = buffer.wide_addresses(index, Touch::Layer);
     let mut i = 0;
     while i < N {
-        // SAFETY: the address is in range and aligned, and kernels touch such sums through atomics alone
+        // SAFETY: the address is in range and aligned, and kernels touch such sums only through atomics
         let at = unsafe { AtomicU64::from_ptr(first.add(index[i] as usize)) };
         let sum = |words: u64| words.wrapping_add(value[i] as u64);
         let before = at.load(Ordering::Relaxed);
@@ -99,7 +99,7 @@ pub fn add_wide_lanes<const N: usize>(buffer: Write<u32>, index: [u32; N], value
     }
 }
 
-/// As [`add_wide_lanes`] for two integers each, the second one behind the first.
+/// As [`add_wide_lanes`] for two integers each, the second one after the first.
 #[cfg(not(target_arch = "spirv"))]
 #[inline(always)]
 #[track_caller]
@@ -136,7 +136,7 @@ pub fn flag_lanes<const N: usize>(flags: Write<u32>, mask: [bool; N], index: [u3
     let mut i = 0;
     while i < N {
         if all || mask[i] {
-            // SAFETY: the address is in range and aligned, and kernels touch flags through atomics alone
+            // SAFETY: the address is in range and aligned, and kernels touch flags only through atomics
             unsafe { AtomicU32::from_ptr(first.add(index[i] as usize)) }
                 .store(1, Ordering::Relaxed);
         }

@@ -12,7 +12,7 @@ pub use device::HalfVector;
 #[cfg(not(target_arch = "spirv"))]
 pub use host::{HalfVector, Rounded, round_to_half};
 
-/// The value of a half, of its 16 bits; one below 2^-14, of which drivers make zero, must not be there.
+/// The value of a half, from its 16 bits. It must be 0 or at least 2^-14: drivers flush smaller ones to zero.
 #[inline(always)]
 pub fn half_value(bits: u32) -> f32 {
     // the exponent moves to where a float has it, short of the biases' difference
@@ -45,7 +45,7 @@ mod device {
     use super::Halves;
     use crate::lane_vec4::LaneVec4;
 
-    /// Four halves: a vector, of which hardware that can computes two at once.
+    /// Four halves: a vector. Some hardware computes two of them at once.
     #[derive(Clone, Copy)]
     #[rust_gpu::vector::v1]
     #[repr(C)]
@@ -73,7 +73,7 @@ mod device {
         fn add_product(self, weights: HalfVector, x: f16) -> Self {
             let mut sum = self;
             // Rust has no operators for vectors of halves, and one by one it is for the driver to find the vectors
-            // again; an operand can be no `f16`, so all are pointers, of which nothing is left in the module
+            // again; an operand can be no `f16`, so all are pointers, which the optimizer removes
             // SAFETY: reads and writes the variables that it is given
             unsafe {
                 asm!(

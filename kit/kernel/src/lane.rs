@@ -89,13 +89,13 @@ pub trait Lane:
     /// Adds the values to the [fixed-point](crate::fixed) sums at `at`, where the mask holds: see
     /// [`atomic::add_wide`].
     fn add_fixed(self, mask: Self::Mask, sum: Write<u32>, at: Self::Index);
-    /// As [`Lane::add_fixed`] for two values each, the second one behind the first.
+    /// As [`Lane::add_fixed`] for two values each, the second one after the first.
     fn add_fixed_two(values: [Self; 2], mask: Self::Mask, sum: Write<u32>, at: Self::Index);
     /// Says that the fixed-point sums at `at` are about to be added to.
     fn expect_fixed(sum: Write<u32>, at: Self::Index);
     /// Consecutive fixed-point sums from `first` on; leaves zeros.
     fn take_fixed(sum: Write<u32>, first: u32) -> Self;
-    /// Raises the flags of the blocks of `block` elements that the elements `at` lie in, where the mask holds.
+    /// Sets the flags of the blocks of `block` elements that the elements `at` belong to, if the mask is set.
     fn flag(mask: Self::Mask, flags: Write<u32>, at: Self::Index, block: u32);
 }
 

@@ -13,7 +13,7 @@ use crate::lane::Lane;
 /// Largest finite `f32`: stands for infinity, which naga does not accept as a literal.
 pub const HUGE: f32 = 3.402_823_5e38;
 
-/// Smallest normal `f32`: what lies below may be flushed to zero by a GPU.
+/// Smallest normal `f32`: a GPU can flush smaller numbers to zero.
 pub const TINY: f32 = 1.175_494_4e-38;
 
 macro_rules! elementary {

@@ -139,7 +139,7 @@ mod host {
 
     impl<'a, T: Copy> Read<'a, T> {
         /// # Safety
-        /// `data` points to `len` values that no one writes while the view is in use.
+        /// `data` points to `len` values that nothing writes while the view is in use.
         pub const unsafe fn from_raw(data: *const T, len: usize) -> Self {
             Self { data, len, name: UNNAMED, lifetime: PhantomData }
         }
@@ -251,7 +251,7 @@ mod host {
             unsafe { *self.addresses::<N>(first, Touch::Write) = values }
         }
 
-        /// Where `N` values from `first` on lie; panics out of range.
+        /// The address of `N` values from `first` on; panics out of range.
         #[inline(always)]
         #[track_caller]
         fn addresses<const N: usize>(&self, first: u32, touch: Touch) -> *mut [T; N] {
@@ -265,7 +265,7 @@ mod host {
             unsafe { self.data.add(first as usize).cast() }
         }
 
-        /// Where the value at `index` lies; panics out of range.
+        /// The address of the value at `index`; panics out of range.
         #[inline(always)]
         #[track_caller]
         pub(crate) fn address(&self, index: u32, touch: Touch) -> *mut T {
@@ -298,7 +298,7 @@ mod host {
     }
 
     impl Write<'_, u32> {
-        /// Where the first element lies, after a check of all `index`; panics out of range.
+        /// The address of the first element, after a check of all `index`; panics out of range.
         #[inline(always)]
         #[track_caller]
         pub(crate) fn addresses_of<const N: usize>(
@@ -392,7 +392,7 @@ mod host {
 
     impl<'a, T: Copy> From<&'a mut [T]> for Write<'a, T> {
         fn from(slice: &'a mut [T]) -> Self {
-            // SAFETY: a slice that is the view's alone as long as it lives
+            // SAFETY: only the view has this slice, as long as it exists
             unsafe { Self::from_raw(slice.as_mut_ptr(), slice.len()) }
         }
     }

@@ -82,7 +82,7 @@ pub struct KernelEntry {
     pub name: String,
     /// The Rust source that declares it, relative to the workspace.
     pub file: String,
-    /// The module's file name, beside the manifest.
+    /// The module's file name, in the manifest's folder.
     pub spirv: String,
     /// The module's length.
     pub spirv_bytes: u64,

@@ -41,7 +41,7 @@ pub struct AdapterInfo {
     pub passes_through: bool,
 }
 
-/// Every GPU that the system offers, the most capable first; of those of one name the first alone.
+/// Every GPU that the system offers, the most capable first. If several have the same name, only the first of them.
 #[must_use]
 pub fn adapters() -> Vec<AdapterInfo> {
     let mut adapters = enumerate();

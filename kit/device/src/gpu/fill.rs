@@ -49,7 +49,7 @@ impl Fills {
         }
     }
 
-    /// A command buffer that fills in all of them; none where there are none.
+    /// A command buffer that fills in all of them; `None` if there is nothing to fill in.
     pub fn take(
         &mut self,
         device: &wgpu::Device,

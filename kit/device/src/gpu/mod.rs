@@ -274,7 +274,7 @@ impl Gpu {
         let failures = || self.failures.lock().unwrap_or_else(PoisonError::into_inner);
         let first = failures().first.take();
         if first.is_some() {
-            // what is made on a lost device is invalid, and using it is what gets reported: polling tells of the loss
+            // what is made on a lost device is invalid, and using it is what gets reported: polling reports the loss
             let _ = self.device.poll(wgpu::PollType::Poll);
         }
         match (&failures().lost, first) {

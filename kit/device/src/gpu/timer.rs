@@ -7,7 +7,7 @@ use super::recorder::SLOTS;
 /// Bytes of a timestamp.
 const STAMP: u64 = size_of::<u64>() as u64;
 
-/// Timestamps of one command buffer, and those of submitted ones that nobody has read.
+/// Timestamps of one command buffer, and of submitted ones that have not been read.
 #[derive(Debug)]
 pub struct Timer {
     /// Begin and end of each dispatch.
@@ -46,7 +46,7 @@ impl Timer {
         })
     }
 
-    /// Whether nothing was timed that nobody has read.
+    /// Whether all timestamps have been read.
     pub fn is_empty(&self) -> bool {
         self.kernels.is_empty() && self.submitted.is_empty()
     }

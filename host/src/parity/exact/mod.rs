@@ -1,7 +1,8 @@
-//! The equations in f64, a file for each stage: what [`Parity::exact`](super::Parity::exact) is made of.
+//! The equations in f64, one file per stage. [`Parity::exact`](organza_check::Parity::exact) of each case calls them, and so do the
+//! tests of whole scenes.
 //!
-//! They are written from docs/pipeline.md and docs/conventions.md, over plain numbers, and share no code with the
-//! kernels: no constant either.  The tests of whole scenes call them too.
+//! They are written from docs/pipeline.md and docs/conventions.md, over plain numbers. They share no code and no constant with
+//! the kernels.
 
 pub mod adam;
 pub mod color;

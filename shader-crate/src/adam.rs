@@ -11,7 +11,7 @@ pub struct AdamParams {
     pub values: u32,
     /// Where the group begins in `gradient`.
     pub first_gradient: u32,
-    /// 1 where a block without a flag is left alone, 0 where `touched` is one flag for the whole group.
+    /// 1 if blocks without a flag are skipped; 0 if `touched` is one flag for the whole group.
     pub sparse: u32,
     /// `alpha / (1 - beta1^t)`, the corrected rate.
     pub rate: f32,

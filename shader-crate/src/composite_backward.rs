@@ -57,7 +57,7 @@ impl Span {
     }
 }
 
-/// What a member's pixels add up to.
+/// The sums over a member's pixels.
 ///
 /// With h = falloff dL/dalpha, sums of h, of `h d` and of `h d d^T` for the distances d of pixels from the center.
 #[derive(Clone, Copy)]

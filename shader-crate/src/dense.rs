@@ -2,7 +2,7 @@
 //!
 //! A network's parameters are one buffer of `Vec4`: for each layer the weights, input by input (the transpose of
 //! the file's `[out, in]`), then the biases.  Outputs are padded with zeros to full columns of four, hidden
-//! layers to [`OUTPUTS_PER_INVOCATION`], so that no invocation asks where a row ends.
+//! layers to [`OUTPUTS_PER_INVOCATION`], so no invocation checks where a row ends.
 
 use glam::Vec4;
 

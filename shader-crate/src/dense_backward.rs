@@ -36,7 +36,7 @@ pub struct DenseBackwardParams {
     pub first_input: u32,
     /// The last one, and one: with `rectified`, the padding of the layer below, too.
     pub end_input: u32,
-    /// 1 where the inputs are a hidden layer's outputs: the gradient is then of what they were before the activation.
+    /// 1 if the inputs are a hidden layer's outputs: the gradient is then that of their values before the activation.
     pub rectified: u32,
 }
 
@@ -173,7 +173,7 @@ fn write_gradient<S: Samples>(
     }
 }
 
-/// Derivative of the layer below's max(x, 0), where there is one: an output of 0 passes nothing on.
+/// Derivative of max(x, 0) of the layer below, if there is one: an output of 0 has no gradient.
 #[inline(always)]
 fn masked<S: Samples>(params: &DenseBackwardParams, input: Read<f32>, value: S, at: u32) -> S {
     if params.rectified != 0 { value.where_positive(S::read(input, at)) } else { value }

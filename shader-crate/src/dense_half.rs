@@ -78,7 +78,7 @@ fn dense_half_work(params: &DenseParams, shape: Shape<'_>) -> Work {
 
 /// A hidden layer: `output = max(W input + b, 0)`, samples along x and y, blocks of 16 outputs along z.
 ///
-/// `parameters` as in [`dense`](crate::dense), of which the biases are read; `weights` likewise, of halves.
+/// `parameters` as in [`dense`](crate::dense), but only the biases are read; `weights` likewise, as halves.
 /// `input [inputs, stride]`, `output [4 columns, stride]`.
 #[kernel(threads(64), iterations = MAX_INPUTS / PRODUCTS_PER_SUM + MAX_INPUTS, fused, z_innermost, lanes(samples), counts(samples), work(dense_half_work))]
 pub fn dense_half<L: Lane>(

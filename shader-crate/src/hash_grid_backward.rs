@@ -116,7 +116,7 @@ fn size<L: Lane>(x: L) -> L {
     x.max(-x)
 }
 
-/// A gradient in units of the sums: 0 where a GPU may flush it.
+/// A gradient in units of the sums; 0 if a GPU can flush it.
 #[inline(always)]
 fn scaled<L: Lane>(gradient: L, unit: L) -> L {
     L::select(L::splat(TINY).at_most(size(gradient)), gradient * unit, L::splat(0.0))

@@ -175,7 +175,7 @@ pub fn hash_grid_scale(
     }
 }
 
-/// e of a number `m 2^e` with m in [1, 2), by its bits; what lies below 2^-126 is taken for more than it is.
+/// e of a number `m 2^e` with m in [1, 2), by its bits; a number below 2^-126 counts as larger than it is.
 #[inline(always)]
 fn exponent(bits: u32) -> i32 {
     (bits >> 23) as i32 - 127

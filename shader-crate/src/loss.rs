@@ -102,7 +102,7 @@ pub struct LossGradientParams {
     pub ssim_scale: f32,
 }
 
-/// -1, 0 or 1: the derivative of |x|, 0 at 0 and at what a GPU may flush to it.
+/// -1, 0 or 1: the derivative of |x|. It is 0 at 0, and at numbers that a GPU can flush to 0.
 #[inline(always)]
 pub fn sign(x: f32) -> f32 {
     if x >= TINY {

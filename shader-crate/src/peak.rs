@@ -23,7 +23,7 @@ pub struct PeakMultiplyAddParams {
     pub count: u32,
     /// Steps of each.
     pub steps: u32,
-    /// What a sum is multiplied by, below 1 in size: nothing grows.
+    /// The factor of a sum: its size is below 1, so nothing grows.
     pub factor: f32,
     /// What is added to it.
     pub addend: f32,
@@ -59,10 +59,10 @@ fn start<L: Lane>(base: L, first: Vec4) -> LaneVec4<L> {
     }
 }
 
-/// What the first of twelve sums begin with; the others add 4 and 8.
+/// Start values of the first of twelve sums; the others add 4 and 8.
 pub const FIRST_SUMS: Vec4 = Vec4::new(0.0, 1.0, 2.0, 3.0);
 
-/// What the number of an invocation is multiplied by in its sums' beginnings.
+/// Factor of the invocation's number in the start values of its sums.
 pub const INVOCATION_SHARE: f32 = 1.0 / 4_194_304.0;
 
 /// What [`peak_multiply_add`] computes and moves.

@@ -44,7 +44,7 @@ pub fn rotation_columns(q: Vec4) -> [Vec3; 3] {
     ]
 }
 
-/// What a Gaussian's covariance is projected through: `J W R S`, of which cov2d is the Gram matrix but for the blur.
+/// The matrix that projects a Gaussian, `J W R S`: without the blur, cov2d is its product with its transpose.
 #[derive(Clone, Copy, Debug)]
 pub struct Footprint {
     /// Position in the camera's space.

@@ -23,7 +23,7 @@ pub struct ResolveParams {
     pub divide_above: f32,
 }
 
-/// Eq. 13's: a sum is divided by its weight where that passes 1.
+/// Eq. 13: a sum is divided by its weight if that exceeds 1.
 pub const DIVIDE_ABOVE: f32 = 1.0;
 
 /// Three channels of a pixel.
@@ -101,8 +101,8 @@ fn resolve_work(params: &ResolveParams, shape: Shape<'_>) -> Work {
     Work { flops: 11 * pixels, bytes: pixels * (4 + 3) * NUMBER }
 }
 
-/// Writes `image [K, 3, S, S]` (Eq. 13 and 16), of `sum [tiles, 4, S, S]`: the sum divided by its weight where that
-/// passes 1, over the background where it does not.
+/// Writes `image [K, 3, S, S]` (Eq. 13 and 16) from `sum [tiles, 4, S, S]`: the sum divided by its weight if that exceeds 1,
+/// and over the background otherwise.
 ///
 /// The tile of the batch that is its `output`-th begins at `output * 3 S S`.
 #[kernel(threads(16, 4), lanes(side), work(resolve_work))]

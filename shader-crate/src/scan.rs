@@ -72,7 +72,7 @@ pub fn scan_block(
     }
 }
 
-/// Adds to every prefix what lies before its block: `block_prefix` is the scan of the blocks' sums.
+/// Adds to every prefix the sum of the blocks before it: `block_prefix` is the scan of the blocks' sums.
 #[kernel(threads(64))]
 pub fn scan_add(id: Invocation, params: &ScanParams, block_prefix: Read<u32>, prefix: Write<u32>) {
     let index = id.index();

@@ -49,7 +49,7 @@ fn max(a: Split, b: Split) -> Split {
 
 /// Eq. 4 for one axis: where the ray lies between the planes 0 and 1, limited to [0, 1] as in Eq. 6.
 ///
-/// An axis with v = 0 does not limit t where p lies between them and empties the ray where it does not.
+/// An axis with v = 0 does not limit t if p is between them; otherwise the ray is empty.
 #[inline(always)]
 fn clip_axis(p: Split, v: Split) -> (Split, Split) {
     let (zero, one) = (Split::whole(0.0), Split::whole(1.0));

@@ -4,7 +4,7 @@
 //! photograph y.  The weights are renormalized over the valid pixels of the tile in the window: with the mask m,
 //! `mean(v)_p = sum_i w_pi m_i v_i / W_p` and `W_p = sum_i w_pi m_i`.  Both sums are separable: rows, then columns.
 //!
-//! What is summed is `d = x - y` and `s = (x - 1/2) + (y - 1/2)`, of which the similarity is a function, too:
+//! The sums are over `d = x - y` and `s = (x - 1/2) + (y - 1/2)`. The similarity is a function of these too:
 //!
 //! ```text
 //! 1 - SSIM = A + B - A B
@@ -160,7 +160,7 @@ impl Similarity {
 
 /// Completes the windows along columns: pixels along x and y, tiles along z.
 ///
-/// `difference [K, S, S]`, of which only the mask is read; `moments [K, S, S, 4]` of [`ssim_rows`].  Writes
+/// `difference [K, S, S]`: only its mask is read; `moments [K, S, S, 4]` of [`ssim_rows`].  Writes
 /// `dissimilarity [K, S, S]`, the sum of `1 - SSIM` over the three channels, and `slopes [K, S, S, 3]`, the rest of
 /// [`Similarity`]; both are 0 at masked pixels, whose windows do not count.
 #[kernel(threads(8, 8), iterations = WINDOW)]

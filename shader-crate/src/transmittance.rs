@@ -42,7 +42,7 @@ pub fn owner(first_sample: Read<u32>, pairs: u32, sample: u32) -> u32 {
     owner_among(first_sample, 0, pairs, sample)
 }
 
-/// As [`owner`], where it is known to be one of `low .. high`.
+/// As [`owner`], if it is known to be one of `low .. high`.
 #[inline(always)]
 fn owner_among(first_sample: Read<u32>, low: u32, high: u32, sample: u32) -> u32 {
     let (mut low, mut high) = (low, high);
@@ -225,7 +225,7 @@ pub struct SegmentProductParams {
     pub pairs: u32,
 }
 
-/// Eq. 11: `transmittance [pairs]`, the product over a segment's samples; 1 where there are none.
+/// Eq. 11: `transmittance [pairs]`, the product over a segment's samples; 1 without samples.
 #[kernel(threads(64), iterations = MAX_SAMPLES, counts(pairs))]
 pub fn segment_product(
     id: Invocation,

@@ -27,7 +27,7 @@ pub struct Split<L = f32> {
 }
 
 impl<L: Lane> Split<L> {
-    /// The parts of `main + rest`, of which `main` has few bits and `rest` is small.
+    /// The parts of `main + rest`, if `main` has few bits and `rest` is small.
     #[inline(always)]
     pub fn new(main: L, rest: L) -> Self {
         let parts = ((main + rest) * L::splat(PARTS)).truncate();

@@ -1,4 +1,4 @@
-//! From what a batch's pixels are worth to the gradient of every tensor: the stages of [`Part`] in reverse.
+//! From the gradient of a batch's pixels to that of every tensor: the stages of [`Part`] in reverse.
 
 use std::sync::atomic::Ordering;
 
@@ -72,7 +72,7 @@ impl Renderer {
     ///
     /// # Errors
     /// As [`Renderer::render`]; [`Error::Argument`] where `grad_output` has another number of values;
-    /// [`Error::Diverged`] where a gradient is not finite.
+    /// [`Error::Diverged`] if a gradient is not finite.
     pub fn gradient(
         &self,
         scene: &DeviceScene,

@@ -18,7 +18,7 @@ const GROUP: u32 = 1 << 14;
 const CPU_CHUNK: u32 = 1 << 11;
 /// Samples of a chunk on a GPU: enough to fill it.
 const GPU_CHUNK: u32 = 1 << 16;
-/// What the blocks of a field may take that are kept for the way back, in bytes; others are computed again.
+/// Memory for the blocks of a field that are kept for the gradients, in bytes; other blocks are computed again.
 const KEPT_BYTES: u64 = 256 << 20;
 /// Rows of a point: its position, and one more for the stage.
 pub const ROWS_OF_POINT: u32 = POINT_ROWS + 1;
@@ -67,7 +67,7 @@ impl Layout {
         device.zeros(label, self.first(self.group, rows))
     }
 
-    /// What a chunk has of a buffer `[chunks, rows, stride]`.
+    /// A chunk's part of a buffer `[chunks, rows, stride]`.
     pub fn of_chunk(&self, buffer: &Buffer<f32>, chunk: u32, rows: u32) -> Buffer<f32> {
         buffer.tail(self.first(chunk, rows))
     }

@@ -26,12 +26,12 @@ use organza_device::{Buffer, Device};
 pub struct Color {
     /// `[pairs, 3]`
     pub color: Buffer<f32>,
-    /// Positions, and what the network reads.
+    /// Positions, and the network's input.
     blocks: Blocks,
 }
 
 impl Color {
-    /// `keep` says whether [`Color::backward`] will be called: what it needs is kept, as far as there is capacity.
+    /// `keep` says whether [`Color::backward`] will be called: its inputs are kept then, as far as they fit.
     pub fn evaluate(
         device: &Device,
         scene: &DeviceScene,
@@ -79,7 +79,7 @@ impl Color {
     }
 }
 
-/// What the network reads, for a block of pairs.
+/// The network's input, for a block of pairs.
 fn encode(device: &Device, scene: &DeviceScene, pairs: &Pairs, block: BlockOf<'_>) -> Result<()> {
     device.parallel_for(block.chunks(), |chunk| inputs(device, scene, pairs, &chunk))?;
     scene.color.encode(device, block, scene.config.sh_width() as u32)

@@ -135,7 +135,7 @@ impl Composite {
         Ok(pair_gradient)
     }
 
-    /// What each tile's members have of its pixels, `[members, 3]`: band by band, where a tile is large.
+    /// Gradients of each tile's members, summed over its pixels, `[members, 3]`: in bands of rows if a tile is large.
     fn members_backward(
         &self,
         device: &Device,

@@ -1,4 +1,4 @@
-//! Networks whose hidden layers are computed in half precision.
+//! Networks with hidden layers in 16-bit floats.
 
 use half::f16;
 use organza_kernel::half::HalfVector;

@@ -34,7 +34,7 @@ impl DeviceField {
     /// Of a host's field whose tensors lie on the device; `name` is what their names begin with.
     ///
     /// # Errors
-    /// As [`Device::upload`]; [`Error::Invalid`](crate::Error::Invalid) where a value is too large for a half.
+    /// As [`Device::upload`]; [`Error::Invalid`](crate::Error::Invalid) if a value is too large for a half.
     pub fn new(
         device: &Device,
         name: &str,

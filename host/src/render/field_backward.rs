@@ -57,7 +57,7 @@ impl GroupScratch {
 pub struct ChunkScratch {
     /// Each hidden layer's output: `[rows, stride]` each.
     activation: Vec<Buffer<f32>>,
-    /// Gradient of the network's outputs, which the stage's head writes: `[4, stride]`, and 0 where there is no output.
+    /// Gradient of the network's outputs, which the stage's head writes: `[4, stride]`, and 0 without an output.
     pub logit_gradient: Buffer<f32>,
     /// Gradients of two hidden layers next to each other: `[rows, stride]`.
     hidden_gradient: [Buffer<f32>; 2],
@@ -77,7 +77,7 @@ impl ChunkScratch {
         })
     }
 
-    /// What the last layer of a chunk reads.
+    /// The input of a chunk's last layer.
     pub fn last_hidden<'a>(&'a self, chunk: &'a Chunk) -> &'a Buffer<f32> {
         self.activation.last().unwrap_or(&chunk.input)
     }

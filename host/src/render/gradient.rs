@@ -1,4 +1,4 @@
-//! Gradients of a scene's tensors, as they lie on a device.
+//! Gradients of a scene's tensors, on a device.
 
 use std::ops::Range;
 

@@ -1,4 +1,4 @@
-//! Numbers as halves.
+//! Numbers as 16-bit floats (halves).
 
 use half::f16;
 use half::slice::HalfFloatSliceExt;

@@ -1,4 +1,4 @@
-//! Hash grids whose entries are packed as two halves.
+//! Hash grids with entries packed as 16-bit floats, two per word.
 
 use half::f16;
 use organza_shaders::hash_grid_half::MAX_HALF;
@@ -10,7 +10,7 @@ use crate::error::{Error, IN_MEMORY, Result};
 /// `[entries, ceil(features / 2)]`: each value rounded to the nearest half, or to zero below 2^-14.
 ///
 /// # Errors
-/// [`Error::Invalid`] where a value is too large for a half.
+/// [`Error::Invalid`] if a value is too large for a half.
 pub fn pack_halves(table: &[f32], features: usize, name: &str) -> Result<Vec<u32>> {
     if let Some(value) = table.iter().find(|value| value.abs() > MAX_HALF) {
         let reason = format!(

@@ -1,4 +1,4 @@
-//! The loss of rendered tiles and its gradient by their pixels: [`organza_shaders::loss`] has the formula.
+//! The loss of rendered tiles and its gradient with respect to their pixels. [`organza_shaders::loss`] has the formula.
 
 use glam::Vec4;
 use organza_shaders::limits;
@@ -39,7 +39,7 @@ pub struct Loss {
     row_slopes: Buffer<Vec4>,
 }
 
-/// What a batch is compared with, and how.
+/// The images to compare a batch with, and the loss.
 #[derive(Clone, Copy, Debug)]
 pub struct LossInputs<'a> {
     /// x `[K, 3, S, S]`, the rendered tiles.
@@ -57,7 +57,7 @@ pub struct LossInputs<'a> {
 /// What [`Loss::evaluate`] leaves on the device.
 #[derive(Debug)]
 pub struct LossOutput {
-    /// `[K, 3, S, S]`: the derivative of the loss by each value of the image; 0 at masked pixels.
+    /// `[K, 3, S, S]`: the derivative of the loss with respect to each value of the image; 0 at masked pixels.
     pub grad_image: Buffer<f32>,
     /// `[K, S]`: sums of rows, as [`organza_shaders::loss::loss_rows`] writes them.
     row_sum: Buffer<Vec4>,
@@ -90,7 +90,7 @@ impl TileLoss {
     }
 
     /// The loss `((1 - w) absolute + w dissimilarity) / 3n`, for n valid pixels: all of the batch's, and this sum its
-    /// [`TileLoss::total`].  0 where no pixel is valid.
+    /// [`TileLoss::total`].  0 if no pixel is valid.
     #[must_use]
     pub fn value(&self, ssim_weight: f32) -> f64 {
         let [absolute, ssim] = scales(self.valid, ssim_weight);
@@ -255,7 +255,7 @@ impl LossOutput {
         Ok(self.sums_of(&device.read(&self.row_sum)?))
     }
 
-    /// As [`LossOutput::sums`], and what a part has needed: waits once.
+    /// As [`LossOutput::sums`], and the capacity that a part needed. Waits once.
     pub(crate) fn sums_and_needed(
         &self,
         device: &Device,

@@ -1,4 +1,4 @@
-//! What the pairs of a Gaussian share.
+//! Sums over the pairs of a Gaussian.
 
 use organza_shaders::pair::{PairSumKernel, PairSumParams};
 

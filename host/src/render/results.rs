@@ -1,4 +1,4 @@
-//! What rendering a batch gives.
+//! The results of rendering a batch.
 
 /// A rendered batch, the tensor Y of Eq. 16.
 #[derive(Clone, Debug, PartialEq)]

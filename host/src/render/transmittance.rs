@@ -36,12 +36,12 @@ pub struct Transmittance {
     pub samples: Count,
     /// `[pairs, 4]`
     segment: Buffer<Vec4>,
-    /// Midpoints, and what the network reads.
+    /// Midpoints, and the network's input.
     blocks: Blocks,
 }
 
 impl Transmittance {
-    /// `keep` says whether [`Transmittance::backward`] will be called: what it needs is kept, as far as there is capacity.
+    /// `keep` says whether [`Transmittance::backward`] will be called: its inputs are kept then, as far as they fit.
     /// `count_samples` says how many samples there are, of the exclusive sums `[pairs + 1]`.
     pub fn evaluate(
         device: &Device,
@@ -140,7 +140,7 @@ fn head_params(field: &DeviceField, chunk: &Chunk) -> TransmittanceHeadParams {
     }
 }
 
-/// What the network reads, for a block of samples.
+/// The network's input, for a block of samples.
 fn encode(
     device: &Device,
     scene: &DeviceScene,

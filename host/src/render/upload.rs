@@ -1,4 +1,4 @@
-//! How a scene lies on a device, and what cannot lie there so.
+//! How a scene is stored on a device, and which scenes cannot be.
 
 use std::borrow::Cow;
 
@@ -16,11 +16,11 @@ use crate::scene::Scene;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct UploadOptions {
     /// Both hash grids in half precision: half their memory.  Each feature is off by up to 2^-11 of the largest entry
-    /// around it.  Refused where a value is above 65,504.
+    /// around it.  Refused if a value is above 65,504.
     pub half_grids: bool,
     /// The hidden layers of both networks computed in half precision
     /// ([`dense_half`](organza_shaders::dense_half)): for GPUs, slower on the CPU.  A layer's output is off by up to 0.9%
-    /// of the sum of its terms' sizes, and an input beyond 1,024 counts as that.  Refused where a layer's weights add up to
+    /// of the sum of its terms' sizes, and an input beyond 1,024 counts as that.  Refused if a layer's weights add up to
     /// more than halves hold, and on a GPU that does not compute with halves.
     pub half_networks: bool,
 }
@@ -74,7 +74,7 @@ impl Renderer {
 }
 
 impl DeviceScene {
-    /// Fails where a part of the scene is halves, which cannot be moved.
+    /// Fails if a part of the scene is halves, which have no gradients.
     pub(crate) fn require_gradients(&self) -> Result<()> {
         self.require_full_grids()?;
         match self.color.half_weights {
@@ -99,7 +99,7 @@ impl DeviceScene {
     }
 }
 
-/// Fails where a device does not compute with halves.
+/// Fails if a device does not compute with halves.
 fn require_halves(computes_halves: bool, device: &str) -> Result<()> {
     if computes_halves {
         return Ok(());

@@ -1,4 +1,4 @@
-use organza_check::{KernelRunner, Bound, Output, Parity, Rounding, inputs};
+use organza_check::{Bound, KernelRunner, Output, Parity, Rounding, inputs};
 use organza_device::Result;
 use organza_shaders::blend::{BlendKernel, BlendParams};
 
@@ -46,7 +46,7 @@ impl Parity for Blend {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        // behind the output are canaries: they must stay as they are
+        // the elements after the output are canaries: they must not change
         let size = |values: &[f32]| f64::from(values.get(index).map_or(0.0, |value| value.abs()));
         let weight = f64::from(self.weight);
         Bound::of((1.0 - weight) * size(&self.first) + weight * size(&self.second))

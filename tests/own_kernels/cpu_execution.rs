@@ -194,12 +194,12 @@ fn layers_stay_apart() {
     let sums = device.zeros("sums", 8).unwrap();
     let message = failure(&device, &LayersUndeclaredKernel { sums: &sums }, 128);
     let parts =
-        ["`layers_undeclared`: changes with its layer element 1 of `sums`", "same dispatch"];
+        ["`layers_undeclared`: adds, for its z alone, to element 1 of `sums`", "same dispatch"];
     assert_contains(&message, &parts);
     let Err(error) = device.run(&LayersOverlapKernel { sums: &sums }, 128, 2) else {
         panic!("layers overlap")
     };
-    assert_contains(&error.to_string(), &["`layers_overlap`: changes with its layer element"]);
+    assert_contains(&error.to_string(), &["`layers_overlap`: adds, for its z alone, to element"]);
     for device in [checked(), devices::cpu(Some(1)), devices::cpu(Some(3))] {
         let sums = device.zeros("sums", 8).unwrap();
         device.run(&LayersApartKernel { sums: &sums }, 128, 4).expect("no race");

@@ -17,7 +17,7 @@ Examples:
   organza kernels --json
 
 `shared` is the workgroup memory and `SPIR-V` the compiled module, both in bytes. `iterations` is the most that one \
-invocation needs, all its loops together. A name that ends in `_staged` is a variant that uses workgroup memory \
+invocation needs, all its loops together. A name that ends in `_shared` is a variant that uses workgroup memory \
 (docs/kernels.md).";
 
 /// List the kernels: their bindings, workgroups, code and loops

@@ -10,9 +10,9 @@ use organza_shaders::tile::{
     TileRangeParams,
 };
 
+use super::mask::Mask;
 use super::part_counts::{Capacity, PartCounts};
 use super::plan::{Plan, words};
-use super::scan::exclusive_scan;
 use super::scene::DeviceScene;
 use crate::camera::Camera;
 use organza_device::Result;
@@ -97,21 +97,6 @@ pub fn project(
     };
     device.run(&kernel, scene.gaussians, cameras.len() as u32)?;
     Ok((camera, projection, degenerate))
-}
-
-/// Bits of a mask and how many lie before each of its words.
-#[derive(Debug)]
-pub struct Mask {
-    pub bits: Buffer<u32>,
-    /// `[words + 1]`: the exclusive sums, and the total.
-    pub first: Buffer<u32>,
-}
-
-impl Mask {
-    fn new(device: &Device, bits: Buffer<u32>, count: &Buffer<u32>) -> Result<Self> {
-        let first = exclusive_scan(device, count, bits.len() as u32)?;
-        Ok(Self { bits, first })
-    }
 }
 
 /// Which Gaussians reach which tiles (Eq. 15): `[tiles, words]`.

@@ -11,11 +11,12 @@ use organza_shaders::color_backward::{
     MaterialBackwardParams,
 };
 
-use super::bin::{Mask, Pairs};
+use super::bin::Pairs;
 use super::block::{BlockOf, Blocks, Chunk};
 use super::field::Scratch;
 use super::field_backward::{ChunkScratch, GroupScratch};
 use super::gradient::SceneGradient;
+use super::mask::Mask;
 use super::pair::sum_pairs;
 use super::scene::DeviceScene;
 use organza_device::Result;

@@ -1,11 +1,11 @@
 //! Networks with hidden layers in 16-bit floats.
 
+use glam::Vec4;
 use half::f16;
 use organza_kernel::half::HalfVector;
 use organza_shaders::dense::{DenseParams, OUTPUTS_PER_INVOCATION};
 use organza_shaders::dense_half::{DenseHalfKernel, MAX_WEIGHTS, PRODUCTS_PER_SUM};
 
-use super::field::DeviceField;
 use super::halves::halves;
 use super::network::{LayerPlace, pack_network};
 use crate::error::{Error, IN_MEMORY, Result};
@@ -57,24 +57,17 @@ fn require_small(layer: &Layer, tensor: &str) -> Result<()> {
     })
 }
 
-impl DeviceField {
-    /// As [`DeviceField::layer`], in half precision.
-    pub(super) fn half_layer(
-        &self,
-        device: &Device,
-        params: DenseParams,
-        samples: &Count,
-        weights: &Buffer<HalfVector>,
-        [input, output]: [&Buffer<f32>; 2],
-    ) -> organza_device::Result<()> {
-        let parameters = &self.parameters;
-        let kernel = DenseHalfKernel { params, parameters, weights, input, output };
-        device.run(
-            &kernel.counted(samples),
-            params.samples,
-            params.columns * 4 / OUTPUTS_PER_INVOCATION,
-        )
-    }
+/// A layer in half precision; the biases are those of `parameters`.
+pub fn half_layer(
+    device: &Device,
+    params: DenseParams,
+    samples: &Count,
+    (parameters, weights): (&Buffer<Vec4>, &Buffer<HalfVector>),
+    [input, output]: [&Buffer<f32>; 2],
+) -> organza_device::Result<()> {
+    let kernel = DenseHalfKernel { params, parameters, weights, input, output };
+    let outputs = params.columns * 4;
+    device.run(&kernel.counted(samples), params.samples, outputs / OUTPUTS_PER_INVOCATION)
 }
 
 #[cfg(test)]

@@ -7,10 +7,10 @@ use organza_shaders::hash_grid::{GridLevel, HashGridKernel, HashGridParams};
 use organza_shaders::hash_grid_half::HashGridHalfKernel;
 
 use super::block::{BlockOf, Chunk, Layout, ROWS_OF_POINT};
-use super::dense_half::half_weights;
+use super::dense_half::{half_layer, half_weights};
 use super::hash_grid_half::pack_halves;
 use super::network::LayerPlace;
-use super::upload::UploadOptions;
+use super::options::UploadOptions;
 use crate::scene::{Field, FieldTensors, GridConfig, Interpolation};
 use organza_device::Result;
 use organza_device::{Buffer, Device};
@@ -148,7 +148,8 @@ impl DeviceField {
             bias: layer.bias,
         };
         if let Some(weights) = &self.half_weights {
-            return self.half_layer(device, params, &chunk.count, weights, [input, output]);
+            let weights = (&self.parameters, weights);
+            return half_layer(device, params, &chunk.count, weights, [input, output]);
         }
         let kernel = DenseKernel { params, parameters: &self.parameters, input, output };
         device.run(

@@ -8,11 +8,14 @@ use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 use super::field::DeviceField;
 use super::hash_grid::HashGridGradient;
 use super::packed::unpack;
-use super::project::GEOMETRY;
 use super::scene::DeviceScene;
 use crate::error::{Error, Result};
 use crate::scene::{FieldTensors, Scene, SceneConfig, Tensors};
 use organza_device::{Buffer, Device};
+
+/// The tensors whose gradients [`project_backward`] adds to one buffer, in this order: that of the table, too.
+pub const GEOMETRY: [&str; 4] =
+    ["gaussians.position", "gaussians.rotation", "gaussians.log_scale", "gaussians.opacity"];
 
 /// Gradients of all tensors of a scene; kernels add to them.
 #[derive(Debug)]

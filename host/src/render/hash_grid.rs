@@ -154,8 +154,8 @@ mod tests {
     use std::borrow::Cow;
 
     use super::*;
+    use crate::render::options::UploadOptions;
     use crate::render::packed::pack_field;
-    use crate::render::upload::UploadOptions;
     use crate::scene::{Field, GridConfig, Interpolation, Layer, Network};
     use organza_device::DeviceOptions;
 

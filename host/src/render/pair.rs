@@ -2,7 +2,7 @@
 
 use organza_shaders::pair::{PairSumKernel, PairSumParams};
 
-use super::bin::Mask;
+use super::mask::Mask;
 use super::plan::words;
 use super::scene::DeviceScene;
 use organza_device::Result;

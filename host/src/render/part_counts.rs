@@ -8,7 +8,7 @@ use organza_shaders::count::{
     RecordTotalParams, SAMPLES,
 };
 
-use super::bin::Mask;
+use super::mask::Mask;
 use organza_device::Result;
 use organza_device::{Buffer, Count, Device};
 

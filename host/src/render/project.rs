@@ -11,10 +11,6 @@ use super::scene::DeviceScene;
 use organza_device::Result;
 use organza_device::{Buffer, Device};
 
-/// The tensors whose gradients [`project_backward`] adds to one buffer, in this order: that of the table, too.
-pub const GEOMETRY: [&str; 4] =
-    ["gaussians.position", "gaussians.rotation", "gaussians.log_scale", "gaussians.opacity"];
-
 /// Adds what `pair_gradient [pairs, 3]` makes of positions, rotations, scales and opacities to `gradient`, and the
 /// statistics of the part's cameras.
 pub fn project_backward(

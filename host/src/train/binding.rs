@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::checkpoint::CHECKPOINT;
 use super::config::TrainConfig;
-use super::session::CONFIG;
+use super::folder::CONFIG;
 use crate::data::Fingerprint;
 use crate::error::{Error, Result};
 use crate::input::open_regular;
@@ -28,27 +28,6 @@ pub struct Binding {
     settings: String,
     /// What the data set is known by.
     data: Fingerprint,
-}
-
-/// Every setting as `table.name` and its value.
-pub(super) fn list(config: &TrainConfig) -> Vec<(String, String)> {
-    fn walk(prefix: &str, value: &toml::Value, found: &mut Vec<(String, String)>) {
-        match value {
-            toml::Value::Table(table) => {
-                for (key, value) in table {
-                    let name =
-                        if prefix.is_empty() { key.clone() } else { format!("{prefix}.{key}") };
-                    walk(&name, value, found);
-                }
-            }
-            value => found.push((prefix.to_owned(), value.to_string())),
-        }
-    }
-    let mut found = Vec::new();
-    if let Ok(value) = toml::Value::try_from(config) {
-        walk("", &value, &mut found);
-    }
-    found
 }
 
 impl Binding {
@@ -78,7 +57,7 @@ impl Binding {
     /// [`Error::Invalid`] for the first setting that differs, by name.
     pub fn check_settings(&self, config: &TrainConfig, folder: &Path) -> Result<()> {
         let then = TrainConfig::parse(&self.settings, &folder.join(CHECKPOINT))?;
-        let (now, then) = (list(config), list(&then));
+        let (now, then) = (config.list(), then.list());
         let value = |settings: &[(String, String)], name: &str| {
             let found = settings.iter().find(|(other, _)| other == name);
             found.map_or(NOT_SET.to_owned(), |(_, value)| value.clone())

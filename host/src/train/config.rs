@@ -10,11 +10,10 @@ use std::path::{Path, PathBuf};
 pub use optimizer::{OptimizerConfig, Rate};
 use serde::{Deserialize, Serialize};
 
-use super::binding;
 use crate::atomic_file::write_atomic;
 use crate::error::{Error, Result};
 use crate::input::read_text;
-use crate::scene::{GridConfig, Interpolation, MlpConfig};
+use crate::scene::{GridConfig, Interpolation, MlpConfig, SceneConfig};
 
 /// Far more than all settings need; what is larger was named by mistake.
 const MAX_BYTES: u64 = 1 << 20;
@@ -264,6 +263,45 @@ impl Default for GrowthConfig {
 }
 
 impl TrainConfig {
+    /// Every setting as `table.name` and its value.
+    pub(super) fn list(&self) -> Vec<(String, String)> {
+        fn walk(prefix: &str, value: &toml::Value, found: &mut Vec<(String, String)>) {
+            match value {
+                toml::Value::Table(table) => {
+                    for (key, value) in table {
+                        let name =
+                            if prefix.is_empty() { key.clone() } else { format!("{prefix}.{key}") };
+                        walk(&name, value, found);
+                    }
+                }
+                value => found.push((prefix.to_owned(), value.to_string())),
+            }
+        }
+        let mut found = Vec::new();
+        if let Ok(value) = toml::Value::try_from(self) {
+            walk("", &value, &mut found);
+        }
+        found
+    }
+
+    /// The shape of a run's scene.
+    pub(super) fn scene_config(&self, background: [f64; 3], aabb: [[f64; 3]; 2]) -> SceneConfig {
+        let shape = self.scene.clone();
+        SceneConfig {
+            sh_degree: shape.sh_degree,
+            material: shape.material,
+            extra: shape.extra,
+            color_grid: shape.color_grid,
+            transmittance_grid: shape.transmittance_grid,
+            color_mlp: shape.color_mlp,
+            transmittance_mlp: shape.transmittance_mlp,
+            step: shape.step,
+            blur: shape.blur,
+            background,
+            aabb,
+        }
+    }
+
     /// The settings for the built-in scene: a minute on two cores.  Its images are small, and so many of its Gaussians
     /// are in each that whole images cost little more than a tile.
     #[must_use]
@@ -295,7 +333,7 @@ impl TrainConfig {
             let table = keys.next().and_then(|key| found.get(key));
             keys.try_fold(table, |value, key| Some(value?.get(key))).flatten().is_some()
         };
-        match binding::list(&Self::default()).iter().find(|(name, _)| !has(name)) {
+        match Self::default().list().iter().find(|(name, _)| !has(name)) {
             None => Ok(()),
             Some((name, _)) => {
                 let reason = format!(

@@ -5,9 +5,15 @@ use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
 use super::checkpoint::CHECKPOINT;
-use super::session::{CONFIG, METRICS, REPORT};
 use crate::atomic_file::remove_leftovers;
 use crate::error::{Error, Result};
+
+/// `config.toml`, every setting.
+pub const CONFIG: &str = "config.toml";
+/// `metrics.jsonl`, one record a line.
+pub const METRICS: &str = "metrics.jsonl";
+/// `report.html`, one page.
+pub const REPORT: &str = "report.html";
 
 /// The locked file; it goes when the training ends.
 const LOCK: &str = ".organza-lock";

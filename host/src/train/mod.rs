@@ -19,5 +19,6 @@ pub use binding::{Binding, settings_of};
 pub use checkpoint::{CHECKPOINT, Checkpoint, Progress};
 pub use config::TrainConfig;
 pub use folder::RunFolder;
-pub use session::{CONFIG, Event, METRICS, Outcome, REPORT, Session};
+pub use folder::{CONFIG, METRICS, REPORT};
+pub use session::{Event, Outcome, Session};
 pub use trainer::{GradientHook, StepGradient, StepReport, Trainer};

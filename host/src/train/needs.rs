@@ -1,7 +1,6 @@
 //! What a run takes at least, before it is begun.
 
 use super::config::TrainConfig;
-use super::start::scene_config;
 use crate::error::{Result, format_bytes};
 use crate::tile::Tile;
 use organza_device::memory;
@@ -48,7 +47,7 @@ pub(super) fn check_scene(config: &TrainConfig, gaussians: u64) -> Result<()> {
 
 /// A scene and two moments of its shape.
 fn scene_bytes(config: &TrainConfig, gaussians: u64) -> u64 {
-    let scene = scene_config(config, [0.0; 3], [[0.0; 3], [1.0; 3]]);
+    let scene = config.scene_config([0.0; 3], [[0.0; 3], [1.0; 3]]);
     let specs = scene.tensors(gaussians as usize);
     let values = specs.iter().fold(0_u64, |sum, spec| sum.saturating_add(spec.values() as u64));
     values.saturating_mul(3 * 4).saturating_add(gaussians * PLACE_BYTES)

@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use super::binding::{self, Binding};
+use super::binding::Binding;
 use super::checkpoint::{CHECKPOINT, Checkpoint};
 use super::config::TrainConfig;
-use super::folder::RunFolder;
+use super::folder::{CONFIG, METRICS, REPORT, RunFolder};
 use super::metrics::{MetricsLog, Record, TimingRow};
 use super::report::{MAX_VIEWS, Report, ReportView, write_report};
 use super::start::start;
@@ -17,13 +17,6 @@ use crate::data::{Dataset, Frame};
 use crate::error::{Error, Result};
 use crate::evaluate::{self, Evaluation, evaluate};
 use crate::render::{DeviceScene, Renderer};
-
-/// `config.toml`, every setting.
-pub const CONFIG: &str = "config.toml";
-/// `metrics.jsonl`, one record a line.
-pub const METRICS: &str = "metrics.jsonl";
-/// `report.html`, one page.
-pub const REPORT: &str = "report.html";
 
 /// A run.
 #[derive(Debug)]
@@ -340,7 +333,7 @@ impl State<'_, '_> {
         let report = Report {
             title,
             device: session.renderer.device().choice().to_owned(),
-            config: binding::list(session.config),
+            config: session.config.list(),
             records: &records,
             views,
         };

@@ -15,7 +15,7 @@ use super::sampler::random;
 use crate::camera::Camera;
 use crate::data::Point;
 use crate::error::Result;
-use crate::scene::{Network, Scene, SceneConfig};
+use crate::scene::{Network, Scene};
 
 const PLACES: u64 = 2;
 const FIELDS: u64 = 3;
@@ -51,32 +51,10 @@ pub fn start(
         choose(points, config.start.gaussians as usize, &mut random_places)
     };
     let aabb = if points.is_empty() { target.aabb() } else { aabb(&places) };
-    let mut scene = Scene::zeros(scene_config(config, background, aabb), places.len())?;
+    let mut scene = Scene::zeros(config.scene_config(background, aabb), places.len())?;
     place(config, &mut scene, &places, &colors, &mut random_places);
     fill_fields(config, &mut scene);
     Ok(scene)
-}
-
-/// The shape of a run's scene.
-pub(super) fn scene_config(
-    config: &TrainConfig,
-    background: [f64; 3],
-    aabb: [[f64; 3]; 2],
-) -> SceneConfig {
-    let shape = config.scene.clone();
-    SceneConfig {
-        sh_degree: shape.sh_degree,
-        material: shape.material,
-        extra: shape.extra,
-        color_grid: shape.color_grid,
-        transmittance_grid: shape.transmittance_grid,
-        color_mlp: shape.color_mlp,
-        transmittance_mlp: shape.transmittance_mlp,
-        step: shape.step,
-        blur: shape.blur,
-        background,
-        aabb,
-    }
 }
 
 /// What the cameras look at.

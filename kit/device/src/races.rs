@@ -88,7 +88,7 @@ impl AccessMonitor for WorkgroupMemory {
         let (element, own) = (&self.elements[index as usize], self.stamp());
         match touch {
             Touch::Read => self.read(index, element, own),
-            Touch::Write | Touch::Atomic | Touch::Layer => self.write(index, element, own),
+            Touch::Write | Touch::Atomic | Touch::Serial => self.write(index, element, own),
         }
     }
 }
@@ -113,14 +113,14 @@ struct Touched {
 const ATOMIC: u64 = 1 << 63;
 
 /// With `ATOMIC`, marks a writer that does not disturb others of the same z.
-const LAYER: u64 = 1 << 62;
+const SERIAL: u64 = 1 << 62;
 
 /// Stands for several readers.
-const MANY: u64 = LAYER - 1;
+const MANY: u64 = SERIAL - 1;
 
 /// Who left a mark.
 const fn who(mark: u64) -> u64 {
-    mark & !(ATOMIC | LAYER)
+    mark & !(ATOMIC | SERIAL)
 }
 
 impl Races {
@@ -135,7 +135,7 @@ impl Races {
     fn agree(&self, own: u64, other: u64) -> bool {
         let layer = |mark| unlinear(who(mark) - 1, self.invocations).z;
         let atomic = own & other & ATOMIC != 0;
-        atomic && ((own | other) & LAYER == 0 || self.layers && layer(own) == layer(other))
+        atomic && ((own | other) & SERIAL == 0 || self.layers && layer(own) == layer(other))
     }
 
     fn conflict(&self, index: u32, does: &str, mark: u64, did: &str) -> String {
@@ -170,7 +170,7 @@ impl AccessMonitor for Races {
             };
         }
         let (does, mark) = match touch {
-            Touch::Layer => ("changes with its layer", own | ATOMIC | LAYER),
+            Touch::Serial => ("adds, for its z alone, to", own | ATOMIC | SERIAL),
             Touch::Atomic => ("atomically changes", own | ATOMIC),
             Touch::Read | Touch::Write => ("writes", own),
         };

@@ -83,7 +83,7 @@ pub fn add_wide(buffer: Write<u32>, index: u32, [low, high]: [u32; 2]) {
 #[inline(always)]
 #[track_caller]
 pub fn add_wide_lanes<const N: usize>(buffer: Write<u32>, index: [u32; N], value: [i64; N]) {
-    let first = buffer.wide_addresses(index, Touch::Layer);
+    let first = buffer.wide_addresses(index, Touch::Serial);
     let mut i = 0;
     while i < N {
         // SAFETY: the address is in range and aligned, and kernels touch such sums only through atomics
@@ -115,7 +115,7 @@ pub fn add_two_wide_lanes<const N: usize>(
     }
     #[cfg(target_endian = "little")]
     {
-        let begin = buffer.two_wide_addresses(index, Touch::Layer);
+        let begin = buffer.two_wide_addresses(index, Touch::Serial);
         let mut i = 0;
         while i < N {
             // SAFETY: the address is in range and aligned, and only the workgroups of one z change these sums: one thread

@@ -83,7 +83,7 @@ mod host {
         /// Changes it atomically.
         Atomic,
         /// Changes it atomically on a GPU. On the CPU no workgroup of another z changes it.
-        Layer,
+        Serial,
     }
 
     /// Sees every access to a binding that several invocations may write.

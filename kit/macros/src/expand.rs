@@ -10,7 +10,7 @@ use crate::parse::{Kernel, Parameter, Role};
 pub fn expand(kernel: &Kernel) -> TokenStream {
     let function = function(kernel);
     let variants = if kernel.has_shared_tiles() { &[false, true][..] } else { &[false] };
-    let entries = variants.iter().map(|&staged| entry_point(kernel, staged));
+    let entries = variants.iter().map(|&shared| entry_point(kernel, shared));
     let info = info(kernel);
     let dispatch = dispatch(kernel);
     let iterations = kernel.iterations.iter();
@@ -62,15 +62,15 @@ fn info_name(kernel: &Kernel) -> syn::Ident {
 }
 
 /// An entry point's name: of the plain one, or of the variant.
-fn entry_name(kernel: &Kernel, staged: bool) -> String {
+fn entry_name(kernel: &Kernel, shared: bool) -> String {
     let name = &kernel.function.sig.ident;
-    if staged { format!("{name}_shared") } else { name.to_string() }
+    if shared { format!("{name}_shared") } else { name.to_string() }
 }
 
 /// A SPIR-V entry point: the built-ins and bindings as Rust-GPU wants them, then the function.
-fn entry_point(kernel: &Kernel, staged: bool) -> TokenStream {
+fn entry_point(kernel: &Kernel, shared: bool) -> TokenStream {
     let name = &kernel.function.sig.ident;
-    let entry_point_name = entry_name(kernel, staged);
+    let entry_point_name = entry_name(kernel, shared);
     let entry = format_ident!("{entry_point_name}_entry_point");
     let [x, y, z] = kernel.threads.map(Literal::u32_unsuffixed);
     let mut binding = 0;
@@ -85,13 +85,13 @@ fn entry_point(kernel: &Kernel, staged: bool) -> TokenStream {
                 quote! { #[spirv(storage_buffer, descriptor_set = 0, binding = #number)] #name: &mut [#element] }
             }
             Role::Shared(len) => quote! { #[spirv(workgroup)] #name: &mut [#element; #len] },
-            Role::SharedTile(_) if !staged => return None,
+            Role::SharedTile(_) if !shared => return None,
             Role::SharedTile(len) => quote! { #[spirv(workgroup)] #name: &mut [#element; #len] },
         })
     });
     let arguments = kernel.parameters.iter().map(|parameter| {
         let name = &parameter.name;
-        if staged { quote!(#name) } else { plain_argument(parameter) }
+        if shared { quote!(#name) } else { plain_argument(parameter) }
     });
     // an invocation of a GPU is a lane, or takes four samples
     let lane = kernel.lanes.is_some().then(|| match kernel.samples {

@@ -236,7 +236,7 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     if z_serial && threads[2] != 1 {
         return Err(Error::new(
             attribute.span(),
-            "a layer is one workgroup thick: `threads(x, y)`",
+            "`z_serial` takes workgroups that are one invocation thick: `threads(x, y)`",
         ));
     }
     if z_serial && z_innermost {

@@ -2,7 +2,6 @@
 
 use std::fmt::Display;
 
-use super::super::start::scene_config;
 use super::TrainConfig;
 use crate::error::Error;
 use crate::tile::most_tiles;
@@ -53,7 +52,7 @@ impl TrainConfig {
                  kernels address fewer than 2^31 values"
             ));
         }
-        let scene = scene_config(self, [0.0; 3], [[0.0; 3], [1.0; 3]]);
+        let scene = self.scene_config([0.0; 3], [[0.0; 3], [1.0; 3]]);
         scene.validate().map_err(|error| match error {
             Error::BadConfig { field, reason, .. } => format!("`scene.{field}` {reason}"),
             other => other.to_string(),

@@ -52,7 +52,7 @@ pub struct Options {
     pub validate: bool,
     /// Compile again whenever a kernel source is saved, until interrupted
     #[arg(long)]
-    pub monitor: bool,
+    pub watch: bool,
 }
 
 /// Compiles the kernels of a project, and writes, checks or watches its modules.
@@ -60,7 +60,7 @@ pub struct Options {
 /// # Errors
 /// What the compiler or the check says.
 pub fn run(project: &Project, options: Options) -> Result<()> {
-    if options.monitor {
+    if options.watch {
         return watch::run(project, options.validate);
     }
     let start = Instant::now();

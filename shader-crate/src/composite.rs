@@ -4,7 +4,7 @@
 use glam::{UVec3, Vec2, Vec3, Vec4};
 
 use crate::limits::MAX_MEMBERS;
-use crate::project::{falloff, mahalanobis};
+use crate::project::{falloff, in_support, mahalanobis};
 #[cfg(not(target_arch = "spirv"))]
 use crate::splat::SPLAT;
 use crate::splat::VECTORS;
@@ -25,15 +25,17 @@ pub struct CompositeParams {
     pub skip: u32,
 }
 
-/// Alpha of a splat at a pixel: `sigmoid(opacity) T falloff` (Eq. 12).
+/// Alpha of a splat at a pixel, `sigmoid(opacity) T falloff` (Eq. 12), and whether the pixel lies in its support.
+///
+/// Add nothing where it does not: a weight or a color that is not finite makes NaN even of a falloff of 0.
 ///
 /// The shift of Eq. 15 cancels here: the distance is taken in the image, where pixel centers are exact in f32, so that
 /// it does not depend on how the image was cut.
 #[inline(always)]
-pub fn alpha<L: Lane>(placed: Vec4, conic: Vec4, x: L, y: L) -> L {
+pub fn alpha<L: Lane>(placed: Vec4, conic: Vec4, x: L, y: L) -> (L, L::Mask) {
     let (dx, dy) = (x - L::splat(placed.x), y - L::splat(placed.y));
-    let conic = Vec3::new(conic.x, conic.y, conic.z);
-    L::splat(placed.z) * falloff(mahalanobis(conic, dx, dy))
+    let q = mahalanobis(Vec3::new(conic.x, conic.y, conic.z), dx, dy);
+    (L::splat(placed.z) * falloff(q), in_support(q))
 }
 
 /// Whether a splat's support may reach pixels of a row, whose centers lie in `[first, last]` and at height `y`.
@@ -175,12 +177,12 @@ pub fn composite<L: Lane>(
                     let placed = shared_splats.element(offset, splats);
                     let conic = shared_splats.element(offset + 1, splats);
                     if touches(placed, conic, first.x, last, first.y) {
-                        let a = alpha(placed, conic, x, y);
+                        let (a, reached) = alpha(placed, conic, x, y);
                         let c = shared_splats.element(offset + 2, splats);
-                        red = red + a * L::splat(c.x);
-                        green = green + a * L::splat(c.y);
-                        blue = blue + a * L::splat(c.z);
-                        weight = weight + a;
+                        red = L::select(reached, red + a * L::splat(c.x), red);
+                        green = L::select(reached, green + a * L::splat(c.y), green);
+                        blue = L::select(reached, blue + a * L::splat(c.z), blue);
+                        weight = L::select(reached, weight + a, weight);
                     }
                 }
                 k += 1;

@@ -4,7 +4,7 @@ use glam::{Vec3, Vec4};
 
 use crate::composite::SUM_PLANES;
 use crate::limits::MAX_BAND;
-use crate::project::{falloff, mahalanobis};
+use crate::project::{falloff, in_support, mahalanobis};
 #[cfg(not(target_arch = "spirv"))]
 use crate::splat::SPLAT;
 use crate::splat::VECTORS;
@@ -101,16 +101,18 @@ fn moments<L: Lane>(
         let mut x = left;
         while next < end {
             let dx = x - L::splat(placed.x);
-            let f = falloff(mahalanobis(conic, dx, dy));
+            let q = mahalanobis(conic, dx, dy);
+            let (f, reached) = (falloff(q), in_support(q));
             let (r, g) = (L::read(gradient, next), L::read(gradient, next + area));
             let (b, s) = (L::read(gradient, next + 2 * area), L::read(gradient, next + 3 * area));
             let by_alpha =
                 r * L::splat(color.x) + g * L::splat(color.y) + b * L::splat(color.z) + s;
-            let by_weight = f * by_alpha;
+            // a falloff of 0 makes NaN of what is not finite
+            let by_weight = L::select(reached, f * by_alpha, zero);
             let by_x = by_weight * dx;
-            red = red + f * r;
-            green = green + f * g;
-            blue = blue + f * b;
+            red = L::select(reached, red + f * r, red);
+            green = L::select(reached, green + f * g, green);
+            blue = L::select(reached, blue + f * b, blue);
             row_h = row_h + by_weight;
             row_hx = row_hx + by_x;
             hxx = hxx + by_x * dx;
@@ -131,7 +133,7 @@ fn moments<L: Lane>(
     }
 }
 
-/// Sums over the pixels that a member's support may reach, and some beside it in the same rows, where the falloff is 0.
+/// Sums over the pixels that a member's support may reach, and some beside it in the same rows, which add nothing.
 #[inline(always)]
 fn all_moments<L: Lane>(
     gradient: Read<f32>,

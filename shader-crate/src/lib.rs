@@ -37,6 +37,7 @@ pub mod segment;
 pub mod spherical_harmonics;
 pub mod splat;
 pub mod ssim;
+pub mod statistics;
 pub mod tile;
 pub mod tile_cells;
 pub mod transmittance;

@@ -125,13 +125,19 @@ pub fn mahalanobis<L: Lane>(conic: Vec3, dx: L, dy: L) -> L {
     diagonal + number(conic.z) * dy * dy
 }
 
-/// `exp(-q/2)` where `q <= 2 ln 255`, and 0 elsewhere.
+/// Whether a pixel lies in a Gaussian's support: `q <= 2 ln 255`.
+#[inline(always)]
+pub fn in_support<L: Lane>(q: L) -> L::Mask {
+    q.at_most(L::splat(FALLOFF_CUTOFF))
+}
+
+/// `exp(-q/2)` in the support, and 0 elsewhere.
 #[inline(always)]
 pub fn falloff<L: Lane>(q: L) -> L {
     let zero = L::splat(0.0);
     // rounding may take q of a needle below zero
     let inside = (L::splat(-0.5) * q.max(zero)).exp();
-    L::select(q.at_most(L::splat(FALLOFF_CUTOFF)), inside, zero)
+    L::select(in_support(q), inside, zero)
 }
 
 /// Parameters of [`project`].

@@ -6,7 +6,7 @@ use crate::camera::{Camera, read3};
 use crate::limits::MAX_CAMERAS;
 use crate::project::{Footprint, read_quaternion};
 use crate::splat::VECTORS;
-use organza_kernel::math::{cross, dot, length, max, sqrt};
+use organza_kernel::math::{cross, dot, sqrt};
 use organza_kernel::prelude::*;
 
 /// A loss's derivatives with respect to one Gaussian.
@@ -103,8 +103,7 @@ pub struct ProjectBackwardParams {
 /// Adds what the pairs of a Gaussian have, cameras ascending, to `gradient [11 gaussians]`: position `[N, 3]`, rotation
 /// `[N, 4]`, log_scale `[N, 3]`, opacity `[N]`.
 ///
-/// `pair_gradient [pairs, 3]` is that of [`splat_backward`](crate::splat::splat_backward); `statistics [gaussians]` is
-/// the sum of |dL/dmean2d| over cameras, the cameras that have the Gaussian as a pair, its largest radius in pixels, 0.
+/// `pair_gradient [pairs, 3]` is that of [`splat_backward`](crate::splat::splat_backward).
 #[kernel(threads(64), iterations = MAX_CAMERAS)]
 pub fn project_backward(
     id: Invocation,
@@ -113,12 +112,10 @@ pub fn project_backward(
     position: Read<f32>,
     rotation: Read<f32>,
     log_scale: Read<f32>,
-    projection: Read<Vec4>,
     pair_mask: Read<u32>,
     first_pair: Read<u32>,
     pair_gradient: Read<Vec4>,
     gradient: Write<f32>,
-    statistics: Write<Vec4>,
 ) {
     let gaussian = id.index();
     if gaussian < params.gaussians {
@@ -128,7 +125,7 @@ pub fn project_backward(
         let log_axes = read3(log_scale, gaussian * 3);
         let (mut d_center, mut d_axes) = (Vec3::ZERO, Vec3::ZERO);
         let (mut d_quaternion, mut d_opacity) = (Vec4::ZERO, 0.0);
-        let (mut moved, mut seen, mut radius) = (0.0, 0.0, 0.0);
+        let mut pairs = 0;
         let mut slot = 0;
         while slot < params.cameras {
             let bits = pair_mask.read(slot * params.words + word);
@@ -150,13 +147,11 @@ pub fn project_backward(
                 d_quaternion += found.rotation;
                 d_axes += found.log_scale;
                 d_opacity += geometry.z;
-                moved += length(Vec3::new(mean2d.x, mean2d.y, 0.0));
-                seen += 1.0;
-                radius = max(radius, projection.read(2 * (slot * params.gaussians + gaussian)).z);
+                pairs += 1;
             }
             slot += 1;
         }
-        if seen > 0.0 {
+        if pairs > 0 {
             let n = params.gaussians;
             add(gradient, 3 * gaussian, d_center.x);
             add(gradient, 3 * gaussian + 1, d_center.y);
@@ -169,10 +164,6 @@ pub fn project_backward(
             add(gradient, 7 * n + 3 * gaussian + 1, d_axes.y);
             add(gradient, 7 * n + 3 * gaussian + 2, d_axes.z);
             add(gradient, 10 * n + gaussian, d_opacity);
-            let before = statistics.read(gaussian);
-            let after =
-                Vec4::new(before.x + moved, before.y + seen, max(before.z, radius), before.w);
-            statistics.write(gaussian, after);
         }
     }
 }

@@ -4,7 +4,10 @@ use organza::parity;
 use organza::{DeviceOptions, Renderer, SpirvPath};
 use organza_check::Rounding;
 use organza_kernel::KernelInfo;
-use organza_kernel::kernel::{MAX_WORKGROUP_BYTES, workgroup_bytes};
+use organza_kernel::kernel::{
+    Access, BindingInfo, MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, MAX_WORKGROUP_INVOCATIONS,
+    workgroup_bytes,
+};
 use organza_tests::compare::assert_close;
 use organza_tests::{cases, devices};
 
@@ -80,12 +83,38 @@ fn a_device_says_which_kernels_it_runs() {
     assert_eq!(cpu.entry_point(kernel("composite")).name, "composite");
 }
 
+/// What an adapter is asked for is what WebGPU guarantees; no kernel may use more.
 #[test]
-fn workgroup_memory_is_what_every_gpu_has() {
-    let staged = kernel("composite").variant.map(|point| workgroup_bytes(point.shared));
-    assert!(staged > Some(1_000), "{staged:?}");
-    for point in organza_kernel::kernels().flat_map(KernelInfo::entry_points) {
-        let bytes = workgroup_bytes(point.shared);
-        assert!(bytes <= MAX_WORKGROUP_BYTES, "{}: {bytes} bytes", point.name);
+fn kernels_use_what_every_gpu_has() {
+    let webgpu = wgpu::Limits::default();
+    assert_eq!(MAX_STORAGE_BUFFERS, webgpu.max_storage_buffers_per_shader_stage);
+    assert_eq!(MAX_WORKGROUP_BYTES, webgpu.max_compute_workgroup_storage_size);
+    assert_eq!(MAX_WORKGROUP_INVOCATIONS, webgpu.max_compute_invocations_per_workgroup);
+    let shared = kernel("composite").variant.map(|point| workgroup_bytes(point.shared));
+    assert!(shared > Some(1_000), "{shared:?}");
+    let sizes = [
+        webgpu.max_compute_workgroup_size_x,
+        webgpu.max_compute_workgroup_size_y,
+        webgpu.max_compute_workgroup_size_z,
+    ];
+    for kernel in organza_kernel::kernels() {
+        let of = |uniform: bool| {
+            let is_one =
+                move |binding: &&BindingInfo| (binding.access == Access::Uniform) == uniform;
+            kernel.bindings.iter().filter(is_one)
+        };
+        let buffers = of(false).count() as u32;
+        assert!(buffers <= MAX_STORAGE_BUFFERS, "{}: {buffers} buffers", kernel.name);
+        let largest = of(true).map(|binding| binding.element_bytes).max().unwrap_or(0);
+        let bytes = u64::from(largest);
+        assert!(bytes <= webgpu.max_uniform_buffer_binding_size, "{}: {bytes} bytes", kernel.name);
+        let invocations: u32 = kernel.workgroup_size.iter().product();
+        assert!(invocations <= MAX_WORKGROUP_INVOCATIONS, "{}: {invocations}", kernel.name);
+        let fits = kernel.workgroup_size.iter().zip(sizes).all(|(&size, most)| size <= most);
+        assert!(fits, "{}: {:?}", kernel.name, kernel.workgroup_size);
+        for point in kernel.entry_points() {
+            let bytes = workgroup_bytes(point.shared);
+            assert!(bytes <= MAX_WORKGROUP_BYTES, "{}: {bytes} bytes", point.name);
+        }
     }
 }

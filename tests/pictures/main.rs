@@ -1,6 +1,7 @@
 //! The kernels together: what scenes give, on every device.
 
 mod edges;
+mod extremes;
 mod failures;
 mod loss;
 mod properties;

@@ -28,6 +28,7 @@ pub mod scan;
 pub mod segment;
 pub mod splat;
 pub mod ssim;
+pub mod statistics;
 pub mod tile;
 pub mod tile_cells;
 pub mod transmittance;
@@ -91,6 +92,7 @@ pub fn cases() -> Vec<Case> {
         Case::of::<composite_backward::CompositeBackward>(),
         Case::of::<splat::SplatBackward>(),
         Case::of::<project_backward::ProjectBackward>(),
+        Case::of::<statistics::Statistics>(),
         Case::of::<peak::PeakMultiplyAdd>(),
         Case::of::<peak::PeakRead>(),
     ]

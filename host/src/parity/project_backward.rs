@@ -30,12 +30,10 @@ pub struct ProjectBackward {
     pub radius: Vec<f32>,
     /// `[11 gaussians]`: what other parts have left.
     pub gradient: Vec<f32>,
-    /// `[gaussians]`: likewise.
-    pub statistics: Vec<Vec4>,
 }
 
-/// Sizes of what a pair adds: position, rotation, log_scale, opacity, the center's way.
-type Sizes = [f64; 5];
+/// Sizes of what a pair adds: position, rotation, log_scale, opacity.
+type Sizes = [f64; 4];
 
 impl ProjectBackward {
     fn new(forward: Project) -> Self {
@@ -50,14 +48,12 @@ impl ProjectBackward {
             project_gaussian(view, forward.blur, center, rotation, log_axes).radius
         });
         let radius: Vec<_> = radius.collect();
-        let numbers = random.values(4 * count, 0.0, 5.0);
         let mut set = Self {
             pair_mask: Vec::new(),
             first_pair: Vec::new(),
             pair_gradient: Vec::new(),
             radius,
             gradient: random.values(11 * count, -1.0, 1.0),
-            statistics: numbers.chunks(4).map(Vec4::from_slice).collect(),
             forward,
         };
         for camera in 0..set.forward.cameras.len() {
@@ -141,7 +137,7 @@ impl ProjectBackward {
         let focal = view.focal[0].max(view.focal[1]) / t.z;
         let position = (by_row * (focal / t.z + row / t.z) + focal * center) * ratio * depth;
         let shape = by_row * row;
-        [position, 4.0 * shape / set.quaternion(gaussian).length(), shape, geometry.z, center]
+        [position, 4.0 * shape / set.quaternion(gaussian).length(), shape, geometry.z]
     }
 
     /// The derivatives of what a Gaussian's pairs have in the loss, by position, rotation and log_scale; `None` where
@@ -176,28 +172,16 @@ impl ProjectBackward {
     }
 
     /// The pairs of a Gaussian.
-    fn pairs(&self, gaussian: usize) -> impl Iterator<Item = (usize, &[Vec4; 3])> {
+    pub(super) fn pairs(&self, gaussian: usize) -> impl Iterator<Item = (usize, &[Vec4; 3])> {
         let cameras = 0..self.forward.cameras.len();
         cameras.filter_map(move |camera| {
             Some((camera, &self.pair_gradient[self.pair(camera, gaussian)?]))
         })
     }
 
-    /// What is left of the statistics: the centers' ways, the cameras that have a pair, the largest radius.
-    fn exact_statistics(&self, gaussian: usize) -> [f64; 4] {
-        let mut after = self.statistics[gaussian].as_dvec4().to_array();
-        for (camera, [center, ..]) in self.pairs(gaussian) {
-            let radius = self.radius[camera * self.forward.gaussians as usize + gaussian];
-            after[0] += f64::from(center.x).hypot(f64::from(center.y));
-            after[1] += 1.0;
-            after[2] = after[2].max(f64::from(radius));
-        }
-        after
-    }
-
     /// Of a Gaussian, in all cameras.
     fn all_sizes(&self, gaussian: usize) -> Sizes {
-        let mut all = [0.0; 5];
+        let mut all = Sizes::default();
         for camera in 0..self.forward.cameras.len() {
             if let Some(pair) = self.pair(camera, gaussian) {
                 let sizes = self.sizes(camera, gaussian, pair);
@@ -221,10 +205,7 @@ impl Parity for ProjectBackward {
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let set = &self.forward;
         let packed: Vec<_> = set.cameras.iter().flat_map(Camera::pack).collect();
-        let projection =
-            self.radius.iter().flat_map(|&radius| [Vec4::ONE.with_z(radius), Vec4::ONE]);
         let gradient = runner.output_of(&self.gradient)?;
-        let statistics = runner.output_of(&self.statistics)?;
         let kernel = ProjectBackwardKernel {
             params: ProjectBackwardParams {
                 gaussians: set.gaussians,
@@ -236,63 +217,36 @@ impl Parity for ProjectBackward {
             position: &runner.upload(&set.position)?,
             rotation: &runner.upload(&set.rotation)?,
             log_scale: &runner.upload(&set.log_scale)?,
-            projection: &runner.upload(&projection.collect::<Vec<_>>())?,
             pair_mask: &runner.upload(&self.pair_mask)?,
             first_pair: &runner.upload(&self.first_pair)?,
             pair_gradient: &runner.upload(self.pair_gradient.as_flattened())?,
             gradient: &gradient,
-            statistics: &statistics,
         };
         runner.items(&kernel, set.gaussians, 1)?;
-        let statistics = runner.read(&statistics)?.into_iter().flat_map(|v| v.to_array());
-        Ok(vec![
-            Output::float("gradient", runner.read(&gradient)?),
-            Output::float("statistics", statistics),
-        ])
+        Ok(vec![Output::float("gradient", runner.read(&gradient)?)])
     }
 
-    fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
         let count = self.forward.gaussians as usize;
-        let exact: Vec<_> = if output == "statistics" {
-            (0..count).flat_map(|gaussian| self.exact_statistics(gaussian)).map(Some).collect()
-        } else {
-            let before = |index: usize| f64::from(self.gradient[index]);
-            let derivatives: Vec<_> = (0..count).map(|g| self.derivatives(g)).collect();
-            let part = |first: usize, width: usize| {
-                let derivatives = &derivatives;
-                (0..width * count).map(move |at| {
-                    let of = derivatives[at / width].as_ref()?;
-                    Some(before(first * count + at) + of[first + at % width])
-                })
-            };
-            let opacity = (0..count).map(|gaussian| {
-                let sum: f64 = self.pairs(gaussian).map(|(_, pair)| f64::from(pair[0].z)).sum();
-                Some(before(10 * count + gaussian) + sum)
-            });
-            part(0, 3).chain(part(3, 4)).chain(part(7, 3)).chain(opacity).collect()
+        let before = |index: usize| f64::from(self.gradient[index]);
+        let derivatives: Vec<_> = (0..count).map(|g| self.derivatives(g)).collect();
+        let part = |first: usize, width: usize| {
+            let derivatives = &derivatives;
+            (0..width * count).map(move |at| {
+                let of = derivatives[at / width].as_ref()?;
+                Some(before(first * count + at) + of[first + at % width])
+            })
         };
-        exact
+        let opacity = (0..count).map(|gaussian| {
+            let sum: f64 = self.pairs(gaussian).map(|(_, pair)| f64::from(pair[0].z)).sum();
+            Some(before(10 * count + gaussian) + sum)
+        });
+        part(0, 3).chain(part(3, 4)).chain(part(7, 3)).chain(opacity).collect()
     }
 
-    /// The number of cameras is added to what other parts have left: one rounding, the same on every device.
-    fn exact_bound(&self, exact: &Output, index: usize, rounding: Rounding) -> Bound {
-        match (exact.name, self.statistics.get(index / 4)) {
-            ("statistics", Some(_)) if index % 4 == 1 => Bound::of(exact.floats()[index]),
-            _ => self.bound(exact, index, rounding),
-        }
-    }
-
-    fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let count = self.forward.gaussians as usize;
         let exact = Bound { scale: 0.0, floor: 0.0 };
-        if cpu.name == "statistics" {
-            return match self.statistics.get(index / 4) {
-                Some(before) if index.is_multiple_of(4) => {
-                    Bound::of(f64::from(before.x) + self.all_sizes(index / 4)[4])
-                }
-                _ => exact,
-            };
-        }
         let Some(before) = self.gradient.get(index) else { return exact };
         let (gaussian, part) = match index / count {
             0..3 => (index / 3, 0),

@@ -166,8 +166,11 @@ impl Renderer {
             let [placed, conic] = std::array::from_fn(|v| splat[index * VECTORS as usize + v]);
             let color = color[index];
             let d = center - Vec2::new(placed.x, placed.y);
-            let alpha = alpha(placed, conic, center.x, center.y);
-            sum += Vec4::new(alpha * color[0], alpha * color[1], alpha * color[2], alpha);
+            let (alpha, reached) = alpha(placed, conic, center.x, center.y);
+            let alpha = if reached { alpha } else { 0.0 };
+            if reached {
+                sum += Vec4::new(alpha * color[0], alpha * color[1], alpha * color[2], alpha);
+            }
             let gaussian = (pair[index] % scene.gaussians) as usize;
             contributions.push(Contribution {
                 gaussian,

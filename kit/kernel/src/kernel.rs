@@ -63,6 +63,12 @@ pub struct SharedInfo {
 /// The most bytes of workgroup memory that a kernel has: what every implementation of WebGPU offers.
 pub const MAX_WORKGROUP_BYTES: u32 = 16_384;
 
+/// The most storage buffers that a kernel binds: what every implementation of WebGPU offers.
+pub const MAX_STORAGE_BUFFERS: u32 = 8;
+
+/// The most invocations of a workgroup: what every implementation of WebGPU offers.
+pub const MAX_WORKGROUP_INVOCATIONS: u32 = 256;
+
 /// Bytes of all arrays in workgroup memory.
 pub const fn workgroup_bytes(shared: &[SharedInfo]) -> u32 {
     let (mut bytes, mut i) = (0, 0);

@@ -163,7 +163,8 @@ fn info(kernel: &Kernel) -> TokenStream {
         Some(iterations) => quote!(::core::option::Option::Some(#iterations)),
         None => quote!(::core::option::Option::None),
     };
-    let count = kernel.parameters.iter().filter(|parameter| parameter.role.is_binding()).count();
+    let is_storage = |parameter: &&Parameter| matches!(parameter.role, Role::Read | Role::Write);
+    let storage_buffers = kernel.parameters.iter().filter(is_storage).count() as u32;
     let run = cpu_run(kernel);
     let (fused, z_serial, z_innermost) = (kernel.fused, kernel.z_serial, kernel.z_innermost);
     let each = each(kernel);
@@ -192,9 +193,9 @@ fn info(kernel: &Kernel) -> TokenStream {
         };
         #[cfg(not(target_arch = "spirv"))]
         const _: () = {
-            ::core::assert!(#count <= 12, "a kernel has at most 12 bindings");
-            let bytes = ::organza_kernel::kernel::workgroup_bytes(&#all_shared);
-            ::core::assert!(bytes <= ::organza_kernel::kernel::MAX_WORKGROUP_BYTES, "a workgroup has 16 KiB of memory");
+            use ::organza_kernel::kernel::{MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, workgroup_bytes};
+            ::core::assert!(#storage_buffers <= MAX_STORAGE_BUFFERS, "a kernel binds at most 8 storage buffers");
+            ::core::assert!(workgroup_bytes(&#all_shared) <= MAX_WORKGROUP_BYTES, "a workgroup has 16 KiB of memory");
         };
     }
 }

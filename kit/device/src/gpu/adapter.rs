@@ -2,9 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::open::{DeviceOptions, SpirvPath};
-
-/// Storage buffers that one kernel may bind.
-const STORAGE_BUFFERS: u32 = 8;
+use organza_kernel::kernel::{MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, MAX_WORKGROUP_INVOCATIONS};
 
 fn instance() -> wgpu::Instance {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
@@ -107,16 +105,33 @@ pub fn choose(options: &DeviceOptions) -> Result<(wgpu::Adapter, SpirvPath)> {
         None if can_pass_through => SpirvPath::Passthrough,
         None => SpirvPath::Naga,
     };
-    let offered = adapter.limits().max_storage_buffers_per_shader_stage;
-    if offered < STORAGE_BUFFERS {
-        return Err(Error::NoGpu {
-            reason: format!(
-                "{} binds {offered} storage buffers, the kernels need {STORAGE_BUFFERS}",
-                adapter.get_info().name
-            ),
-        });
-    }
+    require(&adapter.limits()).map_err(|reason| Error::NoGpu {
+        reason: format!("{} {reason}", adapter.get_info().name),
+    })?;
     Ok((adapter, spirv))
+}
+
+/// Fails where an adapter has less than kernels may use; `#[kernel]` refuses kernels that use more.
+fn require(limits: &wgpu::Limits) -> std::result::Result<(), String> {
+    let needed = [
+        ("storage buffers", limits.max_storage_buffers_per_shader_stage, MAX_STORAGE_BUFFERS),
+        (
+            "bytes of workgroup memory",
+            limits.max_compute_workgroup_storage_size,
+            MAX_WORKGROUP_BYTES,
+        ),
+        (
+            "invocations in a workgroup",
+            limits.max_compute_invocations_per_workgroup,
+            MAX_WORKGROUP_INVOCATIONS,
+        ),
+    ];
+    match needed.into_iter().find(|(_, offered, needed)| offered < needed) {
+        Some((what, offered, needed)) => {
+            Err(format!("has {offered} {what}, but the kernels need {needed}"))
+        }
+        None => Ok(()),
+    }
 }
 
 /// Opens an adapter with all that it offers: the default limits end at 128 MiB a binding.
@@ -140,4 +155,21 @@ pub fn request(adapter: &wgpu::Adapter, spirv: SpirvPath) -> Result<(wgpu::Devic
     device.map_err(|error| Error::NoGpu {
         reason: format!("{} cannot be opened: {error}", adapter.get_info().name),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_adapter_below_webgpus_limits_is_refused() {
+        let limits = wgpu::Limits::default();
+        assert_eq!(require(&limits), Ok(()));
+        let few = wgpu::Limits { max_storage_buffers_per_shader_stage: 7, ..limits.clone() };
+        assert!(require(&few).unwrap_err().contains("7 storage buffers"));
+        let little = wgpu::Limits { max_compute_workgroup_storage_size: 16_383, ..limits.clone() };
+        assert!(require(&little).unwrap_err().contains("16383 bytes"));
+        let small = wgpu::Limits { max_compute_invocations_per_workgroup: 128, ..limits };
+        assert!(require(&small).unwrap_err().contains("128 invocations"));
+    }
 }

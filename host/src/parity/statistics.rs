@@ -1,0 +1,94 @@
+//! The case of `statistics`.
+
+use glam::Vec4;
+use organza_shaders::statistics::{StatisticsKernel, StatisticsParams};
+
+use super::case::{Parity, Rounding};
+use super::inputs::Random;
+use super::measure::{Bound, Output};
+use super::project_backward::ProjectBackward;
+use super::runner::KernelRunner;
+use organza_device::Result;
+
+/// Inputs of `statistics`.
+#[derive(Clone)]
+pub struct Statistics {
+    /// The pairs, those of `project_backward`.
+    pub pairs: ProjectBackward,
+    /// `[gaussians]`: what other parts have left.
+    pub statistics: Vec<Vec4>,
+}
+
+impl Statistics {
+    fn new(pairs: ProjectBackward) -> Self {
+        let numbers = Random::new(10).values(4 * pairs.forward.gaussians as usize, 0.0, 5.0);
+        Self { pairs, statistics: numbers.chunks(4).map(Vec4::from_slice).collect() }
+    }
+
+    /// What is left of a Gaussian's: how far the centers are pulled, the cameras that have a pair, the largest radius.
+    fn exact_of(&self, gaussian: usize) -> [f64; 4] {
+        let mut after = self.statistics[gaussian].as_dvec4().to_array();
+        for (camera, [center, ..]) in self.pairs.pairs(gaussian) {
+            let count = self.pairs.forward.gaussians as usize;
+            let radius = self.pairs.radius[camera * count + gaussian];
+            after[0] += f64::from(center.x).hypot(f64::from(center.y));
+            after[1] += 1.0;
+            after[2] = after[2].max(f64::from(radius));
+        }
+        after
+    }
+}
+
+impl Parity for Statistics {
+    const KERNEL: &'static str = "statistics";
+    const TOLERANCE: f64 = 1e-6;
+    const WHY: &'static str =
+        "a length's roundings and a square root of 3 ulp; a rounding for each camera";
+
+    fn sets() -> Vec<(String, Self)> {
+        let sets = ProjectBackward::sets().into_iter();
+        sets.map(|(name, pairs)| (name, Self::new(pairs))).collect()
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let set = &self.pairs.forward;
+        let radii = self.pairs.radius.iter();
+        let projection = radii.flat_map(|&radius| [Vec4::ONE.with_z(radius), Vec4::ONE]);
+        let statistics = runner.output_of(&self.statistics)?;
+        let kernel = StatisticsKernel {
+            params: StatisticsParams {
+                gaussians: set.gaussians,
+                words: set.gaussians.div_ceil(32),
+                cameras: set.cameras.len() as u32,
+            },
+            projection: &runner.upload(&projection.collect::<Vec<_>>())?,
+            pair_mask: &runner.upload(&self.pairs.pair_mask)?,
+            first_pair: &runner.upload(&self.pairs.first_pair)?,
+            pair_gradient: &runner.upload(self.pairs.pair_gradient.as_flattened())?,
+            statistics: &statistics,
+        };
+        runner.items(&kernel, set.gaussians, 1)?;
+        let values = runner.read(&statistics)?.into_iter().flat_map(|v| v.to_array());
+        Ok(vec![Output::float("statistics", values)])
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let gaussians = 0..self.statistics.len();
+        gaussians.flat_map(|gaussian| self.exact_of(gaussian)).map(Some).collect()
+    }
+
+    /// The number of cameras is added to what other parts have left: one rounding, the same on every device.
+    fn exact_bound(&self, exact: &Output, index: usize, rounding: Rounding) -> Bound {
+        match self.statistics.get(index / 4) {
+            Some(_) if index % 4 == 1 => Bound::of(exact.floats()[index]),
+            _ => self.bound(exact, index, rounding),
+        }
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        if index.is_multiple_of(4) && index / 4 < self.statistics.len() {
+            return Bound::of(self.exact_of(index / 4)[0]);
+        }
+        Bound { scale: 0.0, floor: 0.0 }
+    }
+}

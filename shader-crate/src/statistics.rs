@@ -1,0 +1,61 @@
+//! What growth decides by: how far a Gaussian's images are pulled, in how many cameras, and how large they are.
+
+use glam::{Vec3, Vec4};
+
+use crate::limits::MAX_CAMERAS;
+use crate::splat::VECTORS;
+use organza_kernel::math::{length, max};
+use organza_kernel::prelude::*;
+
+/// Parameters of [`statistics`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct StatisticsParams {
+    /// Gaussians of the scene.
+    pub gaussians: u32,
+    /// Words of a camera's mask.
+    pub words: u32,
+    /// Cameras of the part.
+    pub cameras: u32,
+}
+
+/// Adds the pairs of a Gaussian, cameras ascending, to `statistics [gaussians]`: the sum of |dL/dmean2d| over cameras,
+/// the cameras that have the Gaussian as a pair, its largest radius in pixels, 0.
+///
+/// `projection [cameras, gaussians, 2]` is that of [`project`](crate::project::project), `pair_gradient [pairs, 3]` that
+/// of [`splat_backward`](crate::splat::splat_backward).
+#[kernel(threads(64), iterations = MAX_CAMERAS)]
+pub fn statistics(
+    id: Invocation,
+    params: &StatisticsParams,
+    projection: Read<Vec4>,
+    pair_mask: Read<u32>,
+    first_pair: Read<u32>,
+    pair_gradient: Read<Vec4>,
+    statistics: Write<Vec4>,
+) {
+    let gaussian = id.index();
+    if gaussian < params.gaussians {
+        let (word, bit) = (gaussian / 32, 1 << (gaussian % 32));
+        let (mut moved, mut seen, mut radius) = (0.0, 0.0, 0.0);
+        let mut slot = 0;
+        while slot < params.cameras {
+            let bits = pair_mask.read(slot * params.words + word);
+            if bits & bit != 0 {
+                let below = (bits & (bit - 1)).count_ones();
+                let pair = first_pair.read(slot * params.words + word) + below;
+                let geometry = pair_gradient.read(VECTORS * pair);
+                moved += length(Vec3::new(geometry.x, geometry.y, 0.0));
+                seen += 1.0;
+                radius = max(radius, projection.read(2 * (slot * params.gaussians + gaussian)).z);
+            }
+            slot += 1;
+        }
+        if seen > 0.0 {
+            let before = statistics.read(gaussian);
+            let after =
+                Vec4::new(before.x + moved, before.y + seen, max(before.z, radius), before.w);
+            statistics.write(gaussian, after);
+        }
+    }
+}

@@ -3,9 +3,6 @@
 use crate::skip::skip;
 use organza_device::{Device, DeviceOptions, Error, InstructionSet, Modules, SpirvPath};
 
-/// A CPU runs no modules.
-static NONE: Modules = Modules::NONE;
-
 /// How SPIR-V reaches a GPU, by name.
 const GPUS: [(&str, SpirvPath); 2] =
     [("gpu passthrough", SpirvPath::Passthrough), ("gpu naga", SpirvPath::Naga)];
@@ -60,7 +57,7 @@ fn path_of(name: &str) -> Option<SpirvPath> {
 /// Where threads cannot be started.
 #[must_use]
 pub fn cpu(threads: Option<usize>) -> Device {
-    Device::open(&DeviceOptions::cpu(threads), &NONE).expect("the CPU")
+    Device::open(&DeviceOptions::cpu(threads), Modules::none()).expect("the CPU")
 }
 
 /// The CPU with an instruction set.
@@ -71,7 +68,7 @@ pub fn cpu(threads: Option<usize>) -> Device {
 pub fn with(instruction_set: InstructionSet) -> Device {
     let options =
         DeviceOptions { instruction_set: Some(instruction_set), ..DeviceOptions::cpu(None) };
-    Device::open(&options, &NONE).expect("the CPU")
+    Device::open(&options, Modules::none()).expect("the CPU")
 }
 
 /// The CPU with every instruction set that it has.

@@ -6,9 +6,6 @@ use super::case::{Case, Rounding};
 use super::measure::Measure;
 use organza_device::{AdapterInfo, Device, DeviceOptions, Modules, Result, SpirvPath};
 
-/// A CPU runs no modules.
-static CPU: Modules = Modules::NONE;
-
 /// What the cases have found on a device.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
@@ -74,7 +71,7 @@ impl Report {
     /// # Errors
     /// What a device runs into.
     pub fn of_cpu(cases: &[Case], cpu: &Device, done: impl FnMut(&'static str)) -> Result<Self> {
-        let one = Device::open(&DeviceOptions::cpu(Some(1)), &CPU)?;
+        let one = Device::open(&DeviceOptions::cpu(Some(1)), Modules::none())?;
         let (kernels, left_out) = rows(cases, cpu, &[&one], Rounding::AsWritten, done)?;
         let (adapter, driver) = ("cpu".into(), std::env::consts::ARCH.into());
         Ok(Self { adapter, driver, path: "one thread", left_out, kernels })

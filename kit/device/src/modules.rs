@@ -74,7 +74,11 @@ impl CompiledKernel {
 
 impl Modules {
     /// No modules: the CPU needs none.
-    pub const NONE: Self = Self::new("", &[]);
+    #[must_use]
+    pub fn none() -> &'static Self {
+        static NONE: Modules = Modules::new("", &[]);
+        &NONE
+    }
 
     /// Modules by entry point, and the text of their manifest.
     #[doc(hidden)]
@@ -186,8 +190,7 @@ mod tests {
 
     #[test]
     fn an_unknown_kernel_is_stale() {
-        static NONE: Modules = Modules::NONE;
-        let error = NONE.find("no such kernel").unwrap_err();
+        let error = Modules::none().find("no such kernel").unwrap_err();
         assert!(error.to_string().contains("`no such kernel`"), "{error}");
     }
 }

@@ -34,7 +34,7 @@ impl Image {
     /// A black image.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
+    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
     pub fn new(width: u32, height: u32) -> Result<Self> {
         let what = format!("an image of {width} x {height} pixels");
         let len = usize::try_from(u64::from(width) * u64::from(height)).unwrap_or(usize::MAX);
@@ -44,7 +44,7 @@ impl Image {
     /// Fails where an image cannot be made and written: PNG's encoder may take as much again.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
+    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
     pub fn check_memory(width: u32, height: u32) -> Result<()> {
         let what = format!("an image of {width} x {height} pixels");
         let bytes = 3 * u64::from(width) * u64::from(height);
@@ -118,7 +118,7 @@ impl Image {
     /// is left over at the right and the lower edge is cut off.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
+    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
     pub fn shrink(&self, factor: u32) -> Result<Self> {
         let factor = factor.max(1);
         let mut small = Self::new(self.width / factor, self.height / factor)?;

@@ -72,7 +72,7 @@ impl<L: Lane> Split<L> {
         Self { coarse, fine: L::select(inside, rest / whole, zero) }
     }
 
-    /// `self + t v`, for a [place](Self::place) t.
+    /// `self + t v`, for a [place](Self::divide) t.
     #[inline(always)]
     pub fn along(self, t: Self, v: Self) -> Self {
         let rest = self.fine + (t.coarse * v.fine + t.fine * v.value());

@@ -168,7 +168,7 @@ impl Dataset {
     /// [`Error::Argument`] for options out of range; [`Error::ReadFile`], [`Error::BadJson`],
     /// [`Error::Invalid`] or [`Error::Camera`] for what is damaged, unknown or not supported;
     /// [`Error::Invalid`] where no frame is left to train on, or where a file is outside the data
-    /// set's folder and must not be; [`Error::OutOfMemory`].
+    /// set's folder and must not be; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
     pub fn load(
         path: &Path,
         options: &DatasetOptions,

@@ -17,7 +17,7 @@ impl Renderer {
     /// Copies a scene to the device, as it is; [`Renderer::upload_with`] has choices.
     ///
     /// # Errors
-    /// What [`Scene::validate`] finds, and [`Error::OutOfMemory`].
+    /// What [`Scene::validate`] finds, and [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
     pub fn upload(&self, scene: &Scene) -> Result<DeviceScene> {
         self.upload_with(scene, UploadOptions::default())
     }

@@ -54,7 +54,7 @@ impl Scene {
     /// # Errors
     /// [`Error::BadConfig`](crate::error::Error::BadConfig);
     /// [`Error::TooManyValues`](crate::error::Error::TooManyValues) where a tensor would be larger
-    /// than the kernels can address; [`Error::OutOfMemory`](crate::error::Error::OutOfMemory).
+    /// than the kernels can address; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
     pub fn zeros(config: SceneConfig, gaussians: usize) -> Result<Self> {
         config.validate()?;
         let specs = config.tensors(gaussians);

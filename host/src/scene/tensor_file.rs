@@ -41,7 +41,7 @@ pub struct TensorRef<'a> {
 ///
 /// # Errors
 /// [`Error::ReadFile`], [`Error::BadSafetensors`] for a file that is cut short, damaged or
-/// something else, [`Error::WrongDtype`], [`Error::OutOfMemory`].
+/// something else, [`Error::WrongDtype`], [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
 pub fn read_tensors(path: impl AsRef<Path>) -> Result<BTreeMap<String, Tensor>> {
     let path = path.as_ref();
     let (file, length) = open_regular(path)?;

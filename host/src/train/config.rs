@@ -110,7 +110,7 @@ impl Default for AblationConfig {
     }
 }
 
-/// The shape of the scene: see [`SceneConfig`](crate::scene::SceneConfig).
+/// The shape of the scene: see [`SceneConfig`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct ShapeConfig {

@@ -18,7 +18,7 @@ impl TrainConfig {
     /// Fails where a run cannot fit into memory, before anything is read or made.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`](crate::error::DeviceError::OutOfMemory) with what it takes at least, by its parts, and what there is.
+    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory) with what it takes at least, by its parts, and what there is.
     pub fn check_memory(&self) -> Result<()> {
         let tiles = u64::from(self.run.tiles_per_step);
         let pixels = tiles * u64::from(self.run.tile_size).pow(2);

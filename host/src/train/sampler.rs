@@ -61,7 +61,7 @@ impl Sampler {
     /// Fails where the tiles of an epoch do not fit: there are as many as pixels where they have one each.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
     pub fn check_memory(&self) -> Result<()> {
         let cells = |&[width, height]: &[u32; 2]| {
             u64::from(cells(width, self.side)) * u64::from(cells(height, self.side))
@@ -127,7 +127,7 @@ impl Target {
     /// The photographs behind a batch's tiles.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
     pub fn of(batch: &TileBatch, frames: &[&Frame]) -> Result<Self> {
         let side = batch.side as usize;
         let area = side * side;

@@ -163,7 +163,7 @@ impl<'a> Trainer<'a> {
     /// One step.
     ///
     /// # Errors
-    /// [`Error::Diverged`] where the loss is not finite; [`Error::OutOfMemory`].
+    /// [`Error::Diverged`] where the loss is not finite; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
     pub fn step(&mut self) -> Result<StepReport> {
         self.step_with(&mut |_| Ok(()))
     }

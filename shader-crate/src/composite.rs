@@ -25,17 +25,23 @@ pub struct CompositeParams {
     pub skip: u32,
 }
 
-/// Alpha of a splat at a pixel, `sigmoid(opacity) T falloff` (Eq. 12), and whether the pixel lies in its support.
-///
-/// Add nothing where it does not: a weight or a color that is not finite makes NaN even of a falloff of 0.
+/// Squared Mahalanobis distance of a pixel from a splat's center.
 ///
 /// The shift of Eq. 15 cancels here: the distance is taken in the image, where pixel centers are exact in f32, so that
 /// it does not depend on how the image was cut.
 #[inline(always)]
-pub fn alpha<L: Lane>(placed: Vec4, conic: Vec4, x: L, y: L) -> (L, L::Mask) {
+pub fn splat_distance<L: Lane>(placed: Vec4, conic: Vec4, x: L, y: L) -> L {
     let (dx, dy) = (x - L::splat(placed.x), y - L::splat(placed.y));
-    let q = mahalanobis(Vec3::new(conic.x, conic.y, conic.z), dx, dy);
-    (L::splat(placed.z) * falloff(q), in_support(q))
+    mahalanobis(Vec3::new(conic.x, conic.y, conic.z), dx, dy)
+}
+
+/// Alpha of a splat at a distance: `sigmoid(opacity) T falloff` (Eq. 12).
+///
+/// Where the pixel does not lie [in its support](in_support), add nothing: a weight or a color that is not finite makes NaN
+/// even of a falloff of 0.
+#[inline(always)]
+pub fn alpha<L: Lane>(placed: Vec4, q: L) -> L {
+    L::splat(placed.z) * falloff(q)
 }
 
 /// Whether a splat's support may reach pixels of a row, whose centers lie in `[first, last]` and at height `y`.
@@ -160,6 +166,7 @@ pub fn composite<L: Lane>(
         let mut green = L::read_written(sum, at + area);
         let mut blue = L::read_written(sum, at + 2 * area);
         let mut weight = L::read_written(sum, at + 3 * area);
+        let zero = L::splat(0.0);
         let cell = Cells::of(params.side).bit(place.x, place.y);
         let mut next = begin;
         while next < end {
@@ -177,12 +184,13 @@ pub fn composite<L: Lane>(
                     let placed = shared_splats.element(offset, splats);
                     let conic = shared_splats.element(offset + 1, splats);
                     if touches(placed, conic, first.x, last, first.y) {
-                        let (a, reached) = alpha(placed, conic, x, y);
+                        let q = splat_distance(placed, conic, x, y);
+                        let a = alpha(placed, q);
                         let c = shared_splats.element(offset + 2, splats);
-                        red = L::select(reached, red + a * L::splat(c.x), red);
-                        green = L::select(reached, green + a * L::splat(c.y), green);
-                        blue = L::select(reached, blue + a * L::splat(c.z), blue);
-                        weight = L::select(reached, weight + a, weight);
+                        red = red + L::select(in_support(q), a * L::splat(c.x), zero);
+                        green = green + L::select(in_support(q), a * L::splat(c.y), zero);
+                        blue = blue + L::select(in_support(q), a * L::splat(c.z), zero);
+                        weight = weight + L::select(in_support(q), a, zero);
                     }
                 }
                 k += 1;

@@ -1,8 +1,8 @@
 //! The results of single stages: each stage for every Gaussian, or all stages for one pixel.
 
 use glam::{Vec2, Vec4};
-use organza_shaders::composite::{alpha, pixel_center};
-use organza_shaders::project::{falloff, mahalanobis};
+use organza_shaders::composite::{alpha, pixel_center, splat_distance};
+use organza_shaders::project::{falloff, in_support};
 use organza_shaders::splat::VECTORS;
 use organza_shaders::tile::Tile as KernelTile;
 
@@ -166,8 +166,9 @@ impl Renderer {
             let [placed, conic] = std::array::from_fn(|v| splat[index * VECTORS as usize + v]);
             let color = color[index];
             let d = center - Vec2::new(placed.x, placed.y);
-            let (alpha, reached) = alpha(placed, conic, center.x, center.y);
-            let alpha = if reached { alpha } else { 0.0 };
+            let q = splat_distance(placed, conic, center.x, center.y);
+            let reached = in_support(q);
+            let alpha = if reached { alpha(placed, q) } else { 0.0 };
             if reached {
                 sum += Vec4::new(alpha * color[0], alpha * color[1], alpha * color[2], alpha);
             }
@@ -175,7 +176,7 @@ impl Renderer {
             contributions.push(Contribution {
                 gaussian,
                 distance: d.length(),
-                falloff: falloff(mahalanobis(conic.truncate(), d.x, d.y)),
+                falloff: falloff(q),
                 opacity: organza_kernel::math::sigmoid(opacity[gaussian]),
                 samples: first[index + 1] - first[index],
                 transmittance: transmittance[index],

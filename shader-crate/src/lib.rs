@@ -6,7 +6,6 @@
 //!
 //! Rust-GPU compiles this crate to SPIR-V. The host compiles it too, to run kernels on the CPU and to dispatch them.
 #![no_std]
-#![cfg_attr(target_arch = "spirv", feature(f16, asm_experimental_arch))]
 // the shader compiler cannot compile what clippy suggests instead
 #![allow(clippy::implicit_saturating_sub, clippy::manual_range_contains, clippy::manual_clamp)]
 

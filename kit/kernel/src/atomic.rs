@@ -10,7 +10,7 @@ use core::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
 #[cfg(not(target_arch = "spirv"))]
 use crate::memory::Touch;
-use crate::prelude::*;
+use crate::memory::Write;
 
 /// The whole dispatch.
 #[cfg(target_arch = "spirv")]

@@ -3,7 +3,12 @@
 //! The host sizes tables and dispatches for the number that it expects, and does not wait for the real one. The buffer
 //! `counts` has the numbers. If one of them exceeds its capacity, [`OVERFLOW`] is raised and all of them count as 0.
 
-use crate::prelude::*;
+use organza_macros::kernel;
+
+use crate::invocation::Invocation;
+use crate::memory::{Read, Write};
+#[cfg(target_arch = "spirv")]
+use crate::memory::{ReadBuffer, WriteBuffer};
 
 /// Index in `counts` of a flag: not 0 if a number exceeds its capacity.
 pub const OVERFLOW: u32 = 0;

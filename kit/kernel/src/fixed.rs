@@ -3,7 +3,9 @@
 //! Not every GPU has 64-bit integers. So a sum is two words in two's complement, the low one first.
 
 use crate::math::abs;
-use crate::prelude::*;
+use crate::memory::Write;
+#[cfg(target_arch = "spirv")]
+use crate::memory::{ReadBuffer, WriteBuffer};
 
 /// 2^32
 const WORD: f32 = 4_294_967_296.0;

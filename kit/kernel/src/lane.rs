@@ -10,7 +10,9 @@ use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
 use spirv_std::num_traits::Float;
 
 use crate::half::{Halves, half_value};
-use crate::prelude::*;
+use crate::memory::{Read, Write};
+#[cfg(target_arch = "spirv")]
+use crate::memory::{ReadBuffer, WriteBuffer};
 use crate::{atomic, fixed};
 
 #[cfg(not(target_arch = "spirv"))]

@@ -4,7 +4,10 @@
 //! kernel can be generic over [`Samples`] instead of [`Lane`]. A GPU runs it with [`Four`]: an invocation takes four
 //! consecutive samples. The CPU runs it with lanes, like other kernels.
 
-use crate::prelude::*;
+use crate::lane::Lane;
+use crate::memory::{Read, Write};
+#[cfg(target_arch = "spirv")]
+use crate::memory::{ReadBuffer, WriteBuffer};
 
 /// One `f32` for each of several samples.
 pub trait Samples: Copy {

@@ -4,7 +4,9 @@
 //! one, and on the CPU, the tile is [`Unshared`]: it is empty, and reads go to its [`Source`]. In the one named `_shared` it is
 //! workgroup memory: each invocation copies a share of what all of them will read, and reads go there.
 
-use crate::prelude::*;
+use crate::invocation::Invocation;
+#[cfg(target_arch = "spirv")]
+use crate::memory::{ReadBuffer, WriteBuffer};
 
 /// Where a tile's elements come from: items of several elements each.
 pub trait Source<T>: Copy {

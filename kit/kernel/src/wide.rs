@@ -4,7 +4,8 @@ use core::array::from_fn;
 use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
 
 use crate::half::{Rounded, half_value};
-use crate::prelude::*;
+use crate::lane::{Lane, LaneIndex};
+use crate::memory::{Read, Write};
 use crate::wide_math::{exp, fma, pairwise, wholes};
 use crate::{atomic, fixed};
 

@@ -2,7 +2,7 @@
 
 use core::array::from_fn;
 
-use crate::prelude::*;
+use crate::lane::Lane;
 use crate::wide::Wide;
 
 /// e^x = 2^n e^r with |r| <= ln 2 / 2: Cephes' polynomial.  Step by step for all lanes: the compiler would leave

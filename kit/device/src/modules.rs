@@ -100,10 +100,15 @@ impl Modules {
 
     /// All compiled kernels, sorted by name.
     pub fn all(&'static self) -> impl Iterator<Item = CompiledKernel> {
-        self.table.iter().map(|(name, spirv)| CompiledKernel {
-            entry: self.manifest().find(name).expect("the manifest names what is embedded"),
-            spirv: &spirv.0,
-        })
+        self.table.iter().map(|module| self.compiled(module))
+    }
+
+    fn compiled(
+        &'static self,
+        (name, spirv): &'static (&'static str, &'static Aligned<[u8]>),
+    ) -> CompiledKernel {
+        let entry = self.manifest().find(name).expect("the manifest names what is embedded");
+        CompiledKernel { entry, spirv: &spirv.0 }
     }
 
     /// The compiled kernel of a name.
@@ -111,8 +116,9 @@ impl Modules {
     /// # Errors
     /// [`Error::StaleKernels`] when the kernel was not compiled yet.
     pub fn find(&'static self, name: &str) -> Result<CompiledKernel> {
-        let kernel = self.all().find(|kernel| kernel.entry.name == name);
-        kernel.ok_or_else(|| stale(format!("`{name}` is not among them")))
+        let module = self.table.iter().find(|(found, _)| *found == name);
+        let module = module.ok_or_else(|| stale(format!("`{name}` is not among them")))?;
+        Ok(self.compiled(module))
     }
 
     /// The compiled form of a kernel's entry point, which must expect of the host what the sources declare: a driver

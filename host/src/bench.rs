@@ -12,8 +12,7 @@ use crate::camera::Camera;
 use crate::error::Result;
 use crate::render::{DeviceScene, RenderReport, Renderer, SceneGradient};
 use crate::tile::TileBatch;
-use organza_device::memory;
-use organza_device::{Device, KernelTime};
+use organza_device::{Device, KernelTime, memory};
 use organza_kernel::work::Work;
 
 pub use peak::Peaks;

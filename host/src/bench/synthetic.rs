@@ -4,11 +4,11 @@ use std::f64::consts::TAU;
 
 use crate::camera::Camera;
 use crate::error::Result;
-use crate::parity::inputs::Random;
 use crate::scene::{
     Field, Gaussians, GridConfig, Interpolation, Layer, MlpConfig, Scene, SceneConfig,
 };
 use crate::tile::{Tile, TileBatch};
+use organza_check::inputs::Random;
 
 const GAUSSIANS: usize = 20_000;
 const VIEWS: usize = 16;

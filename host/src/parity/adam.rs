@@ -1,13 +1,13 @@
 //! The optimizer's step.
 
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding,
+    inputs::{self, Fill, Random},
+};
 use organza_shaders::adam::{AdamKernel, AdamParams};
 use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 
-use super::case::{Parity, Rounding};
 use super::exact::adam::Step;
-use super::inputs::{self, Fill, Random};
-use super::measure::{Bound, Output};
-use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Inputs of `adam`.

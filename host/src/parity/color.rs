@@ -1,6 +1,10 @@
 //! Cases of `color_inputs` and `color_head`.
 
 use glam::Vec3;
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding, Values,
+    inputs::{self, Fill, ITEMS, Random},
+};
 use organza_shaders::camera::Camera;
 use organza_shaders::color::{
     ColorHeadKernel, ColorHeadParams, ColorInputsKernel, ColorInputsParams,
@@ -8,15 +12,11 @@ use organza_shaders::color::{
 use organza_shaders::hash_grid::POINT_ROWS;
 use organza_shaders::unit_cube::SceneBox;
 
-use super::case::{Parity, Rounding};
 use super::dense::Layer;
 use super::exact::numeric::sigmoid;
 use super::exact::spherical_harmonics::{direction, harmonics};
 use super::exact::unit_cube::unit;
-use super::inputs::{self, Fill, ITEMS, Random};
-use super::measure::{Bound, Output, Values};
 use super::project;
-use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Boxes around the origin, far from it and small, and large.

@@ -1,17 +1,17 @@
 //! Cases of `color_head_backward` and `material_backward`.
 
 use glam::Vec4;
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding,
+    inputs::{self, Fill, ITEMS, Random},
+};
 use organza_shaders::color_backward::{
     ColorHeadBackwardKernel, ColorHeadBackwardParams, MaterialBackwardKernel,
     MaterialBackwardParams,
 };
 
-use super::case::{Parity, Rounding};
 use super::exact::color::logit;
 use super::exact::numeric::{Dual, gradient, sigmoid};
-use super::inputs::{self, Fill, ITEMS, Random};
-use super::measure::{Bound, Output};
-use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Pairs before the chunk.

@@ -1,17 +1,17 @@
 //! The case of `composite`.
 
 use glam::Vec4;
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding,
+    inputs::{Fill, Random},
+};
 use organza_kernel::math::TINY;
 use organza_shaders::composite::{CompositeKernel, CompositeParams};
 use organza_shaders::limits::MAX_MEMBERS;
 use organza_shaders::project::FALLOFF_CUTOFF;
 use organza_shaders::tile::Tile;
 
-use super::case::{Parity, Rounding};
 use super::exact::composite::{Splat, falloff};
-use super::inputs::{Fill, Random};
-use super::measure::{Bound, Output};
-use super::runner::KernelRunner;
 use super::tile::pack;
 use organza_device::Result;
 

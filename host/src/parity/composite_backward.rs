@@ -1,18 +1,18 @@
 //! The case of `composite_backward`.
 
 use glam::{DVec4, Vec4};
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding,
+    inputs::{Fill, Random},
+};
 use organza_kernel::math::TINY;
 use organza_shaders::composite_backward::{
     CompositeBackwardKernel, CompositeBackwardParams, band_rows,
 };
 
-use super::case::{Parity, Rounding};
 use super::composite::{Composite, SIDES};
 use super::exact::composite::{Splat, falloff};
 use super::exact::numeric::{Dual, gradient};
-use super::inputs::{Fill, Random};
-use super::measure::{Bound, Output};
-use super::runner::KernelRunner;
 use super::tile::pack;
 use organza_device::Result;
 

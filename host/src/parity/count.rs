@@ -1,16 +1,16 @@
 //! Cases of `record_total`, `clear_on_overflow` and `count_fill`.
 
+use organza_check::{
+    KernelRunner, Output, Parity,
+    inputs::{Random, SIZES},
+};
 use organza_kernel::count::{CountFillKernel, OVERFLOW, PLACEMENT_VALUES};
 use organza_shaders::count::{
     COUNTS, ClearOnOverflowKernel, ClearOnOverflowParams, MEMBERS, PAIRS, RecordTotalKernel,
     RecordTotalParams, SAMPLES,
 };
 
-use super::case::Parity;
 use super::exact::listed;
-use super::inputs::{Random, SIZES};
-use super::measure::Output;
-use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Inputs of `record_total`.

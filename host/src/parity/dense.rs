@@ -1,14 +1,14 @@
 //! The case of `dense`, and the sum that both heads share with it.
 
 use glam::Vec4;
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding,
+    inputs::{self, Fill, Random},
+};
 use organza_kernel::math::TINY;
 use organza_shaders::dense::{DenseKernel, DenseParams, OUTPUTS_PER_INVOCATION};
 
-use super::case::{Parity, Rounding};
 use super::exact::dense::{affine, relu};
-use super::inputs::{self, Fill, Random};
-use super::measure::{Bound, Output};
-use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Where a layer's weights begin: not at 0.

@@ -3,19 +3,19 @@
 use std::ops::Range;
 
 use glam::Vec4;
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding,
+    inputs::{self, Fill, ITEMS, Random},
+};
 use organza_kernel::math::TINY;
 use organza_shaders::dense_backward::{
     DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
     DenseWeightSumKernel, DenseWeightSumParams, INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,
 };
 
-use super::case::{Parity, Rounding};
 use super::dense::Layer;
 use super::exact::dense::{affine, relu};
 use super::exact::numeric::{Dual, gradient};
-use super::inputs::{self, Fill, ITEMS, Random};
-use super::measure::{Bound, Output};
-use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Nothing may be off.

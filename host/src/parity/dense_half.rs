@@ -1,17 +1,15 @@
 //! The case of `dense_half`.
 
 use glam::Vec4;
+use organza_check::{Bound, KernelRunner, Output, Parity, Rounding};
 use organza_kernel::half::HalfVector;
 use organza_shaders::dense::OUTPUTS_PER_INVOCATION;
 use organza_shaders::dense_half::{
     DenseHalfKernel, MAX_INPUT, MAX_WEIGHTS, PRODUCTS_PER_SUM, UNIT,
 };
 
-use super::case::{Parity, Rounding};
 use super::dense::{Dense, Layer};
 use super::exact::dense::relu;
-use super::measure::{Bound, Output};
-use super::runner::KernelRunner;
 use crate::render::half_vectors;
 use organza_device::Result;
 

@@ -1,14 +1,14 @@
 //! The case of `hash_grid`.
 
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding,
+    inputs::{self, Fill, ITEMS, Random},
+};
 use organza_kernel::math::TINY;
 use organza_shaders::hash_grid::{GridLevel, HashGridKernel, HashGridParams, POINT_ROWS};
 use organza_shaders::unit_cube::Split;
 
-use super::case::{Parity, Rounding};
 use super::exact::hash_grid::encode;
-use super::inputs::{self, Fill, ITEMS, Random};
-use super::measure::{Bound, Output};
-use super::runner::KernelRunner;
 use crate::scene::{GridConfig, Interpolation};
 use organza_device::Result;
 

@@ -1,5 +1,9 @@
 //! The cases of `hash_grid_backward` and `hash_grid_gradient`.
 
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding, Values,
+    inputs::{self, Fill, ITEMS, Random},
+};
 use organza_kernel::math::TINY;
 use organza_shaders::hash_grid::Corners;
 use organza_shaders::hash_grid_backward::{
@@ -7,13 +11,9 @@ use organza_shaders::hash_grid_backward::{
 };
 use organza_shaders::unit_cube::Split;
 
-use super::case::{Parity, Rounding};
 use super::exact::hash_grid::levels;
 use super::exact::hash_grid_scale::unit;
 use super::hash_grid::{exact_point, features, grid, params, positions, unrounded_point};
-use super::inputs::{self, Fill, ITEMS, Random};
-use super::measure::{Bound, Output, Values};
-use super::runner::KernelRunner;
 use crate::scene::{GridConfig, Interpolation};
 use organza_device::Result;
 

@@ -1,12 +1,10 @@
 //! The case of `hash_grid_half`.
 
+use organza_check::{Bound, KernelRunner, Output, Parity, Rounding};
 use organza_kernel::half::half_value;
 use organza_shaders::hash_grid_half::{HashGridHalfKernel, MAX_HALF};
 
-use super::case::{Parity, Rounding};
 use super::hash_grid::HashGrid;
-use super::measure::{Bound, Output};
-use super::runner::KernelRunner;
 use crate::render::pack_halves;
 use organza_device::Result;
 

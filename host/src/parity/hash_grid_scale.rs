@@ -1,6 +1,10 @@
 //! The cases of `hash_grid_peak`, `hash_grid_norm` and `hash_grid_scale`.
 
 use glam::Vec4;
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding,
+    inputs::{self, Fill, Random},
+};
 use organza_kernel::math::TINY;
 use organza_shaders::hash_grid_scale::{
     HashGridNormKernel, HashGridNormParams, HashGridPeakKernel, HashGridPeakParams,
@@ -8,11 +12,7 @@ use organza_shaders::hash_grid_scale::{
 };
 use organza_shaders::limits::MAX_LAYERS;
 
-use super::case::{Parity, Rounding};
 use super::exact::hash_grid_scale::{color_bound, largest, transmittance_bound, unit};
-use super::inputs::{self, Fill, Random};
-use super::measure::{Bound, Output};
-use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Four numbers at a time.

@@ -1,18 +1,18 @@
 //! Cases of `loss_terms`, `loss_rows` and `loss_gradient`.
 
 use glam::Vec4;
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding,
+    inputs::{Fill, Random},
+};
 use organza_kernel::math::TINY;
 use organza_shaders::loss::{
     LossGradientKernel, LossGradientParams, LossParams, LossRowsKernel, LossTermsKernel,
 };
 use organza_shaders::ssim::SLOPES;
 
-use super::case::{Parity, Rounding};
 use super::exact::loss::{sign, sums};
 use super::exact::ssim::weighted_sum;
-use super::inputs::{Fill, Random};
-use super::measure::{Bound, Output};
-use super::runner::KernelRunner;
 use super::ssim::{tap_sum, window};
 use organza_device::Result;
 

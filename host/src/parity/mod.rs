@@ -34,9 +34,7 @@ pub mod tile_cells;
 pub mod transmittance;
 pub mod transmittance_backward;
 
-pub use organza_check::{case, inputs, measure, runner};
-
-use case::Case;
+use organza_check::Case;
 
 /// The case of every kernel. Add a new kernel's here.
 #[must_use]

@@ -1,15 +1,15 @@
 //! Cases of `pair_mask`, `pair_fill` and `pair_sum`.
 
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding,
+    inputs::{Fill, Random, SIZES},
+};
 use organza_kernel::math::TINY;
 use organza_shaders::pair::{
     PairFillKernel, PairFillParams, PairMaskKernel, PairMaskParams, PairSumKernel, PairSumParams,
 };
 
-use super::case::{Parity, Rounding};
 use super::exact::{bits, listed};
-use super::inputs::{Fill, Random, SIZES};
-use super::measure::{Bound, Output};
-use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// How masks are filled.

@@ -1,15 +1,15 @@
 //! The cases of `peak_multiply_add` and `peak_read`.
 
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding,
+    inputs::{self, Fill},
+};
 use organza_kernel::math::TINY;
 use organza_shaders::peak::{
     MULTIPLY_ADDS, PeakMultiplyAddKernel, PeakMultiplyAddParams, PeakReadKernel, PeakReadParams,
     READS,
 };
 
-use super::case::{Parity, Rounding};
-use super::inputs::{self, Fill};
-use super::measure::{Bound, Output};
-use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Sums of an invocation of `peak_multiply_add`.

@@ -1,17 +1,17 @@
 //! The case of `project`, and cameras for the others.
 
 use glam::{DVec3, DVec4, Vec2, Vec3, Vec4};
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding,
+    inputs::{self, Fill, ITEMS, Random},
+};
 use organza_shaders::camera::Camera;
 use organza_shaders::lens::NEAR_PLANE;
 use organza_shaders::project::{
     BEHIND, DEGENERATE, FALLOFF_CUTOFF, ProjectKernel, ProjectParams, rotation_columns,
 };
 
-use super::case::{Parity, Rounding};
 use super::exact::project::{Gaussian, Projected, View, project};
-use super::inputs::{self, Fill, ITEMS, Random};
-use super::measure::{Bound, Output};
-use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Three cameras around the origin, the first of them axis-parallel.

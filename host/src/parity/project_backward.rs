@@ -1,18 +1,15 @@
 //! The case of `project_backward`.
 
 use glam::{DVec3, Vec3, Vec4};
+use organza_check::{Bound, KernelRunner, Output, Parity, Rounding, inputs::Random};
 use organza_kernel::math::TINY;
 use organza_shaders::camera::Camera;
 use organza_shaders::project::project_gaussian;
 use organza_shaders::project_backward::{ProjectBackwardKernel, ProjectBackwardParams};
 
-use super::case::{Parity, Rounding};
 use super::exact::numeric::{Dual, gradient};
 use super::exact::project::{Gaussian, View, project};
-use super::inputs::Random;
-use super::measure::{Bound, Output};
 use super::project::{Fate, Project};
-use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Inputs of `project_backward`.

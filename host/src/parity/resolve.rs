@@ -1,17 +1,17 @@
 //! Cases of `resolve` and `resolve_backward`.
 
 use glam::Vec4;
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding,
+    inputs::{Fill, Random},
+};
 use organza_kernel::math::TINY;
 use organza_shaders::resolve::{DIVIDE_ABOVE, ResolveBackwardKernel, ResolveKernel, ResolveParams};
 use organza_shaders::tile::Tile;
 
-use super::case::{Parity, Rounding};
 use super::composite::{SIDES, pixels, planes, tiles};
 use super::exact::numeric::{Dual, gradient};
 use super::exact::resolve::pixel;
-use super::inputs::{Fill, Random};
-use super::measure::{Bound, Output};
-use super::runner::KernelRunner;
 use super::tile::pack;
 use organza_device::Result;
 

@@ -1,12 +1,12 @@
 //! Cases of `scan_block` and `scan_add`.
 
+use organza_check::{
+    KernelRunner, Output, Parity,
+    inputs::{Random, SIZES},
+};
 use organza_shaders::scan::{BLOCK, ScanAddKernel, ScanBlockKernel, ScanParams};
 
-use super::case::Parity;
 use super::exact::listed;
-use super::inputs::{Random, SIZES};
-use super::measure::Output;
-use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Sizes around the workgroup and around the block.

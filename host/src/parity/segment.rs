@@ -1,19 +1,19 @@
 //! The case of `segment`.
 
 use glam::{DVec3, Vec3, Vec4};
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding, Values,
+    inputs::{self, Fill, ITEMS, Random},
+};
 use organza_shaders::camera::Camera;
 use organza_shaders::limits::MAX_SAMPLES;
 use organza_shaders::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
 use organza_shaders::unit_cube::SceneBox;
 
-use super::case::{Parity, Rounding};
 use super::color::BOXES;
 use super::exact::segment as exact;
 use super::exact::unit_cube::unit;
-use super::inputs::{self, Fill, ITEMS, Random};
-use super::measure::{Bound, Output, Values};
 use super::project;
-use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// How far from a decision of the kernel the inputs stay, relative to the ray.

@@ -3,18 +3,18 @@
 use std::collections::BTreeMap;
 
 use glam::Vec4;
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding,
+    inputs::{self, Fill, Random},
+};
 use organza_kernel::math::TINY;
 use organza_shaders::splat::{
     SplatBackwardKernel, SplatBackwardParams, SplatKernel, SplatParams, VECTORS,
 };
 
-use super::case::{Parity, Rounding};
 use super::exact::bits;
 use super::exact::composite::weight;
 use super::exact::numeric::{Dual, gradient};
-use super::inputs::{self, Fill, Random};
-use super::measure::{Bound, Output};
-use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Inputs of `splat`.

@@ -1,19 +1,19 @@
 //! Cases of `ssim_rows`, `ssim_columns` and `ssim_rows_backward`.
 
 use glam::Vec4;
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding,
+    inputs::{Fill, Random},
+};
 use organza_kernel::math::TINY;
 use organza_shaders::ssim::{
     C1, C2, MOMENTS, RADIUS, SLOPES, SsimColumnsKernel, SsimParams, SsimRowsBackwardKernel,
     SsimRowsKernel, WINDOW,
 };
 
-use super::case::{Parity, Rounding};
 use super::exact::numeric::{Dual, gradient};
 use super::exact::ssim::{dissimilarity, weighted_sum};
-use super::inputs::{Fill, Random};
 use super::loss::{TILES, Terms, sets};
-use super::measure::{Bound, Output};
-use super::runner::KernelRunner;
 use crate::metrics;
 use organza_device::Result;
 

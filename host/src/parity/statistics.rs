@@ -1,13 +1,10 @@
 //! The case of `statistics`.
 
 use glam::Vec4;
+use organza_check::{Bound, KernelRunner, Output, Parity, Rounding, inputs::Random};
 use organza_shaders::statistics::{StatisticsKernel, StatisticsParams};
 
-use super::case::{Parity, Rounding};
-use super::inputs::Random;
-use super::measure::{Bound, Output};
 use super::project_backward::ProjectBackward;
-use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Inputs of `statistics`.

@@ -1,19 +1,19 @@
 //! Cases of `tile_mask`, `tile_fill` and `tile_range`.
 
 use glam::Vec4;
+use organza_check::{
+    KernelRunner, Output, Parity,
+    inputs::{Fill, Random, SIZES},
+};
 use organza_shaders::project::{BEHIND, DEGENERATE};
 use organza_shaders::tile::{
     Tile, TileFillKernel, TileFillParams, TileMaskKernel, TileMaskParams, TileRangeKernel,
     TileRangeParams,
 };
 
-use super::case::Parity;
 use super::exact::tile::reaches;
 use super::exact::{bits, listed};
-use super::inputs::{Fill, Random, SIZES};
-use super::measure::Output;
 use super::pair::{mask_sets, scanned};
-use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Tiles as they lie in a buffer.

@@ -1,14 +1,11 @@
 //! The case of `tile_cells`.
 
 use glam::Vec4;
+use organza_check::{KernelRunner, Output, Parity, inputs::Fill};
 use organza_shaders::tile::Tile;
 use organza_shaders::tile_cells::{TileCellsKernel, TileCellsParams};
 
-use super::case::Parity;
 use super::composite::{Composite, SIDES};
-use super::inputs::Fill;
-use super::measure::Output;
-use super::runner::KernelRunner;
 use super::tile::pack;
 use organza_device::Result;
 

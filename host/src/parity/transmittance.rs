@@ -1,6 +1,10 @@
 //! Cases of `transmittance_inputs`, `transmittance_head` and `segment_product`.
 
 use glam::Vec4;
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding, Values,
+    inputs::{self, Fill, Random},
+};
 use organza_kernel::math::TINY;
 use organza_shaders::hash_grid::POINT_ROWS;
 use organza_shaders::transmittance::{
@@ -9,13 +13,9 @@ use organza_shaders::transmittance::{
 };
 use organza_shaders::unit_cube::Split;
 
-use super::case::{Parity, Rounding};
 use super::color::{joined, layer_of_size};
 use super::dense::Layer;
 use super::exact::transmittance::{log_rho, midpoint, transmittance};
-use super::inputs::{self, Fill, Random};
-use super::measure::{Bound, Output, Values};
-use super::runner::KernelRunner;
 use organza_device::Result;
 
 /// Samples before the chunk.

@@ -1,19 +1,19 @@
 //! Cases of `segment_product_backward`, `transmittance_head_backward` and `extra_backward`.
 
 use glam::Vec4;
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding,
+    inputs::{self, Fill, Random},
+};
 use organza_kernel::math::TINY;
 use organza_shaders::transmittance_backward::{
     ExtraBackwardKernel, ExtraBackwardParams, SegmentProductBackwardKernel,
     SegmentProductBackwardParams, TransmittanceHeadBackwardKernel,
 };
 
-use super::case::{Parity, Rounding};
 use super::dense::Layer;
 use super::exact::numeric::{Dual, gradient};
 use super::exact::transmittance::{log_rho, transmittance};
-use super::inputs::{self, Fill, Random};
-use super::measure::{Bound, Output};
-use super::runner::KernelRunner;
 use super::transmittance::{counts, head_params, head_sets, points, prefix};
 use organza_device::Result;
 

@@ -15,8 +15,7 @@ use super::part_counts::{Capacity, PartCounts};
 use super::plan::{Plan, words};
 use super::scene::DeviceScene;
 use crate::camera::Camera;
-use organza_device::Result;
-use organza_device::{Buffer, Count, Device};
+use organza_device::{Buffer, Count, Device, Result};
 
 /// The (Gaussian, camera) pairs to evaluate.
 #[derive(Debug)]

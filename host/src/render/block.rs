@@ -6,8 +6,7 @@
 use organza_shaders::hash_grid::POINT_ROWS;
 use organza_shaders::limits::{MAX_SLICE, MAX_SLICES};
 
-use organza_device::Result;
-use organza_device::{Buffer, Count, Device, TAIL_ALIGNMENT};
+use organza_device::{Buffer, Count, Device, Result, TAIL_ALIGNMENT};
 
 /// Samples of a block, in whole chunks.
 const BLOCK: u32 = 1 << 17;

@@ -19,8 +19,7 @@ use super::gradient::SceneGradient;
 use super::mask::Mask;
 use super::pair::sum_pairs;
 use super::scene::DeviceScene;
-use organza_device::Result;
-use organza_device::{Buffer, Device};
+use organza_device::{Buffer, Device, Result};
 
 /// Color of every pair.
 #[derive(Debug)]

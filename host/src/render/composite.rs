@@ -15,8 +15,7 @@ use organza_shaders::tile_cells::{TileCellsKernel, TileCellsParams};
 use super::bin::Bins;
 use super::plan::words;
 use super::scene::DeviceScene;
-use organza_device::{Buffer, Device};
-use organza_device::{Error, Result};
+use organza_device::{Buffer, Device, Error, Result};
 
 /// The composited tiles of a part.
 #[derive(Debug)]

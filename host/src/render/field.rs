@@ -12,8 +12,7 @@ use super::hash_grid_half::pack_halves;
 use super::network::LayerPlace;
 use super::options::UploadOptions;
 use crate::scene::{Field, FieldTensors, GridConfig, Interpolation};
-use organza_device::Result;
-use organza_device::{Buffer, Device};
+use organza_device::{Buffer, Device, Result};
 
 /// A field whose tensors lie on a device: `table` and `parameters` are those of the scene.
 #[derive(Debug)]

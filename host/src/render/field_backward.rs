@@ -12,8 +12,7 @@ use super::block::{BlockOf, Chunk, Layout};
 use super::field::DeviceField;
 use super::gradient::FieldGradient;
 use super::network::LayerPlace;
-use organza_device::Result;
-use organza_device::{Buffer, Device};
+use organza_device::{Buffer, Device, Result};
 
 /// Samples of a slice on a GPU: a chunk has enough of them to fill it.
 const GPU_SLICE: u32 = 1 << 8;

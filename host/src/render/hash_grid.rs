@@ -13,8 +13,7 @@ use organza_shaders::limits::MAX_LAYERS;
 
 use super::field::DeviceField;
 use crate::scene::MAX_HIDDEN_LAYERS;
-use organza_device::{Buffer, Count, Device};
-use organza_device::{Error, Result};
+use organza_device::{Buffer, Count, Device, Error, Result};
 
 const _: () = assert!(MAX_LAYERS as usize == MAX_HIDDEN_LAYERS + 1);
 

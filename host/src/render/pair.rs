@@ -5,8 +5,7 @@ use organza_shaders::pair::{PairSumKernel, PairSumParams};
 use super::mask::Mask;
 use super::plan::words;
 use super::scene::DeviceScene;
-use organza_device::Result;
-use organza_device::{Buffer, Device};
+use organza_device::{Buffer, Device, Result};
 
 /// Adds the vectors of every Gaussian's pairs, `pair_vector [pairs, width]`, to `vector [gaussians, width]`.
 pub fn sum_pairs(

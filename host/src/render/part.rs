@@ -9,8 +9,7 @@ use super::results::RenderReport;
 use super::scene::DeviceScene;
 use super::transmittance::Transmittance;
 use crate::camera::Camera;
-use organza_device::Result;
-use organza_device::{Buffer, Device};
+use organza_device::{Buffer, Device, Result};
 
 /// Everything that the stages have written on the device.
 #[derive(Debug)]

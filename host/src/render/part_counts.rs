@@ -9,8 +9,7 @@ use organza_shaders::count::{
 };
 
 use super::mask::Mask;
-use organza_device::Result;
-use organza_device::{Buffer, Count, Device};
+use organza_device::{Buffer, Count, Device, Result};
 
 /// How many items the tables of a part have room for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,8 +5,7 @@ use organza_shaders::tile::Tile as KernelTile;
 
 use super::scene::DeviceScene;
 use crate::tile::{Tile, TileBatch};
-use organza_device::Device;
-use organza_device::{Error, Result};
+use organza_device::{Device, Error, Result};
 
 /// What one part's tables may take, unless told otherwise.  Parts of this size keep every device busy.
 pub const PART_BYTES: u64 = 512 << 20;

@@ -9,8 +9,7 @@ use super::bin::Bins;
 use super::gradient::SceneGradient;
 use super::plan::words;
 use super::scene::DeviceScene;
-use organza_device::Result;
-use organza_device::{Buffer, Device};
+use organza_device::{Buffer, Device, Result};
 
 /// Adds what `pair_gradient [pairs, 3]` makes of positions, rotations, scales and opacities to `gradient`.
 pub fn project_backward(

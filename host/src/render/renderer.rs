@@ -12,8 +12,7 @@ use super::scene::DeviceScene;
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::tile::TileBatch;
-use organza_device::Device;
-use organza_device::memory;
+use organza_device::{Device, memory};
 
 /// Renders scenes on a device.
 ///

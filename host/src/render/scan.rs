@@ -2,8 +2,7 @@
 
 use organza_shaders::scan::{BLOCK, ScanAddKernel, ScanBlockKernel, ScanParams};
 
-use organza_device::Result;
-use organza_device::{Buffer, Device};
+use organza_device::{Buffer, Device, Result};
 
 /// The exclusive sums of the first `count` values, and the total behind them: `[count + 1]`.
 pub fn exclusive_scan(device: &Device, value: &Buffer<u32>, count: u32) -> Result<Buffer<u32>> {

@@ -22,8 +22,7 @@ use super::gradient::SceneGradient;
 use super::pair::sum_pairs;
 use super::scan::exclusive_scan;
 use super::scene::DeviceScene;
-use organza_device::{Buffer, Count, Device};
-use organza_device::{Error, Result};
+use organza_device::{Buffer, Count, Device, Error, Result};
 
 /// Transmittance of every pair.
 #[derive(Debug)]

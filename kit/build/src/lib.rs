@@ -11,7 +11,6 @@ mod contraction;
 mod lower;
 mod memory_model;
 mod module;
-
 mod validate;
 mod watch;
 

@@ -6,9 +6,7 @@ use organza_tests::{cases, devices};
 
 #[test]
 fn a_lost_device_is_an_error() {
-    for (backend, device) in
-        devices::all().into_iter().filter(|(_, device)| device.backend() == "gpu")
-    {
+    for (backend, device) in devices::gpus() {
         let renderer = Renderer::new(device);
         let case = &cases::all()[0];
         let scene = renderer.upload(&case.scene).expect("the scene fits");

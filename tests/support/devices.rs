@@ -12,6 +12,15 @@ pub fn all() -> Vec<(&'static str, Device)> {
     organza_check::devices::all(&MODULES)
 }
 
+/// As [`organza_check::devices::gpus`].
+///
+/// # Panics
+/// As there.
+#[must_use]
+pub fn gpus() -> Vec<(&'static str, Device)> {
+    organza_check::devices::gpus(&MODULES)
+}
+
 /// As [`organza_check::devices::variants`].
 ///
 /// # Panics
@@ -24,8 +33,8 @@ pub fn variants() -> Vec<(&'static str, [Device; 2])> {
 /// Whether there is a GPU; says so where there is none.
 ///
 /// # Panics
-/// As [`all`].
+/// As [`gpus`].
 #[must_use]
 pub fn has_gpu() -> bool {
-    all().len() > 1
+    !gpus().is_empty()
 }

@@ -6,27 +6,18 @@ use super::part_counts::{Capacity, Needed};
 use super::plan::{PART_BYTES, Plan};
 use super::renderer::Renderer;
 use super::scene::DeviceScene;
+use crate::MODULES;
 use crate::camera::Camera;
 use crate::demo;
-use crate::error::{DeviceError, Error};
 use crate::scene::Scene;
 use crate::tile::{Tile, TileBatch};
-use organza_device::{Buffer, Device, DeviceOptions, SpirvPath};
+use organza_check::devices;
+use organza_device::{Buffer, Device};
 
-/// The CPU, and what GPU there is; `ORGANZA_REQUIRE_GPU=1` says that there must be one.
-fn devices() -> Vec<Device> {
-    let mut devices = vec![crate::open_device(&DeviceOptions::cpu(Some(2))).expect("the CPU")];
-    for path in [SpirvPath::Passthrough, SpirvPath::Naga] {
-        match crate::open_device(&DeviceOptions::gpu(path)) {
-            Ok(device) => devices.push(device),
-            Err(Error::Device(DeviceError::NoGpu { reason })) => {
-                let required = std::env::var_os("ORGANZA_REQUIRE_GPU").is_some_and(|v| v != "0");
-                assert!(!required, "ORGANZA_REQUIRE_GPU is set, but {reason}");
-            }
-            Err(error) => panic!("{error}"),
-        }
-    }
-    devices
+/// The CPU with two threads, and the GPU where there is one.
+fn all_devices() -> Vec<Device> {
+    let gpus = devices::gpus(&MODULES).into_iter().map(|(_, device)| device);
+    std::iter::once(devices::cpu(Some(2))).chain(gpus).collect()
 }
 
 fn tiles() -> TileBatch {
@@ -71,7 +62,7 @@ fn evaluate(
 #[test]
 fn what_is_not_waited_for_has_the_same_bits() {
     let (scene, cameras) = (some(), demo::turntable(2, 64));
-    for device in devices() {
+    for device in all_devices() {
         let renderer = Renderer::new(device);
         let device = renderer.device();
         let scene = renderer.upload(&scene).expect("a scene");
@@ -117,7 +108,7 @@ fn a_tile_that_does_not_fit_with_more_room_is_tried_with_what_it_needs() {
     let (scene, cameras) = (some(), demo::turntable(1, 64));
     let tiles = vec![Tile { camera: 0, origin: [20, 30] }];
     let batch = TileBatch { side: 16, tiles };
-    for device in devices() {
+    for device in all_devices() {
         let renderer = Renderer::new(device);
         let device = renderer.device();
         let scene = renderer.upload(&scene).expect("a scene");

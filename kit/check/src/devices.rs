@@ -7,15 +7,24 @@ use organza_device::{Device, DeviceOptions, Error, InstructionSet, Modules, Spir
 const GPUS: [(&str, SpirvPath); 2] =
     [("gpu passthrough", SpirvPath::Passthrough), ("gpu naga", SpirvPath::Naga)];
 
-/// Every way to run a kernel: `cpu`, and `gpu` passed through and through naga where there is one.
+/// Every way to run a kernel: `cpu`, and [`gpus`].
+///
+/// # Panics
+/// As [`gpus`].
+#[must_use]
+pub fn all(modules: &'static Modules) -> Vec<(&'static str, Device)> {
+    std::iter::once(("cpu", cpu(None))).chain(gpus(modules)).collect()
+}
+
+/// The GPU, passed through and through naga; nothing where there is none.
 ///
 /// Without a GPU the tests run only on the CPU, and say so; `ORGANZA_REQUIRE_GPU=1` makes that a failure.
 ///
 /// # Panics
 /// Where a GPU is required and there is none, or one is there and cannot be used.
 #[must_use]
-pub fn all(modules: &'static Modules) -> Vec<(&'static str, Device)> {
-    let mut devices = vec![("cpu", cpu(None))];
+pub fn gpus(modules: &'static Modules) -> Vec<(&'static str, Device)> {
+    let mut devices = Vec::new();
     for (name, path) in GPUS {
         match Device::open(&DeviceOptions::gpu(path), modules) {
             Ok(device) => devices.push((name, device)),
@@ -34,7 +43,7 @@ pub fn all(modules: &'static Modules) -> Vec<(&'static str, Device)> {
 /// The same GPU with plain kernels and with the variants that it can take, passed through and through naga where there is one.
 ///
 /// # Panics
-/// As [`all`].
+/// As [`gpus`].
 #[must_use]
 pub fn variants(modules: &'static Modules) -> Vec<(&'static str, [Device; 2])> {
     let open = |path, variants| {
@@ -42,11 +51,11 @@ pub fn variants(modules: &'static Modules) -> Vec<(&'static str, [Device; 2])> {
         Device::open(&options, modules).expect("it was there a moment ago")
     };
     let pair = |path| [open(path, false), open(path, true)];
-    let gpus = all(modules).into_iter().filter_map(|(name, _)| Some((name, pair(path_of(name)?))));
-    gpus.collect()
+    let gpus = gpus(modules).into_iter();
+    gpus.filter_map(|(name, _)| Some((name, pair(path_of(name)?)))).collect()
 }
 
-/// How SPIR-V reaches a device of [`all`].
+/// How SPIR-V reaches a device of [`gpus`].
 fn path_of(name: &str) -> Option<SpirvPath> {
     GPUS.into_iter().find(|gpu| gpu.0 == name).map(|gpu| gpu.1)
 }

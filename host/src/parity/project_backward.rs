@@ -109,9 +109,9 @@ impl ProjectBackward {
     }
 
     /// How large what a pair adds may be, whatever cancels in it.
-    fn sizes(&self, camera: usize, gaussian: usize, pair: usize) -> Sizes {
+    fn sizes(&self, camera: usize, gaussian: usize, pair: &[Vec4; 3]) -> Sizes {
         let set = &self.forward;
-        let [geometry, shape, _] = self.pair_gradient[pair].map(|v| v.as_dvec4().abs());
+        let [geometry, shape, _] = pair.map(|v| v.as_dvec4().abs());
         let sensitivity = set.sensitivity(camera, gaussian);
         let (view, limited) = (View::of(&set.cameras[camera]), set.limited(gaussian));
         let blur = f64::from(set.blur);
@@ -141,18 +141,16 @@ impl ProjectBackward {
     /// a projection is told by nobody.
     fn derivatives(&self, gaussian: usize) -> Option<[f64; 10]> {
         let set = &self.forward;
-        let cameras = (0..set.cameras.len())
-            .filter_map(|camera| Some((camera, self.pair(camera, gaussian)?)));
-        let cameras: Vec<_> = cameras.collect();
-        let is_told = |&(camera, _): &(usize, usize)| {
+        let pairs: Vec<_> = self.pairs(gaussian).collect();
+        let is_told = |&(camera, _): &(usize, _)| {
             matches!(set.fate(camera, gaussian), Some(Fate::Projected(_)))
         };
-        if !cameras.iter().all(is_told) {
+        if !pairs.iter().all(is_told) {
             return None;
         }
-        let of = |camera: usize, pair: usize, moved: &Gaussian<Dual>| {
+        let of = |camera: usize, pair: &[Vec4; 3], moved: &Gaussian<Dual>| {
             let view = View::of(&set.cameras[camera]);
-            let [center, shape, _] = self.pair_gradient[pair].map(|v| v.as_dvec4().to_array());
+            let [center, shape, _] = pair.map(|v| v.as_dvec4().to_array());
             let found = project(&view, f64::from(set.blur), moved).expect("it has a pair");
             let weights = center[..2].iter().chain(&shape[..3]);
             let values = found.mean.into_iter().chain(found.conic());
@@ -163,7 +161,7 @@ impl ProjectBackward {
         Some(gradient([a, b, c, w, x, y, z, l, m, n], |[a, b, c, w, x, y, z, l, m, n]| {
             let moved =
                 Gaussian { position: [a, b, c], rotation: [w, x, y, z], log_scale: [l, m, n] };
-            let losses = cameras.iter().map(|&(camera, pair)| of(camera, pair, &moved));
+            let losses = pairs.iter().map(|&(camera, pair)| of(camera, pair, &moved));
             losses.fold(Dual::from(0.0), |sum, loss| sum + loss)
         }))
     }
@@ -179,11 +177,9 @@ impl ProjectBackward {
     /// Of a Gaussian, in all cameras.
     fn all_sizes(&self, gaussian: usize) -> Sizes {
         let mut all = Sizes::default();
-        for camera in 0..self.forward.cameras.len() {
-            if let Some(pair) = self.pair(camera, gaussian) {
-                let sizes = self.sizes(camera, gaussian, pair);
-                all.iter_mut().zip(sizes).for_each(|(all, size)| *all += size);
-            }
+        for (camera, pair) in self.pairs(gaussian) {
+            let sizes = self.sizes(camera, gaussian, pair);
+            all.iter_mut().zip(sizes).for_each(|(all, size)| *all += size);
         }
         all
     }

@@ -7,7 +7,7 @@ use super::loss::{Loss, LossInputs, TileLoss};
 use super::part::Part;
 use super::part_counts::Capacity;
 use super::plan::{Plan, PlannedTile};
-use super::project::{add_statistics, project_backward};
+use super::project::project_backward;
 use super::renderer::Renderer;
 use super::scene::DeviceScene;
 use crate::camera::Camera;
@@ -37,7 +37,6 @@ impl Part {
             image_gradient,
         )?;
         project_backward(device, scene, bins, &pair_gradient, gradient)?;
-        add_statistics(device, scene, bins, &pair_gradient, gradient)?;
         let (pairs, mask) = (&bins.pairs, &bins.pair_mask);
         self.color.backward(device, scene, pairs, mask, &pair_gradient, gradient)?;
         if gradient.has_transmittance {

@@ -11,7 +11,8 @@ use super::plan::words;
 use super::scene::DeviceScene;
 use organza_device::{Buffer, Device, Result};
 
-/// Adds what `pair_gradient [pairs, 3]` makes of positions, rotations, scales and opacities to `gradient`.
+/// Adds what `pair_gradient [pairs, 3]` makes of positions, rotations, scales and opacities to `gradient`, and the pairs of
+/// the part's cameras to its statistics.
 pub fn project_backward(
     device: &Device,
     scene: &DeviceScene,
@@ -19,48 +20,30 @@ pub fn project_backward(
     pair_gradient: &Buffer<Vec4>,
     gradient: &SceneGradient,
 ) -> Result<()> {
-    let pairs = &bins.pairs;
-    let params = ProjectBackwardParams {
-        gaussians: scene.gaussians,
-        words: words(scene.gaussians),
-        cameras: (pairs.camera.len() / Camera::FLOATS) as u32,
-        blur: scene.config.blur as f32,
-    };
+    let (pairs, tensors) = (&bins.pairs, &scene.tensors.gaussians);
+    let (pair_mask, first_pair) = (&bins.pair_mask.bits, &bins.pair_mask.first);
+    let (gaussians, words) = (scene.gaussians, words(scene.gaussians));
+    let cameras = (pairs.camera.len() / Camera::FLOATS) as u32;
+    let blur = scene.config.blur as f32;
     let kernel = ProjectBackwardKernel {
-        params,
+        params: ProjectBackwardParams { gaussians, words, cameras, blur },
         camera: &pairs.camera,
-        position: &scene.tensors.gaussians.position,
-        rotation: &scene.tensors.gaussians.rotation,
-        log_scale: &scene.tensors.gaussians.log_scale,
-        pair_mask: &bins.pair_mask.bits,
-        first_pair: &bins.pair_mask.first,
+        position: &tensors.position,
+        rotation: &tensors.rotation,
+        log_scale: &tensors.log_scale,
+        pair_mask,
+        first_pair,
         pair_gradient,
         gradient: &gradient.geometry,
     };
-    device.run(&kernel, scene.gaussians, 1)
-}
-
-/// Adds the pairs of the part's cameras to the statistics of `gradient`.
-pub fn add_statistics(
-    device: &Device,
-    scene: &DeviceScene,
-    bins: &Bins,
-    pair_gradient: &Buffer<Vec4>,
-    gradient: &SceneGradient,
-) -> Result<()> {
-    let pairs = &bins.pairs;
-    let params = StatisticsParams {
-        gaussians: scene.gaussians,
-        words: words(scene.gaussians),
-        cameras: (pairs.camera.len() / Camera::FLOATS) as u32,
-    };
+    device.run(&kernel, gaussians, 1)?;
     let kernel = StatisticsKernel {
-        params,
+        params: StatisticsParams { gaussians, words, cameras },
         projection: &pairs.projection,
-        pair_mask: &bins.pair_mask.bits,
-        first_pair: &bins.pair_mask.first,
+        pair_mask,
+        first_pair,
         pair_gradient,
         statistics: &gradient.statistics,
     };
-    device.run(&kernel, scene.gaussians, 1)
+    device.run(&kernel, gaussians, 1)
 }

@@ -120,10 +120,9 @@ impl Checkpoint {
 
     /// Everything beside the scene is what training can have come to.
     fn check(&self, origin: &Path) -> Result<()> {
-        let moments = MOMENTS.iter().zip(&self.moments).flat_map(|(prefix, moments)| {
-            let tensors = moments.tensors().into_iter();
-            tensors.map(move |(spec, values)| (format!("{prefix}{}", spec.name), values))
-        });
+        let moments = self.moments.iter().zip(MOMENTS);
+        let moments = moments.flat_map(|(moment, prefix)| moment.tensors_with_prefix(prefix));
+        let moments = moments.map(|(spec, values)| (spec.name, values));
         let statistics = (STATISTICS.to_owned(), self.statistics.as_flattened());
         for (tensor, values) in moments.chain([statistics]) {
             if let Some(index) = values.iter().position(|value| !value.is_finite()) {

@@ -300,8 +300,7 @@ impl State<'_, '_> {
             let (name, truth, score) = (frame.name.clone(), &frame.image, score.score);
             views.push(ReportView { name, truth, rendered, psnr: score.psnr, ssim: score.ssim });
         }
-        self.timing()?;
-        self.write_report(views).map(|()| true)
+        self.report(views).map(|()| true)
     }
 
     fn report(&mut self, views: Vec<ReportView<'_>>) -> Result<()> {

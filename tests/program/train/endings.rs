@@ -2,7 +2,7 @@
 #![cfg(unix)]
 
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::process::Child;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 use std::{fs, thread};
@@ -15,15 +15,11 @@ use organza::train::{
 };
 use organza_tests::devices;
 
+use super::processes::{self, start};
 use super::runs::{TINY, assert_same, bits, records, sandbox, without_times};
 use crate::sandbox::{Outcome, Sandbox};
 
 const LONGEST: Duration = Duration::from_secs(120);
-
-fn start(sandbox: &Sandbox, words: &str) -> Child {
-    let mut command = sandbox.command(words);
-    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
-}
 
 /// The steps that a log tells of, also while it is written to.
 fn steps(folder: &Path) -> usize {
@@ -42,8 +38,7 @@ fn wait_for_steps(child: &mut Child, folder: &Path, count: usize) {
 
 /// Sends a signal, and waits for the end.
 fn stop(child: Child, signal: &str) -> Outcome {
-    let kill = format!("kill -{signal} {}", child.id());
-    assert!(Command::new("sh").args(["-c", &kill]).status().expect("a shell").success());
+    processes::signal(&child, signal);
     child.wait_with_output().expect("it ends").into()
 }
 

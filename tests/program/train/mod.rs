@@ -10,6 +10,7 @@ mod hostile;
 mod memory;
 mod mistakes;
 mod monstrous;
+mod processes;
 mod results;
 mod runs;
 mod settings;

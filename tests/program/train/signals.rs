@@ -6,18 +6,9 @@ use std::process::{Child, Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use super::processes::{signal, start, wait_for_end};
 use super::runs::{TINY, sandbox};
-use crate::sandbox::{Outcome, Sandbox};
-
-fn start(sandbox: &Sandbox, words: &str) -> Child {
-    let mut command = sandbox.command(words);
-    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
-}
-
-fn signal(child: &Child, signal: &str) {
-    let kill = format!("kill -{signal} {}", child.id());
-    assert!(Command::new("sh").args(["-c", &kill]).status().expect("a shell").success());
-}
+use crate::sandbox::Outcome;
 
 fn wait_until(what: &str, mut is_so: impl FnMut() -> bool) {
     let start = Instant::now();
@@ -29,14 +20,7 @@ fn wait_until(what: &str, mut is_so: impl FnMut() -> bool) {
 
 /// The program ends within seconds.
 fn end(mut child: Child) -> Outcome {
-    let begin = Instant::now();
-    while child.try_wait().unwrap().is_none() {
-        if begin.elapsed() > Duration::from_secs(10) {
-            let _ = child.kill();
-            panic!("the signal was swallowed");
-        }
-        thread::sleep(Duration::from_millis(5));
-    }
+    wait_for_end(&mut child);
     child.wait_with_output().expect("it has ended").into()
 }
 
@@ -76,14 +60,7 @@ fn a_signal_is_not_swallowed_where_standard_error_blocks() {
     wait_until("the folder is locked", || sandbox.path("run/.organza-lock").exists());
     thread::sleep(Duration::from_millis(500));
     signal(&child, "TERM");
-    let begin = Instant::now();
-    while child.try_wait().unwrap().is_none() {
-        if begin.elapsed() > Duration::from_secs(10) {
-            let _ = child.kill();
-            panic!("the signal was swallowed");
-        }
-        thread::sleep(Duration::from_millis(5));
-    }
+    wait_for_end(&mut child);
     assert_eq!(child.wait().unwrap().code(), Some(2));
     assert!(!sandbox.path("run").exists());
 }

@@ -2,11 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
+use clap::builder::PossibleValuesParser;
 use organza::data::{Dataset, DatasetOptions};
-use organza::train::{self, CHECKPOINT, Event, Outcome, REPORT, RunFolder, Session, TrainConfig};
+use organza::train::{
+    self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, RunFolder, Session,
+    TrainConfig,
+};
 use organza::{Renderer, Result};
 
-use super::console::{Console, Progress};
+use super::console::{Console, Progress, print};
 use super::device::DeviceArgs;
 use super::output::Folder;
 use super::signals::Signals;
@@ -17,7 +21,10 @@ Examples:
   organza train -o run                                 the built-in scene, no files needed
   organza train data/fox -o run --steps 3000
   organza train --resume run                           continues after Ctrl-C, to the same bits
+  organza train data/fox -o quick --preset fast
   organza train data/fox -o other --config run/config.toml --seed 1
+  organza train data/fox -o small --set scene.color_mlp.hidden=16,16 --set growth.method=none
+  organza train --preset best --print-config > mine.toml
   organza eval run
 
 RUN gets config.toml (all settings; --config reads them back), metrics.jsonl (the log), \
@@ -31,15 +38,27 @@ pub struct Args {
     /// [default: the built-in scene]
     data: Option<PathBuf>,
     /// The folder for the run; created if it does not exist
-    #[arg(short, long, value_name = "RUN", required_unless_present = "resume")]
+    #[arg(short, long, value_name = "RUN", required_unless_present_any = ["resume", "print_config"])]
     output: Option<PathBuf>,
     /// Continue a run that was stopped, with its own settings
-    #[arg(long, value_name = "RUN", conflicts_with_all = ["output", "data", "config", "steps", "seed",
-        "tiles_per_step", "tile_size", "downscale", "max_gaussians", "hold_out_every", "allow_outside"])]
+    #[arg(long, value_name = "RUN", conflicts_with_all = ["output", "data", "preset", "config", "set", "steps",
+        "seed", "tiles_per_step", "tile_size", "downscale", "max_gaussians", "hold_out_every", "allow_outside",
+        "evaluate_every", "checkpoint_every", "sh_degree"])]
     resume: Option<PathBuf>,
-    /// A settings file, TOML, such as a run's config.toml; options override it
+    /// The settings to start from: a settings file that is part of the program
+    /// [default: default; built-in for the built-in scene without --config]
+    #[arg(long, value_name = "NAME")]
+    #[arg(value_parser = PossibleValuesParser::new(Preset::ALL.map(Preset::name)))]
+    preset: Option<String>,
+    /// A settings file, TOML, such as a run's config.toml; overrides the preset
     #[arg(long, value_name = "TOML")]
     config: Option<PathBuf>,
+    /// Any setting, such as run.steps=3000; overrides the settings file. Give it once for each setting
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<String>,
+    /// Print all settings as TOML, and do nothing else
+    #[arg(long)]
+    print_config: bool,
     /// Number of training steps
     #[arg(long, value_name = "N")]
     steps: Option<u32>,
@@ -52,6 +71,15 @@ pub struct Args {
     /// Largest number of Gaussians, also at the start
     #[arg(long, value_name = "N")]
     max_gaussians: Option<u32>,
+    /// Degree of the spherical harmonics: how much colors change with the view direction
+    #[arg(long, value_name = "N")]
+    sh_degree: Option<u32>,
+    /// Steps between evaluations on the held-out views; 0 evaluates only at the end
+    #[arg(long, value_name = "N")]
+    evaluate_every: Option<u32>,
+    /// Steps between checkpoints
+    #[arg(long, value_name = "N")]
+    checkpoint_every: Option<u32>,
     /// Shrink photographs by this factor
     #[arg(long, value_name = "N")]
     downscale: Option<u32>,
@@ -73,6 +101,13 @@ pub struct Args {
 }
 
 pub fn run(args: &Args) -> Result<()> {
+    if args.print_config {
+        let config = match &args.resume {
+            Some(folder) => train::settings_of(folder)?,
+            None => settings(args)?,
+        };
+        return print(&config.to_toml());
+    }
     let signals = Signals::listen()?;
     let console = args.device.console();
     let (folder, config) = prepare(args)?;
@@ -131,11 +166,20 @@ fn prepare(args: &Args) -> Result<(PathBuf, TrainConfig)> {
 }
 
 fn settings(args: &Args) -> Result<TrainConfig> {
-    let mut config = match &args.config {
-        Some(path) => TrainConfig::load(path)?,
-        None if args.data.is_none() => TrainConfig::built_in(),
-        None => TrainConfig::default(),
+    let named = args.preset.as_deref();
+    let preset = match Preset::ALL.into_iter().find(|preset| Some(preset.name()) == named) {
+        Some(preset) => preset,
+        None if args.data.is_none() && args.config.is_none() => Preset::BuiltIn,
+        None => Preset::Default,
     };
+    let mut builder = ConfigBuilder::new(preset)?;
+    if let Some(path) = &args.config {
+        builder = builder.file(path)?;
+    }
+    for assignment in &args.set {
+        builder = builder.set(assignment)?;
+    }
+    let mut config = builder.build()?;
     fn set<T: Clone>(target: &mut T, value: &Option<T>) {
         if let Some(value) = value {
             *target = value.clone();
@@ -153,6 +197,9 @@ fn settings(args: &Args) -> Result<TrainConfig> {
     if let Some(most) = args.max_gaussians {
         config.start.gaussians = config.start.gaussians.min(most);
     }
+    set(&mut config.scene.sh_degree, &args.sh_degree);
+    set(&mut config.run.evaluate_every, &args.evaluate_every);
+    set(&mut config.run.checkpoint_every, &args.checkpoint_every);
     set(&mut config.data.downscale, &args.downscale);
     set(&mut config.data.hold_out_every, &args.hold_out_every);
     set(&mut config.run.seed, &args.seed);

@@ -1,13 +1,19 @@
 //! Every setting of a run: the run folder's `config.toml`, readable back with `--config`.
 
+mod assignment;
+mod builder;
 mod check;
 mod optimizer;
+mod preset;
 #[cfg(test)]
 mod tests;
 
 use std::path::{Path, PathBuf};
 
+pub use assignment::names;
+pub use builder::ConfigBuilder;
 pub use optimizer::{OptimizerConfig, Rate};
+pub use preset::Preset;
 use serde::{Deserialize, Serialize};
 
 use crate::atomic_file::write_atomic;
@@ -302,26 +308,13 @@ impl TrainConfig {
         }
     }
 
-    /// The settings for the built-in scene: a minute on two cores.  Its images are small, and so many of its Gaussians
-    /// are in each that whole images cost little more than a tile.
-    #[must_use]
-    pub fn built_in() -> Self {
-        let mut config = Self::default();
-        let run = &mut config.run;
-        (run.steps, run.tiles_per_step, run.tiles_per_view) = (1000, 9, 9);
-        run.evaluate_every = 250;
-        config.growth.max_gaussians = 8000;
-        config
-    }
-
     /// Reads a file such as [`TrainConfig::save`] writes.
     ///
     /// # Errors
     /// [`Error::ReadFile`]; [`Error::Invalid`] where it is not TOML, has a field that does not exist, or a value that
     /// is out of range.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
-        let path = path.as_ref();
-        Self::parse(&read_text(path, MAX_BYTES, "settings")?, path)
+        ConfigBuilder::new(Preset::Default)?.file(path)?.build()
     }
 
     /// Fails where a run's own file, which has every setting, lacks one.
@@ -350,13 +343,7 @@ impl TrainConfig {
     /// # Errors
     /// As [`TrainConfig::load`].
     pub fn parse(text: &str, origin: &Path) -> Result<Self> {
-        let invalid = |reason| Error::Invalid { origin: origin.to_owned(), reason };
-        let config: Self = toml::from_str(text).map_err(|error| {
-            let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
-            invalid(format!("line {line}: {}", error.message()))
-        })?;
-        config.check().map_err(invalid)?;
-        Ok(config)
+        ConfigBuilder::new(Preset::Default)?.text(text, origin)?.build()
     }
 
     /// The file's text.

@@ -17,7 +17,7 @@ mod trainer;
 
 pub use binding::{Binding, settings_of};
 pub use checkpoint::{CHECKPOINT, Checkpoint, Progress};
-pub use config::TrainConfig;
+pub use config::{ConfigBuilder, Preset, TrainConfig};
 pub use folder::RunFolder;
 pub use folder::{CONFIG, METRICS, REPORT};
 pub use session::{Event, Outcome, Session};

@@ -4,8 +4,10 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use organza::train::TrainConfig;
+use organza::train::{ConfigBuilder, Preset, TrainConfig};
 use serde_json::Value;
+
+use crate::sandbox::Sandbox;
 
 /// Every setting's values: one, a list's, or the first and the last of a rate.
 fn defaults() -> BTreeMap<String, Vec<Value>> {
@@ -89,6 +91,53 @@ fn the_settings_of_the_built_in_scene_are_those_of_the_program() {
     let (_, text) = text.split_once("```toml\n").expect("settings");
     let (text, _) = text.split_once("```").expect("an end");
     let found = TrainConfig::parse(text, Path::new("docs/training.md")).expect("settings");
-    assert_eq!(found, TrainConfig::built_in());
-    assert_ne!(found, TrainConfig::default());
+    let preset =
+        |preset| ConfigBuilder::new(preset).and_then(ConfigBuilder::build).expect("settings");
+    assert_eq!(found, preset(Preset::BuiltIn));
+    assert_eq!(preset(Preset::Default), TrainConfig::default());
+    for other in [Preset::Fast, Preset::Best, Preset::BuiltIn] {
+        assert_ne!(preset(other), TrainConfig::default(), "{}", other.name());
+    }
+}
+
+/// What `--print-config` prints for some options.
+#[track_caller]
+fn printed(words: &str) -> TrainConfig {
+    let outcome = Sandbox::new("tiny").run(&format!("train --print-config {words}")).assert_ok();
+    assert_eq!(outcome.stderr, "");
+    TrainConfig::parse(&outcome.stdout, Path::new("the printed settings")).expect("settings")
+}
+
+#[test]
+fn later_settings_override_earlier_ones() {
+    let sandbox = Sandbox::new("tiny");
+    let file = sandbox.path("mine.toml");
+    fs::write(&file, "[run]\nsteps = 11\ntile_size = 32\nseed = 5\n").unwrap();
+    let best = printed("/data --preset best");
+    let mut expected = TrainConfig::parse(Preset::Best.toml(), Path::new("best.toml")).unwrap();
+    expected.data.path = Some("/data".into());
+    assert_eq!(best, expected);
+    let words = format!("/data --preset best --config {}", file.display());
+    let config = printed(&words);
+    assert_eq!((config.run.steps, config.run.tile_size, config.run.seed), (11, 32, 5));
+    assert_eq!(config.growth, best.growth, "what the file leaves out is the preset's");
+    let config =
+        printed(&format!("{words} --set run.steps=12 --set run.steps=13 --set run.seed=6"));
+    assert_eq!((config.run.steps, config.run.tile_size, config.run.seed), (13, 32, 6));
+    let config = printed(&format!("{words} --set run.steps=12 --steps 14"));
+    assert_eq!((config.run.steps, config.run.seed), (14, 5));
+    // without a data set
+    let built_in = printed("");
+    assert_eq!(built_in, printed("--preset built-in"));
+    assert_eq!(built_in.run.steps, 1000);
+    assert_eq!(printed("--preset default"), TrainConfig::default());
+    assert_eq!(
+        printed(&format!("--config {}", file.display())).growth,
+        TrainConfig::default().growth
+    );
+    let config = printed("--sh-degree 3 --evaluate-every 7 --checkpoint-every 9");
+    assert_eq!(
+        (config.scene.sh_degree, config.run.evaluate_every, config.run.checkpoint_every),
+        (3, 7, 9)
+    );
 }

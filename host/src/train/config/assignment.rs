@@ -1,0 +1,199 @@
+//! `key=value`: one setting, in the type that it has.
+
+use serde::Deserialize;
+use toml::{Table, Value};
+
+use super::TrainConfig;
+use super::builder::merge;
+
+/// How alike two names are, 0 to 1, for one to be suggested in place of the other.
+const ALIKE: f64 = 0.8;
+
+/// A table with all settings: also those that a file leaves out where they have their default.
+fn template() -> Table {
+    let mut config = TrainConfig::default();
+    config.data.path = Some("DATA".into());
+    config.data.allow_outside = true;
+    Table::try_from(config).expect("plain tables of numbers and strings")
+}
+
+/// Every setting, as `table.name`. A learning rate is one setting.
+pub fn names() -> Vec<String> {
+    fn walk(prefix: &str, table: &Table, found: &mut Vec<String>) {
+        for (key, value) in table {
+            let name = if prefix.is_empty() { key.clone() } else { format!("{prefix}.{key}") };
+            match value {
+                Value::Table(table) if !is_rate(value) => walk(&name, table, found),
+                _ => found.push(name),
+            }
+        }
+    }
+    let mut found = Vec::new();
+    walk("", &template(), &mut found);
+    found
+}
+
+/// The table that an assignment stands for.
+pub fn parse(text: &str) -> Result<Table, String> {
+    let Some((key, value)) = text.split_once('=') else {
+        return Err(format!("`{text}` sets nothing; write KEY=VALUE, such as run.steps=3000"));
+    };
+    let (key, text) = (key.trim(), value.trim());
+    let default = find(key)?;
+    let value = read(&default, text)
+        .ok_or_else(|| format!("`{key}` is `{text}`, expected {}", kind(&default)))?;
+    let wrap = |value, name: &str| Value::Table(Table::from_iter([(name.to_owned(), value)]));
+    let Value::Table(table) = key.rsplit('.').fold(value, wrap) else {
+        unreachable!("a key has at least one name")
+    };
+    let mut all = template();
+    merge(&mut all, table.clone());
+    match TrainConfig::deserialize(all) {
+        Ok(_) => Ok(table),
+        Err(error) => Err(format!("`{key}` is `{text}`: {}", error.message())),
+    }
+}
+
+/// The default of a setting; an error that suggests another where there is none of that name.
+fn find(key: &str) -> Result<Value, String> {
+    let table = Value::Table(template());
+    let found = key.split('.').try_fold(&table, |value, name| value.get(name));
+    match found {
+        Some(value @ Value::Table(table)) if !is_rate(value) => {
+            let first = table.keys().next().map_or("", String::as_str);
+            Err(format!("`{key}` is a group of settings; name one of them, such as {key}.{first}"))
+        }
+        Some(value) => Ok(value.clone()),
+        None => {
+            let nearest =
+                nearest(key).map_or(String::new(), |name| format!("; did you mean `{name}`?"));
+            Err(format!("there is no setting `{key}`{nearest}"))
+        }
+    }
+}
+
+/// The setting whose name, with its table or without, is most like a key.
+fn nearest(key: &str) -> Option<String> {
+    let alike = |name: &str| {
+        let last = name.rsplit('.').next().unwrap_or(name);
+        strsim::jaro_winkler(key, name).max(strsim::jaro_winkler(key, last))
+    };
+    let rated = names().into_iter().map(|name| (alike(&name), name));
+    let best = rated.max_by(|(a, _), (b, _)| a.total_cmp(b));
+    best.filter(|(rating, _)| *rating >= ALIKE).map(|(_, name)| name)
+}
+
+/// A value as the user writes it, in the type of a default.
+fn read(default: &Value, text: &str) -> Option<Value> {
+    match default {
+        Value::Integer(_) => text.replace('_', "").parse().ok().map(Value::Integer),
+        Value::Float(_) => text.parse().ok().map(Value::Float),
+        Value::Boolean(_) => text.parse().ok().map(Value::Boolean),
+        Value::Array(values) => {
+            let first = values.first()?;
+            list(text).map(|part| read(first, part)).collect::<Option<_>>().map(Value::Array)
+        }
+        Value::Table(_) => {
+            let numbers: Option<Vec<f64>> = list(text).map(|part| part.parse().ok()).collect();
+            let (first, last) = match *numbers?.as_slice() {
+                [both] => (both, both),
+                [first, last] => (first, last),
+                _ => return None,
+            };
+            Some(Value::Table(Table::from_iter([
+                ("first".to_owned(), first.into()),
+                ("last".to_owned(), last.into()),
+            ])))
+        }
+        _ => Some(Value::String(text.trim_matches(['"', '\'']).to_owned())),
+    }
+}
+
+/// The parts of a list, with or without its brackets.
+fn list(text: &str) -> impl Iterator<Item = &str> {
+    let inner = text.strip_prefix('[').and_then(|text| text.strip_suffix(']'));
+    inner.unwrap_or(text).split(',').map(str::trim)
+}
+
+/// What a value of a default's type looks like.
+fn kind(default: &Value) -> &'static str {
+    match default {
+        Value::Integer(_) => "a whole number",
+        Value::Float(_) => "a number",
+        Value::Boolean(_) => "true or false",
+        Value::Array(values) if matches!(values.first(), Some(Value::Integer(_))) => {
+            "whole numbers, such as 32,32"
+        }
+        Value::Array(_) => "numbers, such as 0.5,0.5,0.5",
+        Value::Table(_) => "the first and the last rate, such as 1e-2,1e-3",
+        _ => "a word",
+    }
+}
+
+/// Whether a table is a learning rate, which is one setting.
+fn is_rate(value: &Value) -> bool {
+    value.get("first").is_some()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn text(assignment: &str) -> String {
+        toml::to_string(&parse(assignment).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn a_value_has_its_settings_type() {
+        for (assignment, expected) in [
+            ("run.steps=3_000", "[run]\nsteps = 3000\n"),
+            (" loss.ssim_weight = 1 ", "[loss]\nssim_weight = 1.0\n"),
+            ("data.allow_outside=true", "[data]\nallow_outside = true\n"),
+            ("data.path=/a=b", "[data]\npath = \"/a=b\"\n"),
+            ("growth.method=\"none\"", "[growth]\nmethod = \"none\"\n"),
+            ("scene.color_grid.levels=4", "[scene.color_grid]\nlevels = 4\n"),
+            ("scene.color_mlp.hidden=64", "[scene.color_mlp]\nhidden = [64]\n"),
+            ("scene.color_mlp.hidden=[64, 16]", "[scene.color_mlp]\nhidden = [64, 16]\n"),
+            ("optimizer.grids=0.5,1e-3", "[optimizer.grids]\nfirst = 0.5\nlast = 0.001\n"),
+            ("optimizer.grids=0.5", "[optimizer.grids]\nfirst = 0.5\nlast = 0.5\n"),
+            ("optimizer.grids.last=0.5", "[optimizer.grids]\nlast = 0.5\n"),
+        ] {
+            assert_eq!(text(assignment), expected, "{assignment}");
+        }
+    }
+
+    #[test]
+    fn mistakes_are_named() {
+        for (assignment, expected) in [
+            ("run.steps", "`run.steps` sets nothing; write KEY=VALUE"),
+            ("run.stesp=3", "no setting `run.stesp`; did you mean `run.steps`?"),
+            ("max_gaussians=3", "did you mean `growth.max_gaussians`?"),
+            ("opacity=3", "did you mean `"),
+            ("xyz=3", "there is no setting `xyz`"),
+            ("=3", "there is no setting ``"),
+            ("run=3", "`run` is a group of settings; name one of them, such as run."),
+            ("run.steps.x=3", "there is no setting `run.steps.x`; did you mean `run.steps`?"),
+            ("run.steps=many", "`run.steps` is `many`, expected a whole number"),
+            ("run.steps=1.5", "expected a whole number"),
+            ("run.steps=-1", "`run.steps` is `-1`: "),
+            ("run.steps=", "`run.steps` is ``, expected a whole number"),
+            ("loss.ssim_weight=x", "expected a number"),
+            ("ablation.divide=yes", "expected true or false"),
+            ("growth.method=magic", "`growth.method` is `magic`: unknown variant"),
+            ("optimizer.grids=1,2,3", "expected the first and the last rate"),
+        ] {
+            let error = parse(assignment).unwrap_err();
+            assert!(error.contains(expected), "{assignment}: {error}");
+        }
+    }
+
+    #[test]
+    fn every_setting_can_be_set() {
+        let names = names();
+        assert!(names.len() > 50, "{names:?}");
+        for name in names {
+            assert!(find(&name).is_ok(), "{name}");
+        }
+    }
+}

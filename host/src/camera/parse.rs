@@ -9,11 +9,11 @@ use crate::error::{Error, Result};
 use crate::input::{integer, kind};
 
 /// Models whose images are pinhole images where their coefficients are zero. A fisheye's are not.
-pub(crate) const PERSPECTIVE_MODELS: [&str; 5] =
-    ["PINHOLE", "SIMPLE_PINHOLE", "OPENCV", "SIMPLE_RADIAL", "RADIAL"];
+pub(crate) const PERSPECTIVE_MODELS: [&str; 6] =
+    ["PINHOLE", "SIMPLE_PINHOLE", "OPENCV", "SIMPLE_RADIAL", "RADIAL", "FULL_OPENCV"];
 /// Models that have no coefficients; any in the file mean nothing.
 pub(crate) const PINHOLE_MODELS: [&str; 2] = ["PINHOLE", "SIMPLE_PINHOLE"];
-const COEFFICIENTS: [&str; 6] = ["k1", "k2", "k3", "k4", "p1", "p2"];
+const COEFFICIENTS: [&str; 8] = ["k1", "k2", "k3", "k4", "k5", "k6", "p1", "p2"];
 
 /// Every camera of a file's JSON.
 pub(crate) fn cameras(file: &Value, origin: &Path) -> Result<Vec<Camera>> {

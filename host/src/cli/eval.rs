@@ -163,8 +163,8 @@ fn load(
         |Color(color)| color,
     );
     let (downscale, hold_out_every) = (data.downscale, data.hold_out_every);
-    let allow_outside = data.allow_outside;
-    let options = DatasetOptions { downscale, hold_out_every, background, allow_outside };
+    let (alpha, allow_outside) = (data.alpha, data.allow_outside);
+    let options = DatasetOptions { downscale, hold_out_every, background, alpha, allow_outside };
     let dataset =
         console.during("reading the photographs", || Dataset::load(path, &options, &|_, _| {}))?;
     warn_of_files(console, &dataset);

@@ -222,6 +222,7 @@ fn load(config: &TrainConfig, renderer: &Renderer, console: Console) -> Result<D
         downscale: data.downscale,
         hold_out_every: data.hold_out_every,
         background: data.background,
+        alpha: data.alpha,
         allow_outside: data.allow_outside,
     };
     let bar = console.progress(0, "photographs");
@@ -230,7 +231,14 @@ fn load(config: &TrainConfig, renderer: &Renderer, console: Console) -> Result<D
     drop(bar);
     warn_of_files(console, &dataset);
     let (all, held_out) = (dataset.frames.len() as u64, dataset.held_out.len());
-    console.note(&format!("{} ({}), {held_out} held out", count(all, "photograph"), dataset.kind));
+    let mut note = format!("{} ({}), {held_out} held out", count(all, "photograph"), dataset.kind);
+    if dataset.prepared > 0 {
+        note += &format!(", {} from images_{}", dataset.prepared, data.downscale);
+    }
+    if dataset.masked > 0 {
+        note += &format!(", {} with a mask", dataset.masked);
+    }
+    console.note(&note);
     Ok(dataset)
 }
 

@@ -94,6 +94,11 @@ pub(super) fn decode(bytes: &[u8], expected: [u32; 2], path: &Path) -> Result<De
 }
 
 impl Decoded {
+    /// Whether it has an alpha channel.
+    pub fn has_alpha(&self) -> bool {
+        self.color.has_alpha()
+    }
+
     /// Red, green, blue and alpha of column `x` and row `y`, of 0 to 1.
     pub fn rgba(&self, x: u32, y: u32) -> [f32; 4] {
         let channels = usize::from(self.color.channel_count());

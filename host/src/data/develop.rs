@@ -1,12 +1,12 @@
 //! From a photograph's file to the frame that is trained on: decoded, put in front of the
 //! background, undistorted and downscaled, one photograph at a time.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::budget::Budget;
 use super::fingerprint::Digest;
 use super::lens::{Lens, Undistortion};
-use super::{DatasetOptions, Frame, Photograph, decode, invalid};
+use super::{Alpha, DatasetOptions, Frame, Photograph, decode, invalid};
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::image::to_8_bit;
@@ -18,62 +18,104 @@ pub(super) struct Shot {
     pub name: String,
     /// Where it was found.
     pub path: PathBuf,
+    /// Where its mask is, if it has one. What is black in it is not used.
+    pub mask: Option<PathBuf>,
     /// The camera of the whole photograph.
     pub camera: Camera,
     /// What its lens does to the camera's image.
     pub lens: Lens,
+    /// How many times smaller it is to become.
+    pub factor: u32,
     /// Whether the frame is kept from training.
     pub held_out: bool,
 }
 
 impl Shot {
-    /// Reads the photograph; the digest is that of its file.
+    /// Reads the photograph; the digest is that of its file and its mask.
     ///
     /// # Errors
-    /// [`crate::Error::ReadFile`]; [`crate::Error::Invalid`] for a photograph that cannot be
+    /// [`crate::Error::ReadFile`]; [`crate::Error::Invalid`] for a photograph or a mask that cannot be
     /// decoded, is not of the camera's size, or of which no pixel remains;
     /// [`crate::error::DeviceError::OutOfMemory`] for one that does not fit into the budget.
     pub fn develop(&self, options: &DatasetOptions, budget: &Budget) -> Result<(Frame, Digest)> {
         let Camera { width, height, .. } = self.camera;
-        let factor = options.downscale;
-        if width.min(height) < factor {
-            let reason = format!("a downscale of {factor} leaves nothing of {width} x {height}");
+        if width.min(height) < self.factor {
+            let reason =
+                format!("a downscale of {} leaves nothing of {width} x {height}", self.factor);
             return invalid(&self.path, format!("{reason} pixels; use a smaller one"));
         }
+        let mask = self.mask.as_deref().map(|path| self.read_mask(path, budget)).transpose()?;
         let (bytes, _share) = decode::read(&self.path, [width, height], budget)?;
-        let digest = Digest::of(&bytes);
+        let digest = Digest::of(&bytes, mask.as_ref().map(|mask| &*mask.file));
         let decoded = decode::decode(&bytes, [width, height], &self.path)?;
+        let alpha_hides = options.alpha == Alpha::Mask && decoded.has_alpha();
+        let is_used = |x: u32, y: u32, alpha: f32| {
+            let is_hidden = |mask: &Mask| !mask.used[(y * width + x) as usize];
+            !(alpha_hides && alpha < 0.5 || mask.as_ref().is_some_and(is_hidden))
+        };
         let over = |[red, green, blue, alpha]: [f32; 4]| {
             let color = [red, green, blue];
             std::array::from_fn(|i| color[i] * alpha + options.background[i] * (1.0 - alpha))
         };
-        let image = self.resample(factor, |x, y| over(decoded.rgba(x, y)))?;
+        let texel = |x, y| {
+            let color = decoded.rgba(x, y);
+            is_used(x, y, color[3])
+                .then(|| if alpha_hides { [color[0], color[1], color[2]] } else { over(color) })
+        };
+        let is_whole = self.lens.is_pinhole() && mask.is_none() && !alpha_hides;
+        let image = self.resample(is_whole, texel)?;
         if image.valid().is_some_and(|valid| !valid.contains(&true)) {
-            let reason = "the lens's coefficients leave no pixel of the photograph; check them";
-            return invalid(&self.path, reason.to_owned());
+            let reason = match &self.mask {
+                _ if alpha_hides => "nothing of the photograph is opaque".to_owned(),
+                Some(mask) => {
+                    format!("nothing of the photograph remains; is {} black?", mask.display())
+                }
+                None => "the lens's coefficients leave no pixel of the photograph; check them"
+                    .to_owned(),
+            };
+            return invalid(&self.path, reason);
         }
-        let camera = Camera { distorted: false, ..smaller(&self.camera, factor) };
+        let camera = Camera { distorted: false, ..smaller(&self.camera, self.factor) };
         Ok((Frame { name: self.name.clone(), camera, image }, digest))
     }
 
-    /// The undistorted, smaller photograph; `texel` is the color of a column and a row of the
-    /// original.
-    fn resample(&self, factor: u32, texel: impl Fn(u32, u32) -> [f32; 3]) -> Result<Photograph> {
+    fn read_mask(&self, path: &Path, budget: &Budget) -> Result<Mask> {
+        let size = [self.camera.width, self.camera.height];
+        let (file, _share) = decode::read(path, size, budget)?;
+        let decoded = decode::decode(&file, size, path)?;
+        let count = size[0] as usize * size[1] as usize;
+        let mut used = memory::zeros::<bool>(count, "a photograph's mask")?;
+        for (index, used) in used.iter_mut().enumerate() {
+            let [red, green, blue, _] =
+                decoded.rgba(index as u32 % size[0], index as u32 / size[0]);
+            *used = red.max(green).max(blue) > 0.0;
+        }
+        Ok(Mask { file, used })
+    }
+
+    /// The undistorted, smaller photograph. `texel` is the color of a column and a row of the original, or none where a
+    /// mask hides it; `is_whole` says that no pixel can be missing.
+    fn resample(
+        &self,
+        is_whole: bool,
+        texel: impl Fn(u32, u32) -> Option<[f32; 3]>,
+    ) -> Result<Photograph> {
+        let factor = self.factor;
         let Camera { width, height, .. } = smaller(&self.camera, factor);
         let count = width as usize * height as usize;
         let mut pixels = memory::zeros::<[u8; 3]>(count, "a photograph")?;
         let undistortion =
             (!self.lens.is_pinhole()).then(|| Undistortion::new(&self.camera, &self.lens));
-        let mut valid = match undistortion {
-            Some(_) => memory::zeros(count, "a photograph's mask")?,
-            None => Vec::new(),
+        let mut valid = match is_whole {
+            false => memory::zeros(count, "a photograph's mask")?,
+            true => Vec::new(),
         };
         let size = [self.camera.width, self.camera.height];
         let sample = |x: u32, y: u32| match &undistortion {
-            None => Some(texel(x, y)),
+            None => texel(x, y),
             Some(way) => {
                 let source = way.source([f64::from(x) + 0.5, f64::from(y) + 0.5])?;
-                Some(bilinear(source, size, &texel))
+                bilinear(source, size, &texel)
             }
         };
         for (index, pixel) in pixels.iter_mut().enumerate() {
@@ -85,8 +127,42 @@ impl Shot {
                 }
             }
         }
-        Photograph::new([width, height], pixels, undistortion.map(|_| valid))
+        Photograph::new([width, height], pixels, (!is_whole).then_some(valid))
     }
+}
+
+/// A mask's file, and whether each pixel of its photograph is used, row by row.
+struct Mask {
+    file: Vec<u8>,
+    used: Vec<bool>,
+}
+
+/// The camera of a photograph that someone made `factor` times smaller, to `size` pixels.
+///
+/// # Errors
+/// What is wrong, if `size` is more than a pixel from that.
+pub(super) fn prepared(camera: &Camera, factor: u32, size: [u32; 2]) -> Result<Camera, String> {
+    let whole = [camera.width, camera.height];
+    let is_near = |axis: usize| {
+        (f64::from(size[axis]) - f64::from(whole[axis]) / f64::from(factor)).abs() < 1.0
+    };
+    if !(is_near(0) && is_near(1)) {
+        let ([width, height], [w, h]) = (size, whole);
+        return Err(format!(
+            "the photograph is {width} x {height} pixels, but one of {w} x {h} should be {factor} times smaller; \
+             make it again, or remove its folder"
+        ));
+    }
+    let [across, down] = [0, 1].map(|axis| f64::from(size[axis]) / f64::from(whole[axis]));
+    Ok(Camera {
+        fl_x: camera.fl_x * across,
+        fl_y: camera.fl_y * down,
+        cx: camera.cx * across,
+        cy: camera.cy * down,
+        width: size[0],
+        height: size[1],
+        ..camera.clone()
+    })
 }
 
 /// The camera of an image of which squares of `factor` by `factor` pixels became one. Places are
@@ -120,8 +196,13 @@ fn mean(
     Some(sum.map(|sum| sum / (factor as f32 * factor as f32)))
 }
 
-/// The color between the centers of pixels. Up to half a pixel around them, that of the border.
-fn bilinear(place: [f64; 2], size: [u32; 2], texel: &impl Fn(u32, u32) -> [f32; 3]) -> [f32; 3] {
+/// The color between the centers of pixels; none where one of them is hidden. Up to half a pixel around them, that of
+/// the border.
+fn bilinear(
+    place: [f64; 2],
+    size: [u32; 2],
+    texel: &impl Fn(u32, u32) -> Option<[f32; 3]>,
+) -> Option<[f32; 3]> {
     let [(x, x_next, x_part), (y, y_next, y_part)] = [0, 1].map(|axis| {
         let last = size[axis] - 1;
         let place = (place[axis] - 0.5).clamp(0.0, f64::from(last));
@@ -131,7 +212,7 @@ fn bilinear(place: [f64; 2], size: [u32; 2], texel: &impl Fn(u32, u32) -> [f32; 
     let mix = |a: [f32; 3], b: [f32; 3], part: f32| -> [f32; 3] {
         std::array::from_fn(|i| a[i] + part * (b[i] - a[i]))
     };
-    let upper = mix(texel(x, y), texel(x_next, y), x_part);
-    let lower = mix(texel(x, y_next), texel(x_next, y_next), x_part);
-    mix(upper, lower, y_part)
+    let upper = mix(texel(x, y)?, texel(x_next, y)?, x_part);
+    let lower = mix(texel(x, y_next)?, texel(x_next, y_next)?, x_part);
+    Some(mix(upper, lower, y_part))
 }

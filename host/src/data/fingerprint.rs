@@ -7,13 +7,14 @@ use super::Point;
 use super::lens::Lens;
 use crate::camera::Camera;
 
-/// The SHA-256 of a photograph's file.
+/// The SHA-256 of a photograph's file, and of its mask's if it has one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Digest([u8; 32]);
 
 impl Digest {
-    pub fn of(bytes: &[u8]) -> Self {
-        Self(Sha256::digest(bytes).into())
+    pub fn of(photograph: &[u8], mask: Option<&[u8]>) -> Self {
+        let hash = Sha256::new().chain_update(photograph);
+        Self(hash.chain_update(mask.unwrap_or_default()).finalize().into())
     }
 }
 
@@ -55,11 +56,10 @@ impl Fingerprint {
             let Camera { fl_x, fl_y, cx, cy, width, height, .. } = *camera;
             let intrinsics = [fl_x, fl_y, cx, cy, f64::from(width), f64::from(height)];
             let pose = camera.camera_to_world.as_flattened();
-            let lens = lens.radial.into_iter().chain(lens.tangential);
-            for value in pose.iter().copied().chain(intrinsics).chain(lens) {
+            for value in pose.iter().copied().chain(intrinsics).chain(lens.coefficients()) {
                 hash.update(value.to_bits().to_le_bytes());
             }
-            hash.update([u8::from(held_out)]);
+            hash.update([lens.fisheye, held_out].map(u8::from));
         }
         let frames = hex(hash);
         let mut hash = Sha256::new();

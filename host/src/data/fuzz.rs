@@ -4,9 +4,10 @@ use std::io::Cursor;
 use std::path::Path;
 
 use super::budget::Budget;
+use super::find::Found;
 use super::reach::Reach;
 use super::transforms::{Photographs, add_frames};
-use super::{DatasetKind, Listing, colmap, decode, ply};
+use super::{DatasetKind, DatasetOptions, Listing, colmap, decode, ply};
 use crate::input::parse_json;
 
 /// The memory that a photograph may take.
@@ -15,12 +16,16 @@ const PHOTOGRAPH_BYTES: u64 = 64 << 20;
 /// nerfstudio's and Blender's files, as if every photograph were there.
 pub fn transforms(bytes: &[u8], path: &Path) {
     let Ok(file) = parse_json(bytes, path) else { return };
-    let photographs =
-        Photographs { find: |folder, name| Ok(folder.join(name)), size: |_| Ok([64, 48]) };
+    let photographs = Photographs {
+        find: |folder, name, _, _| {
+            Ok(Found { path: folder.join(name), prepared: false, mask: None })
+        },
+        size: |_| Ok([64, 48]),
+    };
     let Ok(mut reach) = Reach::of(Path::new("/"), false) else { return };
-    let mut listing =
-        Listing { kind: DatasetKind::Nerfstudio, shots: vec![], missing: vec![], points: vec![] };
-    let _ = add_frames(&file, path, &mut listing, |_| false, &mut reach, &photographs);
+    let mut listing = Listing::new(DatasetKind::Nerfstudio);
+    let options = DatasetOptions::default();
+    let _ = add_frames(&file, path, &mut listing, |_| false, &options, &mut reach, &photographs);
 }
 
 /// Each file of a sparse model, binary and text.

@@ -6,6 +6,7 @@ mod budget;
 mod colmap;
 mod decode;
 mod develop;
+mod find;
 mod fingerprint;
 pub(crate) mod fuzz;
 mod lens;
@@ -22,11 +23,13 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use crate::camera::Camera;
 use crate::error::{Error, Result};
 use budget::Budget;
 use develop::Shot;
+use find::Found;
 pub use fingerprint::Fingerprint;
 use lens::Lens;
 use organza_device::memory;
@@ -46,14 +49,28 @@ pub struct DatasetOptions {
     /// What photographs with an alpha channel are put in front of: red, green and blue of 0 to 1,
     /// as sRGB values.
     pub background: [f32; 3],
+    /// What an alpha channel is for.
+    pub alpha: Alpha,
     /// Whether the data set may name files outside its own folder, by their paths or by links.
     pub allow_outside: bool,
 }
 
 impl Default for DatasetOptions {
     fn default() -> Self {
-        Self { downscale: 1, hold_out_every: 8, background: [0.0; 3], allow_outside: false }
+        let alpha = Alpha::default();
+        Self { downscale: 1, hold_out_every: 8, background: [0.0; 3], alpha, allow_outside: false }
     }
+}
+
+/// What the alpha channel of photographs is for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Alpha {
+    /// The photograph is put in front of the background.
+    #[default]
+    Background,
+    /// Pixels of less than half are not used, as if a mask hid them.
+    Mask,
 }
 
 impl DatasetOptions {
@@ -135,6 +152,10 @@ pub struct Dataset {
     pub points: Vec<Point>,
     /// Photographs that the data set names and that are not there; their frames are left out.
     pub missing: Vec<PathBuf>,
+    /// How many frames have a mask, a file beside the photograph.
+    pub masked: usize,
+    /// How many photographs were smaller already, in a folder such as `images_2`.
+    pub prepared: usize,
     /// Files that were read outside the data set's folder, as it names them.
     pub outside: Vec<PathBuf>,
     /// What it is known by.
@@ -151,6 +172,40 @@ struct Listing {
     shots: Vec<Shot>,
     missing: Vec<PathBuf>,
     points: Vec<Point>,
+    prepared: usize,
+}
+
+impl Listing {
+    fn new(kind: DatasetKind) -> Self {
+        Self { kind, shots: vec![], missing: vec![], points: vec![], prepared: 0 }
+    }
+
+    /// Adds a photograph that was found; `camera` is that of the whole one, and has its name.
+    fn add(
+        &mut self,
+        Found { path, prepared, mask }: Found,
+        camera: Camera,
+        lens: Lens,
+        held_out: bool,
+        options: &DatasetOptions,
+        reach: &mut Reach,
+    ) -> Result<()> {
+        if let Some(mask) = &mask {
+            reach.check(mask)?;
+        }
+        let (camera, factor) = match prepared {
+            true => {
+                let size = decode::size(&path)?;
+                let smaller = develop::prepared(&camera, options.downscale, size);
+                (smaller.or_else(|reason| invalid(&path, reason))?, 1)
+            }
+            false => (camera, options.downscale),
+        };
+        self.prepared += usize::from(prepared);
+        let name = camera.file_path.clone().unwrap_or_default();
+        self.shots.push(Shot { name, path, mask, camera, lens, factor, held_out });
+        Ok(())
+    }
 }
 
 impl Dataset {
@@ -181,12 +236,15 @@ impl Dataset {
         let count = listing.shots.len();
         if let (0, Some(missing)) = (count, listing.missing.first()) {
             let (all, missing) = (listing.missing.len(), missing.display());
+            let hint = hint(path).unwrap_or_default();
             return invalid(
                 path,
-                format!("none of the {all} photographs exists; the first should be {missing}"),
+                format!(
+                    "none of the {all} photographs exists; the first should be {missing}{hint}"
+                ),
             );
         }
-        let budget = Budget::beside(check_memory(&listing.shots, options)?);
+        let budget = Budget::beside(check_memory(&listing.shots)?);
         progress(0, count);
         let done = AtomicUsize::new(0);
         let develop = |shot: &Shot| {
@@ -205,11 +263,24 @@ impl Dataset {
             );
             return invalid(path, reason);
         }
-        let Listing { kind, missing, points, shots } = listing;
+        let Listing { kind, missing, points, shots, prepared } = listing;
+        let masked = shots.iter().filter(|shot| shot.mask.is_some()).count();
         let known = shots.iter().map(|shot| (&*shot.name, &shot.camera, shot.lens, shot.held_out));
         let fingerprint = Fingerprint::of(known, &digests, &points);
         let (outside, path) = (reach.outside, path.to_owned());
-        Ok(Self { frames, train, held_out, points, missing, outside, fingerprint, kind, path })
+        Ok(Self {
+            frames,
+            train,
+            held_out,
+            points,
+            missing,
+            masked,
+            prepared,
+            outside,
+            fingerprint,
+            kind,
+            path,
+        })
     }
 
     /// A data set of frames that were not read from files. Every `hold_out_every`-th is held out,
@@ -223,9 +294,19 @@ impl Dataset {
             (&*frame.name, &frame.camera, Lens::default(), held_out)
         });
         let fingerprint = Fingerprint::of(known, &[], &[]);
-        let (points, missing, outside, path) = Default::default();
-        let kind = DatasetKind::Generated;
-        Self { frames, train, held_out, points, missing, outside, fingerprint, kind, path }
+        Self {
+            frames,
+            train,
+            held_out,
+            points: Vec::new(),
+            missing: Vec::new(),
+            masked: 0,
+            prepared: 0,
+            outside: Vec::new(),
+            fingerprint,
+            kind: DatasetKind::Generated,
+            path: PathBuf::new(),
+        }
     }
 }
 
@@ -235,37 +316,74 @@ fn is_held_out(position: usize, every: usize) -> bool {
     every != 0 && position.is_multiple_of(every)
 }
 
-/// Finds out what kind of data set a path is, and what it holds.
-fn list(path: &Path, options: &DatasetOptions, reach: &mut Reach) -> Result<Listing> {
-    let every = options.hold_out_every;
-    let nerfstudio = path.join("transforms.json");
-    let blender = path.join(transforms::BLENDER_TRAIN);
-    if !path.is_dir() {
-        let is_blender = path.file_name().is_some_and(|name| name == transforms::BLENDER_TRAIN);
-        return if is_blender {
-            transforms::blender(path, every, reach)
-        } else {
-            transforms::nerfstudio(path, every, reach)
-        };
-    }
-    if nerfstudio.exists() {
-        transforms::nerfstudio(&nerfstudio, every, reach)
-    } else if blender.exists() {
-        transforms::blender(&blender, every, reach)
-    } else if let Some(model) = colmap::find(path) {
-        colmap::list(path, &model, every, reach)
-    } else {
-        let reason = "no data set was found here; looked for transforms.json (nerfstudio), \
-                      transforms_train.json (Blender), and cameras.bin or cameras.txt of a sparse \
-                      model (COLMAP) in sparse/0, sparse, colmap/sparse/0 and the folder itself";
-        invalid(path, reason.to_owned())
+/// What a folder has that is a data set.
+enum Layout {
+    Nerfstudio(PathBuf),
+    Blender(PathBuf),
+    Colmap(colmap::Model),
+}
+
+impl Layout {
+    /// That of a folder.
+    fn of(folder: &Path) -> Option<Self> {
+        let file = |name: &str| Some(folder.join(name)).filter(|path| path.exists());
+        file("transforms.json")
+            .map(Self::Nerfstudio)
+            .or_else(|| file(transforms::BLENDER_TRAIN).map(Self::Blender))
+            .or_else(|| colmap::find(folder).map(Self::Colmap))
     }
 }
 
+/// Finds out what kind of data set a path is, and what it holds.
+fn list(path: &Path, options: &DatasetOptions, reach: &mut Reach) -> Result<Listing> {
+    if !path.is_dir() {
+        let is_blender = path.file_name().is_some_and(|name| name == transforms::BLENDER_TRAIN);
+        return if is_blender {
+            transforms::blender(path, options, reach)
+        } else {
+            transforms::nerfstudio(path, options, reach)
+        };
+    }
+    match Layout::of(path) {
+        Some(Layout::Nerfstudio(file)) => transforms::nerfstudio(&file, options, reach),
+        Some(Layout::Blender(file)) => transforms::blender(&file, options, reach),
+        Some(Layout::Colmap(model)) => colmap::list(path, &model, options, reach),
+        None => {
+            let hint = hint(path).unwrap_or_default();
+            let reason = format!(
+                "no data set was found here; looked for transforms.json (nerfstudio), \
+                 transforms_train.json (Blender), and cameras.bin or cameras.txt of a sparse model (COLMAP) in \
+                 sparse/0, sparse, colmap/sparse/0 and the folder itself{hint}"
+            );
+            invalid(path, reason)
+        }
+    }
+}
+
+/// Where else to look, if a folder has no data set or no photographs: COLMAP's dense workspace, a folder within, or
+/// smaller photographs.
+fn hint(path: &Path) -> Option<String> {
+    if !path.is_dir() {
+        return None;
+    }
+    let mut folders: Vec<_> =
+        fs::read_dir(path).ok()?.flatten().map(|entry| entry.path()).collect();
+    folders.retain(|path| path.is_dir());
+    folders.sort();
+    let name = |path: &Path| path.file_name().and_then(|name| name.to_str()).map(str::to_owned);
+    let factor = |path: &PathBuf| name(path)?.strip_prefix("images_")?.parse::<u32>().ok();
+    if let Some(factor) = folders.iter().find_map(factor) {
+        return Some(format!("; images_{factor} is there: use it with `--downscale {factor}`"));
+    }
+    let dense = ["dense/0", "dense"].map(|name| path.join(name));
+    let nested = dense.into_iter().chain(folders).find(|folder| Layout::of(folder).is_some())?;
+    Some(format!("; {} is a data set", nested.display()))
+}
+
 /// The bytes that the photographs will take; fails before hours of reading where they do not fit.
-fn check_memory(shots: &[Shot], options: &DatasetOptions) -> Result<u64> {
+fn check_memory(shots: &[Shot]) -> Result<u64> {
     let pixels = |shot: &Shot| {
-        let side = |side: u32| u64::from(side / options.downscale);
+        let side = |side: u32| u64::from(side / shot.factor);
         side(shot.camera.width) * side(shot.camera.height)
     };
     let bytes = shots.iter().map(pixels).sum::<u64>() * size_of::<([u8; 3], bool)>() as u64;

@@ -17,6 +17,7 @@ pub use preset::Preset;
 use serde::{Deserialize, Serialize};
 
 use crate::atomic_file::write_atomic;
+use crate::data::Alpha;
 use crate::error::{Error, Result};
 use crate::input::read_text;
 use crate::scene::{GridConfig, Interpolation, MlpConfig, SceneConfig};
@@ -59,6 +60,8 @@ pub struct DataConfig {
     pub hold_out_every: usize,
     /// What the scene is in front of, and photographs with an alpha channel are put in front of: sRGB, 0 to 1.
     pub background: [f32; 3],
+    /// What an alpha channel is for.
+    pub alpha: Alpha,
     /// Views of the built-in scene, and the side of their images in pixels.
     pub built_in_views: u32,
     /// See `built_in_views`.
@@ -196,6 +199,7 @@ impl Default for DataConfig {
             downscale: 1,
             hold_out_every: 8,
             background: [0.0; 3],
+            alpha: Alpha::default(),
             built_in_views: 48,
             built_in_side: 128,
             allow_outside: false,

@@ -22,7 +22,7 @@ pub(super) fn cameras(source: impl Read + Seek, length: u64, path: &Path) -> Res
         let known = Lenses::of_id(records.u32()?.cast_signed());
         let lenses = known.or_else(|reason| invalid(path, format!("camera {id}: {reason}")))?;
         let size = [records.u64()?, records.u64()?];
-        let values = (0..lenses.parameters).map(|_| records.f64()).collect::<Result<Vec<_>>>()?;
+        let values = (0..lenses.parameters()).map(|_| records.f64()).collect::<Result<Vec<_>>>()?;
         let intrinsics = lenses.intrinsics(size, &values);
         let intrinsics =
             intrinsics.or_else(|reason| invalid(path, format!("camera {id}: {reason}")))?;

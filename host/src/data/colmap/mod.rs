@@ -7,9 +7,9 @@ mod text;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use super::develop::Shot;
+use super::find;
 use super::reach::Reach;
-use super::{DatasetKind, Listing, Point, invalid, is_held_out};
+use super::{DatasetKind, DatasetOptions, Listing, Point, invalid, is_held_out};
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::input::open_regular;
@@ -57,14 +57,13 @@ pub(super) fn find(folder: &Path) -> Option<Model> {
 pub(super) fn list(
     folder: &Path,
     model: &Model,
-    hold_out_every: usize,
+    options: &DatasetOptions,
     reach: &mut Reach,
 ) -> Result<Listing> {
     let (cameras, mut images, mut points) = read(model)?;
     images.sort_by(|a, b| a.name.cmp(&b.name));
     points.sort_by_key(|(id, _)| *id);
-    let mut listing =
-        Listing { kind: DatasetKind::Colmap, shots: vec![], missing: vec![], points: vec![] };
+    let mut listing = Listing::new(DatasetKind::Colmap);
     for (position, image) in images.into_iter().enumerate() {
         let Some(intrinsics) = cameras.get(&image.camera) else {
             let (name, id, file) = (&image.name, image.camera, model.cameras.display());
@@ -78,20 +77,15 @@ pub(super) fn list(
                 return invalid(&model.images, format!("image `{}`: {reason}", image.name));
             }
         };
-        let expected = folder.join("images").join(&image.name);
-        let candidates = [expected.clone(), folder.join(&image.name)];
-        match candidates.into_iter().find(|path| path.exists() && !path.is_dir()) {
-            Some(path) => {
-                reach.check(&path)?;
-                listing.shots.push(Shot {
-                    name: image.name,
-                    path,
-                    camera,
-                    lens: intrinsics.lens,
-                    held_out: is_held_out(position, hold_out_every),
-                });
+        let photograph = |name: &str| find::photograph(folder, name, None, options.downscale);
+        let in_images = photograph(&format!("images/{}", image.name));
+        match in_images.or_else(|expected| photograph(&image.name).map_err(|_| expected)) {
+            Ok(found) => {
+                reach.check(&found.path)?;
+                let held_out = is_held_out(position, options.hold_out_every);
+                listing.add(found, camera, intrinsics.lens, held_out, options, reach)?;
             }
-            None => listing.missing.push(expected),
+            Err(expected) => listing.missing.push(expected),
         }
     }
     listing.points = points.into_iter().map(|(_, point)| point).collect();
@@ -145,4 +139,10 @@ pub(super) fn fuzz(bytes: &[u8], path: &Path) {
     for image in images.into_iter().flatten().flatten() {
         let _ = camera.as_ref().map(|camera| model::camera(&image, camera));
     }
+}
+
+/// The lens of a model's name and parameters.
+#[cfg(test)]
+pub(super) fn lens_of(name: &str, values: &[f64]) -> Result<super::lens::Lens, String> {
+    model::Lenses::of_name(name)?.intrinsics([64, 48], values).map(|camera| camera.lens)
 }

@@ -5,27 +5,48 @@ use glam::{DMat3, DQuat, DVec3};
 use super::{Camera, Image};
 use crate::camera::MAX_IMAGE_SIDE;
 use crate::data::lens::Lens;
+use Parameter::{CenterX, CenterY, D, Focal, FocalX, FocalY, K, P};
 
-/// COLMAP's models: their ids are their places in this list. Some have the number of their
-/// parameters: these are read.
-const MODELS: [(&str, Option<usize>); 16] = [
-    ("SIMPLE_PINHOLE", Some(3)),
-    ("PINHOLE", Some(4)),
-    ("SIMPLE_RADIAL", Some(4)),
-    ("RADIAL", Some(5)),
-    ("OPENCV", Some(8)),
-    ("OPENCV_FISHEYE", None),
-    ("FULL_OPENCV", None),
+/// COLMAP's models: their ids are their places in this list. Those that are read have what their parameters are, as COLMAP
+/// orders them.
+const MODELS: [(&str, Option<&[Parameter]>); 16] = [
+    ("SIMPLE_PINHOLE", Some(&[Focal, CenterX, CenterY])),
+    ("PINHOLE", Some(&[FocalX, FocalY, CenterX, CenterY])),
+    ("SIMPLE_RADIAL", Some(&[Focal, CenterX, CenterY, K(0)])),
+    ("RADIAL", Some(&[Focal, CenterX, CenterY, K(0), K(1)])),
+    ("OPENCV", Some(&[FocalX, FocalY, CenterX, CenterY, K(0), K(1), P(0), P(1)])),
+    ("OPENCV_FISHEYE", Some(&[FocalX, FocalY, CenterX, CenterY, K(0), K(1), K(2), K(3)])),
+    (
+        "FULL_OPENCV",
+        Some(&[FocalX, FocalY, CenterX, CenterY, K(0), K(1), P(0), P(1), K(2), D(0), D(1), D(2)]),
+    ),
     ("FOV", None),
-    ("SIMPLE_RADIAL_FISHEYE", None),
-    ("RADIAL_FISHEYE", None),
+    ("SIMPLE_RADIAL_FISHEYE", Some(&[Focal, CenterX, CenterY, K(0)])),
+    ("RADIAL_FISHEYE", Some(&[Focal, CenterX, CenterY, K(0), K(1)])),
     ("THIN_PRISM_FISHEYE", None),
     ("RAD_TAN_THIN_PRISM_FISHEYE", None),
     ("SIMPLE_DIVISION", None),
     ("DIVISION", None),
-    ("SIMPLE_FISHEYE", None),
-    ("FISHEYE", None),
+    ("SIMPLE_FISHEYE", Some(&[Focal, CenterX, CenterY])),
+    ("FISHEYE", Some(&[FocalX, FocalY, CenterX, CenterY])),
 ];
+
+/// A parameter of a camera model.
+#[derive(Clone, Copy)]
+enum Parameter {
+    /// Both focal lengths.
+    Focal,
+    FocalX,
+    FocalY,
+    CenterX,
+    CenterY,
+    /// A radial term: k1 is the first.
+    K(usize),
+    /// A radial term of the denominator: k4 is the first.
+    D(usize),
+    /// A tangential term: p1 is the first.
+    P(usize),
+}
 
 /// A camera without its pose.
 pub(in crate::data) struct Intrinsics {
@@ -39,8 +60,7 @@ pub(in crate::data) struct Intrinsics {
 #[derive(Clone, Copy)]
 pub(super) struct Lenses {
     name: &'static str,
-    /// How many parameters it has, 8 at most.
-    pub parameters: usize,
+    parameters: &'static [Parameter],
 }
 
 impl Lenses {
@@ -70,23 +90,33 @@ impl Lenses {
                 "the camera has {width} x {height} pixels, expected 1 to {MAX_IMAGE_SIDE} each"
             ));
         };
-        let (focal, center, radial, tangential) = match (self.name, values) {
-            ("SIMPLE_PINHOLE", &[f, x, y]) => ([f, f], [x, y], [0.0; 3], [0.0; 2]),
-            ("PINHOLE", &[f_x, f_y, x, y]) => ([f_x, f_y], [x, y], [0.0; 3], [0.0; 2]),
-            ("SIMPLE_RADIAL", &[f, x, y, k]) => ([f, f], [x, y], [k, 0.0, 0.0], [0.0; 2]),
-            ("RADIAL", &[f, x, y, k1, k2]) => ([f, f], [x, y], [k1, k2, 0.0], [0.0; 2]),
-            ("OPENCV", &[f_x, f_y, x, y, k1, k2, p1, p2]) => {
-                ([f_x, f_y], [x, y], [k1, k2, 0.0], [p1, p2])
+        if values.len() != self.parameters.len() {
+            let (name, parameters) = (self.name, self.parameters.len());
+            return Err(format!("{name} has {parameters} parameters, not {}", values.len()));
+        }
+        let (mut focal, mut center) = ([0.0; 2], [0.0; 2]);
+        let mut lens = Lens { fisheye: self.name.contains("FISHEYE"), ..Lens::default() };
+        for (parameter, &value) in self.parameters.iter().zip(values) {
+            match *parameter {
+                Focal => focal = [value; 2],
+                FocalX => focal[0] = value,
+                FocalY => focal[1] = value,
+                CenterX => center[0] = value,
+                CenterY => center[1] = value,
+                K(term) => lens.radial[term] = value,
+                D(term) => lens.denominator[term] = value,
+                P(term) => lens.tangential[term] = value,
             }
-            _ => {
-                let (name, parameters) = (self.name, self.parameters);
-                return Err(format!("{name} has {parameters} parameters, not {}", values.len()));
-            }
-        };
-        if let Some(value) = radial.iter().chain(&tangential).find(|value| !value.is_finite()) {
+        }
+        if let Some(value) = lens.coefficients().find(|value| !value.is_finite()) {
             return Err(format!("a distortion coefficient is {value}, expected a finite number"));
         }
-        Ok(Intrinsics { focal, center, size: [width, height], lens: Lens { radial, tangential } })
+        Ok(Intrinsics { focal, center, size: [width, height], lens })
+    }
+
+    /// How many parameters it has, 12 at most.
+    pub fn parameters(self) -> usize {
+        self.parameters.len()
     }
 }
 

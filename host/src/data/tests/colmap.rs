@@ -105,6 +105,15 @@ fn every_model_that_is_known_is_read() {
         ("SIMPLE_RADIAL", 2, vec![9.0, 3.5, 2.5, 3.0], [9.0, 9.0, 3.5, 2.5]),
         ("RADIAL", 3, vec![9.0, 3.5, 2.5, 3.0, 0.1], [9.0, 9.0, 3.5, 2.5]),
         ("OPENCV", 4, vec![9.0, 8.0, 3.5, 2.5, 3.0, 0.1, 0.01, 0.02], [9.0, 8.0, 3.5, 2.5]),
+        ("OPENCV_FISHEYE", 5, vec![9.0, 8.0, 3.5, 2.5, 3.0, 0.1, 0.01, 0.02], [9.0, 8.0, 3.5, 2.5]),
+        (
+            "FULL_OPENCV",
+            6,
+            vec![9.0, 8.0, 3.5, 2.5, 3.0, 0.1, 0.01, 0.02, 0.03, 0.04, 0.05, 0.06],
+            [9.0, 8.0, 3.5, 2.5],
+        ),
+        ("SIMPLE_RADIAL_FISHEYE", 8, vec![9.0, 3.5, 2.5, 3.0], [9.0, 9.0, 3.5, 2.5]),
+        ("RADIAL_FISHEYE", 9, vec![9.0, 3.5, 2.5, 3.0, 0.1], [9.0, 9.0, 3.5, 2.5]),
     ] {
         let mut model = sample();
         model.cameras =
@@ -115,6 +124,27 @@ fn every_model_that_is_known_is_read() {
         assert_eq!([fl_x, fl_y, cx, cy], expected, "{name}");
         assert_eq!(binary.frames[0].image.all_valid(), id < 2, "{name}");
     }
+}
+
+/// The parameters in COLMAP's order, of which each is another number.
+#[test]
+fn parameters_are_where_colmap_has_them() {
+    use super::super::colmap::lens_of;
+    let values = |count: u32| (1..=count).map(f64::from).collect::<Vec<_>>();
+    let full = Lens {
+        radial: [5.0, 6.0, 9.0, 0.0],
+        denominator: [10.0, 11.0, 12.0],
+        tangential: [7.0, 8.0],
+        ..Lens::default()
+    };
+    assert_eq!(lens_of("FULL_OPENCV", &values(12)).unwrap(), full);
+    let fisheye = Lens { fisheye: true, radial: [5.0, 6.0, 7.0, 8.0], ..Lens::default() };
+    assert_eq!(lens_of("OPENCV_FISHEYE", &values(8)).unwrap(), fisheye);
+    let opencv = lens([5.0, 6.0, 0.0], [7.0, 8.0]);
+    assert_eq!(lens_of("OPENCV", &values(8)).unwrap(), opencv);
+    assert!(lens_of("FISHEYE", &values(4)).unwrap().fisheye);
+    assert!(lens_of("FULL_OPENCV", &values(11)).unwrap_err().contains("12 parameters, not 11"));
+    assert!(lens_of("FOV", &values(5)).unwrap_err().contains("not supported"));
 }
 
 #[test]

@@ -10,6 +10,7 @@ fn camera([width, height]: [u32; 2], [fl_x, fl_y, cx, cy]: [f64; 4]) -> Camera {
 }
 
 const WIDE: ([u32; 2], [f64; 4]) = ([640, 480], [500.0, 510.0, 321.25, 238.5]);
+const ROUND: ([u32; 2], [f64; 4]) = ([640, 480], [210.0, 212.0, 321.25, 238.5]);
 const PORTRAIT: ([u32; 2], [f64; 4]) = ([270, 480], [343.88, 343.6225, 138.6395, 241.317]);
 
 /// Where OpenCV 5.0 puts the centers of pixels: `cv2.projectPoints` of `((x + 0.5 - cx) / fl_x,
@@ -46,15 +47,48 @@ const TILTED: Table = [
     ([200, 100], [198.671623157, 100.584598769]),
 ];
 
+/// With `cv2.projectPoints` and the coefficients `(k1, k2, p1, p2, k3, k4, k5, k6)`.
+const FULL: Table = [
+    ([0, 0], [37.348001468, 28.390182410]),
+    ([639, 0], [602.266608860, 28.562787900]),
+    ([17, 479], [49.878448686, 454.008460720]),
+    ([320, 240], [320.499987973, 240.500026408]),
+    ([200, 100], [203.713090618, 104.305222289]),
+];
+/// With `cv2.fisheye.projectPoints`.
+const FISHEYE: Table = [
+    ([0, 0], [133.353197779, 99.078522436]),
+    ([639, 0], [508.258412510, 98.647675798]),
+    ([17, 479], [140.064147565, 382.255688681]),
+    ([320, 240], [320.500023148, 240.499938272]),
+    ([200, 100], [220.564577445, 123.430945652]),
+];
+const EQUIDISTANT: Table = [
+    ([0, 0], [137.597110204, 102.227551765]),
+    ([639, 0], [504.043667373, 101.799629741]),
+    ([17, 479], [144.103540171, 379.050771420]),
+    ([320, 240], [320.500025437, 240.499932168]),
+    ([200, 100], [221.823748848, 124.869998683]),
+];
+
+fn fisheye(radial: [f64; 4]) -> Lens {
+    Lens { fisheye: true, radial, ..Lens::default() }
+}
+
 #[test]
 fn places_are_those_of_opencv() {
-    for ((size, intrinsics), radial, tangential, table) in [
-        (PORTRAIT, [0.0578421, -0.0805099, 0.0], [-0.000980296, 0.00015575], PHONE),
-        (WIDE, [-0.28, 0.09, -0.015], [0.0012, -0.0007], BARREL),
-        (WIDE, [0.11, 0.0, 0.0], [0.0, 0.0], PINCUSHION),
-        (WIDE, [0.0, 0.0, 0.0], [0.01, -0.02], TILTED),
+    let denominator = [0.52, -0.07, 0.011];
+    let full = Lens { denominator, ..lens([0.31, -0.12, 0.018], [0.0012, -0.0007]) };
+    for ((size, intrinsics), lens, table) in [
+        (PORTRAIT, lens([0.0578421, -0.0805099, 0.0], [-0.000980296, 0.00015575]), PHONE),
+        (WIDE, lens([-0.28, 0.09, -0.015], [0.0012, -0.0007]), BARREL),
+        (WIDE, lens([0.11, 0.0, 0.0], [0.0, 0.0]), PINCUSHION),
+        (WIDE, lens([0.0, 0.0, 0.0], [0.01, -0.02]), TILTED),
+        (WIDE, full, FULL),
+        (ROUND, fisheye([0.03, -0.012, 0.004, -0.0011]), FISHEYE),
+        (ROUND, fisheye([0.0; 4]), EQUIDISTANT),
     ] {
-        let (camera, lens) = (camera(size, intrinsics), Lens { radial, tangential });
+        let camera = camera(size, intrinsics);
         let way = Undistortion::new(&camera, &lens);
         for (pixel, expected) in table {
             let [x, y] = pixel.map(|place| f64::from(place) + 0.5);
@@ -73,15 +107,18 @@ fn places_are_those_of_opencv() {
 fn a_pinhole_bends_nothing() {
     assert!(Lens::default().is_pinhole());
     assert_eq!(Lens::default().distort([0.3, -0.7]), [0.3, -0.7]);
-    assert!(!Lens { radial: [0.0, 0.0, 1e-9], tangential: [0.0; 2] }.is_pinhole());
-    assert!(!Lens { radial: [0.0; 3], tangential: [0.0, 1e-9] }.is_pinhole());
+    assert!(!lens([0.0, 0.0, 1e-9], [0.0; 2]).is_pinhole());
+    assert!(!lens([0.0; 3], [0.0, 1e-9]).is_pinhole());
+    assert!(!Lens { denominator: [0.0, 0.0, 1e-9], ..Lens::default() }.is_pinhole());
+    // Its radius is an angle, even without coefficients.
+    assert!(!fisheye([0.0; 4]).is_pinhole());
 }
 
 /// r (1 - r^2 / 3) turns around at r = 1, and is back in the middle of the photograph at 1.7.
 #[test]
 fn what_lies_beyond_the_fold_is_outside() {
     let camera = camera([400, 400], [100.0, 100.0, 200.0, 200.0]);
-    let lens = Lens { radial: [-1.0 / 3.0, 0.0, 0.0], tangential: [0.0; 2] };
+    let lens = lens([-1.0 / 3.0, 0.0, 0.0], [0.0; 2]);
     let way = Undistortion::new(&camera, &lens);
     let at = |radius: f64| way.source([200.0 + 100.0 * radius, 200.0]);
     let found = at(0.9).unwrap();
@@ -89,5 +126,17 @@ fn what_lies_beyond_the_fold_is_outside() {
     assert!(at(0.999).is_some());
     for radius in [1.001, 1.2, 1.7, 1.99] {
         assert_eq!(at(radius), None, "{radius}");
+    }
+}
+
+/// A denominator of 1 - r^2 has a pole at r = 1: beyond it the lens shows nothing that is there.
+#[test]
+fn what_lies_beyond_a_pole_is_outside() {
+    let camera = camera([1000, 1000], [100.0, 100.0, 500.0, 500.0]);
+    let lens = Lens { denominator: [-1.0, 0.0, 0.0], ..Lens::default() };
+    let way = Undistortion::new(&camera, &lens);
+    assert!(way.source([500.0 + 50.0, 500.0]).is_some());
+    for radius in [1.01, 1.5, 3.0] {
+        assert_eq!(way.source([500.0 + 100.0 * radius, 500.0]), None, "{radius}");
     }
 }

@@ -2,6 +2,7 @@ mod blender;
 mod broken_colmap;
 mod colmap;
 mod colmap_files;
+mod find;
 mod lens;
 mod load;
 mod nerfstudio;
@@ -18,6 +19,10 @@ use super::*;
 /// A camera at (0, 0, 4) that looks at the origin.
 const POSE: [[f64; 4]; 4] =
     [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 4.0], [0.0, 0.0, 0.0, 1.0]];
+
+fn lens([k1, k2, k3]: [f64; 3], tangential: [f64; 2]) -> Lens {
+    Lens { radial: [k1, k2, k3, 0.0], tangential, ..Lens::default() }
+}
 
 /// Writes an image of one color, in the format of its extension.
 fn write_image(path: &Path, [width, height]: [u32; 2], color: [u8; 3]) {

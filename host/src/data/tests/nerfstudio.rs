@@ -4,6 +4,7 @@ use proptest::prelude::*;
 use proptest::sample::Index;
 
 use super::*;
+use crate::data::transforms::lens_of as transforms_lens;
 use crate::input::nasty::{nasty_value, replace_value};
 
 /// Asserts that the edited file fails with all the facts.
@@ -66,6 +67,29 @@ fn lenses_are_undone() {
 }
 
 #[test]
+fn lenses_are_those_that_the_file_names() {
+    let coefficients =
+        [("k1", 0.1), ("k2", 0.2), ("k3", 0.3), ("k4", 0.4), ("k5", 0.5), ("p1", 0.6)];
+    let lens_of = |edit: &[(&str, Value)]| {
+        let mut file = json!({});
+        coefficients.iter().for_each(|&(key, value)| file[key] = json!(value));
+        edit.iter().for_each(|(key, value)| file[*key] = value.clone());
+        transforms_lens(&file).unwrap()
+    };
+    let radial = [0.1, 0.2, 0.3, 0.4];
+    let brown = Lens { radial, tangential: [0.6, 0.0], ..Lens::default() };
+    assert_eq!(lens_of(&[]), brown);
+    assert_eq!(lens_of(&[("camera_model", json!("OPENCV"))]), brown);
+    let fisheye = Lens { fisheye: true, radial, ..Lens::default() };
+    assert_eq!(lens_of(&[("camera_model", json!("OPENCV_FISHEYE"))]), fisheye);
+    assert_eq!(lens_of(&[("is_fisheye", json!(true))]), fisheye);
+    let (radial, denominator) = ([0.1, 0.2, 0.3, 0.0], [0.4, 0.5, 0.0]);
+    let full = Lens { radial, denominator, tangential: [0.6, 0.0], ..Lens::default() };
+    assert_eq!(lens_of(&[("camera_model", json!("FULL_OPENCV"))]), full);
+    assert_eq!(lens_of(&[("camera_model", json!("PINHOLE"))]), Lens::default());
+}
+
+#[test]
 fn points_come_from_the_named_cloud() {
     let mut file = transforms(2);
     file["ply_file_path"] = json!("sparse_pc.ply");
@@ -87,12 +111,12 @@ fn points_come_from_the_named_cloud() {
 fn lens_errors() {
     let model = |model: Value| move |file: &mut Value| file["camera_model"] = model;
     assert_error(
-        model(json!("OPENCV_FISHEYE")),
-        &["transforms.json", "frame 0", "OPENCV_FISHEYE is not supported", "undistort", "RADIAL"],
+        model(json!("EQUIRECTANGULAR")),
+        &["transforms.json", "frame 0", "EQUIRECTANGULAR is not supported", "undistort", "RADIAL"],
     );
     assert_error(model(json!(4)), &["frame 0", "`camera_model` is a number"]);
-    assert_error(|file| file["is_fisheye"] = json!(true), &["frame 0", "`is_fisheye`"]);
-    assert_error(|file| file["frames"][1]["k4"] = json!(0.1), &["frame 1", "`k4` is 0.1"]);
+    assert_error(|file| file["frames"][1]["k4"] = json!([]), &["frame 1", "`k4` is an array"]);
+    assert_error(|file| file["frames"][1]["mask_path"] = json!(1), &["frame 1", "`mask_path`"]);
     assert_error(|file| file["k2"] = json!("x"), &["frame 0", "`k2` is a string"]);
 }
 

@@ -24,18 +24,21 @@ fn camera(width: u32, height: u32) -> Camera {
 }
 
 fn shot(path: PathBuf, camera: Camera, lens: Lens) -> Shot {
-    Shot { name: "a".to_owned(), path, camera, lens, held_out: false }
+    let (name, mask) = ("a".to_owned(), None);
+    Shot { name, path, mask, camera, lens, factor: 1, held_out: false }
+}
+
+/// One that becomes `factor` times smaller.
+fn smaller_shot(path: PathBuf, camera: Camera, lens: Lens, factor: u32) -> Shot {
+    Shot { factor, ..shot(path, camera, lens) }
 }
 
 impl Shot {
     /// The frame, with all memory there is.
-    fn developed(&self, options: &DatasetOptions) -> Result<Frame> {
-        self.develop(options, &Budget::of(u64::MAX)).map(|(frame, _)| frame)
+    fn developed(&self) -> Result<Frame> {
+        let options = DatasetOptions::default();
+        self.develop(&options, &Budget::of(u64::MAX)).map(|(frame, _)| frame)
     }
-}
-
-fn options(downscale: u32) -> DatasetOptions {
-    DatasetOptions { downscale, ..DatasetOptions::default() }
 }
 
 /// A photograph whose red is its column and whose green is its row.
@@ -67,10 +70,10 @@ fn undistorted_pixels_come_from_where_the_lens_put_them() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("ramp.png");
     ramp(&path, 120, 90);
-    let lens = Lens { radial: [0.12, -0.05, 0.01], tangential: [0.004, -0.003] };
+    let lens = lens([0.12, -0.05, 0.01], [0.004, -0.003]);
     let camera = camera(120, 90);
     let way = Undistortion::new(&camera, &lens);
-    let frame = shot(path, camera.clone(), lens).developed(&options(1)).unwrap();
+    let frame = shot(path, camera.clone(), lens).developed().unwrap();
     assert_eq!(frame.camera, Camera { distorted: false, ..camera.clone() });
     let (mut inside, mut outside) = (0, 0);
     for (x, y) in (0..90).flat_map(|y| (0..120).map(move |x| (x, y))) {
@@ -97,7 +100,7 @@ fn downscaling_takes_means_and_scales_the_camera() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("ramp.png");
     ramp(&path, 11, 7);
-    let frame = shot(path.clone(), camera(11, 7), Lens::default()).developed(&options(3)).unwrap();
+    let frame = smaller_shot(path.clone(), camera(11, 7), Lens::default(), 3).developed().unwrap();
     // The last two columns and the last row are cut off.
     assert_eq!((frame.image.width(), frame.image.height()), (3, 2));
     let expected = [[1, 1, 7], [4, 1, 7], [7, 1, 7], [1, 4, 7], [4, 4, 7], [7, 4, 7]];
@@ -107,7 +110,7 @@ fn downscaling_takes_means_and_scales_the_camera() {
     assert_eq!((small.width, small.height), (3, 2));
     assert_eq!((small.fl_x, small.fl_y), (30.0, 80.0 / 3.0));
     assert_eq!((small.cx, small.cy), (0.45 * 11.0 / 3.0, 0.52 * 7.0 / 3.0));
-    let result = shot(path, camera(11, 7), Lens::default()).developed(&options(8));
+    let result = smaller_shot(path, camera(11, 7), Lens::default(), 8).developed();
     assert_facts(result, &["ramp.png", "downscale of 8", "11 x 7"]);
 }
 
@@ -117,8 +120,8 @@ fn downscaled_masks_are_strict() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("ramp.png");
     ramp(&path, 60, 40);
-    let lens = Lens { radial: [0.5, 0.0, 0.0], tangential: [0.0; 2] };
-    let develop = |factor| shot(path.clone(), camera(60, 40), lens).developed(&options(factor));
+    let lens = lens([0.5, 0.0, 0.0], [0.0; 2]);
+    let develop = |factor| smaller_shot(path.clone(), camera(60, 40), lens, factor).developed();
     let (full, half) = (develop(1).unwrap().image, develop(2).unwrap().image);
     assert!(!half.all_valid());
     for (x, y) in (0..20).flat_map(|y| (0..30).map(move |x| (x, y))) {
@@ -137,7 +140,7 @@ fn downscaled_masks_are_strict() {
 fn every_depth_and_format_is_read() {
     let folder = tempfile::tempdir().unwrap();
     let develop = |path: PathBuf| {
-        let frame = shot(path, camera(5, 4), Lens::default()).developed(&options(1));
+        let frame = shot(path, camera(5, 4), Lens::default()).developed();
         frame.unwrap().image.pixels()[0]
     };
     let path = |name: &str| folder.path().join(name);
@@ -162,8 +165,7 @@ fn sizes_must_be_those_of_the_camera() {
     for (size, hint) in
         [([24, 16], "resized"), ([8, 12], "rotated"), ([12, 9], "the right photograph")]
     {
-        let result =
-            shot(path.clone(), camera(size[0], size[1]), Lens::default()).developed(&options(1));
+        let result = shot(path.clone(), camera(size[0], size[1]), Lens::default()).developed();
         let expected = format!("camera {} x {}", size[0], size[1]);
         assert_facts(result, &["a.png", "12 x 8", &expected, hint]);
     }
@@ -174,9 +176,9 @@ fn a_lens_that_leaves_nothing_is_an_error() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.png");
     write_image(&path, [12, 8], [0; 3]);
-    let lens = Lens { radial: [0.0; 3], tangential: [1e30, 1e30] };
+    let lens = lens([0.0; 3], [1e30, 1e30]);
     let far = Camera { cx: 0.0, cy: 0.0, ..camera(12, 8) };
-    assert_facts(shot(path, far, lens).developed(&options(1)), &["a.png", "coefficients"]);
+    assert_facts(shot(path, far, lens).developed(), &["a.png", "coefficients"]);
 }
 
 /// A photograph that was cut short anywhere is an error, and never half gray.
@@ -189,11 +191,11 @@ fn damaged_photographs_are_named() {
         let path = folder.path().join(name);
         image::RgbImage::from_fn(40, 30, noise).save(&path).unwrap();
         let whole = fs::read(&path).unwrap();
-        shot(path.clone(), camera(40, 30), Lens::default()).developed(&options(1)).unwrap();
+        shot(path.clone(), camera(40, 30), Lens::default()).developed().unwrap();
         // PNG's last 12 bytes say only that it ends.
         for length in (0..whole.len() - 12).step_by(7).chain([whole.len() - 13]) {
             fs::write(&path, &whole[..length]).unwrap();
-            let result = shot(path.clone(), camera(40, 30), Lens::default()).developed(&options(1));
+            let result = shot(path.clone(), camera(40, 30), Lens::default()).developed();
             assert_facts(result, &[name, "again"]);
         }
     }
@@ -202,7 +204,7 @@ fn damaged_photographs_are_named() {
     for (path, facts) in
         [(path.with_file_name("none.png"), "no such file"), (folder_path, "folder")]
     {
-        let result = shot(path, camera(40, 30), Lens::default()).developed(&options(1));
+        let result = shot(path, camera(40, 30), Lens::default()).developed();
         assert_facts(result, &[facts]);
     }
 }

@@ -1,0 +1,119 @@
+//! Where the photographs of a data set are, and their masks.
+//!
+//! Data sets are moved, packed and shrunk. So a photograph may be elsewhere than the data set says: below a tail of its
+//! path, or smaller in `images_N`.
+
+use std::ffi::OsStr;
+use std::path::{Component, Path, PathBuf};
+
+/// The folder of photographs; `masks`, `images_2` and so on lie beside it.
+const IMAGES: &str = "images";
+const MASKS: &str = "masks";
+/// What a name may lack.
+const EXTENSIONS: [&str; 6] = ["", ".png", ".jpg", ".jpeg", ".JPG", ".JPEG"];
+
+/// A photograph's file, and how it should be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Found {
+    /// The photograph's file.
+    pub path: PathBuf,
+    /// Whether the file is of `images_N`, and smaller already.
+    pub prepared: bool,
+    /// The mask beside it, in `masks` or `masks_N`.
+    pub mask: Option<PathBuf>,
+}
+
+/// The photograph that a data set in `folder` calls `name`, `downscale` times smaller if it is there that way; or else
+/// where the whole one should have been.
+///
+/// `mask` is what the data set says of its mask.
+pub(super) fn photograph(
+    folder: &Path,
+    name: &str,
+    mask: Option<&str>,
+    downscale: u32,
+) -> Result<Found, PathBuf> {
+    // Files written on Windows have its separator.
+    let names = [name.to_owned(), name.replace('\\', "/")];
+    let paths = || names.iter().flat_map(|name| tails(Path::new(name)));
+    if downscale > 1 {
+        let [images, masks] = [IMAGES, MASKS].map(|whole| format!("{whole}_{downscale}"));
+        let mut smaller = paths().filter_map(|path| sibling(&path, IMAGES, &images));
+        if let Some(path) = smaller.find_map(|path| with_extension(folder, &path)) {
+            let named = mask.and_then(|mask| sibling(Path::new(mask), MASKS, &masks));
+            let found = mask_of(folder, &path, named.as_deref(), &images, &masks);
+            let whole = sibling(&path, &images, IMAGES);
+            let whole_mask = whole.and_then(|whole| mask_of(folder, &whole, None, IMAGES, MASKS));
+            // Without its mask, the smaller photograph would show what the mask hides.
+            if found.is_some() || (mask.is_none() && whole_mask.is_none()) {
+                return Ok(Found { path: folder.join(path), prepared: true, mask: found });
+            }
+        }
+    }
+    match paths().find_map(|path| with_extension(folder, &path)) {
+        Some(path) => {
+            let mask = mask_of(folder, &path, mask.map(Path::new), IMAGES, MASKS);
+            Ok(Found { path: folder.join(path), prepared: false, mask })
+        }
+        None => Err(folder.join(name)),
+    }
+}
+
+/// A path and its tails, the longest first: some programs write paths that begin in a folder above the data set. A tail
+/// has a folder's name at least, as names of files alone repeat from folder to folder.
+fn tails(path: &Path) -> Vec<PathBuf> {
+    let names: Vec<&OsStr> = path
+        .components()
+        .filter_map(|part| match part {
+            Component::Normal(name) => Some(name),
+            _ => None,
+        })
+        .collect();
+    let tails = (0..names.len().saturating_sub(1)).map(|first| names[first..].iter().collect());
+    std::iter::once(path.to_owned()).chain(tails).collect()
+}
+
+/// The path with a folder of it replaced; none if it has no such folder.
+fn sibling(path: &Path, folder: &str, by: &str) -> Option<PathBuf> {
+    let at = path.parent()?.components().position(|part| part.as_os_str() == folder)?;
+    let replace = |(index, part): (usize, Component<'_>)| match index == at {
+        true => OsStr::new(by).to_owned(),
+        false => part.as_os_str().to_owned(),
+    };
+    Some(path.components().enumerate().map(replace).collect())
+}
+
+/// `path` below `folder`, with an extension if it lacks one, if it is a file.
+fn with_extension(folder: &Path, path: &Path) -> Option<PathBuf> {
+    let with = |extension: &&str| {
+        let mut name = path.as_os_str().to_owned();
+        name.push(extension);
+        PathBuf::from(name)
+    };
+    let is_file = |path: &PathBuf| {
+        let path = folder.join(path);
+        path.exists() && !path.is_dir()
+    };
+    EXTENSIONS.iter().map(with).find(is_file)
+}
+
+/// The mask of a photograph: the one that the data set names, or `masks/NAME.png` beside `images/NAME`, as COLMAP has it,
+/// or with the photograph's extension replaced.
+fn mask_of(
+    folder: &Path,
+    photograph: &Path,
+    named: Option<&Path>,
+    images: &str,
+    masks: &str,
+) -> Option<PathBuf> {
+    if let Some(named) = named {
+        // One that is not there is reported when it is read.
+        let found = tails(named).into_iter().find(|path| folder.join(path).exists());
+        return Some(folder.join(found.as_deref().unwrap_or(named)));
+    }
+    let beside = sibling(photograph, images, masks)?;
+    let mut appended = beside.clone().into_os_string();
+    appended.push(".png");
+    let candidates = [PathBuf::from(appended), beside.with_extension("png"), beside];
+    candidates.into_iter().map(|path| folder.join(path)).find(|path| path.is_file())
+}

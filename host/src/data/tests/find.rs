@@ -1,0 +1,165 @@
+//! Where photographs and masks are found.
+
+use std::fs;
+
+use super::colmap_files::{self, sample};
+use super::*;
+
+fn load_with(path: &Path, edit: impl FnOnce(&mut DatasetOptions)) -> Result<Dataset> {
+    let mut options = DatasetOptions::default();
+    edit(&mut options);
+    Dataset::load(path, &options, &|_, _| {})
+}
+
+/// Two photographs of 6 x 4 pixels whose `file_path` is edited.
+fn renamed(edit: impl Fn(&str) -> String) -> TempDir {
+    let mut file = transforms(2);
+    let folder = nerfstudio_folder(&file);
+    for frame in file["frames"].as_array_mut().unwrap() {
+        frame["file_path"] = json!(edit(frame["file_path"].as_str().unwrap()));
+    }
+    write_json(&folder.path().join("transforms.json"), &file);
+    folder
+}
+
+#[test]
+fn paths_may_begin_above_the_data_set() {
+    for prefix in ["data/fox/", "../fox/", "/home/nobody/fox/", "./a/../"] {
+        let folder = renamed(|name| format!("{prefix}{name}"));
+        let dataset = load(folder.path()).unwrap();
+        assert_eq!((dataset.frames.len(), dataset.missing.len()), (2, 0), "{prefix}");
+        assert_eq!(dataset.frames[1].image.color(0, 0)[0], 1.0 / 255.0);
+    }
+}
+
+/// Names of files repeat from camera to camera: the folder must be right.
+#[test]
+fn a_tail_has_a_folder() {
+    let folder = renamed(|name| name.replace("images/", "left/"));
+    fs::rename(folder.path().join("images/0.png"), folder.path().join("0.png")).unwrap();
+    let missing = folder.path().join("left/0.png");
+    assert_refused(folder.path(), &[&missing.display().to_string()]);
+}
+
+#[test]
+fn smaller_photographs_are_used_if_they_are_there() {
+    let folder = nerfstudio_folder(&transforms(2));
+    // 6 x 4 at 4 is 1.5 x 1.
+    for index in 0..2 {
+        write_image(&folder.path().join(format!("images_4/{index}.png")), [2, 1], [90, 91, 92]);
+    }
+    let dataset = load_with(folder.path(), |options| options.downscale = 4).unwrap();
+    assert_eq!(dataset.prepared, 2);
+    let frame = &dataset.frames[1];
+    assert_eq!(
+        (frame.name.as_str(), frame.image.pixels()),
+        ("images/1.png", &[[90, 91, 92]; 2][..])
+    );
+    let Camera { fl_x, fl_y, cx, cy, width, height, .. } = frame.camera;
+    assert_eq!(([width, height], [fl_x, cx]), ([2, 1], [8.0 / 3.0, 3.25 / 3.0]));
+    assert_eq!([fl_y, cy], [9.0 / 4.0, 1.75 / 4.0]);
+    // Another factor reads the whole ones.
+    let dataset = load_with(folder.path(), |options| options.downscale = 2).unwrap();
+    assert_eq!((dataset.prepared, dataset.frames[1].image.color(0, 0)[0]), (0, 1.0 / 255.0));
+    // Alone they are enough; without the factor, the message says so.
+    fs::remove_dir_all(folder.path().join("images")).unwrap();
+    assert_eq!(load_with(folder.path(), |options| options.downscale = 4).unwrap().frames.len(), 2);
+    assert_refused(folder.path(), &["images_4 is there", "--downscale 4"]);
+    write_image(&folder.path().join("images_4/0.png"), [3, 1], [0; 3]);
+    let result = load_with(folder.path(), |options| options.downscale = 4);
+    assert_facts(result, &["images_4/0.png", "3 x 1", "6 x 4", "4 times smaller"]);
+}
+
+/// A mask whose left half is black.
+fn half(path: &Path, [width, height]: [u32; 2]) {
+    let _ = fs::create_dir_all(path.parent().unwrap());
+    let pixel = |x: u32, _| image::Luma([if x < width / 2 { 0 } else { 1 }]);
+    image::GrayImage::from_fn(width, height, pixel).save(path).unwrap();
+}
+
+fn assert_half(photograph: &Photograph) {
+    let (width, height) = (photograph.width(), photograph.height());
+    for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+        assert_eq!(photograph.is_valid(x, y), x >= width / 2, "{x},{y}");
+    }
+}
+
+#[test]
+fn what_a_mask_hides_is_not_valid() {
+    let mut file = transforms(3);
+    file["frames"][0]["mask_path"] = json!("elsewhere/m.png");
+    let folder = nerfstudio_folder(&file);
+    let plain = load(folder.path());
+    assert_facts(plain, &["elsewhere/m.png", "no such file"]);
+    half(&folder.path().join("elsewhere/m.png"), [6, 4]);
+    half(&folder.path().join("masks/1.png.png"), [6, 4]);
+    let dataset = load(folder.path()).unwrap();
+    assert_eq!(dataset.masked, 2);
+    assert_half(&dataset.frames[0].image);
+    assert_half(&dataset.frames[1].image);
+    assert!(dataset.frames[2].image.all_valid());
+    // A smaller pixel is valid if its whole square is.
+    let dataset = load_with(folder.path(), |options| options.downscale = 2).unwrap();
+    let valid: Vec<_> = (0..3).map(|x| dataset.frames[0].image.is_valid(x, 0)).collect();
+    assert_eq!(valid, [false, false, true]);
+    // The fingerprint knows of masks.
+    half(&folder.path().join("masks/1.png.png"), [6, 4]);
+    let before = load(folder.path()).unwrap().fingerprint;
+    write_image(&folder.path().join("masks/1.png.png"), [6, 4], [255; 3]);
+    assert_eq!(load(folder.path()).unwrap().fingerprint.difference(&before), Some("photographs"));
+    write_image(&folder.path().join("masks/1.png.png"), [6, 4], [0; 3]);
+    assert_refused(folder.path(), &["images/1.png", "masks/1.png.png", "black"]);
+    half(&folder.path().join("masks/1.png.png"), [5, 4]);
+    assert_refused(folder.path(), &["masks/1.png.png", "5 x 4"]);
+}
+
+#[test]
+fn masks_of_colmap_and_of_smaller_photographs() {
+    let folder = tempfile::tempdir().unwrap();
+    let root = folder.path();
+    let mut model = sample();
+    model.cameras.iter_mut().for_each(|camera| camera.1 = ("SIMPLE_PINHOLE", 0));
+    model.cameras.iter_mut().for_each(|camera| camera.3 = vec![100.0, 32.0, 24.0]);
+    colmap_files::write(root, &model, true);
+    half(&root.join("masks/sub/c.png.png"), [64, 48]);
+    let dataset = load(root).unwrap();
+    assert_half(&dataset.frames[2].image);
+    assert!(dataset.frames[0].image.all_valid());
+    // A smaller photograph without its mask is not used.
+    write_image(&root.join("images_2/sub/c.png"), [32, 24], [1; 3]);
+    let smaller = || load_with(root, |options| options.downscale = 2).unwrap();
+    assert_eq!(smaller().prepared, 0);
+    assert_half(&smaller().frames[2].image);
+    half(&root.join("masks_2/sub/c.png"), [32, 24]);
+    assert_eq!(smaller().prepared, 1);
+    assert_half(&smaller().frames[2].image);
+    assert_eq!(smaller().frames[2].image.color(20, 0), [1.0 / 255.0; 3]);
+}
+
+#[test]
+fn alpha_can_be_a_mask() {
+    let folder = nerfstudio_folder(&transforms(2));
+    let path = folder.path().join("images/0.png");
+    let pixel = |x: u32, _| image::Rgba([200, 100, 50, [0, 127, 128, 255, 255, 255][x as usize]]);
+    image::RgbaImage::from_fn(6, 4, pixel).save(path).unwrap();
+    let dataset = load_with(folder.path(), |options| options.alpha = Alpha::Mask).unwrap();
+    let photograph = &dataset.frames[0].image;
+    let valid: Vec<_> = (0..6).map(|x| photograph.is_valid(x, 0)).collect();
+    assert_eq!(valid, [false, false, true, true, true, true]);
+    // What is used has its own color, not one mixed with the background.
+    assert_eq!(photograph.pixels()[2], [200, 100, 50]);
+    assert!(dataset.frames[1].image.all_valid());
+    assert!(load(folder.path()).unwrap().frames[0].image.all_valid());
+}
+
+#[test]
+fn a_data_set_within_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let root = folder.path();
+    let dense = root.join("dense/0");
+    colmap_files::write(&dense, &sample(), true);
+    assert_refused(root, &["no data set", &dense.display().to_string()]);
+    // The sparse model is above, and its photographs are within.
+    colmap_files::write_model(&root.join("sparse/0"), &sample(), true);
+    assert_refused(root, &["none of the 3 photographs", &dense.display().to_string()]);
+}

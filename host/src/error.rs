@@ -310,6 +310,13 @@ fn describe_write(path: &Path, source: &io::Error) -> String {
                 .to_owned()
         }
         io::ErrorKind::NotFound => match path.parent() {
+            // Such as /proc, whose files and folders only the system makes.
+            Some(folder) if folder.is_dir() => {
+                format!(
+                    "the file system of {} lets nobody make files there; choose another folder",
+                    folder.display()
+                )
+            }
             Some(folder) => format!("folder {} does not exist; create it first", folder.display()),
             None => source.to_string(),
         },

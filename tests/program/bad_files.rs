@@ -46,8 +46,9 @@ fn missing_files() {
 fn folders_and_devices_are_no_files() {
     let sandbox = Sandbox::new("tiny");
     let words = "render . cameras.json -o images --backend cpu";
-    sandbox.assert_refuses(words, &["folder", "expected a file"]);
-    sandbox.assert_refuses("info .", &["folder", "expected a file"]);
+    for words in [words, "info ."] {
+        sandbox.assert_refuses(words, &["the folder has no checkpoint.safetensors", "scene file"]);
+    }
     if cfg!(unix) {
         sandbox.assert_refuses("info /dev/zero", &["device", "expected a regular file"]);
     }

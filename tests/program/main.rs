@@ -1,5 +1,6 @@
 //! The program as a user meets it: a process, its exit code, and what it leaves behind.
 
+mod arguments;
 mod bad_files;
 mod bad_requests;
 mod bench;

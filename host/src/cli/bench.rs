@@ -8,10 +8,11 @@ use organza::{Camera, DeviceOptions, Error, Result, Scene, TileBatch};
 
 use super::console::{print, print_json};
 use super::device::{DeviceArgs, SceneArgs};
+use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::refuse;
 use super::summary::{count, grouped};
 use super::table::Table;
-use super::tiles::with_origin;
+use super::tiles::{load_batch, with_origin};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -34,10 +35,10 @@ memory is that of the process, including reading the scene, but not a GPU's memo
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The scene, safetensors [default: synthetic, 20,000 Gaussians in 64 tiles]
+    /// The scene, safetensors, or the folder of a training run [default: synthetic, 20,000 Gaussians in 64 tiles]
     #[arg(requires = "tiles")]
     scene: Option<PathBuf>,
-    /// The cameras, nerfstudio's transforms.json
+    /// The cameras: nerfstudio's transforms.json, or a data set
     cameras: Option<PathBuf>,
     /// The tiles, JSON
     tiles: Option<PathBuf>,
@@ -54,6 +55,8 @@ pub struct Args {
     /// Print JSON
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    data: DataArgs,
     #[command(flatten)]
     scene_args: SceneArgs,
     #[command(flatten)]
@@ -75,17 +78,19 @@ impl Args {
             let (cameras, batch) = (synthetic.cameras.clone(), synthetic.batch.clone());
             return Ok(Workload { scene: Box::new(move || synthetic.scene()), cameras, batch });
         };
-        let batch = TileBatch::load(tiles)?;
-        let cameras = Camera::load_all(cameras)?;
+        let batch = load_batch(tiles)?;
+        let console = self.device.console();
+        let source = SceneSource::find(scene)?;
+        let usage = "organza bench SCENE CAMERAS TILES";
+        let cameras = Cameras::load(&source, Some(cameras), &self.data, usage, console)?.list;
         batch.validate(&cameras).map_err(|error| with_origin(error, tiles))?;
-        let scene = scene.clone();
-        Ok(Workload { scene: Box::new(move || Scene::load(&scene)), cameras, batch })
+        Ok(Workload { scene: Box::new(move || source.load(console)), cameras, batch })
     }
 
     /// What one device takes.
     fn measure(&self, workload: &Workload, device: &DeviceOptions) -> Result<Benchmark> {
         let console = self.device.console();
-        let scene = console.during("reading the scene", &workload.scene)?;
+        let scene = (workload.scene)()?;
         let renderer = self.device.open_as(device)?;
         // the host's copy is not kept: it is not part of what rendering takes
         let scene = self.scene_args.upload(&renderer, &{ scene })?;

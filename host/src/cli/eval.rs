@@ -1,22 +1,19 @@
 //! `organza eval`: how close a scene comes to photographs.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::str::FromStr;
 use std::time::Instant;
 
-use clap::ValueEnum;
-use organza::data::{Dataset, DatasetOptions, Frame};
+use organza::data::{Dataset, Frame};
 use organza::evaluate::{Event, Score, evaluate, tiles};
-use organza::train::config::DataConfig;
-use organza::train::{self, CHECKPOINT, CONFIG};
-use organza::{DeviceScene, Error, Evaluation, Renderer, Result, Scene};
+use organza::{DeviceScene, Evaluation, Renderer, Result};
 
 use super::console::{Console, print, print_json};
 use super::device::{DeviceArgs, SceneArgs};
+use super::inputs::{DataArgs, DataSet, SceneSource, Split};
 use super::picture::warn_not_finite;
 use super::summary::count;
 use super::table::Table;
-use super::train::warn_of_files;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -40,42 +37,19 @@ pub struct Args {
     scene: PathBuf,
     /// The data set: a folder or a transforms.json [default: what the run was trained on]
     data: Option<PathBuf>,
-    /// Which frames to compare
-    #[arg(long, value_enum, default_value_t)]
-    split: Split,
-    /// Hold out every Nth frame, starting with the first [default: as in the run, or 8]
-    #[arg(long, value_name = "N")]
-    #[arg(value_parser = clap::value_parser!(u32).range(2..))]
-    hold_out_every: Option<u32>,
-    /// Shrink photographs by this factor [default: as in the run, or 1]
-    #[arg(long, value_name = "N")]
-    #[arg(value_parser = clap::value_parser!(u32).range(1..=1024))]
-    downscale: Option<u32>,
     /// Background of photographs with an alpha channel, three values from 0 to 1 [default: the scene's
     /// background]
     #[arg(long, value_name = "R,G,B")]
     background: Option<Color>,
-    /// Read what the data set names outside its own folder, by a path or a link
-    #[arg(long)]
-    allow_outside: bool,
     /// Print JSON
     #[arg(long)]
     json: bool,
     #[command(flatten)]
+    data_args: DataArgs,
+    #[command(flatten)]
     scene_args: SceneArgs,
     #[command(flatten)]
     device: DeviceArgs,
-}
-
-#[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
-enum Split {
-    /// The frames that training does not see
-    #[default]
-    HeldOut,
-    /// The frames that training sees
-    Train,
-    /// All frames
-    All,
 }
 
 /// Red, green and blue.
@@ -98,91 +72,34 @@ impl FromStr for Color {
 
 pub fn run(args: &Args) -> Result<()> {
     let console = args.device.console();
-    let scene = scene_file(&args.scene)?;
-    let data = data(args)?;
-    let scene = console.during("reading the scene", || Scene::load(&scene))?;
+    let source = SceneSource::find(&args.scene)?;
+    let usage = "organza eval SCENE DATA";
+    let mut settings = args.data_args.settings(&source, args.data.as_deref(), usage)?;
+    let split = args.data_args.split(Split::HeldOut);
+    if split == Split::All {
+        // A frame that is held out is measured like any other.
+        settings.hold_out_every = 0;
+    }
+    let scene = source.load(console)?;
+    let background = scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32);
+    settings.background = args.background.map_or(background, |Color(color)| color);
+    let data = DataSet::open(settings, console)?;
     let renderer = args.device.open()?;
-    let dataset = load(args, &data, &renderer, &scene, console)?;
-    let frames = frames(args, &dataset)?;
+    let dataset = data.read(&renderer, console)?;
+    let frames = frames(args, &dataset, split)?;
     let scene = args.scene_args.upload(&renderer, &scene)?;
     let evaluation = measure(&renderer, &scene, &frames, console)?;
     if args.json { print_json(&evaluation) } else { print(&table(&evaluation)) }
 }
 
-/// The photographs: what is asked for, and what a run's folder says about the rest.
-fn data(args: &Args) -> Result<DataConfig> {
-    let is_run = args.scene.join(CONFIG).exists();
-    let mut data =
-        if is_run { train::settings_of(&args.scene)?.data } else { DataConfig::default() };
-    data.allow_outside |= args.allow_outside;
-    if args.data.is_none() && !is_run {
-        let reason = "a scene file does not say what it was trained on, only a training run's folder does; name the \
-                      data set: `organza eval SCENE DATA`";
-        return Err(Error::Invalid { origin: args.scene.clone(), reason: reason.to_owned() });
-    }
-    data.path = args.data.clone().or(data.path);
-    data.downscale = args.downscale.unwrap_or(data.downscale);
-    data.hold_out_every = args.hold_out_every.map_or(data.hold_out_every, |every| every as usize);
-    if args.split == Split::All {
-        // where all are measured, it does not matter to whom a frame belongs
-        data.hold_out_every = 0;
-    }
-    Ok(data)
-}
-
-/// The scene's file: the one that was named, or that of a run's folder.
-fn scene_file(path: &Path) -> Result<PathBuf> {
-    if !path.is_dir() {
-        return Ok(path.to_owned());
-    }
-    let file = path.join(CHECKPOINT);
-    if file.exists() {
-        return Ok(file);
-    }
-    let reason = format!(
-        "the folder has no {CHECKPOINT}, so it is not a training run's; name a scene file, or the \
-         folder that training wrote to"
-    );
-    Err(Error::Invalid { origin: path.to_owned(), reason })
-}
-
-fn load(
-    args: &Args,
-    data: &DataConfig,
-    renderer: &Renderer,
-    scene: &Scene,
-    console: Console,
-) -> Result<Dataset> {
-    let Some(path) = &data.path else {
-        let (views, side, every) = (data.built_in_views, data.built_in_side, data.hold_out_every);
-        let task = || train::built_in::dataset(renderer, views, side, every, &|_, _| {});
-        return console.during("rendering the built-in scene", task);
-    };
-    let background = args.background.map_or_else(
-        || scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32),
-        |Color(color)| color,
-    );
-    let (downscale, hold_out_every) = (data.downscale, data.hold_out_every);
-    let (alpha, allow_outside) = (data.alpha, data.allow_outside);
-    let options = DatasetOptions { downscale, hold_out_every, background, alpha, allow_outside };
-    let dataset =
-        console.during("reading the photographs", || Dataset::load(path, &options, &|_, _| {}))?;
-    warn_of_files(console, &dataset);
-    Ok(dataset)
-}
-
-fn frames<'a>(args: &Args, dataset: &'a Dataset) -> Result<Vec<&'a Frame>> {
-    let chosen = |indices: &[usize]| indices.iter().map(|&index| &dataset.frames[index]).collect();
-    let frames: Vec<_> = match args.split {
-        Split::HeldOut => chosen(&dataset.held_out),
-        Split::Train => chosen(&dataset.train),
-        Split::All => dataset.frames.iter().collect(),
-    };
+fn frames<'a>(args: &Args, dataset: &'a Dataset, split: Split) -> Result<Vec<&'a Frame>> {
+    let mut is_held_out = vec![false; dataset.frames.len()];
+    dataset.held_out.iter().for_each(|&index| is_held_out[index] = true);
+    let all = dataset.frames.iter().zip(is_held_out);
+    let frames: Vec<_> =
+        all.filter(|(_, held_out)| split.takes(*held_out)).map(|(frame, _)| frame).collect();
     if frames.is_empty() {
-        let reason = "no frame of the data set is held out; use others with `--split train` or `--split all`, \
-                      or hold some out with `--hold-out-every`";
-        let origin = args.data.as_ref().unwrap_or(&args.scene).clone();
-        return Err(Error::Invalid { origin, reason: reason.to_owned() });
+        return split.nothing(args.data.as_ref().unwrap_or(&args.scene));
     }
     Ok(frames)
 }

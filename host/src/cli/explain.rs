@@ -5,10 +5,11 @@ use std::path::PathBuf;
 
 use organza::image::to_8_bit;
 use organza::render::Contribution;
-use organza::{Camera, DeviceOptions, Inspection, Renderer, Result, Scene};
+use organza::{Camera, DeviceOptions, Inspection, Renderer, Result};
 use serde::Serialize;
 
 use super::console::{Console, print, print_json};
+use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::refuse;
 use super::summary::count;
 use super::table::Table;
@@ -18,6 +19,7 @@ const EXAMPLES: &str = "\
 Examples:
   organza explain scene.safetensors cameras.json --view 0 --pixel 192,192
   organza explain scene.safetensors cameras.json --view 3 --pixel 10,20 --all --json
+  organza explain run --split held-out --view 0 --pixel 64,64
 
 The columns are those of docs/pipeline.md: alpha = opacity * falloff * T, where opacity is the \
 sigmoid of the logit. C and S are the sums of Eq. 12 up to and including the row's Gaussian.";
@@ -26,10 +28,10 @@ sigmoid of the logit. C and S are the sums of Eq. 12 up to and including the row
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The scene, safetensors
+    /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// The cameras, nerfstudio's transforms.json
-    cameras: PathBuf,
+    /// The cameras: nerfstudio's transforms.json, or a data set [default: what the run was trained on]
+    cameras: Option<PathBuf>,
     /// Index of the view
     #[arg(long, value_name = "V", default_value_t = 0)]
     view: usize,
@@ -42,6 +44,8 @@ pub struct Args {
     /// Print JSON
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    data: DataArgs,
 }
 
 fn parse_pixel(text: &str) -> Result<[i32; 2], String> {
@@ -51,9 +55,13 @@ fn parse_pixel(text: &str) -> Result<[i32; 2], String> {
 }
 
 pub fn run(args: &Args) -> Result<()> {
-    let cameras = Camera::load_all(&args.cameras)?;
+    let console = Console::new(false);
+    let source = SceneSource::find(&args.scene)?;
+    let usage = "organza explain SCENE CAMERAS";
+    let cameras = Cameras::load(&source, args.cameras.as_deref(), &args.data, usage, console)?;
+    let Cameras { list: cameras, origin, .. } = cameras;
     let Some(camera) = cameras.get(args.view) else {
-        return no_view(args.view, cameras.len(), &args.cameras);
+        return no_view(args.view, cameras.len(), &origin);
     };
     let ([x, y], size) = (args.pixel, [camera.width, camera.height]);
     if args.pixel.iter().zip(size).any(|(&at, size)| !(0..i64::from(size)).contains(&i64::from(at)))
@@ -67,8 +75,8 @@ pub fn run(args: &Args) -> Result<()> {
             height - 1
         ));
     }
-    warn_distorted(Console::new(false), &cameras, &[args.view]);
-    let scene = Scene::load(&args.scene)?;
+    warn_distorted(console, &cameras, &[args.view]);
+    let scene = source.load(console)?;
     let renderer = Renderer::new(organza::open_device(&DeviceOptions::cpu(None))?);
     let scene = renderer.upload(&scene)?;
     let mut inspection = renderer.inspect(&scene, &cameras, args.view, args.pixel)?;

@@ -7,6 +7,7 @@ mod device;
 mod eval;
 mod explain;
 mod info;
+mod inputs;
 mod kernels;
 mod output;
 mod parity;

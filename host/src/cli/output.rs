@@ -71,7 +71,8 @@ impl Folder {
         fs::create_dir_all(path).map_err(|error| {
             let file = path.ancestors().find(|above| above.is_file());
             let reason = file.map(|file| format!("{} is a file, not a folder", file.display()));
-            cannot_write(path, reason.map_or(error, io::Error::other))
+            let outermost = folder.made.last().map_or(path, PathBuf::as_path);
+            cannot_write(outermost, reason.map_or(error, io::Error::other))
         })?;
         try_writing(path, path)?;
         Ok(folder)

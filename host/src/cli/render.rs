@@ -3,20 +3,27 @@
 use std::path::{Path, PathBuf};
 
 use organza::tile::MAX_TILE_SIDE;
-use organza::{Camera, Image, Result, Scene};
+use organza::{Image, Result};
 
 use super::console::Console;
 use super::device::{DeviceArgs, SceneArgs};
+use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::output::{self, Folder};
 use super::picture::{Pictures, sizes, warn_not_finite};
 use super::refuse;
 use super::summary::{Summary, count};
-use super::views::{ViewList, names, photographs, warn_distorted};
+use super::views::{ViewList, names, warn_distorted};
 
 const EXAMPLES: &str = "\
 Examples:
   organza render scene.safetensors transforms.json -o images
   organza render scene.safetensors transforms.json -o images --views 0-3,8 --tile-size 128
+  organza render run -o images                             the views that the run was trained on
+  organza render run -o images --split held-out            those that it did not see
+  organza render scene.safetensors data/fox -o images --split all --downscale 2
+
+A folder is a data set: its cameras are as training has them, undistorted and downscaled, and a \
+run's folder says which frames are held out. Views count within the split.
 
 If each camera names a photograph of its own, files are named after these; otherwise after the \
 view's index. The tile size does not change the image.";
@@ -25,10 +32,10 @@ view's index. The tile size does not change the image.";
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The scene, safetensors
+    /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// The cameras, nerfstudio's transforms.json
-    cameras: PathBuf,
+    /// The cameras: nerfstudio's transforms.json, or a data set [default: what the run was trained on]
+    cameras: Option<PathBuf>,
     /// The folder for the images; created if it does not exist
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
@@ -40,6 +47,8 @@ pub struct Args {
     #[arg(value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_TILE_SIDE)))]
     tile_size: u32,
     #[command(flatten)]
+    data: DataArgs,
+    #[command(flatten)]
     scene_args: SceneArgs,
     #[command(flatten)]
     device: DeviceArgs,
@@ -47,23 +56,26 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Result<()> {
     let console = args.device.console();
-    let cameras = Camera::load_all(&args.cameras)?;
+    let source = SceneSource::find(&args.scene)?;
+    let usage = "organza render SCENE CAMERAS -o DIR";
+    let cameras = Cameras::load(&source, args.cameras.as_deref(), &args.data, usage, console)?;
+    let list = &cameras.list[..];
     let views = match &args.views {
-        Some(list) => list.resolve(cameras.len(), &args.cameras)?,
-        None => (0..cameras.len()).collect(),
+        Some(chosen) => chosen.resolve(list.len(), &cameras.origin)?,
+        None => (0..list.len()).collect(),
     };
-    warn_distorted(console, &cameras, &views);
+    warn_distorted(console, list, &views);
     for &view in &views {
-        Image::check_memory(cameras[view].width, cameras[view].height)?;
+        Image::check_memory(list[view].width, list[view].height)?;
     }
-    let scene = console.during("reading the scene", || Scene::load(&args.scene))?;
+    let scene = source.load(console)?;
     let folder = Folder::make(&args.output)?;
-    let files = files(args, &folder, &cameras, &views)?;
+    let files = files(&folder, &source, &cameras, &views)?;
 
     let renderer = args.device.open()?;
     let scene = args.scene_args.upload(&renderer, &scene)?;
-    let (cameras, tile_size) = (&cameras[..], args.tile_size);
-    let pictures = Pictures { renderer: &renderer, scene: &scene, cameras, tile_size };
+    let (renderer, tile_size) = (&renderer, args.tile_size);
+    let pictures = Pictures { renderer, scene: &scene, cameras: list, tile_size };
     write_all(&pictures, &views, &files, console)?;
     console.note(&match files.as_slice() {
         [first, .., last] => format!(
@@ -103,23 +115,20 @@ fn write_all(
 
 /// The files to write, none of which may be what the scene was made from.
 fn files(
-    args: &Args,
     folder: &Folder,
-    cameras: &[Camera],
+    scene: &SceneSource,
+    cameras: &Cameras,
     views: &[usize],
 ) -> Result<Vec<PathBuf>> {
-    let names = names(cameras);
+    let names = names(&cameras.list);
     let path = |&view: &usize| {
         let path = folder.join(&format!("{}.png", names[view]));
-        output::check_file(&path, &[&args.scene, &args.cameras])?;
-        for photograph in cameras.iter().flat_map(|camera| photographs(camera, &args.cameras)) {
-            if output::is_same(&path, &photograph) {
-                let path = path.display();
-                return refuse(format!(
-                    "{path} would replace a photograph of {}; choose another folder",
-                    args.cameras.display()
-                ));
-            }
+        output::check_file(&path, &[scene.file(), &cameras.origin])?;
+        if cameras.is_photograph(&path) {
+            let (path, origin) = (path.display(), cameras.origin.display());
+            return refuse(format!(
+                "{path} would replace a photograph of {origin}; choose another folder"
+            ));
         }
         Ok(path)
     };

@@ -8,6 +8,7 @@ use organza_device::memory;
 
 use super::console::Console;
 use super::device::{DeviceArgs, SceneArgs};
+use super::inputs::{Cameras, DataArgs, Expected, SceneSource, told_apart};
 use super::summary::{Summary, count, grouped};
 use super::views::warn_distorted;
 use super::{output, refuse};
@@ -16,7 +17,11 @@ const EXAMPLES: &str = "\
 Examples:
   organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors
   organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors --backend cpu
+  organza tiles run tiles.json -o rendered.safetensors     cameras of what the run was trained on
   organza tiles scene.safetensors cameras.json tiles.json --grad-output G.safetensors --grad gradient.safetensors
+
+A data set in the place of CAMERAS gives its cameras as training has them; a tile's camera counts \
+within `--split`.
 
 TILES holds {\"side\": 64, \"tiles\": [{\"camera\": 0, \"origin\": [128, 96]}, ...]}: a tile's \
 origin is the column and the row of its upper left pixel. OUT holds `tiles`, F32 [K, 3, S, S]: \
@@ -26,12 +31,12 @@ tensor of the scene, `grad.<tensor>`.";
 
 /// Render a batch of tiles, of any views, into one tensor
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, allow_missing_positional = true)]
 pub struct Args {
-    /// The scene, safetensors
+    /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// The cameras, nerfstudio's transforms.json
-    cameras: PathBuf,
+    /// The cameras: nerfstudio's transforms.json, or a data set [default: what the run was trained on]
+    cameras: Option<PathBuf>,
     /// The tiles, JSON
     tiles: PathBuf,
     /// Where to write the tensor, safetensors
@@ -44,6 +49,8 @@ pub struct Args {
     #[arg(long, value_name = "GRAD", requires = "grad_output", conflicts_with_all = ["half_grids", "half_networks"])]
     grad: Option<PathBuf>,
     #[command(flatten)]
+    data: DataArgs,
+    #[command(flatten)]
     scene_args: SceneArgs,
     #[command(flatten)]
     device: DeviceArgs,
@@ -51,7 +58,9 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Result<()> {
     let console = args.device.console();
-    let mut inputs = vec![args.scene.as_path(), &args.cameras, &args.tiles];
+    let source = SceneSource::find(&args.scene)?;
+    let mut inputs = vec![source.file(), &args.tiles];
+    inputs.extend(args.cameras.as_deref());
     inputs.extend(args.grad_output.as_deref());
     for output in args.output.iter().chain(&args.grad) {
         output::check_file(output, &inputs)?;
@@ -60,8 +69,9 @@ pub fn run(args: &Args) -> Result<()> {
         return refuse("`--output` and `--grad` name the same file");
     }
     // The large file comes last: most mistakes are in the small ones.
-    let batch = TileBatch::load(&args.tiles)?;
-    let cameras = Camera::load_all(&args.cameras)?;
+    let batch = load_batch(&args.tiles)?;
+    let usage = "organza tiles SCENE CAMERAS TILES";
+    let cameras = Cameras::load(&source, args.cameras.as_deref(), &args.data, usage, console)?.list;
     batch.validate(&cameras).map_err(|error| with_origin(error, &args.tiles))?;
     let mut views: Vec<_> = batch.tiles.iter().map(|tile| tile.camera).collect();
     views.sort_unstable();
@@ -73,7 +83,7 @@ pub fn run(args: &Args) -> Result<()> {
         4 * batch.output_shape().iter().map(|&n| n as u64).product::<u64>(),
         "the output",
     )?;
-    let scene = console.during("reading the scene", || Scene::load(&args.scene))?;
+    let scene = source.load(console)?;
 
     let renderer = args.device.open()?;
     let scene = args.scene_args.upload(&renderer, &scene)?;
@@ -153,6 +163,11 @@ fn write_tiles(
     write_tensors(output, &[tensor], &[])?;
     console.note(&format!("wrote {}: tiles {shape:?}", output.display()));
     Ok(())
+}
+
+/// Reads a file of tiles.
+pub fn load_batch(path: &Path) -> Result<TileBatch> {
+    TileBatch::load(path).map_err(|error| told_apart(error, path, Expected::Tiles))
 }
 
 /// Names the file of a tile that was found wrong only beside the cameras.

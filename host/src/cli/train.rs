@@ -3,15 +3,15 @@
 use std::path::{Path, PathBuf};
 
 use clap::builder::PossibleValuesParser;
-use organza::data::{Dataset, DatasetOptions};
+use organza::Result;
 use organza::train::{
     self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, RunFolder, Session,
     TrainConfig,
 };
-use organza::{Renderer, Result};
 
 use super::console::{Console, Progress, print};
 use super::device::DeviceArgs;
+use super::inputs::DataSet;
 use super::output::Folder;
 use super::signals::Signals;
 use super::summary::count;
@@ -112,12 +112,13 @@ pub fn run(args: &Args) -> Result<()> {
     let console = args.device.console();
     let (folder, config) = prepare(args)?;
     config.check_memory()?;
+    let data = DataSet::open(config.data.clone(), console)?;
     // until there is something in it
     let made = Folder::make(&folder)?;
     signals.has_made(&made);
     let folder = RunFolder::lock(&folder, args.resume.is_some())?;
     let renderer = args.device.open()?;
-    let dataset = load(&config, &renderer, console)?;
+    let dataset = data.read(&renderer, console)?;
     let background = match config.data.path {
         Some(_) => config.data.background.map(f64::from),
         None => train::built_in::background(),
@@ -206,54 +207,6 @@ fn settings(args: &Args) -> Result<TrainConfig> {
     config.data.allow_outside |= args.allow_outside;
     // options are held to what files are held to
     TrainConfig::parse(&config.to_toml(), Path::new(""))
-}
-
-fn load(config: &TrainConfig, renderer: &Renderer, console: Console) -> Result<Dataset> {
-    let data = &config.data;
-    let Some(path) = &data.path else {
-        let bar = console.progress(u64::from(data.built_in_views), "views");
-        bar.say("rendering the built-in scene");
-        let (views, side) = (data.built_in_views, data.built_in_side);
-        return train::built_in::dataset(renderer, views, side, data.hold_out_every, &|done, _| {
-            bar.set(done);
-        });
-    };
-    let options = DatasetOptions {
-        downscale: data.downscale,
-        hold_out_every: data.hold_out_every,
-        background: data.background,
-        alpha: data.alpha,
-        allow_outside: data.allow_outside,
-    };
-    let bar = console.progress(0, "photographs");
-    bar.say("reading");
-    let dataset = Dataset::load(path, &options, &|done, all| bar.set_of(done, all))?;
-    drop(bar);
-    warn_of_files(console, &dataset);
-    let (all, held_out) = (dataset.frames.len() as u64, dataset.held_out.len());
-    let mut note = format!("{} ({}), {held_out} held out", count(all, "photograph"), dataset.kind);
-    if dataset.prepared > 0 {
-        note += &format!(", {} from images_{}", dataset.prepared, data.downscale);
-    }
-    if dataset.masked > 0 {
-        note += &format!(", {} with a mask", dataset.masked);
-    }
-    console.note(&note);
-    Ok(dataset)
-}
-
-/// Says which files of a data set are not there, and which are outside its folder.
-pub fn warn_of_files(console: Console, dataset: &Dataset) {
-    let kinds = [
-        (&dataset.missing, "photograph", "missing, so left out"),
-        (&dataset.outside, "file", "read outside the data set's folder, as was allowed"),
-    ];
-    for (files, unit, what) in kinds {
-        if let Some(first) = files.first() {
-            let (files, first) = (count(files.len() as u64, unit), first.display());
-            console.warn(&format!("{what}: {files}, the first is {first}"));
-        }
-    }
 }
 
 fn show(event: Event<'_>, bar: &Progress, console: Console) {

@@ -39,11 +39,7 @@ impl Shot {
     /// [`crate::error::DeviceError::OutOfMemory`] for one that does not fit into the budget.
     pub fn develop(&self, options: &DatasetOptions, budget: &Budget) -> Result<(Frame, Digest)> {
         let Camera { width, height, .. } = self.camera;
-        if width.min(height) < self.factor {
-            let reason =
-                format!("a downscale of {} leaves nothing of {width} x {height}", self.factor);
-            return invalid(&self.path, format!("{reason} pixels; use a smaller one"));
-        }
+        let camera = self.smaller_camera()?;
         let mask = self.mask.as_deref().map(|path| self.read_mask(path, budget)).transpose()?;
         let (bytes, _share) = decode::read(&self.path, [width, height], budget)?;
         let digest = Digest::of(&bytes, mask.as_ref().map(|mask| &*mask.file));
@@ -75,8 +71,21 @@ impl Shot {
             };
             return invalid(&self.path, reason);
         }
-        let camera = Camera { distorted: false, ..smaller(&self.camera, self.factor) };
         Ok((Frame { name: self.name.clone(), camera, image }, digest))
+    }
+
+    /// The camera of the undistorted and downscaled photograph.
+    ///
+    /// # Errors
+    /// [`crate::Error::Invalid`] where no pixel is left.
+    pub fn smaller_camera(&self) -> Result<Camera> {
+        let Camera { width, height, .. } = self.camera;
+        if width.min(height) < self.factor {
+            let reason =
+                format!("a downscale of {} leaves nothing of {width} x {height}", self.factor);
+            return invalid(&self.path, format!("{reason} pixels; use a smaller one"));
+        }
+        Ok(Camera { distorted: false, ..smaller(&self.camera, self.factor) })
     }
 
     fn read_mask(&self, path: &Path, budget: &Budget) -> Result<Mask> {

@@ -12,6 +12,7 @@ pub(crate) mod fuzz;
 mod lens;
 mod photograph;
 mod ply;
+mod poses;
 mod reach;
 #[cfg(test)]
 mod tests;
@@ -34,6 +35,7 @@ pub use fingerprint::Fingerprint;
 use lens::Lens;
 use organza_device::memory;
 pub use photograph::Photograph;
+pub use poses::{Pose, Poses, kind_of};
 use reach::Reach;
 
 /// How photographs are read, and which of them are kept from training.
@@ -229,45 +231,35 @@ impl Dataset {
         options: &DatasetOptions,
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Self> {
-        options.check()?;
-        fs::metadata(path).map_err(|source| Error::read(path, source))?;
-        let mut reach = Reach::of(path, options.allow_outside)?;
-        let listing = list(path, options, &mut reach)?;
-        let count = listing.shots.len();
-        if let (0, Some(missing)) = (count, listing.missing.first()) {
-            let (all, missing) = (listing.missing.len(), missing.display());
-            let hint = hint(path).unwrap_or_default();
-            return invalid(
-                path,
-                format!(
-                    "none of the {all} photographs exists; the first should be {missing}{hint}"
-                ),
-            );
-        }
-        let budget = Budget::beside(check_memory(&listing.shots)?);
+        Poses::load(path, options)?.photographs(progress)
+    }
+
+    fn develop(poses: Poses, progress: &(dyn Fn(usize, usize) + Sync)) -> Result<Self> {
+        let Poses { missing, outside, kind, path, listing, options } = poses;
+        let Listing { points, shots, prepared, .. } = listing;
+        let count = shots.len();
+        let budget = Budget::beside(check_memory(&shots)?);
         progress(0, count);
         let done = AtomicUsize::new(0);
         let develop = |shot: &Shot| {
-            let frame = shot.develop(options, &budget)?;
+            let frame = shot.develop(&options, &budget)?;
             progress(done.fetch_add(1, Ordering::Relaxed) + 1, count);
             Ok(frame)
         };
-        let developed = listing.shots.par_iter().map(develop).collect::<Result<Vec<_>>>()?;
+        let developed = shots.par_iter().map(develop).collect::<Result<Vec<_>>>()?;
         let (frames, digests): (Vec<_>, Vec<_>) = developed.into_iter().unzip();
         let (held_out, train): (Vec<_>, Vec<_>) =
-            (0..count).partition(|&index| listing.shots[index].held_out);
+            (0..count).partition(|&index| shots[index].held_out);
         if train.is_empty() {
             let reason = format!(
                 "all {count} photographs that are there are held out, so none is left to train on; \
                  add photographs, or hold none out"
             );
-            return invalid(path, reason);
+            return invalid(&path, reason);
         }
-        let Listing { kind, missing, points, shots, prepared } = listing;
         let masked = shots.iter().filter(|shot| shot.mask.is_some()).count();
         let known = shots.iter().map(|shot| (&*shot.name, &shot.camera, shot.lens, shot.held_out));
         let fingerprint = Fingerprint::of(known, &digests, &points);
-        let (outside, path) = (reach.outside, path.to_owned());
         Ok(Self {
             frames,
             train,
@@ -311,7 +303,7 @@ impl Dataset {
 }
 
 /// Whether the frame at a position of the data set's order is held out.
-fn is_held_out(position: usize, every: usize) -> bool {
+pub(crate) fn is_held_out(position: usize, every: usize) -> bool {
     // No number but 0 is a multiple of 0, and with 0 not even the first frame is held out.
     every != 0 && position.is_multiple_of(every)
 }
@@ -327,7 +319,7 @@ impl Layout {
     /// That of a folder.
     fn of(folder: &Path) -> Option<Self> {
         let file = |name: &str| Some(folder.join(name)).filter(|path| path.exists());
-        file("transforms.json")
+        file(transforms::NERFSTUDIO)
             .map(Self::Nerfstudio)
             .or_else(|| file(transforms::BLENDER_TRAIN).map(Self::Blender))
             .or_else(|| colmap::find(folder).map(Self::Colmap))

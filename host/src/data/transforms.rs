@@ -13,6 +13,8 @@ use crate::camera::{Camera, camera_error};
 use crate::error::Result;
 use crate::input::{kind, read_json};
 
+/// The file by which nerfstudio's data sets are known.
+pub(super) const NERFSTUDIO: &str = "transforms.json";
 /// The file by which Blender's data sets are known.
 pub(super) const BLENDER_TRAIN: &str = "transforms_train.json";
 const BLENDER_TEST: &str = "transforms_test.json";

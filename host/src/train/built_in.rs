@@ -1,6 +1,7 @@
 //! Photographs of the built-in scene: something to train on that nobody has to download.
 
-use crate::data::{Dataset, Frame, Photograph};
+use crate::camera::Camera;
+use crate::data::{Dataset, Frame, Photograph, Pose, is_held_out};
 use crate::demo;
 use crate::error::Result;
 use crate::evaluate;
@@ -31,11 +32,27 @@ pub fn dataset(
             let batch = batch?;
             image.paste(&batch, &renderer.render(&scene, &cameras, &batch)?)?;
         }
-        let (name, image) = (format!("view-{index:03}"), Photograph::from(&image));
+        let (name, image) = (name(index), Photograph::from(&image));
         frames.push(Frame { name, camera: camera.clone(), image });
     }
     progress(cameras.len(), cameras.len());
     Ok(Dataset::from_frames(frames, hold_out_every))
+}
+
+/// The cameras of [`dataset`], without the images.
+#[must_use]
+pub fn cameras(views: u32, side: u32, hold_out_every: usize) -> Vec<Pose> {
+    let cameras = demo::turntable(views as usize, side).into_iter().enumerate();
+    let pose = |(index, camera)| Pose {
+        camera: Camera { file_path: Some(name(index)), ..camera },
+        held_out: is_held_out(index, hold_out_every),
+        photograph: None,
+    };
+    cameras.map(pose).collect()
+}
+
+fn name(index: usize) -> String {
+    format!("view-{index:03}")
 }
 
 /// What the built-in scene is in front of.

@@ -17,7 +17,7 @@ pub use preset::Preset;
 use serde::{Deserialize, Serialize};
 
 use crate::atomic_file::write_atomic;
-use crate::data::Alpha;
+use crate::data::{Alpha, DatasetOptions};
 use crate::error::{Error, Result};
 use crate::input::read_text;
 use crate::scene::{GridConfig, Interpolation, MlpConfig, SceneConfig};
@@ -190,6 +190,20 @@ pub enum GrowthMethod {
     Split,
     /// Transparent ones move to opaque ones, and new ones are added there, chosen at random by opacity (MCMC).
     Relocate,
+}
+
+impl DataConfig {
+    /// How the data set is read.
+    #[must_use]
+    pub fn options(&self) -> DatasetOptions {
+        DatasetOptions {
+            downscale: self.downscale,
+            hold_out_every: self.hold_out_every,
+            background: self.background,
+            alpha: self.alpha,
+            allow_outside: self.allow_outside,
+        }
+    }
 }
 
 impl Default for DataConfig {

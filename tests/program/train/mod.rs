@@ -12,7 +12,7 @@ mod mistakes;
 mod monstrous;
 mod processes;
 mod results;
-mod runs;
+pub mod runs;
 mod settings;
 mod signals;
 mod waits;

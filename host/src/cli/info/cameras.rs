@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::path::Path;
 
-use organza::Camera;
+use organza::data::{Pose, Poses};
 use organza::error::format_bytes;
+use organza::{Camera, DatasetOptions, Result};
 use serde::Serialize;
 
 use super::{MOST_ROWS, and_more, file_bytes};
@@ -16,7 +17,11 @@ use crate::cli::table::{Table, number};
 pub struct CameraFile {
     kind: &'static str,
     file: String,
-    file_bytes: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    file_bytes: Option<u64>,
+    /// Of a data set.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    format: Option<String>,
     cameras: Vec<CameraInfo>,
 }
 
@@ -31,11 +36,14 @@ struct CameraInfo {
     cy: f64,
     eye: [f64; 3],
     distorted: bool,
+    /// Of a data set: whether the frame is kept from training.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    held_out: Option<bool>,
 }
 
-impl CameraFile {
-    pub fn new(path: &Path, cameras: &[Camera]) -> Self {
-        let info = |camera: &Camera| CameraInfo {
+impl From<&Camera> for CameraInfo {
+    fn from(camera: &Camera) -> Self {
+        Self {
             file_path: camera.file_path.clone(),
             width: camera.width,
             height: camera.height,
@@ -45,19 +53,44 @@ impl CameraFile {
             cy: camera.cy,
             eye: camera.eye(),
             distorted: camera.distorted,
-        };
+            held_out: None,
+        }
+    }
+}
+
+impl CameraFile {
+    pub fn new(path: &Path, cameras: &[Camera]) -> Self {
         Self {
             kind: "cameras",
             file: path.display().to_string(),
-            file_bytes: file_bytes(path),
-            cameras: cameras.iter().map(info).collect(),
+            file_bytes: Some(file_bytes(path)),
+            format: None,
+            cameras: cameras.iter().map(CameraInfo::from).collect(),
         }
+    }
+
+    /// A data set's cameras, as training has them unless an option says otherwise.
+    pub fn of_data_set(path: &Path) -> Result<Self> {
+        let poses = Poses::load(path, &DatasetOptions::default())?;
+        let info = |pose: Pose| CameraInfo {
+            held_out: Some(pose.held_out),
+            ..CameraInfo::from(&pose.camera)
+        };
+        Ok(Self {
+            kind: "data set",
+            file: path.display().to_string(),
+            file_bytes: None,
+            format: Some(poses.kind.to_string()),
+            cameras: poses.cameras()?.into_iter().map(info).collect(),
+        })
     }
 }
 
 impl fmt::Display for CameraFile {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "cameras {}, {}\n", self.file, format_bytes(self.file_bytes))?;
+        let size = self.file_bytes.map(format_bytes);
+        let what = size.iter().chain(&self.format).cloned().collect::<Vec<_>>().join(", ");
+        writeln!(f, "{} {}, {what}\n", self.kind, self.file)?;
         let sizes: BTreeSet<_> = self.cameras.iter().map(|c| (c.width, c.height)).collect();
         let sizes: Vec<_> = sizes.iter().take(4).map(|(w, h)| format!("{w} x {h}")).collect();
         writeln!(f, "{} of {}", count(self.cameras.len() as u64, "view"), sizes.join(", "))?;
@@ -65,7 +98,11 @@ impl fmt::Display for CameraFile {
         if distorted > 0 {
             writeln!(f, "{distorted} through a distorting lens; rendered undistorted")?;
         }
-        let titles = ["view", "image", "size", "fl_x", "fl_y", "cx", "cy", "x", "y", "z"];
+        let held_out = self.cameras.iter().filter(|camera| camera.held_out == Some(true)).count();
+        if self.format.is_some() {
+            writeln!(f, "{held_out} held out")?;
+        }
+        let titles = ["view", "image", "size", "fl_x", "fl_y", "cx", "cy", "x", "y", "z", ""];
         let mut table = Table::new(3, titles);
         for (index, camera) in self.cameras.iter().take(MOST_ROWS).enumerate() {
             table.row([
@@ -79,6 +116,7 @@ impl fmt::Display for CameraFile {
                 number(camera.eye[0]),
                 number(camera.eye[1]),
                 number(camera.eye[2]),
+                if camera.held_out == Some(true) { "held out" } else { "" }.to_owned(),
             ]);
         }
         write!(f, "\n{table}{}", and_more(self.cameras.len()))

@@ -54,6 +54,39 @@ fn every_eighth_frame_is_held_out() {
     assert_eq!(generated.kind, DatasetKind::Generated);
 }
 
+/// Cameras that are read without the photographs are those of the frames.
+#[test]
+fn poses_are_those_of_the_frames() {
+    let mut distorted = transforms(3);
+    distorted["k1"] = json!(0.01);
+    let nerfstudio = nerfstudio_folder(&distorted);
+    let blender = nerfstudio_folder(&transforms(3));
+    fs::rename(
+        blender.path().join("transforms.json"),
+        blender.path().join("transforms_train.json"),
+    )
+    .unwrap();
+    let colmap = tempfile::tempdir().unwrap();
+    colmap_files::write(colmap.path(), &sample(), true);
+    for folder in [nerfstudio, blender, colmap] {
+        let options = DatasetOptions { downscale: 2, hold_out_every: 2, ..Default::default() };
+        let dataset = Dataset::load(folder.path(), &options, &|_, _| {}).unwrap();
+        let poses = Poses::load(folder.path(), &options).unwrap();
+        assert_eq!((poses.kind, &poses.path), (dataset.kind, &dataset.path));
+        let poses = poses.cameras().unwrap();
+        assert_eq!(poses.len(), dataset.frames.len());
+        for (index, (pose, frame)) in poses.iter().zip(&dataset.frames).enumerate() {
+            let camera =
+                Camera { file_path: frame.camera.file_path.clone(), ..pose.camera.clone() };
+            assert_eq!(camera, frame.camera);
+            assert_eq!(pose.camera.file_path.as_ref(), Some(&frame.name));
+            assert_eq!(pose.held_out, dataset.held_out.contains(&index));
+            assert!(pose.photograph.as_ref().unwrap().ends_with(&frame.name));
+        }
+    }
+    assert_eq!(kind_of(Path::new("absent")), None);
+}
+
 #[test]
 fn progress_counts_every_photograph() {
     let folder = nerfstudio_folder(&transforms(5));

@@ -1,0 +1,80 @@
+//! Cameras of a file, or of a data set.
+
+use std::collections::HashSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use organza::{Camera, Result};
+
+use super::data::{DataArgs, DataSet, Split};
+use super::kind::{Expected, told_apart};
+use super::scene::SceneSource;
+use crate::cli::console::Console;
+use crate::cli::views::photographs;
+
+/// Cameras, and where they came from.
+#[derive(Debug)]
+pub struct Cameras {
+    /// The cameras, in the order of the file or the data set.
+    pub list: Vec<Camera>,
+    /// The file, the data set or the run that messages name.
+    pub origin: PathBuf,
+    /// The photographs that are there, by their paths without links: no output may replace them.
+    photographs: HashSet<PathBuf>,
+}
+
+impl Cameras {
+    /// Reads cameras: those of a transforms.json as they stand there, or those of a data set as training has them.
+    /// A folder is a data set, and so is a file if an option of [`DataArgs`] is given. Without a name, the data set
+    /// is that of the scene's run. `usage` shows how to name cameras.
+    pub fn load(
+        scene: &SceneSource,
+        named: Option<&Path>,
+        args: &DataArgs,
+        usage: &str,
+        console: Console,
+    ) -> Result<Self> {
+        match named {
+            Some(file) if !file.is_dir() && !args.is_given() => Self::of_file(file),
+            _ => Self::of_data_set(scene, named, args, usage, console),
+        }
+    }
+
+    fn of_file(file: &Path) -> Result<Self> {
+        let list =
+            Camera::load_all(file).map_err(|error| told_apart(error, file, Expected::Cameras))?;
+        let named = list.iter().flat_map(|camera| photographs(camera, file));
+        let photographs = existing(named);
+        Ok(Self { list, origin: file.to_owned(), photographs })
+    }
+
+    fn of_data_set(
+        scene: &SceneSource,
+        named: Option<&Path>,
+        args: &DataArgs,
+        usage: &str,
+        console: Console,
+    ) -> Result<Self> {
+        let settings = args.settings(scene, named, usage)?;
+        let origin = settings.path.as_deref().unwrap_or(scene.named()).to_owned();
+        let poses = DataSet::open(settings, console)?.cameras()?;
+        let photographs = existing(poses.iter().filter_map(|pose| pose.photograph.clone()));
+        let split = args.split(Split::All);
+        let chosen = poses.into_iter().filter(|pose| split.takes(pose.held_out));
+        let list: Vec<_> = chosen.map(|pose| pose.camera).collect();
+        if list.is_empty() {
+            return split.nothing(&origin);
+        }
+        Ok(Self { list, origin, photographs })
+    }
+
+    /// Whether a path leads to a photograph of one of the cameras.
+    pub fn is_photograph(&self, path: &Path) -> bool {
+        fs::canonicalize(path).is_ok_and(|path| self.photographs.contains(&path))
+    }
+}
+
+/// Those that are there, without links.
+fn existing(paths: impl Iterator<Item = PathBuf>) -> HashSet<PathBuf> {
+    paths.filter_map(|path| fs::canonicalize(path).ok()).collect()
+}

@@ -1,0 +1,188 @@
+//! A data set: which one, read how, and which of its frames.
+
+use std::fs;
+use std::path::Path;
+
+use clap::ValueEnum;
+use organza::data::{Dataset, Pose, Poses};
+use organza::train::built_in;
+use organza::train::config::DataConfig;
+use organza::{Error, Renderer, Result};
+
+use super::kind::{Expected, told_apart};
+use super::scene::SceneSource;
+use crate::cli::console::Console;
+use crate::cli::summary::count;
+
+/// Options that say how a data set is read, and which of its frames are used.
+#[derive(Debug, clap::Args)]
+pub struct DataArgs {
+    /// The frames of the data set to use [default: held-out for `eval`, all for other commands]
+    #[arg(long, value_enum, help_heading = "Data set")]
+    split: Option<Split>,
+    /// Hold out every Nth frame, starting with the first [default: as in the run, or 8]
+    #[arg(long, value_name = "N", help_heading = "Data set")]
+    #[arg(value_parser = clap::value_parser!(u32).range(2..))]
+    hold_out_every: Option<u32>,
+    /// Shrink photographs, and the images of their cameras, by this factor [default: as in the run, or 1]
+    #[arg(long, value_name = "N", help_heading = "Data set")]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=1024))]
+    downscale: Option<u32>,
+    /// Read what the data set names outside its own folder, by a path or a link
+    #[arg(long, help_heading = "Data set")]
+    allow_outside: bool,
+}
+
+/// Some of a data set's frames.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Split {
+    /// The frames that training does not see
+    HeldOut,
+    /// The frames that training sees
+    Train,
+    /// All frames
+    All,
+}
+
+/// A data set whose photographs are not read yet.
+pub struct DataSet {
+    settings: DataConfig,
+    /// None for the built-in scene.
+    poses: Option<Poses>,
+}
+
+impl DataArgs {
+    /// Whether the user gave any of the options.
+    pub fn is_given(&self) -> bool {
+        let Self { split, hold_out_every, downscale, allow_outside } = self;
+        split.is_some() || hold_out_every.is_some() || downscale.is_some() || *allow_outside
+    }
+
+    /// The frames to use; `default` is the command's own.
+    pub fn split(&self, default: Split) -> Split {
+        self.split.unwrap_or(default)
+    }
+
+    /// Which data set, and how it is read: as the scene's run says, unless an argument or an option says otherwise.
+    /// `usage` shows how to name a data set.
+    pub fn settings(
+        &self,
+        scene: &SceneSource,
+        named: Option<&Path>,
+        usage: &str,
+    ) -> Result<DataConfig> {
+        let run = scene.settings()?;
+        if run.is_none() && named.is_none() {
+            let reason = format!(
+                "a scene file does not say what it was trained on, only a training run's folder does; name the data \
+                 set: `{usage}`"
+            );
+            let error = Error::Invalid { origin: scene.named().to_owned(), reason };
+            return Err(told_apart(error, scene.named(), Expected::Scene));
+        }
+        let mut data = run.map(|config| config.data).unwrap_or_default();
+        if let Some(named) = named {
+            fs::metadata(named)
+                .map_err(|source| Error::ReadFile { path: named.to_owned(), source })?;
+            data.path = Some(named.to_owned());
+        }
+        data.allow_outside |= self.allow_outside;
+        data.downscale = self.downscale.unwrap_or(data.downscale);
+        data.hold_out_every =
+            self.hold_out_every.map_or(data.hold_out_every, |every| every as usize);
+        Ok(data)
+    }
+}
+
+impl Split {
+    /// Whether a frame is one of them.
+    pub fn takes(self, is_held_out: bool) -> bool {
+        match self {
+            Self::HeldOut => is_held_out,
+            Self::Train => !is_held_out,
+            Self::All => true,
+        }
+    }
+
+    /// The error where there is no such frame; `origin` is the data set.
+    pub fn nothing<T>(self, origin: &Path) -> Result<T> {
+        let reason = match self {
+            Self::Train => {
+                "every frame of the data set is held out; use others with `--split held-out` or `--split all`"
+            }
+            Self::HeldOut | Self::All => {
+                "no frame of the data set is held out; use others with `--split train` or `--split all`, or hold \
+                 some out with `--hold-out-every`"
+            }
+        };
+        Err(Error::Invalid { origin: origin.to_owned(), reason: reason.to_owned() })
+    }
+}
+
+impl DataSet {
+    /// Reads the cameras, and says what is missing or outside. Photographs are read by [`Self::read`].
+    pub fn open(settings: DataConfig, console: Console) -> Result<Self> {
+        let open = |path| Poses::load(path, &settings.options());
+        let poses = match &settings.path {
+            Some(path) => Some(open(path).map_err(|e| told_apart(e, path, Expected::DataSet))?),
+            None => None,
+        };
+        if let Some(poses) = &poses {
+            warn_of_files(console, poses);
+        }
+        Ok(Self { settings, poses })
+    }
+
+    /// Its cameras as training has them.
+    pub fn cameras(&self) -> Result<Vec<Pose>> {
+        let data = &self.settings;
+        match &self.poses {
+            Some(poses) => poses.cameras(),
+            None => {
+                let (views, side) = (data.built_in_views, data.built_in_side);
+                Ok(built_in::cameras(views, side, data.hold_out_every))
+            }
+        }
+    }
+
+    /// Reads the photographs, or renders those of the built-in scene.
+    pub fn read(self, renderer: &Renderer, console: Console) -> Result<Dataset> {
+        let Some(poses) = self.poses else {
+            let data = &self.settings;
+            let bar = console.progress(u64::from(data.built_in_views), "views");
+            bar.say("rendering the built-in scene");
+            let (views, side, every) =
+                (data.built_in_views, data.built_in_side, data.hold_out_every);
+            return built_in::dataset(renderer, views, side, every, &|done, _| bar.set(done));
+        };
+        let bar = console.progress(0, "photographs");
+        bar.say("reading");
+        let dataset = poses.photographs(&|done, all| bar.set_of(done, all))?;
+        drop(bar);
+        let (all, held_out) = (dataset.frames.len() as u64, dataset.held_out.len());
+        let kind = dataset.kind;
+        let mut note = format!("{} ({kind}), {held_out} held out", count(all, "photograph"));
+        if dataset.prepared > 0 {
+            note += &format!(", {} from images_{}", dataset.prepared, self.settings.downscale);
+        }
+        if dataset.masked > 0 {
+            note += &format!(", {} with a mask", dataset.masked);
+        }
+        console.note(&note);
+        Ok(dataset)
+    }
+}
+
+/// Says which files of a data set are not there, and which are outside its folder.
+fn warn_of_files(console: Console, poses: &Poses) {
+    let kinds = [
+        (&poses.missing, "photograph", "missing, so left out"),
+        (&poses.outside, "file", "read outside the data set's folder, as was allowed"),
+    ];
+    for (files, unit, what) in kinds {
+        if let Some(first) = files.first() {
+            let (files, first) = (count(files.len() as u64, unit), first.display());
+            console.warn(&format!("{what}: {files}, the first is {first}"));
+        }
+    }
+}

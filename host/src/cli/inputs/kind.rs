@@ -1,0 +1,154 @@
+//! What a file or a folder is, by its content.
+
+use std::fs::File;
+use std::io::{BufReader, Read};
+use std::path::Path;
+
+use organza::train::{CHECKPOINT, CONFIG};
+use organza::{Error, Result, Scene, data};
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+
+/// What can be told apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    Scene,
+    /// safetensors without a scene's metadata, such as a rendered batch.
+    Tensors,
+    Cameras,
+    Tiles,
+    Run,
+    DataSet,
+}
+
+/// How a file is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    Safetensors,
+    Cameras,
+    Tiles,
+}
+
+/// What an argument should be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Expected {
+    Scene,
+    Cameras,
+    DataSet,
+    Tiles,
+}
+
+impl Kind {
+    /// What a path holds; none where it cannot be told.
+    pub fn of(path: &Path) -> Option<Self> {
+        if path.is_dir() {
+            let is_run = [CHECKPOINT, CONFIG].iter().any(|name| path.join(name).exists());
+            return match data::kind_of(path) {
+                _ if is_run => Some(Self::Run),
+                found => found.map(|_| Self::DataSet),
+            };
+        }
+        match format(path).ok()? {
+            Format::Cameras => Some(Self::Cameras),
+            Format::Tiles => Some(Self::Tiles),
+            // Reads the header alone.
+            Format::Safetensors => match Scene::unused_tensors(path) {
+                Ok(_) => Some(Self::Scene),
+                Err(Error::WrongFormat { .. }) => Some(Self::Tensors),
+                Err(_) => None,
+            },
+        }
+    }
+
+    fn as_str(self) -> &'static str {
+        match self {
+            Self::Scene => "a scene",
+            Self::Tensors => "a file of tensors, but not a scene",
+            Self::Cameras => "a file of cameras",
+            Self::Tiles => "a file of tiles",
+            Self::Run => "the folder of a training run",
+            Self::DataSet => "a data set",
+        }
+    }
+}
+
+impl Expected {
+    fn accepts(self, kind: Kind) -> bool {
+        match self {
+            // Tensors of another format are refused in better words by the loader.
+            Self::Scene => matches!(kind, Kind::Scene | Kind::Run | Kind::Tensors),
+            // A transforms.json is both.
+            Self::Cameras | Self::DataSet => matches!(kind, Kind::Cameras | Kind::DataSet),
+            Self::Tiles => kind == Kind::Tiles,
+        }
+    }
+
+    fn as_str(self) -> &'static str {
+        match self {
+            Self::Scene => "a scene (safetensors) or the folder of a training run was expected",
+            Self::Cameras => "cameras (transforms.json) or a data set were expected",
+            Self::DataSet => "a data set was expected",
+            Self::Tiles => "tiles (JSON) were expected",
+        }
+    }
+}
+
+/// A loader's error, or a better one where the path holds something of another kind: arguments in the wrong order
+/// are the likely reason.
+pub fn told_apart(error: Error, path: &Path, expected: Expected) -> Error {
+    match Kind::of(path) {
+        Some(found) if !expected.accepts(found) => Error::Invalid {
+            origin: path.to_owned(),
+            reason: format!(
+                "this is {}; {} (the order is: scene, cameras or data set, tiles)",
+                found.as_str(),
+                expected.as_str()
+            ),
+        },
+        _ => error,
+    }
+}
+
+/// What JSON is about, by its top-level keys.
+#[derive(Deserialize)]
+struct Keys {
+    frames: Option<IgnoredAny>,
+    side: Option<IgnoredAny>,
+    tiles: Option<IgnoredAny>,
+}
+
+/// How a file is written, by its content.
+pub fn format(path: &Path) -> Result<Format> {
+    let cannot_read = |source| Error::ReadFile { path: path.to_owned(), source };
+    // What is no regular file could block or never end: a loader says so.
+    if !std::fs::metadata(path).is_ok_and(|found| found.is_file()) {
+        return Ok(Format::Safetensors);
+    }
+    let mut start = Vec::new();
+    let file = File::open(path).map_err(cannot_read)?;
+    file.take(64).read_to_end(&mut start).map_err(cannot_read)?;
+    let text = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&start);
+    let is_json = text.iter().find(|byte| !byte.is_ascii_whitespace()) == Some(&b'{');
+    // The length in front of a safetensors header ends in zeros, which JSON has none of.
+    let named = path.extension().is_some_and(|extension| extension == "safetensors");
+    if named || start.iter().take(8).any(|&byte| byte == 0) {
+        return Ok(Format::Safetensors);
+    }
+    let reason = if is_json {
+        let mut reader = BufReader::new(File::open(path).map_err(cannot_read)?);
+        let mark = (start.len() - text.len()) as u64;
+        std::io::copy(&mut reader.by_ref().take(mark), &mut std::io::sink())
+            .map_err(cannot_read)?;
+        match serde_json::from_reader::<_, Keys>(reader) {
+            Ok(keys) if keys.tiles.is_some() || keys.side.is_some() => return Ok(Format::Tiles),
+            Ok(keys) if keys.frames.is_some() => return Ok(Format::Cameras),
+            Ok(_) => "it is JSON, but has neither the `frames` of cameras nor `side` and `tiles`",
+            // The loader words it better.
+            Err(_) => return Ok(Format::Cameras),
+        }
+    } else {
+        "it is neither safetensors nor a JSON object"
+    };
+    let expected = "expected a scene, cameras, tiles or a rendered batch";
+    Err(Error::Invalid { origin: path.to_owned(), reason: format!("{reason}; {expected}") })
+}

@@ -1,0 +1,72 @@
+//! A scene's file, or that of a training run's folder.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use organza::train::{self, CHECKPOINT, CONFIG, TrainConfig};
+use organza::{Error, Result, Scene};
+
+use super::kind::{Expected, told_apart};
+use crate::cli::console::Console;
+
+/// Where a scene is read from.
+#[derive(Clone, Debug)]
+pub struct SceneSource {
+    /// What the user named.
+    named: PathBuf,
+    /// The scene's file.
+    file: PathBuf,
+}
+
+impl SceneSource {
+    /// Finds the file: the one that was named, or the checkpoint of a run's folder. Reads nothing yet.
+    ///
+    /// # Errors
+    /// Where there is no such file, or a folder that is not a run's.
+    pub fn find(path: &Path) -> Result<Self> {
+        let found = fs::metadata(path)
+            .map_err(|source| Error::ReadFile { path: path.to_owned(), source })?;
+        let checkpoint = path.join(CHECKPOINT);
+        if !found.is_dir() || checkpoint.exists() {
+            let file = if found.is_dir() { checkpoint } else { path.to_owned() };
+            return Ok(Self { named: path.to_owned(), file });
+        }
+        let reason = if path.join(CONFIG).exists() {
+            format!(
+                "the run has no {CHECKPOINT} yet: training writes it at intervals, and at its end"
+            )
+        } else {
+            format!(
+                "the folder has no {CHECKPOINT}, so it is not a training run's; name a scene file, or the \
+                 folder that training wrote to"
+            )
+        };
+        let error = Error::Invalid { origin: path.to_owned(), reason };
+        Err(told_apart(error, path, Expected::Scene))
+    }
+
+    /// The scene's file.
+    pub fn file(&self) -> &Path {
+        &self.file
+    }
+
+    /// What the user named: the file, or the run's folder.
+    pub fn named(&self) -> &Path {
+        &self.named
+    }
+
+    /// Reads the scene.
+    pub fn load(&self, console: Console) -> Result<Scene> {
+        console
+            .during("reading the scene", || Scene::load(&self.file))
+            .map_err(|error| told_apart(error, &self.file, Expected::Scene))
+    }
+
+    /// The settings of the run whose folder was named; none for a scene's file.
+    pub fn settings(&self) -> Result<Option<TrainConfig>> {
+        if self.named.join(CONFIG).exists() {
+            return train::settings_of(&self.named).map(Some);
+        }
+        Ok(None)
+    }
+}

@@ -1,0 +1,94 @@
+//! A data set before its photographs are read: where they are, and the cameras that took them.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::{
+    Dataset, DatasetKind, DatasetOptions, Layout, Listing, Reach, Shot, hint, invalid, list,
+};
+use crate::camera::Camera;
+use crate::error::{Error, Result};
+
+/// The cameras of a data set.  Reading them takes no photograph, so it is quick, and finds most of what may be
+/// wrong with a data set.  [`Poses::photographs`] reads the rest.
+pub struct Poses {
+    /// Photographs that the data set names and that are not there; their frames are left out.
+    pub missing: Vec<PathBuf>,
+    /// Files that were read outside the data set's folder, as it names them.
+    pub outside: Vec<PathBuf>,
+    /// What kind of data set it is.
+    pub kind: DatasetKind,
+    /// What it was read from.
+    pub path: PathBuf,
+    pub(super) listing: Listing,
+    pub(super) options: DatasetOptions,
+}
+
+/// A camera of a data set.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pose {
+    /// The camera as training has it: undistorted and downscaled. Its `file_path` is the name of
+    /// the frame.
+    pub camera: Camera,
+    /// Whether the frame is kept from training.
+    pub held_out: bool,
+    /// Where the photograph is; none where the frame has no file.
+    pub photograph: Option<PathBuf>,
+}
+
+impl Poses {
+    /// Reads the cameras of a data set; `path` is as in [`Dataset::load`].
+    ///
+    /// # Errors
+    /// Those of [`Dataset::load`] that are not about the content of a photograph.
+    pub fn load(path: &Path, options: &DatasetOptions) -> Result<Self> {
+        options.check()?;
+        fs::metadata(path).map_err(|source| Error::read(path, source))?;
+        let mut reach = Reach::of(path, options.allow_outside)?;
+        let mut listing = list(path, options, &mut reach)?;
+        let missing = std::mem::take(&mut listing.missing);
+        if let ([], [first, ..]) = (&*listing.shots, &*missing) {
+            let (all, first) = (missing.len(), first.display());
+            let hint = hint(path).unwrap_or_default();
+            let reason =
+                format!("none of the {all} photographs exists; the first should be {first}{hint}");
+            return invalid(path, reason);
+        }
+        let (outside, path, options) = (reach.outside, path.to_owned(), options.clone());
+        Ok(Self { missing, outside, kind: listing.kind, path, listing, options })
+    }
+
+    /// Every camera, in the order of [`Dataset::frames`].
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] where downscaling leaves no pixel.
+    pub fn cameras(&self) -> Result<Vec<Pose>> {
+        let pose = |shot: &Shot| {
+            let camera = shot.smaller_camera()?;
+            Ok(Pose {
+                camera: Camera { file_path: Some(shot.name.clone()), ..camera },
+                held_out: shot.held_out,
+                photograph: Some(shot.path.clone()),
+            })
+        };
+        self.listing.shots.iter().map(pose).collect()
+    }
+
+    /// Reads the photographs; `progress` is as in [`Dataset::load`].
+    ///
+    /// # Errors
+    /// As [`Dataset::load`].
+    pub fn photographs(self, progress: &(dyn Fn(usize, usize) + Sync)) -> Result<Dataset> {
+        Dataset::develop(self, progress)
+    }
+}
+
+/// What kind of data set a folder holds, by the names of its files.  None where it holds no data set.
+#[must_use]
+pub fn kind_of(folder: &Path) -> Option<DatasetKind> {
+    Layout::of(folder).map(|layout| match layout {
+        Layout::Nerfstudio(_) => DatasetKind::Nerfstudio,
+        Layout::Blender(_) => DatasetKind::Blender,
+        Layout::Colmap(_) => DatasetKind::Colmap,
+    })
+}

@@ -1,0 +1,198 @@
+//! What commands take: files are told apart by their content, and a run's folder or a data set does where a scene or
+//! cameras do.
+
+use std::fs;
+
+use serde_json::{Value, json};
+
+use crate::sandbox::Sandbox;
+use crate::train::runs;
+
+const SCENE: &str = "scene.safetensors";
+
+/// `run`, trained on `data` at half size; frame 0 of two is held out.
+fn trained() -> Sandbox {
+    let sandbox = runs::sandbox();
+    runs::photographs(&sandbox);
+    let words = "train data --config tiny.toml --backend cpu --steps 1 --downscale 2 --hold-out-every 2 -o run";
+    sandbox.run(words).assert_ok();
+    sandbox
+}
+
+/// The names of a folder's pictures.
+fn pictures(sandbox: &Sandbox, folder: &str) -> Vec<String> {
+    let entries = fs::read_dir(sandbox.path(folder)).unwrap();
+    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let mut names: Vec<_> = names.filter(|name| name.ends_with(".png")).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn the_wrong_order_is_told_by_the_content() {
+    let sandbox = Sandbox::new("tiny");
+    sandbox
+        .run("tiles scene.safetensors cameras.json tiles.json -o batch --backend cpu")
+        .assert_ok();
+    fs::create_dir_all(sandbox.path("run")).unwrap();
+    fs::copy(sandbox.path(SCENE), sandbox.path("run/checkpoint.safetensors")).unwrap();
+    fs::create_dir_all(sandbox.path("data")).unwrap();
+    fs::copy(sandbox.path("cameras.json"), sandbox.path("data/transforms.json")).unwrap();
+    let scene =
+        "scene.safetensors: this is a scene; cameras (transforms.json) or a data set were expected";
+    for (words, fact) in [
+        ("render scene.safetensors scene.safetensors -o out", scene),
+        ("render cameras.json scene.safetensors -o out", scene),
+        ("explain scene.safetensors scene.safetensors --pixel 1,1", scene),
+        ("render cameras.json cameras.json -o out", "this is a file of cameras; a scene"),
+        ("render tiles.json cameras.json -o out", "this is a file of tiles; a scene"),
+        ("render scene.safetensors tiles.json -o out", "this is a file of tiles; cameras"),
+        (
+            "render scene.safetensors batch -o out",
+            "this is a file of tensors, but not a scene; cameras",
+        ),
+        ("render scene.safetensors run -o out", "this is the folder of a training run; a data set"),
+        ("render data cameras.json -o out", "this is a data set; a scene"),
+        (
+            "tiles scene.safetensors tiles.json cameras.json -o out",
+            "this is a file of cameras; tiles",
+        ),
+        ("tiles cameras.json tiles.json scene.safetensors -o out", "this is a scene; tiles"),
+        ("tiles cameras.json tiles.json -o out", "this is a file of cameras; a scene"),
+        ("bench scene.safetensors tiles.json cameras.json", "this is a file of cameras; tiles"),
+        ("eval scene.safetensors scene.safetensors", "this is a scene; a data set was expected"),
+        ("eval data run", "this is a data set; a scene"),
+        ("train run -o out", "this is the folder of a training run; a data set was expected"),
+        ("train scene.safetensors -o out", "this is a scene; a data set was expected"),
+    ] {
+        sandbox.assert_refuses(words, &[fact, "the order is: scene, cameras or data set, tiles"]);
+    }
+    // what is no scene, by a name that says it is one
+    fs::copy(sandbox.path("cameras.json"), sandbox.path(SCENE)).unwrap();
+    sandbox
+        .assert_refuses("render scene.safetensors cameras.json -o out", &["another kind of file"]);
+}
+
+#[test]
+fn what_is_not_there_is_said_before_a_device_is_opened() {
+    let sandbox = Sandbox::new("tiny");
+    for words in [
+        "eval nothing",
+        "render nothing cameras.json -o out",
+        "train nothing -o run",
+        "info nothing",
+    ] {
+        let outcome = sandbox.run(words);
+        outcome.assert_refused(&["nothing: there is no such file"]);
+        assert_eq!(outcome.stderr.lines().count(), 1, "{outcome:?}");
+    }
+    fs::create_dir(sandbox.path("empty")).unwrap();
+    let outcome = sandbox.run("train empty -o run");
+    outcome.assert_refused(&["no data set was found here"]);
+    assert_eq!(outcome.stderr.lines().count(), 1, "{outcome:?}");
+    let words = "render scene.safetensors -o out";
+    sandbox.assert_refuses(words, &["does not say what it was trained on", "render SCENE CAMERAS"]);
+    fs::write(sandbox.path("empty/config.toml"), "").unwrap();
+    sandbox.assert_refuses("render empty -o out", &["no checkpoint.safetensors yet"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn folders_of_the_system_take_no_files() {
+    let sandbox = Sandbox::new("tiny");
+    for output in ["/proc/x", "/proc/x/y"] {
+        let words = format!("render scene.safetensors cameras.json --backend cpu -o {output}");
+        sandbox.assert_refuses(&words, &["cannot write /proc/x: ", "/proc lets nobody make files"]);
+    }
+}
+
+/// The cameras of a data set are those that training has: of the photographs' size after `--downscale`.
+#[test]
+fn a_run_is_rendered_from_its_own_views() {
+    let sandbox = trained();
+    let render = |words: &str| sandbox.run(&format!("render {words} --backend cpu")).assert_ok();
+    render("run -o all");
+    assert_eq!(pictures(&sandbox, "all"), ["0000.png", "0001.png"]);
+    render("run -o held --split held-out");
+    assert_eq!(pictures(&sandbox, "held"), ["0000.png"]);
+    render("run data -o seen --split train");
+    assert_eq!(pictures(&sandbox, "seen"), ["0001.png"]);
+    render("run/checkpoint.safetensors data -o file --downscale 2");
+
+    // half the pixels, at half the focal length
+    for key in ["fl_x", "fl_y", "cx", "cy", "w", "h"] {
+        let cameras: Value =
+            serde_json::from_slice(&fs::read(sandbox.path("cameras.json")).unwrap()).unwrap();
+        let half = cameras[key].as_f64().unwrap() / 2.0;
+        sandbox.edit_json("cameras.json", &format!("/{key}"), json!(half));
+    }
+    render("run cameras.json -o half");
+    let read = |name: &str| fs::read(sandbox.path(name)).unwrap();
+    for name in ["0000.png", "0001.png"] {
+        let half = read(&format!("half/{name}"));
+        let image = image::load_from_memory(&half).unwrap();
+        assert_eq!((image.width(), image.height()), (48, 40));
+        assert!(read(&format!("all/{name}")) == half, "{name}");
+        assert!(read(&format!("file/{name}")) == half, "{name}");
+    }
+    assert!(read("held/0000.png") == read("half/0000.png"));
+    assert!(read("seen/0001.png") == read("half/0001.png"));
+    let facts = ["photograph", "another folder"];
+    sandbox.assert_refuses("render run -o data/images --backend cpu", &facts);
+    let facts = ["no view 1", "views 0 to 0"];
+    sandbox.assert_refuses("render run -o new --split train --views 1 --backend cpu", &facts);
+}
+
+#[test]
+fn every_command_takes_a_run_for_a_scene() {
+    let sandbox = trained();
+    sandbox.edit_json("tiles.json", "/side", json!(48));
+    sandbox.edit_json("tiles.json", "/tiles", json!([{"camera": 0, "origin": [0, 0]}]));
+    let tiles = |words: &str| {
+        sandbox.run(&format!("tiles {words} -o out --backend cpu")).assert_ok();
+        fs::read(sandbox.path("out")).unwrap()
+    };
+    let own = tiles("run tiles.json --split train");
+    assert!(
+        own == tiles(
+            "run/checkpoint.safetensors data tiles.json --split train --downscale 2 --hold-out-every 2"
+        )
+    );
+    assert!(own != tiles("run data tiles.json --split held-out"), "another view");
+    sandbox.edit_json("tiles.json", "/tiles/0/camera", json!(1));
+    assert!(own == tiles("run tiles.json"), "the second of all is the first to train on");
+
+    let json = |words: &str| -> Value {
+        serde_json::from_str(&sandbox.run(words).assert_ok().stdout).expect("JSON")
+    };
+    let [run, file] =
+        ["run", "run/checkpoint.safetensors"].map(|path| json(&format!("info {path} --json")));
+    assert_eq!(run, file);
+    let data = json("info data --json");
+    assert_eq!([&data["kind"], &data["format"]], ["data set", "nerfstudio"]);
+    assert_eq!(
+        [0, 1].map(|view| data["cameras"][view]["held_out"].clone()),
+        [json!(true), json!(false)]
+    );
+    let explain = |words: &str| json(&format!("explain {words} --pixel 20,20 --json"));
+    let seen = explain("run --split train");
+    assert_eq!(seen["color"], explain("run --view 1")["color"]);
+    assert_eq!(
+        seen["color"],
+        explain("run/checkpoint.safetensors data --downscale 2 --view 1")["color"]
+    );
+    let bench = json("bench run data tiles.json --forward --repeat 1 --backend cpu --json");
+    assert_eq!(bench["gaussians"], run["gaussians"]);
+}
+
+#[test]
+fn a_run_on_the_built_in_scene_knows_its_views() {
+    let sandbox = runs::sandbox();
+    sandbox.run(&format!("{} run --steps 1", runs::TINY)).assert_ok();
+    sandbox.run("render run -o held --split held-out --backend cpu").assert_ok();
+    assert_eq!(pictures(&sandbox, "held"), ["view-000.png", "view-003.png"]);
+    sandbox.run("render run -o seen --split train --backend cpu").assert_ok();
+    assert_eq!(pictures(&sandbox, "seen").len(), 4);
+    let image = image::open(sandbox.path("seen/view-001.png")).unwrap();
+    assert_eq!((image.width(), image.height()), (32, 32));
+}

@@ -11,14 +11,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::data::Frame;
 use crate::error::{Error, Result};
-use crate::image::{Image, bands};
+use crate::image::{Image, TILE_SIDE, bands};
 use crate::metrics::{psnr, ssim};
 use crate::render::{DeviceScene, RenderedTiles, Renderer};
 use crate::tile::TileBatch;
 use organza_device::memory;
-
-/// Side of the tiles that an image is cut into, in pixels. Scores do not depend on it.
-pub(crate) const TILE_SIDE: u32 = 64;
 
 /// What a comparison of an image with its photograph gave.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -52,11 +49,17 @@ pub struct Evaluation {
     pub not_finite: u64,
 }
 
-/// What happens during [`evaluate`].
+/// What happens during [`evaluate_with`].
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub enum Event<'a> {
-    /// So many more tiles were rendered, of all that [`tiles`] counts.
-    Tiles(usize),
+    /// Tiles were rendered.
+    Tiles {
+        /// Tiles that are done.
+        done: usize,
+        /// Tiles of all frames.
+        total: usize,
+    },
     /// A view is done.
     View {
         /// Its place among the frames.
@@ -68,37 +71,53 @@ pub enum Event<'a> {
     },
 }
 
-/// The number of tiles that [`evaluate`] renders for some frames.
-#[must_use]
-pub fn tiles(frames: &[&Frame]) -> u64 {
-    let across = |pixels: u32| u64::from(pixels.div_ceil(TILE_SIDE));
+/// The number of tiles of some frames.
+fn tiles(frames: &[&Frame]) -> usize {
+    let across = |pixels: u32| pixels.div_ceil(TILE_SIDE) as usize;
     frames.iter().map(|frame| across(frame.camera.width) * across(frame.camera.height)).sum()
 }
 
 /// Renders each frame and compares it with its photograph. One image is in memory at a time, and what is rendered of it
 /// at once is bounded.
 ///
-/// ```no_run
-/// # use organza::{Dataset, DeviceScene, Renderer, evaluate};
-/// # fn example(renderer: &Renderer, scene: &DeviceScene, dataset: &Dataset) -> organza::Result<()> {
-/// let frames: Vec<_> = dataset.held_out.iter().map(|&index| &dataset.frames[index]).collect();
-/// let evaluation = evaluate(renderer, scene, &frames, &mut |_| {})?;
-/// println!("{:?}", evaluation.mean.psnr);
-/// # Ok(())
-/// # }
+/// ```
+/// use organza::train::built_in;
+/// use organza::{DeviceOptions, Renderer, demo, evaluate};
+///
+/// let renderer = Renderer::new(organza::open_device(&DeviceOptions::cpu(None))?);
+/// let dataset = built_in::dataset(&renderer, 2, 24, 2)?;
+/// let scene = renderer.upload(&demo::scene())?;
+/// let frames: Vec<_> = dataset.held_out_frames().collect();
+/// let evaluation = evaluate(&renderer, &scene, &frames)?;
+/// // the photographs are renderings of this scene, rounded to 8 bits
+/// assert!(evaluation.mean.psnr.is_some_and(|psnr| psnr > 50.0));
+/// # Ok::<(), organza::Error>(())
 /// ```
 ///
 /// # Errors
 /// [`Error::Argument`] where a photograph does not have its camera's size; else as [`Renderer::render`].
-pub fn evaluate(
+pub fn evaluate(renderer: &Renderer, scene: &DeviceScene, frames: &[&Frame]) -> Result<Evaluation> {
+    evaluate_with(renderer, scene, frames, &mut |_| {})
+}
+
+/// As [`evaluate`]; calls `watch` with what happens.
+///
+/// # Errors
+/// As [`evaluate`].
+pub fn evaluate_with(
     renderer: &Renderer,
     scene: &DeviceScene,
     frames: &[&Frame],
     watch: &mut dyn FnMut(Event<'_>),
 ) -> Result<Evaluation> {
     let (mut views, mut not_finite) = (Vec::with_capacity(frames.len()), 0);
+    let (total, mut done) = (tiles(frames), 0);
     for (index, frame) in frames.iter().enumerate() {
-        let rendered = Rendered::new(renderer, scene, frame, watch)?;
+        let mut advance = |tiles| {
+            done += tiles;
+            watch(Event::Tiles { done, total });
+        };
+        let rendered = Rendered::new(renderer, scene, frame, &mut advance)?;
         let score = ViewScore { name: frame.name.clone(), score: rendered.score(frame)? };
         not_finite += rendered.image.not_finite();
         watch(Event::View { index, score: &score, image: &rendered.image });
@@ -137,7 +156,7 @@ impl Rendered {
         renderer: &Renderer,
         scene: &DeviceScene,
         frame: &Frame,
-        watch: &mut dyn FnMut(Event<'_>),
+        advance: &mut dyn FnMut(usize),
     ) -> Result<Self> {
         let camera = &frame.camera;
         let size = [camera.width, camera.height];
@@ -153,7 +172,8 @@ impl Rendered {
             Self { image: Image::new(size[0], size[1])?, colors: colors(frame, "an image")? };
         for batch in bands(0, size, TILE_SIDE) {
             let batch = batch?;
-            let mut progress = |tiles| watch(Event::Tiles(tiles));
+            let mut before = 0;
+            let mut progress = |done, _| advance(done - std::mem::replace(&mut before, done));
             let cameras = std::slice::from_ref(camera);
             let tiles = renderer.render_with_progress(scene, cameras, &batch, &mut progress)?;
             rendered.image.paste(&batch, &tiles)?;
@@ -166,14 +186,12 @@ impl Rendered {
     fn paste(&mut self, batch: &TileBatch, tiles: &RenderedTiles) {
         let [width, height] = self.image.size().map(|size| size as usize);
         let side = batch.side as usize;
-        let area = side * side;
-        for (tile, data) in batch.tiles.iter().zip(tiles.data.chunks_exact(3 * area)) {
+        for (index, tile) in batch.tiles.iter().enumerate() {
             // `bands` begins at 0 and covers the image
             let [left, top] = tile.origin.map(|origin| origin as usize);
             for y in top..(top + side).min(height) {
                 for x in left..(left + side).min(width) {
-                    let at = (y - top) * side + (x - left);
-                    let color = [data[at], data[area + at], data[2 * area + at]];
+                    let color = tiles.rgb(index, x - left, y - top);
                     self.colors[y * width + x] = color.map(displayed);
                 }
             }

@@ -17,6 +17,8 @@ use crate::render::RenderedTiles;
 use crate::tile::TileBatch;
 use organza_device::memory;
 
+/// Side of the tiles that a whole image is cut into, in pixels. No image depends on it.
+pub(crate) const TILE_SIDE: u32 = 64;
 /// Pixels of one band: 400 MB of rendered values, enough to keep every device busy.
 const BAND_PIXELS: u64 = 1 << 25;
 
@@ -87,13 +89,11 @@ impl Image {
             );
             return Err(Error::Argument { reason });
         }
-        let area = side * side;
-        for (tile, data) in batch.tiles.iter().zip(tiles.data.chunks_exact(3 * area)) {
+        for (index, tile) in batch.tiles.iter().enumerate() {
             let [left, top] = tile.origin.map(i64::from);
             for y in visible(top, side, self.height) {
                 for x in visible(left, side, self.width) {
-                    let at = (y - top) as usize * side + (x - left) as usize;
-                    let color = [data[at], data[area + at], data[2 * area + at]];
+                    let color = tiles.rgb(index, (x - left) as usize, (y - top) as usize);
                     self.not_finite += u64::from(!color.iter().all(|value| value.is_finite()));
                     let place = y as usize * self.width as usize + x as usize;
                     self.pixels[place] = color.map(to_8_bit);

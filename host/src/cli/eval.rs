@@ -5,7 +5,7 @@ use std::str::FromStr;
 use std::time::Instant;
 
 use organza::data::{Dataset, Frame};
-use organza::evaluate::{Event, Score, evaluate, tiles};
+use organza::evaluate::{Event, Score, evaluate_with};
 use organza::{DeviceScene, Evaluation, Renderer, Result};
 
 use super::console::{Console, print, print_json};
@@ -112,13 +112,14 @@ fn measure(
 ) -> Result<Evaluation> {
     let start = Instant::now();
     let evaluation = {
-        let progress = console.progress(tiles(frames), "tiles");
+        let progress = console.progress(0, "tiles");
         progress.say(&frames[0].name);
-        evaluate(renderer, scene, frames, &mut |event| match event {
-            Event::Tiles(tiles) => progress.advance(tiles),
+        evaluate_with(renderer, scene, frames, &mut |event| match event {
+            Event::Tiles { done, total } => progress.set_of(done, total),
             Event::View { index, .. } => {
                 progress.say(frames.get(index + 1).map_or("", |next| &next.name));
             }
+            _ => {}
         })?
     };
     let seconds = start.elapsed().as_secs_f64();

@@ -28,11 +28,11 @@ impl Pictures<'_> {
     pub fn render(&self, view: usize, summary: &mut Summary, progress: &Progress) -> Result<Image> {
         let Camera { width, height, .. } = self.cameras[view];
         let mut picture = Image::new(width, height)?;
-        let mut advance = |tiles| progress.advance(tiles);
         for batch in image::bands(view, [width, height], self.tile_size) {
             let batch = batch?;
             let (renderer, cameras) = (self.renderer, self.cameras);
-            let tiles = renderer.render_with_progress(self.scene, cameras, &batch, &mut advance)?;
+            let advance = &mut progress.part();
+            let tiles = renderer.render_with_progress(self.scene, cameras, &batch, advance)?;
             summary.add(&tiles.report);
             picture.paste(&batch, &tiles)?;
         }

@@ -146,7 +146,7 @@ fn write_tiles(
     let tiles = {
         let progress = console.progress(batch.tiles.len() as u64, "tiles");
         progress.say("rendering");
-        let mut advance = |tiles| progress.advance(tiles);
+        let mut advance = |done, total| progress.set_of(done, total);
         renderer.render_with_progress(scene, cameras, batch, &mut advance)?
     };
     summary.add(&tiles.report);

@@ -1,6 +1,7 @@
 //! `organza train`: from photographs to a scene.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::builder::PossibleValuesParser;
 use organza::Result;
@@ -118,20 +119,10 @@ pub fn run(args: &Args) -> Result<()> {
     signals.has_made(&made);
     let folder = RunFolder::lock(&folder, args.resume.is_some())?;
     let renderer = args.device.open()?;
-    let dataset = data.read(&renderer, console)?;
-    let background = match config.data.path {
-        Some(_) => config.data.background.map(f64::from),
-        None => train::built_in::background(),
-    };
-    let session = Session {
-        renderer: &renderer,
-        config: &config,
-        dataset: &dataset,
-        background,
-        folder: &folder,
-        time_limit: args.time_limit.map(f64::from),
-        stop: signals.stop(),
-    };
+    let dataset = Arc::new(data.read(&renderer, console)?);
+    let session = Session::new(&renderer, &config, &dataset, &folder)
+        .with_time_limit(args.time_limit.map(f64::from))
+        .with_stop(signals.stop());
     let bar = console.progress(u64::from(config.run.steps), "steps");
     bar.say("training");
     let outcome = session.run(args.resume.is_some(), &mut |event| {
@@ -146,7 +137,7 @@ pub fn run(args: &Args) -> Result<()> {
         Outcome::Stopped => {
             format!("saved; `organza train --resume {}` continues from here", folder.display())
         }
-        Outcome::Finished | Outcome::TimeLimit => {
+        _ => {
             format!(
                 "wrote {} and {}",
                 folder.join(CHECKPOINT).display(),
@@ -237,5 +228,6 @@ fn show(event: Event<'_>, bar: &Progress, console: Console) {
             let views = count(evaluation.views.len() as u64, "held-out view");
             bar.note(console, &format!("{views}: PSNR {} dB, SSIM {ssim}", decibels(psnr)));
         }
+        _ => {}
     }
 }

@@ -21,7 +21,7 @@ mod transforms;
 use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -141,7 +141,25 @@ pub struct Point {
 }
 
 /// Photographs with poses.
+///
+/// ```
+/// use organza::data::{Frame, Photograph};
+/// use organza::{Camera, Dataset, Image};
+///
+/// // photographs of your own: here, gray ones from around the origin
+/// let frames = (0..4_u8).map(|index| {
+///     let angle = f64::from(index);
+///     let eye = [3.0 * angle.cos(), 3.0 * angle.sin(), 1.0];
+///     let camera = Camera::look_at(eye, [0.0; 3], [0.0, 0.0, 1.0], 0.8, [16, 16])?;
+///     let image = Photograph::new([16, 16], vec![[128; 3]; 256], None)?;
+///     Ok(Frame { name: format!("{index}"), camera, image })
+/// });
+/// let dataset = Dataset::from_frames(frames.collect::<organza::Result<_>>()?, 4);
+/// assert_eq!((&dataset.train[..], &dataset.held_out[..]), (&[1, 2, 3][..], &[0][..]));
+/// # Ok::<(), organza::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Dataset {
     /// All frames: in the file's order (nerfstudio), those of the train file and then those of the
     /// test file (Blender), or sorted by name (COLMAP).
@@ -150,6 +168,8 @@ pub struct Dataset {
     pub train: Vec<usize>,
     /// Indices into `frames` of those held out to measure on, ascending.
     pub held_out: Vec<usize>,
+    /// The color behind the scene: red, green and blue, 0 to 1.
+    pub background: [f64; 3],
     /// Points where training may start; empty where the data set has none.
     pub points: Vec<Point>,
     /// Photographs that the data set names and that are not there; their frames are left out.
@@ -215,9 +235,6 @@ impl Dataset {
     /// counts: `transforms.json`, `transforms_train.json`, a sparse model of COLMAP in `sparse/0`,
     /// `sparse`, `colmap/sparse/0` or the folder itself.
     ///
-    /// `progress` is called from several threads with the number of photographs that are done and
-    /// the number of all, first with none.
-    ///
     /// A photograph that is not there is listed in `missing`, and its frame left out. Which frames
     /// are held out does not depend on that: missing ones are counted too.
     ///
@@ -226,24 +243,36 @@ impl Dataset {
     /// [`Error::Invalid`] or [`Error::Camera`] for what is damaged, unknown or not supported;
     /// [`Error::Invalid`] where no frame is left to train on, or where a file is outside the data
     /// set's folder and must not be; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
-    pub fn load(
-        path: &Path,
-        options: &DatasetOptions,
-        progress: &(dyn Fn(usize, usize) + Sync),
-    ) -> Result<Self> {
-        Poses::load(path, options)?.photographs(progress)
+    pub fn load(path: impl AsRef<Path>, options: &DatasetOptions) -> Result<Self> {
+        Self::load_with_progress(path, options, &mut |_, _| {})
     }
 
-    fn develop(poses: Poses, progress: &(dyn Fn(usize, usize) + Sync)) -> Result<Self> {
+    /// As [`Dataset::load`]; calls `progress` with the number of photographs that are done, and of all. The first
+    /// call is before the first photograph.
+    ///
+    /// # Errors
+    /// As [`Dataset::load`].
+    pub fn load_with_progress(
+        path: impl AsRef<Path>,
+        options: &DatasetOptions,
+        progress: &mut (dyn FnMut(usize, usize) + Send),
+    ) -> Result<Self> {
+        Poses::load(path.as_ref(), options)?.photographs(progress)
+    }
+
+    fn develop(poses: Poses, progress: &mut (dyn FnMut(usize, usize) + Send)) -> Result<Self> {
         let Poses { missing, outside, kind, path, listing, options } = poses;
         let Listing { points, shots, prepared, .. } = listing;
         let count = shots.len();
         let budget = Budget::beside(check_memory(&shots)?);
         progress(0, count);
-        let done = AtomicUsize::new(0);
+        let progress = Mutex::new((0, progress));
         let develop = |shot: &Shot| {
             let frame = shot.develop(&options, &budget)?;
-            progress(done.fetch_add(1, Ordering::Relaxed) + 1, count);
+            let mut progress = progress.lock().unwrap_or_else(PoisonError::into_inner);
+            progress.0 += 1;
+            let done = progress.0;
+            (progress.1)(done, count);
             Ok(frame)
         };
         let developed = shots.par_iter().map(develop).collect::<Result<Vec<_>>>()?;
@@ -260,10 +289,12 @@ impl Dataset {
         let masked = shots.iter().filter(|shot| shot.mask.is_some()).count();
         let known = shots.iter().map(|shot| (&*shot.name, &shot.camera, shot.lens, shot.held_out));
         let fingerprint = Fingerprint::of(known, &digests, &points);
+        let background = options.background.map(f64::from);
         Ok(Self {
             frames,
             train,
             held_out,
+            background,
             points,
             missing,
             masked,
@@ -275,8 +306,18 @@ impl Dataset {
         })
     }
 
-    /// A data set of frames that were not read from files. Every `hold_out_every`-th is held out,
-    /// beginning with the first; 0 holds none out.
+    /// The frames to train on.
+    pub fn train_frames(&self) -> impl ExactSizeIterator<Item = &Frame> {
+        self.train.iter().map(|&index| &self.frames[index])
+    }
+
+    /// The frames that are held out to measure on.
+    pub fn held_out_frames(&self) -> impl ExactSizeIterator<Item = &Frame> {
+        self.held_out.iter().map(|&index| &self.frames[index])
+    }
+
+    /// A data set of frames that were not read from files, on a black background. Every `hold_out_every`-th
+    /// frame is held out, beginning with the first; 0 holds none out.
     #[must_use]
     pub fn from_frames(frames: Vec<Frame>, hold_out_every: usize) -> Self {
         let (held_out, train) =
@@ -290,6 +331,7 @@ impl Dataset {
             frames,
             train,
             held_out,
+            background: [0.0; 3],
             points: Vec::new(),
             missing: Vec::new(),
             masked: 0,

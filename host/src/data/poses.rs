@@ -74,11 +74,11 @@ impl Poses {
         self.listing.shots.iter().map(pose).collect()
     }
 
-    /// Reads the photographs; `progress` is as in [`Dataset::load`].
+    /// Reads the photographs; `progress` is as in [`Dataset::load_with_progress`].
     ///
     /// # Errors
     /// As [`Dataset::load`].
-    pub fn photographs(self, progress: &(dyn Fn(usize, usize) + Sync)) -> Result<Dataset> {
+    pub fn photographs(self, progress: &mut (dyn FnMut(usize, usize) + Send)) -> Result<Dataset> {
         Dataset::develop(self, progress)
     }
 }

@@ -47,20 +47,20 @@ impl Part {
 }
 
 /// The part of a batch's values `[K, len]` that belongs to a part's tiles, in their order.
-fn of_tiles(values: &[f32], tiles: &[PlannedTile], len: usize) -> Vec<f32> {
+pub(super) fn of_tiles(values: &[f32], tiles: &[PlannedTile], len: usize) -> Vec<f32> {
     tiles.iter().flat_map(|tile| &values[tile.place * len..][..len]).copied().collect()
 }
 
-/// What tiles are compared with: see [`LossInputs`].
+/// What tiles are compared with: K tiles of S x S pixels.
 #[derive(Clone, Copy, Debug)]
 pub struct LossTarget<'a> {
-    /// `[K, 3, S, S]`
+    /// `[K, 3, S, S]`: the photographs; 0 where there is no pixel.
     pub image: &'a [f32],
-    /// `[K, S, S]`
+    /// `[K, S, S]`: 1 where a photograph has a pixel, 0 elsewhere.
     pub valid: &'a [f32],
     /// How many of `valid` are 1.
     pub valid_pixels: f64,
-    /// w, the weight of `1 - SSIM`.
+    /// w, the weight of `1 - SSIM` in the settings.
     pub ssim_weight: f32,
 }
 
@@ -99,7 +99,7 @@ impl Renderer {
 
     /// Does `work` with the parts of a batch; where one does not fit, all over again with smaller ones: what parts have
     /// added before would count twice.
-    fn in_parts<R>(
+    pub(super) fn in_parts<R>(
         &self,
         scene: &DeviceScene,
         batch: &TileBatch,
@@ -140,7 +140,7 @@ impl Renderer {
         gradient.check(self.device())
     }
 
-    fn add_parts(
+    pub(super) fn add_parts(
         &self,
         scene: &DeviceScene,
         cameras: &[Camera],

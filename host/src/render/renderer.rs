@@ -11,19 +11,31 @@ use super::results::{RenderReport, RenderedTiles};
 use super::scene::DeviceScene;
 use crate::camera::Camera;
 use crate::error::Result;
+use crate::image::{self, Image};
 use crate::tile::TileBatch;
 use organza_device::{Device, memory};
 
 /// Renders scenes on a device.
 ///
-/// ```no_run
-/// use organza::{Camera, Device, DeviceOptions, Renderer, Scene, TileBatch};
+/// ```
+/// use organza::{DeviceOptions, Renderer, Tile, TileBatch, demo};
 ///
-/// let renderer = Renderer::new(organza::open_device(&DeviceOptions::default())?);
-/// let scene = renderer.upload(&Scene::load("scene.safetensors")?)?;
-/// let cameras = Camera::load_all("cameras.json")?;
-/// let tiles = renderer.render(&scene, &cameras, &TileBatch::load("tiles.json")?)?;
-/// assert_eq!(tiles.data.len(), tiles.count * 3 * (tiles.side * tiles.side) as usize);
+/// // DeviceOptions::default() takes a GPU if there is one
+/// let renderer = Renderer::new(organza::open_device(&DeviceOptions::cpu(None))?);
+/// // or Scene::load("scene.safetensors") and Camera::load_all("cameras.json")
+/// let scene = renderer.upload(&demo::scene())?;
+/// let cameras = demo::turntable(2, 48);
+///
+/// // two tiles of 16 x 16 pixels, one of each camera
+/// let tiles = (0..2).map(|camera| Tile { camera, origin: [16, 16] }).collect();
+/// let rendered = renderer.render(&scene, &cameras, &TileBatch { side: 16, tiles })?;
+/// assert_eq!(rendered.data.len(), 2 * 3 * 16 * 16); // [K, 3, S, S]
+/// let [red, green, blue] = rendered.rgb(1, 8, 8);
+/// assert!(red > 0.0 && green > 0.0 && blue > 0.0);
+///
+/// // a whole image
+/// let image = renderer.render_view(&scene, &cameras[0])?;
+/// assert_eq!(image.size(), [48, 48]);
 /// # Ok::<(), organza::Error>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -72,10 +84,10 @@ impl Renderer {
         cameras: &[Camera],
         batch: &TileBatch,
     ) -> Result<RenderedTiles> {
-        self.render_with_progress(scene, cameras, batch, &mut |_| {})
+        self.render_with_progress(scene, cameras, batch, &mut |_, _| {})
     }
 
-    /// As [`Renderer::render`]; calls `progress` with the number of tiles that each part has finished.
+    /// As [`Renderer::render`]; calls `progress` after each part with the number of tiles that are done, and of all.
     ///
     /// # Errors
     /// As [`Renderer::render`].
@@ -84,12 +96,12 @@ impl Renderer {
         scene: &DeviceScene,
         cameras: &[Camera],
         batch: &TileBatch,
-        progress: &mut dyn FnMut(usize),
+        progress: &mut dyn FnMut(usize, usize),
     ) -> Result<RenderedTiles> {
         batch.validate(cameras)?;
         let area = 3 * (batch.side * batch.side) as usize;
         let mut data = memory::zeros(batch.tiles.len() * area, "the rendered batch")?;
-        let mut report = RenderReport::default();
+        let (mut report, mut done) = (RenderReport::default(), 0);
         let mut plans = self.plans(scene, batch)?;
         while let Some(plan) = plans.pop() {
             let device = &*self.device;
@@ -100,7 +112,8 @@ impl Renderer {
                         data[tile.place * area..][..area].copy_from_slice(place);
                     }
                     report.add(&part);
-                    progress(plan.tiles.len());
+                    done += plan.tiles.len();
+                    progress(done, batch.tiles.len());
                 }
                 Err(error) if error.is_out_of_memory() && plan.tiles.len() > 1 => {
                     plans.extend(plan.halves())
@@ -114,6 +127,20 @@ impl Renderer {
 }
 
 impl Renderer {
+    /// Renders the whole image of a camera. Values are clamped to 0 to 1 and rounded to 8 bits.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`].
+    pub fn render_view(&self, scene: &DeviceScene, camera: &Camera) -> Result<Image> {
+        let size = [camera.width, camera.height];
+        let mut image = Image::new(size[0], size[1])?;
+        for batch in image::bands(0, size, image::TILE_SIDE) {
+            let batch = batch?;
+            image.paste(&batch, &self.render(scene, std::slice::from_ref(camera), &batch)?)?;
+        }
+        Ok(image)
+    }
+
     /// The parts of a batch, last first.
     pub(super) fn plans(&self, scene: &DeviceScene, batch: &TileBatch) -> Result<Vec<Plan>> {
         Ok(Plan::split(&self.device, scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
@@ -125,7 +152,7 @@ impl Renderer {
         &self,
         scene: &DeviceScene,
         plan: &Plan,
-        work: impl Fn(Option<Capacity>) -> Result<(R, Needed)>,
+        mut work: impl FnMut(Option<Capacity>) -> Result<(R, Needed)>,
     ) -> Result<R> {
         let (kind, tiles) = ([scene.gaussians, plan.side], plan.tiles.len());
         let guesses = self.device.leaves_counts_on_device();

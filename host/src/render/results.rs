@@ -28,6 +28,20 @@ pub struct RenderReport {
     pub degenerate: u64,
 }
 
+impl RenderedTiles {
+    /// Red, green and blue of a pixel: column `x` and row `y` of a tile. Values can be outside 0 to 1.
+    ///
+    /// # Panics
+    /// Where there is no such tile, or `x` or `y` is not less than the side.
+    #[must_use]
+    pub fn rgb(&self, tile: usize, x: usize, y: usize) -> [f32; 3] {
+        let side = self.side as usize;
+        assert!(x < side && y < side, "a tile has no pixel ({x}, {y}): its side is {side}");
+        let first = tile * 3 * side * side + y * side + x;
+        [0, 1, 2].map(|channel| self.data[first + channel * side * side])
+    }
+}
+
 impl RenderReport {
     pub(super) fn add(&mut self, part: &Self) {
         self.parts += part.parts;

@@ -4,8 +4,6 @@ use crate::camera::Camera;
 use crate::data::{Dataset, Frame, Photograph, Pose, is_held_out};
 use crate::demo;
 use crate::error::Result;
-use crate::evaluate;
-use crate::image::{Image, bands};
 use crate::render::Renderer;
 use organza_device::memory;
 
@@ -18,7 +16,20 @@ pub fn dataset(
     views: u32,
     side: u32,
     hold_out_every: usize,
-    progress: &dyn Fn(usize, usize),
+) -> Result<Dataset> {
+    dataset_with_progress(renderer, views, side, hold_out_every, &mut |_, _| {})
+}
+
+/// As [`dataset`]; calls `progress` with the number of views that are done, and of all.
+///
+/// # Errors
+/// As [`dataset`].
+pub fn dataset_with_progress(
+    renderer: &Renderer,
+    views: u32,
+    side: u32,
+    hold_out_every: usize,
+    progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Dataset> {
     let pixels = u64::from(views) * u64::from(side) * u64::from(side);
     memory::check(3 * pixels, "the views of the built-in scene")?;
@@ -27,16 +38,13 @@ pub fn dataset(
     let mut frames = Vec::with_capacity(cameras.len());
     for (index, camera) in cameras.iter().enumerate() {
         progress(index, cameras.len());
-        let mut image = Image::new(side, side)?;
-        for batch in bands(index, [side, side], evaluate::TILE_SIDE) {
-            let batch = batch?;
-            image.paste(&batch, &renderer.render(&scene, &cameras, &batch)?)?;
-        }
-        let (name, image) = (name(index), Photograph::from(&image));
-        frames.push(Frame { name, camera: camera.clone(), image });
+        let image = Photograph::from(&renderer.render_view(&scene, camera)?);
+        frames.push(Frame { name: name(index), camera: camera.clone(), image });
     }
     progress(cameras.len(), cameras.len());
-    Ok(Dataset::from_frames(frames, hold_out_every))
+    let mut dataset = Dataset::from_frames(frames, hold_out_every);
+    dataset.background = demo::BACKGROUND;
+    Ok(dataset)
 }
 
 /// The cameras of [`dataset`], without the images.
@@ -53,10 +61,4 @@ pub fn cameras(views: u32, side: u32, hold_out_every: usize) -> Vec<Pose> {
 
 fn name(index: usize) -> String {
     format!("view-{index:03}")
-}
-
-/// What the built-in scene is in front of.
-#[must_use]
-pub fn background() -> [f64; 3] {
-    demo::BACKGROUND
 }

@@ -7,6 +7,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::binding::{BINDING, Binding};
+use super::config::TrainConfig;
 use crate::error::{Error, IN_MEMORY, Result};
 use crate::input::open_regular;
 use crate::scene::{Scene, Tensor, TensorRef, read_metadata, read_scene, read_tensors_from};
@@ -44,6 +45,23 @@ pub struct Progress {
 }
 
 impl Checkpoint {
+    /// The state before the first step of training `scene`.
+    ///
+    /// # Errors
+    /// As [`Scene::zeros`].
+    pub fn begin(mut scene: Scene, config: &TrainConfig) -> Result<Self> {
+        if !config.ablation.learn_transmittance {
+            let last = scene.transmittance.network.layers.last_mut().expect("a head");
+            last.weight.fill(0.0);
+            // log sigmoid(100) is 0 in f32
+            last.bias.fill(100.0);
+        }
+        let zeros = Scene::zeros(scene.config.clone(), scene.gaussians.len())?;
+        let statistics = vec![[0.0; 4]; scene.gaussians.len()];
+        let progress = Progress::default();
+        Ok(Self { moments: [zeros.clone(), zeros], statistics, scene, progress })
+    }
+
     /// Writes the file, beside and renamed. It is bound to a run's settings and data, if to any.
     ///
     /// # Errors

@@ -2,33 +2,54 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use super::binding::Binding;
-use super::checkpoint::{CHECKPOINT, Checkpoint};
+use super::checkpoint::{CHECKPOINT, Checkpoint, Progress};
 use super::config::TrainConfig;
 use super::folder::{CONFIG, METRICS, REPORT, RunFolder};
+use super::hooks::StepHooks;
 use super::metrics::{MetricsLog, Record, TimingRow};
 use super::report::{MAX_VIEWS, Report, ReportView, write_report};
-use super::start::start;
-use super::trainer::{GradientHook, StepReport, Trainer};
-use crate::data::{Dataset, Frame};
-use crate::error::{Error, Result};
-use crate::evaluate::{self, Evaluation, evaluate};
+use super::trainer::{StepReport, Trainer};
+use crate::data::Dataset;
+use crate::error::Result;
+use crate::evaluate::{self, Evaluation, evaluate_with};
 use crate::render::{DeviceScene, Renderer};
 
-/// A run.
+/// A training run in a folder: a [`Trainer`] with a log, checkpoints, evaluations and a report.
+///
+/// ```
+/// use std::sync::Arc;
+///
+/// use organza::train::{Outcome, RunFolder, Session, TrainConfig, built_in};
+/// use organza::{DeviceOptions, Renderer};
+///
+/// let renderer = Renderer::new(organza::open_device(&DeviceOptions::cpu(None))?);
+/// let dataset = Arc::new(built_in::dataset(&renderer, 4, 32, 2)?);
+/// let mut config = TrainConfig::default();
+/// (config.run.steps, config.run.tiles_per_step, config.run.tile_size) = (2, 2, 16);
+/// config.start.gaussians = 100;
+///
+/// let path = tempfile::tempdir().expect("a folder");
+/// let folder = RunFolder::lock(path.path(), false)?;
+/// let session = Session::new(&renderer, &config, &dataset, &folder);
+/// let outcome = session.run(false, &mut |event| println!("{event:?}"))?;
+/// assert_eq!(outcome, Outcome::Finished);
+/// assert!(path.path().join("report.html").exists());
+/// # Ok::<(), organza::Error>(())
+/// ```
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Session<'a> {
     /// Renders and trains.
     pub renderer: &'a Renderer,
     /// Every setting.
     pub config: &'a TrainConfig,
     /// The photographs.
-    pub dataset: &'a Dataset,
-    /// What the scene is in front of.
-    pub background: [f64; 3],
+    pub dataset: &'a Arc<Dataset>,
     /// The folder of the run. A run that begins writes its settings there.
     pub folder: &'a RunFolder,
     /// Training ends after so many seconds, those before a resume included, as it does after the last step.
@@ -39,6 +60,7 @@ pub struct Session<'a> {
 
 /// What happens during a run.
 #[derive(Debug)]
+#[non_exhaustive]
 pub enum Event<'a> {
     /// Something that should not be missed.
     Warning(&'a str),
@@ -63,6 +85,7 @@ pub enum Event<'a> {
 
 /// Why a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Outcome {
     /// After its last step.
     Finished,
@@ -73,9 +96,9 @@ pub enum Outcome {
 }
 
 /// What changes while a run goes on.
-struct State<'a, 'w> {
+struct State<'a, 'w, 'h> {
     session: &'a Session<'a>,
-    trainer: Trainer<'a>,
+    trainer: Trainer,
     log: MetricsLog,
     /// The step of the log's last evaluation.
     evaluated: Option<u64>,
@@ -85,47 +108,67 @@ struct State<'a, 'w> {
     /// When the last line was logged: tiles since, and the seconds then.
     since: (usize, f64),
     watch: &'w mut dyn FnMut(Event<'_>),
-    hook: &'w mut GradientHook<'w>,
+    hooks: &'w mut StepHooks<'h>,
 }
 
-impl Session<'_> {
+/// Nothing sets it.
+static NEVER: AtomicBool = AtomicBool::new(false);
+
+impl<'a> Session<'a> {
+    /// A run without a time limit, that nobody stops.
+    #[must_use]
+    pub fn new(
+        renderer: &'a Renderer,
+        config: &'a TrainConfig,
+        dataset: &'a Arc<Dataset>,
+        folder: &'a RunFolder,
+    ) -> Self {
+        Self { renderer, config, dataset, folder, time_limit: None, stop: &NEVER }
+    }
+
+    /// The same run with a limit: it ends after this many seconds of training, as it does after the last step.
+    #[must_use]
+    pub fn with_time_limit(mut self, seconds: Option<f64>) -> Self {
+        self.time_limit = seconds;
+        self
+    }
+
+    /// The same run with a flag. Set it from another thread to save and stop.
+    #[must_use]
+    pub fn with_stop(mut self, stop: &'a AtomicBool) -> Self {
+        self.stop = stop;
+        self
+    }
+
     /// Trains to the end; goes on from the folder's checkpoint where `resume`, and from the first step where there is
     /// none yet.
     ///
     /// # Errors
     /// Whatever a step, the files or the device run into; what was saved stays.
     pub fn run(&self, resume: bool, watch: &mut dyn FnMut(Event<'_>)) -> Result<Outcome> {
-        self.run_with(resume, watch, &mut |_| Ok(()))
+        self.run_with(resume, watch, &mut StepHooks::new())
     }
 
-    /// Like [`Session::run`]; calls `hook` in every step, see [`Trainer::step_with`].
+    /// Like [`Session::run`]; every step calls `hooks`, see [`Trainer::step_with`].
     ///
     /// # Errors
-    /// As [`Session::run`], and those of `hook`.
+    /// As [`Session::run`], and those of the hooks.
     pub fn run_with(
         &self,
         resume: bool,
         watch: &mut dyn FnMut(Event<'_>),
-        hook: &mut GradientHook<'_>,
+        hooks: &mut StepHooks<'_>,
     ) -> Result<Outcome> {
         let path = self.folder.path().join(CHECKPOINT);
-        let frames: Vec<&Frame> =
-            self.dataset.train.iter().map(|&index| &self.dataset.frames[index]).collect();
-        if frames.is_empty() {
-            let reason = "the data set has no frame to train on".to_owned();
-            return Err(Error::Invalid { origin: self.dataset.path.clone(), reason });
-        }
-        let checkpoint = if resume && path.exists() {
+        let (config, dataset) = (self.config.clone(), Arc::clone(self.dataset));
+        let (trainer, progress) = if resume && path.exists() {
             self.check_binding(&path, watch)?;
-            Checkpoint::load(&path)?
+            let checkpoint = Checkpoint::load(&path)?;
+            let trainer = Trainer::resume(self.renderer, config, dataset, &checkpoint)?;
+            (trainer, checkpoint.progress)
         } else {
-            let cameras: Vec<_> = frames.iter().map(|frame| frame.camera.clone()).collect();
-            let scene = start(self.config, self.background, &cameras, &self.dataset.points)?;
-            Trainer::begin(scene, self.config)?
+            (Trainer::start(self.renderer, config, dataset)?, Progress::default())
         };
-        let progress = checkpoint.progress;
-        let trainer = Trainer::new(self.renderer, self.config, frames, &checkpoint)?;
-        drop(checkpoint);
         // only what can begin leaves anything
         watch(Event::Begin(progress.step));
         let (log, evaluated) = self.open_log(resume, u64::from(progress.step))?;
@@ -139,7 +182,7 @@ impl Session<'_> {
             stages: BTreeMap::new(),
             since: (0, progress.seconds),
             watch,
-            hook,
+            hooks,
         }
         .run()
     }
@@ -169,13 +212,9 @@ impl Session<'_> {
         let records = MetricsLog::read(path)?;
         Ok((log, records.iter().rfind(is_evaluation).map(Record::step)))
     }
-
-    fn held_out(&self) -> Vec<&Frame> {
-        self.dataset.held_out.iter().map(|&index| &self.dataset.frames[index]).collect()
-    }
 }
 
-impl State<'_, '_> {
+impl State<'_, '_, '_> {
     fn run(mut self) -> Result<Outcome> {
         let run = &self.session.config.run;
         let mut saved = None;
@@ -215,7 +254,7 @@ impl State<'_, '_> {
 
     fn step(&mut self) -> Result<()> {
         let begin = Instant::now();
-        let report = self.trainer.step_with(self.hook)?;
+        let report = self.trainer.step_with(self.hooks)?;
         let seconds = begin.elapsed().as_secs_f64();
         self.seconds += seconds;
         self.add_times(seconds);
@@ -266,7 +305,7 @@ impl State<'_, '_> {
 
     /// Measures the held-out views; false where it was told to stop before the last.
     fn evaluate(&mut self) -> Result<bool> {
-        let frames = self.session.held_out();
+        let frames: Vec<_> = self.session.dataset.held_out_frames().collect();
         if frames.is_empty() {
             return self.report(Vec::new()).map(|()| true);
         }
@@ -285,7 +324,7 @@ impl State<'_, '_> {
             if self.session.stop.load(Ordering::Relaxed) {
                 return Ok(false);
             }
-            parts.push(evaluate(renderer, scene, &[frame], &mut keep)?);
+            parts.push(evaluate_with(renderer, scene, &[frame], &mut keep)?);
         }
         let evaluation = Evaluation::of_parts(parts);
         let step = u64::from(self.trainer.steps());

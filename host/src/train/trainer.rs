@@ -1,38 +1,81 @@
 //! One step after the other: draw tiles, render, compare, go back, move, grow.
 
+use std::path::Path;
+use std::sync::Arc;
+
 use super::checkpoint::{Checkpoint, Progress};
 use super::config::{GrowthMethod, TrainConfig};
 use super::growth::{Grown, grow};
+use super::hooks::{StepGradient, StepHooks};
 use super::optimizer::Optimizer;
 use super::sampler::{Sampler, Target, random};
+use super::start::start;
 use crate::camera::Camera;
-use crate::data::Frame;
-use crate::error::{Error, Result};
+use crate::data::Dataset;
+use crate::error::{Error, IN_MEMORY, Result};
+use crate::evaluate::{Evaluation, evaluate};
 use crate::metrics;
 use crate::render::{DeviceScene, Loss, LossTarget, Renderer, SceneGradient, TileLoss};
-use crate::scene::Scene;
 use crate::tile::TileBatch;
-use organza_device::Device;
 
 const GROWTH: u64 = 4;
 
-/// Trains a scene; everything that changes lies on the device.
+/// Trains a scene, step by step. Everything that a step changes stays on the device.
+///
+/// A trainer needs no folder and writes no file. [`Session`](super::Session) is the loop of the program: it calls a
+/// trainer, writes a log, checkpoints and a report, and stops when it is told to.
+///
+/// ```
+/// use organza::train::{TrainConfig, Trainer, built_in};
+/// use organza::{DeviceOptions, Renderer};
+///
+/// let renderer = Renderer::new(organza::open_device(&DeviceOptions::cpu(None))?);
+/// // four views of the built-in scene, 32 x 32 pixels each; every second one is held out
+/// let dataset = built_in::dataset(&renderer, 4, 32, 2)?;
+///
+/// let mut config = TrainConfig::default();
+/// config.run.steps = 3;
+/// config.run.tiles_per_step = 2;
+/// config.run.tile_size = 16;
+/// config.start.gaussians = 100;
+///
+/// let mut trainer = Trainer::start(&renderer, config, dataset)?;
+/// while !trainer.is_finished() {
+///     let report = trainer.step()?;
+///     println!("step {}: loss {:.4}", trainer.steps(), report.loss);
+/// }
+/// let evaluation = trainer.evaluate()?;
+/// assert_eq!(evaluation.views.len(), 2);
+/// assert!(evaluation.mean.psnr.is_some_and(|psnr| psnr > 3.0));
+///
+/// let scene = trainer.scene().download(renderer.device())?;
+/// assert_eq!(scene.gaussians.len(), 100);
+/// # Ok::<(), organza::Error>(())
+/// ```
 #[derive(Debug)]
-pub struct Trainer<'a> {
-    renderer: &'a Renderer,
-    config: &'a TrainConfig,
-    frames: Vec<&'a Frame>,
+pub struct Trainer {
+    renderer: Renderer,
+    config: TrainConfig,
+    dataset: Arc<Dataset>,
+    /// Of the frames to train on.
     cameras: Vec<Camera>,
     sampler: Sampler,
     loss: Option<Loss>,
+    state: State,
+    step: u32,
+}
+
+/// What a step changes.
+#[derive(Debug)]
+struct State {
     scene: DeviceScene,
     optimizer: Optimizer,
     gradient: SceneGradient,
-    step: u32,
 }
 
 /// What a step has measured, before it moved anything.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct StepReport {
     /// The loss of the batch.
     pub loss: f64,
@@ -44,92 +87,43 @@ pub struct StepReport {
     pub grown: Option<Grown>,
 }
 
-/// A step's gradient before the optimizer applies it: the argument of a [`GradientHook`].
-#[derive(Clone, Copy, Debug)]
-pub struct StepGradient<'a> {
-    /// The device of the scene and the gradient.
-    pub device: &'a Device,
-    /// Steps before this one.
-    pub step: u32,
-    /// The scene that the gradient is of.
-    pub scene: &'a DeviceScene,
-    /// The gradient of the batch's loss.
-    pub gradient: &'a SceneGradient,
-}
-
-/// A function between a step's gradient and the optimizer: a regularizer, another optimizer, a sum over processes.
-/// Adam uses the gradient that the hook leaves.
-///
-/// ```no_run
-/// use organza::train::{Session, StepGradient};
-///
-/// # fn example(session: &Session<'_>) -> organza::Result<()> {
-/// // keeps materials small: adds 1e-4 times each value to its gradient
-/// let mut decay = |step: &StepGradient<'_>| {
-///     let values = step.device.read(&step.scene.tensors().gaussians.material)?;
-///     let gradient = &step.gradient.tensors().gaussians.material;
-///     let mut sum = gradient.read(step.device)?;
-///     sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += 1e-4 * value);
-///     gradient.write(step.device, &sum)
-/// };
-/// session.run_with(false, &mut |_| {}, &mut decay)?;
-/// # Ok(())
-/// # }
-/// ```
-pub type GradientHook<'h> = dyn FnMut(&StepGradient<'_>) -> Result<()> + 'h;
-
-impl<'a> Trainer<'a> {
-    /// Goes on from a checkpoint; [`Trainer::begin`] makes the first.
+impl Trainer {
+    /// Starts training: Gaussians are placed at the data set's points, or where its cameras look.
     ///
     /// # Errors
-    /// As [`Renderer::upload`].
-    pub fn new(
-        renderer: &'a Renderer,
-        config: &'a TrainConfig,
-        frames: Vec<&'a Frame>,
-        checkpoint: &Checkpoint,
+    /// [`Error::Invalid`] where a setting is out of range or no frame is left to train on; as [`Renderer::upload`].
+    pub fn start(
+        renderer: &Renderer,
+        config: TrainConfig,
+        dataset: impl Into<Arc<Dataset>>,
     ) -> Result<Self> {
-        let device = renderer.device();
-        let sizes = frames.iter().map(|frame| [frame.camera.width, frame.camera.height]).collect();
-        let sampler = Sampler::new(sizes, &config.run);
-        sampler.check_memory()?;
-        let mut scene = renderer.upload(&checkpoint.scene)?;
-        if !config.ablation.divide {
-            scene.divide_above = f32::MAX;
-        }
-        let optimizer = Optimizer::new(device, &checkpoint.moments)?;
-        let gradient = new_gradient(renderer, config, &scene, &checkpoint.statistics)?;
-        let cameras = frames.iter().map(|frame| frame.camera.clone()).collect();
-        let (step, loss) = (checkpoint.progress.step, None);
-        Ok(Self {
-            renderer,
-            config,
-            frames,
-            cameras,
-            sampler,
-            loss,
-            scene,
-            optimizer,
-            gradient,
-            step,
-        })
+        let dataset = dataset.into();
+        check(&config, &dataset)?;
+        let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
+        let scene = start(&config, dataset.background, &cameras, &dataset.points)?;
+        let checkpoint = Checkpoint::begin(scene, &config)?;
+        Self::resume(renderer, config, dataset, &checkpoint)
     }
 
-    /// The checkpoint before the first step.
+    /// Continues from a checkpoint. With [`Checkpoint::begin`], this trains a scene of your own.
     ///
     /// # Errors
-    /// As [`Scene::zeros`].
-    pub fn begin(mut scene: Scene, config: &TrainConfig) -> Result<Checkpoint> {
-        if !config.ablation.learn_transmittance {
-            let last = scene.transmittance.network.layers.last_mut().expect("a head");
-            last.weight.fill(0.0);
-            // log sigmoid(100) is 0 in f32
-            last.bias.fill(100.0);
-        }
-        let zeros = Scene::zeros(scene.config.clone(), scene.gaussians.len())?;
-        let statistics = vec![[0.0; 4]; scene.gaussians.len()];
-        let progress = Progress::default();
-        Ok(Checkpoint { moments: [zeros.clone(), zeros], statistics, scene, progress })
+    /// As [`Trainer::start`].
+    pub fn resume(
+        renderer: &Renderer,
+        config: TrainConfig,
+        dataset: impl Into<Arc<Dataset>>,
+        checkpoint: &Checkpoint,
+    ) -> Result<Self> {
+        let dataset = dataset.into();
+        check(&config, &dataset)?;
+        let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
+        let sizes = cameras.iter().map(|camera| [camera.width, camera.height]).collect();
+        let sampler = Sampler::new(sizes, &config.run);
+        sampler.check_memory()?;
+        let state = State::upload(renderer, &config, checkpoint)?;
+        let (renderer, step, loss) = (renderer.clone(), checkpoint.progress.step, None);
+        Ok(Self { renderer, config, dataset, cameras, sampler, loss, state, step })
     }
 
     /// Steps that are done.
@@ -138,23 +132,50 @@ impl<'a> Trainer<'a> {
         self.step
     }
 
+    /// Whether all steps of the settings are done. [`Trainer::step`] can go on all the same.
+    #[must_use]
+    pub fn is_finished(&self) -> bool {
+        self.step >= self.config.run.steps
+    }
+
+    /// The settings.
+    #[must_use]
+    pub fn config(&self) -> &TrainConfig {
+        &self.config
+    }
+
+    /// The photographs.
+    #[must_use]
+    pub fn dataset(&self) -> &Arc<Dataset> {
+        &self.dataset
+    }
+
     /// The scene as it is now.
     #[must_use]
     pub fn scene(&self) -> &DeviceScene {
-        &self.scene
+        &self.state.scene
     }
 
-    /// Everything that training needs to go on.
+    /// Renders the held-out frames and compares them with their photographs.
+    ///
+    /// # Errors
+    /// As [`evaluate`](crate::evaluate()).
+    pub fn evaluate(&self) -> Result<Evaluation> {
+        let frames: Vec<_> = self.dataset.held_out_frames().collect();
+        evaluate(&self.renderer, &self.state.scene, &frames)
+    }
+
+    /// Everything that training needs to go on. `seconds` is the time of training to write down.
     ///
     /// # Errors
     /// As [`Device::read`](crate::Device::read); [`Error::Diverged`] where a gradient was not finite.
     pub fn checkpoint(&self, seconds: f64) -> Result<Checkpoint> {
-        let device = self.renderer.device();
-        self.gradient.check(device)?;
-        let statistics = device.read(&self.gradient.statistics)?;
+        let (device, state) = (self.renderer.device(), &self.state);
+        state.gradient.check(device)?;
+        let statistics = device.read(&state.gradient.statistics)?;
         Ok(Checkpoint {
-            scene: self.scene.download(device)?,
-            moments: self.optimizer.moments(device, &self.scene)?,
+            scene: state.scene.download(device)?,
+            moments: state.optimizer.moments(device, &state.scene)?,
             statistics: statistics.iter().map(|v| v.to_array()).collect(),
             progress: Progress { step: self.step, seconds },
         })
@@ -164,48 +185,64 @@ impl<'a> Trainer<'a> {
     ///
     /// # Errors
     /// [`Error::Diverged`] where the loss is not finite; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+    /// The trainer is then as before the step.
     pub fn step(&mut self) -> Result<StepReport> {
-        self.step_with(&mut |_| Ok(()))
+        self.step_with(&mut StepHooks::new())
     }
 
-    /// Like [`Trainer::step`]; calls `hook` after the backward pass and before Adam.
+    /// Like [`Trainer::step`], with a loss of your own, or with a function between the gradient and Adam.
     ///
     /// # Errors
-    /// As [`Trainer::step`], and those of `hook`: the trainer is then as before the step.
-    pub fn step_with(&mut self, hook: &mut GradientHook<'_>) -> Result<StepReport> {
-        let config = self.config;
+    /// As [`Trainer::step`], and those of the hooks.
+    pub fn step_with(&mut self, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
         let batch = self.sampler.batch(self.step);
-        let losses = self.add_gradient(&batch)?;
-        let total = TileLoss::total(&losses);
-        let loss = total.value(config.loss.ssim_weight);
+        let restart = |trainer: &Self| trainer.state.gradient.restart(trainer.renderer.device());
+        let (loss, psnr) = self.add_gradient(&batch, hooks)?;
         if !loss.is_finite() {
+            restart(self);
             let reason = format!("the loss of step {} is {loss}", self.step);
             return Err(Error::Diverged { reason });
         }
         let device = self.renderer.device();
-        let (optimizer, scene, gradient) = (&self.optimizer, &self.scene, &self.gradient);
-        let between = StepGradient { device, step: self.step, scene, gradient };
-        hook(&between).inspect_err(|_| gradient.restart(device))?;
-        let (settings, steps) = (&config.optimizer, [self.step, config.run.steps]);
+        let State { scene, optimizer, gradient } = &self.state;
+        if let Some(hook) = &mut hooks.gradient {
+            let between = StepGradient { device, step: self.step, scene, gradient };
+            hook(&between).inspect_err(|_| restart(self))?;
+        }
+        let (settings, steps) = (&self.config.optimizer, [self.step, self.config.run.steps]);
         device.run_in_pool(|| optimizer.step(device, scene, gradient, settings, steps))?;
-        self.gradient.clear_touched(device);
+        gradient.clear_touched(device);
         self.step += 1;
         let grown = self.is_time_to_grow().then(|| self.grow()).transpose()?;
-        let psnr = metrics::psnr_of(total.squared / (3.0 * total.valid).max(1.0));
         Ok(StepReport { loss, psnr, tiles: batch.tiles.len(), grown })
     }
 
-    fn add_gradient(&mut self, batch: &TileBatch) -> Result<Vec<TileLoss>> {
-        let target = Target::of(batch, &self.frames)?;
+    /// Adds the gradient of a batch's loss; returns the loss and the PSNR.
+    fn add_gradient(&mut self, batch: &TileBatch, hooks: &mut StepHooks<'_>) -> Result<(f64, f64)> {
+        let frames: Vec<_> = self.dataset.train_frames().collect();
+        let target = Target::of(batch, &frames)?;
         let target = LossTarget {
             image: &target.image,
             valid: &target.valid,
             valid_pixels: target.valid_pixels,
             ssim_weight: self.config.loss.ssim_weight,
         };
-        let (scene, gradient) = (&self.scene, &self.gradient);
-        let loss = &mut self.loss;
-        self.renderer.add_loss_gradient(scene, &self.cameras, batch, loss, &target, gradient)
+        let State { scene, gradient, .. } = &self.state;
+        let (renderer, cameras) = (&self.renderer, &self.cameras[..]);
+        let (loss, squared) = match &mut hooks.loss {
+            Some(own) => {
+                renderer.add_own_loss_gradient(scene, cameras, batch, own, &target, gradient)?
+            }
+            None => {
+                let kept = &mut self.loss;
+                let losses =
+                    renderer.add_loss_gradient(scene, cameras, batch, kept, &target, gradient)?;
+                let total = TileLoss::total(&losses);
+                let pixels = (3.0 * total.valid).max(1.0);
+                (total.value(target.ssim_weight), total.squared / pixels)
+            }
+        };
+        Ok((loss, metrics::psnr_of(squared)))
     }
 
     fn is_time_to_grow(&self) -> bool {
@@ -225,26 +262,34 @@ impl<'a> Trainer<'a> {
         let growth = &self.config.growth;
         let grown = grow(growth, &mut state.scene, [first, second], &statistics, &mut random);
         state.statistics = vec![[0.0; 4]; state.scene.gaussians.len()];
-        let frames = std::mem::take(&mut self.frames);
-        let next = Self::new(self.renderer, self.config, frames, &state)?;
-        let (sampler, loss) =
-            (std::mem::replace(&mut self.sampler, next.sampler), self.loss.take());
-        (self.scene, self.optimizer, self.gradient) = (next.scene, next.optimizer, next.gradient);
-        (self.frames, self.sampler, self.loss) = (next.frames, sampler, loss);
+        self.state = State::upload(&self.renderer, &self.config, &state)?;
         Ok(grown)
     }
 }
 
-fn new_gradient(
-    renderer: &Renderer,
-    config: &TrainConfig,
-    scene: &DeviceScene,
-    statistics: &[[f32; 4]],
-) -> Result<SceneGradient> {
-    let device = renderer.device();
-    let mut gradient = SceneGradient::new(device, scene)?;
-    let statistics: Vec<_> = statistics.iter().map(|&v| glam::Vec4::from_array(v)).collect();
-    gradient.statistics = device.upload("statistics", &statistics)?;
-    gradient.has_transmittance = config.ablation.learn_transmittance;
-    Ok(gradient)
+impl State {
+    fn upload(renderer: &Renderer, config: &TrainConfig, checkpoint: &Checkpoint) -> Result<Self> {
+        let device = renderer.device();
+        let mut scene = renderer.upload(&checkpoint.scene)?;
+        if !config.ablation.divide {
+            scene.divide_above = f32::MAX;
+        }
+        let optimizer = Optimizer::new(device, &checkpoint.moments)?;
+        let mut gradient = SceneGradient::new(device, &scene)?;
+        let statistics = checkpoint.statistics.iter().map(|&v| glam::Vec4::from_array(v));
+        gradient.statistics = device.upload("statistics", &statistics.collect::<Vec<_>>())?;
+        gradient.has_transmittance = config.ablation.learn_transmittance;
+        Ok(Self { scene, optimizer, gradient })
+    }
+}
+
+/// Settings that were made in code are held to what files are held to.
+fn check(config: &TrainConfig, dataset: &Dataset) -> Result<()> {
+    let invalid = |reason| Error::Invalid { origin: Path::new(IN_MEMORY).to_owned(), reason };
+    config.check().map_err(invalid)?;
+    if dataset.train.is_empty() {
+        let reason = "the data set has no frame to train on".to_owned();
+        return Err(Error::Invalid { origin: dataset.path.clone(), reason });
+    }
+    Ok(())
 }

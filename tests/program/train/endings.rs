@@ -3,7 +3,7 @@
 
 use std::path::Path;
 use std::process::Child;
-use std::sync::atomic::AtomicBool;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 use std::{fs, thread};
 
@@ -91,21 +91,14 @@ fn a_run_at_its_time_limit_goes_on_to_the_same_bits() {
     let renderer = Renderer::new(devices::cpu(None));
     let data = &config.data;
     let (views, side) = (data.built_in_views, data.built_in_side);
-    let dataset =
-        built_in::dataset(&renderer, views, side, data.hold_out_every, &|_, _| {}).unwrap();
+    let dataset = built_in::dataset(&renderer, views, side, data.hold_out_every);
+    let dataset = Arc::new(dataset.expect("views"));
     let train = |name: &str, resume: bool, time_limit: Option<f64>| {
         let folder = sandbox.path(name);
         fs::create_dir_all(&folder).unwrap();
         let folder = RunFolder::lock(&folder, resume).expect("nobody else has it");
-        let session = Session {
-            renderer: &renderer,
-            config: &config,
-            dataset: &dataset,
-            background: built_in::background(),
-            folder: &folder,
-            time_limit,
-            stop: &AtomicBool::new(false),
-        };
+        let session = Session::new(&renderer, &config, &dataset, &folder);
+        let session = session.with_time_limit(time_limit);
         session.run(resume, &mut |_| {}).expect("it trains")
     };
     assert_eq!(train("whole", false, None), train::Outcome::Finished);

@@ -1,12 +1,11 @@
 //! A hook between a step's gradient and the optimizer.
 
 use std::fs;
-use std::sync::atomic::AtomicBool;
 
 use organza::scene::TensorSpec;
 use organza::train::{
-    CHECKPOINT, Checkpoint, Event, GradientHook, RunFolder, Session, StepGradient, Trainer,
-    built_in,
+    CHECKPOINT, Checkpoint, Event, GradientHook, RunFolder, Session, StepGradient, StepHooks,
+    Trainer,
 };
 use organza::{Error, Renderer, Result, Scene};
 use organza_tests::devices;
@@ -25,13 +24,13 @@ fn bits(scene: &Scene) -> Vec<(String, Vec<u32>)> {
 fn a_tensor_whose_gradient_is_zeroed_stays_as_it_is() {
     let (config, checkpoint, dataset) = begun();
     // without moments: they would move it
-    let begin = Trainer::begin(checkpoint.scene, &config).expect("a start");
+    let begin = Checkpoint::begin(checkpoint.scene, &config).expect("a start");
     for (device, renderer) in devices::all() {
         let renderer = Renderer::new(renderer);
         let step = |hook: &mut GradientHook<'_>| {
-            let frames = dataset.train.iter().map(|&index| &dataset.frames[index]).collect();
-            let mut trainer = Trainer::new(&renderer, &config, frames, &begin).expect("a trainer");
-            trainer.step_with(hook).expect("a step");
+            let trainer = Trainer::resume(&renderer, config.clone(), dataset.clone(), &begin);
+            let mut trainer = trainer.expect("a trainer");
+            trainer.step_with(&mut StepHooks::new().gradient(hook)).expect("a step");
             bits(&trainer.checkpoint(0.0).expect("a state").scene)
         };
         let mut names = Vec::new();
@@ -76,18 +75,18 @@ fn a_gradient_that_is_written_back_or_a_hook_that_failed_changes_nothing() {
     for (device, renderer) in devices::all() {
         let renderer = Renderer::new(renderer);
         let trainer = || {
-            let frames = dataset.train.iter().map(|&index| &dataset.frames[index]).collect();
-            Trainer::new(&renderer, &config, frames, &checkpoint).expect("a trainer")
+            let trainer = Trainer::resume(&renderer, config.clone(), dataset.clone(), &checkpoint);
+            trainer.expect("a trainer")
         };
-        let state = |trainer: &Trainer<'_>| -> Checkpoint { trainer.checkpoint(0.0).unwrap() };
+        let state = |trainer: &Trainer| -> Checkpoint { trainer.checkpoint(0.0).unwrap() };
         let (mut plain, mut hooked) = (trainer(), trainer());
-        let fail: &mut GradientHook<'_> = &mut |_: &StepGradient<'_>| {
-            Err(Error::Argument { reason: "the hook's own".to_owned() })
-        };
+        let mut fail = StepHooks::new()
+            .gradient(|_| Err(Error::Argument { reason: "the hook's own".to_owned() }));
+        let mut write_back = StepHooks::new().gradient(write_back);
         // the number of Gaussians changes at step 10
         for _ in 0..6 {
             plain.step().expect("a step");
-            let error = hooked.step_with(fail).expect_err("the hook fails").to_string();
+            let error = hooked.step_with(&mut fail).expect_err("the hook fails").to_string();
             assert!(error.contains("the hook's own"), "{error}");
             hooked.step_with(&mut write_back).expect("a step");
         }
@@ -104,26 +103,19 @@ fn a_run_calls_its_hook_every_step_and_lends_the_scene() {
     let folder = sandbox.path("run");
     fs::create_dir(&folder).unwrap();
     let folder = RunFolder::lock(&folder, false).expect("nobody else has it");
-    let session = Session {
-        renderer: &renderer,
-        config: &config,
-        dataset: &dataset,
-        background: built_in::background(),
-        folder: &folder,
-        time_limit: None,
-        stop: &AtomicBool::new(false),
-    };
+    let session = Session::new(&renderer, &config, &dataset, &folder);
     let (mut hooked, mut scenes) = (Vec::new(), Vec::new());
     let mut watch = |event: Event<'_>| {
         if let Event::Step { scene, .. } = event {
             scenes.push(scene.download(renderer.device()).expect("a scene"));
         }
     };
-    let mut hook = |step: &StepGradient<'_>| {
+    let mut hooks = StepHooks::new().gradient(|step| {
         hooked.push((step.step, step.scene.download(step.device)?));
         Ok(())
-    };
-    session.run_with(false, &mut watch, &mut hook).expect("it trains");
+    });
+    session.run_with(false, &mut watch, &mut hooks).expect("it trains");
+    drop(hooks);
     let (steps, before): (Vec<_>, Vec<_>) = hooked.into_iter().unzip();
     assert_eq!(steps, [0, 1, 2]);
     // a hook sees the scene that the step before has left

@@ -10,8 +10,8 @@ use super::runs::{begun, state_bits};
 fn a_step_that_does_not_fit_goes_in_parts() {
     let (config, checkpoint, dataset) = begun();
     let step = |renderer: &Renderer, refuse: &dyn Fn(&Device)| -> Result<Vec<Vec<u32>>> {
-        let frames = dataset.train.iter().map(|&index| &dataset.frames[index]).collect();
-        let mut trainer = Trainer::new(renderer, &config, frames, &checkpoint)?;
+        let (config, dataset) = (config.clone(), dataset.clone());
+        let mut trainer = Trainer::resume(renderer, config, dataset, &checkpoint)?;
         refuse(renderer.device());
         trainer.step()?;
         Ok(state_bits(&trainer.checkpoint(0.0)?))

@@ -10,6 +10,7 @@ mod hostile;
 mod memory;
 mod mistakes;
 mod monstrous;
+mod own_loss;
 mod processes;
 mod results;
 pub mod runs;

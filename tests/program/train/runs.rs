@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
 use organza::Renderer;
 use organza::data::Dataset;
@@ -24,15 +25,15 @@ pub fn sandbox() -> Sandbox {
 }
 
 /// A run after five steps: its settings, its state, and what it is trained on.
-pub fn begun() -> (TrainConfig, Checkpoint, Dataset) {
+pub fn begun() -> (TrainConfig, Checkpoint, Arc<Dataset>) {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} run --steps 5")).assert_ok();
     let config = TrainConfig::load(sandbox.path("run/config.toml")).expect("settings");
     let checkpoint = Checkpoint::load(sandbox.path("run").join(CHECKPOINT)).expect("a checkpoint");
     let cpu = Renderer::new(devices::cpu(None));
     let (views, side) = (config.data.built_in_views, config.data.built_in_side);
-    let dataset = built_in::dataset(&cpu, views, side, config.data.hold_out_every, &|_, _| {});
-    (config, checkpoint, dataset.expect("views"))
+    let dataset = built_in::dataset(&cpu, views, side, config.data.hold_out_every);
+    (config, checkpoint, Arc::new(dataset.expect("views")))
 }
 
 /// All that a state has, as bits.

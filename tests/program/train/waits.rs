@@ -1,7 +1,7 @@
 //! How often a step waits for the device.
 
 use organza::Renderer;
-use organza::train::Trainer;
+use organza::train::{Checkpoint, Trainer};
 use organza_tests::devices;
 
 use super::runs::{begun, state_bits};
@@ -9,12 +9,13 @@ use super::runs::{begun, state_bits};
 #[test]
 fn a_step_waits_once_and_that_changes_nothing() {
     let (config, checkpoint, dataset) = begun();
-    let frames = || dataset.train.iter().map(|&index| &dataset.frames[index]).collect();
+    let resume = |renderer: &Renderer, state: &Checkpoint| {
+        Trainer::resume(renderer, config.clone(), dataset.clone(), state).expect("a trainer")
+    };
     for (name, device) in devices::all() {
         let renderer = Renderer::new(device);
         let device = renderer.device();
-        let mut trainer =
-            Trainer::new(&renderer, &config, frames(), &checkpoint).expect("a trainer");
+        let mut trainer = resume(&renderer, &checkpoint);
         let mut waits = Vec::new();
         for _ in 0..4 {
             let before = device.waits();
@@ -32,8 +33,7 @@ fn a_step_waits_once_and_that_changes_nothing() {
             let (_, device) =
                 devices::all().into_iter().find(|(other, _)| *other == name).expect("it was there");
             let renderer = Renderer::new(device);
-            let mut trainer =
-                Trainer::new(&renderer, &config, frames(), &state).expect("a trainer");
+            let mut trainer = resume(&renderer, &state);
             trainer.step().expect("a step");
             state = trainer.checkpoint(0.0).expect("a state");
         }

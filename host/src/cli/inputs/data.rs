@@ -153,11 +153,12 @@ impl DataSet {
             bar.say("rendering the built-in scene");
             let (views, side, every) =
                 (data.built_in_views, data.built_in_side, data.hold_out_every);
-            return built_in::dataset(renderer, views, side, every, &|done, _| bar.set(done));
+            let progress = &mut |done, all| bar.set_of(done, all);
+            return built_in::dataset_with_progress(renderer, views, side, every, progress);
         };
         let bar = console.progress(0, "photographs");
         bar.say("reading");
-        let dataset = poses.photographs(&|done, all| bar.set_of(done, all))?;
+        let dataset = poses.photographs(&mut |done, all| bar.set_of(done, all))?;
         drop(bar);
         let (all, held_out) = (dataset.frames.len() as u64, dataset.held_out.len());
         let kind = dataset.kind;

@@ -57,7 +57,7 @@ fn alpha_lets_the_background_through() {
         ([0.0, 0.2, 1.0], [[100, 76, 152], [200, 100, 50], [0, 51, 255]]),
     ] {
         let options = DatasetOptions { background, ..DatasetOptions::default() };
-        let dataset = Dataset::load(folder.path(), &options, &|_, _| {}).unwrap();
+        let dataset = Dataset::load(folder.path(), &options).unwrap();
         let colors: Vec<_> = dataset.frames.iter().map(|frame| frame.image.pixels()[0]).collect();
         assert_eq!(colors, expected);
     }

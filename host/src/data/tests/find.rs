@@ -8,7 +8,7 @@ use super::*;
 fn load_with(path: &Path, edit: impl FnOnce(&mut DatasetOptions)) -> Result<Dataset> {
     let mut options = DatasetOptions::default();
     edit(&mut options);
-    Dataset::load(path, &options, &|_, _| {})
+    Dataset::load(path, &options)
 }
 
 /// Two photographs of 6 x 4 pixels whose `file_path` is edited.

@@ -1,7 +1,6 @@
 //! What is the same for every kind: which kind it is, which frames are held out, what is missing.
 
 use std::fs;
-use std::sync::Mutex;
 
 use super::colmap_files::{self, sample};
 use super::*;
@@ -45,7 +44,7 @@ fn every_eighth_frame_is_held_out() {
     assert!(dataset.train.iter().all(|index| index % 8 != 0));
     let every = |hold_out_every| {
         let options = DatasetOptions { hold_out_every, ..DatasetOptions::default() };
-        Dataset::load(folder.path(), &options, &|_, _| {}).unwrap().held_out
+        Dataset::load(folder.path(), &options).unwrap().held_out
     };
     assert_eq!(every(7), [0, 7, 14]);
     assert!(every(0).is_empty());
@@ -70,7 +69,7 @@ fn poses_are_those_of_the_frames() {
     colmap_files::write(colmap.path(), &sample(), true);
     for folder in [nerfstudio, blender, colmap] {
         let options = DatasetOptions { downscale: 2, hold_out_every: 2, ..Default::default() };
-        let dataset = Dataset::load(folder.path(), &options, &|_, _| {}).unwrap();
+        let dataset = Dataset::load(folder.path(), &options).unwrap();
         let poses = Poses::load(folder.path(), &options).unwrap();
         assert_eq!((poses.kind, &poses.path), (dataset.kind, &dataset.path));
         let poses = poses.cameras().unwrap();
@@ -90,11 +89,9 @@ fn poses_are_those_of_the_frames() {
 #[test]
 fn progress_counts_every_photograph() {
     let folder = nerfstudio_folder(&transforms(5));
-    let calls = Mutex::new(Vec::new());
-    let progress = |done, all| calls.lock().unwrap().push((done, all));
-    Dataset::load(folder.path(), &DatasetOptions::default(), &progress).unwrap();
-    let mut calls = calls.into_inner().unwrap();
-    calls.sort_unstable();
+    let mut calls = Vec::new();
+    let mut progress = |done, all| calls.push((done, all));
+    Dataset::load_with_progress(folder.path(), &DatasetOptions::default(), &mut progress).unwrap();
     assert_eq!(calls, [(0, 5), (1, 5), (2, 5), (3, 5), (4, 5), (5, 5)]);
 }
 
@@ -128,7 +125,7 @@ fn without_photographs_there_is_no_data_set() {
 fn options_are_checked() {
     let folder = nerfstudio_folder(&transforms(2));
     let assert_option = |options: DatasetOptions, facts: &[&str]| {
-        let result = Dataset::load(folder.path(), &options, &|_, _| {});
+        let result = Dataset::load(folder.path(), &options);
         assert!(matches!(result, Err(Error::Argument { .. })), "{result:?}");
         assert_facts(result, facts);
     };

@@ -54,7 +54,7 @@ fn nerfstudio_folder(file: &Value) -> TempDir {
 }
 
 fn load(path: &Path) -> Result<Dataset> {
-    Dataset::load(path, &DatasetOptions::default(), &|_, _| {})
+    Dataset::load(path, &DatasetOptions::default())
 }
 
 /// Asserts that a data set is refused with all the facts.

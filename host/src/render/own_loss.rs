@@ -1,0 +1,205 @@
+//! Losses that a caller computes, on the host or on the device.
+
+use super::backward::{LossTarget, of_tiles};
+use super::gradient::SceneGradient;
+use super::loss::LossInputs;
+use super::part::Part;
+use super::part_counts::{Capacity, Needed};
+use super::plan::Plan;
+use super::renderer::Renderer;
+use super::results::{RenderReport, RenderedTiles};
+use super::scene::DeviceScene;
+use crate::camera::Camera;
+use crate::error::{Error, Result};
+use crate::tile::TileBatch;
+use organza_device::{Buffer, Device};
+
+/// The tiles of a step, and what they should look like: the argument of a loss on the host.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub struct LossBatch<'a> {
+    /// Where the tiles are; `camera` is an index into the frames that are trained on.
+    pub batch: &'a TileBatch,
+    /// Y `[K, 3, S, S]`
+    pub rendered: &'a RenderedTiles,
+    /// The photographs behind the tiles, `[K, 3, S, S]`, and which of their pixels count.
+    pub target: LossTarget<'a>,
+}
+
+/// What a loss on the host returns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LossGradient {
+    /// The loss of the batch.
+    pub loss: f64,
+    /// dL/dY `[K, 3, S, S]`
+    pub grad_output: Vec<f32>,
+}
+
+/// Tiles on the device, and what they should look like: the argument of a loss on the device.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub struct DeviceLossBatch<'a> {
+    /// The device of the buffers.
+    pub device: &'a Device,
+    /// S, in pixels.
+    pub side: u32,
+    /// Y, the photographs behind it, and which pixels count; [`Loss::evaluate`](super::Loss::evaluate) takes them.
+    pub inputs: LossInputs<'a>,
+}
+
+/// What a loss on the device returns.
+#[derive(Debug)]
+pub struct DeviceLossGradient {
+    /// The loss of these tiles. The losses of a batch's parts are added.
+    pub loss: f64,
+    /// dL/dY `[K, 3, S, S]`
+    pub grad_image: Buffer<f32>,
+}
+
+type HostLoss<'h> = dyn FnMut(&LossBatch<'_>) -> Result<LossGradient> + 'h;
+type DeviceLoss<'h> = dyn FnMut(&DeviceLossBatch<'_>) -> Result<DeviceLossGradient> + 'h;
+
+/// A caller's loss.
+pub(crate) enum OwnLoss<'h> {
+    Host(Box<HostLoss<'h>>),
+    Device(Box<DeviceLoss<'h>>),
+}
+
+/// A step's batch.
+#[derive(Clone, Copy)]
+struct Step<'a> {
+    scene: &'a DeviceScene,
+    cameras: &'a [Camera],
+    batch: &'a TileBatch,
+    target: &'a LossTarget<'a>,
+    gradient: &'a SceneGradient,
+}
+
+impl Renderer {
+    /// Adds the gradients of a caller's loss to `gradient`, which is that of a step; returns the loss, and the mean
+    /// squared error of the valid pixels.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`]; those of the loss; [`Error::Argument`] where its gradient has another number of values.
+    pub(crate) fn add_own_loss_gradient(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        batch: &TileBatch,
+        own: &mut OwnLoss<'_>,
+        target: &LossTarget<'_>,
+        gradient: &SceneGradient,
+    ) -> Result<(f64, f64)> {
+        let step = Step { scene, cameras, batch, target, gradient };
+        gradient.begin(self.device());
+        let (loss, squared) = match own {
+            OwnLoss::Host(own) if self.plans(scene, batch)?.len() > 1 => self.whole(step, own),
+            own => self.in_parts(scene, batch, |plans| {
+                let add = |sum: (f64, f64), plan| {
+                    let (loss, squared) = self.part(step, own, plan)?;
+                    Ok((sum.0 + loss, sum.1 + squared))
+                };
+                let sum = plans.iter().try_fold((0.0, 0.0), add);
+                sum.inspect_err(|_| gradient.restart(self.device()))
+            }),
+        }?;
+        Ok((loss, squared / (3.0 * target.valid_pixels).max(1.0)))
+    }
+
+    /// A loss that needs all tiles at once, of a batch in parts: they are rendered twice.
+    fn whole(&self, step: Step<'_>, own: &mut HostLoss<'_>) -> Result<(f64, f64)> {
+        let Step { scene, cameras, batch, target, gradient } = step;
+        let rendered = self.render(scene, cameras, batch)?;
+        let LossGradient { loss, grad_output } = host_loss(own, step, &rendered)?;
+        self.in_parts(scene, batch, |plans| {
+            let added = self.add_parts(scene, cameras, plans, &grad_output, gradient);
+            added.inspect_err(|_| gradient.restart(self.device()))
+        })?;
+        let area = (batch.side * batch.side) as usize;
+        Ok((loss, squared_error(&rendered.data, target.image, target.valid, area)))
+    }
+
+    /// Renders a part, has the loss evaluated, and goes back.
+    fn part(&self, step: Step<'_>, own: &mut OwnLoss<'_>, plan: &Plan) -> Result<(f64, f64)> {
+        let Step { scene, cameras, batch, target, gradient } = step;
+        let device = self.device();
+        let area = (batch.side * batch.side) as usize;
+        let image = of_tiles(target.image, &plan.tiles, 3 * area);
+        let valid = of_tiles(target.valid, &plan.tiles, area);
+        let work = |capacity: Option<Capacity>| {
+            let evaluate = || Part::evaluate(device, scene, cameras, plan, true, capacity);
+            let part = device.run_in_pool(evaluate)?;
+            let (values, needed) = part.read(device, vec![part.composite.image.view()])?;
+            if needed == Needed::Overflow {
+                return Ok(((0.0, 0.0), needed));
+            }
+            let pixels: Vec<f32> = bytemuck::pod_collect_to_vec(&values[0]);
+            let squared = squared_error(&pixels, &image, &valid, area);
+            let (loss, slopes) = match own {
+                OwnLoss::Host(own) => {
+                    let rendered = in_order(batch, plan, &pixels);
+                    let LossGradient { loss, grad_output } = host_loss(own, step, &rendered)?;
+                    let slopes = of_tiles(&grad_output, &plan.tiles, 3 * area);
+                    (loss, device.upload("gradient of the tiles", &slopes)?)
+                }
+                OwnLoss::Device(own) => {
+                    let target_image = device.upload("photographs", &image)?;
+                    let valid = device.upload("masks", &valid)?;
+                    let inputs = LossInputs {
+                        image: &part.composite.image,
+                        target: &target_image,
+                        valid: &valid,
+                        valid_pixels: target.valid_pixels,
+                        ssim_weight: target.ssim_weight,
+                    };
+                    let found = own(&DeviceLossBatch { device, side: batch.side, inputs })?;
+                    check_len(found.grad_image.len(), pixels.len())?;
+                    (found.loss, found.grad_image)
+                }
+            };
+            device.run_in_pool(|| part.backward(device, scene, plan.side, &slopes, gradient))?;
+            Ok(((loss, squared), needed))
+        };
+        self.with_predicted_capacity(scene, plan, work)
+    }
+}
+
+/// The tiles of a batch's only part, in the batch's order.
+fn in_order(batch: &TileBatch, plan: &Plan, pixels: &[f32]) -> RenderedTiles {
+    let len = 3 * (batch.side * batch.side) as usize;
+    let mut data = vec![0.0; pixels.len()];
+    for (pixels, tile) in pixels.chunks_exact(len).zip(&plan.tiles) {
+        data[tile.place * len..][..len].copy_from_slice(pixels);
+    }
+    let report = RenderReport { parts: 1, ..RenderReport::default() };
+    RenderedTiles { side: batch.side, count: batch.tiles.len(), data, report }
+}
+
+fn host_loss(
+    own: &mut HostLoss<'_>,
+    step: Step<'_>,
+    rendered: &RenderedTiles,
+) -> Result<LossGradient> {
+    let found = own(&LossBatch { batch: step.batch, rendered, target: *step.target })?;
+    check_len(found.grad_output.len(), rendered.data.len())?;
+    Ok(found)
+}
+
+fn check_len(found: usize, expected: usize) -> Result<()> {
+    if found == expected {
+        return Ok(());
+    }
+    let reason = format!("the loss returned {found} values of dL/dY, expected {expected}");
+    Err(Error::Argument { reason })
+}
+
+/// The sum of squares over the valid pixels and the channels of tiles of `area` pixels.
+fn squared_error(rendered: &[f32], image: &[f32], valid: &[f32], area: usize) -> f64 {
+    let planes = rendered.chunks_exact(area).zip(image.chunks_exact(area)).enumerate();
+    let squares = planes.flat_map(|(plane, (x, y))| {
+        let valid = &valid[plane / 3 * area..][..area];
+        let pixels = x.iter().zip(y).zip(valid);
+        pixels.filter(|(_, valid)| **valid > 0.0).map(|((x, y), _)| f64::from(x - y).powi(2))
+    });
+    squares.sum()
+}

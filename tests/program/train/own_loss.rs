@@ -1,0 +1,139 @@
+//! Losses of a caller, on the host and on the device.
+
+use organza::render::{DeviceLossGradient, Loss, LossBatch, LossGradient, TileLoss};
+use organza::train::{Checkpoint, StepHooks, Trainer};
+use organza::{Dataset, Error, Renderer};
+use organza_tests::devices;
+
+use super::runs::{begun, state_bits};
+
+/// The settings' own loss, computed by a caller.
+#[test]
+fn the_same_loss_on_the_device_gives_the_same_bits() {
+    let (config, checkpoint, dataset) = begun();
+    let weight = config.loss.ssim_weight;
+    for (name, device) in devices::all() {
+        let renderer = Renderer::new(device);
+        let trainer = || {
+            let (config, dataset) = (config.clone(), dataset.clone());
+            Trainer::resume(&renderer, config, dataset, &checkpoint).expect("a trainer")
+        };
+        let (mut plain, mut own) = (trainer(), trainer());
+        let mut hooks = StepHooks::new().device_loss(|batch| {
+            let pixels = (batch.side * batch.side) as usize;
+            let tiles = batch.inputs.valid.len() / pixels;
+            let loss = Loss::new(batch.device, batch.side, tiles as u32)?;
+            let output = loss.evaluate(batch.device, &batch.inputs)?;
+            let loss = TileLoss::total(&output.sums(batch.device)?).value(weight);
+            Ok(DeviceLossGradient { loss, grad_image: output.grad_image })
+        });
+        // the number of Gaussians changes at step 10
+        for _ in 0..6 {
+            let (expected, found) = (plain.step().unwrap(), own.step_with(&mut hooks).unwrap());
+            assert_eq!(found.loss.to_bits(), expected.loss.to_bits(), "{name}");
+            assert!((found.psnr - expected.psnr).abs() < 1e-3, "{name}: {found:?} {expected:?}");
+        }
+        let [found, expected] = [&own, &plain].map(|trainer| trainer.checkpoint(0.0).unwrap());
+        assert!(state_bits(&found) == state_bits(&expected), "{name}");
+    }
+}
+
+/// Half the sum of squares, of which dL/dY is `Y - truth`.
+fn squares(batch: &LossBatch<'_>) -> LossGradient {
+    let area = (batch.rendered.side * batch.rendered.side) as usize;
+    let pairs = batch.rendered.data.iter().zip(batch.target.image).enumerate();
+    let difference = |(at, (y, truth)): (usize, (&f32, &f32))| {
+        (y - truth) * batch.target.valid[at / (3 * area) * area + at % area]
+    };
+    let grad_output: Vec<f32> = pairs.map(difference).collect();
+    let squares = grad_output.iter().map(|&d| f64::from(d) * f64::from(d));
+    LossGradient { loss: 0.5 * squares.sum::<f64>(), grad_output }
+}
+
+/// What a batch is compared with is what the photographs show.
+fn assert_shows(batch: &LossBatch<'_>, dataset: &Dataset) {
+    let (side, area) = (batch.rendered.side, (batch.rendered.side * batch.rendered.side) as usize);
+    for (index, tile) in batch.batch.tiles.iter().enumerate() {
+        let photograph = &dataset.frames[dataset.train[tile.camera]].image;
+        // the first pixel that is in the photograph
+        let [x, y] = tile.origin.map(|origin| origin.max(0));
+        let at = (y - tile.origin[1]) * side as i32 + (x - tile.origin[0]);
+        let pixel = photograph.pixels()[(y * photograph.width() as i32 + x) as usize];
+        for (channel, value) in pixel.into_iter().enumerate() {
+            let found = batch.target.image[(3 * index + channel) * area + at as usize];
+            assert!((found - f32::from(value) / 255.0).abs() < 1e-6, "tile {index}");
+        }
+    }
+}
+
+/// The step's gradient is what [`Renderer::gradient`] gives for the loss's dL/dY, in one part and in many.
+#[test]
+fn a_loss_on_the_host_sees_the_whole_batch_and_reaches_every_tensor() {
+    let (config, checkpoint, dataset) = begun();
+    let checkpoint = Checkpoint::begin(checkpoint.scene, &config).expect("a start");
+    let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
+    for (name, device) in devices::all() {
+        let renderer = Renderer::new(device);
+        for part_bytes in [512 << 20, 1] {
+            let what = format!("{name}, parts of {part_bytes} bytes");
+            let renderer = renderer.clone().with_part_bytes(part_bytes);
+            let trainer = Trainer::resume(&renderer, config.clone(), dataset.clone(), &checkpoint);
+            let (mut seen, mut gradients) = (Vec::new(), Vec::new());
+            let mut hooks = StepHooks::new()
+                .loss(|batch| {
+                    assert_shows(batch, &dataset);
+                    let found = squares(batch);
+                    seen.push((batch.batch.clone(), batch.rendered.data.clone(), found.clone()));
+                    Ok(found)
+                })
+                .gradient(|step| {
+                    let (config, len) = (step.scene.config(), step.scene.len());
+                    gradients.push(step.gradient.download(step.device, config, len)?);
+                    Ok(())
+                });
+            let report = trainer.expect("a trainer").step_with(&mut hooks).expect("a step");
+            drop(hooks);
+            let [(batch, rendered, found)] = &seen[..] else { panic!("{what}: {}", seen.len()) };
+            assert_eq!((report.tiles, report.loss), (batch.tiles.len(), found.loss));
+            let scene = renderer.upload(&checkpoint.scene).unwrap();
+            let expected = renderer.render(&scene, &cameras, batch).unwrap();
+            assert_eq!(expected.report.parts > 1, part_bytes == 1, "{what}");
+            assert!(*rendered == expected.data, "{what}: the tiles");
+            let expected = renderer.gradient(&scene, &cameras, batch, &found.grad_output).unwrap();
+            assert!(gradients[0] == expected, "{what}: the gradient");
+            assert!(expected.gaussians.opacity.iter().any(|&slope| slope != 0.0), "{what}");
+            // the squares that the loss adds up
+            let squared = f64::powf(10.0, -report.psnr / 10.0);
+            let values = 2.0 * found.loss / squared;
+            let most = found.grad_output.len() as f64;
+            assert!(values <= 1.001 * most && values > 0.2 * most, "{what}: {values} of {most}");
+        }
+    }
+}
+
+#[test]
+fn a_loss_that_fails_or_is_of_another_size_leaves_the_trainer_as_it_was() {
+    let (config, checkpoint, dataset) = begun();
+    let renderer = Renderer::new(devices::cpu(None));
+    let trainer = || Trainer::resume(&renderer, config.clone(), dataset.clone(), &checkpoint);
+    let (mut plain, mut failed) = (trainer().expect("a trainer"), trainer().expect("a trainer"));
+    let mut fail = |hooks: &mut StepHooks<'_>| {
+        let error = failed.step_with(hooks).expect_err("it fails").to_string();
+        assert_eq!(failed.steps(), checkpoint.progress.step, "{error}");
+        error
+    };
+    let own = || Error::Argument { reason: "the loss's own".to_owned() };
+    let error = fail(&mut StepHooks::new().loss(|_| Err(own())));
+    assert!(error.contains("the loss's own"), "{error}");
+    let one = || Ok(LossGradient { loss: 1.0, grad_output: vec![1.0] });
+    let error = fail(&mut StepHooks::new().loss(|_| one()));
+    assert!(error.contains("1 values of dL/dY, expected "), "{error}");
+    let error = fail(&mut StepHooks::new().loss(|batch| {
+        Ok(LossGradient { loss: f64::NAN, grad_output: vec![0.0; batch.rendered.data.len()] })
+    }));
+    assert!(error.contains("the loss of step 5 is NaN"), "{error}");
+    plain.step().expect("a step");
+    failed.step().expect("a step");
+    let [found, expected] = [&failed, &plain].map(|trainer| trainer.checkpoint(0.0).unwrap());
+    assert!(state_bits(&found) == state_bits(&expected));
+}

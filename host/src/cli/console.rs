@@ -100,10 +100,15 @@ impl Progress {
         self.0.suspend(|| console.warn(text));
     }
 
+    /// So many steps are done.
+    pub fn advance(&self, steps: usize) {
+        self.0.inc(steps as u64);
+    }
+
     /// What advances the bar by a part of the whole: it takes the number that is done of the part.
     pub fn part(&self) -> impl FnMut(usize, usize) {
         let mut before = 0;
-        move |done, _| self.0.inc((done - std::mem::replace(&mut before, done)) as u64)
+        move |done, _| self.advance(done - std::mem::replace(&mut before, done))
     }
 }
 

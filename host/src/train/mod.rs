@@ -13,6 +13,7 @@ mod optimizer;
 pub mod report;
 mod sampler;
 mod session;
+mod space;
 mod start;
 mod trainer;
 

@@ -1,8 +1,8 @@
-//! Where training starts: the scene's box, its Gaussians, and fields that let light through.
+//! Where training starts: the scene's Gaussians, and fields that let light through.
 
 use std::num::NonZero;
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
 use rand::RngExt;
 use rand_distr::{Distribution, StandardNormal};
@@ -12,6 +12,7 @@ use rayon::prelude::*;
 use super::config::TrainConfig;
 use super::needs;
 use super::sampler::random;
+use super::space::{Target, depth, scene_box};
 use crate::camera::Camera;
 use crate::data::Point;
 use crate::error::Result;
@@ -22,8 +23,6 @@ const FIELDS: u64 = 3;
 
 /// The part of the Gaussians that is spread along rays, behind what the cameras look at; the others fill a ball.
 const BEHIND: f64 = 0.25;
-/// Standard deviations of the points around their mean that the scene's box holds.
-const DEVIATIONS: f64 = 3.0;
 
 /// A scene to begin with.
 ///
@@ -50,55 +49,14 @@ pub fn start(
     } else {
         choose(points, config.start.gaussians as usize, &mut random_places)
     };
-    let aabb = if points.is_empty() { target.aabb() } else { aabb(&places) };
+    let aabb = scene_box(cameras, &target, points, &places);
     let mut scene = Scene::zeros(config.scene_config(background, aabb), places.len())?;
     place(config, &mut scene, &places, &colors, &mut random_places);
     fill_fields(config, &mut scene);
     Ok(scene)
 }
 
-/// What the cameras look at.
-#[derive(Clone, Copy, Debug)]
-struct Target {
-    center: DVec3,
-    /// Mean distance of the cameras.
-    distance: f64,
-    /// Radius of the ball around it that fills the images' longer sides.
-    radius: f64,
-}
-
 impl Target {
-    /// The point that is nearest to all cameras' axes.
-    fn of(cameras: &[Camera]) -> Self {
-        let eyes: Vec<_> = cameras.iter().map(|camera| DVec3::from(camera.eye())).collect();
-        let count = eyes.len().max(1) as f64;
-        let middle = eyes.iter().sum::<DVec3>() / count;
-        // where all axes are parallel no point is nearest: a little weight on the middle of the eyes decides
-        let weight = 1e-3 * count;
-        let (mut matrix, mut right) = (DMat3::from_diagonal(DVec3::splat(weight)), middle * weight);
-        for (camera, &eye) in cameras.iter().zip(&eyes) {
-            let axis = DVec3::from(camera.world_to_camera_opencv()[2]);
-            let across =
-                DMat3::IDENTITY - DMat3::from_cols(axis * axis.x, axis * axis.y, axis * axis.z);
-            matrix += across;
-            right += across * eye;
-        }
-        let center = matrix.inverse() * right;
-        let mean = |point: DVec3| eyes.iter().map(|eye| eye.distance(point)).sum::<f64>() / count;
-        let distance = mean(center).max(mean(middle)).max(1e-3);
-        let half = |camera: &Camera| {
-            let sides =
-                [f64::from(camera.width) / camera.fl_x, f64::from(camera.height) / camera.fl_y];
-            sides[0].max(sides[1]) / 2.0
-        };
-        let radius = distance * cameras.iter().map(half).sum::<f64>() / count;
-        Self { center, distance, radius }
-    }
-
-    fn aabb(&self) -> [[f64; 3]; 2] {
-        [self.center - self.radius, self.center + self.radius].map(|corner| corner.to_array())
-    }
-
     /// Places that cameras see: most in a ball around the target, the rest behind it, along rays.
     fn spread(&self, cameras: &[Camera], count: usize, random: &mut Pcg64) -> Vec<DVec3> {
         let needed = 2.min(cameras.len());
@@ -108,7 +66,11 @@ impl Target {
                     return self.along_a_ray(cameras, random);
                 }
                 let seen = |place: &DVec3| {
-                    cameras.iter().filter(|camera| sees(camera, *place)).take(needed).count()
+                    cameras
+                        .iter()
+                        .filter(|camera| depth(camera, *place).is_some())
+                        .take(needed)
+                        .count()
                 };
                 let mut tries = (0..100).map(|_| self.in_ball(random));
                 match tries.find(|place| seen(place) == needed) {
@@ -141,16 +103,6 @@ impl Target {
     }
 }
 
-/// Whether a place is in front of a camera and in its image.
-fn sees(camera: &Camera, place: DVec3) -> bool {
-    let offset = place - DVec3::from(camera.eye());
-    let [x, y, z] = camera.world_to_camera_opencv().map(|row| DVec3::from(row).dot(offset));
-    let (column, row) = (camera.fl_x * x / z + camera.cx, camera.fl_y * y / z + camera.cy);
-    z > 0.0
-        && (0.0..f64::from(camera.width)).contains(&column)
-        && (0.0..f64::from(camera.height)).contains(&row)
-}
-
 /// At most `count` of the points, chosen at random, and their colors.
 fn choose(
     points: &[Point],
@@ -161,20 +113,6 @@ fn choose(
         rand::seq::index::sample(random, points.len(), count.min(points.len())).into_vec();
     chosen.sort_unstable();
     chosen.into_iter().map(|i| (DVec3::from(points[i].position), points[i].color)).unzip()
-}
-
-/// The box of the points within three standard deviations of their mean.
-fn aabb(places: &[DVec3]) -> [[f64; 3]; 2] {
-    let count = places.len() as f64;
-    let mean = places.iter().sum::<DVec3>() / count;
-    let variance = places.iter().map(|place| (*place - mean).powf(2.0)).sum::<DVec3>() / count;
-    let reach = variance.map(f64::sqrt) * DEVIATIONS;
-    let low = places.iter().copied().reduce(DVec3::min).unwrap_or(mean).max(mean - reach);
-    let high = places.iter().copied().reduce(DVec3::max).unwrap_or(mean).min(mean + reach);
-    // points in a plane have a box all the same
-    let least = DVec3::splat(((high - low).max_element() * 1e-2).max(1e-6));
-    let (middle, half) = ((low + high) / 2.0, ((high - low) / 2.0).max(least));
-    [(middle - half).to_array(), (middle + half).to_array()]
 }
 
 /// The root of the mean squared distance to the three nearest others.
@@ -268,16 +206,6 @@ mod tests {
     }
 
     #[test]
-    fn cameras_look_at_their_target() {
-        let target = Target::of(&circle());
-        assert!(target.center.distance(DVec3::new(1.0, 2.0, 3.0)) < 1e-2, "{target:?}");
-        assert!((target.distance - 5.0).abs() < 1e-2);
-        // parallel axes have no target, and yet a start
-        let parallel = vec![circle()[0].clone(); 3];
-        assert!(Target::of(&parallel).center.is_finite());
-    }
-
-    #[test]
     fn gaussians_are_spread_where_cameras_see_them() {
         let mut config = TrainConfig::default();
         config.start.gaussians = 500;
@@ -285,7 +213,8 @@ mod tests {
         let scene = start(&config, [0.0; 3], &cameras, &[]).unwrap();
         assert_eq!(scene.gaussians.len(), 500);
         let is_seen = |place: &[f32; 3]| {
-            cameras.iter().any(|camera| sees(camera, glam::Vec3::from(*place).as_dvec3()))
+            let place = glam::Vec3::from(*place).as_dvec3();
+            cameras.iter().any(|camera| depth(camera, place).is_some())
         };
         assert!(scene.gaussians.position.iter().all(is_seen));
         assert_eq!(scene, start(&config, [0.0; 3], &cameras, &[]).unwrap());

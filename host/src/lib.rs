@@ -44,6 +44,10 @@ pub static MODULES: Modules = organza_device::modules!();
 
 /// Opens the device that `options` ask for, with the kernels of this crate.
 ///
+/// Without `XDG_RUNTIME_DIR`, as over ssh or in a container, Mesa's Vulkan layer `device_select` may write
+/// `error: XDG_RUNTIME_DIR is invalid or not set` to stderr. It means nothing here. A process that starts with
+/// `NODEVICE_SELECT=1` in its environment does not load the layer; the program `organza` sets that for itself.
+///
 /// # Errors
 /// [`DeviceError::NoGpu`](error::DeviceError::NoGpu) where a GPU was demanded and none can be used.
 pub fn open_device(options: &DeviceOptions) -> Result<Device> {

@@ -5,6 +5,7 @@ mod bad_files;
 mod bad_requests;
 mod bench;
 mod corpus;
+mod environment;
 mod eval;
 mod hostile;
 mod kernels;

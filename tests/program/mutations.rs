@@ -138,7 +138,7 @@ fn bounded(sandbox: &Sandbox, words: &[String]) -> Option<Outcome> {
     let script = format!("ulimit -v {MEMORY}; exec \"$0\" \"$@\"");
     let mut command = Command::new("sh");
     command.args(["-c", &script]).arg(program()).args(words).current_dir(sandbox.path(""));
-    command.stdin(Stdio::null()).env_remove("RUST_BACKTRACE").env("XDG_RUNTIME_DIR", "/tmp");
+    command.stdin(Stdio::null()).env_remove("RUST_BACKTRACE").env_remove("XDG_RUNTIME_DIR");
     let out = fs::File::create(sandbox.path(".stdout")).unwrap();
     let err = fs::File::create(sandbox.path(".stderr")).unwrap();
     let mut child = command.stdout(out).stderr(err).spawn().expect("a shell");

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 use std::fmt;
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::time::Duration;
 
 use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
@@ -22,6 +22,11 @@ impl Console {
     /// A console that says nothing but warnings where `quiet`.
     pub fn new(quiet: bool) -> Self {
         Self { quiet }
+    }
+
+    /// Whether bars can be seen.
+    pub fn has_terminal(self) -> bool {
+        io::stderr().is_terminal()
     }
 
     /// Says something, unless told to be quiet.

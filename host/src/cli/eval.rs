@@ -1,10 +1,9 @@
 //! `organza eval`: how close a scene comes to photographs.
 
 use std::path::PathBuf;
-use std::str::FromStr;
 use std::time::Instant;
 
-use organza::data::{Dataset, Frame};
+use organza::data::{Background, Dataset, Frame};
 use organza::evaluate::{Event, Score, evaluate_with};
 use organza::{DeviceScene, Evaluation, Renderer, Result};
 
@@ -19,7 +18,7 @@ const EXAMPLES: &str = "\
 Examples:
   organza eval run
   organza eval run --split train
-  organza eval scene.safetensors data/lego --background 1,1,1 --json
+  organza eval scene.safetensors data/lego --background white --json
   organza eval run data/garden --downscale 4
 
 A run's folder says what the run was trained on, the built-in scene included, and which frames were held out. \
@@ -37,10 +36,10 @@ pub struct Args {
     scene: PathBuf,
     /// The data set: a folder or a transforms.json [default: what the run was trained on]
     data: Option<PathBuf>,
-    /// Background of photographs with an alpha channel, three values from 0 to 1 [default: the scene's
-    /// background]
-    #[arg(long, value_name = "R,G,B")]
-    background: Option<Color>,
+    /// Background of photographs with an alpha channel: a name such as white, or red, green and blue
+    /// from 0 to 1 such as 1,1,1 [default: the scene's background]
+    #[arg(long, value_name = "COLOR")]
+    background: Option<Background>,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -50,24 +49,6 @@ pub struct Args {
     scene_args: SceneArgs,
     #[command(flatten)]
     device: DeviceArgs,
-}
-
-/// Red, green and blue.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Color([f32; 3]);
-
-impl FromStr for Color {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let values: Option<Vec<f32>> =
-            text.split(',').map(|part| part.trim().parse().ok()).collect();
-        values
-            .and_then(|values| values.try_into().ok())
-            .filter(|color: &[f32; 3]| color.iter().all(|value| (0.0..=1.0).contains(value)))
-            .map(Self)
-            .ok_or_else(|| "expected three numbers from 0 to 1, such as 1,1,1".to_owned())
-    }
 }
 
 pub fn run(args: &Args) -> Result<()> {
@@ -81,8 +62,8 @@ pub fn run(args: &Args) -> Result<()> {
         settings.hold_out_every = 0;
     }
     let scene = source.load(console)?;
-    let background = scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32);
-    settings.background = args.background.map_or(background, |Color(color)| color);
+    let of_scene = scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32);
+    settings.background = args.background.unwrap_or(Background::Color(of_scene));
     let data = DataSet::open(settings, console)?;
     let renderer = args.device.open()?;
     let dataset = data.read(&renderer, console)?;
@@ -143,17 +124,4 @@ fn table(evaluation: &Evaluation) -> String {
     }
     row("mean", &evaluation.mean);
     table.to_string()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn colors_are_three_numbers() {
-        assert_eq!("1, 0.5,0".parse(), Ok(Color([1.0, 0.5, 0.0])));
-        for bad in ["", "1,1", "1,1,1,1", "1,1,2", "-0.1,0,0", "a,b,c", "NaN,0,0"] {
-            assert!(bad.parse::<Color>().is_err(), "{bad}");
-        }
-    }
 }

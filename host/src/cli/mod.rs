@@ -12,6 +12,7 @@ mod kernels;
 mod output;
 mod parity;
 mod picture;
+mod progress;
 mod render;
 mod signals;
 mod summary;

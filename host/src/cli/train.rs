@@ -5,23 +5,25 @@ use std::sync::Arc;
 
 use clap::builder::PossibleValuesParser;
 use organza::Result;
+use organza::data::Background;
 use organza::train::{
     self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, RunFolder, Session,
     TrainConfig,
 };
 
-use super::console::{Console, Progress, print};
+use super::console::print;
 use super::device::DeviceArgs;
 use super::inputs::DataSet;
 use super::output::Folder;
+use super::progress::TrainingProgress;
 use super::signals::Signals;
-use super::summary::count;
 
 const EXAMPLES: &str = "\
 Examples:
   organza train -o run                                 the built-in scene, no files needed
   organza train data/fox -o run --steps 3000
   organza train --resume run                           continues after Ctrl-C, to the same bits
+  organza train --resume run --steps 5000              extends a run, also one that is finished
   organza train data/fox -o quick --preset fast
   organza train data/fox -o other --config run/config.toml --seed 1
   organza train data/fox -o small --set scene.color_mlp.hidden=16,16 --set growth.method=none
@@ -31,9 +33,21 @@ Examples:
 RUN gets config.toml (all settings; --config reads them back), metrics.jsonl (the log), \
 checkpoint.safetensors (a scene that every other command accepts) and report.html.";
 
+/// The examples, and what `--set` can set.
+fn long_help() -> String {
+    let mut text = format!(
+        "{EXAMPLES}\n\nSettings are overridden in this order: defaults, --preset, --config, --set, other options. \
+         Settings for --set and --config, with their defaults (docs/training.md describes them):\n"
+    );
+    for (name, value) in train::config::defaults() {
+        text += &format!("  {name}={value}\n");
+    }
+    text
+}
+
 /// Train a scene on photographs with poses, or on the built-in scene
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, after_long_help = long_help())]
 pub struct Args {
     /// The data set: a folder of nerfstudio, Blender or COLMAP, or a transforms.json
     /// [default: the built-in scene]
@@ -41,10 +55,10 @@ pub struct Args {
     /// The folder for the run; created if it does not exist
     #[arg(short, long, value_name = "RUN", required_unless_present_any = ["resume", "print_config"])]
     output: Option<PathBuf>,
-    /// Continue a run that was stopped, with its own settings
-    #[arg(long, value_name = "RUN", conflicts_with_all = ["output", "data", "preset", "config", "set", "steps",
-        "seed", "tiles_per_step", "tile_size", "downscale", "max_gaussians", "hold_out_every", "allow_outside",
-        "evaluate_every", "checkpoint_every", "sh_degree"])]
+    /// Continue a run that was stopped, with its own settings; --steps and --max-gaussians extend it,
+    /// --evaluate-every, --checkpoint-every and --set run.log_every change what is written
+    #[arg(long, value_name = "RUN", conflicts_with_all = ["output", "data", "preset", "config", "seed",
+        "tiles_per_step", "tile_size", "downscale", "hold_out_every", "allow_outside", "sh_degree", "background"])]
     resume: Option<PathBuf>,
     /// The settings to start from: a settings file that is part of the program
     /// [default: default; built-in for the built-in scene without --config]
@@ -75,6 +89,10 @@ pub struct Args {
     /// Degree of the spherical harmonics: how much colors change with the view direction
     #[arg(long, value_name = "N")]
     sh_degree: Option<u32>,
+    /// Color behind the scene, and behind photographs with an alpha channel: a name such as white, or red,
+    /// green and blue from 0 to 1 such as 1,1,1 [default: white for Blender data with alpha, else black]
+    #[arg(long, value_name = "COLOR")]
+    background: Option<Background>,
     /// Steps between evaluations on the held-out views; 0 evaluates only at the end
     #[arg(long, value_name = "N")]
     evaluate_every: Option<u32>,
@@ -104,14 +122,14 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<()> {
     if args.print_config {
         let config = match &args.resume {
-            Some(folder) => train::settings_of(folder)?,
+            Some(folder) => resumed(folder, args)?,
             None => settings(args)?,
         };
         return print(&config.to_toml());
     }
     let signals = Signals::listen()?;
     let console = args.device.console();
-    let (folder, config) = prepare(args)?;
+    let (folder, mut config) = prepare(args)?;
     config.check_memory()?;
     let data = DataSet::open(config.data.clone(), console)?;
     // until there is something in it
@@ -120,18 +138,21 @@ pub fn run(args: &Args) -> Result<()> {
     let folder = RunFolder::lock(&folder, args.resume.is_some())?;
     let renderer = args.device.open()?;
     let dataset = Arc::new(data.read(&renderer, console)?);
+    if config.data.path.is_some() {
+        // so that a run's file says which it was
+        config.data.background = Background::Color(dataset.background.map(|value| value as f32));
+    }
     let session = Session::new(&renderer, &config, &dataset, &folder)
         .with_time_limit(args.time_limit.map(f64::from))
         .with_stop(signals.stop());
-    let bar = console.progress(u64::from(config.run.steps), "steps");
-    bar.say("training");
+    let mut progress = TrainingProgress::new(console, config.run.steps, session.time_limit);
     let outcome = session.run(args.resume.is_some(), &mut |event| {
         if matches!(event, Event::Begin(_)) {
             signals.training_begins();
         }
-        show(event, &bar, console);
+        progress.show(&event);
     })?;
-    drop(bar);
+    progress.end(outcome);
     let folder = folder.path();
     console.note(&match outcome {
         Outcome::Stopped => {
@@ -151,10 +172,17 @@ pub fn run(args: &Args) -> Result<()> {
 /// The run's folder and its settings.
 fn prepare(args: &Args) -> Result<(PathBuf, TrainConfig)> {
     if let Some(folder) = &args.resume {
-        return Ok((folder.clone(), train::settings_of(folder)?));
+        return Ok((folder.clone(), resumed(folder, args)?));
     }
     let folder = args.output.clone().expect("clap requires it");
     Ok((folder, settings(args)?))
+}
+
+/// The settings of a run that is resumed: its own, but for what the options change.
+fn resumed(folder: &Path, args: &Args) -> Result<TrainConfig> {
+    train::changed_settings_of(folder, |config| {
+        adjusted(ConfigBuilder::from_config(&config), args, |_| ())
+    })
 }
 
 fn settings(args: &Args) -> Result<TrainConfig> {
@@ -168,6 +196,24 @@ fn settings(args: &Args) -> Result<TrainConfig> {
     if let Some(path) = &args.config {
         builder = builder.file(path)?;
     }
+    adjusted(builder, args, |config| {
+        if let Some(data) = &args.data {
+            // a run is resumed from anywhere
+            let path = std::path::absolute(data).unwrap_or_else(|_| data.clone());
+            config.data.path = Some(path);
+        }
+        if let Some(most) = args.max_gaussians {
+            config.start.gaussians = config.start.gaussians.min(most);
+        }
+    })
+}
+
+/// Settings with single values that were given on the command line, and what `other` does to them.
+fn adjusted(
+    mut builder: ConfigBuilder,
+    args: &Args,
+    other: impl FnOnce(&mut TrainConfig),
+) -> Result<TrainConfig> {
     for assignment in &args.set {
         builder = builder.set(assignment)?;
     }
@@ -177,57 +223,19 @@ fn settings(args: &Args) -> Result<TrainConfig> {
             *target = value.clone();
         }
     }
-    if let Some(data) = &args.data {
-        // a run is resumed from anywhere
-        let path = std::path::absolute(data).unwrap_or_else(|_| data.clone());
-        config.data.path = Some(path);
-    }
     set(&mut config.run.steps, &args.steps);
     set(&mut config.run.tiles_per_step, &args.tiles_per_step);
     set(&mut config.run.tile_size, &args.tile_size);
-    set(&mut config.growth.max_gaussians, &args.max_gaussians);
-    if let Some(most) = args.max_gaussians {
-        config.start.gaussians = config.start.gaussians.min(most);
-    }
-    set(&mut config.scene.sh_degree, &args.sh_degree);
     set(&mut config.run.evaluate_every, &args.evaluate_every);
     set(&mut config.run.checkpoint_every, &args.checkpoint_every);
+    set(&mut config.run.seed, &args.seed);
+    set(&mut config.growth.max_gaussians, &args.max_gaussians);
+    set(&mut config.scene.sh_degree, &args.sh_degree);
     set(&mut config.data.downscale, &args.downscale);
     set(&mut config.data.hold_out_every, &args.hold_out_every);
-    set(&mut config.run.seed, &args.seed);
+    set(&mut config.data.background, &args.background);
     config.data.allow_outside |= args.allow_outside;
+    other(&mut config);
     // options are held to what files are held to
     TrainConfig::parse(&config.to_toml(), Path::new(""))
-}
-
-fn show(event: Event<'_>, bar: &Progress, console: Console) {
-    match event {
-        Event::Warning(text) => bar.warn(console, text),
-        Event::Begin(0) => {}
-        Event::Begin(step) => {
-            bar.set(step as usize);
-            bar.restart_clock();
-            console.note(&format!("continuing after step {step}"));
-        }
-        Event::Step { step, seconds, report, scene } => {
-            let speed = f64::from(step) * report.tiles as f64 / seconds.max(1e-9);
-            bar.set(step as usize);
-            bar.say(&format!(
-                "loss {:.4}, PSNR {:.1} dB, {speed:.0} tiles/s, {} Gaussians",
-                report.loss,
-                report.psnr,
-                scene.len()
-            ));
-        }
-        Event::Evaluating => bar.say("measuring the held-out views"),
-        Event::Evaluated(evaluation) => {
-            let decibels =
-                |value: Option<f64>| value.map_or("no".to_owned(), |v| format!("{v:.2}"));
-            let (psnr, ssim) = (evaluation.mean.psnr, evaluation.mean.ssim);
-            let ssim = ssim.map_or("no".to_owned(), |value| format!("{value:.4}"));
-            let views = count(evaluation.views.len() as u64, "held-out view");
-            bar.note(console, &format!("{views}: PSNR {} dB, SSIM {ssim}", decibels(psnr)));
-        }
-        _ => {}
-    }
 }

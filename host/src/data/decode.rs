@@ -44,6 +44,17 @@ pub(super) fn size_from(source: impl BufRead + Seek, path: &Path) -> Result<[u32
     Ok([width, height])
 }
 
+/// Whether a photograph has an alpha channel, from its header.
+pub(super) fn has_alpha(path: &Path) -> Result<bool> {
+    let (file, length) = open_regular(path)?;
+    // as for its size
+    memory::check(length, "a photograph's file")?;
+    let reader = ImageReader::new(BufReader::new(file)).with_guessed_format();
+    let reader = reader.map_err(|source| Error::read(path, source))?;
+    let decoder = reader.into_decoder().map_err(|error| broken(path, &error))?;
+    Ok(decoder.color_type().has_alpha())
+}
+
 /// The bytes of a photograph's file that should have `expected` pixels, width and height, and the
 /// share of the budget that decoding them takes. Keep it until they are decoded.
 pub(super) fn read<'a>(

@@ -49,9 +49,10 @@ impl Shot {
             let is_hidden = |mask: &Mask| !mask.used[(y * width + x) as usize];
             !(alpha_hides && alpha < 0.5 || mask.as_ref().is_some_and(is_hidden))
         };
+        let background = options.background.color();
         let over = |[red, green, blue, alpha]: [f32; 4]| {
             let color = [red, green, blue];
-            std::array::from_fn(|i| color[i] * alpha + options.background[i] * (1.0 - alpha))
+            std::array::from_fn(|i| color[i] * alpha + background[i] * (1.0 - alpha))
         };
         let texel = |x, y| {
             let color = decoded.rgba(x, y);

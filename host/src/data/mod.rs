@@ -2,6 +2,7 @@
 //!
 //! Read are nerfstudio's, Blender's (NeRF synthetic) and COLMAP's data sets; see `docs/data.md`.
 
+mod background;
 mod budget;
 mod colmap;
 mod decode;
@@ -24,10 +25,10 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
 
 use crate::camera::Camera;
 use crate::error::{Error, Result};
+pub use background::{Alpha, Background};
 use budget::Budget;
 use develop::Shot;
 use find::Found;
@@ -48,9 +49,8 @@ pub struct DatasetOptions {
     /// Every so many-th frame is held out, beginning with the first; 0 holds none out. The frames
     /// of Blender's `transforms_test.json`, where there is one, are held out instead.
     pub hold_out_every: usize,
-    /// What photographs with an alpha channel are put in front of: red, green and blue of 0 to 1,
-    /// as sRGB values.
-    pub background: [f32; 3],
+    /// What photographs with an alpha channel are put in front of.
+    pub background: Background,
     /// What an alpha channel is for.
     pub alpha: Alpha,
     /// Whether the data set may name files outside its own folder, by their paths or by links.
@@ -59,20 +59,9 @@ pub struct DatasetOptions {
 
 impl Default for DatasetOptions {
     fn default() -> Self {
-        let alpha = Alpha::default();
-        Self { downscale: 1, hold_out_every: 8, background: [0.0; 3], alpha, allow_outside: false }
+        let (background, alpha) = (Background::Auto, Alpha::default());
+        Self { downscale: 1, hold_out_every: 8, background, alpha, allow_outside: false }
     }
-}
-
-/// What the alpha channel of photographs is for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Alpha {
-    /// The photograph is put in front of the background.
-    #[default]
-    Background,
-    /// Pixels of less than half are not used, as if a mask hid them.
-    Mask,
 }
 
 impl DatasetOptions {
@@ -88,8 +77,8 @@ impl DatasetOptions {
                     .to_owned(),
             );
         }
-        if !self.background.iter().all(|value| (0.0..=1.0).contains(value)) {
-            let background = self.background;
+        let background = self.background.color();
+        if !background.iter().all(|value| (0.0..=1.0).contains(value)) {
             return refuse(format!("`background` is {background:?}, expected values of 0 to 1"));
         }
         Ok(())
@@ -261,8 +250,10 @@ impl Dataset {
     }
 
     fn develop(poses: Poses, progress: &mut (dyn FnMut(usize, usize) + Send)) -> Result<Self> {
+        let background = poses.options.decide_background(&poses.listing)?;
         let Poses { missing, outside, kind, path, listing, options } = poses;
         let Listing { points, shots, prepared, .. } = listing;
+        let options = DatasetOptions { background: Background::Color(background), ..options };
         let count = shots.len();
         let budget = Budget::beside(check_memory(&shots)?);
         progress(0, count);
@@ -289,7 +280,7 @@ impl Dataset {
         let masked = shots.iter().filter(|shot| shot.mask.is_some()).count();
         let known = shots.iter().map(|shot| (&*shot.name, &shot.camera, shot.lens, shot.held_out));
         let fingerprint = Fingerprint::of(known, &digests, &points);
-        let background = options.background.map(f64::from);
+        let background = background.map(f64::from);
         Ok(Self {
             frames,
             train,

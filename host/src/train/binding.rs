@@ -4,8 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
-use super::checkpoint::CHECKPOINT;
+use super::checkpoint::{CHECKPOINT, Progress};
 use super::config::TrainConfig;
 use super::folder::CONFIG;
 use crate::data::Fingerprint;
@@ -21,6 +22,29 @@ const FREE: [&str; 1] = ["data.path"];
 /// The value of a setting that is not there.
 const NOT_SET: &str = "not set";
 
+/// The settings that may change when a run is resumed: how long it is, how large it may become, and how often something
+/// is written.
+pub const CHANGEABLE: [&str; 5] = [
+    "run.steps",
+    "growth.max_gaussians",
+    "run.evaluate_every",
+    "run.checkpoint_every",
+    "run.log_every",
+];
+
+/// A setting that changed when a run was resumed.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Change {
+    /// The steps that were done by then.
+    pub step: u64,
+    /// The setting, one of [`CHANGEABLE`].
+    pub name: String,
+    /// Its value until then.
+    pub from: Value,
+    /// Its value from then on.
+    pub to: Value,
+}
+
 /// The settings and the data that a checkpoint belongs to.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Binding {
@@ -28,13 +52,22 @@ pub struct Binding {
     settings: String,
     /// What the data set is known by.
     data: Fingerprint,
+    /// The settings that were others before, oldest first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    changes: Vec<Change>,
 }
 
 impl Binding {
-    /// That of a run.
+    /// That of a run, and how its settings came to be what they are.
     #[must_use]
-    pub fn new(config: &TrainConfig, data: &Fingerprint) -> Self {
-        Self { settings: config.to_toml(), data: data.clone() }
+    pub fn new(config: &TrainConfig, data: &Fingerprint, changes: Vec<Change>) -> Self {
+        Self { settings: config.to_toml(), data: data.clone(), changes }
+    }
+
+    /// What changed in earlier resumes.
+    #[must_use]
+    pub fn changes(&self) -> &[Change] {
+        &self.changes
     }
 
     /// That of a checkpoint; none where an older program wrote it.
@@ -51,33 +84,52 @@ impl Binding {
         })
     }
 
-    /// Holds a run's settings to those of its checkpoint; `folder` is what errors name.
+    /// Holds a run's settings to those of its checkpoint, which has done `step` steps. Returns the [changes](CHANGEABLE) that
+    /// are allowed; `folder` is what errors name.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for the first setting that differs, by name.
-    pub fn check_settings(&self, config: &TrainConfig, folder: &Path) -> Result<()> {
+    /// [`Error::Invalid`] for the first setting that differs and must not, by name.
+    pub fn check_settings(
+        &self,
+        config: &TrainConfig,
+        step: u32,
+        folder: &Path,
+    ) -> Result<Vec<Change>> {
+        let invalid = |reason| Err(Error::Invalid { origin: folder.join(CONFIG), reason });
         let then = TrainConfig::parse(&self.settings, &folder.join(CHECKPOINT))?;
+        if config.run.steps != then.run.steps && config.run.steps <= step {
+            let steps = config.run.steps;
+            return invalid(format!(
+                "`run.steps` is {steps}, but the run has already done {step} steps; it counts \
+                 all steps of the run, so choose more than that"
+            ));
+        }
         let (now, then) = (config.list(), then.list());
         let value = |settings: &[(String, String)], name: &str| {
             let found = settings.iter().find(|(other, _)| other == name);
             found.map_or(NOT_SET.to_owned(), |(_, value)| value.clone())
         };
-        let names = now.iter().chain(&then).map(|(name, _)| name);
-        let is_other = |name: &&String| {
+        let json = |text: &str| serde_json::from_str(text).unwrap_or_else(|_| text.into());
+        let mut changes = Vec::new();
+        for (name, _) in now.iter().chain(&then) {
             let (now, then) = (value(&now, name), value(&then, name));
             // a data set may move, but the built-in scene is another
             let is_free = FREE.contains(&name.as_str()) && now != NOT_SET && then != NOT_SET;
-            now != then && !is_free
-        };
-        if let Some(name) = names.clone().find(is_other) {
-            let (now, then) = (value(&now, name), value(&then, name));
-            let reason = format!(
-                "`{name}` is {now}, but the checkpoint beside it was trained with {then}: put it \
-                 back, or begin another run with `--config`"
-            );
-            return Err(Error::Invalid { origin: folder.join(CONFIG), reason });
+            if now == then || is_free || changes.iter().any(|change: &Change| change.name == *name)
+            {
+                continue;
+            }
+            if !CHANGEABLE.contains(&name.as_str()) {
+                let names = CHANGEABLE.join(", ");
+                return invalid(format!(
+                    "`{name}` is {now}, but the checkpoint beside it was trained with {then}, and \
+                     only {names} may change: put it back, or begin another run with `--config`"
+                ));
+            }
+            let (from, to) = (json(&then), json(&now));
+            changes.push(Change { step: u64::from(step), name: name.clone(), from, to });
         }
-        Ok(())
+        Ok(changes)
     }
 
     /// Holds a run's data to those of its checkpoint; `path` is what errors name.
@@ -102,8 +154,19 @@ impl Binding {
 ///
 /// # Errors
 /// As [`TrainConfig::load`]; [`Error::Invalid`] where the folder holds no run, where a setting is not
-/// that of the checkpoint, or is missing and there is no checkpoint that says what it was.
+/// that of the checkpoint and must not [change](CHANGEABLE), or is missing and there is no checkpoint that says what it was.
 pub fn settings_of(folder: &Path) -> Result<TrainConfig> {
+    changed_settings_of(folder, Ok)
+}
+
+/// As [`settings_of`], with changes for a resume.
+///
+/// # Errors
+/// As [`settings_of`], for the changed settings too; those of `change`.
+pub fn changed_settings_of(
+    folder: &Path,
+    change: impl FnOnce(TrainConfig) -> Result<TrainConfig>,
+) -> Result<TrainConfig> {
     let (path, checkpoint) = (folder.join(CONFIG), folder.join(CHECKPOINT));
     if !path.exists() {
         let reason = format!(
@@ -113,11 +176,17 @@ pub fn settings_of(folder: &Path) -> Result<TrainConfig> {
         return Err(Error::Invalid { origin: folder.to_owned(), reason });
     }
     let config = TrainConfig::load(&path)?;
-    let binding =
-        if fs::exists(&checkpoint).unwrap_or(true) { Binding::load(checkpoint)? } else { None };
-    match binding {
-        Some(binding) => binding.check_settings(&config, folder)?,
-        None => config.check_complete(&path)?,
+    let is_begun = fs::exists(&checkpoint).unwrap_or(true);
+    let Some(binding) = is_begun.then(|| Binding::load(&checkpoint)).transpose()?.flatten() else {
+        config.check_complete(&path)?;
+        return change(config);
+    };
+    let step = Progress::load(&checkpoint)?.step;
+    // a file that was cut short is no wish for the defaults
+    if !binding.check_settings(&config, step, folder)?.is_empty() {
+        config.check_complete(&path)?;
     }
+    let config = change(config)?;
+    binding.check_settings(&config, step, folder)?;
     Ok(config)
 }

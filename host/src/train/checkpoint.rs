@@ -44,6 +44,30 @@ pub struct Progress {
     pub seconds: f64,
 }
 
+impl Progress {
+    /// Reads that of a checkpoint, and nothing else of it.
+    ///
+    /// # Errors
+    /// As [`Checkpoint::load`], for the header.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self> {
+        let path = path.as_ref();
+        let (mut file, length) = open_regular(path)?;
+        Self::read(&mut file, length, path)
+    }
+
+    fn read(reader: &mut impl Read, length: u64, path: &Path) -> Result<Self> {
+        let progress = read_metadata(reader, length, path, PROGRESS)?;
+        let progress = progress.and_then(|text| serde_json::from_str(&text).ok());
+        progress.ok_or_else(|| lacks(path, "`train` metadata"))
+    }
+}
+
+/// What is a scene, but no checkpoint.
+fn lacks(path: &Path, what: &str) -> Error {
+    let reason = format!("it lacks {what}: it is a scene, but not a checkpoint to resume from");
+    Error::Invalid { origin: path.to_owned(), reason }
+}
+
 impl Checkpoint {
     /// The state before the first step of training `scene`.
     ///
@@ -103,14 +127,9 @@ impl Checkpoint {
     }
 
     fn read(reader: &mut (impl Read + Seek), length: u64, path: &Path) -> Result<Self> {
-        let lacks = |what: &str| Error::Invalid {
-            origin: path.to_owned(),
-            reason: format!("it lacks {what}: it is a scene, but not a checkpoint to resume from"),
-        };
+        let lacks = |what: &str| lacks(path, what);
         let no_file = |source| Error::read(path, source);
-        let progress = read_metadata(reader, length, path, PROGRESS)?;
-        let progress = progress.ok_or_else(|| lacks("`train` metadata"))?;
-        let progress = serde_json::from_str(&progress).map_err(|_| lacks("`train` metadata"))?;
+        let progress = Progress::read(reader, length, path)?;
         reader.rewind().map_err(no_file)?;
         let scene = read_scene(reader, length, path)?;
         reader.rewind().map_err(no_file)?;

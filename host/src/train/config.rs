@@ -10,14 +10,14 @@ mod tests;
 
 use std::path::{Path, PathBuf};
 
-pub use assignment::names;
+pub use assignment::defaults;
 pub use builder::ConfigBuilder;
 pub use optimizer::{OptimizerConfig, Rate};
 pub use preset::Preset;
 use serde::{Deserialize, Serialize};
 
 use crate::atomic_file::write_atomic;
-use crate::data::{Alpha, DatasetOptions};
+use crate::data::{Alpha, Background, DatasetOptions};
 use crate::error::{Error, Result};
 use crate::input::read_text;
 use crate::scene::{GridConfig, Interpolation, MlpConfig, SceneConfig};
@@ -58,8 +58,8 @@ pub struct DataConfig {
     pub downscale: u32,
     /// Every so many-th frame is held out; 0 holds none out.
     pub hold_out_every: usize,
-    /// What the scene is in front of, and photographs with an alpha channel are put in front of: sRGB, 0 to 1.
-    pub background: [f32; 3],
+    /// What the scene is in front of, and photographs with an alpha channel are put in front of.
+    pub background: Background,
     /// What an alpha channel is for.
     pub alpha: Alpha,
     /// Views of the built-in scene, and the side of their images in pixels.
@@ -212,7 +212,7 @@ impl Default for DataConfig {
             path: None,
             downscale: 1,
             hold_out_every: 8,
-            background: [0.0; 3],
+            background: Background::Auto,
             alpha: Alpha::default(),
             built_in_views: 48,
             built_in_side: 128,

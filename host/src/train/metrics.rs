@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Deserializer, Serialize};
 
+use super::binding::Change;
 use crate::atomic_file::write_atomic;
 use crate::error::{Error, Result};
 use crate::evaluate::{Evaluation, ViewScore};
@@ -67,6 +68,8 @@ pub enum Record {
         /// Gaussians of the scene afterwards.
         gaussians: u64,
     },
+    /// A setting was changed when the run was resumed.
+    Change(Change),
     /// Where the time went.
     Timing {
         /// Optimizer steps so far.
@@ -102,6 +105,7 @@ impl Record {
             Self::Step { step, .. }
             | Self::Evaluation { step, .. }
             | Self::Growth { step, .. }
+            | Self::Change(Change { step, .. })
             | Self::Timing { step, .. } => *step,
         }
     }
@@ -128,7 +132,8 @@ impl MetricsLog {
     }
 
     /// Continues a log after `step`: what lies after it is dropped, and so is a last line that was not written to its
-    /// end. What is kept is kept to the byte. Where there is no log, one is begun.
+    /// end. What is kept is kept to the byte. Changes at this very step are dropped, too: whoever resumes decides about them
+    /// again. Where there is no log, one is begun.
     ///
     /// # Errors
     /// As [`Self::read`], but for a file that is not there; [`Error::WriteFile`].
@@ -139,7 +144,10 @@ impl MetricsLog {
         }
         let text = read(path)?;
         let kept = parse(path, &text)?;
-        let kept = kept.iter().filter(|(_, record)| record.step() <= step);
+        let kept = kept.iter().filter(|(_, record)| match record {
+            Record::Change(change) => change.step < step,
+            other => other.step() <= step,
+        });
         Self::begin(path, &kept.map(|(line, _)| *line).collect::<Vec<_>>())
     }
 

@@ -11,13 +11,14 @@ pub mod metrics;
 mod needs;
 mod optimizer;
 pub mod report;
+mod resume;
 mod sampler;
 mod session;
 mod space;
 mod start;
 mod trainer;
 
-pub use binding::{Binding, settings_of};
+pub use binding::{Binding, CHANGEABLE, Change, changed_settings_of, settings_of};
 pub use checkpoint::{CHECKPOINT, Checkpoint, Progress};
 pub use config::{ConfigBuilder, Preset, TrainConfig};
 pub use folder::RunFolder;

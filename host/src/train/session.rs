@@ -6,10 +6,10 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use super::binding::Binding;
+use super::binding::{Binding, Change};
 use super::checkpoint::{CHECKPOINT, Checkpoint, Progress};
 use super::config::TrainConfig;
-use super::folder::{CONFIG, METRICS, REPORT, RunFolder};
+use super::folder::{METRICS, REPORT, RunFolder};
 use super::hooks::StepHooks;
 use super::metrics::{MetricsLog, Record, TimingRow};
 use super::report::{MAX_VIEWS, Report, ReportView, write_report};
@@ -66,6 +66,8 @@ pub enum Event<'a> {
     Warning(&'a str),
     /// Training goes on after so many steps; 0 where it begins. Nothing was written to the folder yet.
     Begin(u32),
+    /// A setting is another than before the resume.
+    Changed(&'a Change),
     /// A step is done.
     Step {
         /// Steps so far.
@@ -100,6 +102,8 @@ struct State<'a, 'w, 'h> {
     session: &'a Session<'a>,
     trainer: Trainer,
     log: MetricsLog,
+    /// How the settings changed, in this resume and in earlier ones.
+    changes: Vec<Change>,
     /// The step of the log's last evaluation.
     evaluated: Option<u64>,
     seconds: f64,
@@ -161,9 +165,10 @@ impl<'a> Session<'a> {
     ) -> Result<Outcome> {
         let path = self.folder.path().join(CHECKPOINT);
         let (config, dataset) = (self.config.clone(), Arc::clone(self.dataset));
+        let mut changes = Vec::new();
         let (trainer, progress) = if resume && path.exists() {
-            self.check_binding(&path, watch)?;
             let checkpoint = Checkpoint::load(&path)?;
+            changes = self.check_binding(&path, &checkpoint, watch)?;
             let trainer = Trainer::resume(self.renderer, config, dataset, &checkpoint)?;
             (trainer, checkpoint.progress)
         } else {
@@ -171,12 +176,16 @@ impl<'a> Session<'a> {
         };
         // only what can begin leaves anything
         watch(Event::Begin(progress.step));
-        let (log, evaluated) = self.open_log(resume, u64::from(progress.step))?;
+        let now = |change: &&Change| change.step == u64::from(progress.step);
+        let changed: Vec<_> = changes.iter().filter(now).collect();
+        changed.iter().for_each(|change| watch(Event::Changed(change)));
+        let (log, evaluated) = self.open_log(resume, u64::from(progress.step), &changed)?;
         let _ = self.renderer.device().take_timings();
         State {
             session: self,
             trainer,
             log,
+            changes,
             evaluated,
             seconds: progress.seconds,
             stages: BTreeMap::new(),
@@ -185,32 +194,6 @@ impl<'a> Session<'a> {
             hooks,
         }
         .run()
-    }
-
-    /// Holds the settings and the data to what the checkpoint was trained with.
-    fn check_binding(&self, checkpoint: &Path, watch: &mut dyn FnMut(Event<'_>)) -> Result<()> {
-        let Some(binding) = Binding::load(checkpoint)? else {
-            watch(Event::Warning(
-                "the checkpoint does not say which settings and data it belongs to, as an older \
-                 program wrote it: those of the run's folder are taken as they are",
-            ));
-            return Ok(());
-        };
-        binding.check_settings(self.config, self.folder.path())?;
-        binding.check_data(&self.dataset.fingerprint, &self.dataset.path)
-    }
-
-    /// The log, and the step of its last evaluation.
-    fn open_log(&self, resume: bool, step: u64) -> Result<(MetricsLog, Option<u64>)> {
-        let path = self.folder.path().join(METRICS);
-        if !resume {
-            self.config.save(self.folder.path().join(CONFIG))?;
-            return Ok((MetricsLog::create(path)?, None));
-        }
-        let log = MetricsLog::resume(&path, step)?;
-        let is_evaluation = |record: &&Record| matches!(record, Record::Evaluation { .. });
-        let records = MetricsLog::read(path)?;
-        Ok((log, records.iter().rfind(is_evaluation).map(Record::step)))
     }
 }
 
@@ -298,7 +281,7 @@ impl State<'_, '_, '_> {
 
     fn save(&self) -> Result<()> {
         let Session { config, dataset, folder, .. } = self.session;
-        let binding = Binding::new(config, &dataset.fingerprint);
+        let binding = Binding::new(config, &dataset.fingerprint, self.changes.clone());
         let path = folder.path().join(CHECKPOINT);
         self.trainer.checkpoint(self.seconds)?.save(path, Some(&binding))
     }

@@ -1,8 +1,10 @@
 //! `organza train` as a user meets it: what a run leaves, whatever happens to it.
 
+mod background;
 mod bits;
 mod endings;
 mod eval;
+mod extend;
 mod faults;
 mod folder;
 mod hook;
@@ -12,6 +14,7 @@ mod mistakes;
 mod monstrous;
 mod own_loss;
 mod processes;
+mod progress;
 mod results;
 pub mod runs;
 mod settings;

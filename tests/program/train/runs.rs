@@ -96,7 +96,7 @@ pub fn without_times(records: &[Record]) -> Vec<String> {
         Record::Evaluation { step, psnr, ssim, views, .. } => {
             Some(format!("evaluation {step} {psnr:?} {ssim:?} {views:?}"))
         }
-        Record::Growth { .. } => Some(format!("{record:?}")),
+        Record::Growth { .. } | Record::Change(_) => Some(format!("{record:?}")),
         Record::Timing { .. } => None,
     };
     records.iter().filter_map(told).collect()

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use clap::ValueEnum;
-use organza::data::{Dataset, Pose, Poses};
+use organza::data::{Background, Dataset, Pose, Poses};
 use organza::train::built_in;
 use organza::train::config::DataConfig;
 use organza::{Error, Renderer, Result};
@@ -170,6 +170,12 @@ impl DataSet {
             note += &format!(", {} with a mask", dataset.masked);
         }
         console.note(&note);
+        if self.settings.background == Background::Auto && dataset.background == [1.0; 3] {
+            console.note(
+                "the photographs have an alpha channel: the background is white, as in published tables; \
+                 --background changes it",
+            );
+        }
         Ok(dataset)
     }
 }

@@ -56,11 +56,33 @@ fn alpha_lets_the_background_through() {
         ([1.0; 3], [[227, 177, 152], [200, 100, 50], [255, 255, 255]]),
         ([0.0, 0.2, 1.0], [[100, 76, 152], [200, 100, 50], [0, 51, 255]]),
     ] {
-        let options = DatasetOptions { background, ..DatasetOptions::default() };
+        let color = Background::Color(background);
+        let options = DatasetOptions { background: color, ..DatasetOptions::default() };
         let dataset = Dataset::load(folder.path(), &options).unwrap();
+        assert_eq!(dataset.background, background.map(f64::from));
         let colors: Vec<_> = dataset.frames.iter().map(|frame| frame.image.pixels()[0]).collect();
         assert_eq!(colors, expected);
     }
+}
+
+/// Published tables of Blender's scenes are measured in front of white.
+#[test]
+fn alpha_is_in_front_of_white_unless_told_otherwise() {
+    let folder = folder();
+    let dataset = load(folder.path()).unwrap();
+    assert_eq!(dataset.background, [1.0; 3]);
+    assert_eq!(dataset.frames[2].image.pixels()[0], [255; 3]);
+    // no alpha, nothing to put in front of anything
+    for name in ["train/r_0.png", "train/r_1.png", "test/r_0.png"] {
+        image::RgbImage::new(8, 6).save(folder.path().join(name)).unwrap();
+    }
+    assert_eq!(load(folder.path()).unwrap().background, [0.0; 3]);
+    // nerfstudio's data sets have no such tables
+    let folder = self::folder();
+    write_json(&folder.path().join("transforms.json"), &blender(&["./train/r_0"]));
+    let options = DatasetOptions { hold_out_every: 0, ..DatasetOptions::default() };
+    let dataset = Dataset::load(folder.path(), &options).unwrap();
+    assert_eq!((dataset.kind, dataset.background), (DatasetKind::Nerfstudio, [0.0; 3]));
 }
 
 #[test]

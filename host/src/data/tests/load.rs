@@ -136,11 +136,11 @@ fn options_are_checked() {
         &["`hold_out_every` is 1", "2 or more, or 0"],
     );
     assert_option(
-        DatasetOptions { background: [0.0, 1.5, 0.0], ..default() },
+        DatasetOptions { background: Background::Color([0.0, 1.5, 0.0]), ..default() },
         &["`background`", "1.5", "0 to 1"],
     );
     assert_option(
-        DatasetOptions { background: [f32::NAN; 3], ..default() },
+        DatasetOptions { background: Background::Color([f32::NAN; 3]), ..default() },
         &["`background`", "NaN"],
     );
 }

@@ -12,20 +12,34 @@ const ALIKE: f64 = 0.8;
 /// A table with all settings: also those that a file leaves out where they have their default.
 fn template() -> Table {
     let mut config = TrainConfig::default();
-    config.data.path = Some("DATA".into());
+    config.data.path = Some("the built-in scene".into());
     config.data.allow_outside = true;
-    Table::try_from(config).expect("plain tables of numbers and strings")
+    // through text, so that an f32 has its own digits
+    let mut table: Table = toml::from_str(&config.to_toml()).expect("it was just written");
+    if let Some(Value::Table(data)) = table.get_mut("data") {
+        data.insert("allow_outside".to_owned(), Value::Boolean(false));
+    }
+    table
 }
 
-/// Every setting, as `table.name`. A learning rate is one setting.
-pub fn names() -> Vec<String> {
-    fn walk(prefix: &str, table: &Table, found: &mut Vec<String>) {
+/// Every setting, as `table.name`, and its default. A learning rate is one setting.
+#[must_use]
+pub fn defaults() -> Vec<(String, String)> {
+    fn walk(prefix: &str, table: &Table, found: &mut Vec<(String, String)>) {
         for (key, value) in table {
             let name = if prefix.is_empty() { key.clone() } else { format!("{prefix}.{key}") };
-            match value {
-                Value::Table(table) if !is_rate(value) => walk(&name, table, found),
-                _ => found.push(name),
-            }
+            let text = match value {
+                Value::Table(rate) if is_rate(value) => {
+                    rate.values().map(Value::to_string).collect::<Vec<_>>().join(",")
+                }
+                Value::Table(table) => {
+                    walk(&name, table, found);
+                    continue;
+                }
+                Value::String(text) => text.clone(),
+                value => value.to_string().replace(['[', ']', ' '], ""),
+            };
+            found.push((name, text));
         }
     }
     let mut found = Vec::new();
@@ -78,7 +92,7 @@ fn nearest(key: &str) -> Option<String> {
         let last = name.rsplit('.').next().unwrap_or(name);
         strsim::jaro_winkler(key, name).max(strsim::jaro_winkler(key, last))
     };
-    let rated = names().into_iter().map(|name| (alike(&name), name));
+    let rated = defaults().into_iter().map(|(name, _)| (alike(&name), name));
     let best = rated.max_by(|(a, _), (b, _)| a.total_cmp(b));
     best.filter(|(rating, _)| *rating >= ALIKE).map(|(_, name)| name)
 }
@@ -189,11 +203,11 @@ mod tests {
     }
 
     #[test]
-    fn every_setting_can_be_set() {
-        let names = names();
-        assert!(names.len() > 50, "{names:?}");
-        for name in names {
-            assert!(find(&name).is_ok(), "{name}");
+    fn every_setting_can_be_set_to_what_is_listed() {
+        let defaults = defaults();
+        assert!(defaults.len() > 50, "{defaults:?}");
+        for (name, value) in defaults {
+            assert!(parse(&format!("{name}={value}")).is_ok(), "{name}={value}");
         }
     }
 }

@@ -34,9 +34,14 @@ impl ConfigBuilder {
     /// # Errors
     /// As [`TrainConfig::load`], which means that the program's own file is wrong.
     pub fn new(preset: Preset) -> Result<Self> {
-        let table =
-            Table::try_from(TrainConfig::default()).expect("plain tables of numbers and strings");
-        Self { table }.text(preset.toml(), Path::new(&format!("the preset {}", preset.name())))
+        Self::from_config(&TrainConfig::default())
+            .text(preset.toml(), Path::new(&format!("the preset {}", preset.name())))
+    }
+
+    /// Begins with settings that are put together already.
+    #[must_use]
+    pub fn from_config(config: &TrainConfig) -> Self {
+        Self { table: Table::try_from(config).expect("plain tables of numbers and strings") }
     }
 
     /// Adds the settings of a file.

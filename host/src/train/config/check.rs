@@ -34,7 +34,7 @@ impl TrainConfig {
         within("growth.begin", self.growth.begin, 0.0, 1.0)?;
         within("growth.end", self.growth.end, 0.0, 1.0)?;
         within("growth.min_opacity", self.growth.min_opacity, 0.0, 0.5)?;
-        for (name, value) in ["red", "green", "blue"].iter().zip(self.data.background) {
+        for (name, value) in ["red", "green", "blue"].iter().zip(self.data.background.color()) {
             within(&format!("data.background, {name},"), value, 0.0, 1.0)?;
         }
         self.check_together()?;

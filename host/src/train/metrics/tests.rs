@@ -23,6 +23,11 @@ fn growth(step: u64) -> Record {
     Record::Growth { step, split: 1, cloned: 2, pruned: 3, gaussians: 10 }
 }
 
+fn change(step: u64) -> Record {
+    let (name, from, to) = ("run.steps".to_owned(), 40.into(), 60.into());
+    Record::Change(Change { step, name, from, to })
+}
+
 fn write(records: &[Record]) -> (tempfile::TempDir, PathBuf) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("metrics.jsonl");
@@ -33,17 +38,19 @@ fn write(records: &[Record]) -> (tempfile::TempDir, PathBuf) {
 
 #[test]
 fn records_are_lines_of_json() {
-    let (_folder, path) = write(&[step(1), evaluation(2), growth(3), timing(3)]);
+    let (_folder, path) = write(&[step(1), evaluation(2), growth(3), timing(3), change(3)]);
     let text = fs::read_to_string(&path).unwrap();
     let expected = [
         r#"{"kind":"step","step":1,"seconds":0.3333333333333333,"loss":1.0,"psnr":20.5,"tiles_per_second":1000.0,"gaussians":11}"#,
         r#"{"kind":"evaluation","step":2,"seconds":2.0,"psnr":null,"ssim":0.5,"views":[{"name":"a \"b\"\n.png","psnr":null,"ssim":0.5}]}"#,
         r#"{"kind":"growth","step":3,"split":1,"cloned":2,"pruned":3,"gaussians":10}"#,
         r#"{"kind":"timing","step":3,"rows":[{"stage":"forward","seconds":1.5,"share":0.25}]}"#,
+        r#"{"kind":"change","step":3,"name":"run.steps","from":40,"to":60}"#,
     ];
     assert_eq!(text.lines().collect::<Vec<_>>(), expected);
     let records = MetricsLog::read(&path).unwrap();
     assert_eq!([&records[0], &records[2], &records[3]], [&step(1), &growth(3), &timing(3)]);
+    assert_eq!(records[4], change(3));
     assert!(matches!(&records[1], Record::Evaluation { psnr: None, ssim: Some(0.5), .. }));
 }
 
@@ -59,12 +66,14 @@ fn what_is_not_finite_becomes_nan() {
 
 #[test]
 fn resuming_drops_what_lies_after() {
-    let (_folder, path) = write(&[step(1), step(2), evaluation(2), step(3), growth(4)]);
+    let (_folder, path) =
+        write(&[step(1), change(1), step(2), change(2), evaluation(2), step(3), growth(4)]);
     let mut log = MetricsLog::resume(&path, 2).unwrap();
     log.append(&step(3)).unwrap();
     log.append(&timing(3)).unwrap();
     let text = fs::read_to_string(&path).unwrap();
-    let (_other, expected) = write(&[step(1), step(2), evaluation(2), step(3), timing(3)]);
+    let (_other, expected) =
+        write(&[step(1), change(1), step(2), evaluation(2), step(3), timing(3)]);
     assert_eq!(text, fs::read_to_string(expected).unwrap());
 }
 

@@ -112,7 +112,7 @@ impl Over {
 fn seconds(record: &Record) -> Option<f64> {
     match record {
         Record::Step { seconds, .. } | Record::Evaluation { seconds, .. } => Some(*seconds),
-        Record::Growth { .. } | Record::Timing { .. } => None,
+        Record::Growth { .. } | Record::Change(_) | Record::Timing { .. } => None,
     }
 }
 

@@ -1,0 +1,246 @@
+//! What a training says while it goes on: a bar on a terminal, lines in a log file.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use indicatif::{FormattedDuration, HumanDuration};
+use organza::Evaluation;
+use organza::train::{Change, Event, Outcome, StepReport};
+
+use super::console::{Console, Progress};
+use super::summary::{count, grouped};
+
+/// Seconds of training over which the speed is measured.
+const WINDOW: f64 = 15.0;
+/// Seconds between lines: a share of the seconds so far, within bounds. An hour gives some 80 lines.
+const SHARE: f64 = 0.1;
+const SHORTEST: f64 = 5.0;
+const LONGEST: f64 = 60.0;
+
+/// A training as the user sees it.
+#[derive(Debug)]
+pub struct TrainingProgress {
+    console: Console,
+    bar: Progress,
+    steps: u32,
+    time_limit: Option<f64>,
+    pace: Pace,
+    lines: Lines,
+    step: u32,
+    seconds: f64,
+    gaussians: Option<usize>,
+}
+
+impl TrainingProgress {
+    /// For a training of so many steps, those before a resume included.
+    pub fn new(console: Console, steps: u32, time_limit: Option<f64>) -> Self {
+        let bar = console.progress(u64::from(steps), "steps");
+        bar.say("training");
+        let (pace, lines) = (Pace::default(), Lines::default());
+        let (step, seconds, gaussians) = (0, 0.0, None);
+        Self { console, bar, steps, time_limit, pace, lines, step, seconds, gaussians }
+    }
+
+    /// Shows what happened.
+    pub fn show(&mut self, event: &Event<'_>) {
+        match event {
+            Event::Warning(text) => self.bar.warn(self.console, text),
+            Event::Begin(step) => self.begin(*step),
+            Event::Changed(Change { name, from, to, .. }) => {
+                self.bar.note(self.console, &format!("{name} is {to} from here on; it was {from}"));
+            }
+            Event::Step { step, seconds, report, scene } => {
+                (self.step, self.seconds) = (*step, *seconds);
+                self.gaussians = Some(scene.len());
+                self.pace.add(*step, *seconds);
+                self.step(report);
+            }
+            Event::Evaluating => self.bar.say("measuring the held-out views"),
+            Event::Evaluated(evaluation) => self.evaluated(evaluation),
+            _ => {}
+        }
+    }
+
+    fn begin(&mut self, step: u32) {
+        self.step = step;
+        if step == 0 {
+            return;
+        }
+        self.bar.set(step as usize);
+        self.bar.restart_clock();
+        self.console.note(&match step < self.steps {
+            true => format!("continuing after step {step}"),
+            false => format!("all {step} steps are done; `--steps N` extends the run"),
+        });
+    }
+
+    fn step(&mut self, report: &StepReport) {
+        let speed = self.pace.steps_per_second();
+        self.bar.set(self.step as usize);
+        self.bar.say(&format!(
+            "loss {:.4}, PSNR {:.1} dB, {}{}",
+            report.loss,
+            report.psnr,
+            self.gaussian_count(),
+            speed.map_or(String::new(), |speed| format!(", {} steps/s", rounded(speed))),
+        ));
+        if self.console.has_terminal() {
+            return;
+        }
+        let Some([loss, psnr]) = self.lines.add(self.seconds, [report.loss, report.psnr]) else {
+            return;
+        };
+        let rest = speed.map_or(String::new(), |speed| {
+            format!(", {} steps/s, {:#} left", rounded(speed), HumanDuration(self.left(speed)))
+        });
+        self.console.note(&format!(
+            "step {} of {}: loss {loss:.4}, PSNR {psnr:.1} dB, {}{rest}",
+            grouped(self.step.into()),
+            grouped(self.steps.into()),
+            self.gaussian_count(),
+        ));
+    }
+
+    fn evaluated(&self, evaluation: &Evaluation) {
+        let shown = |value: Option<f64>, digits: usize| {
+            value.map_or("no".to_owned(), |value| format!("{value:.digits$}"))
+        };
+        let text = format!(
+            "step {}: {}: PSNR {} dB, SSIM {}",
+            grouped(self.step.into()),
+            count(evaluation.views.len() as u64, "held-out view"),
+            shown(evaluation.mean.psnr, 2),
+            shown(evaluation.mean.ssim, 4),
+        );
+        self.bar.note(self.console, &text);
+    }
+
+    /// Says how the training ended; the bar goes.
+    pub fn end(self, outcome: Outcome) {
+        drop(self.bar);
+        // nothing was done
+        let Some(gaussians) = self.gaussians else { return };
+        let what = match outcome {
+            Outcome::TimeLimit => "finished at the time limit",
+            Outcome::Stopped => "stopped",
+            _ => "finished",
+        };
+        let time = FormattedDuration(Duration::from_secs_f64(self.seconds));
+        let (steps, gaussians) =
+            (count(self.step.into(), "step"), count(gaussians as u64, "Gaussian"));
+        self.console.note(&format!("{what}: {steps} in {time} of training, {gaussians}"));
+    }
+
+    fn gaussian_count(&self) -> String {
+        count(self.gaussians.unwrap_or(0) as u64, "Gaussian")
+    }
+
+    /// The time that training still takes, evaluations excluded.
+    fn left(&self, speed: f64) -> Duration {
+        let steps = f64::from(self.steps.saturating_sub(self.step)) / speed;
+        let limit = self.time_limit.map_or(f64::INFINITY, |limit| (limit - self.seconds).max(0.0));
+        // far more than anybody waits for
+        Duration::from_secs_f64(steps.min(limit).min(1e9))
+    }
+}
+
+/// The speed of the last seconds.
+#[derive(Debug, Default)]
+struct Pace {
+    /// Steps and seconds so far, oldest first.
+    times: VecDeque<(u32, f64)>,
+}
+
+impl Pace {
+    fn add(&mut self, step: u32, seconds: f64) {
+        self.times.push_back((step, seconds));
+        while self.times.len() > 2 && self.times[1].1 < seconds - WINDOW {
+            self.times.pop_front();
+        }
+    }
+
+    fn steps_per_second(&self) -> Option<f64> {
+        let (first, last) = (self.times.front()?, self.times.back()?);
+        let (steps, seconds) = (last.0.checked_sub(first.0)?, last.1 - first.1);
+        (steps > 0 && seconds > 0.0).then(|| f64::from(steps) / seconds)
+    }
+}
+
+/// When a line is due, and the means since the last one.
+#[derive(Debug, Default)]
+struct Lines {
+    /// The seconds at the first step, and those at which the next line is due.
+    times: Option<[f64; 2]>,
+    sums: [f64; 2],
+    count: f64,
+}
+
+impl Lines {
+    /// Adds a step's numbers; their means since the last line, if another one is due.
+    fn add(&mut self, seconds: f64, values: [f64; 2]) -> Option<[f64; 2]> {
+        self.sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
+        self.count += 1.0;
+        let [begin, due] = *self.times.get_or_insert([seconds; 2]);
+        if seconds < due {
+            return None;
+        }
+        let wait = (SHARE * (seconds - begin)).clamp(SHORTEST, LONGEST);
+        self.times = Some([begin, seconds + wait]);
+        let means = self.sums.map(|sum| sum / self.count);
+        (self.sums, self.count) = ([0.0; 2], 0.0);
+        Some(means)
+    }
+}
+
+/// With three digits or all before the point.
+fn rounded(value: f64) -> String {
+    let digits = if value < 10.0 { 2 } else { usize::from(value < 100.0) };
+    format!("{value:.digits$}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_speed_is_that_of_the_last_seconds() {
+        let mut pace = Pace::default();
+        assert_eq!(pace.steps_per_second(), None);
+        // a hundred seconds of one step each, then ten steps a second
+        for step in 0..=100 {
+            pace.add(step, f64::from(step));
+        }
+        assert_eq!(pace.steps_per_second(), Some(1.0));
+        for step in 1..=300 {
+            pace.add(100 + step, 100.0 + 0.1 * f64::from(step));
+        }
+        let speed = pace.steps_per_second().unwrap();
+        assert!((speed - 10.0).abs() < 0.01, "{speed}");
+        // a step may take longer than the window
+        pace.add(401, 230.0);
+        assert_eq!(pace.steps_per_second(), Some(0.01));
+    }
+
+    #[test]
+    fn lines_become_rarer_and_tell_means() {
+        let mut lines = Lines::default();
+        // resumed after 1000 s; ten steps a second for an hour
+        let due: Vec<_> = (0..36_000)
+            .filter_map(|step| {
+                let seconds = 0.1 * f64::from(step);
+                lines.add(1000.0 + seconds, [f64::from(step), 1.0]).map(|means| (seconds, means))
+            })
+            .collect();
+        assert_eq!(due[0], (0.0, [0.0, 1.0]));
+        // the mean of steps 1 to 50
+        assert!((due[1].0 - 5.0).abs() < 0.15 && (due[1].1[0] - 25.5).abs() < 1.0, "{:?}", due[1]);
+        assert!((70..90).contains(&due.len()), "{} lines", due.len());
+        let last = due[due.len() - 1].0 - due[due.len() - 2].0;
+        assert!((last - 60.0).abs() < 0.2, "{last}");
+    }
+
+    #[test]
+    fn speeds_have_three_digits() {
+        assert_eq!([0.123, 1.234, 12.34, 1234.4].map(rounded), ["0.12", "1.23", "12.3", "1234"]);
+    }
+}

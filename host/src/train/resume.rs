@@ -1,0 +1,67 @@
+//! What a session holds to the checkpoint that it continues from, and what it writes down before its first step.
+
+use std::path::Path;
+
+use super::binding::{Binding, Change};
+use super::checkpoint::Checkpoint;
+use super::config::TrainConfig;
+use super::folder::{CONFIG, METRICS};
+use super::metrics::{MetricsLog, Record};
+use super::session::{Event, Session};
+use crate::error::{Error, Result};
+
+impl Session<'_> {
+    /// Holds the settings and the data to what the checkpoint was trained with. Returns the settings that changed, in this
+    /// resume and in earlier ones.
+    pub(super) fn check_binding(
+        &self,
+        path: &Path,
+        checkpoint: &Checkpoint,
+        watch: &mut dyn FnMut(Event<'_>),
+    ) -> Result<Vec<Change>> {
+        let (gaussians, most) =
+            (checkpoint.scene.gaussians.len(), self.config.growth.max_gaussians);
+        if gaussians as u64 > u64::from(most) {
+            let reason = format!(
+                "`growth.max_gaussians` is {most}, but the scene already has {gaussians} Gaussians"
+            );
+            return Err(Error::Invalid { origin: self.folder.path().join(CONFIG), reason });
+        }
+        let Some(binding) = Binding::load(path)? else {
+            watch(Event::Warning(
+                "the checkpoint does not say which settings and data it belongs to, as an older \
+                 program wrote it: those of the run's folder are taken as they are",
+            ));
+            return Ok(Vec::new());
+        };
+        let step = checkpoint.progress.step;
+        let changed = binding.check_settings(self.config, step, self.folder.path())?;
+        binding.check_data(&self.dataset.fingerprint, &self.dataset.path)?;
+        Ok([binding.changes(), &changed].concat())
+    }
+
+    /// The log, and the step of its last evaluation. Writes down the settings, and those that `changed` in this resume.
+    pub(super) fn open_log(
+        &self,
+        resume: bool,
+        step: u64,
+        changed: &[&Change],
+    ) -> Result<(MetricsLog, Option<u64>)> {
+        let path = self.folder.path().join(METRICS);
+        if !resume {
+            self.config.save(self.folder.path().join(CONFIG))?;
+            return Ok((MetricsLog::create(path)?, None));
+        }
+        let mut log = MetricsLog::resume(&path, step)?;
+        let config = self.folder.path().join(CONFIG);
+        if TrainConfig::load(&config)? != *self.config {
+            self.config.save(config)?;
+        }
+        for change in changed {
+            log.append(&Record::Change((*change).clone()))?;
+        }
+        let is_evaluation = |record: &&Record| matches!(record, Record::Evaluation { .. });
+        let records = MetricsLog::read(path)?;
+        Ok((log, records.iter().rfind(is_evaluation).map(Record::step)))
+    }
+}

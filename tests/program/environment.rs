@@ -1,0 +1,25 @@
+//! What a server or a container lacks.
+
+use organza_tests::devices;
+
+use crate::sandbox::{Outcome, Sandbox};
+
+/// Mesa and libwayland look for a desktop's sockets in a folder that only a desktop has.
+#[test]
+fn without_a_desktop_nothing_is_said() {
+    let sandbox = Sandbox::new("tiny");
+    let backends = if devices::has_gpu() { &["auto", "gpu"][..] } else { &["auto"] };
+    for backend in backends {
+        for words in [
+            format!("render scene.safetensors cameras.json -o images-{backend}"),
+            format!(
+                "train -o run-{backend} --steps 1 --set data.built_in_views=2 --set data.built_in_side=16"
+            ),
+        ] {
+            let mut command = sandbox.command(&format!("{words} -q --backend {backend}"));
+            command.env_remove("XDG_RUNTIME_DIR").env_remove("NODEVICE_SELECT");
+            let outcome: Outcome = command.output().expect("the program starts").into();
+            assert_eq!(outcome.assert_ok().stderr, "", "{words}");
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! A run that goes on with more steps or more Gaussians than it began with.
+#![cfg(target_os = "linux")]
+
+use std::fs;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use organza::train::metrics::Record;
+use organza::train::{Binding, CHECKPOINT, Change, METRICS, Progress, TrainConfig};
+
+use super::processes::start;
+use super::runs::{TINY, assert_same, bits, records, sandbox, without_times};
+use crate::sandbox::Sandbox;
+
+const MORE: &str = "--steps 40 --max-gaussians 450 --backend cpu";
+
+fn changes(sandbox: &Sandbox, run: &str) -> Vec<Change> {
+    let of_record = |record| match record {
+        Record::Change(change) => Some(change),
+        _ => None,
+    };
+    records(&sandbox.path(run)).into_iter().filter_map(of_record).collect()
+}
+
+fn change(step: u64, name: &str, from: u64, to: u64) -> Change {
+    Change { step, name: name.to_owned(), from: from.into(), to: to.into() }
+}
+
+#[test]
+fn a_finished_run_is_extended_to_the_same_bits_whatever_happens() {
+    let sandbox = sandbox();
+    sandbox.run(&format!("{TINY} run --steps 20")).assert_ok();
+    sandbox.shell("cp -r run killed").assert_ok();
+    let before = without_times(&records(&sandbox.path("run")));
+    let outcome = sandbox.run(&format!("train --resume run {MORE}")).assert_ok();
+    assert!(outcome.stderr.contains("run.steps is 40 from here on; it was 20"), "{outcome:?}");
+
+    let expected = [change(20, "growth.max_gaussians", 400, 450), change(20, "run.steps", 20, 40)];
+    let mut found = changes(&sandbox, "run");
+    found.sort_by(|a, b| a.name.cmp(&b.name));
+    assert_eq!(found, expected);
+    let binding = Binding::load(sandbox.path("run").join(CHECKPOINT)).unwrap().expect("bound");
+    assert_eq!(binding.changes().len(), 2);
+    let config = TrainConfig::load(sandbox.path("run/config.toml")).expect("settings");
+    assert_eq!((config.run.steps, config.growth.max_gaussians), (40, 450));
+    let told = without_times(&records(&sandbox.path("run")));
+    assert_eq!(told[..before.len()], before, "what was measured stays");
+    // 0.8 of 40 steps: growth goes on
+    let is_late = |record: &Record| matches!(record, Record::Growth { step: 30, .. });
+    assert!(records(&sandbox.path("run")).iter().any(is_late));
+
+    // killed before its first checkpoint, and between two
+    let (log, checkpoint) =
+        (sandbox.path("killed").join(METRICS), sandbox.path("killed").join(CHECKPOINT));
+    let logged =
+        || fs::read_to_string(&log).unwrap_or_default().matches("\"kind\":\"step\"").count();
+    let saved = || Progress::load(&checkpoint).expect("a checkpoint").step as usize;
+    let reached: [(u32, &dyn Fn() -> usize); 2] = [(1000, &logged), (1, &saved)];
+    for (checkpoint_every, steps) in reached {
+        let words = format!("train --resume killed {MORE} --checkpoint-every {checkpoint_every}");
+        let mut child = start(&sandbox, &words);
+        let begin = Instant::now();
+        while steps() < 24 && child.try_wait().unwrap().is_none() {
+            assert!(begin.elapsed() < Duration::from_secs(120));
+            thread::sleep(Duration::from_millis(1));
+        }
+        child.kill().unwrap();
+        child.wait().unwrap();
+    }
+    // what was asked for is written down, so that nobody has to say it again
+    sandbox.run("train --resume killed --backend cpu").assert_ok();
+    assert_same("killed", &bits(&sandbox, "killed"), &bits(&sandbox, "run"));
+    let numbers = |run: &str| {
+        let told = without_times(&records(&sandbox.path(run)));
+        told.into_iter().filter(|line| !line.starts_with("Change")).collect::<Vec<_>>()
+    };
+    assert_eq!(numbers("killed"), numbers("run"));
+    let steps: Vec<_> = changes(&sandbox, "killed")
+        .into_iter()
+        .filter(|change| change.name == "run.steps")
+        .collect();
+    assert_eq!(steps, [change(20, "run.steps", 20, 40)]);
+}
+
+#[test]
+fn what_cannot_be_extended_is_refused() {
+    let sandbox = sandbox();
+    sandbox.run(&format!("{TINY} run --steps 13")).assert_ok();
+    for (words, facts) in [
+        ("--steps 10", ["`run.steps` is 10", "already done 13 steps"]),
+        ("--max-gaussians 201", ["`growth.max_gaussians` is 201", "the scene already has"]),
+        ("--set run.seed=3", ["`run.seed` is 3", "only run.steps"]),
+        ("--set run.stesp=50", ["no setting `run.stesp`", "did you mean `run.steps`?"]),
+        ("--tile-size 8", ["'--resume <RUN>'", "'--tile-size <S>'"]),
+    ] {
+        let words = format!("train --resume run {words} --backend cpu");
+        sandbox.assert_refuses(&words, &facts);
+    }
+    let outcome = sandbox.run("train --resume run --backend cpu").assert_ok();
+    assert!(outcome.stderr.contains("all 13 steps are done; `--steps N` extends"), "{outcome:?}");
+    // a file that was edited asks for the same
+    let path = sandbox.path("run/config.toml");
+    let config = fs::read_to_string(&path).unwrap();
+    fs::write(&path, config.replacen("steps = 13", "steps = 15", 1)).unwrap();
+    sandbox.run("train --resume run --backend cpu").assert_ok();
+    assert_eq!(changes(&sandbox, "run"), [change(13, "run.steps", 13, 15)]);
+}

@@ -68,8 +68,21 @@ pub(crate) fn read_json(path: &Path) -> Result<Value> {
     parse_json(&read_file(path, MAX_JSON_BYTES, "JSON")?, path)
 }
 
+/// The most that parsing JSON takes: an object has a node of a tree, and every value a place in one
+/// or in an array, which are up to twice as large as what they hold.
+fn bytes_to_parse(text: &[u8]) -> u64 {
+    let cost = |byte: &u8| match byte {
+        b'{' => 700,
+        b',' => 200,
+        b'[' => 160,
+        _ => 1,
+    };
+    text.iter().map(cost).sum()
+}
+
 /// Parses JSON. A byte order mark, which some editors leave, is skipped.
 pub(crate) fn parse_json(bytes: &[u8], origin: &Path) -> Result<Value> {
+    memory::check(bytes_to_parse(bytes), &format!("parsing {}", origin.display()))?;
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     serde_json::from_slice(text).map_err(|error| Error::json(origin, "JSON", text, &error))
 }

@@ -9,13 +9,14 @@ use crate::sandbox::{Outcome, Sandbox};
 
 const TILES: &str = "tiles scene.safetensors cameras.json tiles.json --backend cpu";
 
-/// Clears the screen, rings, turns text around, and begins another line.
-const NASTY: &str = "a\x1b[2Jb\x07c\u{9b}31md\u{202e}e\rf\ng";
+/// Clears the screen, rings, turns text around, and begins other lines.
+const NASTY: &str = "a\x1b[2Jb\x07c\u{9b}31md\u{202e}e\u{61c}f\rg\nh\u{2028}i";
 
 #[track_caller]
 fn assert_plain(outcome: &Outcome) {
     for text in [&outcome.stdout, &outcome.stderr] {
-        let bad = |c: char| c != '\n' && (c.is_control() || c == '\u{202e}');
+        let marks = ['\u{61c}', '\u{2028}', '\u{202e}'];
+        let bad = |c: char| c != '\n' && (c.is_control() || marks.contains(&c));
         assert!(!text.contains(bad), "{text:?}");
     }
 }

@@ -23,6 +23,17 @@ mod memory {
         assert!(before == sandbox.files(), "{words} left {:?}", sandbox.files().keys());
     }
 
+    /// An object of one entry takes a hundred times what its text does.
+    #[test]
+    fn json_is_held_to_it_before_it_is_parsed() {
+        let sandbox = Sandbox::new("tiny");
+        let text = format!("{{\"frames\": [{}0]}}", "{\"\":0},".repeat(2_000_000));
+        fs::write(sandbox.path("cameras.json"), text).unwrap();
+        let facts = ["out of memory: parsing cameras.json needs", "are available"];
+        assert_refused(&sandbox, "info cameras.json", &facts);
+        sandbox.assert_refuses("info cameras.json", &["frame 0", "`transform_matrix` is missing"]);
+    }
+
     #[test]
     fn a_small_batch_fits() {
         let words =

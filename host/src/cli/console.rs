@@ -135,10 +135,10 @@ const MAX_MESSAGE: usize = 1200;
 const MAX_NAME: usize = 80;
 
 /// Text in which only `\n` controls anything. Names come from files of anybody's, and a terminal
-/// does what control characters say: these are escaped, as are marks that turn the direction of
-/// text around.
+/// does what control characters say: these are escaped, as are Unicode's ends of lines and the marks
+/// that turn the direction of text around.
 fn plain(text: &str) -> Cow<'_, str> {
-    let is_plain = |c: char| c == '\n' || !(c.is_control() || is_direction(c));
+    let is_plain = |c: char| c == '\n' || !(c.is_control() || is_mark(c));
     if text.chars().all(is_plain) {
         return text.into();
     }
@@ -153,8 +153,9 @@ fn plain(text: &str) -> Cow<'_, str> {
     escaped.into()
 }
 
-fn is_direction(c: char) -> bool {
-    matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+/// Unicode's property `Bidi_Control`, and its separators of lines and paragraphs.
+fn is_mark(c: char) -> bool {
+    matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
 /// The beginning and the end of a text that is too long.
@@ -215,6 +216,7 @@ mod tests {
         assert_eq!(plain("a\nb é"), "a\nb é");
         assert_eq!(plain("\x1b[31m\r\x07\u{9b}"), "\\u{1b}[31m\\r\\u{7}\\u{9b}");
         assert_eq!(plain("exe\u{202e}gnp"), "exe\\u{202e}gnp");
+        assert_eq!(plain("\u{61c}a\u{2028}b\u{2069}"), "\\u{61c}a\\u{2028}b\\u{2069}");
     }
 
     #[test]

@@ -2,6 +2,10 @@
 
 use std::fmt;
 
+/// The widest column, in characters: what is longer pushes the rest of its row aside. The formatter
+/// takes no width above 65,535.
+const WIDEST: usize = 200;
+
 /// Rows of text: columns of numbers are aligned at the right, those of words at the left.
 #[derive(Debug)]
 pub struct Table {
@@ -24,7 +28,7 @@ impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let width = |column: usize| {
             let cells = self.rows.iter().filter_map(|row| row.get(column));
-            cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+            cells.map(|cell| cell.chars().count()).max().unwrap_or(0).min(WIDEST)
         };
         let widths: Vec<_> = (0..self.rows[0].len()).map(width).collect();
         for row in &self.rows {
@@ -69,6 +73,13 @@ mod tests {
         table.row(["a".into(), "10".into()]);
         table.row(["longer".into(), "5".into()]);
         assert_eq!(table.to_string(), "name    value\na          10\nlonger      5\n");
+    }
+
+    #[test]
+    fn a_cell_of_any_length_is_written() {
+        let mut table = Table::new(1, ["name", "value"]);
+        table.row(["a".repeat(70_000), "b".repeat(70_000)]);
+        assert_eq!(table.to_string().lines().last().unwrap().len(), 140_002);
     }
 
     #[test]

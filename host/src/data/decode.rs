@@ -4,7 +4,7 @@ use std::io::{BufRead, BufReader, Cursor, Seek};
 use std::path::Path;
 
 use image::error::{ImageFormatHint, UnsupportedError, UnsupportedErrorKind};
-use image::{ColorType, ImageDecoder, ImageError, ImageFormat, ImageReader};
+use image::{ColorType, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
 
 use super::budget::{Budget, Share};
 use super::invalid;
@@ -15,8 +15,10 @@ use organza_device::memory;
 /// Bytes a pixel that decoding may take: 8 for the widest pixel (RGBA of 16 bits), or else 3 and
 /// the 16-bit coefficients of a progressive JPEG's four components.
 const BYTES_A_PIXEL: u64 = 3 + 4 * 2;
-/// Rows, tables and text beside the pixels.
+/// Rows, tables and a color profile beside the pixels.
 const BYTES_BESIDE: u64 = 1 << 20;
+/// How often a decoder may hold what a file has beside its pixels, such as text.
+const COPIES: u64 = 3;
 /// The most bytes that one byte of a PNG's compressed data becomes.
 const DEFLATE_RATIO: u64 = 1032;
 
@@ -33,13 +35,12 @@ pub(super) fn size(path: &Path) -> Result<[u32; 2]> {
     let (file, length) = open_regular(path)?;
     // A JPEG's decoder reads the whole file.
     memory::check(length, "a photograph's file")?;
-    size_from(BufReader::new(file), path)
+    size_from(BufReader::new(file), length, path)
 }
 
-/// [`size`] from what a photograph's file holds.
-pub(super) fn size_from(source: impl BufRead + Seek, path: &Path) -> Result<[u32; 2]> {
-    let reader = ImageReader::new(source);
-    let reader = reader.with_guessed_format().map_err(|source| Error::read(path, source))?;
+/// [`size`] from what a photograph's file of `length` bytes holds.
+pub(super) fn size_from(source: impl BufRead + Seek, length: u64, path: &Path) -> Result<[u32; 2]> {
+    let reader = reader(source, length, path)?;
     let (width, height) = reader.into_dimensions().map_err(|error| broken(path, &error))?;
     Ok([width, height])
 }
@@ -72,15 +73,29 @@ pub(super) fn read<'a>(
 
 /// The most that decoding a file of `length` bytes takes.
 pub(super) fn bytes_to_decode(length: u64, [width, height]: [u32; 2]) -> u64 {
-    let pixels = u64::from(width) * u64::from(height);
-    // The decoder has a copy of the file.
-    length.saturating_mul(2).saturating_add(BYTES_A_PIXEL * pixels + BYTES_BESIDE)
+    let pixels = BYTES_A_PIXEL * u64::from(width) * u64::from(height);
+    length.saturating_add(bytes_beside(length)).saturating_add(pixels)
+}
+
+/// The most that a decoder holds beside the file and the pixels.
+fn bytes_beside(length: u64) -> u64 {
+    length.saturating_mul(COPIES).saturating_add(BYTES_BESIDE)
+}
+
+/// A reader of a photograph's file of `length` bytes. A profile that would grow beyond its limit, as
+/// a compressed one can to 1032 times its size, is passed over: nothing here needs it.
+fn reader<R: BufRead + Seek>(source: R, length: u64, path: &Path) -> Result<ImageReader<R>> {
+    let reader = ImageReader::new(source).with_guessed_format();
+    let mut reader = reader.map_err(|source| Error::read(path, source))?;
+    let mut limits = Limits::no_limits();
+    limits.max_alloc = Some(bytes_beside(length));
+    reader.limits(limits);
+    Ok(reader)
 }
 
 /// Decodes a photograph that should have `expected` pixels, width and height.
 pub(super) fn decode(bytes: &[u8], expected: [u32; 2], path: &Path) -> Result<Decoded> {
-    let reader = ImageReader::new(Cursor::new(bytes));
-    let reader = reader.with_guessed_format().map_err(|source| Error::read(path, source))?;
+    let reader = reader(Cursor::new(bytes), bytes.len() as u64, path)?;
     let is_jpeg = reader.format() == Some(ImageFormat::Jpeg);
     let decoder = reader.into_decoder().map_err(|error| broken(path, &error))?;
     let (width, height) = decoder.dimensions();

@@ -40,9 +40,10 @@ pub fn ply(bytes: &[u8], path: &Path) {
 
 /// A photograph whose camera has its size.
 pub fn photograph(bytes: &[u8], path: &Path) {
-    let Ok(size) = decode::size_from(Cursor::new(bytes), path) else { return };
+    let length = bytes.len() as u64;
+    let Ok(size) = decode::size_from(Cursor::new(bytes), length, path) else { return };
     let budget = Budget::of(PHOTOGRAPH_BYTES);
-    let needed = decode::bytes_to_decode(bytes.len() as u64, size);
+    let needed = decode::bytes_to_decode(length, size);
     let Ok(_share) = budget.take(needed, String::new) else { return };
     if let Ok(decoded) = decode::decode(bytes, size, path) {
         let _ = decoded.rgba(size[0] - 1, size[1] - 1);

@@ -197,11 +197,11 @@ fn read(path: &Path) -> Result<Vec<u8>> {
 
 /// The records with their lines.
 pub(crate) fn parse<'a>(path: &Path, text: &'a [u8]) -> Result<Vec<(&'a [u8], Record)>> {
-    let lines: Vec<_> = text.split(|&byte| byte == b'\n').enumerate().collect();
-    let filled = lines.iter().filter(|(_, line)| !line.trim_ascii().is_empty());
-    let last = filled.clone().next_back().map(|(number, _)| *number);
+    let lines = text.split(|&byte| byte == b'\n').enumerate();
+    let filled = lines.filter(|(_, line)| !line.trim_ascii().is_empty());
+    let last = filled.clone().last().map(|(number, _)| number);
     let mut records = Vec::new();
-    for &(number, line) in filled {
+    for (number, line) in filled {
         match serde_json::from_slice(line) {
             Ok(record) => records.push((line, record)),
             Err(_) if Some(number) == last => {}

@@ -109,6 +109,36 @@ fn decoding_has_a_budget() {
     sandbox.run(&train).assert_ok();
 }
 
+/// Zlib's stream of `length` zeros, 158 times smaller: copies of 258 bytes, in 13 bits each.
+fn zeros(length: usize) -> Vec<u8> {
+    // a last block with fixed codes, a zero, the copies, and the end
+    let copies = (0..length / 258).flat_map(|_| *b"1100010100000");
+    let bits = b"110".iter().chain(b"00110000").copied().chain(copies).chain(*b"0000000");
+    let mut stream = vec![0x78, 1];
+    for (index, bit) in bits.enumerate() {
+        if index % 8 == 0 {
+            stream.push(0);
+        }
+        *stream.last_mut().expect("a byte") |= (bit - b'0') << (index % 8);
+    }
+    stream
+}
+
+/// A color profile is nothing that anybody needs here, and may hold less than it says.
+#[test]
+fn profiles_that_grow_are_passed_over() {
+    let sandbox = data();
+    for name in ["0000", "0001"] {
+        let path = sandbox.path(&format!("data/images/{name}.png"));
+        let file = fs::read(&path).unwrap();
+        let (header, rest) = file.split_at(33);
+        let profile = chunk(b"iCCP", &[b"a\0\0", zeros(400 << 20).as_slice()].concat());
+        fs::write(path, [header, &profile, rest].concat()).unwrap();
+    }
+    let script = format!("ulimit -v 600000; \"$ORGANZA\" {TRAIN} --downscale 8 --hold-out-every 0");
+    sandbox.shell(&script).assert_ok();
+}
+
 #[test]
 fn many_missing_photographs_are_one_line() {
     let sandbox = data();
@@ -219,6 +249,19 @@ fn lines_of_text_models_are_bounded() {
     sandbox.assert_refuses(TRAIN, &["none of the 1 photographs", "a.png"]);
     write("cameras", &long);
     sandbox.assert_refuses(TRAIN, &["cameras.txt", "line 1 is longer"]);
+}
+
+/// Empty lines are no records, and take nothing.
+#[test]
+fn logs_are_read_line_by_line() {
+    let sandbox = sandbox();
+    sandbox.run("train --config tiny.toml --steps 2 --backend cpu -o run").assert_ok();
+    let path = sandbox.path("run/metrics.jsonl");
+    let log = fs::read(&path).unwrap();
+    fs::write(&path, [log.as_slice(), &[b'\n'; 60 << 20]].concat()).unwrap();
+    let script = "ulimit -v 900000; \"$ORGANZA\" train --resume run --backend cpu";
+    sandbox.shell(script).assert_ok();
+    assert!(fs::metadata(path).unwrap().len() < 2 * log.len() as u64);
 }
 
 #[test]

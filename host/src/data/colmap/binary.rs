@@ -4,7 +4,7 @@ use std::io::{BufRead, BufReader, Read, Seek};
 use std::path::Path;
 
 use super::model::Lenses;
-use super::{Cameras, Image, Points};
+use super::{Cameras, Image, Points, add};
 use crate::data::{Point, invalid};
 use crate::error::{Error, Result};
 
@@ -26,7 +26,7 @@ pub(super) fn cameras(source: impl Read + Seek, length: u64, path: &Path) -> Res
         let intrinsics = lenses.intrinsics(size, &values);
         let intrinsics =
             intrinsics.or_else(|reason| invalid(path, format!("camera {id}: {reason}")))?;
-        cameras.insert(id, intrinsics);
+        add(&mut cameras, id, intrinsics, path)?;
     }
     records.finish()?;
     Ok(cameras)

@@ -32,6 +32,14 @@ type Cameras = HashMap<u32, Intrinsics>;
 /// Points by their ids.
 type Points = Vec<(u64, Point)>;
 
+/// Adds a camera, whose id no other may have: one of the two would be lost.
+fn add(cameras: &mut Cameras, id: u32, camera: Intrinsics, path: &Path) -> Result<()> {
+    match cameras.insert(id, camera) {
+        Some(_) => invalid(path, format!("camera {id} is there twice; is the file damaged?")),
+        None => Ok(()),
+    }
+}
+
 /// The files of a model.
 pub(super) struct Model {
     cameras: PathBuf,
@@ -63,6 +71,10 @@ pub(super) fn list(
     let (cameras, mut images, mut points) = read(model)?;
     images.sort_by(|a, b| a.name.cmp(&b.name));
     points.sort_by_key(|(id, _)| *id);
+    if let Some(pair) = images.windows(2).find(|pair| pair[0].name == pair[1].name) {
+        let reason = format!("image `{}` is there twice; is the file damaged?", pair[0].name);
+        return invalid(&model.images, reason);
+    }
     let mut listing = Listing::new(DatasetKind::Colmap);
     for (position, image) in images.into_iter().enumerate() {
         let Some(intrinsics) = cameras.get(&image.camera) else {

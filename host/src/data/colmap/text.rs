@@ -5,7 +5,7 @@ use std::path::Path;
 use std::str::FromStr;
 
 use super::model::{Intrinsics, Lenses};
-use super::{Cameras, Image, Points};
+use super::{Cameras, Image, Points, add};
 use crate::data::{Point, invalid};
 use crate::error::{Error, Result};
 
@@ -18,7 +18,7 @@ pub(super) fn cameras(source: impl Read, path: &Path) -> Result<Cameras> {
     let mut cameras = Cameras::new();
     while lines.next_record()? {
         let (id, intrinsics) = lines.parse(camera)?;
-        cameras.insert(id, intrinsics);
+        add(&mut cameras, id, intrinsics, path)?;
     }
     Ok(cameras)
 }

@@ -83,6 +83,8 @@ fn cameras_and_poses_are_checked() {
         &["points3D.", "point 1", "NaN", "finite"],
     );
     assert_error(|model| model.images.clear(), &["images.", "no images"]);
+    assert_error(|model| model.cameras[1].0 = 7, &["cameras.", "camera 7 is there twice"]);
+    assert_error(|model| model.images[2].0 = "a.png", &["images.", "image `a.png` is there twice"]);
 }
 
 /// Every length, and nothing but errors: no panic, no hang, no allocation that a count asks for.

@@ -1,6 +1,0 @@
-#![no_main]
-
-#[path = "../held.rs"]
-mod held;
-
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| held::run(organza::fuzz::scene, bytes, "scene"));

@@ -57,14 +57,20 @@ pub(super) fn has_alpha(path: &Path) -> Result<bool> {
 }
 
 /// The bytes of a photograph's file that should have `expected` pixels, width and height, and the
-/// share of the budget that decoding them takes. Keep it until they are decoded.
+/// share of the budget that decoding them takes, and decoding its mask. Keep it until both are.
 pub(super) fn read<'a>(
     path: &Path,
+    mask: Option<&Path>,
     expected: [u32; 2],
     budget: &'a Budget,
 ) -> Result<(Vec<u8>, Share<'a>)> {
     let (_, length) = open_regular(path)?;
-    let share = budget.take(bytes_to_decode(length, expected), || {
+    let mut needed = bytes_to_decode(length, expected);
+    if let Some(mask) = mask {
+        needed = needed.saturating_add(bytes_to_decode(open_regular(mask)?.1, expected));
+    }
+    // All at once: threads that wait for more while they hold some would wait for each other.
+    let share = budget.take(needed, || {
         let ([width, height], path) = (expected, path.display());
         format!("decoding {path} ({width} x {height} pixels)")
     })?;

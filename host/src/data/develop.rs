@@ -10,6 +10,7 @@ use super::{Alpha, DatasetOptions, Frame, Photograph, decode, invalid};
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::image::to_8_bit;
+use crate::input::read_file;
 use organza_device::memory;
 
 /// A photograph that is there, and how it was taken.
@@ -40,8 +41,9 @@ impl Shot {
     pub fn develop(&self, options: &DatasetOptions, budget: &Budget) -> Result<(Frame, Digest)> {
         let Camera { width, height, .. } = self.camera;
         let camera = self.smaller_camera()?;
-        let mask = self.mask.as_deref().map(|path| self.read_mask(path, budget)).transpose()?;
-        let (bytes, _share) = decode::read(&self.path, [width, height], budget)?;
+        let mask = self.mask.as_deref();
+        let (bytes, _share) = decode::read(&self.path, mask, [width, height], budget)?;
+        let mask = mask.map(|path| self.read_mask(path)).transpose()?;
         let digest = Digest::of(&bytes, mask.as_ref().map(|mask| &*mask.file));
         let decoded = decode::decode(&bytes, [width, height], &self.path)?;
         let alpha_hides = options.alpha == Alpha::Mask && decoded.has_alpha();
@@ -89,9 +91,9 @@ impl Shot {
         Ok(Camera { distorted: false, ..smaller(&self.camera, self.factor) })
     }
 
-    fn read_mask(&self, path: &Path, budget: &Budget) -> Result<Mask> {
+    fn read_mask(&self, path: &Path) -> Result<Mask> {
         let size = [self.camera.width, self.camera.height];
-        let (file, _share) = decode::read(path, size, budget)?;
+        let file = read_file(path, u64::MAX, "a mask")?;
         let decoded = decode::decode(&file, size, path)?;
         let count = size[0] as usize * size[1] as usize;
         let mut used = memory::zeros::<bool>(count, "a photograph's mask")?;

@@ -9,6 +9,8 @@ use std::path::{Component, Path, PathBuf};
 /// The folder of photographs; `masks`, `images_2` and so on lie beside it.
 const IMAGES: &str = "images";
 const MASKS: &str = "masks";
+/// Folders on the way to a photograph, for which its path's tails are looked at: a path may be of any length.
+const DEEPEST: usize = 32;
 /// What a name may lack.
 const EXTENSIONS: [&str; 6] = ["", ".png", ".jpg", ".jpeg", ".JPG", ".JPEG"];
 
@@ -69,7 +71,9 @@ fn tails(path: &Path) -> Vec<PathBuf> {
             _ => None,
         })
         .collect();
-    let tails = (0..names.len().saturating_sub(1)).map(|first| names[first..].iter().collect());
+    let longest = names.len().saturating_sub(DEEPEST + 1);
+    let tails = longest..names.len().saturating_sub(1);
+    let tails = tails.map(|first| names[first..].iter().collect());
     std::iter::once(path.to_owned()).chain(tails).collect()
 }
 

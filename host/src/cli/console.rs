@@ -195,7 +195,7 @@ pub fn print_json(value: &impl serde::Serialize) -> Result<()> {
     let text = serde_json::to_string_pretty(value)
         .map_err(|error| Error::Argument { reason: error.to_string() })?;
     // JSON itself escapes what is below a blank.
-    let is_plain = |c: char| !('\u{7f}'..='\u{9f}').contains(&c) && !is_direction(c);
+    let is_plain = |c: char| !('\u{7f}'..='\u{9f}').contains(&c) && !is_mark(c);
     let mut escaped = String::with_capacity(text.len() + 1);
     for c in text.chars() {
         if is_plain(c) {

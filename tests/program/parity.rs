@@ -9,6 +9,7 @@ use crate::sandbox::Sandbox;
 fn the_cpu_agrees_with_itself_to_the_bit() {
     let outcome = Sandbox::new("tiny").run("parity --backend cpu --json").assert_ok();
     let reports: Value = serde_json::from_str(&outcome.stdout).expect("JSON");
+    crate::flags::assert_documented("parity", std::slice::from_ref(&reports));
     let kernels = reports[0]["kernels"].as_array().expect("rows");
     assert_eq!(kernels.len(), organza_kernel::kernels().count());
     for kernel in kernels {

@@ -250,8 +250,8 @@ fn outputs_are_replaced_whole() {
 #[test]
 fn help_has_examples() {
     let sandbox = Sandbox::new("tiny");
-    let commands = "train tiles render demo info explain eval kernels parity bench";
-    for command in commands.split(' ').map(|name| format!("help {name}")).chain(["--help".into()]) {
+    let commands = crate::flags::commands(&sandbox);
+    for command in commands.iter().map(|name| format!("help {name}")).chain(["--help".into()]) {
         let help = sandbox.run(&command).assert_ok().stdout;
         assert!(help.contains("Examples:\n  organza "), "{help}");
     }

@@ -6,7 +6,7 @@ use organza::bench::{BenchOptions, Benchmark, KernelShare, Synthetic, measure, p
 use organza::error::DeviceError;
 use organza::{Camera, DeviceOptions, Error, Result, Scene, TileBatch};
 
-use super::console::{print, print_json};
+use super::console::{Console, print, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::refuse;
@@ -71,7 +71,7 @@ struct Workload {
 }
 
 impl Args {
-    fn workload(&self) -> Result<Workload> {
+    fn workload(&self, console: Console) -> Result<Workload> {
         let (Some(scene), Some(cameras), Some(tiles)) = (&self.scene, &self.cameras, &self.tiles)
         else {
             let synthetic = Synthetic::new()?;
@@ -79,7 +79,6 @@ impl Args {
             return Ok(Workload { scene: Box::new(move || synthetic.scene()), cameras, batch });
         };
         let batch = load_batch(tiles)?;
-        let console = self.device.console();
         let source = SceneSource::find(scene)?;
         let usage = "organza bench SCENE CAMERAS TILES";
         let cameras = Cameras::load(&source, Some(cameras), &self.data, usage, console)?.list;
@@ -88,10 +87,14 @@ impl Args {
     }
 
     /// What one device takes.
-    fn measure(&self, workload: &Workload, device: &DeviceOptions) -> Result<Benchmark> {
-        let console = self.device.console();
+    fn measure(
+        &self,
+        workload: &Workload,
+        device: &DeviceOptions,
+        console: Console,
+    ) -> Result<Benchmark> {
         let scene = (workload.scene)()?;
-        let renderer = self.device.open_as(device)?;
+        let renderer = self.device.open_as(device, console)?;
         // the host's copy is not kept: it is not part of what rendering takes
         let scene = self.scene_args.upload(&renderer, &{ scene })?;
         let options = BenchOptions { repeat: self.repeat as usize, backward: !self.forward };
@@ -102,11 +105,10 @@ impl Args {
     }
 
     /// What each device takes that can be used.
-    fn measure_every(&self, workload: &Workload) -> Result<Vec<Benchmark>> {
-        let console = self.device.console();
+    fn measure_every(&self, workload: &Workload, console: Console) -> Result<Vec<Benchmark>> {
         let mut found = Vec::new();
         for device in self.device.every()? {
-            match self.measure(workload, &device) {
+            match self.measure(workload, &device, console) {
                 Ok(benchmark) => found.push(benchmark),
                 // another may be of use
                 Err(error @ Error::Device(DeviceError::NoGpu { .. })) => {
@@ -119,20 +121,20 @@ impl Args {
     }
 }
 
-pub fn run(args: &Args) -> Result<()> {
+pub fn run(args: &Args, console: Console) -> Result<()> {
     let SceneArgs { half_grids, half_networks } = args.scene_args;
     for (option, is_given) in [("--half-grids", half_grids), ("--half-networks", half_networks)] {
         if is_given && !args.forward {
             return refuse(format!("`{option}` has no gradients; add `--forward`"));
         }
     }
-    let workload = args.workload()?;
+    let workload = args.workload(console)?;
     if args.every_device {
-        let found = args.measure_every(&workload)?;
+        let found = args.measure_every(&workload, console)?;
         let texts = || found.iter().map(text).collect::<Vec<_>>().join("\n");
         return if args.json { print_json(&found) } else { print(&texts()) };
     }
-    let benchmark = args.measure(&workload, &args.device.options()?)?;
+    let benchmark = args.measure(&workload, &args.device.options()?, console)?;
     if args.json { print_json(&benchmark) } else { print(&text(&benchmark)) }
 }
 

@@ -8,10 +8,12 @@ use std::time::Duration;
 use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 use organza::{Error, Result};
 
+use super::verbosity::Level;
+
 /// Where notes go.
 #[derive(Clone, Copy, Debug)]
 pub struct Console {
-    quiet: bool,
+    level: Level,
 }
 
 /// A bar or a spinner that is gone when it is dropped; where stderr is no terminal it never shows.
@@ -19,9 +21,15 @@ pub struct Console {
 pub struct Progress(ProgressBar);
 
 impl Console {
-    /// A console that says nothing but warnings where `quiet`.
-    pub fn new(quiet: bool) -> Self {
-        Self { quiet }
+    pub fn new(level: Level) -> Self {
+        Self { level }
+    }
+
+    /// Says something that only `--verbose` shows.
+    pub fn detail(self, text: &str) {
+        if self.level >= Level::Verbose {
+            line("detail", text);
+        }
     }
 
     /// Whether bars can be seen.
@@ -31,7 +39,7 @@ impl Console {
 
     /// Says something, unless told to be quiet.
     pub fn note(self, text: &str) {
-        if !self.quiet {
+        if self.level >= Level::Normal {
             write(&format!("{}\n", plain(text)));
         }
     }
@@ -55,7 +63,7 @@ impl Console {
     }
 
     fn show(self, bar: ProgressBar, template: &str) -> Progress {
-        if self.quiet {
+        if self.level < Level::Normal {
             return Progress(ProgressBar::hidden());
         }
         // Before the first step is done nobody knows how long one takes.
@@ -178,6 +186,11 @@ fn write(text: &str) {
 /// Writes data to stdout. A reader that has seen enough, such as `head`, is no error.
 pub fn print(text: &str) -> Result<()> {
     write_out(&plain(text))
+}
+
+/// Writes text of the program's own to stdout, with every character that controls a terminal.
+pub fn print_as_is(text: &str) -> Result<()> {
+    write_out(text)
 }
 
 fn write_out(text: &str) -> Result<()> {

@@ -3,14 +3,16 @@
 use std::path::{Path, PathBuf};
 
 use organza::{Camera, Image, Renderer, Result, Scene, Tile, TileBatch, demo};
+use serde::Serialize;
 
-use super::console::Console;
+use super::console::{Console, print_json};
 use super::device::DeviceArgs;
 use super::output::Folder;
-use super::picture::{Pictures, warn_not_finite};
+use super::picture::{Picture, Pictures, warn_not_finite};
 use super::refuse;
-use super::summary::{Summary, count};
+use super::summary::{Cost, Summary, count};
 use super::views::names;
+use super::written::Written;
 
 /// Side of the tiles that an image is cut into, and of those in `tiles.json`.
 const TILE_SIZE: u32 = 64;
@@ -20,7 +22,9 @@ const SHEET_WIDTH: u32 = 2400;
 const EXAMPLES: &str = "\
 Examples:
   organza demo -o demo
-  organza demo -o demo --views 8 --size 256 --backend cpu";
+  organza demo -o demo --views 8 --size 256 --backend cpu
+
+Images of an earlier call that do not belong to the new ones are removed, as `organza help render` says.";
 
 /// Render the built-in scene from all sides; needs no files
 #[derive(Debug, clap::Args)]
@@ -37,32 +41,59 @@ pub struct Args {
     #[arg(long, value_name = "S", default_value_t = 384)]
     #[arg(value_parser = clap::value_parser!(u32).range(8..=4096))]
     size: u32,
+    /// Print JSON: the files, and what rendering took (docs/json.md)
+    #[arg(long)]
+    json: bool,
     #[command(flatten)]
     device: DeviceArgs,
 }
 
-pub fn run(args: &Args) -> Result<()> {
-    let console = args.device.console();
+pub fn run(args: &Args, console: Console) -> Result<()> {
     let folder = Folder::make(&args.output)?;
     let scene = console.during("building the scene", demo::scene);
     let cameras = demo::turntable(usize::from(args.views), args.size);
     refuse_foreign(&folder, &scene, &cameras, &args.output)?;
-    let renderer = args.device.open()?;
-    scene.save(folder.join("scene.safetensors"))?;
-    Camera::save_all(folder.join("cameras.json"), &cameras)?;
-    center_tiles(&cameras).save(folder.join("tiles.json"))?;
-    render(&renderer, &scene, &cameras, &folder, console)?;
+    let renderer = args.device.open(console)?;
+    let [scene_file, cameras_file, tiles_file, sheet] = FILES.map(|name| folder.join(name));
+    scene.save(&scene_file)?;
+    Camera::save_all(&cameras_file, &cameras)?;
+    center_tiles(&cameras).save(&tiles_file)?;
+    let mut written = Written::open(&folder, &scene_file, &cameras)?;
+    let (images, cost) = render(&renderer, &scene, &cameras, &folder, &mut written, console)?;
+    let removed = written.finish(console)?;
     console.note(&whats_next(&args.output, &cameras));
+    if args.json {
+        let (scene, cameras, tiles) = (scene_file, cameras_file, tiles_file);
+        let folder = args.output.clone();
+        return print_json(&Made { folder, scene, cameras, tiles, sheet, images, removed, cost });
+    }
     Ok(())
+}
+
+/// The files beside the views.
+const FILES: [&str; 4] = ["scene.safetensors", "cameras.json", "tiles.json", "turntable.png"];
+
+/// What `--json` prints.
+#[derive(Debug, Serialize)]
+struct Made {
+    folder: PathBuf,
+    scene: PathBuf,
+    cameras: PathBuf,
+    tiles: PathBuf,
+    sheet: PathBuf,
+    images: Vec<Picture>,
+    /// Images of an earlier call that were removed.
+    removed: usize,
+    #[serde(flatten)]
+    cost: Cost,
 }
 
 /// A folder that holds somebody's files is no place for others of the same names.
 fn refuse_foreign(folder: &Folder, scene: &Scene, cameras: &[Camera], path: &Path) -> Result<()> {
     // What was written and is read again has the same values: f32 in a file are exact.
     let own = Scene::load(folder.join("scene.safetensors")).is_ok_and(|found| found == *scene);
-    let fixed = ["scene.safetensors", "cameras.json", "tiles.json", "turntable.png"];
     let views = names(cameras).into_iter().map(|name| format!("{name}.png"));
-    let mut files = fixed.map(str::to_owned).into_iter().chain(views);
+    let mut files = FILES.map(str::to_owned).into_iter().chain(views);
     match files.find(|name| folder.join(name).exists()) {
         Some(name) if !own => refuse(format!(
             "{} holds a {name} that the demo did not write; choose another folder",
@@ -77,21 +108,25 @@ fn render(
     scene: &Scene,
     cameras: &[Camera],
     folder: &Folder,
+    written: &mut Written,
     console: Console,
-) -> Result<()> {
+) -> Result<(Vec<Picture>, Cost)> {
     let scene = renderer.upload(scene)?;
     let pictures = Pictures { renderer, scene: &scene, cameras, tile_size: TILE_SIZE };
     let views: Vec<_> = (0..cameras.len()).collect();
     let names = names(cameras);
     let mut sheet = Sheet::new(cameras)?;
     let mut summary = Summary::start();
-    let mut not_finite = 0;
+    let (mut images, mut not_finite) = (Vec::new(), 0);
     {
         let progress = console.progress(pictures.tiles(&views), "tiles");
         for view in views {
             progress.say(&names[view]);
             let image = pictures.render(view, &mut summary, &progress)?;
-            image.save_png(folder.join(&format!("{}.png", names[view])))?;
+            let file = folder.join(&format!("{}.png", names[view]));
+            image.save_png(&file)?;
+            written.add(&file)?;
+            images.push(Picture::new(view, &file, &cameras[view]));
             sheet.add(&image)?;
             not_finite += image.not_finite();
         }
@@ -101,7 +136,7 @@ fn render(
     let number = count(cameras.len() as u64, "image");
     console.note(&summary.line(&format!("{number} of {size} x {size}")));
     warn_not_finite(console, not_finite);
-    Ok(())
+    Ok((images, summary.cost(renderer, not_finite)))
 }
 
 /// All views side by side.
@@ -144,9 +179,7 @@ fn center_tiles(cameras: &[Camera]) -> TileBatch {
 }
 
 fn whats_next(path: &Path, cameras: &[Camera]) -> String {
-    let [scene, cameras_file, tiles, sheet] =
-        ["scene.safetensors", "cameras.json", "tiles.json", "turntable.png"]
-            .map(|name| quoted(&path.join(name)));
+    let [scene, cameras_file, tiles, sheet] = FILES.map(|name| quoted(&path.join(name)));
     let center = cameras[0].width / 2;
     let images = quoted(&path.join("views"));
     let rendered = quoted(&path.join("rendered.safetensors"));

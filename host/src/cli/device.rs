@@ -1,5 +1,7 @@
 //! The options that choose a device.
 
+use std::time::Instant;
+
 use clap::ValueEnum;
 use clap::builder::PossibleValuesParser;
 use organza::{
@@ -15,12 +17,12 @@ use super::refuse;
 #[derive(Debug, clap::Args)]
 pub struct SceneArgs {
     /// Store both hash grids in half precision: half their memory, each feature off by at most 1/2048; no gradients
-    #[arg(long, help_heading = "Device")]
+    #[arg(long, help_heading = "Device", hide_short_help = true)]
     pub half_grids: bool,
 
     /// Compute the hidden layers of both networks in half precision: for GPUs, slower on the CPU; each output off by at most
     /// 0.9% of the sizes of its terms; no gradients
-    #[arg(long, help_heading = "Device")]
+    #[arg(long, help_heading = "Device", hide_short_help = true)]
     pub half_networks: bool,
 }
 
@@ -36,37 +38,33 @@ impl SceneArgs {
 #[derive(Debug, clap::Args)]
 pub struct DeviceArgs {
     /// The device to use; `auto` takes a GPU if there is one, and says which
-    #[arg(long, value_enum, default_value_t, help_heading = "Device")]
+    #[arg(long, value_enum, default_value_t, help_heading = "Device", hide_short_help = true)]
     backend: Backend,
 
     /// How kernels reach the GPU's driver: as SPIR-V (Vulkan only), or translated by naga
     /// [default: passthrough if the GPU supports it]
-    #[arg(long, value_enum, help_heading = "Device")]
+    #[arg(long, value_enum, help_heading = "Device", hide_short_help = true)]
     spirv: Option<Spirv>,
 
     /// Use the GPU whose name contains this text
-    #[arg(long, value_name = "NAME", help_heading = "Device")]
+    #[arg(long, value_name = "NAME", help_heading = "Device", hide_short_help = true)]
     adapter: Option<String>,
 
     /// Which kernels a GPU runs: `plain` ones, or the `best` it has, with workgroup memory
     /// [default: best; plain on a software device]
-    #[arg(long, value_enum, help_heading = "Device")]
+    #[arg(long, value_enum, help_heading = "Device", hide_short_help = true)]
     variants: Option<Variants>,
 
     /// Threads of the CPU backend [default: one per core]
-    #[arg(long, value_name = "N", help_heading = "Device")]
+    #[arg(long, value_name = "N", help_heading = "Device", hide_short_help = true)]
     #[arg(value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 
     /// Instruction set of the CPU backend; `scalar` runs one invocation at a time, for debugging
     /// [default: the widest of this CPU]
-    #[arg(long, value_name = "SET", help_heading = "Device")]
+    #[arg(long, value_name = "SET", help_heading = "Device", hide_short_help = true)]
     #[arg(value_parser = PossibleValuesParser::new(InstructionSet::ALL.map(InstructionSet::as_str)))]
     instruction_set: Option<String>,
-
-    /// Print only warnings and errors
-    #[arg(short, long)]
-    quiet: bool,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
@@ -90,20 +88,17 @@ enum Variants {
 }
 
 impl DeviceArgs {
-    pub fn console(&self) -> Console {
-        Console::new(self.quiet)
-    }
-
     /// Opens the device and says which it is.
-    pub fn open(&self) -> Result<Renderer> {
-        self.open_as(&self.options()?)
+    pub fn open(&self, console: Console) -> Result<Renderer> {
+        self.open_as(&self.options()?, console)
     }
 
     /// Opens a device of [`Self::options`] or [`Self::every`] and says which it is.
-    pub fn open_as(&self, options: &DeviceOptions) -> Result<Renderer> {
-        let console = self.console();
+    pub fn open_as(&self, options: &DeviceOptions, console: Console) -> Result<Renderer> {
+        let start = Instant::now();
         let device = console.during("opening the device", || organza::open_device(options))?;
         console.note(device.choice());
+        console.detail(&format!("opened the device in {:.2} s", start.elapsed().as_secs_f64()));
         Ok(Renderer::new(device))
     }
 

@@ -51,8 +51,7 @@ pub struct Args {
     device: DeviceArgs,
 }
 
-pub fn run(args: &Args) -> Result<()> {
-    let console = args.device.console();
+pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = SceneSource::find(&args.scene)?;
     let usage = "organza eval SCENE DATA";
     let mut settings = args.data_args.settings(&source, args.data.as_deref(), usage)?;
@@ -65,7 +64,7 @@ pub fn run(args: &Args) -> Result<()> {
     let of_scene = scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32);
     settings.background = args.background.unwrap_or(Background::Color(of_scene));
     let data = DataSet::open(settings, console)?;
-    let renderer = args.device.open()?;
+    let renderer = args.device.open(console)?;
     let dataset = data.read(&renderer, console)?;
     let frames = frames(args, &dataset, split)?;
     let scene = args.scene_args.upload(&renderer, &scene)?;

@@ -54,8 +54,7 @@ fn parse_pixel(text: &str) -> Result<[i32; 2], String> {
     pixel.ok_or_else(|| "expected two whole numbers X,Y such as 192,96".to_owned())
 }
 
-pub fn run(args: &Args) -> Result<()> {
-    let console = Console::new(false);
+pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = SceneSource::find(&args.scene)?;
     let usage = "organza explain SCENE CAMERAS";
     let cameras = Cameras::load(&source, args.cameras.as_deref(), &args.data, usage, console)?;

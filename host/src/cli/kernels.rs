@@ -1,5 +1,6 @@
 //! `organza kernels`: what the program carries for GPUs.
 
+use organza::error::format_bytes;
 use organza::{MODULES, Result};
 use organza_device::CodeSize;
 use organza_kernel::kernel::workgroup_bytes;
@@ -7,7 +8,8 @@ use organza_kernel::{EntryPoint, KernelInfo};
 use organza_shaders::limits::MAX_ITERATIONS;
 use serde::Serialize;
 
-use super::console::{print, print_json};
+use super::console::{Console, print, print_json};
+use super::summary::count;
 use super::table::Table;
 
 const EXAMPLES: &str = "\
@@ -54,13 +56,16 @@ struct Binding {
     element_bytes: u32,
 }
 
-pub fn run(args: &Args) -> Result<()> {
+pub fn run(args: &Args, console: Console) -> Result<()> {
     let mut declared: Vec<_> = organza_kernel::kernels().collect();
     declared.sort_by_key(|kernel| kernel.name);
     let all =
         declared.iter().flat_map(|kernel| kernel.entry_points().map(|point| (*kernel, point)));
     let listed =
         all.map(|(kernel, point)| Listed::of(kernel, point)).collect::<Result<Vec<_>>>()?;
+    let bytes: usize = listed.iter().map(|kernel| kernel.spirv_bytes).sum();
+    let number = count(listed.len() as u64, "kernel");
+    console.detail(&format!("{number}, {} of SPIR-V", format_bytes(bytes as u64)));
     if args.json {
         return print_json(&listed);
     }

@@ -1,6 +1,7 @@
 //! The command line: one file for each subcommand.
 
 mod bench;
+mod completions;
 mod console;
 mod demo;
 mod device;
@@ -9,6 +10,7 @@ mod explain;
 mod info;
 mod inputs;
 mod kernels;
+mod man;
 mod output;
 mod parity;
 mod picture;
@@ -19,7 +21,9 @@ mod summary;
 mod table;
 mod tiles;
 mod train;
+mod verbosity;
 mod views;
+mod written;
 
 use std::panic;
 use std::path::PathBuf;
@@ -29,6 +33,9 @@ use std::sync::Mutex;
 use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
 use organza::Result;
+
+use console::Console;
+use verbosity::Verbosity;
 
 /// The exit code of whatever went wrong; clap's own is the same.
 const FAILURE: u8 = 2;
@@ -41,12 +48,16 @@ Examples:
   organza render demo/scene.safetensors demo/cameras.json -o images --views 0-3
   organza explain demo/scene.safetensors demo/cameras.json --view 0 --pixel 192,192
 
+`organza COMMAND -h` is short; `organza help COMMAND` also describes the options that choose a device, and has examples.
+
 Exit code: 0, or 2 after an error, with a message on stderr. `parity` exits with 1 if a GPU computes wrong results.";
 
 /// Sort-free Gaussian rendering and training
 #[derive(Debug, Parser)]
 #[command(version, after_help = EXAMPLES, max_term_width = 100)]
 struct Cli {
+    #[command(flatten)]
+    verbosity: Verbosity,
     #[command(subcommand)]
     command: Command,
 }
@@ -63,26 +74,31 @@ enum Command {
     Kernels(kernels::Args),
     Parity(parity::Args),
     Bench(bench::Args),
+    Completions(completions::Args),
+    Man(man::Args),
 }
 
 /// Runs the program; returns its exit code.
 pub fn main() -> ExitCode {
     remember_panics();
-    let command = match Cli::try_parse() {
-        Ok(Cli { command }) => command,
+    let Cli { verbosity, command } = match Cli::try_parse() {
+        Ok(cli) => cli,
         Err(error) => return usage(&error),
     };
+    let console = Console::new(verbosity.level());
     let run = || match &command {
-        Command::Train(args) => train::run(args).map(done),
-        Command::Tiles(args) => tiles::run(args).map(done),
-        Command::Render(args) => render::run(args).map(done),
-        Command::Demo(args) => demo::run(args).map(done),
-        Command::Info(args) => info::run(args).map(done),
-        Command::Explain(args) => explain::run(args).map(done),
-        Command::Eval(args) => eval::run(args).map(done),
-        Command::Kernels(args) => kernels::run(args).map(done),
-        Command::Parity(args) => parity::run(args),
-        Command::Bench(args) => bench::run(args).map(done),
+        Command::Train(args) => train::run(args, console).map(done),
+        Command::Tiles(args) => tiles::run(args, console).map(done),
+        Command::Render(args) => render::run(args, console).map(done),
+        Command::Demo(args) => demo::run(args, console).map(done),
+        Command::Info(args) => info::run(args, console).map(done),
+        Command::Explain(args) => explain::run(args, console).map(done),
+        Command::Eval(args) => eval::run(args, console).map(done),
+        Command::Kernels(args) => kernels::run(args, console).map(done),
+        Command::Parity(args) => parity::run(args, console),
+        Command::Bench(args) => bench::run(args, console).map(done),
+        Command::Completions(args) => completions::run(args, console).map(done),
+        Command::Man(args) => man::run(args, console).map(done),
     };
     let message = match panic::catch_unwind(run) {
         Ok(Ok(code)) => return code,

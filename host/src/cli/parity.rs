@@ -46,9 +46,6 @@ pub struct Args {
     /// Print Markdown, with the reason for each tolerance: the tables of docs/parity.md
     #[arg(long, conflicts_with = "json")]
     markdown: bool,
-    /// Print only warnings and errors
-    #[arg(short, long)]
-    quiet: bool,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
@@ -58,8 +55,7 @@ enum Backend {
     Cpu,
 }
 
-pub fn run(args: &Args) -> Result<ExitCode> {
-    let console = Console::new(args.quiet);
+pub fn run(args: &Args, console: Console) -> Result<ExitCode> {
     let cpu = organza::open_device(&DeviceOptions::cpu(None))?;
     let (mut reports, mut unusable) = (Vec::new(), Vec::new());
     if args.backend == Backend::Cpu {

@@ -1,6 +1,9 @@
 //! One view as an image.
 
+use std::path::{Path, PathBuf};
+
 use organza::{Camera, DeviceScene, Image, Renderer, Result, image};
+use serde::Serialize;
 
 use super::console::{Console, Progress};
 use super::summary::{Summary, grouped};
@@ -37,6 +40,21 @@ impl Pictures<'_> {
             picture.paste(&batch, &tiles)?;
         }
         Ok(picture)
+    }
+}
+
+/// An image that was written, as `--json` prints it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Picture {
+    view: usize,
+    file: PathBuf,
+    width: u32,
+    height: u32,
+}
+
+impl Picture {
+    pub fn new(view: usize, file: &Path, camera: &Camera) -> Self {
+        Self { view, file: file.to_owned(), width: camera.width, height: camera.height }
     }
 }
 

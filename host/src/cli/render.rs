@@ -4,15 +4,17 @@ use std::path::{Path, PathBuf};
 
 use organza::tile::MAX_TILE_SIDE;
 use organza::{Image, Result};
+use serde::Serialize;
 
-use super::console::Console;
+use super::console::{Console, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::output::{self, Folder};
-use super::picture::{Pictures, sizes, warn_not_finite};
+use super::picture::{Picture, Pictures, sizes, warn_not_finite};
 use super::refuse;
-use super::summary::{Summary, count};
+use super::summary::{Cost, Summary, count};
 use super::views::{ViewList, names, warn_distorted};
+use super::written::Written;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -26,7 +28,10 @@ A folder is a data set: its cameras are as training has them, undistorted and do
 run's folder says which frames are held out. Views count within the split.
 
 If each camera names a photograph of its own, files are named after these; otherwise after the \
-view's index. The tile size does not change the image.";
+view's index. The tile size does not change the image.
+
+The folder also gets .organza-files.json, a list of the images with their hashes. The next call removes those that \
+were made from another scene or other cameras, unless you have changed them. It removes nothing else.";
 
 /// Render whole views as PNG images
 #[derive(Debug, clap::Args)]
@@ -46,6 +51,9 @@ pub struct Args {
     #[arg(long, value_name = "S", default_value_t = 64)]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_TILE_SIDE)))]
     tile_size: u32,
+    /// Print JSON: the images, and what rendering took (docs/json.md)
+    #[arg(long)]
+    json: bool,
     #[command(flatten)]
     data: DataArgs,
     #[command(flatten)]
@@ -54,8 +62,7 @@ pub struct Args {
     device: DeviceArgs,
 }
 
-pub fn run(args: &Args) -> Result<()> {
-    let console = args.device.console();
+pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = SceneSource::find(&args.scene)?;
     let usage = "organza render SCENE CAMERAS -o DIR";
     let cameras = Cameras::load(&source, args.cameras.as_deref(), &args.data, usage, console)?;
@@ -72,11 +79,13 @@ pub fn run(args: &Args) -> Result<()> {
     let folder = Folder::make(&args.output)?;
     let files = files(&folder, &source, &cameras, &views)?;
 
-    let renderer = args.device.open()?;
+    let renderer = args.device.open(console)?;
     let scene = args.scene_args.upload(&renderer, &scene)?;
     let (renderer, tile_size) = (&renderer, args.tile_size);
     let pictures = Pictures { renderer, scene: &scene, cameras: list, tile_size };
-    write_all(&pictures, &views, &files, console)?;
+    let mut written = Written::open(&folder, source.file(), &cameras.all)?;
+    let cost = write_all(&pictures, &views, &files, &mut written, console)?;
+    let removed = written.finish(console)?;
     console.note(&match files.as_slice() {
         [first, .., last] => format!(
             "wrote {} to {}: {} to {}",
@@ -87,15 +96,32 @@ pub fn run(args: &Args) -> Result<()> {
         ),
         _ => format!("wrote {}", files[0].display()),
     });
+    if args.json {
+        let image = |(&view, file): (&usize, &PathBuf)| Picture::new(view, file, &list[view]);
+        let images = views.iter().zip(&files).map(image).collect();
+        return print_json(&Rendered { folder: &args.output, images, removed, cost });
+    }
     Ok(())
+}
+
+/// What `--json` prints.
+#[derive(Debug, Serialize)]
+struct Rendered<'a> {
+    folder: &'a Path,
+    images: Vec<Picture>,
+    /// Images of an earlier call that were removed.
+    removed: usize,
+    #[serde(flatten)]
+    cost: Cost,
 }
 
 fn write_all(
     pictures: &Pictures<'_>,
     views: &[usize],
     files: &[PathBuf],
+    written: &mut Written,
     console: Console,
-) -> Result<()> {
+) -> Result<Cost> {
     let mut summary = Summary::start();
     let mut not_finite = 0;
     {
@@ -104,13 +130,14 @@ fn write_all(
             progress.say(&name(path));
             let image = pictures.render(view, &mut summary, &progress)?;
             image.save_png(path)?;
+            written.add(path)?;
             not_finite += image.not_finite();
         }
     }
     let (number, size) = (count(views.len() as u64, "image"), sizes(pictures.cameras, views));
     console.note(&summary.line(&format!("{number} of {size}")));
     warn_not_finite(console, not_finite);
-    Ok(())
+    Ok(summary.cost(pictures.renderer, not_finite))
 }
 
 /// The files to write, none of which may be what the scene was made from.

@@ -2,7 +2,21 @@
 
 use std::time::Instant;
 
-use organza::RenderReport;
+use organza::{RenderReport, Renderer};
+use serde::Serialize;
+
+/// What rendering took, as `--json` prints it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Cost {
+    device: String,
+    seconds: f64,
+    parts: usize,
+    pairs: u64,
+    members: u64,
+    samples: u64,
+    degenerate: u64,
+    not_finite: u64,
+}
 
 /// Adds up reports.
 #[derive(Debug)]
@@ -23,6 +37,21 @@ impl Summary {
         self.report.members += report.members;
         self.report.samples += report.samples;
         self.report.degenerate += report.degenerate;
+    }
+
+    /// All numbers; `not_finite` values were NaN or infinite.
+    pub fn cost(&self, renderer: &Renderer, not_finite: u64) -> Cost {
+        let report = &self.report;
+        Cost {
+            device: renderer.device().choice().to_owned(),
+            seconds: self.start.elapsed().as_secs_f64(),
+            parts: report.parts,
+            pairs: report.pairs,
+            members: report.members,
+            samples: report.samples,
+            degenerate: report.degenerate,
+            not_finite,
+        }
     }
 
     /// The line; `what` was rendered.

@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 use organza::scene::{TensorRef, read_tensors, write_tensors};
 use organza::{Camera, DeviceScene, Error, Renderer, Result, Scene, TileBatch};
 use organza_device::memory;
+use serde::Serialize;
 
-use super::console::Console;
+use super::console::{Console, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, Expected, SceneSource, told_apart};
-use super::summary::{Summary, count, grouped};
+use super::summary::{Cost, Summary, count, grouped};
 use super::views::warn_distorted;
 use super::{output, refuse};
 
@@ -48,6 +49,9 @@ pub struct Args {
     /// Where to write the gradient of the loss with respect to every tensor of the scene, safetensors
     #[arg(long, value_name = "GRAD", requires = "grad_output", conflicts_with_all = ["half_grids", "half_networks"])]
     grad: Option<PathBuf>,
+    /// Print JSON: the files, and what rendering took (docs/json.md)
+    #[arg(long)]
+    json: bool,
     #[command(flatten)]
     data: DataArgs,
     #[command(flatten)]
@@ -56,8 +60,7 @@ pub struct Args {
     device: DeviceArgs,
 }
 
-pub fn run(args: &Args) -> Result<()> {
-    let console = args.device.console();
+pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = SceneSource::find(&args.scene)?;
     let mut inputs = vec![source.file(), &args.tiles];
     inputs.extend(args.cameras.as_deref());
@@ -85,17 +88,32 @@ pub fn run(args: &Args) -> Result<()> {
     )?;
     let scene = source.load(console)?;
 
-    let renderer = args.device.open()?;
+    let renderer = args.device.open(console)?;
     let scene = args.scene_args.upload(&renderer, &scene)?;
-    if let Some(output) = &args.output {
-        write_tiles(console, &renderer, &scene, &cameras, &batch, output)?;
-    }
+    let cost = match &args.output {
+        Some(output) => Some(write_tiles(console, &renderer, &scene, &cameras, &batch, output)?),
+        None => None,
+    };
     if let (Some(values), Some(output)) = (grad_output, &args.grad) {
         let task = || renderer.gradient(&scene, &cameras, &batch, &values);
         write_gradient(console.during("computing the gradient", task)?, output)?;
         console.note(&format!("wrote {}: grad.<tensor>", output.display()));
     }
+    if args.json {
+        let (file, gradient) = (args.output.as_deref(), args.grad.as_deref());
+        return print_json(&Rendered { file, shape: batch.output_shape(), gradient, cost });
+    }
     Ok(())
+}
+
+/// What `--json` prints.
+#[derive(Debug, Serialize)]
+struct Rendered<'a> {
+    file: Option<&'a Path>,
+    shape: [usize; 4],
+    gradient: Option<&'a Path>,
+    #[serde(flatten)]
+    cost: Option<Cost>,
 }
 
 /// `grad_output` of a file, which must have the batch's shape.
@@ -141,7 +159,7 @@ fn write_tiles(
     cameras: &[Camera],
     batch: &TileBatch,
     output: &Path,
-) -> Result<()> {
+) -> Result<Cost> {
     let mut summary = Summary::start();
     let tiles = {
         let progress = console.progress(batch.tiles.len() as u64, "tiles");
@@ -162,7 +180,7 @@ fn write_tiles(
     let tensor = TensorRef { name: "tiles", shape: &shape, data: &tiles.data };
     write_tensors(output, &[tensor], &[])?;
     console.note(&format!("wrote {}: tiles {shape:?}", output.display()));
-    Ok(())
+    Ok(summary.cost(renderer, not_finite as u64))
 }
 
 /// Reads a file of tiles.

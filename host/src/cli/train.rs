@@ -10,8 +10,9 @@ use organza::train::{
     self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, RunFolder, Session,
     TrainConfig,
 };
+use serde::Serialize;
 
-use super::console::print;
+use super::console::{Console, print, print_json};
 use super::device::DeviceArgs;
 use super::inputs::DataSet;
 use super::output::Folder;
@@ -115,20 +116,22 @@ pub struct Args {
     #[arg(long, value_name = "SECONDS")]
     #[arg(value_parser = clap::value_parser!(u32).range(1..))]
     time_limit: Option<u32>,
+    /// Print JSON when the run ends: how it ended, and what was measured (docs/json.md)
+    #[arg(long)]
+    json: bool,
     #[command(flatten)]
     device: DeviceArgs,
 }
 
-pub fn run(args: &Args) -> Result<()> {
+pub fn run(args: &Args, console: Console) -> Result<()> {
     if args.print_config {
         let config = match &args.resume {
             Some(folder) => resumed(folder, args)?,
             None => settings(args)?,
         };
-        return print(&config.to_toml());
+        return if args.json { print_json(&config) } else { print(&config.to_toml()) };
     }
     let signals = Signals::listen()?;
-    let console = args.device.console();
     let (folder, mut config) = prepare(args)?;
     config.check_memory()?;
     let data = DataSet::open(config.data.clone(), console)?;
@@ -136,7 +139,7 @@ pub fn run(args: &Args) -> Result<()> {
     let made = Folder::make(&folder)?;
     signals.has_made(&made);
     let folder = RunFolder::lock(&folder, args.resume.is_some())?;
-    let renderer = args.device.open()?;
+    let renderer = args.device.open(console)?;
     let dataset = Arc::new(data.read(&renderer, console)?);
     if config.data.path.is_some() {
         // so that a run's file says which it was
@@ -146,10 +149,12 @@ pub fn run(args: &Args) -> Result<()> {
         .with_time_limit(args.time_limit.map(f64::from))
         .with_stop(signals.stop());
     let mut progress = TrainingProgress::new(console, config.run.steps, session.time_limit);
+    let mut ended = Ended::default();
     let outcome = session.run(args.resume.is_some(), &mut |event| {
         if matches!(event, Event::Begin(_)) {
             signals.training_begins();
         }
+        ended.see(&event);
         progress.show(&event);
     })?;
     progress.end(outcome);
@@ -166,7 +171,49 @@ pub fn run(args: &Args) -> Result<()> {
             )
         }
     });
-    Ok(())
+    if args.json { print_json(&ended.of(folder, outcome)) } else { Ok(()) }
+}
+
+/// What `--json` prints when a run ends.
+#[derive(Debug, Default, Serialize)]
+struct Ended {
+    folder: PathBuf,
+    outcome: &'static str,
+    checkpoint: PathBuf,
+    report: PathBuf,
+    step: u32,
+    seconds: Option<f64>,
+    gaussians: Option<usize>,
+    /// Of the last evaluation.
+    psnr: Option<f64>,
+    ssim: Option<f64>,
+}
+
+impl Ended {
+    fn see(&mut self, event: &Event<'_>) {
+        match event {
+            Event::Begin(step) => self.step = *step,
+            Event::Step { step, seconds, scene, .. } => {
+                self.step = *step;
+                self.seconds = Some(*seconds);
+                self.gaussians = Some(scene.len());
+            }
+            Event::Evaluated(evaluation) => {
+                (self.psnr, self.ssim) = (evaluation.mean.psnr, evaluation.mean.ssim);
+            }
+            _ => {}
+        }
+    }
+
+    fn of(self, folder: &Path, outcome: Outcome) -> Self {
+        let outcome = match outcome {
+            Outcome::Finished => "finished",
+            Outcome::TimeLimit => "time limit",
+            _ => "stopped",
+        };
+        let (checkpoint, report) = (folder.join(CHECKPOINT), folder.join(REPORT));
+        Self { folder: folder.to_owned(), outcome, checkpoint, report, ..self }
+    }
 }
 
 /// The run's folder and its settings.

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use organza::{Camera, Error, Result, Scene, TileBatch};
 
-use super::console::{print, print_json};
+use super::console::{Console, print, print_json};
 use super::inputs::{Format, Kind, SceneSource, format};
 
 /// Rows of a table that could have as many as a data set has photographs.
@@ -34,12 +34,13 @@ pub struct Args {
     json: bool,
 }
 
-pub fn run(args: &Args) -> Result<()> {
+pub fn run(args: &Args, console: Console) -> Result<()> {
     if Kind::of(&args.file) == Some(Kind::DataSet) {
         return show(args, &cameras::CameraFile::of_data_set(&args.file)?);
     }
     let source = SceneSource::find(&args.file)?;
     let path = source.file();
+    console.detail(&format!("reading {}", path.display()));
     match format(path)? {
         Format::Safetensors => match Scene::load(path) {
             Ok(scene) => show(args, &scene::SceneInfo::new(path, &scene)?),

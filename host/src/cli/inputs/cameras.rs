@@ -10,6 +10,7 @@ use super::data::{DataArgs, DataSet, Split};
 use super::kind::{Expected, told_apart};
 use super::scene::SceneSource;
 use crate::cli::console::Console;
+use crate::cli::summary::count;
 use crate::cli::views::photographs;
 
 /// Cameras, and where they came from.
@@ -17,6 +18,8 @@ use crate::cli::views::photographs;
 pub struct Cameras {
     /// The cameras, in the order of the file or the data set.
     pub list: Vec<Camera>,
+    /// Those of the whole file or data set, of which `--split` chose some.
+    pub all: Vec<Camera>,
     /// The file, the data set or the run that messages name.
     pub origin: PathBuf,
     /// The photographs that are there, by their paths without links: no output may replace them.
@@ -34,10 +37,13 @@ impl Cameras {
         usage: &str,
         console: Console,
     ) -> Result<Self> {
-        match named {
-            Some(file) if !file.is_dir() && !args.is_given() => Self::of_file(file),
-            _ => Self::of_data_set(scene, named, args, usage, console),
-        }
+        let cameras = match named {
+            Some(file) if !file.is_dir() && !args.is_given() => Self::of_file(file)?,
+            _ => Self::of_data_set(scene, named, args, usage, console)?,
+        };
+        let number = count(cameras.list.len() as u64, "view");
+        console.detail(&format!("cameras {}: {number}", cameras.origin.display()));
+        Ok(cameras)
     }
 
     fn of_file(file: &Path) -> Result<Self> {
@@ -45,7 +51,7 @@ impl Cameras {
             Camera::load_all(file).map_err(|error| told_apart(error, file, Expected::Cameras))?;
         let named = list.iter().flat_map(|camera| photographs(camera, file));
         let photographs = existing(named);
-        Ok(Self { list, origin: file.to_owned(), photographs })
+        Ok(Self { all: list.clone(), list, origin: file.to_owned(), photographs })
     }
 
     fn of_data_set(
@@ -59,13 +65,14 @@ impl Cameras {
         let origin = settings.path.as_deref().unwrap_or(scene.named()).to_owned();
         let poses = DataSet::open(settings, console)?.cameras()?;
         let photographs = existing(poses.iter().filter_map(|pose| pose.photograph.clone()));
+        let all = poses.iter().map(|pose| pose.camera.clone()).collect();
         let split = args.split(Split::All);
         let chosen = poses.into_iter().filter(|pose| split.takes(pose.held_out));
         let list: Vec<_> = chosen.map(|pose| pose.camera).collect();
         if list.is_empty() {
             return split.nothing(&origin);
         }
-        Ok(Self { list, origin, photographs })
+        Ok(Self { list, all, origin, photographs })
     }
 
     /// Whether a path leads to a photograph of one of the cameras.

@@ -127,8 +127,17 @@ impl DataSet {
             Some(path) => Some(open(path).map_err(|e| told_apart(e, path, Expected::DataSet))?),
             None => None,
         };
+        let data = &settings;
         if let Some(poses) = &poses {
+            let (path, kind) = (poses.path.display(), poses.kind);
+            let (downscale, every) = (data.downscale, data.hold_out_every);
+            console.detail(&format!(
+                "data set {path}: {kind}, downscale {downscale}, hold-out-every {every}"
+            ));
             warn_of_files(console, poses);
+        } else {
+            let (views, side) = (data.built_in_views, data.built_in_side);
+            console.detail(&format!("data set: {views} views of the built-in scene, side {side}"));
         }
         Ok(Self { settings, poses })
     }

@@ -2,12 +2,14 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use organza::train::{self, CHECKPOINT, CONFIG, TrainConfig};
 use organza::{Error, Result, Scene};
 
 use super::kind::{Expected, told_apart};
 use crate::cli::console::Console;
+use crate::cli::summary::count;
 
 /// Where a scene is read from.
 #[derive(Clone, Debug)]
@@ -57,9 +59,17 @@ impl SceneSource {
 
     /// Reads the scene.
     pub fn load(&self, console: Console) -> Result<Scene> {
-        console
+        let start = Instant::now();
+        let scene = console
             .during("reading the scene", || Scene::load(&self.file))
-            .map_err(|error| told_apart(error, &self.file, Expected::Scene))
+            .map_err(|error| told_apart(error, &self.file, Expected::Scene))?;
+        console.detail(&format!(
+            "scene {}: {}, read in {:.2} s",
+            self.file.display(),
+            count(scene.gaussians.len() as u64, "Gaussian"),
+            start.elapsed().as_secs_f64()
+        ));
+        Ok(scene)
     }
 
     /// The settings of the run whose folder was named; none for a scene's file.

@@ -1,0 +1,35 @@
+//! `organza completions`: for shells that complete commands and options.
+
+use clap::CommandFactory;
+use clap_complete::Shell;
+use organza::{Error, Result};
+
+use super::Cli;
+use super::console::{Console, print_as_is};
+
+const EXAMPLES: &str = "\
+Examples:
+  organza completions bash > ~/.local/share/bash-completion/completions/organza
+  organza completions zsh > ~/.zfunc/_organza                with fpath+=~/.zfunc before compinit in ~/.zshrc
+  organza completions fish > ~/.config/fish/completions/organza.fish
+  organza completions powershell >> $PROFILE
+
+Start a new shell afterward.";
+
+/// Print a script that completes commands and options in a shell
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The shell
+    #[arg(value_enum)]
+    shell: Shell,
+}
+
+pub fn run(args: &Args, console: Console) -> Result<()> {
+    let mut script = Vec::new();
+    clap_complete::generate(args.shell, &mut Cli::command(), "organza", &mut script);
+    let script =
+        String::from_utf8(script).map_err(|error| Error::Argument { reason: error.to_string() })?;
+    console.detail(&format!("{} lines for {}", script.lines().count(), args.shell));
+    print_as_is(&script)
+}

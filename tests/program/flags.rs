@@ -1,0 +1,205 @@
+//! What every command has: `--quiet`, `--verbose`, `--json`, help, completions and manual pages.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::sandbox::Sandbox;
+use crate::train::runs;
+
+/// The commands, from the program's own help.
+pub fn commands(sandbox: &Sandbox) -> Vec<String> {
+    let help = sandbox.run("-h").assert_ok().stdout;
+    let lines = help.lines().skip_while(|line| *line != "Commands:").skip(1);
+    // A line that goes on with a description is indented further.
+    let lines = lines.take_while(|line| !line.is_empty()).filter(|line| !line.starts_with("   "));
+    let names: Vec<_> = lines.filter_map(|line| line.split_whitespace().next()).collect();
+    assert!(names.len() > 10, "{help}");
+    names.into_iter().filter(|name| *name != "help").map(str::to_owned).collect()
+}
+
+#[test]
+fn every_command_can_be_quiet_or_verbose() {
+    let sandbox = Sandbox::new("tiny");
+    for command in commands(&sandbox) {
+        let help = sandbox.run(&format!("{command} -h")).assert_ok().stdout;
+        for option in ["-q, --quiet", "-v, --verbose"] {
+            assert!(help.contains(option), "{command}: {help}");
+        }
+        sandbox.run(&format!("{command} -q -v")).assert_refused(&["--quiet", "--verbose"]);
+    }
+    let render = "render scene.safetensors cameras.json -o out --backend cpu";
+    let said = |words: &str| sandbox.run(words).assert_ok().stderr;
+    assert_eq!(said(&format!("{render} -q")), "");
+    assert_eq!(said(&format!("-q {render}")), "");
+    let (some, all) = (said(render), said(&format!("{render} -v")));
+    assert!(!some.contains("detail: "), "{some}");
+    for detail in [
+        "detail: scene scene.safetensors: ",
+        "detail: cameras cameras.json: 2 views",
+        "detail: opened",
+    ] {
+        assert!(all.contains(detail), "{all}");
+    }
+    for words in ["info scene.safetensors", "kernels", "completions bash"] {
+        assert_eq!(said(words), "", "{words}");
+        assert!(said(&format!("{words} -v")).starts_with("detail: "), "{words}");
+    }
+}
+
+/// The options that choose a device are in the long help alone, under a heading of their own.
+#[test]
+fn the_short_help_is_short() {
+    let sandbox = Sandbox::new("tiny");
+    let options = [
+        "--backend",
+        "--spirv",
+        "--adapter",
+        "--variants",
+        "--threads",
+        "--instruction-set",
+        "--half-grids",
+        "--half-networks",
+    ];
+    for command in ["render", "tiles", "eval", "bench"] {
+        let [short, long] = ["-h", "--help"]
+            .map(|help| sandbox.run(&format!("{command} {help}")).assert_ok().stdout);
+        let device = long.split("\nDevice:\n").nth(1).expect("a heading");
+        for option in options {
+            // the examples may have it
+            let options = short.split("\nExamples:").next().unwrap();
+            assert!(
+                !options.contains(&format!("{option} ")),
+                "{command}: {option} is in {options}"
+            );
+            assert!(
+                device.contains(&format!("\n      {option}"))
+                    || device.starts_with(&format!("      {option}")),
+                "{device}"
+            );
+        }
+        assert!(!short.contains("Device:"), "{short}");
+        assert!(short.contains("see more with '--help'"), "{short}");
+    }
+}
+
+/// `docs/json.md` has a table of keys for each command that prints JSON.
+fn documented(command: &str) -> BTreeSet<String> {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/json.md");
+    let page = fs::read_to_string(page).unwrap();
+    let section = page.split("\n## ").find(|section| section.starts_with(&format!("{command}\n")));
+    let section = section.unwrap_or_else(|| panic!("no section `{command}`"));
+    let rows = section.lines().filter(|line| line.starts_with("| `"));
+    let first = rows.flat_map(|row| row.split('|').nth(1)).flat_map(|cell| cell.split(','));
+    first.map(|key| key.trim().trim_matches('`').to_owned()).collect()
+}
+
+/// Every key, with the objects it is in: `views[].name`.
+fn add_keys(value: &Value, above: &str, found: &mut BTreeSet<String>) {
+    match value {
+        Value::Object(object) => {
+            for (key, value) in object {
+                // What a scene's file has is not the program's to document here.
+                let value = if key == "config" { &Value::Null } else { value };
+                let key = if above.is_empty() { key.clone() } else { format!("{above}.{key}") };
+                add_keys(value, &key, found);
+            }
+        }
+        Value::Array(values) if values.iter().any(Value::is_object) => {
+            values.iter().for_each(|value| add_keys(value, &format!("{above}[]"), found));
+        }
+        _ => {
+            found.insert(above.to_owned());
+        }
+    }
+}
+
+/// The keys of what a command has printed are those of its table.
+#[track_caller]
+pub fn assert_documented(command: &str, results: &[Value]) {
+    let mut found = BTreeSet::new();
+    results.iter().for_each(|result| add_keys(result, "", &mut found));
+    assert_eq!(found, documented(command), "{command}");
+}
+
+/// Nothing but JSON is on stdout, and its keys are those that are documented.
+#[test]
+fn results_are_json_with_documented_keys() {
+    let sandbox = runs::sandbox();
+    runs::photographs(&sandbox);
+    let train = "train data --config tiny.toml --steps 20 --hold-out-every 2 -o run --backend cpu";
+    for (command, calls) in [
+        ("train", vec![train]),
+        ("eval", vec!["eval run --backend cpu"]),
+        ("render", vec!["render run -o images --backend cpu"]),
+        ("tiles", vec!["tiles run tiles.json -o out --backend cpu"]),
+        ("demo", vec!["demo -o demo --views 2 --size 16 --backend cpu"]),
+        ("info", vec!["info run", "info cameras.json", "info data", "info tiles.json", "info out"]),
+        ("bench", vec!["bench run data tiles.json --repeat 1 --backend cpu"]),
+        ("kernels", vec!["kernels"]),
+    ] {
+        let result = |words| {
+            let outcome = sandbox.run(&format!("{words} --json")).assert_ok();
+            serde_json::from_str(&outcome.stdout).expect("only JSON")
+        };
+        assert_documented(command, &calls.into_iter().map(result).collect::<Vec<_>>());
+    }
+    let explain = "explain scene.safetensors cameras.json --pixel 48,40 --json";
+    let outcome = Sandbox::new("crowded").run(explain).assert_ok();
+    assert_documented("explain", &[serde_json::from_str(&outcome.stdout).expect("only JSON")]);
+}
+
+#[test]
+fn shells_complete_commands_and_options() {
+    let sandbox = Sandbox::new("tiny");
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let script = sandbox.run(&format!("completions {shell}")).assert_ok().stdout;
+        for word in commands(&sandbox).iter().map(String::as_str).chain(["hold-out-every"]) {
+            assert!(script.contains(word), "{shell}: {word}");
+        }
+        fs::write(sandbox.path(&format!("organza.{shell}")), script).unwrap();
+    }
+    sandbox.run("completions cmd").assert_refused(&["'cmd'", "bash"]);
+    // what bash itself makes of it
+    #[cfg(target_os = "linux")]
+    if Path::new("/bin/bash").exists() {
+        let complete = |line: &str| {
+            let words: Vec<_> = line.split(' ').collect();
+            let [.., before, last] = words.as_slice() else { panic!("{line}") };
+            let script = format!(
+                "source organza.bash; COMP_WORDS=({line}); COMP_CWORD={}; \
+                 _organza organza '{last}' '{before}'; echo \"${{COMPREPLY[@]}}\"",
+                words.len() - 1
+            );
+            fs::write(sandbox.path("complete"), script).unwrap();
+            sandbox.shell("bash complete").assert_ok().stdout
+        };
+        assert_eq!(complete("organza ren").trim(), "render");
+        assert_eq!(complete("organza render --spl").trim(), "--split");
+        assert_eq!(complete("organza render --split h").trim(), "held-out");
+    }
+}
+
+#[test]
+fn each_command_has_a_manual_page() {
+    let sandbox = Sandbox::new("tiny");
+    sandbox.run("man -o man/man1").assert_ok();
+    let page = |name: &str| {
+        fs::read_to_string(sandbox.path(&format!("man/man1/{name}.1")))
+            .unwrap_or_else(|_| panic!("{name}"))
+    };
+    assert!(page("organza").contains(".SH SUBCOMMANDS"));
+    let commands = commands(&sandbox);
+    for command in &commands {
+        let page = page(&format!("organza-{command}"));
+        for section in [".SH NAME", ".SH SYNOPSIS", ".SH OPTIONS", "Examples:"] {
+            assert!(page.contains(section), "{command}: no {section}");
+        }
+    }
+    assert_eq!(fs::read_dir(sandbox.path("man/man1")).unwrap().count(), commands.len() + 1);
+    assert!(page("organza-render").contains("\\-\\-half\\-grids"), "the long help");
+    fs::write(sandbox.path("file"), "").unwrap();
+    sandbox.assert_refuses("man -o file", &["file", "expected a folder"]);
+}

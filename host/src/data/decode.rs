@@ -113,6 +113,9 @@ pub(super) fn decode(bytes: &[u8], expected: [u32; 2], path: &Path) -> Result<De
     if !is_whole || (bytes.len() as u64) < fewest_bytes(is_jpeg, expected) {
         return invalid(path, "the photograph was cut short; copy it again".to_owned());
     }
+    if !is_jpeg && !has_whole_palette(bytes) {
+        return invalid(path, "the photograph's palette is damaged; copy it again".to_owned());
+    }
     let color = decoder.color_type();
     if sample_bytes(color).is_none() {
         let (hint, kind) = (ImageFormatHint::Unknown, UnsupportedErrorKind::Color(color.into()));
@@ -193,6 +196,21 @@ fn fewest_bytes(is_jpeg: bool, [width, height]: [u32; 2]) -> u64 {
         true => width.div_ceil(8) * height.div_ceil(8) / 8,
         false => width.div_ceil(8) * height / DEFLATE_RATIO,
     }
+}
+
+/// Whether a PNG's palette consists of whole colors, 256 at most. The decoder panics on any other.
+fn has_whole_palette(bytes: &[u8]) -> bool {
+    const SIGNATURE: usize = 8;
+    // A chunk is its length, its name, its data and a checksum.
+    let mut rest = bytes.get(SIGNATURE..).unwrap_or_default();
+    while let Some((&[a, b, c, d, ref name @ ..], after)) = rest.split_first_chunk::<8>() {
+        let length = u32::from_be_bytes([a, b, c, d]) as usize;
+        if name == b"PLTE" && (!length.is_multiple_of(3) || length > 256 * 3) {
+            return false;
+        }
+        rest = after.get(length.saturating_add(4)..).unwrap_or_default();
+    }
+    true
 }
 
 /// Whether a JPEG's own end-of-image marker is there. That of a thumbnail does not count.

@@ -4,6 +4,7 @@ mod arguments;
 mod bad_files;
 mod bad_requests;
 mod bench;
+mod benchmark;
 mod corpus;
 mod environment;
 mod eval;

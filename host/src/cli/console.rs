@@ -92,6 +92,11 @@ impl Progress {
         self.0.set_position(steps as u64);
     }
 
+    /// There are so many steps, in all.
+    pub fn set_length(&self, all: usize) {
+        self.0.set_length(all as u64);
+    }
+
     /// So many of so many steps are done.
     pub fn set_of(&self, steps: usize, all: usize) {
         self.0.set_length(all as u64);

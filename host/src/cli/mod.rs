@@ -1,6 +1,7 @@
 //! The command line: one file for each subcommand.
 
 mod bench;
+mod benchmark;
 mod completions;
 mod console;
 mod demo;
@@ -74,6 +75,7 @@ enum Command {
     Kernels(kernels::Args),
     Parity(parity::Args),
     Bench(bench::Args),
+    Benchmark(benchmark::Args),
     Completions(completions::Args),
     Man(man::Args),
 }
@@ -97,6 +99,7 @@ pub fn main() -> ExitCode {
         Command::Kernels(args) => kernels::run(args, console).map(done),
         Command::Parity(args) => parity::run(args, console),
         Command::Bench(args) => bench::run(args, console).map(done),
+        Command::Benchmark(args) => benchmark::run(args, console).map(done),
         Command::Completions(args) => completions::run(args, console).map(done),
         Command::Man(args) => man::run(args, console).map(done),
     };

@@ -49,6 +49,10 @@ impl TrainingProgress {
             Event::Changed(Change { name, from, to, .. }) => {
                 self.bar.note(self.console, &format!("{name} is {to} from here on; it was {from}"));
             }
+            Event::Planned(steps) => {
+                self.steps = *steps;
+                self.bar.set_length(*steps as usize);
+            }
             Event::Step { step, seconds, report, scene } => {
                 (self.step, self.seconds) = (*step, *seconds);
                 self.gaussians = Some(scene.len());

@@ -22,7 +22,7 @@ use super::signals::Signals;
 const EXAMPLES: &str = "\
 Examples:
   organza train -o run                                 the built-in scene, no files needed
-  organza train data/fox -o run --steps 3000
+  organza train data/fox -o run --minutes 10
   organza train --resume run                           continues after Ctrl-C, to the same bits
   organza train --resume run --steps 5000              extends a run, also one that is finished
   organza train data/fox -o quick --preset fast
@@ -59,8 +59,28 @@ pub struct Args {
     /// Continue a run that was stopped, with its own settings; --steps and --max-gaussians extend it,
     /// --evaluate-every, --checkpoint-every and --set run.log_every change what is written
     #[arg(long, value_name = "RUN", conflicts_with_all = ["output", "data", "preset", "config", "seed",
-        "tiles_per_step", "tile_size", "downscale", "hold_out_every", "allow_outside", "sh_degree", "background"])]
+        "tiles_per_step", "tile_size", "downscale", "hold_out_every", "allow_outside", "sh_degree", "background",
+        "minutes"])]
     resume: Option<PathBuf>,
+    #[command(flatten)]
+    settings: SettingsArgs,
+    /// Print all settings as TOML, and do nothing else
+    #[arg(long)]
+    print_config: bool,
+    /// Finish after this many seconds of training, as after the last step
+    #[arg(long, value_name = "SECONDS", conflicts_with = "minutes")]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..))]
+    time_limit: Option<u32>,
+    /// Print JSON when the run ends: how it ended, and what was measured (docs/json.md)
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    device: DeviceArgs,
+}
+
+/// The options that say how to train.
+#[derive(Debug, clap::Args)]
+pub struct SettingsArgs {
     /// The settings to start from: a settings file that is part of the program
     /// [default: default; built-in for the built-in scene without --config]
     #[arg(long, value_name = "NAME")]
@@ -72,9 +92,6 @@ pub struct Args {
     /// Any setting, such as run.steps=3000; overrides the settings file. Give it once for each setting
     #[arg(long, value_name = "KEY=VALUE")]
     set: Vec<String>,
-    /// Print all settings as TOML, and do nothing else
-    #[arg(long)]
-    print_config: bool,
     /// Number of training steps
     #[arg(long, value_name = "N")]
     steps: Option<u32>,
@@ -112,53 +129,27 @@ pub struct Args {
     /// Seed of all random choices
     #[arg(long, value_name = "N")]
     seed: Option<u64>,
-    /// Finish after this many seconds of training, as after the last step
-    #[arg(long, value_name = "SECONDS")]
-    #[arg(value_parser = clap::value_parser!(u32).range(1..))]
-    time_limit: Option<u32>,
-    /// Print JSON when the run ends: how it ended, and what was measured (docs/json.md)
-    #[arg(long)]
-    json: bool,
-    #[command(flatten)]
-    device: DeviceArgs,
+    /// Choose the number of steps so that the run takes this many minutes, evaluations included. The number is written
+    /// to config.toml
+    #[arg(long, value_name = "M", conflicts_with = "steps")]
+    #[arg(value_parser = minutes)]
+    minutes: Option<f64>,
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
     if args.print_config {
         let config = match &args.resume {
-            Some(folder) => resumed(folder, args)?,
-            None => settings(args)?,
+            Some(folder) => args.settings.resumed(folder)?,
+            None => args.settings.settings(args.data.as_deref())?,
         };
         return if args.json { print_json(&config) } else { print(&config.to_toml()) };
     }
     let signals = Signals::listen()?;
-    let (folder, mut config) = prepare(args)?;
-    config.check_memory()?;
-    let data = DataSet::open(config.data.clone(), console)?;
-    // until there is something in it
-    let made = Folder::make(&folder)?;
-    signals.has_made(&made);
-    let folder = RunFolder::lock(&folder, args.resume.is_some())?;
-    let renderer = args.device.open(console)?;
-    let dataset = Arc::new(data.read(&renderer, console)?);
-    if config.data.path.is_some() {
-        // so that a run's file says which it was
-        config.data.background = Background::Color(dataset.background.map(|value| value as f32));
-    }
-    let session = Session::new(&renderer, &config, &dataset, &folder)
-        .with_time_limit(args.time_limit.map(f64::from))
-        .with_stop(signals.stop());
-    let mut progress = TrainingProgress::new(console, config.run.steps, session.time_limit);
+    let (folder, config) = prepare(args)?;
+    let (planned, time_limit) = (args.settings.planned(), args.time_limit.map(f64::from));
+    let job = Job { config, folder: &folder, resume: args.resume.is_some(), planned, time_limit };
     let mut ended = Ended::default();
-    let outcome = session.run(args.resume.is_some(), &mut |event| {
-        if matches!(event, Event::Begin(_)) {
-            signals.training_begins();
-        }
-        ended.see(&event);
-        progress.show(&event);
-    })?;
-    progress.end(outcome);
-    let folder = folder.path();
+    let outcome = job.run(&args.device, console, &signals, &mut |event| ended.see(event))?;
     console.note(&match outcome {
         Outcome::Stopped => {
             format!("saved; `organza train --resume {}` continues from here", folder.display())
@@ -171,7 +162,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
             )
         }
     });
-    if args.json { print_json(&ended.of(folder, outcome)) } else { Ok(()) }
+    if args.json { print_json(&ended.of(&folder, outcome)) } else { Ok(()) }
 }
 
 /// What `--json` prints when a run ends.
@@ -216,73 +207,145 @@ impl Ended {
     }
 }
 
+/// A run to train, from its first step or from where it stopped.
+#[derive(Debug)]
+pub struct Job<'a> {
+    /// Its settings.
+    pub config: TrainConfig,
+    /// Its folder.
+    pub folder: &'a Path,
+    /// Whether the folder has a run to go on with.
+    pub resume: bool,
+    /// See [`Session::planned`].
+    pub planned: Option<f64>,
+    /// See [`Session::time_limit`].
+    pub time_limit: Option<f64>,
+}
+
+impl Job<'_> {
+    /// Makes the folder, reads the photographs, trains.
+    pub fn run(
+        &self,
+        device: &DeviceArgs,
+        console: Console,
+        signals: &Signals,
+        watch: &mut dyn FnMut(&Event<'_>),
+    ) -> Result<Outcome> {
+        let mut config = self.config.clone();
+        config.check_memory()?;
+        let data = DataSet::open(config.data.clone(), console)?;
+        // until there is something in it
+        let made = Folder::make(self.folder)?;
+        signals.has_made(&made);
+        let folder = RunFolder::lock(self.folder, self.resume)?;
+        let renderer = device.open(console)?;
+        let dataset = Arc::new(data.read(&renderer, console)?);
+        if config.data.path.is_some() {
+            // so that a run's file says which it was
+            let background = dataset.background.map(|value| value as f32);
+            config.data.background = Background::Color(background);
+        }
+        let session = Session::new(&renderer, &config, &dataset, &folder)
+            .with_time_limit(self.time_limit)
+            .with_planned(self.planned)
+            .with_stop(signals.stop());
+        let mut progress = TrainingProgress::new(console, config.run.steps, self.time_limit);
+        let outcome = session.run(self.resume, &mut |event| {
+            if matches!(event, Event::Begin(_)) {
+                signals.training_begins();
+            }
+            watch(&event);
+            progress.show(&event);
+        })?;
+        progress.end(outcome);
+        Ok(outcome)
+    }
+}
+
 /// The run's folder and its settings.
 fn prepare(args: &Args) -> Result<(PathBuf, TrainConfig)> {
     if let Some(folder) = &args.resume {
-        return Ok((folder.clone(), resumed(folder, args)?));
+        return Ok((folder.clone(), args.settings.resumed(folder)?));
     }
     let folder = args.output.clone().expect("clap requires it");
-    Ok((folder, settings(args)?))
+    Ok((folder, args.settings.settings(args.data.as_deref())?))
 }
 
-/// The settings of a run that is resumed: its own, but for what the options change.
-fn resumed(folder: &Path, args: &Args) -> Result<TrainConfig> {
-    train::changed_settings_of(folder, |config| {
-        adjusted(ConfigBuilder::from_config(&config), args, |_| ())
-    })
+impl SettingsArgs {
+    /// The settings of a run that is resumed: its own, but for what the options change.
+    pub fn resumed(&self, folder: &Path) -> Result<TrainConfig> {
+        train::changed_settings_of(folder, |config| {
+            self.adjusted(ConfigBuilder::from_config(&config), |_| ())
+        })
+    }
+
+    /// The settings to train a data set with, or the built-in scene.
+    pub fn settings(&self, data: Option<&Path>) -> Result<TrainConfig> {
+        let named = self.preset.as_deref();
+        let preset = match Preset::ALL.into_iter().find(|preset| Some(preset.name()) == named) {
+            Some(preset) => preset,
+            None if data.is_none() && self.config.is_none() => Preset::BuiltIn,
+            None => Preset::Default,
+        };
+        let mut builder = ConfigBuilder::new(preset)?;
+        if let Some(path) = &self.config {
+            builder = builder.file(path)?;
+        }
+        self.adjusted(builder, |config| {
+            if let Some(data) = data {
+                // a run is resumed from anywhere
+                let path = std::path::absolute(data).unwrap_or_else(|_| data.to_owned());
+                config.data.path = Some(path);
+            }
+            if let Some(most) = self.max_gaussians {
+                config.start.gaussians = config.start.gaussians.min(most);
+            }
+        })
+    }
+
+    /// Settings with single values that were given on the command line, and what `other` does to them.
+    fn adjusted(
+        &self,
+        mut builder: ConfigBuilder,
+        other: impl FnOnce(&mut TrainConfig),
+    ) -> Result<TrainConfig> {
+        for assignment in &self.set {
+            builder = builder.set(assignment)?;
+        }
+        let mut config = builder.build()?;
+        fn set<T: Clone>(target: &mut T, value: &Option<T>) {
+            if let Some(value) = value {
+                *target = value.clone();
+            }
+        }
+        if self.steps.is_some() || self.minutes.is_some() {
+            config.run.plan.clear();
+        }
+        set(&mut config.run.steps, &self.steps);
+        set(&mut config.run.tiles_per_step, &self.tiles_per_step);
+        set(&mut config.run.tile_size, &self.tile_size);
+        set(&mut config.run.evaluate_every, &self.evaluate_every);
+        set(&mut config.run.checkpoint_every, &self.checkpoint_every);
+        set(&mut config.run.seed, &self.seed);
+        set(&mut config.growth.max_gaussians, &self.max_gaussians);
+        set(&mut config.scene.sh_degree, &self.sh_degree);
+        set(&mut config.data.downscale, &self.downscale);
+        set(&mut config.data.hold_out_every, &self.hold_out_every);
+        set(&mut config.data.background, &self.background);
+        config.data.allow_outside |= self.allow_outside;
+        other(&mut config);
+        // options are held to what files are held to
+        TrainConfig::parse(&config.to_toml(), Path::new(""))
+    }
+
+    /// Seconds that a run is to take, where it is not known how many steps it has.
+    pub fn planned(&self) -> Option<f64> {
+        self.minutes.map(|minutes| 60.0 * minutes)
+    }
 }
 
-fn settings(args: &Args) -> Result<TrainConfig> {
-    let named = args.preset.as_deref();
-    let preset = match Preset::ALL.into_iter().find(|preset| Some(preset.name()) == named) {
-        Some(preset) => preset,
-        None if args.data.is_none() && args.config.is_none() => Preset::BuiltIn,
-        None => Preset::Default,
-    };
-    let mut builder = ConfigBuilder::new(preset)?;
-    if let Some(path) = &args.config {
-        builder = builder.file(path)?;
-    }
-    adjusted(builder, args, |config| {
-        if let Some(data) = &args.data {
-            // a run is resumed from anywhere
-            let path = std::path::absolute(data).unwrap_or_else(|_| data.clone());
-            config.data.path = Some(path);
-        }
-        if let Some(most) = args.max_gaussians {
-            config.start.gaussians = config.start.gaussians.min(most);
-        }
-    })
-}
-
-/// Settings with single values that were given on the command line, and what `other` does to them.
-fn adjusted(
-    mut builder: ConfigBuilder,
-    args: &Args,
-    other: impl FnOnce(&mut TrainConfig),
-) -> Result<TrainConfig> {
-    for assignment in &args.set {
-        builder = builder.set(assignment)?;
-    }
-    let mut config = builder.build()?;
-    fn set<T: Clone>(target: &mut T, value: &Option<T>) {
-        if let Some(value) = value {
-            *target = value.clone();
-        }
-    }
-    set(&mut config.run.steps, &args.steps);
-    set(&mut config.run.tiles_per_step, &args.tiles_per_step);
-    set(&mut config.run.tile_size, &args.tile_size);
-    set(&mut config.run.evaluate_every, &args.evaluate_every);
-    set(&mut config.run.checkpoint_every, &args.checkpoint_every);
-    set(&mut config.run.seed, &args.seed);
-    set(&mut config.growth.max_gaussians, &args.max_gaussians);
-    set(&mut config.scene.sh_degree, &args.sh_degree);
-    set(&mut config.data.downscale, &args.downscale);
-    set(&mut config.data.hold_out_every, &args.hold_out_every);
-    set(&mut config.data.background, &args.background);
-    config.data.allow_outside |= args.allow_outside;
-    other(&mut config);
-    // options are held to what files are held to
-    TrainConfig::parse(&config.to_toml(), Path::new(""))
+/// A minute is enough for a few steps of anything, and nothing is trained for a year.
+fn minutes(text: &str) -> Result<f64, String> {
+    let value = text.parse().ok().filter(|value| (0.01..=500_000.0).contains(value));
+    value.ok_or_else(|| "expected a number of minutes, such as 10 or 0.5".to_owned())
 }

@@ -53,13 +53,15 @@ impl Shot {
         };
         let background = options.background.color();
         let over = |[red, green, blue, alpha]: [f32; 4]| {
-            let color = [red, green, blue];
-            std::array::from_fn(|i| color[i] * alpha + background[i] * (1.0 - alpha))
+            let over = |color: f32, behind: f32| color * alpha + behind * (1.0 - alpha);
+            let [r, g, b] = background;
+            [over(red, r), over(green, g), over(blue, b), alpha]
         };
         let texel = |x, y| {
             let color = decoded.rgba(x, y);
-            is_used(x, y, color[3])
-                .then(|| if alpha_hides { [color[0], color[1], color[2]] } else { over(color) })
+            is_used(x, y, color[3]).then(|| {
+                if alpha_hides { [color[0], color[1], color[2], 1.0] } else { over(color) }
+            })
         };
         let is_whole = self.lens.is_pinhole() && mask.is_none() && !alpha_hides;
         let image = self.resample(is_whole, texel)?;
@@ -105,17 +107,18 @@ impl Shot {
         Ok(Mask { file, used })
     }
 
-    /// The undistorted, smaller photograph. `texel` is the color of a column and a row of the original, or none where a
-    /// mask hides it; `is_whole` says that no pixel can be missing.
+    /// The undistorted, smaller photograph. `texel` is the color and the alpha of a column and a row of the original, or
+    /// none where a mask hides it; `is_whole` says that no pixel can be missing.
     fn resample(
         &self,
         is_whole: bool,
-        texel: impl Fn(u32, u32) -> Option<[f32; 3]>,
+        texel: impl Fn(u32, u32) -> Option<[f32; 4]>,
     ) -> Result<Photograph> {
         let factor = self.factor;
         let Camera { width, height, .. } = smaller(&self.camera, factor);
         let count = width as usize * height as usize;
         let mut pixels = memory::zeros::<[u8; 3]>(count, "a photograph")?;
+        let mut alpha = memory::zeros::<u8>(count, "a photograph's alpha")?;
         let undistortion =
             (!self.lens.is_pinhole()).then(|| Undistortion::new(&self.camera, &self.lens));
         let mut valid = match is_whole {
@@ -133,13 +136,18 @@ impl Shot {
         for (index, pixel) in pixels.iter_mut().enumerate() {
             let (column, row) = (index as u32 % width, index as u32 / width);
             if let Some(color) = mean([column * factor, row * factor], factor, sample) {
-                *pixel = color.map(to_8_bit);
+                let [red, green, blue, opaque] = color.map(to_8_bit);
+                (*pixel, alpha[index]) = ([red, green, blue], opaque);
                 if let Some(valid) = valid.get_mut(index) {
                     *valid = true;
                 }
             }
         }
-        Photograph::new([width, height], pixels, (!is_whole).then_some(valid))
+        // what is missing is not transparent, it is not known
+        for (alpha, _) in alpha.iter_mut().zip(&valid).filter(|(_, valid)| !**valid) {
+            *alpha = 255;
+        }
+        Photograph::new([width, height], pixels, (!is_whole).then_some(valid))?.with_alpha(alpha)
     }
 }
 
@@ -196,9 +204,9 @@ fn smaller(camera: &Camera, factor: u32) -> Camera {
 fn mean(
     [left, top]: [u32; 2],
     factor: u32,
-    sample: impl Fn(u32, u32) -> Option<[f32; 3]>,
-) -> Option<[f32; 3]> {
-    let mut sum = [0.0; 3];
+    sample: impl Fn(u32, u32) -> Option<[f32; 4]>,
+) -> Option<[f32; 4]> {
+    let mut sum = [0.0; 4];
     for y in top..top + factor {
         for x in left..left + factor {
             let color = sample(x, y)?;
@@ -213,15 +221,15 @@ fn mean(
 fn bilinear(
     place: [f64; 2],
     size: [u32; 2],
-    texel: &impl Fn(u32, u32) -> Option<[f32; 3]>,
-) -> Option<[f32; 3]> {
+    texel: &impl Fn(u32, u32) -> Option<[f32; 4]>,
+) -> Option<[f32; 4]> {
     let [(x, x_next, x_part), (y, y_next, y_part)] = [0, 1].map(|axis| {
         let last = size[axis] - 1;
         let place = (place[axis] - 0.5).clamp(0.0, f64::from(last));
         let first = place as u32;
         (first, (first + 1).min(last), (place - f64::from(first)) as f32)
     });
-    let mix = |a: [f32; 3], b: [f32; 3], part: f32| -> [f32; 3] {
+    let mix = |a: [f32; 4], b: [f32; 4], part: f32| -> [f32; 4] {
         std::array::from_fn(|i| a[i] + part * (b[i] - a[i]))
     };
     let upper = mix(texel(x, y)?, texel(x_next, y)?, x_part);

@@ -3,6 +3,7 @@
 //! Read are nerfstudio's, Blender's (NeRF synthetic) and COLMAP's data sets; see `docs/data.md`.
 
 mod background;
+mod beside;
 mod budget;
 mod colmap;
 mod decode;
@@ -411,7 +412,7 @@ fn check_memory(shots: &[Shot]) -> Result<u64> {
         let side = |side: u32| u64::from(side / shot.factor);
         side(shot.camera.width) * side(shot.camera.height)
     };
-    let bytes = shots.iter().map(pixels).sum::<u64>() * size_of::<([u8; 3], bool)>() as u64;
+    let bytes = shots.iter().map(pixels).sum::<u64>() * size_of::<([u8; 3], bool, u8)>() as u64;
     memory::check(bytes, "the photographs (a larger downscale makes them smaller)")?;
     Ok(bytes)
 }

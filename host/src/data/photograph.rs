@@ -15,6 +15,8 @@ pub struct Photograph {
     pixels: Vec<[u8; 3]>,
     /// Row by row; none where all are valid.
     valid: Option<Vec<bool>>,
+    /// Row by row; none where all are opaque.
+    alpha: Option<Vec<u8>>,
 }
 
 impl Photograph {
@@ -36,7 +38,21 @@ impl Photograph {
             return Err(Error::Argument { reason });
         }
         let valid = valid.filter(|valid| valid.contains(&false));
-        Ok(Self { width, height, pixels, valid })
+        Ok(Self { width, height, pixels, valid, alpha: None })
+    }
+
+    /// With the alpha of every pixel, row by row, of 0 to 255; the background is in its pixels already.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] where the length is not that of the size.
+    pub fn with_alpha(mut self, alpha: Vec<u8>) -> Result<Self> {
+        let count = self.pixels.len();
+        if alpha.len() != count {
+            let reason = format!("a photograph of {count} pixels has {} of alpha", alpha.len());
+            return Err(Error::Argument { reason });
+        }
+        self.alpha = alpha.iter().any(|&alpha| alpha < 255).then_some(alpha);
+        Ok(self)
     }
 
     /// Width in pixels.
@@ -88,6 +104,22 @@ impl Photograph {
         self.pixels[self.index(x, y)].map(|value| f32::from(value) / 255.0)
     }
 
+    /// How opaque the photograph's file says that column `x` and row `y` is, 0 to 1.
+    ///
+    /// # Panics
+    /// Where the pixel is outside the photograph.
+    #[must_use]
+    pub fn alpha(&self, x: u32, y: u32) -> f32 {
+        let index = self.index(x, y);
+        self.alpha.as_ref().map_or(1.0, |alpha| f32::from(alpha[index]) / 255.0)
+    }
+
+    /// Whether every pixel is opaque.
+    #[must_use]
+    pub fn is_opaque(&self) -> bool {
+        self.alpha.is_none()
+    }
+
     fn index(&self, x: u32, y: u32) -> usize {
         assert!(x < self.width && y < self.height, "pixel {x},{y} is outside the photograph");
         y as usize * self.width as usize + x as usize
@@ -98,6 +130,6 @@ impl Photograph {
 impl From<&Image> for Photograph {
     fn from(image: &Image) -> Self {
         let [width, height] = image.size();
-        Self { width, height, pixels: image.pixels().to_vec(), valid: None }
+        Self { width, height, pixels: image.pixels().to_vec(), valid: None, alpha: None }
     }
 }

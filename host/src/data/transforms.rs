@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::find::{self, Found};
 use super::lens::Lens;
 use super::reach::Reach;
-use super::{DatasetKind, DatasetOptions, Listing, decode, invalid, is_held_out, ply};
+use super::{DatasetKind, DatasetOptions, Listing, beside, decode, invalid, is_held_out, ply};
 use crate::camera::parse::{PERSPECTIVE_MODELS, PINHOLE_MODELS, Source, frames};
 use crate::camera::{Camera, camera_error};
 use crate::error::Result;
@@ -42,7 +42,7 @@ pub(super) fn nerfstudio(
     let held_out = |position| is_held_out(position, options.hold_out_every);
     add_frames(&file, path, &mut listing, held_out, options, reach, &ON_DISK)?;
     listing.points = match file.get("ply_file_path") {
-        None | Some(Value::Null) => Vec::new(),
+        None | Some(Value::Null) => beside::points(folder(path), &listing, options, reach)?,
         Some(Value::String(points)) => {
             let points = folder(path).join(points);
             reach.check(&points)?;

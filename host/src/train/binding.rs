@@ -19,13 +19,16 @@ pub(super) const BINDING: &str = "run";
 
 /// The setting that may differ: where the data is.
 const FREE: [&str; 1] = ["data.path"];
+/// The settings that a plan sets, which a run goes on to make after its checkpoint.
+const PLANNED: [&str; 2] = ["run.plan", "run.steps"];
 /// The value of a setting that is not there.
 const NOT_SET: &str = "not set";
 
 /// The settings that may change when a run is resumed: how long it is, how large it may become, and how often something
 /// is written.
-pub const CHANGEABLE: [&str; 5] = [
+pub const CHANGEABLE: [&str; 6] = [
     "run.steps",
+    "run.plan",
     "growth.max_gaussians",
     "run.evaluate_every",
     "run.checkpoint_every",
@@ -104,6 +107,9 @@ impl Binding {
                  all steps of the run, so choose more than that"
             ));
         }
+        let (now_plan, then_plan) = (&config.run.plan, &then.run.plan);
+        // planned after the checkpoint, before the run was killed
+        let goes_on = now_plan.len() > then_plan.len() && now_plan.starts_with(then_plan);
         let (now, then) = (config.list(), then.list());
         let value = |settings: &[(String, String)], name: &str| {
             let found = settings.iter().find(|(other, _)| other == name);
@@ -115,8 +121,9 @@ impl Binding {
             let (now, then) = (value(&now, name), value(&then, name));
             // a data set may move, but the built-in scene is another
             let is_free = FREE.contains(&name.as_str()) && now != NOT_SET && then != NOT_SET;
-            if now == then || is_free || changes.iter().any(|change: &Change| change.name == *name)
-            {
+            let is_planned = goes_on && PLANNED.contains(&name.as_str());
+            let is_known = || changes.iter().any(|change: &Change| change.name == *name);
+            if now == then || is_free || is_planned || is_known() {
                 continue;
             }
             if !CHANGEABLE.contains(&name.as_str()) {

@@ -15,6 +15,9 @@ use crate::scene::{Scene, Tensor, TensorRef, read_metadata, read_scene, read_ten
 /// The file's name in a run's folder.
 pub const CHECKPOINT: &str = "checkpoint.safetensors";
 
+/// The file of the checkpoint whose held-out views were rendered best.
+pub const BEST: &str = "checkpoint.best.safetensors";
+
 /// Prefixes of the names of Adam's moments.
 const MOMENTS: [&str; 2] = ["adam.first.", "adam.second."];
 /// `[N, 4]`: what growth goes by, gathered since the last time.

@@ -77,6 +77,9 @@ pub struct DataConfig {
 pub struct RunConfig {
     /// Steps; rates fall until the last.
     pub steps: u32,
+    /// How `steps` was chosen while the run went on: `[step, steps]` says that from this step on, the run was to have
+    /// so many.  Empty where it was known from the first step.
+    pub plan: Vec<[u32; 2]>,
     /// Seed of every random choice.
     pub seed: u64,
     /// K, tiles of a step.
@@ -147,7 +150,7 @@ pub struct ShapeConfig {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct StartConfig {
-    /// Gaussians where the data set has no points; at most so many points are taken where it has.
+    /// Gaussians where the data set has no points; where it has, there is one at each, up to `growth.max_gaussians`.
     pub gaussians: u32,
     /// Opacity of each.
     pub opacity: f32,
@@ -225,6 +228,7 @@ impl Default for RunConfig {
     fn default() -> Self {
         Self {
             steps: 2000,
+            plan: Vec::new(),
             seed: 0,
             tiles_per_step: 16,
             tile_size: 64,
@@ -233,6 +237,30 @@ impl Default for RunConfig {
             checkpoint_every: 250,
             log_every: 10,
         }
+    }
+}
+
+impl RunConfig {
+    /// The part of the run that is done before `step`, 0 to 1: learning rates and growth follow it.
+    ///
+    /// Each entry of the plan spreads what is left at its step evenly over the steps that are left.
+    #[must_use]
+    pub fn share(&self, step: u32) -> f64 {
+        let (mut from, mut done, mut steps) = (0, 0.0, self.steps);
+        let part = |from: u32, to: u32, steps: u32| {
+            f64::from(to - from) / f64::from(steps.saturating_sub(from).max(1))
+        };
+        for &[at, planned] in self.plan.iter().filter(|entry| entry[0] <= step) {
+            done += (1.0 - done) * part(from, at, steps);
+            (from, steps) = (at, planned);
+        }
+        (done + (1.0 - done) * part(from, step, steps)).min(1.0)
+    }
+
+    /// From `step` on, the run has so many steps.
+    pub(super) fn replan(&mut self, step: u32, steps: u32) {
+        self.plan.push([step, steps]);
+        self.steps = steps;
     }
 }
 
@@ -268,7 +296,7 @@ impl Default for ShapeConfig {
 
 impl Default for StartConfig {
     fn default() -> Self {
-        Self { gaussians: 4000, opacity: 0.1, scale: 1.0, transmittance_bias: 5.0, spread: 0.1 }
+        Self { gaussians: 12_000, opacity: 0.1, scale: 1.0, transmittance_bias: 5.0, spread: 0.1 }
     }
 }
 
@@ -276,7 +304,7 @@ impl Default for GrowthConfig {
     fn default() -> Self {
         Self {
             method: GrowthMethod::default(),
-            max_gaussians: 12_000,
+            max_gaussians: 30_000,
             every: 100,
             begin: 0.1,
             end: 0.8,

@@ -4,7 +4,7 @@ use std::fs::{self, File, TryLockError};
 use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
-use super::checkpoint::CHECKPOINT;
+use super::checkpoint::{BEST, CHECKPOINT};
 use crate::atomic_file::remove_leftovers;
 use crate::error::{Error, Result};
 
@@ -47,7 +47,7 @@ impl RunFolder {
         };
         let folder = Self { path: path.to_owned(), _lock: lock };
         remove_leftovers(path);
-        for name in [CONFIG, CHECKPOINT, METRICS, REPORT] {
+        for name in [CONFIG, CHECKPOINT, BEST, METRICS, REPORT] {
             // Not through a link: it may lead to a file of somebody else's.
             let Ok(found) = fs::symlink_metadata(path.join(name)) else { continue };
             if !found.is_file() {
@@ -56,7 +56,7 @@ impl RunFolder {
                      or name another folder"
                 ));
             }
-            if !resume && [CONFIG, CHECKPOINT].contains(&name) {
+            if !resume && [CONFIG, CHECKPOINT, BEST].contains(&name) {
                 return invalid(format!(
                     "the folder already holds a run ({name}); continue it with `--resume`, or name \
                      another folder"

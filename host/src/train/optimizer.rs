@@ -38,7 +38,8 @@ impl Optimizer {
         Ok([read(first)?, read(second)?])
     }
 
-    /// Moves every parameter, and clears the gradient.  `step` counts from 0.
+    /// Moves every parameter, and clears the gradient.  `step` counts from 0; `share` is the part of the run that is
+    /// done.
     ///
     /// # Errors
     /// As [`Device::dispatch`].
@@ -48,12 +49,12 @@ impl Optimizer {
         scene: &DeviceScene,
         gradient: &SceneGradient,
         config: &OptimizerConfig,
-        [step, steps]: [u32; 2],
+        (step, share): (u32, f64),
     ) -> Result<()> {
         let t = f64::from(step) + 1.0;
         let correction1 = 1.0 / (1.0 - config.beta1.powf(t));
         let correction2 = (1.0 / (1.0 - config.beta2.powf(t))).sqrt();
-        let mut rates = config.rates().map(|_, rate| rate.at(step, steps));
+        let mut rates = config.rates().map(|_, rate| rate.at(share));
         rates.gaussians.position *= scene.extent();
         let [first, second] = self.moments.each_ref().map(Tensors::as_ref);
         let tensors = scene.tensors().as_ref().zip(gradient.tensors().as_ref());

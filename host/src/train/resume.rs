@@ -40,17 +40,17 @@ impl Session<'_> {
         Ok([binding.changes(), &changed].concat())
     }
 
-    /// The log, and the step of its last evaluation. Writes down the settings, and those that `changed` in this resume.
+    /// The log, the step of its last evaluation, and the PSNR of its best. Writes down the settings, and those that `changed` in this resume.
     pub(super) fn open_log(
         &self,
         resume: bool,
         step: u64,
         changed: &[&Change],
-    ) -> Result<(MetricsLog, Option<u64>)> {
+    ) -> Result<(MetricsLog, Option<u64>, Option<f64>)> {
         let path = self.folder.path().join(METRICS);
         if !resume {
             self.config.save(self.folder.path().join(CONFIG))?;
-            return Ok((MetricsLog::create(path)?, None));
+            return Ok((MetricsLog::create(path)?, None, None));
         }
         let mut log = MetricsLog::resume(&path, step)?;
         let config = self.folder.path().join(CONFIG);
@@ -62,6 +62,11 @@ impl Session<'_> {
         }
         let is_evaluation = |record: &&Record| matches!(record, Record::Evaluation { .. });
         let records = MetricsLog::read(path)?;
-        Ok((log, records.iter().rfind(is_evaluation).map(Record::step)))
+        let evaluated = records.iter().rfind(is_evaluation).map(Record::step);
+        let psnr = |record: &Record| match record {
+            Record::Evaluation { psnr, .. } => *psnr,
+            _ => None,
+        };
+        Ok((log, evaluated, records.iter().filter_map(psnr).reduce(f64::max)))
     }
 }

@@ -7,11 +7,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use super::binding::{Binding, Change};
-use super::checkpoint::{CHECKPOINT, Checkpoint, Progress};
+use super::checkpoint::{BEST, CHECKPOINT, Checkpoint, Progress};
 use super::config::TrainConfig;
-use super::folder::{METRICS, REPORT, RunFolder};
+use super::folder::{CONFIG, METRICS, REPORT, RunFolder};
 use super::hooks::StepHooks;
 use super::metrics::{MetricsLog, Record, TimingRow};
+use super::plan::{Now, Planner};
 use super::report::{MAX_VIEWS, Report, ReportView, write_report};
 use super::trainer::{StepReport, Trainer};
 use crate::data::Dataset;
@@ -54,6 +55,9 @@ pub struct Session<'a> {
     pub folder: &'a RunFolder,
     /// Training ends after so many seconds, those before a resume included, as it does after the last step.
     pub time_limit: Option<f64>,
+    /// The number of steps is chosen so that the run takes so many seconds, and written to its settings. Those of
+    /// `config` do not count then.
+    pub planned: Option<f64>,
     /// Set from outside to save and stop.
     pub stop: &'a AtomicBool,
 }
@@ -68,6 +72,8 @@ pub enum Event<'a> {
     Begin(u32),
     /// A setting is another than before the resume.
     Changed(&'a Change),
+    /// The number of all steps was chosen, once more.
+    Planned(u32),
     /// A step is done.
     Step {
         /// Steps so far.
@@ -107,6 +113,11 @@ struct State<'a, 'w, 'h> {
     /// The step of the log's last evaluation.
     evaluated: Option<u64>,
     seconds: f64,
+    /// When this session began.
+    begin: Instant,
+    planner: Option<Planner>,
+    /// The PSNR of the best checkpoint.
+    best: Option<f64>,
     /// Seconds of each kernel and of what surrounds them.
     stages: BTreeMap<&'static str, f64>,
     /// When the last line was logged: tiles since, and the seconds then.
@@ -127,13 +138,20 @@ impl<'a> Session<'a> {
         dataset: &'a Arc<Dataset>,
         folder: &'a RunFolder,
     ) -> Self {
-        Self { renderer, config, dataset, folder, time_limit: None, stop: &NEVER }
+        Self { renderer, config, dataset, folder, time_limit: None, planned: None, stop: &NEVER }
     }
 
     /// The same run with a limit: it ends after this many seconds of training, as it does after the last step.
     #[must_use]
     pub fn with_time_limit(mut self, seconds: Option<f64>) -> Self {
         self.time_limit = seconds;
+        self
+    }
+
+    /// The same run in so many seconds: the number of steps is chosen, see [`Session::planned`].
+    #[must_use]
+    pub fn with_planned(mut self, seconds: Option<f64>) -> Self {
+        self.planned = seconds;
         self
     }
 
@@ -163,6 +181,7 @@ impl<'a> Session<'a> {
         watch: &mut dyn FnMut(Event<'_>),
         hooks: &mut StepHooks<'_>,
     ) -> Result<Outcome> {
+        let begin = Instant::now();
         let path = self.folder.path().join(CHECKPOINT);
         let (config, dataset) = (self.config.clone(), Arc::clone(self.dataset));
         let mut changes = Vec::new();
@@ -179,7 +198,7 @@ impl<'a> Session<'a> {
         let now = |change: &&Change| change.step == u64::from(progress.step);
         let changed: Vec<_> = changes.iter().filter(now).collect();
         changed.iter().for_each(|change| watch(Event::Changed(change)));
-        let (log, evaluated) = self.open_log(resume, u64::from(progress.step), &changed)?;
+        let (log, evaluated, best) = self.open_log(resume, u64::from(progress.step), &changed)?;
         let _ = self.renderer.device().take_timings();
         State {
             session: self,
@@ -188,6 +207,9 @@ impl<'a> Session<'a> {
             changes,
             evaluated,
             seconds: progress.seconds,
+            begin,
+            planner: self.planned.map(Planner::new),
+            best,
             stages: BTreeMap::new(),
             since: (0, progress.seconds),
             watch,
@@ -199,10 +221,11 @@ impl<'a> Session<'a> {
 
 impl State<'_, '_, '_> {
     fn run(mut self) -> Result<Outcome> {
-        let run = &self.session.config.run;
         let mut saved = None;
         let outcome = loop {
             let step = self.trainer.steps();
+            self.plan()?;
+            let run = self.trainer.config().run.clone();
             if step >= run.steps {
                 break Outcome::Finished;
             }
@@ -221,18 +244,32 @@ impl State<'_, '_, '_> {
             self.step()?;
             let step = self.trainer.steps();
             if step.is_multiple_of(run.checkpoint_every) {
-                self.save()?;
+                self.save(CHECKPOINT)?;
                 saved = Some(step);
             }
         };
         if saved != Some(self.trainer.steps()) {
-            self.save()?;
+            self.save(CHECKPOINT)?;
         }
         if outcome == Outcome::Stopped || !self.evaluate()? {
             self.report(Vec::new())?;
             return Ok(Outcome::Stopped);
         }
         Ok(outcome)
+    }
+
+    /// Where the run has a time and not a number of steps: chooses the number once more, and writes it down.
+    fn plan(&mut self) -> Result<()> {
+        let Some(planner) = &mut self.planner else { return Ok(()) };
+        let (step, gaussians) = (self.trainer.steps(), self.trainer.scene().len());
+        let elapsed = self.begin.elapsed().as_secs_f64();
+        let now = Now { step, gaussians, training: self.seconds, elapsed };
+        if let Some(steps) = planner.plan(self.trainer.config(), now) {
+            self.trainer.replan(steps);
+            self.trainer.config().save(self.session.folder.path().join(CONFIG))?;
+            (self.watch)(Event::Planned(steps));
+        }
+        Ok(())
     }
 
     fn step(&mut self) -> Result<()> {
@@ -253,7 +290,7 @@ impl State<'_, '_, '_> {
                 gaussians: numbers.1,
             })?;
         }
-        if step.is_multiple_of(self.session.config.run.log_every) {
+        if step.is_multiple_of(self.trainer.config().run.log_every) {
             let (tiles, then) = std::mem::replace(&mut self.since, (0, self.seconds));
             self.log.append(&Record::Step {
                 step: numbers.0,
@@ -279,10 +316,11 @@ impl State<'_, '_, '_> {
         *self.stages.entry("beside the kernels").or_default() += rest.max(0.0);
     }
 
-    fn save(&self) -> Result<()> {
-        let Session { config, dataset, folder, .. } = self.session;
+    fn save(&self, name: &str) -> Result<()> {
+        let Session { dataset, folder, .. } = self.session;
+        let config = self.trainer.config();
         let binding = Binding::new(config, &dataset.fingerprint, self.changes.clone());
-        let path = folder.path().join(CHECKPOINT);
+        let path = folder.path().join(name);
         self.trainer.checkpoint(self.seconds)?.save(path, Some(&binding))
     }
 
@@ -293,6 +331,7 @@ impl State<'_, '_, '_> {
             return self.report(Vec::new()).map(|()| true);
         }
         (self.watch)(Event::Evaluating);
+        let begin = Instant::now();
         let mut images = Vec::new();
         let mut keep = |event: evaluate::Event<'_>| {
             if let evaluate::Event::View { image, .. } = event
@@ -310,11 +349,21 @@ impl State<'_, '_, '_> {
             parts.push(evaluate_with(renderer, scene, &[frame], &mut keep)?);
         }
         let evaluation = Evaluation::of_parts(parts);
+        // before the log says so: who is killed in between makes up for both
+        if let Some(psnr) = evaluation.mean.psnr
+            && self.best.is_none_or(|best| psnr > best)
+        {
+            self.best = Some(psnr);
+            self.save(BEST)?;
+        }
         let step = u64::from(self.trainer.steps());
         if self.evaluated.replace(step) != Some(step) {
             self.log.append(&Record::evaluation(step, self.seconds, &evaluation))?;
         }
         (self.watch)(Event::Evaluated(&evaluation));
+        if let Some(planner) = &mut self.planner {
+            planner.evaluated(begin.elapsed().as_secs_f64());
+        }
         // what evaluating took is no part of training
         let _ = self.session.renderer.device().take_timings();
         let mut views = Vec::new();
@@ -354,7 +403,7 @@ impl State<'_, '_, '_> {
         let report = Report {
             title,
             device: session.renderer.device().choice().to_owned(),
-            config: session.config.list(),
+            config: self.trainer.config().list(),
             records: &records,
             views,
         };

@@ -1,5 +1,6 @@
 //! Where training starts: the scene's Gaussians, and fields that let light through.
 
+use std::borrow::Cow;
 use std::num::NonZero;
 
 use glam::DVec3;
@@ -13,8 +14,9 @@ use super::config::TrainConfig;
 use super::needs;
 use super::sampler::random;
 use super::space::{Target, depth, scene_box};
+use super::sweep;
 use crate::camera::Camera;
-use crate::data::Point;
+use crate::data::{Frame, Point};
 use crate::error::Result;
 use crate::scene::{Network, Scene};
 
@@ -39,7 +41,7 @@ pub fn start(
 ) -> Result<Scene> {
     let count = match points.len() {
         0 => u64::from(config.start.gaussians),
-        points => u64::from(config.start.gaussians).min(points as u64),
+        points => u64::from(config.growth.max_gaussians).min(points as u64),
     };
     needs::check_scene(config, count)?;
     let mut random_places = random(config.run.seed, PLACES, 0);
@@ -47,13 +49,38 @@ pub fn start(
     let (places, colors) = if points.is_empty() {
         (target.spread(cameras, config.start.gaussians as usize, &mut random_places), Vec::new())
     } else {
-        choose(points, config.start.gaussians as usize, &mut random_places)
+        choose(points, config.growth.max_gaussians as usize, &mut random_places)
     };
     let aabb = scene_box(cameras, &target, points, &places);
     let mut scene = Scene::zeros(config.scene_config(background, aabb), places.len())?;
     place(config, &mut scene, &places, &colors, &mut random_places);
     fill_fields(config, &mut scene);
     Ok(scene)
+}
+
+/// Points to start from: those of the data set, or else what its photographs show.
+///
+/// Rays that match in no other photograph give no point; places that cameras see make up for them.
+///
+/// # Errors
+/// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+pub fn points<'p>(
+    config: &TrainConfig,
+    frames: &[&Frame],
+    known: &'p [Point],
+) -> Result<Cow<'p, [Point]>> {
+    if !known.is_empty() {
+        return Ok(Cow::Borrowed(known));
+    }
+    needs::check_scene(config, u64::from(config.start.gaussians))?;
+    let cameras: Vec<_> = frames.iter().map(|frame| frame.camera.clone()).collect();
+    let target = Target::of(&cameras);
+    let (count, seed) = (config.start.gaussians as usize, config.run.seed);
+    let mut found = sweep::points(frames, target.distance, count, seed);
+    let rest = target.spread(&cameras, count - found.len(), &mut random(seed, PLACES, 1));
+    let rest = rest.into_iter().map(|place| Point { position: place.to_array(), color: None });
+    found.extend(rest);
+    Ok(Cow::Owned(found))
 }
 
 impl Target {

@@ -9,7 +9,7 @@ use super::growth::{Grown, grow};
 use super::hooks::{StepGradient, StepHooks};
 use super::optimizer::Optimizer;
 use super::sampler::{Sampler, Target, random};
-use super::start::start;
+use super::start;
 use crate::camera::Camera;
 use crate::data::Dataset;
 use crate::error::{Error, IN_MEMORY, Result};
@@ -100,7 +100,9 @@ impl Trainer {
         let dataset = dataset.into();
         check(&config, &dataset)?;
         let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
-        let scene = start(&config, dataset.background, &cameras, &dataset.points)?;
+        let frames: Vec<_> = dataset.train_frames().collect();
+        let points = start::points(&config, &frames, &dataset.points)?;
+        let scene = start::start(&config, dataset.background, &cameras, &points)?;
         let checkpoint = Checkpoint::begin(scene, &config)?;
         Self::resume(renderer, config, dataset, &checkpoint)
     }
@@ -142,6 +144,11 @@ impl Trainer {
     #[must_use]
     pub fn config(&self) -> &TrainConfig {
         &self.config
+    }
+
+    /// From this step on, the run has so many steps: learning rates and growth follow.
+    pub(super) fn replan(&mut self, steps: u32) {
+        self.config.run.replan(self.step, steps);
     }
 
     /// The photographs.
@@ -209,8 +216,9 @@ impl Trainer {
             let between = StepGradient { device, step: self.step, scene, gradient };
             hook(&between).inspect_err(|_| restart(self))?;
         }
-        let (settings, steps) = (&self.config.optimizer, [self.step, self.config.run.steps]);
-        device.run_in_pool(|| optimizer.step(device, scene, gradient, settings, steps))?;
+        let share = self.config.run.share(self.step);
+        let (settings, now) = (&self.config.optimizer, (self.step, share));
+        device.run_in_pool(|| optimizer.step(device, scene, gradient, settings, now))?;
         gradient.clear_touched(device);
         self.step += 1;
         let grown = self.is_time_to_grow().then(|| self.grow()).transpose()?;
@@ -247,7 +255,7 @@ impl Trainer {
 
     fn is_time_to_grow(&self) -> bool {
         let growth = &self.config.growth;
-        let share = f64::from(self.step) / f64::from(self.config.run.steps);
+        let share = self.config.run.share(self.step);
         growth.method != GrowthMethod::None
             && self.step.is_multiple_of(growth.every)
             && (growth.begin..=growth.end).contains(&share)

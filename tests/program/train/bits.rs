@@ -25,6 +25,26 @@ fn the_same_settings_give_the_same_bits_on_any_number_of_threads() {
 }
 
 #[test]
+fn a_run_of_so_many_minutes_is_repeated_from_its_settings() {
+    let sandbox = sandbox();
+    sandbox.run(&format!("{TINY} one --minutes 0.03")).assert_ok();
+    let config = TrainConfig::load(sandbox.path("one/config.toml")).expect("settings");
+    // the first, and after the steps 1, 2 and 4 at least
+    assert!(config.run.plan.len() >= 4, "{:?}", config.run);
+    sandbox.run("train --config one/config.toml --backend cpu -o again").assert_ok();
+    assert_same("again", &bits(&sandbox, "again"), &bits(&sandbox, "one"));
+    let told = |run: &str| without_times(&records(&sandbox.path(run)));
+    assert_eq!(told("again"), told("one"));
+    assert_eq!(TrainConfig::load(sandbox.path("again/config.toml")).expect("settings"), config);
+    // a number of steps of its own needs no plan
+    let words = "train --config one/config.toml --backend cpu --steps 5 -o five";
+    sandbox.run(words).assert_ok();
+    let five = TrainConfig::load(sandbox.path("five/config.toml")).expect("settings");
+    assert_eq!((five.run.steps, five.run.plan.len()), (5, 0));
+    sandbox.assert_refuses(&format!("{TINY} no --minutes 0"), &["minutes, such as 10"]);
+}
+
+#[test]
 fn another_seed_gives_another_scene() {
     let sandbox = sandbox();
     let [a, b] = [0, 1].map(|seed| {

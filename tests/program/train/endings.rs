@@ -10,7 +10,7 @@ use std::{fs, thread};
 use organza::Renderer;
 use organza::train::metrics::Record;
 use organza::train::{
-    self, CHECKPOINT, CONFIG, Checkpoint, METRICS, REPORT, RunFolder, Session, TrainConfig,
+    self, BEST, CHECKPOINT, CONFIG, Checkpoint, METRICS, REPORT, RunFolder, Session, TrainConfig,
     built_in,
 };
 use organza_tests::devices;
@@ -161,7 +161,41 @@ fn a_run_that_is_killed_goes_on_to_the_same_bits() {
     let mut names: Vec<_> =
         names.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
     names.sort();
-    assert_eq!(names, [CHECKPOINT, CONFIG, METRICS, REPORT]);
+    assert_eq!(names, [BEST, CHECKPOINT, CONFIG, METRICS, REPORT]);
+}
+
+/// What was planned after the checkpoint does not keep a run from going on from it.
+#[test]
+fn a_run_of_so_many_minutes_that_is_killed_goes_on_as_it_was_planned() {
+    let sandbox = sandbox();
+    let folder = sandbox.path("run");
+    let mut child = start(&sandbox, &format!("{TINY} run --minutes 0.04"));
+    wait_for_steps(&mut child, &folder, 30);
+    assert!(child.try_wait().unwrap().is_none(), "it is there to be killed");
+    let _ = child.kill();
+    child.wait().unwrap();
+    let planned = TrainConfig::load(folder.join(CONFIG)).expect("settings");
+    sandbox.run("train --resume run --backend cpu").assert_ok();
+    assert_eq!(TrainConfig::load(folder.join(CONFIG)).expect("settings"), planned);
+    let progress = Checkpoint::load(folder.join(CHECKPOINT)).unwrap().progress;
+    assert_eq!(progress.step, planned.run.steps);
+    sandbox.run("train --config run/config.toml --backend cpu -o whole").assert_ok();
+    assert_like_whole(&sandbox, "run");
+}
+
+/// The best checkpoint is that of the best evaluation.
+#[test]
+fn the_best_checkpoint_is_kept() {
+    let sandbox = sandbox();
+    sandbox.run(&format!("{TINY} run --steps 40")).assert_ok();
+    let found = records(&sandbox.path("run"));
+    let scores = found.iter().filter_map(|record| match record {
+        Record::Evaluation { step, psnr: Some(psnr), .. } => Some((*psnr, *step)),
+        _ => None,
+    });
+    let best = scores.max_by(|a, b| a.0.total_cmp(&b.0)).expect("it is evaluated").1;
+    let kept = Checkpoint::load(sandbox.path("run").join(BEST)).expect("a checkpoint").progress;
+    assert_eq!(u64::from(kept.step), best);
 }
 
 #[test]
@@ -169,7 +203,7 @@ fn a_run_that_is_done_stays_as_it_is() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} run --steps 12")).assert_ok();
     let read = |name: &str| fs::read(sandbox.path("run").join(name)).unwrap();
-    let names = [CHECKPOINT, CONFIG, METRICS, REPORT];
+    let names = [BEST, CHECKPOINT, CONFIG, METRICS, REPORT];
     let before = names.map(read);
     sandbox.run("train --resume run --backend cpu").assert_ok();
     for (name, before) in names.into_iter().zip(before) {

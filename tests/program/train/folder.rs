@@ -166,7 +166,14 @@ fn what_a_kill_left_before_the_first_step_is_removed() {
     let mut names: Vec<_> =
         names.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
     names.sort();
-    assert_eq!(names, ["checkpoint.safetensors", "config.toml", "metrics.jsonl", "report.html"]);
+    let expected = [
+        "checkpoint.best.safetensors",
+        "checkpoint.safetensors",
+        "config.toml",
+        "metrics.jsonl",
+        "report.html",
+    ];
+    assert_eq!(names, expected);
 }
 
 /// Opening one for writing would wait, and writing through one would change what is elsewhere.

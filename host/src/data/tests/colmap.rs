@@ -191,3 +191,41 @@ fn the_last_line_of_images_may_be_missing() {
     fs::write(&path, text.replace("\n1.5 2.5 -1\n", "")).unwrap();
     assert_eq!(load(folder.path()).unwrap().frames.len(), 2);
 }
+
+/// nerfstudio's file of a data set's cameras, turned by 90 degrees about z, twice as far apart, and moved.
+fn moved_transforms(dataset: &Dataset) -> Value {
+    let frame = |frame: &Frame| {
+        let Camera { camera_to_world, fl_x, fl_y, cx, cy, width, height, .. } = &frame.camera;
+        let [x, y, z, last] = camera_to_world;
+        let row = |axis: [f64; 4], sign: f64, offset: f64| {
+            [sign * axis[0], sign * axis[1], sign * axis[2], 2.0 * sign * axis[3] + offset]
+        };
+        let pose = [row(*y, -1.0, 3.0), row(*x, 1.0, -1.0), row(*z, 1.0, 0.5), *last];
+        json!({"file_path": format!("images/{}", frame.name), "transform_matrix": pose, "w": width,
+            "h": height, "fl_x": fl_x, "fl_y": fl_y, "cx": cx, "cy": cy})
+    };
+    json!({"camera_model": "PINHOLE", "frames": dataset.frames.iter().map(frame).collect::<Vec<_>>()})
+}
+
+#[test]
+fn a_models_points_follow_the_cameras_of_a_transforms_file_beside_it() {
+    let folder = tempfile::tempdir().unwrap();
+    write(folder.path(), &sample(), true);
+    let model = load(folder.path()).unwrap();
+    let mut file = moved_transforms(&model);
+    let path = folder.path().join("transforms.json");
+    write_json(&path, &file);
+    let dataset = load(folder.path()).unwrap();
+    assert_eq!((dataset.kind, dataset.points.len()), (DatasetKind::Nerfstudio, 2));
+    for (point, other) in dataset.points.iter().zip(&model.points) {
+        let [x, y, z] = other.position;
+        let expected = [3.0 - 2.0 * y, 2.0 * x - 1.0, 2.0 * z + 0.5];
+        let is_near = |(a, b): (&f64, f64)| (a - b).abs() < 1e-9;
+        assert!(point.position.iter().zip(expected).all(is_near), "{point:?} {expected:?}");
+        assert_eq!(point.color, other.color);
+    }
+    // cameras that stand elsewhere belong to another model
+    file["frames"][1]["transform_matrix"][0][3] = json!(40.0);
+    write_json(&path, &file);
+    assert!(load(folder.path()).unwrap().points.is_empty());
+}

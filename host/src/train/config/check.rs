@@ -72,6 +72,7 @@ impl TrainConfig {
                     .to_owned(),
             );
         }
+        self.check_plan()?;
         let (first, most) = (self.start.gaussians, self.growth.max_gaussians);
         if first > most {
             return Err(format!(
@@ -79,6 +80,29 @@ impl TrainConfig {
             ));
         }
         Ok(())
+    }
+}
+
+impl TrainConfig {
+    /// A plan that a run could have made.
+    fn check_plan(&self) -> Result<(), String> {
+        let plan = &self.run.plan;
+        let ascends =
+            plan.windows(2).all(|pair| pair[0][0] < pair[1][0] && pair[1][0] < pair[0][1]);
+        let first = plan.first().is_none_or(|entry| entry[0] == 0);
+        if !ascends || !first || plan.iter().any(|[step, steps]| step >= steps) {
+            return Err("`run.plan` is not one that a run has written: its steps ascend from 0, and each is before \
+                        the end that was planned; remove it"
+                .to_owned());
+        }
+        match plan.last() {
+            Some([_, steps]) if *steps != self.run.steps => Err(format!(
+                "`run.plan` ends with {steps} steps, but `run.steps` is {}: remove the plan, put the number back, or \
+                 use `--steps`",
+                self.run.steps
+            )),
+            _ => Ok(()),
+        }
     }
 }
 

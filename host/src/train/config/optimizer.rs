@@ -16,10 +16,9 @@ pub struct Rate {
 }
 
 impl Rate {
-    /// The rate at `step` of `steps`.
+    /// The rate when a part of the run is done, 0 to 1: see [`RunConfig::share`](super::RunConfig::share).
     #[must_use]
-    pub fn at(&self, step: u32, steps: u32) -> f64 {
-        let share = f64::from(step) / f64::from(steps.max(1));
+    pub fn at(&self, share: f64) -> f64 {
         self.first * (self.last / self.first).powf(share.min(1.0))
     }
 }

@@ -65,7 +65,34 @@ fn a_run_that_cannot_fit_is_refused_with_what_it_takes() {
 #[test]
 fn rates_fall_by_the_same_factor() {
     let rate = Rate { first: 1e-2, last: 1e-4 };
-    for (step, expected) in [(0, 1e-2), (50, 1e-3), (100, 1e-4), (200, 1e-4)] {
-        assert!((rate.at(step, 100) / expected - 1.0).abs() < 1e-12);
+    for (share, expected) in [(0.0, 1e-2), (0.5, 1e-3), (1.0, 1e-4), (2.0, 1e-4)] {
+        assert!((rate.at(share) / expected - 1.0).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_plan_spreads_what_is_left_over_the_steps_that_are_left() {
+    let mut run = RunConfig { steps: 80, ..RunConfig::default() };
+    assert_eq!([0, 20, 80, 90].map(|step| run.share(step)), [0.0, 0.25, 1.0, 1.0]);
+    run.replan(0, 100);
+    run.replan(50, 150);
+    let shares = [0, 25, 50, 100, 150].map(|step| run.share(step));
+    assert_eq!(shares, [0.0, 0.25, 0.5, 0.75, 1.0]);
+    // what comes later changes nothing before, to the bit
+    let before: Vec<_> = (0..=60).map(|step| run.share(step).to_bits()).collect();
+    run.replan(61, 90);
+    assert!((0..=60).map(|step| run.share(step).to_bits()).eq(before));
+    assert_eq!(run.share(90), 1.0);
+}
+
+#[test]
+fn only_a_plan_that_a_run_can_write_is_read() {
+    let parse = |text: &str| TrainConfig::parse(text, Path::new("run/config.toml"));
+    let plan = "[run]\nsteps = 90\nplan = [[0, 100], [50, 90]]";
+    let config = parse(plan).unwrap();
+    assert_eq!(parse(&config.to_toml()).unwrap(), config);
+    for plan in ["[[1, 90]]", "[[0, 9], [9, 90]]", "[[0, 50], [9, 60], [9, 90]]", "[[0, 100]]"] {
+        let text = parse(&format!("[run]\nsteps = 90\nplan = {plan}")).unwrap_err().to_string();
+        assert!(text.contains("`run.plan`"), "{text}");
     }
 }

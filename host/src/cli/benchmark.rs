@@ -1,0 +1,199 @@
+//! `organza benchmark`: trains on several captures and compares them in one table.
+
+use std::collections::HashSet;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use organza::train::metrics::{MetricsLog, Record};
+use organza::train::{self, CHECKPOINT, CONFIG, METRICS, Outcome, REPORT};
+use organza::{Result, Scene, write_atomic};
+use serde::Serialize;
+
+use super::console::{Console, print, print_json};
+use super::device::DeviceArgs;
+use super::refuse;
+use super::signals::Signals;
+use super::table::Table;
+use super::train::{Job, SettingsArgs};
+
+const EXAMPLES: &str = "\
+Examples:
+  organza benchmark data/fox data/garden -o results --minutes 10
+  organza benchmark data/* -o small --steps 600 --downscale 4 --seed 1
+
+FOLDER gets a training run for each capture, named as its folder is, and the table as results.md and results.csv. \
+A capture whose run is there already is continued, or counted as it is: the same command goes on after Ctrl-C.
+
+PSNR and SSIM are those of the held-out views after the last step. MB is the size of the scene, in 10^6 bytes, \
+without the state of training. Minutes are those of training, without evaluations.";
+
+/// Train on several captures, and compare them in one table
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The data sets: folders of nerfstudio, Blender or COLMAP
+    #[arg(required = true)]
+    data: Vec<PathBuf>,
+    /// The folder for the runs and the table; created if it does not exist
+    #[arg(short, long, value_name = "FOLDER")]
+    output: PathBuf,
+    /// Print JSON (docs/json.md)
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    settings: SettingsArgs,
+    #[command(flatten)]
+    device: DeviceArgs,
+}
+
+/// What `--json` prints.
+#[derive(Debug, Serialize)]
+struct Results {
+    captures: Vec<Row>,
+}
+
+/// What a capture came to.
+#[derive(Debug, Serialize)]
+struct Row {
+    name: String,
+    psnr: Option<f64>,
+    ssim: Option<f64>,
+    steps: u64,
+    gaussians: usize,
+    megabytes: f64,
+    minutes: f64,
+}
+
+pub fn run(args: &Args, console: Console) -> Result<()> {
+    let signals = Signals::listen()?;
+    let names = names(&args.data)?;
+    let mut rows = Vec::new();
+    for (data, name) in args.data.iter().zip(&names) {
+        let folder = args.output.join(name);
+        let resume = folder.join(CONFIG).exists();
+        let config = match resume {
+            true => train::settings_of(&folder)?,
+            false => args.settings.settings(Some(data))?,
+        };
+        console.note(&format!("{name}: {}", folder.display()));
+        let begin = Instant::now();
+        let planned = if resume { None } else { args.settings.planned() };
+        let job = Job { config, folder: &folder, resume, planned, time_limit: None };
+        if job.run(&args.device, console, &signals, &mut |_| ())? == Outcome::Stopped {
+            console.note("saved; the same command continues from here");
+            return Ok(());
+        }
+        console
+            .note(&format!("{name}: {:.1} minutes in all", begin.elapsed().as_secs_f64() / 60.0));
+        rows.push(Row::of(name, &folder)?);
+        // after each, so that what was measured is there whatever comes
+        let write = |name: &str, text: String| {
+            write_atomic(args.output.join(name), |writer| writer.write_all(text.as_bytes()))
+        };
+        write("results.md", markdown(&rows))?;
+        write("results.csv", csv(&rows))?;
+    }
+    if args.json {
+        print_json(&Results { captures: rows })
+    } else {
+        print(&table(&rows).to_string())
+    }
+}
+
+/// The runs' names: those of the data sets' folders.
+fn names(data: &[PathBuf]) -> Result<Vec<String>> {
+    let mut taken = HashSet::new();
+    data.iter()
+        .map(|path| {
+            let full = path.canonicalize().unwrap_or_else(|_| path.clone());
+            // the file of a data set says less than its folder
+            let full = if full.is_file() { full.parent().unwrap_or(&full) } else { &full };
+            let name = full.file_name().unwrap_or(full.as_os_str()).to_string_lossy().into_owned();
+            if taken.insert(name.clone()) {
+                return Ok(name);
+            }
+            refuse(format!("two captures are named {name}; put one into a folder of another name"))
+        })
+        .collect()
+}
+
+impl Row {
+    /// What a finished run has left.
+    fn of(name: &str, folder: &Path) -> Result<Self> {
+        let records = MetricsLog::read(folder.join(METRICS))?;
+        let scene = Scene::load(folder.join(CHECKPOINT))?;
+        let bytes: usize = scene.tensors().iter().map(|(_, values)| size_of_val(&**values)).sum();
+        let mut row = Self {
+            name: name.to_owned(),
+            psnr: None,
+            ssim: None,
+            steps: 0,
+            gaussians: scene.gaussians.len(),
+            megabytes: bytes as f64 / 1e6,
+            minutes: 0.0,
+        };
+        for record in &records {
+            row.steps = row.steps.max(record.step());
+            match record {
+                Record::Evaluation { seconds, psnr, ssim, .. } => {
+                    (row.psnr, row.ssim, row.minutes) = (*psnr, *ssim, seconds / 60.0);
+                }
+                Record::Step { seconds, .. } => row.minutes = seconds / 60.0,
+                _ => {}
+            }
+        }
+        Ok(row)
+    }
+
+    /// Its numbers as text; `none` stands for what there is not.
+    fn cells(&self, none: &str) -> [String; 7] {
+        let number = |value: Option<f64>, digits: usize| {
+            value.map_or(none.to_owned(), |value| format!("{value:.digits$}"))
+        };
+        [
+            self.name.clone(),
+            number(self.psnr, 2),
+            number(self.ssim, 4),
+            self.steps.to_string(),
+            self.gaussians.to_string(),
+            format!("{:.2}", self.megabytes),
+            format!("{:.2}", self.minutes),
+        ]
+    }
+}
+
+const TITLES: [&str; 7] = ["capture", "PSNR", "SSIM", "steps", "Gaussians", "MB", "minutes"];
+
+fn table(rows: &[Row]) -> Table {
+    let mut table = Table::new(1, TITLES);
+    rows.iter().for_each(|row| table.row(row.cells("-")));
+    table
+}
+
+fn markdown(rows: &[Row]) -> String {
+    let mut text = format!("| {} |\n| --- |{}\n", TITLES.join(" | "), " ---: |".repeat(6));
+    for row in rows {
+        let mut cells = row.cells("-");
+        // what would end a cell or a link
+        let name = cells[0].replace(['|', '[', ']', '\n'], "_");
+        let link = row.name.replace(' ', "%20").replace(['(', ')', '|', '\n'], "_");
+        cells[0] = if link == row.name.replace(' ', "%20") {
+            format!("[{name}]({link}/{REPORT})")
+        } else {
+            name
+        };
+        let _ = writeln!(text, "| {} |", cells.join(" | "));
+    }
+    text
+}
+
+fn csv(rows: &[Row]) -> String {
+    let mut text = TITLES.join(",") + "\n";
+    for row in rows {
+        let mut cells = row.cells("");
+        cells[0] = format!("\"{}\"", row.name.replace('"', "\"\""));
+        let _ = writeln!(text, "{}", cells.join(","));
+    }
+    text
+}

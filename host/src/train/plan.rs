@@ -1,0 +1,161 @@
+//! How many steps fit into the time of a run: `organza train --minutes`.
+
+use super::config::{GrowthMethod, TrainConfig};
+
+/// The part of a step's time that grows with the number of Gaussians. Pixels, rays of what is seen and the fields
+/// take the rest.
+const PER_GAUSSIAN: f64 = 0.3;
+/// A new plan is made after every step whose number is a power of two, up to this one,
+const FIRST_STEPS: u32 = 64;
+/// then after each of so many parts of the time,
+const PLANS: f64 = 20.0;
+/// until so much of the time is over: the end does not move away from a run that is about to reach it.
+const LAST: f64 = 0.97;
+/// The least number of steps that is planned before anything is measured: the first step alone depends on it.
+const UNKNOWN: u32 = 1000;
+/// More steps than any run has.
+const MOST: u32 = 100_000_000;
+
+/// Where a run stands.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Now {
+    /// Steps that are done.
+    pub step: u32,
+    /// Gaussians of the scene.
+    pub gaussians: usize,
+    /// Seconds of training.
+    pub training: f64,
+    /// Seconds of the run: training, evaluations and files.
+    pub elapsed: f64,
+}
+
+/// Chooses the number of steps of a run, again and again while it goes on.
+#[derive(Clone, Debug)]
+pub(super) struct Planner {
+    /// Seconds that the run is to take.
+    seconds: f64,
+    /// Seconds that an evaluation takes.
+    evaluation: f64,
+    /// When the last plan was made.
+    last: Option<Now>,
+}
+
+impl Planner {
+    pub fn new(seconds: f64) -> Self {
+        Self { seconds, evaluation: 0.0, last: None }
+    }
+
+    /// An evaluation took so long.
+    pub fn evaluated(&mut self, seconds: f64) {
+        self.evaluation = seconds;
+    }
+
+    /// The number of all steps, where it is time for a new plan.
+    pub fn plan(&mut self, config: &TrainConfig, now: Now) -> Option<u32> {
+        let Some(last) = self.last else {
+            self.last = Some(now);
+            return Some(now.step.saturating_add(config.run.steps.max(UNKNOWN)));
+        };
+        let is_early = now.step <= FIRST_STEPS && now.step.is_power_of_two();
+        let is_due = is_early || now.elapsed - last.elapsed >= self.seconds / PLANS;
+        let is_late = !is_early && now.elapsed >= LAST * self.seconds;
+        if now.step <= last.step || now.step >= config.run.steps || !is_due || is_late {
+            return None;
+        }
+        let per_step = (now.training - last.training) / f64::from(now.step - last.step);
+        self.last = Some(now);
+        Some(now.step.saturating_add(self.steps_left(config, now, per_step.max(1e-6))))
+    }
+
+    /// How many more steps fit, if one takes `per_step` now: the number of Gaussians is followed to the end.
+    fn steps_left(&self, config: &TrainConfig, now: Now, per_step: f64) -> u32 {
+        let growth = &config.growth;
+        let per_evaluation = match config.run.evaluate_every {
+            0 => 0.0,
+            every => self.evaluation / f64::from(every),
+        };
+        let time = (self.seconds - now.elapsed - self.evaluation).max(0.0);
+        let (mut used, mut steps, mut gaussians) = (0.0, 0_u32, now.gaussians as f64);
+        loop {
+            let grown = gaussians / now.gaussians.max(1) as f64;
+            let cost = per_step * (1.0 - PER_GAUSSIAN + PER_GAUSSIAN * grown) + per_evaluation;
+            let next = cost * f64::from(growth.every);
+            if used + next >= time || steps > MOST {
+                return steps.saturating_add(((time - used) / cost) as u32).max(1);
+            }
+            (used, steps) = (used + next, steps.saturating_add(growth.every));
+            let share = (now.elapsed + used) / self.seconds;
+            let grows =
+                growth.method != GrowthMethod::None && (growth.begin..=growth.end).contains(&share);
+            if grows {
+                let most = f64::from(growth.max_gaussians);
+                gaussians = (gaussians * (1.0 + growth.rate)).min(most.max(gaussians));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A run whose steps take `cost(share, gaussians)` seconds: the seconds it took, its steps, and its settings.
+    fn run(seconds: f64, cost: impl Fn(f64, f64) -> f64) -> (f64, TrainConfig) {
+        let mut config = TrainConfig::default();
+        let (start, evaluation) = (f64::from(config.start.gaussians), 4.0);
+        let mut planner = Planner::new(seconds);
+        let mut now = Now { step: 0, gaussians: start as usize, training: 0.0, elapsed: 0.0 };
+        loop {
+            if let Some(steps) = planner.plan(&config, now) {
+                config.run.replan(now.step, steps);
+            }
+            if now.step >= config.run.steps {
+                return (now.elapsed + evaluation, config);
+            }
+            if now.step > 0 && now.step.is_multiple_of(config.run.evaluate_every) {
+                now.elapsed += evaluation;
+                planner.evaluated(evaluation);
+            }
+            let share = config.run.share(now.step);
+            let took = cost(share, now.gaussians as f64);
+            now.step += 1;
+            (now.training, now.elapsed) = (now.training + took, now.elapsed + took);
+            let growth = &config.growth;
+            let share = config.run.share(now.step);
+            if now.step.is_multiple_of(growth.every) && (growth.begin..=growth.end).contains(&share)
+            {
+                let grown = now.gaussians as f64 * (1.0 + growth.rate);
+                now.gaussians = (grown as usize).min(growth.max_gaussians as usize);
+            }
+        }
+    }
+
+    #[test]
+    fn a_run_ends_at_its_time() {
+        let costs: [fn(f64, f64) -> f64; 4] = [
+            |_, _| 0.1,
+            |_, gaussians| 0.05 + 3e-6 * gaussians,
+            |_, gaussians| 1e-5 * gaussians,
+            // it becomes slower, and faster toward the end
+            |share, gaussians| (0.03 + 2e-6 * gaussians) * (1.0 + share * (1.0 - share)),
+        ];
+        for (index, cost) in costs.into_iter().enumerate() {
+            for seconds in [120.0, 600.0, 3600.0] {
+                let (took, config) = run(seconds, cost);
+                let error = took / seconds - 1.0;
+                assert!(error.abs() < 0.05, "cost {index}, {seconds} s: {took}");
+                assert!((config.run.share(config.run.steps) - 1.0).abs() < 1e-12);
+                // the plan follows the time: half of the run is done at about half of its time
+                let middle = config.run.share(config.run.steps / 2);
+                assert!((0.3..0.7).contains(&middle), "cost {index}, {seconds} s: {middle}");
+                TrainConfig::parse(&config.to_toml(), std::path::Path::new("a plan")).unwrap();
+            }
+        }
+    }
+
+    #[test]
+    fn a_time_that_is_over_at_once_gives_one_step_more() {
+        let (_, config) = run(0.5, |_, _| 1.0);
+        assert!(config.run.steps <= 3, "{}", config.run.steps);
+    }
+}

@@ -1,8 +1,61 @@
-//! Embeds the compiled kernels of `kernels/`.
+//! Embeds the compiled kernels of `kernels/`, and the commit that the program is built from.
 
+use std::fs;
 use std::path::Path;
+use std::process::Command;
 
 fn main() {
     let host = Path::new(env!("CARGO_MANIFEST_DIR"));
     organza_manifest::embed(&host.join("kernels"), &host.join(".."));
+    println!("cargo::rerun-if-env-changed=ORGANZA_COMMIT");
+    if std::env::var_os("ORGANZA_COMMIT").is_none()
+        && let Some(commit) = of_package(host).or_else(|| of_repository(host))
+    {
+        println!("cargo::rustc-env=ORGANZA_COMMIT={commit}");
+    }
+}
+
+/// What cargo wrote into the package when it made it: the same for everybody who builds the package.
+fn of_package(host: &Path) -> Option<String> {
+    let text = fs::read_to_string(host.join(".cargo_vcs_info.json")).ok()?;
+    let info: serde_json::Value = serde_json::from_str(&text).ok()?;
+    let commit = info["git"]["sha1"].as_str()?;
+    let is_modified = info["git"]["dirty"].as_bool() == Some(true);
+    Some(named(commit, is_modified))
+}
+
+/// What git says about this repository. Only release builds ask: otherwise, each commit would compile everything again.
+fn of_repository(host: &Path) -> Option<String> {
+    const SOURCES: [&str; 5] = ["Cargo.toml", "Cargo.lock", "host", "kit", "shader-crate"];
+    if std::env::var("PROFILE").is_ok_and(|profile| profile != "release") {
+        return None;
+    }
+    // A package that somebody else's repository holds a copy of has another place there.
+    if git(host, &["rev-parse", "--show-prefix"])? != "host/" {
+        return None;
+    }
+    for file in ["HEAD", "logs/HEAD"] {
+        let path = git(host, &["rev-parse", "--path-format=absolute", "--git-path", file])?;
+        println!("cargo::rerun-if-changed={path}");
+    }
+    let commit = git(host, &["rev-parse", "HEAD"])?;
+    let mut status = vec!["status", "--porcelain", "--untracked-files=no", "--"];
+    let root = host.join("..");
+    status.extend(SOURCES);
+    for source in SOURCES {
+        println!("cargo::rerun-if-changed={}", root.join(source).display());
+    }
+    let is_modified = !git(&root, &status)?.is_empty();
+    Some(named(&commit, is_modified))
+}
+
+fn named(commit: &str, is_modified: bool) -> String {
+    format!("{commit}{}", if is_modified { "-modified" } else { "" })
+}
+
+/// What git prints; none where it fails or is not there.
+fn git(folder: &Path, words: &[&str]) -> Option<String> {
+    let output = Command::new("git").arg("-C").arg(folder).args(words).output().ok()?;
+    let text = String::from_utf8(output.stdout).ok()?;
+    output.status.success().then(|| text.trim().to_owned())
 }

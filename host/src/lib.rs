@@ -39,6 +39,10 @@ pub use render::{
 pub use scene::Scene;
 pub use tile::{Tile, TileBatch};
 
+/// The commit that organza was built from, followed by `-modified` if its sources had changed since. It is known for
+/// packages that cargo made, and for release builds in a git repository. The variable `ORGANZA_COMMIT` sets it for others.
+pub const COMMIT: Option<&str> = option_env!("ORGANZA_COMMIT");
+
 /// The compiled kernels that a GPU runs.
 pub static MODULES: Modules = organza_device::modules!();
 

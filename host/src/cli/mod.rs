@@ -2,6 +2,7 @@
 
 mod bench;
 mod benchmark;
+mod compare;
 mod completions;
 mod console;
 mod demo;
@@ -72,6 +73,7 @@ enum Command {
     Info(info::Args),
     Explain(explain::Args),
     Eval(eval::Args),
+    Compare(compare::Args),
     Kernels(kernels::Args),
     Parity(parity::Args),
     Bench(bench::Args),
@@ -96,6 +98,7 @@ pub fn main() -> ExitCode {
         Command::Info(args) => info::run(args, console).map(done),
         Command::Explain(args) => explain::run(args, console).map(done),
         Command::Eval(args) => eval::run(args, console).map(done),
+        Command::Compare(args) => compare::run(args, console).map(done),
         Command::Kernels(args) => kernels::run(args, console).map(done),
         Command::Parity(args) => parity::run(args, console),
         Command::Bench(args) => bench::run(args, console).map(done),

@@ -248,6 +248,7 @@ impl Job<'_> {
         let session = Session::new(&renderer, &config, &dataset, &folder)
             .with_time_limit(self.time_limit)
             .with_planned(self.planned)
+            .with_command(command_line())
             .with_stop(signals.stop());
         let mut progress = TrainingProgress::new(console, config.run.steps, self.time_limit);
         let outcome = session.run(self.resume, &mut |event| {
@@ -260,6 +261,14 @@ impl Job<'_> {
         progress.end(outcome);
         Ok(outcome)
     }
+}
+
+/// The words of the command line, quoted as a shell needs them; the program without its folder.
+fn command_line() -> Option<String> {
+    let words: Vec<String> =
+        std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
+    let words = std::iter::once("organza").chain(words.iter().map(String::as_str));
+    shlex::try_join(words).ok()
 }
 
 /// The run's folder and its settings.

@@ -315,7 +315,7 @@ impl Default for GrowthConfig {
 }
 
 impl TrainConfig {
-    /// Every setting as `table.name` and its value.
+    /// Every setting as `table.name` and its value, in the order and with the digits of the file.
     pub(super) fn list(&self) -> Vec<(String, String)> {
         fn walk(prefix: &str, value: &toml::Value, found: &mut Vec<(String, String)>) {
             match value {
@@ -330,8 +330,9 @@ impl TrainConfig {
             }
         }
         let mut found = Vec::new();
-        if let Ok(value) = toml::Value::try_from(self) {
-            walk("", &value, &mut found);
+        // through the text: an `f32` of 0.2 is 0.2 there, and not the f64 that is nearest to it
+        if let Ok(table) = toml::from_str(&self.to_toml()) {
+            walk("", &toml::Value::Table(table), &mut found);
         }
         found
     }

@@ -5,6 +5,7 @@ use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
 use super::checkpoint::{BEST, CHECKPOINT};
+use super::report::PICTURES;
 use crate::atomic_file::remove_leftovers;
 use crate::error::{Error, Result};
 
@@ -63,7 +64,13 @@ impl RunFolder {
                 ));
             }
         }
-        Ok(folder)
+        match fs::symlink_metadata(path.join(PICTURES)) {
+            Ok(found) if !found.is_dir() => invalid(format!(
+                "{PICTURES} is a file, a link, a device or a pipe, expected a folder: remove it, or \
+                 name another folder"
+            )),
+            _ => Ok(folder),
+        }
     }
 
     /// Where it is.
@@ -78,6 +85,7 @@ impl RunFolder {
         let file = path.join(LOCK);
         if fs::read_to_string(&file).is_ok_and(|holder| holder == own_name()) {
             remove_leftovers(path);
+            remove_leftovers(&path.join(PICTURES));
             let _ = fs::remove_file(file);
         }
     }

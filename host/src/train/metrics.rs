@@ -3,6 +3,7 @@
 #[cfg(test)]
 mod tests;
 
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -24,6 +25,14 @@ const MAX_BYTES: u64 = 1 << 30;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum Record {
+    /// A program begins to train, or continues.
+    Session {
+        /// Optimizer steps so far.
+        step: u64,
+        /// What runs, and where.
+        #[serde(flatten)]
+        session: SessionInfo,
+    },
     /// Where training stands.
     Step {
         /// Optimizer steps so far.
@@ -33,6 +42,12 @@ pub enum Record {
         /// The loss of this step's batch.
         #[serde(deserialize_with = "nan_for_null")]
         loss: f64,
+        /// The mean absolute difference of this step's batch, the first part of the loss.
+        #[serde(default = "nan", deserialize_with = "nan_for_null")]
+        l1: f64,
+        /// The mean SSIM of this step's batch, the second part of the loss.
+        #[serde(default = "nan", deserialize_with = "nan_for_null")]
+        ssim: f64,
         /// The PSNR of this step's batch, in decibels.
         #[serde(deserialize_with = "nan_for_null")]
         psnr: f64,
@@ -41,6 +56,9 @@ pub enum Record {
         tiles_per_second: f64,
         /// Gaussians of the scene.
         gaussians: u64,
+        /// The learning rate of each group of parameters in this step, by the name of its setting.
+        #[serde(default)]
+        rates: BTreeMap<String, f32>,
     },
     /// The held-out frames were rendered and compared.
     Evaluation {
@@ -79,6 +97,35 @@ pub enum Record {
     },
 }
 
+/// What trains, and where: one program from its start to its end.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct SessionInfo {
+    /// When it began, in UTC: `2026-01-31T09:30:00Z`.
+    pub date: String,
+    /// The command line; none if a library's user trains.
+    pub command: Option<String>,
+    /// Organza's version.
+    pub version: String,
+    /// The commit that organza was built from, if it is known: see [`crate::COMMIT`].
+    pub commit: Option<String>,
+    /// The device, as [`Device::choice`](crate::Device::choice) describes it.
+    pub device: String,
+}
+
+impl SessionInfo {
+    /// That of a session which begins now.
+    #[must_use]
+    pub fn now(command: Option<String>, device: &str) -> Self {
+        Self {
+            date: humantime::format_rfc3339_seconds(std::time::SystemTime::now()).to_string(),
+            command,
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            commit: crate::COMMIT.map(str::to_owned),
+            device: device.to_owned(),
+        }
+    }
+}
+
 /// The time that a stage of training took.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TimingRow {
@@ -102,13 +149,18 @@ impl Record {
     #[must_use]
     pub fn step(&self) -> u64 {
         match self {
-            Self::Step { step, .. }
+            Self::Session { step, .. }
+            | Self::Step { step, .. }
             | Self::Evaluation { step, .. }
             | Self::Growth { step, .. }
             | Self::Change(Change { step, .. })
             | Self::Timing { step, .. } => *step,
         }
     }
+}
+
+fn nan() -> f64 {
+    f64::NAN
 }
 
 fn nan_for_null<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {

@@ -27,5 +27,6 @@ pub use folder::RunFolder;
 pub use folder::{CONFIG, METRICS, REPORT};
 pub use growth::Grown;
 pub use hooks::{GradientHook, StepGradient, StepHooks};
+pub use report::PICTURES;
 pub use session::{Event, Outcome, Session};
 pub use trainer::{StepReport, Trainer};

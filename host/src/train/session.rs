@@ -1,7 +1,6 @@
 //! A run from its first step, or from a checkpoint, to its end; everything that it leaves in its folder.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -9,11 +8,11 @@ use std::time::Instant;
 use super::binding::{Binding, Change};
 use super::checkpoint::{BEST, CHECKPOINT, Checkpoint, Progress};
 use super::config::TrainConfig;
-use super::folder::{CONFIG, METRICS, REPORT, RunFolder};
+use super::folder::{CONFIG, REPORT, RunFolder};
 use super::hooks::StepHooks;
-use super::metrics::{MetricsLog, Record, TimingRow};
+use super::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
 use super::plan::{Now, Planner};
-use super::report::{MAX_VIEWS, Report, ReportView, write_report};
+use super::report::{Pictures, Run, write_report};
 use super::trainer::{StepReport, Trainer};
 use crate::data::Dataset;
 use crate::error::Result;
@@ -58,6 +57,8 @@ pub struct Session<'a> {
     /// The number of steps is chosen so that the run takes so many seconds, and written to its settings. Those of
     /// `config` do not count then.
     pub planned: Option<f64>,
+    /// The command line, for the log and the report.
+    pub command: Option<String>,
     /// Set from outside to save and stop.
     pub stop: &'a AtomicBool,
 }
@@ -110,6 +111,9 @@ struct State<'a, 'w, 'h> {
     log: MetricsLog,
     /// How the settings changed, in this resume and in earlier ones.
     changes: Vec<Change>,
+    pictures: Pictures,
+    /// Whether this session has taken a step: one that has not leaves no record.
+    has_begun: bool,
     /// The step of the log's last evaluation.
     evaluated: Option<u64>,
     seconds: f64,
@@ -138,7 +142,16 @@ impl<'a> Session<'a> {
         dataset: &'a Arc<Dataset>,
         folder: &'a RunFolder,
     ) -> Self {
-        Self { renderer, config, dataset, folder, time_limit: None, planned: None, stop: &NEVER }
+        Self {
+            renderer,
+            config,
+            dataset,
+            folder,
+            time_limit: None,
+            planned: None,
+            command: None,
+            stop: &NEVER,
+        }
     }
 
     /// The same run with a limit: it ends after this many seconds of training, as it does after the last step.
@@ -152,6 +165,13 @@ impl<'a> Session<'a> {
     #[must_use]
     pub fn with_planned(mut self, seconds: Option<f64>) -> Self {
         self.planned = seconds;
+        self
+    }
+
+    /// The same run with a command line, for the log and the report.
+    #[must_use]
+    pub fn with_command(mut self, command: Option<String>) -> Self {
+        self.command = command;
         self
     }
 
@@ -199,12 +219,16 @@ impl<'a> Session<'a> {
         let changed: Vec<_> = changes.iter().filter(now).collect();
         changed.iter().for_each(|change| watch(Event::Changed(change)));
         let (log, evaluated, best) = self.open_log(resume, u64::from(progress.step), &changed)?;
+        let pictures = Pictures::of_run(self.folder.path());
+        pictures.begin(u64::from(progress.step))?;
         let _ = self.renderer.device().take_timings();
         State {
             session: self,
             trainer,
             log,
             changes,
+            pictures,
+            has_begun: false,
             evaluated,
             seconds: progress.seconds,
             begin,
@@ -241,6 +265,7 @@ impl State<'_, '_, '_> {
             if is_due && !self.evaluate()? {
                 break Outcome::Stopped;
             }
+            self.begin()?;
             self.step()?;
             let step = self.trainer.steps();
             if step.is_multiple_of(run.checkpoint_every) {
@@ -252,7 +277,7 @@ impl State<'_, '_, '_> {
             self.save(CHECKPOINT)?;
         }
         if outcome == Outcome::Stopped || !self.evaluate()? {
-            self.report(Vec::new())?;
+            self.report()?;
             return Ok(Outcome::Stopped);
         }
         Ok(outcome)
@@ -270,6 +295,41 @@ impl State<'_, '_, '_> {
             (self.watch)(Event::Planned(steps));
         }
         Ok(())
+    }
+
+    /// Before the first step of this session.
+    fn begin(&mut self) -> Result<()> {
+        if std::mem::replace(&mut self.has_begun, true) {
+            return Ok(());
+        }
+        let renderer = self.session.renderer;
+        let session = SessionInfo::now(self.session.command.clone(), renderer.device().choice());
+        let step = u64::from(self.trainer.steps());
+        self.log.append(&Record::Session { step, session })?;
+        if step > 0 {
+            return Ok(());
+        }
+        // one view, so that a report shows where training began
+        if let Some(first) = self.session.dataset.held_out_frames().next() {
+            let mut written = Ok(());
+            evaluate_with(renderer, self.trainer.scene(), &[first], &mut |event| {
+                if let evaluate::Event::View { image, .. } = event {
+                    written = self.pictures.write_first(image);
+                }
+            })?;
+            written?;
+            let _ = renderer.device().take_timings();
+        }
+        Ok(())
+    }
+
+    /// The rates of the step that was just done.
+    fn rates(&self) -> BTreeMap<String, f32> {
+        let config = self.trainer.config();
+        let at = self.trainer.steps().saturating_sub(1);
+        let share = config.run.share(at);
+        let rates = config.optimizer.named_rates();
+        rates.map(|(name, rate)| (name.to_owned(), rate.at(share) as f32)).collect()
     }
 
     fn step(&mut self) -> Result<()> {
@@ -296,9 +356,12 @@ impl State<'_, '_, '_> {
                 step: numbers.0,
                 seconds: self.seconds,
                 loss: report.loss,
+                l1: report.l1,
+                ssim: report.ssim,
                 psnr: report.psnr,
                 tiles_per_second: tiles as f64 / (self.seconds - then).max(1e-9),
                 gaussians: numbers.1,
+                rates: self.rates(),
             })?;
         }
         let seconds = self.seconds;
@@ -328,25 +391,25 @@ impl State<'_, '_, '_> {
     fn evaluate(&mut self) -> Result<bool> {
         let frames: Vec<_> = self.session.dataset.held_out_frames().collect();
         if frames.is_empty() {
-            return self.report(Vec::new()).map(|()| true);
+            return self.report().map(|()| true);
         }
         (self.watch)(Event::Evaluating);
         let begin = Instant::now();
-        let mut images = Vec::new();
-        let mut keep = |event: evaluate::Event<'_>| {
-            if let evaluate::Event::View { image, .. } = event
-                && images.len() < MAX_VIEWS
-            {
-                images.push(image.clone());
-            }
-        };
+        let step = u64::from(self.trainer.steps());
         let (renderer, scene) = (self.session.renderer, self.trainer.scene());
         let mut parts = Vec::with_capacity(frames.len());
-        for frame in &frames {
+        for (index, frame) in frames.iter().enumerate() {
             if self.session.stop.load(Ordering::Relaxed) {
                 return Ok(false);
             }
-            parts.push(evaluate_with(renderer, scene, &[frame], &mut keep)?);
+            let mut written = Ok(());
+            let mut write = |event: evaluate::Event<'_>| {
+                if let evaluate::Event::View { image, .. } = event {
+                    written = self.pictures.write(index, step, &frame.image, image);
+                }
+            };
+            parts.push(evaluate_with(renderer, scene, &[frame], &mut write)?);
+            written?;
         }
         let evaluation = Evaluation::of_parts(parts);
         // before the log says so: who is killed in between makes up for both
@@ -356,27 +419,23 @@ impl State<'_, '_, '_> {
             self.best = Some(psnr);
             self.save(BEST)?;
         }
-        let step = u64::from(self.trainer.steps());
         if self.evaluated.replace(step) != Some(step) {
             self.log.append(&Record::evaluation(step, self.seconds, &evaluation))?;
         }
+        self.pictures.keep(step);
         (self.watch)(Event::Evaluated(&evaluation));
         if let Some(planner) = &mut self.planner {
             planner.evaluated(begin.elapsed().as_secs_f64());
         }
         // what evaluating took is no part of training
-        let _ = self.session.renderer.device().take_timings();
-        let mut views = Vec::new();
-        for ((frame, score), rendered) in frames.into_iter().zip(&evaluation.views).zip(images) {
-            let (name, truth, score) = (frame.name.clone(), &frame.image, score.score);
-            views.push(ReportView { name, truth, rendered, psnr: score.psnr, ssim: score.ssim });
-        }
-        self.report(views).map(|()| true)
+        let _ = renderer.device().take_timings();
+        self.report().map(|()| true)
     }
 
-    fn report(&mut self, views: Vec<ReportView<'_>>) -> Result<()> {
+    fn report(&mut self) -> Result<()> {
         self.timing()?;
-        self.write_report(views)
+        let folder = self.session.folder.path();
+        write_report(folder.join(REPORT), &Run::load(folder)?)
     }
 
     /// Where the time of this session went, the longest first.
@@ -394,24 +453,4 @@ impl State<'_, '_, '_> {
         rows.sort_by(|a, b| b.seconds.total_cmp(&a.seconds));
         self.log.append(&Record::Timing { step: u64::from(self.trainer.steps()), rows })
     }
-
-    fn write_report(&self, views: Vec<ReportView<'_>>) -> Result<()> {
-        let session = self.session;
-        let records = MetricsLog::read(session.folder.path().join(METRICS))?;
-        let data = session.config.data.path.as_deref();
-        let title = data.map_or_else(|| "the built-in scene".to_owned(), title);
-        let report = Report {
-            title,
-            device: session.renderer.device().choice().to_owned(),
-            config: self.trainer.config().list(),
-            records: &records,
-            views,
-        };
-        write_report(session.folder.path().join(REPORT), &report)
-    }
-}
-
-fn title(path: &Path) -> String {
-    let path: PathBuf = path.canonicalize().unwrap_or_else(|_| path.to_owned());
-    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }

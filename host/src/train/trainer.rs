@@ -79,6 +79,10 @@ struct State {
 pub struct StepReport {
     /// The loss of the batch.
     pub loss: f64,
+    /// The mean absolute difference of the batch's values, the first part of the loss; NaN with a loss of your own.
+    pub l1: f64,
+    /// The mean SSIM of the batch, the second part of the loss; NaN with a loss of your own.
+    pub ssim: f64,
     /// The PSNR of the batch's pixels, in decibels.
     pub psnr: f64,
     /// Tiles of the batch.
@@ -204,10 +208,10 @@ impl Trainer {
     pub fn step_with(&mut self, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
         let batch = self.sampler.batch(self.step);
         let restart = |trainer: &Self| trainer.state.gradient.restart(trainer.renderer.device());
-        let (loss, psnr) = self.add_gradient(&batch, hooks)?;
-        if !loss.is_finite() {
+        let report = self.add_gradient(&batch, hooks)?;
+        if !report.loss.is_finite() {
             restart(self);
-            let reason = format!("the loss of step {} is {loss}", self.step);
+            let reason = format!("the loss of step {} is {}", self.step, report.loss);
             return Err(Error::Diverged { reason });
         }
         let device = self.renderer.device();
@@ -222,11 +226,11 @@ impl Trainer {
         gradient.clear_touched(device);
         self.step += 1;
         let grown = self.is_time_to_grow().then(|| self.grow()).transpose()?;
-        Ok(StepReport { loss, psnr, tiles: batch.tiles.len(), grown })
+        Ok(StepReport { grown, ..report })
     }
 
-    /// Adds the gradient of a batch's loss; returns the loss and the PSNR.
-    fn add_gradient(&mut self, batch: &TileBatch, hooks: &mut StepHooks<'_>) -> Result<(f64, f64)> {
+    /// Adds the gradient of a batch's loss; returns what it measured.
+    fn add_gradient(&mut self, batch: &TileBatch, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
         let frames: Vec<_> = self.dataset.train_frames().collect();
         let target = Target::of(batch, &frames)?;
         let target = LossTarget {
@@ -237,9 +241,11 @@ impl Trainer {
         };
         let State { scene, gradient, .. } = &self.state;
         let (renderer, cameras) = (&self.renderer, &self.cameras[..]);
-        let (loss, squared) = match &mut hooks.loss {
+        let (loss, [l1, ssim], squared) = match &mut hooks.loss {
             Some(own) => {
-                renderer.add_own_loss_gradient(scene, cameras, batch, own, &target, gradient)?
+                let (loss, squared) = renderer
+                    .add_own_loss_gradient(scene, cameras, batch, own, &target, gradient)?;
+                (loss, [f64::NAN; 2], squared)
             }
             None => {
                 let kept = &mut self.loss;
@@ -247,10 +253,13 @@ impl Trainer {
                     renderer.add_loss_gradient(scene, cameras, batch, kept, &target, gradient)?;
                 let total = TileLoss::total(&losses);
                 let pixels = (3.0 * total.valid).max(1.0);
-                (total.value(target.ssim_weight), total.squared / pixels)
+                // each part of the loss alone
+                let parts = [total.value(0.0), 1.0 - total.value(1.0)];
+                (total.value(target.ssim_weight), parts, total.squared / pixels)
             }
         };
-        Ok((loss, metrics::psnr_of(squared)))
+        let (psnr, tiles) = (metrics::psnr_of(squared), batch.tiles.len());
+        Ok(StepReport { loss, l1, ssim, psnr, tiles, grown: None })
     }
 
     fn is_time_to_grow(&self) -> bool {

@@ -1,6 +1,7 @@
 //! Runs that end before their last step, and go on to what they would have come to.
 #![cfg(unix)]
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Child;
 use std::sync::Arc;
@@ -10,8 +11,8 @@ use std::{fs, thread};
 use organza::Renderer;
 use organza::train::metrics::Record;
 use organza::train::{
-    self, BEST, CHECKPOINT, CONFIG, Checkpoint, METRICS, REPORT, RunFolder, Session, TrainConfig,
-    built_in,
+    self, BEST, CHECKPOINT, CONFIG, Checkpoint, METRICS, PICTURES, REPORT, RunFolder, Session,
+    TrainConfig, built_in,
 };
 use organza_tests::devices;
 
@@ -42,12 +43,24 @@ fn stop(child: Child, signal: &str) -> Outcome {
     child.wait_with_output().expect("it ends").into()
 }
 
+/// The files of a run's pictures.
+fn pictures(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let files = fs::read_dir(folder.join(PICTURES)).expect("the folder").map(Result::unwrap);
+    files
+        .map(|file| (file.file_name().into_string().unwrap(), fs::read(file.path()).unwrap()))
+        .collect()
+}
+
 /// `run` has come to what `whole` has, and tells the same.
 #[track_caller]
 fn assert_like_whole(sandbox: &Sandbox, run: &str) {
     assert_same(run, &bits(sandbox, run), &bits(sandbox, "whole"));
     let told = |run: &str| without_times(&records(&sandbox.path(run)));
     assert_eq!(told(run), told("whole"), "{run}");
+    let [pictures, expected] = [run, "whole"].map(|run| pictures(&sandbox.path(run)));
+    assert!(expected.contains_key("over-time-000000.jpg"), "{:?}", expected.keys());
+    assert_eq!(pictures.keys().collect::<Vec<_>>(), expected.keys().collect::<Vec<_>>());
+    assert!(pictures == expected, "{run}: the pictures differ");
 }
 
 #[test]
@@ -161,7 +174,7 @@ fn a_run_that_is_killed_goes_on_to_the_same_bits() {
     let mut names: Vec<_> =
         names.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
     names.sort();
-    assert_eq!(names, [BEST, CHECKPOINT, CONFIG, METRICS, REPORT]);
+    assert_eq!(names, [BEST, CHECKPOINT, CONFIG, METRICS, PICTURES, REPORT]);
 }
 
 /// What was planned after the checkpoint does not keep a run from going on from it.

@@ -6,7 +6,9 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use organza::train::{CHECKPOINT, CONFIG, Checkpoint, METRICS, REPORT, TrainConfig};
+use organza::train::{
+    BEST, CHECKPOINT, CONFIG, Checkpoint, METRICS, PICTURES, REPORT, TrainConfig,
+};
 
 use super::runs::{Bits, assert_same, bits, photographs, records, sandbox};
 use crate::sandbox::{Outcome, Sandbox, program};
@@ -14,7 +16,7 @@ use crate::sandbox::{Outcome, Sandbox, program};
 /// What writes, and what makes it last.
 const CALLS: &str = "write,fsync,rename,renameat,renameat2,unlink,ftruncate,openat";
 /// Every so many-th call of those of a run, unless all are asked for.
-const SAMPLE: usize = 5;
+const SAMPLE: usize = 8;
 const RUN: &str = "train data --config tiny.toml --downscale 4 --hold-out-every 2 --backend cpu --threads 1 --steps 6 -o run";
 const RESUME: &str = "train --resume run --backend cpu --threads 1";
 
@@ -82,7 +84,7 @@ fn assert_goes_on(sandbox: &Sandbox, what: &str, expected: &Bits) {
     let mut names: Vec<_> =
         names.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
     names.sort();
-    assert_eq!(names, [CHECKPOINT, CONFIG, METRICS, REPORT], "{what}");
+    assert_eq!(names, [BEST, CHECKPOINT, CONFIG, METRICS, PICTURES, REPORT], "{what}");
     fs::remove_dir_all(folder).unwrap();
 }
 

@@ -171,6 +171,7 @@ fn what_a_kill_left_before_the_first_step_is_removed() {
         "checkpoint.safetensors",
         "config.toml",
         "metrics.jsonl",
+        "pictures",
         "report.html",
     ];
     assert_eq!(names, expected);
@@ -191,6 +192,11 @@ fn pipes_and_links_in_the_place_of_a_runs_files_are_refused() {
             let outcome = sandbox.shell(&format!("timeout 20 \"$ORGANZA\" {TINY} new --steps 2"));
             outcome.assert_refused(&["new", name]);
         }
+    }
+    for make in ["mkfifo", "ln -s ..", "touch"] {
+        sandbox.shell(&format!("rm -r new; mkdir new; {make} new/pictures")).assert_ok();
+        let outcome = sandbox.shell(&format!("timeout 20 \"$ORGANZA\" {TINY} new --steps 2"));
+        outcome.assert_refused(&["new", "pictures", "expected a folder"]);
     }
     for name in ["metrics.jsonl", "config.toml", "checkpoint.safetensors"] {
         sandbox.shell(&format!("cp -r run old; rm old/{name}; mkfifo old/{name}")).assert_ok();

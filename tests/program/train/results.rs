@@ -3,7 +3,6 @@
 use std::fs;
 
 use organza::train::metrics::Record;
-use roxmltree::{Document, ParsingOptions};
 
 use super::runs::{TINY, photographs, records, sandbox};
 
@@ -29,32 +28,53 @@ fn held_out_views_come_closer() {
     assert!(last.1 > first.1 + 2.5, "{first:?} {last:?}");
 }
 
+/// What the page is made of is tested where it is made.
 #[test]
-fn the_report_is_xml_with_curves_and_views() {
+fn the_report_shows_the_run() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} run --steps 5")).assert_ok();
-    let text = fs::read_to_string(sandbox.path("run/report.html")).unwrap();
-    let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
-    let page = Document::parse_with_options(&text, options).expect("XML");
-    let labels = |tag: &str, label: &str| -> Vec<String> {
-        let found = page
-            .descendants()
-            .filter(|node| node.has_tag_name(tag) || node.tag_name().name() == tag);
-        found.filter_map(|node| node.attribute(label)).map(str::to_owned).collect()
-    };
-    let curves = labels("svg", "aria-label");
-    for curve in ["Loss over steps", "PSNR over steps", "Gaussians over steps"] {
-        assert!(curves.iter().any(|label| label == curve), "{curve}: {curves:?}");
+    let page = fs::read_to_string(sandbox.path("run/report.html")).unwrap();
+    for text in [
+        "<code>organza train --config tiny.toml --backend cpu -o run --steps 5</code>",
+        "<small>of 5</small>",
+        "Photograph of view-000",
+        "Error of view-003",
+        "view-000 after 0 steps",
+        "view-000 after 5 steps",
+        "<td>start.gaussians</td><td>200</td><td>4000</td>",
+    ] {
+        assert!(page.contains(text), "{text}");
     }
-    let views = labels("img", "alt");
-    for view in ["view-000", "view-003"] {
-        for picture in ["Photograph", "Rendered", "Error"] {
-            let expected = format!("{picture} of {view}");
-            assert!(views.contains(&expected), "{expected}: {views:?}");
-        }
+}
+
+#[test]
+fn runs_are_compared() {
+    let sandbox = sandbox();
+    sandbox.run(&format!("{TINY} a --steps 3")).assert_ok();
+    sandbox.run(&format!("{TINY} b --steps 3 --seed 1")).assert_ok();
+    let outcome = sandbox.run("compare a b").assert_ok();
+    assert!(outcome.stdout.ends_with("run.seed\n  a: 0\n  b: 1\n"), "{outcome:?}");
+    let page = fs::read_to_string(sandbox.path("comparison.html")).unwrap();
+    for text in ["Photograph of view-000", "view-000, rendered by b", "<td>run.seed</td>"] {
+        assert!(page.contains(text), "{text}");
     }
-    assert!(!labels("img", "src").iter().any(|source| !source.starts_with("data:image/")));
-    assert!(labels("script", "src").is_empty() && !text.contains("<script"));
+    let json = sandbox.run("compare a b --json -o other.html").assert_ok().stdout;
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    crate::flags::assert_documented("compare", std::slice::from_ref(&json));
+    let settings = serde_json::json!([{ "name": "run.seed", "values": ["0", "1"] }]);
+    assert_eq!(json["settings"], settings);
+    for (at, run) in ["a", "b"].into_iter().enumerate() {
+        let logged = records(&sandbox.path(run)).into_iter().find_map(|record| match record {
+            Record::Evaluation { psnr, .. } => psnr,
+            _ => None,
+        });
+        assert_eq!(json["runs"][at]["run"], run);
+        assert_eq!(json["runs"][at]["psnr"].as_f64(), logged);
+    }
+    sandbox.assert_refuses("compare a", &["2 values", "RUN"]);
+    sandbox.assert_refuses("compare a a", &["a", "named twice"]);
+    sandbox.assert_refuses("compare a nowhere", &["nowhere", "config.toml"]);
+    sandbox.assert_refuses("compare a b -o a/report.html", &["would replace the input"]);
 }
 
 /// A photograph alone, smaller than a tile: nothing is held out, and nothing is in the tile's other pixels.

@@ -90,14 +90,14 @@ pub fn records(folder: &Path) -> Vec<Record> {
 /// What does not depend on the clock: each step's numbers, each change of the Gaussians, each evaluation.
 pub fn without_times(records: &[Record]) -> Vec<String> {
     let told = |record: &Record| match record {
-        Record::Step { step, loss, psnr, gaussians, .. } => {
-            Some(format!("step {step} {loss} {psnr} {gaussians}"))
+        Record::Step { step, loss, l1, ssim, psnr, gaussians, rates, .. } => {
+            Some(format!("step {step} {loss} {l1} {ssim} {psnr} {gaussians} {rates:?}"))
         }
         Record::Evaluation { step, psnr, ssim, views, .. } => {
             Some(format!("evaluation {step} {psnr:?} {ssim:?} {views:?}"))
         }
         Record::Growth { .. } | Record::Change(_) => Some(format!("{record:?}")),
-        Record::Timing { .. } => None,
+        Record::Session { .. } | Record::Timing { .. } => None,
     };
     records.iter().filter_map(told).collect()
 }

@@ -52,7 +52,7 @@ macro_rules! define {
             }
 
             /// Every rate and its name in the file.
-            fn named_rates(&self) -> impl Iterator<Item = (&'static str, Rate)> {
+            pub(in crate::train) fn named_rates(&self) -> impl Iterator<Item = (&'static str, Rate)> {
                 let of_gaussians = [$((stringify!($name), self.$name)),+];
                 of_gaussians.into_iter().chain([("grids", self.grids), ("networks", self.networks)])
             }

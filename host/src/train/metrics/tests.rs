@@ -5,7 +5,10 @@ use crate::evaluate::Score;
 
 fn step(step: u64) -> Record {
     let (seconds, loss) = (step as f64 / 3.0, 1.0 / step as f64);
-    Record::Step { step, seconds, loss, psnr: 20.5, tiles_per_second: 1e3, gaussians: 10 + step }
+    let rates = [("networks".to_owned(), 1e-3), ("position".to_owned(), 2.5e-4)].into();
+    let (l1, ssim, psnr, tiles_per_second) = (0.125, 0.75, 20.5, 1e3);
+    let gaussians = 10 + step;
+    Record::Step { step, seconds, loss, l1, ssim, psnr, tiles_per_second, gaussians, rates }
 }
 
 fn evaluation(step: u64) -> Record {
@@ -36,12 +39,25 @@ fn write(records: &[Record]) -> (tempfile::TempDir, PathBuf) {
     (folder, path)
 }
 
+fn session(step: u64) -> Record {
+    let session = SessionInfo {
+        date: "2026-01-31T09:30:00Z".to_owned(),
+        command: Some("organza train -o run".to_owned()),
+        version: "0.1.0".to_owned(),
+        commit: None,
+        device: "cpu: 2 threads".to_owned(),
+    };
+    Record::Session { step, session }
+}
+
 #[test]
 fn records_are_lines_of_json() {
-    let (_folder, path) = write(&[step(1), evaluation(2), growth(3), timing(3), change(3)]);
+    let (_folder, path) =
+        write(&[session(0), step(1), evaluation(2), growth(3), timing(3), change(3)]);
     let text = fs::read_to_string(&path).unwrap();
     let expected = [
-        r#"{"kind":"step","step":1,"seconds":0.3333333333333333,"loss":1.0,"psnr":20.5,"tiles_per_second":1000.0,"gaussians":11}"#,
+        r#"{"kind":"session","step":0,"date":"2026-01-31T09:30:00Z","command":"organza train -o run","version":"0.1.0","commit":null,"device":"cpu: 2 threads"}"#,
+        r#"{"kind":"step","step":1,"seconds":0.3333333333333333,"loss":1.0,"l1":0.125,"ssim":0.75,"psnr":20.5,"tiles_per_second":1000.0,"gaussians":11,"rates":{"networks":0.001,"position":0.00025}}"#,
         r#"{"kind":"evaluation","step":2,"seconds":2.0,"psnr":null,"ssim":0.5,"views":[{"name":"a \"b\"\n.png","psnr":null,"ssim":0.5}]}"#,
         r#"{"kind":"growth","step":3,"split":1,"cloned":2,"pruned":3,"gaussians":10}"#,
         r#"{"kind":"timing","step":3,"rows":[{"stage":"forward","seconds":1.5,"share":0.25}]}"#,
@@ -49,9 +65,19 @@ fn records_are_lines_of_json() {
     ];
     assert_eq!(text.lines().collect::<Vec<_>>(), expected);
     let records = MetricsLog::read(&path).unwrap();
-    assert_eq!([&records[0], &records[2], &records[3]], [&step(1), &growth(3), &timing(3)]);
-    assert_eq!(records[4], change(3));
-    assert!(matches!(&records[1], Record::Evaluation { psnr: None, ssim: Some(0.5), .. }));
+    let expected = [&session(0), &step(1), &growth(3), &timing(3)];
+    assert_eq!([&records[0], &records[1], &records[3], &records[4]], expected);
+    assert_eq!(records[5], change(3));
+    assert!(matches!(&records[2], Record::Evaluation { psnr: None, ssim: Some(0.5), .. }));
+}
+
+/// Logs of a program that did not write these fields.
+#[test]
+fn the_log_of_an_older_program_is_read() {
+    let line = r#"{"kind":"step","step":1,"seconds":1.0,"loss":1.0,"psnr":20.5,"tiles_per_second":1e3,"gaussians":11}"#;
+    let records = parse(Path::new(""), line.as_bytes()).unwrap();
+    let Record::Step { l1, ssim, rates, .. } = &records[0].1 else { panic!("{records:?}") };
+    assert!(l1.is_nan() && ssim.is_nan() && rates.is_empty(), "{records:?}");
 }
 
 #[test]

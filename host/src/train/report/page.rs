@@ -1,97 +1,150 @@
-//! Pieces of HTML that is XML at the same time.
+//! What all pages have: the frame around them, and how numbers are written.
 
-use std::fmt::Write;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use sha2::{Digest, Sha256};
 
-use super::picture::{ERROR_FACTOR, error_color};
+use super::charts::Charts;
+use super::pictures::{ERROR_FACTOR, Picture, error_color};
 
-/// Text as it stands between tags or quotes. Characters that XML does not allow become `\u{fffd}`.
-pub fn escape(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            '\'' => escaped.push_str("&#39;"),
-            '\n' | '\t' => escaped.push(character),
-            '\u{fffe}' | '\u{ffff}' => escaped.push('\u{fffd}'),
-            control if control.is_control() => escaped.push('\u{fffd}'),
-            other => escaped.push(other),
+const STYLE: &str =
+    concat!(include_str!("assets/uPlot.min.css"), "\n", include_str!("assets/page.css"));
+/// uPlot with its license, and the page's own script.
+const SCRIPT: &str = concat!(
+    "/*\n",
+    include_str!("assets/uPlot.LICENSE"),
+    "*/\n",
+    include_str!("assets/uPlot.iife.min.js"),
+    include_str!("assets/page.js")
+);
+
+/// A whole page. The policy lets nothing be loaded, and nothing run but [`SCRIPT`].
+pub fn page(title: &str, charts: &Charts, body: &Markup) -> String {
+    let hash = STANDARD.encode(Sha256::digest(SCRIPT));
+    let policy = format!(
+        "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'sha256-{hash}'; \
+         base-uri 'none'; form-action 'none'"
+    );
+    let version = env!("CARGO_PKG_VERSION");
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta http-equiv="Content-Security-Policy" content=(policy);
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                link rel="icon" href="data:,";
+                title { (clean(title)) }
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                main { (body) }
+                footer { "Written by organza " (version) "." }
+                script id="data" type="application/json" { (PreEscaped(charts.json())) }
+                script { (PreEscaped(SCRIPT)) }
+            }
+        }
+    };
+    page.into_string()
+}
+
+/// Text without characters that no page may hold, which names of files can.
+pub fn clean(text: &str) -> String {
+    let shown = |character: char| match character {
+        '\n' | '\t' => character,
+        '\u{fffe}' | '\u{ffff}' => '\u{fffd}',
+        control if control.is_control() => '\u{fffd}',
+        other => other,
+    };
+    text.chars().map(shown).collect()
+}
+
+/// A heading with what belongs to it.
+pub fn section(heading: &str, content: &Markup) -> Markup {
+    html! { section { h2 { (heading) } (content) } }
+}
+
+/// The curves, and the choice of what they are over.
+pub fn curves(charts: &Charts, note: &Markup) -> Markup {
+    if charts.charts.is_empty() {
+        return Markup::default();
+    }
+    html! {
+        section {
+            div.heading {
+                h2 { "Curves" }
+                fieldset.over {
+                    legend { "Over" }
+                    label { input type="radio" name="over" value="step" checked; span { "steps" } }
+                    label { input type="radio" name="over" value="seconds"; span { "time" } }
+                }
+            }
+            noscript { p.quiet { "The curves need scripts. Their numbers are in the run's metrics.jsonl." } }
+            div.charts {
+                @for (at, chart) in charts.charts.iter().enumerate() {
+                    figure.chart {
+                        figcaption {
+                            b { (chart.title) }
+                            @if !chart.unit.is_empty() { span.quiet { " " (chart.unit) } }
+                        }
+                        div data-chart=(at) {}
+                    }
+                }
+            }
+            (note)
         }
     }
-    escaped
-}
-
-/// A whole page.
-pub fn page(title: &str, body: &str) -> String {
-    let title = escape(title);
-    let style = include_str!("style.css");
-    format!(
-        "<!DOCTYPE html>\n\
-         <html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
-         <meta name=\"color-scheme\" content=\"light dark\"/>\n\
-         <title>{title}</title>\n<style>\n{style}</style>\n</head>\n<body>\n<main>\n{body}</main>\n\
-         </body>\n</html>\n"
-    )
-}
-
-/// A heading with what belongs to it; nothing where there is nothing.
-pub fn section(heading: &str, content: &str) -> String {
-    if content.is_empty() {
-        return String::new();
-    }
-    format!("<section>\n<h2>{}</h2>\n{content}</section>\n", escape(heading))
 }
 
 /// A table with titles. Of each row the first `words` cells are words, the others numbers.
-pub fn table<const N: usize>(
-    class: &str,
-    titles: [&str; N],
-    words: usize,
-    rows: &[[String; N]],
-) -> String {
-    let cells = |cells: [&str; N], tag: &str| {
-        let mut row = String::from("<tr>");
-        for (column, cell) in cells.iter().enumerate() {
-            let class = if column < words { "" } else { " class=\"number\"" };
-            // Writing to a String does not fail.
-            let _ = write!(row, "<{tag}{class}>{}</{tag}>", escape(cell));
+pub fn table(class: &str, titles: &[String], words: usize, rows: &[Vec<String>]) -> Markup {
+    let kind = |column: usize| (column >= words).then_some("number");
+    html! {
+        div.scroll {
+            table class=(class) {
+                thead { tr { @for (column, title) in titles.iter().enumerate() {
+                    th class=[kind(column)] scope="col" { (clean(title)) }
+                } } }
+                tbody { @for row in rows { tr { @for (column, cell) in row.iter().enumerate() {
+                    td class=[kind(column)] { (clean(cell)) }
+                } } } }
+            }
         }
-        row + "</tr>\n"
-    };
-    let body: String =
-        rows.iter().map(|row| cells(row.each_ref().map(String::as_str), "td")).collect();
-    format!(
-        "<table class=\"{class}\">\n<thead>{}</thead>\n<tbody>\n{body}</tbody>\n</table>\n",
-        cells(titles, "th")
-    )
+    }
+}
+
+/// A picture; small ones keep their pixels.
+pub fn image(picture: &Picture, what: &str) -> Markup {
+    let [width, height] = picture.size;
+    let small = (width.max(height) < 256).then_some("small");
+    html! { img class=[small] src=(picture.data) width=(width) height=(height) alt=(clean(what)); }
 }
 
 /// What the colors of error pictures mean.
-pub fn error_legend() -> String {
+pub fn error_legend() -> Markup {
     const STOPS: u32 = 16;
-    const TICKS: u32 = 4;
-    let hex = |[r, g, b]: [u8; 3]| format!("#{r:02x}{g:02x}{b:02x}");
-    let mut svg = String::from(
-        "<svg class=\"scale\" viewBox=\"0 0 280 30\" xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" \
-         aria-label=\"Colors of the error\">\n<defs><linearGradient id=\"error\">",
-    );
-    for stop in 0..=STOPS {
-        let place = f64::from(stop) / f64::from(STOPS);
-        let color = hex(error_color(place));
-        let _ = write!(svg, "<stop offset=\"{place:.4}\" stop-color=\"{color}\"/>");
+    let color = |stop| {
+        let [r, g, b] = error_color(f64::from(stop) / f64::from(STOPS));
+        format!("#{r:02x}{g:02x}{b:02x}")
+    };
+    let colors = (0..=STOPS).map(color).collect::<Vec<_>>().join(", ");
+    let most = 1.0 / f64::from(ERROR_FACTOR);
+    html! {
+        div.scale {
+            span { "0" }
+            span.ramp style=(format!("background: linear-gradient(to right, {colors})")) {}
+            span { (format!("≥ {most}")) }
+        }
     }
-    svg += "</linearGradient></defs>\n<rect x=\"20\" y=\"0\" width=\"240\" height=\"12\" rx=\"2\" \
-            fill=\"url(#error)\"/>\n";
-    for tick in 0..=TICKS {
-        let place = f64::from(tick) / f64::from(TICKS);
-        let (x, value) = (20.0 + 240.0 * place, place / f64::from(ERROR_FACTOR));
-        let label = if tick == TICKS { format!("≥ {value:.2}") } else { format!("{value:.2}") };
-        let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"25\" text-anchor=\"middle\">{label}</text>");
-    }
-    svg + "</svg>\n"
+}
+
+/// A score, or a dash.
+pub fn score(value: Option<f64>, digits: usize) -> String {
+    value
+        .filter(|value| value.is_finite())
+        .map_or_else(|| "–".to_owned(), |value| format!("{value:.digits$}"))
 }
 
 /// Digits in groups of three.
@@ -117,25 +170,33 @@ pub fn duration(seconds: f64) -> String {
     }
 }
 
+/// A date of the log for people: `2026-01-31 09:30 UTC`.
+pub fn date(text: &str) -> String {
+    match (text.get(..10), text.get(11..16)) {
+        (Some(day), Some(time)) if text.ends_with('Z') => format!("{day} {time} UTC"),
+        _ => text.to_owned(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn nothing_gets_through() {
-        assert_eq!(
-            escape("<a b=\"c\">&'\0\u{7}\u{ffff}é"),
-            "&lt;a b=&quot;c&quot;&gt;&amp;&#39;\u{fffd}\u{fffd}\u{fffd}é"
-        );
-        let table = table("x", ["<"], 1, &[["&".to_owned()]]);
-        assert!(table.contains("<th>&lt;</th>") && table.contains("<td>&amp;</td>"), "{table}");
-    }
-
-    #[test]
-    fn times_are_readable() {
+    fn numbers_are_readable() {
         let cases = [(0.04, "0.0 s"), (59.9, "59.9 s"), (61.0, "1 min 1 s"), (7500.0, "2 h 5 min")];
         for (seconds, text) in cases {
             assert_eq!(duration(seconds), text);
         }
+        assert_eq!(grouped(1_234_567), "1,234,567");
+        assert_eq!(date("2026-01-31T09:30:00Z"), "2026-01-31 09:30 UTC");
+        assert_eq!(date("<yesterday>"), "<yesterday>");
+    }
+
+    /// Either would end the element that it is in.
+    #[test]
+    fn script_and_style_are_whole() {
+        assert!(!SCRIPT.contains("</script") && !SCRIPT.contains("<!--") && !SCRIPT.contains('\r'));
+        assert!(!STYLE.contains("</style"));
     }
 }

@@ -1,0 +1,105 @@
+//! `organza compare`: training runs side by side.
+
+use std::path::{Path, PathBuf};
+
+use organza::Result;
+use organza::train::REPORT;
+use organza::train::report::{Difference, Run, differences, write_comparison};
+use serde_json::json;
+
+use super::console::{Console, print, print_json};
+use super::output::check_file;
+use super::refuse;
+use super::summary::grouped;
+use super::table::Table;
+
+const EXAMPLES: &str = "\
+Examples:
+  organza compare run other
+  organza compare runs/* -o comparison.html
+
+Prints how close each run came to its held-out views, and the settings that differ. The page shows the same, \
+the curves of all runs in one plot, and their pictures of the same held-out views. It opens offline.";
+
+/// Compare training runs: curves, settings, results and pictures on one page
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The runs' folders
+    #[arg(value_name = "RUN", required = true, num_args = 2..)]
+    runs: Vec<PathBuf>,
+    /// The page to write
+    #[arg(short, long, value_name = "FILE", default_value = "comparison.html")]
+    output: PathBuf,
+    /// Print the results as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub fn run(args: &Args, console: Console) -> Result<()> {
+    let mut runs = Vec::new();
+    for folder in &args.runs {
+        let name = folder.display().to_string();
+        if runs.iter().any(|(other, _)| *other == name) {
+            return refuse(format!("the run {name} is named twice"));
+        }
+        runs.push((name, Run::load(folder)?));
+    }
+    let reports: Vec<_> = args.runs.iter().map(|folder| folder.join(REPORT)).collect();
+    check_file(&args.output, &reports.iter().map(PathBuf::as_path).collect::<Vec<&Path>>())?;
+    write_comparison(&args.output, &runs)?;
+    console.note(&format!("wrote {}", args.output.display()));
+    if args.json { print_json(&as_json(args, &runs)) } else { print(&as_text(&runs)) }
+}
+
+fn as_json(args: &Args, runs: &[(String, Run)]) -> serde_json::Value {
+    let result = |(name, run): &(String, Run)| {
+        let summary = run.summary();
+        json!({
+            "run": name,
+            "psnr": summary.psnr,
+            "ssim": summary.ssim,
+            "step": summary.step,
+            "seconds": summary.seconds,
+            "gaussians": summary.gaussians,
+            "tiles_per_second": summary.tiles_per_second,
+        })
+    };
+    let settings = differences(runs.iter().map(|(_, run)| run));
+    let setting = |found: Difference| json!({ "name": found.setting, "values": found.values });
+    json!({
+        "page": args.output,
+        "runs": runs.iter().map(result).collect::<Vec<_>>(),
+        "settings": settings.into_iter().map(setting).collect::<Vec<_>>(),
+    })
+}
+
+fn as_text(runs: &[(String, Run)]) -> String {
+    let number = |value: Option<f64>, digits: usize| {
+        value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
+    };
+    let mut results = Table::new(1, ["run", "PSNR", "SSIM", "steps", "seconds", "Gaussians"]);
+    for (name, run) in runs {
+        let summary = run.summary();
+        results.row([
+            name.clone(),
+            number(summary.psnr, 2),
+            number(summary.ssim, 4),
+            grouped(summary.step),
+            format!("{:.1}", summary.seconds),
+            summary.gaussians.map_or_else(|| "-".to_owned(), grouped),
+        ]);
+    }
+    let mut text = results.to_string();
+    let differences = differences(runs.iter().map(|(_, run)| run));
+    if differences.is_empty() {
+        return text + "\nall settings are the same\n";
+    }
+    for difference in differences {
+        text += &format!("\n{}\n", difference.setting);
+        for ((name, _), value) in runs.iter().zip(difference.values) {
+            text += &format!("  {name}: {}\n", value.as_deref().unwrap_or("not set"));
+        }
+    }
+    text
+}

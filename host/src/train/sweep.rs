@@ -30,8 +30,8 @@ const SAME_SIDE: f64 = 0.5;
 const SIDE: u32 = 200;
 /// A difference of colors by which a depth is e times less likely.
 const NOISE: f32 = 0.01;
-/// Rays that are tried for a point: some match nowhere.
-const TRIES: u32 = 3;
+/// Rays that are tried for a point: some match nowhere, and many pixels of an object's photograph are empty.
+const TRIES: u32 = 20;
 /// How opaque a pixel is that shows the scene, and not what is behind it.
 const SOLID: f32 = 0.5;
 

@@ -297,7 +297,7 @@ fn the_page_says_what_ran_and_how_far_it_came() {
         assert!(notes.contains(note), "{note}: {notes}");
     }
     let cells = texts(&page, "td");
-    for row in [["loss.ssim_weight", "0.3", "0.2"], ["run.steps", "2000", "run.seed"]] {
+    for row in [["loss.ssim_weight", "0.3", "0.2"], ["run.steps", "2000", "run.plan"]] {
         assert!(cells.windows(3).any(|cells| cells == row), "{row:?}: {cells:?}");
     }
     let pictures: Vec<_> = page

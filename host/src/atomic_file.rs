@@ -153,7 +153,7 @@ mod tests {
     fn device_is_written_to_and_stays() {
         use std::os::unix::fs::FileTypeExt;
         let error = write_atomic("/dev/full", |writer| writer.write_all(b"x")).unwrap_err();
-        assert!(error.to_string().contains("disk is full"), "{error}");
+        assert!(crate::error::chain(&error).contains("disk is full"), "{error}");
         assert!(fs::metadata("/dev/full").unwrap().file_type().is_char_device());
     }
 

@@ -19,6 +19,21 @@ pub const MAX_IMAGE_SIDE: u32 = 65536;
 const ORTHONORMAL_TOLERANCE: f64 = 1e-3;
 
 /// A camera: where it stands and how it projects.
+///
+/// ```
+/// use organza::Camera;
+///
+/// // from (0, -4, 1) toward the origin, 0.8 radians wide, with z up in the image
+/// let camera = Camera::look_at([0.0, -4.0, 1.0], [0.0; 3], [0.0, 0.0, 1.0], 0.8, [640, 480])?;
+/// assert_eq!(camera.eye(), [0.0, -4.0, 1.0]);
+/// assert_eq!([camera.cx, camera.cy], [320.0, 240.0]);
+///
+/// let folder = tempfile::tempdir().expect("a folder");
+/// let path = folder.path().join("cameras.json");
+/// Camera::save_all(&path, &[camera.clone()])?;
+/// assert_eq!(Camera::load_all(&path)?, [camera]);
+/// # Ok::<(), organza::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
     /// Camera-to-world matrix as in the file, row by row: OpenGL axes (x right, y up, looking along

@@ -1,11 +1,11 @@
 //! What can go wrong, in words that say what happened, where, and what to do about it.
 //!
-//! The `Display` text of an [`Error`] is complete: it already contains the text of its source.
+//! The `Display` text of an [`Error`] does not repeat that of its source; [`chain`] joins them.
 
 #[cfg(test)]
 mod tests;
 
-use std::fmt::Write as _;
+use std::fmt::{self, Write as _};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -24,21 +24,21 @@ pub(crate) const IN_MEMORY: &str = "";
 #[non_exhaustive]
 pub enum Error {
     /// A file could not be opened or read.
-    #[error("cannot read {path}: {}", describe_read(source))]
+    #[error("cannot read {path}")]
     ReadFile {
         /// The file.
         path: PathBuf,
-        /// What the operating system said.
-        source: io::Error,
+        /// Why, and what to do about it.
+        source: FileError,
     },
 
     /// A file could not be written. Whatever stood under its name before is untouched.
-    #[error("cannot write {path}: {}", describe_write(path, source))]
+    #[error("cannot write {path}")]
     WriteFile {
         /// The file.
         path: PathBuf,
-        /// What the operating system said.
-        source: io::Error,
+        /// Why, and what to do about it.
+        source: FileError,
     },
 
     /// A file is not safetensors, or was cut short or damaged.
@@ -235,6 +235,51 @@ pub enum Error {
     Device(#[from] organza_device::Error),
 }
 
+/// Why a file could not be read or written, and what to do about it.
+#[derive(Debug)]
+pub struct FileError {
+    text: String,
+    source: io::Error,
+}
+
+impl FileError {
+    /// What the operating system said. [`Display`](std::fmt::Display) says it in other words.
+    #[must_use]
+    pub fn io(&self) -> &io::Error {
+        &self.source
+    }
+}
+
+impl fmt::Display for FileError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.text)
+    }
+}
+
+impl std::error::Error for FileError {}
+
+/// An error's text and those of its sources, as one message.
+///
+/// ```
+/// use organza::{Scene, error};
+///
+/// let error = Scene::load("nowhere.safetensors").unwrap_err();
+/// assert_eq!(error.to_string(), "cannot read nowhere.safetensors");
+/// let message = error::chain(&error);
+/// assert_eq!(message, "cannot read nowhere.safetensors: there is no such file; check the path");
+/// ```
+#[must_use]
+pub fn chain(error: &dyn std::error::Error) -> String {
+    let mut message = error.to_string();
+    let mut source = error.source();
+    while let Some(error) = source {
+        // Writing to a String does not fail.
+        let _ = write!(message, ": {error}");
+        source = error.source();
+    }
+    message
+}
+
 impl Error {
     /// Whether memory did not suffice, on the host or on the device.
     #[must_use]
@@ -242,14 +287,18 @@ impl Error {
         matches!(self, Self::Device(DeviceError::OutOfMemory { .. }))
     }
 
-    /// Wraps a failure to read `path`.
-    pub(crate) fn read(path: &Path, source: io::Error) -> Self {
-        Self::ReadFile { path: path.to_owned(), source }
+    /// A failure to read `path`.
+    #[must_use]
+    pub fn read(path: &Path, source: io::Error) -> Self {
+        let text = describe_read(&source);
+        Self::ReadFile { path: path.to_owned(), source: FileError { text, source } }
     }
 
-    /// Wraps a failure to write `path`.
-    pub(crate) fn write(path: &Path, source: io::Error) -> Self {
-        Self::WriteFile { path: path.to_owned(), source }
+    /// A failure to write `path`.
+    #[must_use]
+    pub fn write(path: &Path, source: io::Error) -> Self {
+        let text = describe_write(path, &source);
+        Self::WriteFile { path: path.to_owned(), source: FileError { text, source } }
     }
 
     /// Wraps what `serde_json` said about `text`, which is `what` of `origin`.

@@ -23,6 +23,18 @@ pub(crate) const TILE_SIDE: u32 = 64;
 const BAND_PIXELS: u64 = 1 << 25;
 
 /// An image of 8-bit red, green and blue.
+///
+/// [`Renderer::render_view`](crate::Renderer::render_view) renders one.
+///
+/// ```
+/// use organza::Image;
+///
+/// let image = Image::new(64, 48)?; // black
+/// let folder = tempfile::tempdir().expect("a folder");
+/// image.shrink(2)?.save_png(folder.path().join("small.png"))?;
+/// assert_eq!(image.shrink(2)?.size(), [32, 24]);
+/// # Ok::<(), organza::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Image {
     width: u32,

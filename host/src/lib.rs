@@ -4,9 +4,40 @@
 //! of views are rendered as one tensor `[K, 3, S, S]`; nothing is ever sorted.  The kernels are written once, in
 //! Rust: they run on every GPU that wgpu reaches, and as the same functions on the CPU.
 //!
-//! Start at [`Renderer`].
+//! [`Renderer`] renders:
+//!
+//! ```no_run
+//! use organza::{Camera, DeviceOptions, Renderer, Scene, TileBatch};
+//!
+//! let renderer = Renderer::new(organza::open_device(&DeviceOptions::default())?);
+//! let scene = renderer.upload(&Scene::load("scene.safetensors")?)?;
+//! let cameras = Camera::load_all("cameras.json")?;
+//! let tiles = renderer.render(&scene, &cameras, &TileBatch::load("tiles.json")?)?; // [K, 3, S, S]
+//! renderer.render_view(&scene, &cameras[0])?.save_png("view.png")?;
+//! # Ok::<(), organza::Error>(())
+//! ```
+//!
+//! [`Trainer`] trains:
+//!
+//! ```no_run
+//! # use organza::{DeviceOptions, Renderer};
+//! # let renderer = Renderer::new(organza::open_device(&DeviceOptions::default())?);
+//! use organza::{Dataset, DatasetOptions, TrainConfig, Trainer};
+//!
+//! let dataset = Dataset::load("data/fox", &DatasetOptions::default())?;
+//! let mut trainer = Trainer::start(&renderer, TrainConfig::default(), dataset)?;
+//! while !trainer.is_finished() {
+//!     trainer.step()?;
+//! }
+//! println!("{:?}", trainer.evaluate()?.mean);
+//! # Ok::<(), organza::Error>(())
+//! ```
+//!
+//! [`Renderer::gradient`] gives the gradient of any loss, and [`train::StepHooks`] has a [`Trainer`] use one. The
+//! feature `ndarray` converts tiles, tensors and gradients to arrays and back.
 
 mod atomic_file;
+#[doc(hidden)]
 pub mod bench;
 pub mod camera;
 pub mod data;
@@ -18,12 +49,16 @@ pub mod fuzz;
 pub mod image;
 mod input;
 pub mod metrics;
+#[cfg(feature = "ndarray")]
+pub mod ndarray;
+#[doc(hidden)]
 pub mod parity;
 pub mod render;
 pub mod scene;
 pub mod tile;
 pub mod train;
 
+#[doc(hidden)]
 pub use atomic_file::write_atomic;
 pub use camera::Camera;
 pub use data::{Dataset, DatasetOptions};
@@ -31,19 +66,21 @@ pub use error::{Error, Result};
 pub use evaluate::{Evaluation, evaluate};
 pub use image::Image;
 pub use organza_device::{
-    BackendChoice, Buffer, Count, Device, DeviceOptions, InstructionSet, Modules, SpirvPath,
+    BackendChoice, Buffer, Device, DeviceOptions, InstructionSet, Modules, SpirvPath,
 };
-pub use render::{
-    DeviceScene, Inspection, RenderReport, RenderedTiles, Renderer, Stages, UploadOptions,
-};
-pub use scene::Scene;
+#[doc(hidden)]
+pub use render::Stages;
+pub use render::{DeviceScene, Inspection, RenderReport, RenderedTiles, Renderer, UploadOptions};
+pub use scene::{Gradient, Scene};
 pub use tile::{Tile, TileBatch};
+pub use train::{TrainConfig, Trainer};
 
 /// The commit that organza was built from, followed by `-modified` if its sources had changed since. It is known for
 /// packages that cargo made, and for release builds in a git repository. The variable `ORGANZA_COMMIT` sets it for others.
 pub const COMMIT: Option<&str> = option_env!("ORGANZA_COMMIT");
 
 /// The compiled kernels that a GPU runs.
+#[doc(hidden)]
 pub static MODULES: Modules = organza_device::modules!();
 
 /// Opens the device that `options` ask for, with the kernels of this crate.

@@ -32,6 +32,20 @@ pub struct Tile {
 }
 
 /// Tiles of one size, rendered together into `[K, 3, S, S]`.
+///
+/// ```
+/// use organza::{Tile, TileBatch};
+///
+/// // tiles may be anywhere in the images of any cameras
+/// let tiles = vec![Tile { camera: 0, origin: [96, 32] }, Tile { camera: 3, origin: [0, 0] }];
+/// let batch = TileBatch { side: 64, tiles };
+/// assert_eq!(batch.output_shape(), [2, 3, 64, 64]);
+///
+/// // or cover the whole image of a camera
+/// let batch = TileBatch::cover(0, 640, 480, 64)?;
+/// assert_eq!(batch.tiles.len(), 10 * 8);
+/// # Ok::<(), organza::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct TileBatch {
     /// S, in pixels.

@@ -108,7 +108,7 @@ fn every_device_is_within_tolerance_of_the_equations() {
 /// Hostile inputs, and every invocation's accesses beside those of all others.
 #[test]
 fn no_two_invocations_get_in_each_others_way() {
-    let options = DeviceOptions { check_races: true, ..DeviceOptions::cpu(None) };
+    let options = DeviceOptions::cpu(None).check_races(true);
     let scalar = devices::with(InstructionSet::Scalar);
     let checked = organza::open_device(&options).expect("the CPU");
     for case in parity::cases() {

@@ -78,7 +78,7 @@ fn a_device_says_which_kernels_it_runs() {
         assert_eq!(variants.entry_point(kernel("composite")).name, composite.name, "{name}");
     }
     // who asks for variants does not ask for a GPU
-    let options = DeviceOptions { variants: Some(true), ..DeviceOptions::cpu(None) };
+    let options = DeviceOptions::cpu(None).variants(true);
     let cpu = organza::open_device(&options).expect("the CPU");
     assert_eq!(cpu.entry_point(kernel("composite")).name, "composite");
 }

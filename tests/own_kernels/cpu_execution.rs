@@ -37,7 +37,7 @@ fn assert_contains(message: &str, parts: &[&str]) {
 }
 
 fn checked() -> Device {
-    let options = DeviceOptions { check_races: true, ..DeviceOptions::cpu(None) };
+    let options = DeviceOptions::cpu(None).check_races(true);
     organza::open_device(&options).expect("the CPU")
 }
 

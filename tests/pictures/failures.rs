@@ -47,10 +47,7 @@ fn too_little_memory_is_an_error_that_says_how_much() {
 
 #[test]
 fn an_adapter_that_is_not_there_is_named() {
-    let options = DeviceOptions {
-        adapter: Some("no such adapter".into()),
-        ..DeviceOptions::gpu(SpirvPath::Naga)
-    };
+    let options = DeviceOptions::gpu(SpirvPath::Naga).adapter("no such adapter".to_owned());
     let error = organza::open_device(&options).expect_err("there is none of that name");
     assert!(matches!(&error, Error::Device(DeviceError::NoGpu { .. })), "{error:?}");
     let without_driver = error.to_string().contains("driver");

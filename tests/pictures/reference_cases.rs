@@ -28,7 +28,7 @@ fn tiles_are_those_of_the_reference() {
 fn tiles_of_half_grids_are_close() {
     cases::on_every_device(|backend, renderer, case, full| {
         let scene = renderer
-            .upload_with(&case.scene, UploadOptions { half_grids: true, ..Default::default() })
+            .upload_with(&case.scene, UploadOptions::default().half_grids(true))
             .expect("it is uploaded");
         assert!(scene.bytes() < full.bytes(), "{}: no smaller on {backend}", case.name);
         let tiles = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
@@ -46,7 +46,7 @@ fn tiles_of_half_grids_are_close() {
 #[test]
 fn tiles_of_half_networks_are_close() {
     cases::on_every_device(|backend, renderer, case, _| {
-        let options = UploadOptions { half_networks: true, ..Default::default() };
+        let options = UploadOptions::default().half_networks(true);
         let scene = renderer.upload_with(&case.scene, options).expect("it is uploaded");
         let tiles = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
         let expected = case.expected("tiles");

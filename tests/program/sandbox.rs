@@ -25,7 +25,8 @@ fn build() -> PathBuf {
     let profile = own.ancestors().nth(2).and_then(Path::file_name).and_then(OsStr::to_str);
     let profile = profile.map_or("dev", |name| if name == "debug" { "dev" } else { name });
     let output = Command::new(cargo)
-        .args(["build", "--quiet", "--package", "organza", "--bin", "organza"])
+        // of the whole workspace, as the test was built: nothing is compiled again
+        .args(["build", "--quiet", "--workspace", "--bin", "organza"])
         .args(["--message-format", "json", "--profile", profile])
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .stderr(Stdio::inherit())

@@ -41,7 +41,7 @@ pub struct Bench {
 
 impl Bench {
     pub fn new(set: InstructionSet) -> Self {
-        let options = DeviceOptions { instruction_set: Some(set), ..DeviceOptions::cpu(Some(1)) };
+        let options = DeviceOptions::cpu(Some(1)).instruction_set(set);
         let device = organza::open_device(&options).expect("a CPU is always there");
         Self { device, random: Random::new(1) }
     }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use organza::bench::{BenchOptions, Benchmark, KernelShare, Synthetic, measure, passes};
-use organza::error::DeviceError;
+use organza::error::{DeviceError, chain};
 use organza::{Camera, DeviceOptions, Error, Result, Scene, TileBatch};
 
 use super::console::{Console, print, print_json};
@@ -112,7 +112,7 @@ impl Args {
                 Ok(benchmark) => found.push(benchmark),
                 // another may be of use
                 Err(error @ Error::Device(DeviceError::NoGpu { .. })) => {
-                    console.warn(&error.to_string())
+                    console.warn(&chain(&error))
                 }
                 Err(error) => return Err(error),
             }

@@ -30,7 +30,8 @@ impl SceneArgs {
     /// Copies the scene to the renderer's device.
     pub fn upload(&self, renderer: &Renderer, scene: &Scene) -> Result<DeviceScene> {
         let Self { half_grids, half_networks } = *self;
-        renderer.upload_with(scene, UploadOptions { half_grids, half_networks })
+        let options = UploadOptions::default().half_grids(half_grids).half_networks(half_networks);
+        renderer.upload_with(scene, options)
     }
 }
 
@@ -105,16 +106,10 @@ impl DeviceArgs {
     /// The CPU, then each GPU that there is.
     pub fn every(&self) -> Result<Vec<DeviceOptions>> {
         let options = self.options()?;
-        let cpu =
-            DeviceOptions { backend: BackendChoice::Cpu, spirv: None, adapter: None, ..options };
-        let gpu = |adapter: AdapterInfo| DeviceOptions {
-            adapter: Some(adapter.name),
-            ..DeviceOptions {
-                backend: BackendChoice::Gpu,
-                spirv: options.spirv,
-                variants: options.variants,
-                ..Default::default()
-            }
+        let cpu = options.clone().backend(BackendChoice::Cpu).spirv(None).adapter(None);
+        let gpu = |adapter: AdapterInfo| {
+            let gpu = DeviceOptions::default().backend(BackendChoice::Gpu).adapter(adapter.name);
+            gpu.spirv(options.spirv).variants(options.variants)
         };
         Ok(std::iter::once(cpu).chain(adapters().into_iter().map(gpu)).collect())
     }
@@ -144,19 +139,11 @@ impl DeviceArgs {
             Spirv::Passthrough => SpirvPath::Passthrough,
             Spirv::Naga => SpirvPath::Naga,
         });
-        let threads = self.threads.map(usize::from);
-        let adapter = self.adapter.clone();
         let named = |set: &InstructionSet| Some(set.as_str()) == self.instruction_set.as_deref();
         let instruction_set = InstructionSet::ALL.into_iter().find(named);
         let variants = self.variants.map(|variants| variants == Variants::Best);
-        Ok(DeviceOptions {
-            backend,
-            spirv,
-            threads,
-            adapter,
-            check_races: false,
-            instruction_set,
-            variants,
-        })
+        let options = DeviceOptions::default().backend(backend).spirv(spirv).variants(variants);
+        let options = options.threads(self.threads.map(usize::from)).adapter(self.adapter.clone());
+        Ok(options.instruction_set(instruction_set))
     }
 }

@@ -34,7 +34,7 @@ use std::sync::Mutex;
 
 use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
-use organza::Result;
+use organza::{Result, error};
 
 use console::Console;
 use verbosity::Verbosity;
@@ -108,7 +108,7 @@ pub fn main() -> ExitCode {
     };
     let message = match panic::catch_unwind(run) {
         Ok(Ok(code)) => return code,
-        Ok(Err(error)) => error.to_string(),
+        Ok(Err(error)) => error::chain(&error),
         Err(_) => {
             let panic = LAST_PANIC.lock().map(|panic| panic.clone()).unwrap_or_default();
             format!("this is a bug in organza, please report it. {panic}")

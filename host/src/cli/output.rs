@@ -110,5 +110,5 @@ fn try_writing(folder: &Path, path: &Path) -> Result<()> {
 }
 
 fn cannot_write(path: &Path, source: io::Error) -> Error {
-    Error::WriteFile { path: path.to_owned(), source }
+    Error::write(path, source)
 }

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::process::ExitCode;
 
 use clap::ValueEnum;
-use organza::error::DeviceError;
+use organza::error::{DeviceError, chain};
 use organza::parity::cases;
 use organza::{DeviceOptions, Error, MODULES, Result, SpirvPath};
 use organza_check::{Report, Row, Worst};
@@ -84,7 +84,7 @@ pub fn run(args: &Args, console: Console) -> Result<ExitCode> {
     {
         return Err(error);
     }
-    unusable.iter().for_each(|error| console.warn(&error.to_string()));
+    unusable.iter().for_each(|error| console.warn(&chain(error)));
     if args.json {
         print_json(&reports)?;
     } else if args.markdown {
@@ -106,7 +106,7 @@ fn chosen(name: Option<&str>) -> Result<Vec<AdapterInfo>> {
     if found.is_empty() {
         // opening it says why it cannot be had
         let adapter = name.map(str::to_owned);
-        organza::open_device(&DeviceOptions { adapter, ..DeviceOptions::gpu(SpirvPath::Naga) })?;
+        organza::open_device(&DeviceOptions::gpu(SpirvPath::Naga).adapter(adapter))?;
         let reason = "it has just disappeared".into();
         return Err(DeviceError::NoGpu { reason }.into());
     }

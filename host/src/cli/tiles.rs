@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use organza::scene::{TensorRef, read_tensors, write_tensors};
-use organza::{Camera, DeviceScene, Error, Renderer, Result, Scene, TileBatch};
+use organza::{Camera, DeviceScene, Error, Renderer, Result, TileBatch};
 use organza_device::memory;
 use serde::Serialize;
 
@@ -96,7 +96,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     };
     if let (Some(values), Some(output)) = (grad_output, &args.grad) {
         let task = || renderer.gradient(&scene, &cameras, &batch, &values);
-        write_gradient(console.during("computing the gradient", task)?, output)?;
+        console.during("computing the gradient", task)?.save(output)?;
         console.note(&format!("wrote {}: grad.<tensor>", output.display()));
     }
     if args.json {
@@ -134,22 +134,6 @@ fn read_grad_output(path: &Path, batch: &TileBatch) -> Result<Vec<f32>> {
         }
         Some(found) => Ok(found.data),
     }
-}
-
-fn write_gradient(gradient: Scene, path: &Path) -> Result<()> {
-    for (spec, values) in gradient.tensors() {
-        if let Some(index) = values.iter().position(|value| !value.is_finite()) {
-            let (name, value) = (spec.name, values[index]);
-            let reason = format!(
-                "the gradient of `{name}` holds {value} at flat index {index}, more than f32 can \
-                 hold; nothing was written"
-            );
-            return Err(Error::Diverged { reason });
-        }
-    }
-    let tensors = gradient.tensors_with_prefix("grad.");
-    let tensors: Vec<_> = tensors.iter().map(|(spec, data)| spec.of(data)).collect();
-    write_tensors(path, &tensors, &[])
 }
 
 fn write_tiles(

@@ -39,6 +39,12 @@ enum Written {
     Color([f32; 3]),
 }
 
+impl From<[f32; 3]> for Background {
+    fn from(color: [f32; 3]) -> Self {
+        Self::Color(color)
+    }
+}
+
 impl Background {
     /// The color, if there is one; black for [`Background::Auto`].
     #[must_use]

@@ -23,7 +23,9 @@ fn memory_error_gives_both_sizes() {
 #[test]
 fn full_disk_is_named() {
     let source = io::Error::from(io::ErrorKind::StorageFull);
-    let text = Error::write(Path::new("/out/a.safetensors"), source).to_string();
+    let error = Error::write(Path::new("/out/a.safetensors"), source);
+    assert_eq!(error.to_string(), "cannot write /out/a.safetensors");
+    let text = chain(&error);
     assert!(text.contains("/out/a.safetensors") && text.contains("disk is full"), "{text}");
 }
 

@@ -12,7 +12,7 @@ use super::renderer::Renderer;
 use super::scene::DeviceScene;
 use crate::camera::Camera;
 use crate::error::{Error, Result};
-use crate::scene::Scene;
+use crate::scene::Gradient;
 use crate::tile::TileBatch;
 use organza_device::{Buffer, Device};
 
@@ -65,7 +65,7 @@ pub struct LossTarget<'a> {
 }
 
 impl Renderer {
-    /// dLoss/dtensor for every tensor of a scene, as a scene, of `grad_output [K, 3, S, S]`, dLoss/dY.
+    /// dLoss/dtensor for every tensor of a scene, given `grad_output [K, 3, S, S]`, dLoss/dY.
     ///
     /// The networks see positions and directions as constants: position, rotation and scale have the gradient of the
     /// projection alone.
@@ -79,7 +79,7 @@ impl Renderer {
         cameras: &[Camera],
         batch: &TileBatch,
         grad_output: &[f32],
-    ) -> Result<Scene> {
+    ) -> Result<Gradient> {
         batch.validate(cameras)?;
         let shape = batch.output_shape();
         if grad_output.len() != shape.iter().product::<usize>() {

@@ -10,7 +10,7 @@ use super::hash_grid::HashGridGradient;
 use super::packed::unpack;
 use super::scene::DeviceScene;
 use crate::error::{Error, Result};
-use crate::scene::{FieldTensors, Scene, SceneConfig, Tensors};
+use crate::scene::{FieldTensors, Gradient, SceneConfig, Tensors};
 use organza_device::{Buffer, Device};
 
 /// The tensors whose gradients [`project_backward`] adds to one buffer, in this order: that of the table, too.
@@ -128,12 +128,13 @@ impl SceneGradient {
         touched.for_each(|touched| device.clear(touched));
     }
 
-    /// The gradient as a scene: each tensor is dLoss/dtensor.
+    /// The gradient on the host; `config` and `len` are those of the scene.
     ///
     /// # Errors
     /// As [`Device::read`].
-    pub fn download(&self, device: &Device, config: &SceneConfig, len: usize) -> Result<Scene> {
-        unpack(config, len, self.tensors.as_ref(), |tensor| tensor.read(device))
+    pub fn download(&self, device: &Device, config: &SceneConfig, len: usize) -> Result<Gradient> {
+        let read = |tensor: &TensorGradient| tensor.read(device);
+        Ok(Gradient::of(unpack(config, len, self.tensors.as_ref(), read)?))
     }
 }
 

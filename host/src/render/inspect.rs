@@ -89,10 +89,11 @@ impl Inspection {
 }
 
 impl Renderer {
-    /// Evaluates every stage for every Gaussian in `camera`, needed by a tile or not.
+    /// Evaluates every stage for every Gaussian in `camera`, needed by a tile or not. For tests.
     ///
     /// # Errors
     /// As [`Renderer::render`].
+    #[doc(hidden)]
     pub fn stages(&self, scene: &DeviceScene, camera: &Camera) -> Result<Stages> {
         let device = self.device();
         let (camera, projection, _) = project(device, scene, &[camera])?;

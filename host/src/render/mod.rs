@@ -38,7 +38,9 @@ pub use backward::LossTarget;
 pub(crate) use dense_half::half_vectors;
 pub use gradient::{SceneGradient, TensorGradient};
 pub(crate) use hash_grid_half::pack_halves;
-pub use inspect::{Contribution, Inspection, Stages};
+#[doc(hidden)]
+pub use inspect::Stages;
+pub use inspect::{Contribution, Inspection};
 pub use loss::{Loss, LossInputs, LossOutput, TileLoss};
 pub use options::UploadOptions;
 pub(crate) use own_loss::OwnLoss;

@@ -3,6 +3,7 @@
 mod config;
 mod file;
 mod gaussians;
+mod gradient;
 mod grid;
 mod network;
 mod spec;
@@ -21,6 +22,7 @@ pub use config::{
 pub(crate) use file::read_scene;
 pub(crate) use gaussians::gaussian_tensors;
 pub use gaussians::{GaussianTensors, Gaussians};
+pub use gradient::Gradient;
 pub use grid::{
     FEATURE_WIDTHS, GridConfig, GridLevelGeometry, Interpolation, MAX_LEVELS, MAX_LOG2_TABLE,
     MAX_RESOLUTION,
@@ -35,6 +37,22 @@ use crate::error::Result;
 use organza_device::memory;
 
 /// A scene: its configuration and all its tensors.
+///
+/// ```
+/// use organza::{Scene, demo};
+///
+/// let mut scene = demo::scene();
+/// // makes every Gaussian smaller by a tenth
+/// for log_scale in scene.gaussians.log_scale.as_flattened_mut() {
+///     *log_scale += 0.9_f32.ln();
+/// }
+///
+/// let folder = tempfile::tempdir().expect("a folder");
+/// let path = folder.path().join("scene.safetensors");
+/// scene.save(&path)?;
+/// assert_eq!(Scene::load(&path)?, scene);
+/// # Ok::<(), organza::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     /// Shapes and constants.

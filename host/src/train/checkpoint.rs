@@ -26,6 +26,22 @@ const STATISTICS: &str = "train.statistics";
 const PROGRESS: &str = "train";
 
 /// Where training stands, to the bit.
+///
+/// This continues a run's training from code:
+///
+/// ```no_run
+/// # use organza::{Dataset, DeviceOptions, Renderer, TrainConfig, Trainer};
+/// use organza::train::Checkpoint;
+///
+/// # let renderer = Renderer::new(organza::open_device(&DeviceOptions::default())?);
+/// # let dataset = Dataset::load("data/fox", &Default::default())?;
+/// let config = TrainConfig::load("run/config.toml")?;
+/// let checkpoint = Checkpoint::load("run/checkpoint.safetensors")?;
+/// let mut trainer = Trainer::resume(&renderer, config, dataset, &checkpoint)?;
+/// trainer.step()?;
+/// trainer.checkpoint(0.0)?.save("continued.safetensors", None)?;
+/// # Ok::<(), organza::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Checkpoint {
     /// The scene.

@@ -26,8 +26,20 @@ use crate::scene::{GridConfig, Interpolation, MlpConfig, SceneConfig};
 const MAX_BYTES: u64 = 1 << 20;
 
 /// Every setting of a run.  Names are those of the file; what a file leaves out has its default.
+///
+/// ```
+/// use organza::TrainConfig;
+///
+/// let mut config = TrainConfig::default();
+/// config.run.steps = 500;
+/// config.growth.max_gaussians = 20_000;
+/// let text = config.to_toml();
+/// assert_eq!(TrainConfig::parse(&text, "config.toml".as_ref())?, config);
+/// # Ok::<(), organza::Error>(())
+/// ```
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
+#[non_exhaustive]
 pub struct TrainConfig {
     /// The photographs.
     pub data: DataConfig,
@@ -50,6 +62,7 @@ pub struct TrainConfig {
 /// The photographs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
+#[non_exhaustive]
 pub struct DataConfig {
     /// The data set; the built-in scene where there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -74,6 +87,7 @@ pub struct DataConfig {
 /// How long, how much at once, how often what is written.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
+#[non_exhaustive]
 pub struct RunConfig {
     /// Steps; rates fall until the last.
     pub steps: u32,
@@ -100,6 +114,7 @@ pub struct RunConfig {
 /// The loss `(1 - w) L1 + w (1 - SSIM)`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
+#[non_exhaustive]
 pub struct LossConfig {
     /// w, 0 to 1.
     pub ssim_weight: f32,
@@ -108,6 +123,7 @@ pub struct LossConfig {
 /// What experiments leave out, to see what it is worth.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
+#[non_exhaustive]
 pub struct AblationConfig {
     /// Whether T is learned; otherwise it is 1 everywhere.
     pub learn_transmittance: bool,
@@ -125,6 +141,7 @@ impl Default for AblationConfig {
 /// The shape of the scene: see [`SceneConfig`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
+#[non_exhaustive]
 pub struct ShapeConfig {
     /// Degree of the spherical harmonics.
     pub sh_degree: u32,
@@ -149,6 +166,7 @@ pub struct ShapeConfig {
 /// Where training starts.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
+#[non_exhaustive]
 pub struct StartConfig {
     /// Gaussians where the data set has no points; where it has, there is one at each, up to `growth.max_gaussians`.
     pub gaussians: u32,
@@ -165,6 +183,7 @@ pub struct StartConfig {
 /// How the number of Gaussians changes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
+#[non_exhaustive]
 pub struct GrowthConfig {
     /// What is done.
     pub method: GrowthMethod,

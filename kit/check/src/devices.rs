@@ -47,7 +47,7 @@ pub fn gpus(modules: &'static Modules) -> Vec<(&'static str, Device)> {
 #[must_use]
 pub fn variants(modules: &'static Modules) -> Vec<(&'static str, [Device; 2])> {
     let open = |path, variants| {
-        let options = DeviceOptions { variants: Some(variants), ..DeviceOptions::gpu(path) };
+        let options = DeviceOptions::gpu(path).variants(variants);
         Device::open(&options, modules).expect("it was there a moment ago")
     };
     let pair = |path| [open(path, false), open(path, true)];
@@ -75,8 +75,7 @@ pub fn cpu(threads: Option<usize>) -> Device {
 /// Where this CPU does not have it.
 #[must_use]
 pub fn with(instruction_set: InstructionSet) -> Device {
-    let options =
-        DeviceOptions { instruction_set: Some(instruction_set), ..DeviceOptions::cpu(None) };
+    let options = DeviceOptions::cpu(None).instruction_set(instruction_set);
     Device::open(&options, Modules::none()).expect("the CPU")
 }
 

@@ -53,7 +53,7 @@ impl Report {
         let open = |variants| {
             let adapter = Some(adapter.name.clone());
             let variants = Some(variants);
-            let options = DeviceOptions { adapter, variants, ..DeviceOptions::gpu(path) };
+            let options = DeviceOptions::gpu(path).adapter(adapter).variants(variants);
             Device::open(&options, modules)
         };
         let (plain, variants) = (open(false)?, open(true)?);

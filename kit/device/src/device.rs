@@ -18,6 +18,15 @@ use crate::timings::{KernelTime, Timings};
 use crate::{cpu, gpu};
 
 /// Where kernels run.
+///
+/// ```
+/// use organza_device::{Device, DeviceOptions, Modules};
+///
+/// let device = Device::open(&DeviceOptions::cpu(None), Modules::none())?;
+/// let buffer = device.upload("numbers", &[1.0_f32, 2.0])?;
+/// assert_eq!(device.read(&buffer)?, [1.0, 2.0]);
+/// # Ok::<(), organza_device::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct Device {
     pub(crate) kind: Kind,

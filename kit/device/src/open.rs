@@ -40,7 +40,16 @@ impl SpirvPath {
 }
 
 /// What device to open; the default is the best there is.
+///
+/// ```
+/// use organza_device::{DeviceOptions, SpirvPath};
+///
+/// let cpu = DeviceOptions::cpu(4);
+/// let gpu = DeviceOptions::gpu(SpirvPath::Naga).adapter("radeon".to_owned());
+/// assert_eq!((cpu.threads, gpu.adapter.as_deref()), (Some(4), Some("radeon")));
+/// ```
 #[derive(Clone, Debug, Default)]
+#[non_exhaustive]
 pub struct DeviceOptions {
     /// Which backend.
     pub backend: BackendChoice,
@@ -61,16 +70,65 @@ pub struct DeviceOptions {
 }
 
 impl DeviceOptions {
-    /// The CPU with `threads` threads.
+    /// The CPU with a number of threads; `None` takes one for each core.
     #[must_use]
-    pub fn cpu(threads: Option<usize>) -> Self {
-        Self { backend: BackendChoice::Cpu, threads, ..Self::default() }
+    pub fn cpu(threads: impl Into<Option<usize>>) -> Self {
+        Self { backend: BackendChoice::Cpu, threads: threads.into(), ..Self::default() }
     }
 
     /// A GPU, or an error.
     #[must_use]
     pub fn gpu(spirv: SpirvPath) -> Self {
         Self { backend: BackendChoice::Gpu, spirv: Some(spirv), ..Self::default() }
+    }
+
+    /// Sets [`backend`](Self::backend).
+    #[must_use]
+    pub fn backend(mut self, backend: BackendChoice) -> Self {
+        self.backend = backend;
+        self
+    }
+
+    /// Sets [`spirv`](Self::spirv).
+    #[must_use]
+    pub fn spirv(mut self, path: impl Into<Option<SpirvPath>>) -> Self {
+        self.spirv = path.into();
+        self
+    }
+
+    /// Sets [`threads`](Self::threads).
+    #[must_use]
+    pub fn threads(mut self, threads: impl Into<Option<usize>>) -> Self {
+        self.threads = threads.into();
+        self
+    }
+
+    /// Sets [`adapter`](Self::adapter).
+    #[must_use]
+    pub fn adapter(mut self, name: impl Into<Option<String>>) -> Self {
+        self.adapter = name.into();
+        self
+    }
+
+    /// Sets [`check_races`](Self::check_races).
+    #[must_use]
+    pub fn check_races(mut self, check: bool) -> Self {
+        self.check_races = check;
+        self
+    }
+
+    /// Sets [`instruction_set`](Self::instruction_set).
+    #[must_use]
+    pub fn instruction_set(mut self, set: impl Into<Option<InstructionSet>>) -> Self {
+        self.instruction_set = set.into();
+        self
+    }
+
+    /// Sets [`variants`](Self::variants).
+    #[must_use]
+    pub fn variants(mut self, variants: impl Into<Option<bool>>) -> Self {
+        self.variants = variants.into();
+        self
     }
 }
 

@@ -82,8 +82,7 @@ impl DataArgs {
         }
         let mut data = run.map(|config| config.data).unwrap_or_default();
         if let Some(named) = named {
-            fs::metadata(named)
-                .map_err(|source| Error::ReadFile { path: named.to_owned(), source })?;
+            fs::metadata(named).map_err(|source| Error::read(named, source))?;
             data.path = Some(named.to_owned());
         }
         data.allow_outside |= self.allow_outside;

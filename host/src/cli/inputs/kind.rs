@@ -119,7 +119,7 @@ struct Keys {
 
 /// How a file is written, by its content.
 pub fn format(path: &Path) -> Result<Format> {
-    let cannot_read = |source| Error::ReadFile { path: path.to_owned(), source };
+    let cannot_read = |source| Error::read(path, source);
     // What is no regular file could block or never end: a loader says so.
     if !std::fs::metadata(path).is_ok_and(|found| found.is_file()) {
         return Ok(Format::Safetensors);

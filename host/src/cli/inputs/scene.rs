@@ -26,8 +26,7 @@ impl SceneSource {
     /// # Errors
     /// Where there is no such file, or a folder that is not a run's.
     pub fn find(path: &Path) -> Result<Self> {
-        let found = fs::metadata(path)
-            .map_err(|source| Error::ReadFile { path: path.to_owned(), source })?;
+        let found = fs::metadata(path).map_err(|source| Error::read(path, source))?;
         let checkpoint = path.join(CHECKPOINT);
         if !found.is_dir() || checkpoint.exists() {
             let file = if found.is_dir() { checkpoint } else { path.to_owned() };

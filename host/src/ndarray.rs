@@ -1,0 +1,165 @@
+//! Tiles, tensors of scenes and gradients as arrays of [`ndarray`](::ndarray), and back. This needs the feature `ndarray`.
+//!
+//! ```
+//! use ndarray::Axis;
+//! use organza::{DeviceOptions, Renderer, Tile, TileBatch, demo};
+//!
+//! let renderer = Renderer::new(organza::open_device(&DeviceOptions::cpu(None))?);
+//! let mut scene = demo::scene();
+//! // moves every Gaussian by 0.1 along x
+//! let mut position = scene.array_mut("gaussians.position").expect("a tensor of every scene");
+//! position.index_axis_mut(Axis(1), 0).map_inplace(|x| *x += 0.1);
+//!
+//! let scene = renderer.upload(&scene)?;
+//! let cameras = demo::turntable(1, 32);
+//! let batch = TileBatch { side: 8, tiles: vec![Tile { camera: 0, origin: [12, 12] }] };
+//! let tiles = renderer.render(&scene, &cameras, &batch)?;
+//! let y = tiles.array(); // [K, 3, S, S]
+//! assert_eq!(y.dim(), (1, 3, 8, 8));
+//!
+//! // the loss is half the mean of squares, so dL/dY is Y / n
+//! let slopes = &y / y.len() as f32;
+//! let gradient = renderer.gradient_of_array(&scene, &cameras, &batch, slopes.view())?;
+//! let opacity = gradient.array("gaussians.opacity").expect("a tensor of every scene");
+//! assert_eq!(opacity.shape(), [scene.len()]);
+//! # Ok::<(), organza::Error>(())
+//! ```
+
+use ::ndarray::{Array4, ArrayView4, ArrayViewD, ArrayViewMutD};
+
+use crate::camera::Camera;
+use crate::error::{Error, Result};
+use crate::render::{DeviceScene, LossGradient, RenderReport, RenderedTiles, Renderer};
+use crate::scene::{Gradient, Scene};
+use crate::tile::TileBatch;
+
+impl RenderedTiles {
+    /// Y `[K, 3, S, S]`: tile, channel, row, column.
+    ///
+    /// # Panics
+    /// Where the number of values is not that of `count` tiles of side `side`.
+    #[must_use]
+    pub fn array(&self) -> ArrayView4<'_, f32> {
+        let side = self.side as usize;
+        let view = ArrayView4::from_shape((self.count, 3, side, side), &self.data);
+        view.expect("K tiles of S x S pixels")
+    }
+}
+
+impl TryFrom<Array4<f32>> for RenderedTiles {
+    type Error = Error;
+
+    /// From Y `[K, 3, S, S]`.
+    fn try_from(array: Array4<f32>) -> Result<Self> {
+        let (count, channels, height, width) = array.dim();
+        let side = u32::try_from(width).ok().filter(|_| channels == 3 && height == width);
+        let Some(side) = side else {
+            let reason = format!("tiles are [K, 3, S, S], not {:?}", array.shape());
+            return Err(Error::Argument { reason });
+        };
+        Ok(Self { side, count, data: values(array.view()), report: RenderReport::default() })
+    }
+}
+
+impl Scene {
+    /// The tensor with a name of [`Scene::tensors`], such as `gaussians.position`.
+    #[must_use]
+    pub fn array(&self, name: &str) -> Option<ArrayViewD<'_, f32>> {
+        let (spec, values) = self.tensors().into_iter().find(|(spec, _)| spec.name == name)?;
+        ArrayViewD::from_shape(spec.shape, values).ok()
+    }
+
+    /// As [`Scene::array`], for writing. `assign` copies another array of the same shape.
+    #[must_use]
+    pub fn array_mut(&mut self, name: &str) -> Option<ArrayViewMutD<'_, f32>> {
+        let (spec, values) = self.tensors_mut().into_iter().find(|(spec, _)| spec.name == name)?;
+        ArrayViewMutD::from_shape(spec.shape, values).ok()
+    }
+}
+
+impl Gradient {
+    /// The gradient of the tensor with a name of [`Gradient::tensors`], such as `gaussians.position`.
+    #[must_use]
+    pub fn array(&self, name: &str) -> Option<ArrayViewD<'_, f32>> {
+        let (spec, values) = self.tensors().into_iter().find(|(spec, _)| spec.name == name)?;
+        ArrayViewD::from_shape(spec.shape, values).ok()
+    }
+}
+
+impl Renderer {
+    /// As [`Renderer::gradient`], with dLoss/dY `[K, 3, S, S]` in an array.
+    ///
+    /// # Errors
+    /// As [`Renderer::gradient`]; [`Error::Argument`] where the array has another shape than the batch.
+    pub fn gradient_of_array(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        batch: &TileBatch,
+        grad_output: ArrayView4<'_, f32>,
+    ) -> Result<Gradient> {
+        if grad_output.shape() != batch.output_shape() {
+            let (found, expected) = (grad_output.shape(), batch.output_shape());
+            let reason = format!("the gradient is {found:?}, but the batch is {expected:?}");
+            return Err(Error::Argument { reason });
+        }
+        self.gradient(scene, cameras, batch, &values(grad_output))
+    }
+}
+
+impl LossGradient {
+    /// A loss, and dL/dY `[K, 3, S, S]` in an array.
+    #[must_use]
+    pub fn from_array(loss: f64, grad_output: ArrayView4<'_, f32>) -> Self {
+        Self { loss, grad_output: values(grad_output) }
+    }
+}
+
+/// The values, row-major, however they lie in memory.
+fn values(array: ArrayView4<'_, f32>) -> Vec<f32> {
+    array.iter().copied().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The value of each place says where it is.
+    fn numbered() -> Array4<f32> {
+        Array4::from_shape_fn((2, 3, 4, 4), |(tile, channel, row, column)| {
+            (1000 * tile + 100 * channel + 10 * row + column) as f32
+        })
+    }
+
+    #[test]
+    fn tiles_come_back_whatever_their_order_in_memory() {
+        let tiles = RenderedTiles::try_from(numbered()).unwrap();
+        assert_eq!((tiles.side, tiles.count, tiles.array()), (4, 2, numbered().view()));
+        assert_eq!(tiles.rgb(1, 3, 2), [1023.0, 1123.0, 1223.0]);
+        // as another program may have it: columns first
+        let turned = numbered().permuted_axes([0, 1, 3, 2]).as_standard_layout().into_owned();
+        let turned = turned.permuted_axes([0, 1, 3, 2]);
+        assert!(!turned.is_standard_layout());
+        assert_eq!(RenderedTiles::try_from(turned.clone()).unwrap(), tiles);
+        assert_eq!(LossGradient::from_array(1.0, turned.view()).grad_output, tiles.data);
+        for shape in [(2, 4, 4, 4), (2, 3, 4, 5)] {
+            let error = RenderedTiles::try_from(Array4::zeros(shape)).unwrap_err().to_string();
+            assert!(error.contains("[K, 3, S, S], not [2, "), "{error}");
+        }
+    }
+
+    #[test]
+    fn tensors_have_the_shapes_and_values_of_a_scene() {
+        let mut scene = crate::demo::scene();
+        let names: Vec<_> = scene.tensors().into_iter().map(|(spec, _)| spec).collect();
+        for spec in names {
+            assert_eq!(scene.array(&spec.name).expect("it is there").shape(), spec.shape);
+        }
+        let row = scene.gaussians.position[7];
+        let position = scene.array("gaussians.position").unwrap();
+        assert_eq!([0, 1, 2].map(|column| position[[7, column]]), row);
+        scene.array_mut("gaussians.position").unwrap()[[7, 2]] = 5.0;
+        assert_eq!(scene.gaussians.position[7], [row[0], row[1], 5.0]);
+        assert!(scene.array("gaussians.color").is_none());
+    }
+}

@@ -6,6 +6,8 @@ mod bad_requests;
 mod bench;
 mod benchmark;
 mod corpus;
+#[cfg(target_os = "linux")]
+mod docs;
 mod environment;
 mod eval;
 mod flags;

@@ -25,8 +25,9 @@ fn build() -> PathBuf {
     let profile = own.ancestors().nth(2).and_then(Path::file_name).and_then(OsStr::to_str);
     let profile = profile.map_or("dev", |name| if name == "debug" { "dev" } else { name });
     let output = Command::new(cargo)
-        // of the whole workspace, as the test was built: nothing is compiled again
-        .args(["build", "--quiet", "--workspace", "--bin", "organza"])
+        // The whole workspace, and an example, which asks for what tests ask for: so the features are those of
+        // `cargo test --workspace`, and nothing is compiled again.
+        .args(["build", "--quiet", "--workspace", "--bin", "organza", "--example", "render_tiles"])
         .args(["--message-format", "json", "--profile", profile])
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .stderr(Stdio::inherit())
@@ -36,7 +37,8 @@ fn build() -> PathBuf {
     let messages = output.stdout.split(|&byte| byte == b'\n');
     let executable = |line| {
         let message: Value = serde_json::from_slice(line).ok()?;
-        message.get("executable")?.as_str().map(PathBuf::from)
+        let is_program = message.get("target")?.get("name")? == "organza";
+        message.get("executable")?.as_str().filter(|_| is_program).map(PathBuf::from)
     };
     messages.filter_map(executable).next_back().expect("cargo names the program")
 }

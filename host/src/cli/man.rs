@@ -37,7 +37,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     }
     for (page, file) in pages.iter().zip(&files) {
         let mut text = Vec::new();
-        page.render(&mut text).map_err(|source| Error::WriteFile { path: file.clone(), source })?;
+        page.render(&mut text).map_err(|source| Error::write(file, source))?;
         write_atomic(file, |writer| writer.write_all(&text))?;
         console.detail(&format!("wrote {}", file.display()));
     }

@@ -47,8 +47,7 @@ impl Written {
     /// of the file or data set: a call that renders some views does not make the others stale.
     pub fn open(folder: &Folder, scene: &Path, cameras: &[Camera]) -> Result<Self> {
         let mut hash = Sha256::new();
-        copy(scene, &mut hash)
-            .map_err(|source| Error::ReadFile { path: scene.to_owned(), source })?;
+        copy(scene, &mut hash).map_err(|source| Error::read(scene, source))?;
         hash.update(format!("{cameras:?}"));
         let source = hex(hash);
         let files = read(&folder.join(NAME)).unwrap_or_default();
@@ -57,8 +56,7 @@ impl Written {
 
     /// A file of the folder was written.
     pub fn add(&mut self, path: &Path) -> Result<()> {
-        let content =
-            digest(path).map_err(|source| Error::ReadFile { path: path.to_owned(), source })?;
+        let content = digest(path).map_err(|source| Error::read(path, source))?;
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         self.files.insert(name.clone(), Entry { content, source: self.source.clone() });
         self.now.push(name);
@@ -79,7 +77,7 @@ impl Written {
                 continue;
             }
             if digest(&path).is_ok_and(|content| content == entry.content) {
-                fs::remove_file(&path).map_err(|source| Error::WriteFile { path, source })?;
+                fs::remove_file(&path).map_err(|source| Error::write(&path, source))?;
                 removed += 1;
             } else {
                 changed += 1;

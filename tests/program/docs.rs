@@ -1,0 +1,217 @@
+//! Every command in the README and in `docs/` runs as it stands there, with the program in the place of `cargo run`, or is
+//! listed in [`NOT_RUN`] with the reason. So do blocks of Python, where Python has what they import.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::os::unix::fs::PermissionsExt;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::sandbox::{Sandbox, program};
+
+/// What commands begin with that are not run here, and why.
+const NOT_RUN: &[(&str, &str)] = &[
+    ("cargo test", "these tests"),
+    ("INSTA_UPDATE=always cargo test", "it changes the repository"),
+    ("cargo insta", "it is installed apart, and asks questions"),
+    ("cargo xtask", "`.ci/run` runs it: it needs the shader compiler"),
+    ("scripts/build-rust-gpu-toolchain.sh", "`.ci/run` runs it: it takes 25 minutes at first"),
+    ("cargo run -- parity", "tests/program/parity.rs runs it"),
+    ("cargo build", "it compiles"),
+    ("cd tests/cases", "a debugger follows"),
+    ("rust-gdb", "it is a debugger, and asks questions"),
+    ("perf record", "it is a profiler, and not everywhere"),
+    ("organza bench [", "it shows the syntax"),
+    ("python bench/", "it takes minutes, and needs other programs"),
+    ("docs/experiments/run.sh", "it takes hours, and needs photographs"),
+];
+
+/// The program, with what makes it quick.
+const ORGANZA: &str = r#"#!/bin/sh
+has() { case " $words " in *" $1 "*) true ;; *) false ;; esac; }
+words="$*"
+case "$1" in
+  train)
+    # a page shows several ways to begin a run of one name
+    begun=$(printf '%s' "$words" | sed -n 's/.* -o \([^ ]*\).*/\1/p')
+    [ -z "$begun" ] || rm -rf "$begun"
+    # more than before, but few
+    if has --resume; then
+      steps=$(($(cat .steps 2>/dev/null || echo 2) + 1))
+      echo "$steps" > .steps
+      set -- $(echo "$words" | sed "s/--steps [0-9]*/--steps $steps/; s/--time-limit [0-9]*/--time-limit 1/")
+    fi
+    if ! has --resume && ! has --print-config; then
+      for setting in run.steps=2 run.tiles_per_step=2 run.tile_size=16 run.tiles_per_view=1 \
+          data.built_in_views=4 data.built_in_side=32 start.gaussians=100 growth.max_gaussians=200; do
+        set -- "$@" --set "$setting"
+      done
+    fi ;;
+  demo) set -- "$@" --views 2 --size 32 ;;
+esac
+case "$1" in
+  train | demo | eval | render | tiles) has --backend || has --print-config || set -- "$@" --backend cpu ;;
+esac
+exec "$PROGRAM" "$@"
+"#;
+
+/// Cargo, as far as it runs the program.
+const CARGO: &str = r#"#!/bin/sh
+[ "$1" = run ] || { echo "cargo $1 is not for this test" >&2; exit 97; }
+while [ "$1" != -- ]; do shift; done
+shift
+exec organza "$@"
+"#;
+
+/// A block of code on a page.
+#[derive(Debug)]
+struct Block {
+    page: String,
+    language: String,
+    text: String,
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// The blocks of the README and of `docs/`, page by page.
+fn blocks() -> Vec<Block> {
+    let docs = fs::read_dir(root().join("docs")).expect("docs");
+    let docs = docs.map(|entry| format!("docs/{}", entry.unwrap().file_name().display()));
+    let pages: BTreeSet<_> = docs.filter(|page| page.ends_with(".md")).collect();
+    let mut blocks = Vec::new();
+    for page in ["README.md".to_owned()].into_iter().chain(pages) {
+        let text = fs::read_to_string(root().join(&page)).expect("a page");
+        let fences: Vec<_> = text.split("\n```").collect();
+        assert!(fences.len() % 2 == 1, "{page}: a block has no end");
+        for block in fences.iter().skip(1).step_by(2) {
+            let (language, text) = block.split_once('\n').unwrap_or((block, ""));
+            let (page, language) = (page.clone(), language.trim().to_owned());
+            blocks.push(Block { page, language, text: text.to_owned() });
+        }
+    }
+    blocks
+}
+
+/// The commands of a block: a line each, and those that end in `\` with the next.
+fn commands(text: &str) -> Vec<String> {
+    let joined = text.replace("\\\n", " ");
+    let without_comment = |line: &str| line.split(" #").next().unwrap_or("").trim().to_owned();
+    joined.lines().map(without_comment).filter(|line| !line.is_empty()).collect()
+}
+
+/// A folder for a page: a scene, its cameras, tiles, the data sets that the page names, and programs in `bin`.
+fn prepare(page: &str, blocks: &[Block]) -> Sandbox {
+    let sandbox = Sandbox::new("tiny");
+    let bin = sandbox.path("bin");
+    fs::create_dir(&bin).unwrap();
+    for (name, script) in [("organza", ORGANZA), ("cargo", CARGO)] {
+        fs::write(bin.join(name), script).unwrap();
+        fs::set_permissions(bin.join(name), fs::Permissions::from_mode(0o755)).unwrap();
+    }
+    // not everybody has it, and it is not what is tested
+    if Command::new("jq").arg("--version").output().is_err() {
+        fs::write(bin.join("jq"), "#!/bin/sh\ncat\n").unwrap();
+        fs::set_permissions(bin.join("jq"), fs::Permissions::from_mode(0o755)).unwrap();
+    }
+    let texts = blocks.iter().filter(|block| block.page == page).map(|block| &block.text);
+    let words = texts.flat_map(|text| text.split_whitespace());
+    let data: BTreeSet<_> = words.filter(|word| word.starts_with("data/")).collect();
+    for folder in data {
+        let words =
+            format!("render scene.safetensors cameras.json -o {folder}/images --backend cpu");
+        sandbox.run(&words).assert_ok();
+        let transforms = sandbox.path(folder).join("transforms.json");
+        fs::copy(sandbox.path("cameras.json"), transforms).unwrap();
+    }
+    sandbox
+}
+
+/// Runs a program in a page's folder.
+fn run(sandbox: &Sandbox, page: &str, words: &[&str]) {
+    let bin = sandbox.path("bin");
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let path = std::env::join_paths([bin].into_iter().chain(std::env::split_paths(&path)));
+    let output = Command::new(words[0])
+        .args(&words[1..])
+        .current_dir(sandbox.path(""))
+        .env("PATH", path.unwrap())
+        .env("PROGRAM", program())
+        .output()
+        .unwrap_or_else(|error| panic!("{}: {error}", words[0]));
+    let text = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{page}: {}\n{}\n{text}", words.join(" "), output.status);
+}
+
+#[test]
+fn every_command_of_the_pages_runs() {
+    let blocks = blocks();
+    let pages: BTreeSet<_> = blocks.iter().map(|block| block.page.clone()).collect();
+    let (mut ran, mut unused) = (0, NOT_RUN.iter().collect::<Vec<_>>());
+    for page in pages {
+        let shell = blocks.iter().filter(|block| block.page == page && block.language == "sh");
+        let mut sandbox = None;
+        for block in shell {
+            let mut script = Vec::new();
+            for command in commands(&block.text) {
+                let is_not_run = |(begin, _): &&(&str, &str)| command.starts_with(begin);
+                match NOT_RUN.iter().find(is_not_run) {
+                    Some(entry) => unused.retain(|other| *other != entry),
+                    None => script.push(command),
+                }
+            }
+            if !script.is_empty() {
+                ran += script.len();
+                let sandbox = sandbox.get_or_insert_with(|| prepare(&page, &blocks));
+                run(sandbox, &page, &["sh", "-euxc", &script.join("\n")]);
+            }
+        }
+    }
+    assert!(ran >= 10, "only {ran} commands were found");
+    assert!(unused.is_empty(), "no page has a command that begins with one of {unused:?}");
+}
+
+#[test]
+fn every_block_of_python_runs() {
+    let has_modules = Command::new("python3").args(["-c", "import numpy, safetensors"]).output();
+    if !has_modules.is_ok_and(|output| output.status.success()) {
+        println!("skipped: python3 with numpy and safetensors is not here");
+        return;
+    }
+    let blocks = blocks();
+    let python: Vec<_> = blocks.iter().filter(|block| block.language == "python").collect();
+    assert!(!python.is_empty(), "no page has a block of Python");
+    for block in python {
+        let sandbox = prepare(&block.page, &blocks);
+        run(&sandbox, &block.page, &["python3", "-c", &block.text]);
+    }
+}
+
+/// Rust in the README is code of the library's documentation, which is compiled.
+#[test]
+fn rust_in_the_readme_is_compiled() {
+    let library = fs::read_to_string(root().join("host/src/lib.rs")).expect("the library");
+    let lines = library.lines().filter_map(|line| line.strip_prefix("//!"));
+    let lines: Vec<_> = lines.map(|line| line.strip_prefix(' ').unwrap_or(line)).collect();
+    let shown: Vec<_> = lines.into_iter().filter(|line| !line.starts_with("# ")).collect();
+    let text = shown.join("\n");
+    for Block { page, text: block, .. } in
+        blocks().iter().filter(|block| block.page == "README.md" && block.language == "rust")
+    {
+        assert!(text.contains(block), "{page}: not in host/src/lib.rs:\n{block}");
+    }
+}
+
+/// A block that the tests above do not know would never be run.
+#[test]
+fn blocks_are_marked_with_their_language() {
+    let known = ["sh", "python", "rust", "toml", "json", "text", "math", "wgsl", "glsl", ""];
+    for Block { page, language, text } in blocks() {
+        assert!(known.contains(&&*language), "{page}: `{language}` is not a language of {known:?}");
+        let command = ["organza ", "cargo ", "python "];
+        let looks = |line: &str| command.iter().any(|name| line.starts_with(name));
+        let is_marked = language == "sh" || !text.lines().any(looks);
+        assert!(is_marked, "{page}: commands belong in a block of `sh`:\n{text}");
+    }
+}

@@ -1,9 +1,11 @@
-//! How close a scene comes to photographs: each is rendered whole and compared, by PSNR and SSIM.
+//! How close a scene comes to photographs: each is rendered whole and compared, by PSNR and SSIM, and by LPIPS where there
+//! are weights.
 //!
 //! What is compared is the rendered value of f32, clamped to 0 to 1 as a picture would be but not rounded to 8 bits; a NaN
 //! is black. Pixels that the photograph does not have (undistorting leaves such) do not count: PSNR is over the others,
 //! and SSIM over the windows that touch none of them.
 
+pub(crate) mod csv;
 #[cfg(test)]
 mod tests;
 
@@ -12,6 +14,7 @@ use serde::{Deserialize, Serialize};
 use crate::data::Frame;
 use crate::error::{Error, Result};
 use crate::image::{Image, TILE_SIDE, bands};
+use crate::metrics::lpips::Lpips;
 use crate::metrics::{psnr, ssim};
 use crate::render::{DeviceScene, RenderedTiles, Renderer};
 use crate::tile::TileBatch;
@@ -25,6 +28,9 @@ pub struct Score {
     pub psnr: Option<f64>,
     /// The structural similarity, at most 1; none, null in JSON, where no window of 11 x 11 pixels is valid.
     pub ssim: Option<f64>,
+    /// LPIPS, which only [`evaluate_with_lpips`] measures. Pixels that the photograph does not have are black in both images.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lpips: Option<f64>,
 }
 
 /// The score of one frame.
@@ -110,6 +116,20 @@ pub fn evaluate_with(
     frames: &[&Frame],
     watch: &mut dyn FnMut(Event<'_>),
 ) -> Result<Evaluation> {
+    evaluate_with_lpips(renderer, scene, frames, None, watch)
+}
+
+/// As [`evaluate_with`]; also measures LPIPS, if it has weights.
+///
+/// # Errors
+/// As [`evaluate`].
+pub fn evaluate_with_lpips(
+    renderer: &Renderer,
+    scene: &DeviceScene,
+    frames: &[&Frame],
+    lpips: Option<&Lpips>,
+    watch: &mut dyn FnMut(Event<'_>),
+) -> Result<Evaluation> {
     let (mut views, mut not_finite) = (Vec::with_capacity(frames.len()), 0);
     let (total, mut done) = (tiles(frames), 0);
     for (index, frame) in frames.iter().enumerate() {
@@ -118,7 +138,7 @@ pub fn evaluate_with(
             watch(Event::Tiles { done, total });
         };
         let rendered = Rendered::new(renderer, scene, frame, &mut advance)?;
-        let score = ViewScore { name: frame.name.clone(), score: rendered.score(frame)? };
+        let score = ViewScore { name: frame.name.clone(), score: rendered.score(frame, lpips)? };
         not_finite += rendered.image.not_finite();
         watch(Event::View { index, score: &score, image: &rendered.image });
         views.push(score);
@@ -127,6 +147,15 @@ pub fn evaluate_with(
 }
 
 impl Evaluation {
+    /// Writes a table with a row for each view, atomically: CSV with the columns `view`, `psnr`, `ssim`, and `lpips` if it
+    /// was measured. A score that a view does not have is empty; an infinite PSNR is `inf`.
+    ///
+    /// # Errors
+    /// [`Error::WriteFile`].
+    pub fn save_csv(&self, path: impl AsRef<std::path::Path>) -> Result<()> {
+        csv::save_csv(path, &self.views.iter().map(|view| (None, view)).collect::<Vec<_>>())
+    }
+
     /// That of all frames, from those of some each, in order.
     pub(crate) fn of_parts(parts: Vec<Self>) -> Self {
         let not_finite = parts.iter().map(|part| part.not_finite).sum();
@@ -141,7 +170,11 @@ fn mean(views: &[ViewScore]) -> Score {
         let values: Vec<_> = views.iter().filter_map(|view| value(&view.score)).collect();
         (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
     };
-    Score { psnr: mean(|score| score.psnr), ssim: mean(|score| score.ssim) }
+    Score {
+        psnr: mean(|score| score.psnr),
+        ssim: mean(|score| score.ssim),
+        lpips: mean(|score| score.lpips),
+    }
 }
 
 /// A frame as it was rendered.
@@ -198,17 +231,27 @@ impl Rendered {
         }
     }
 
-    fn score(&self, frame: &Frame) -> Result<Score> {
+    fn score(&self, frame: &Frame, lpips: Option<&Lpips>) -> Result<Score> {
         let photograph = &frame.image;
         let mut truth = colors(frame, "a photograph")?;
         for (color, pixel) in truth.iter_mut().zip(photograph.pixels()) {
             *color = pixel.map(|value| f32::from(value) / 255.0);
         }
         let size = self.image.size().map(|size| size as usize);
-        Ok(Score {
-            psnr: psnr(&self.colors, &truth, photograph.valid()),
-            ssim: ssim(size, &self.colors, &truth, photograph.valid()),
-        })
+        let (psnr, ssim) = (
+            psnr(&self.colors, &truth, photograph.valid()),
+            ssim(size, &self.colors, &truth, photograph.valid()),
+        );
+        let Some(lpips) = lpips else { return Ok(Score { psnr, ssim, lpips: None }) };
+        let mut colors = self.colors.clone();
+        for (at, _) in photograph
+            .valid()
+            .iter()
+            .flat_map(|valid| valid.iter().enumerate().filter(|(_, valid)| !**valid))
+        {
+            (colors[at], truth[at]) = ([0.0; 3], [0.0; 3]);
+        }
+        Ok(Score { psnr, ssim, lpips: lpips.distance(size, &colors, &truth)? })
     }
 }
 

@@ -2,11 +2,14 @@
 //!
 //! An image does not depend on how it was cut.
 
+mod channel;
 #[cfg(test)]
 mod tests;
 
 use std::io;
 use std::path::Path;
+
+pub use channel::{ChannelFormat, ChannelImage, PNG_DEPTH_SCALE};
 
 use ::image::codecs::png::PngEncoder;
 use ::image::{ExtendedColorType, ImageEncoder, ImageError};
@@ -66,6 +69,12 @@ impl Image {
         Ok(memory::check(2 * bytes, &format!("{what} and writing it"))?)
     }
 
+    /// An image of a photograph's pixels, row by row.
+    pub(crate) fn of_pixels([width, height]: [u32; 2], pixels: &[[u8; 3]]) -> Self {
+        assert_eq!(pixels.len(), width as usize * height as usize, "pixels of an image");
+        Self { width, height, pixels: pixels.to_vec(), not_finite: 0 }
+    }
+
     /// Width and height in pixels.
     #[must_use]
     pub fn size(&self) -> [u32; 2] {
@@ -101,17 +110,11 @@ impl Image {
             );
             return Err(Error::Argument { reason });
         }
-        for (index, tile) in batch.tiles.iter().enumerate() {
-            let [left, top] = tile.origin.map(i64::from);
-            for y in visible(top, side, self.height) {
-                for x in visible(left, side, self.width) {
-                    let color = tiles.rgb(index, (x - left) as usize, (y - top) as usize);
-                    self.not_finite += u64::from(!color.iter().all(|value| value.is_finite()));
-                    let place = y as usize * self.width as usize + x as usize;
-                    self.pixels[place] = color.map(to_8_bit);
-                }
-            }
-        }
+        visible_pixels(batch, self.size(), |tile, at, place| {
+            let color = tiles.rgb(tile, at % side, at / side);
+            self.not_finite += u64::from(!color.iter().all(|value| value.is_finite()));
+            self.pixels[place] = color.map(to_8_bit);
+        });
         Ok(())
     }
 
@@ -154,16 +157,38 @@ impl Image {
     /// # Errors
     /// [`Error::WriteFile`].
     pub fn save_png(&self, path: impl AsRef<Path>) -> Result<()> {
-        let bytes: &[u8] = self.pixels.as_flattened();
-        write_atomic(path, |writer| {
-            PngEncoder::new(writer)
-                .write_image(bytes, self.width, self.height, ExtendedColorType::Rgb8)
-                .map_err(|error| match error {
-                    ImageError::IoError(error) => error,
-                    other => io::Error::other(other),
-                })
-        })
+        save_png(path, self.pixels.as_flattened(), self.size(), ExtendedColorType::Rgb8)
     }
+
+    /// The bytes of a PNG file.
+    pub(crate) fn encode_png(&self) -> io::Result<Vec<u8>> {
+        let mut bytes = Vec::new();
+        let pixels = self.pixels.as_flattened();
+        write_png(&mut bytes, pixels, self.size(), ExtendedColorType::Rgb8)?;
+        Ok(bytes)
+    }
+}
+
+/// Writes pixels as PNG, atomically.
+fn save_png(
+    path: impl AsRef<Path>,
+    bytes: &[u8],
+    [width, height]: [u32; 2],
+    color: ExtendedColorType,
+) -> Result<()> {
+    write_atomic(path, |writer| write_png(writer, bytes, [width, height], color))
+}
+
+fn write_png(
+    writer: impl io::Write,
+    bytes: &[u8],
+    [width, height]: [u32; 2],
+    color: ExtendedColorType,
+) -> io::Result<()> {
+    PngEncoder::new(writer).write_image(bytes, width, height, color).map_err(|error| match error {
+        ImageError::IoError(error) => error,
+        other => io::Error::other(other),
+    })
 }
 
 /// The nearest of 256 levels to a value of 0 to 1; what lies outside is clamped, and NaN is 0.
@@ -194,6 +219,25 @@ pub fn bands(
         }
         Ok(batch)
     })
+}
+
+/// Calls `visit(tile, at, place)` for each pixel of a batch's tiles that lies in an image: the tile's index, the pixel's
+/// in the tile and its in the image, row by row.
+fn visible_pixels(
+    batch: &TileBatch,
+    [width, height]: [u32; 2],
+    mut visit: impl FnMut(usize, usize, usize),
+) {
+    let side = batch.side as usize;
+    for (index, tile) in batch.tiles.iter().enumerate() {
+        let [left, top] = tile.origin.map(i64::from);
+        for y in visible(top, side, height) {
+            for x in visible(left, side, width) {
+                let at = (y - top) as usize * side + (x - left) as usize;
+                visit(index, at, y as usize * width as usize + x as usize);
+            }
+        }
+    }
 }
 
 /// The coordinates inside an image of `size` pixels that a tile covers.

@@ -70,7 +70,9 @@ pub use organza_device::{
 };
 #[doc(hidden)]
 pub use render::Stages;
-pub use render::{DeviceScene, Inspection, RenderReport, RenderedTiles, Renderer, UploadOptions};
+pub use render::{
+    Channel, DeviceScene, Inspection, RenderReport, RenderedTiles, Renderer, UploadOptions,
+};
 pub use scene::{Gradient, Scene};
 pub use tile::{Tile, TileBatch};
 pub use train::{TrainConfig, Trainer};

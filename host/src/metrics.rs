@@ -1,8 +1,9 @@
-//! How close an image is to a photograph: PSNR and SSIM, in f64, as papers of the field state them.
+//! How close an image is to a photograph: PSNR and SSIM, in f64, as papers of the field state them; and [LPIPS](lpips).
 //!
-//! Both take RGB pixels row by row with colors in 0 to 1.  A mask says which pixels the photograph has; without one all
+//! All take RGB pixels row by row with colors in 0 to 1.  A mask says which pixels the photograph has; without one all
 //! count.
 
+pub mod lpips;
 #[cfg(test)]
 mod tests;
 

@@ -11,6 +11,7 @@
 
 pub mod adam;
 pub mod camera;
+pub mod channels;
 pub mod color;
 pub mod color_backward;
 pub mod composite;

@@ -1,5 +1,6 @@
 //! The kernels together: what scenes give, on every device.
 
+mod channels;
 mod edges;
 mod extremes;
 mod failures;

@@ -256,3 +256,86 @@ fn help_has_examples() {
         assert!(help.contains("Examples:\n  organza "), "{help}");
     }
 }
+
+/// The levels of a 16-bit PNG.
+fn levels(sandbox: &Sandbox, name: &str) -> (image::ColorType, Vec<u16>) {
+    let image = image::open(sandbox.path(name)).unwrap();
+    let levels = match &image {
+        image::DynamicImage::ImageLuma16(image) => image.as_raw().clone(),
+        image::DynamicImage::ImageRgb16(image) => image.as_raw().clone(),
+        other => panic!("{name} is {:?}", other.color()),
+    };
+    (image.color(), levels)
+}
+
+#[test]
+fn channels_are_written_beside_the_color() {
+    let sandbox = Sandbox::new("basic");
+    let case = Case::load(&cases::folder().join("basic"));
+    let [width, height] = [case.cameras[0].width, case.cameras[0].height].map(|n| n as usize);
+    let tiles = serde_json::to_vec(
+        &json!({"side": width.max(height), "tiles": [{"camera": 0, "origin": [0, 0]}]}),
+    );
+    fs::write(sandbox.path("view.json"), tiles.unwrap()).unwrap();
+    let all = "depth,alpha,visibility,normal";
+    let words = "tiles scene.safetensors cameras.json view.json --backend cpu -o view.safetensors";
+    sandbox.run(&format!("{words} --channels {all}")).assert_ok();
+    let tensors = read_tensors(sandbox.path("view.safetensors")).unwrap();
+    assert_eq!(
+        tensors.keys().collect::<Vec<_>>(),
+        ["alpha", "depth", "normal", "tiles", "visibility"]
+    );
+
+    sandbox.run(&format!("{RENDER} -o plain --views 0")).assert_ok();
+    let words = format!("{RENDER} -o images --views 0 --channels {all}");
+    sandbox.run(&format!("{words} --depth-scale 100")).assert_ok();
+    sandbox.run(&format!("{words} --format exr")).assert_ok();
+    let color = fs::read_dir(sandbox.path("plain")).unwrap().next().unwrap().unwrap().path();
+    let stem = color.file_stem().unwrap().to_str().unwrap();
+    let same = fs::read(sandbox.path(&format!("images/{stem}.png"))).unwrap();
+    assert!(fs::read(&color).unwrap() == same, "channels change the color");
+    for (name, planes, to_unit) in [
+        ("depth", 1, (|v| v * 100.0 / 65_535.0) as fn(f32) -> f32),
+        ("alpha", 1, |v| v),
+        ("visibility", 1, |v| v),
+        ("normal", 3, |v| 0.5 * v + 0.5),
+    ] {
+        let tensor = &tensors[name];
+        let side = tensor.shape[2];
+        assert_eq!(tensor.shape, [1, planes, side, side], "{name}");
+        let value = |x, y, plane| tensor.data[(plane * side + y) * side + x];
+        let (kind, found) = levels(&sandbox, &format!("images/{stem}.{name}.png"));
+        assert_eq!(kind.channel_count() as usize, planes);
+        let floats = exr::prelude::read_all_flat_layers_from_file(
+            sandbox.path(&format!("images/{stem}.{name}.exr")),
+        );
+        let layer = &floats.unwrap().layer_data[0];
+        let mut names: Vec<_> =
+            layer.channel_data.list.iter().map(|c| c.name.to_string()).collect();
+        names.sort_by_key(|name| "YRGB".find(name.as_str()));
+        assert_eq!(names.concat(), if planes == 3 { "RGB" } else { "Y" });
+        for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+            for plane in 0..planes {
+                let level = found[(y * width + x) * planes + plane];
+                let expected = to_unit(value(x, y, plane)).clamp(0.0, 1.0) * 65_535.0;
+                assert!(
+                    (f32::from(level) - expected).abs() <= 0.6,
+                    "{name} at {x}, {y}: {level} for {expected}"
+                );
+                let channel =
+                    layer.channel_data.list.iter().find(|c| c.name.to_string() == names[plane]);
+                let exact =
+                    channel.unwrap().sample_data.value_by_flat_index(y * width + x).to_f32();
+                assert_eq!(exact, value(x, y, plane), "{name} at {x}, {y}");
+            }
+        }
+    }
+    let deep = sandbox.run(&format!("{words} --channels depth --depth-scale 1e6")).assert_ok();
+    assert!(deep.stderr.contains("deeper than a PNG holds"), "{deep:?}");
+    sandbox.assert_refuses(&format!("{RENDER} -o images --channels color"), &["color", "depth"]);
+    sandbox.assert_refuses(&format!("{RENDER} -o images --format exr"), &["--channels"]);
+    sandbox.assert_refuses(
+        &format!("{RENDER} -o images --channels depth --depth-scale 0"),
+        &["above 0"],
+    );
+}

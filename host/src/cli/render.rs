@@ -2,17 +2,19 @@
 
 use std::path::{Path, PathBuf};
 
+use organza::image::{ChannelFormat, ChannelImage};
 use organza::tile::MAX_TILE_SIDE;
-use organza::{Image, Result};
+use organza::{Channel, Image, Result};
 use serde::Serialize;
 
+use super::channels::{ChannelArgs, FormatArgs};
 use super::console::{Console, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::output::{self, Folder};
 use super::picture::{Picture, Pictures, sizes, warn_not_finite};
 use super::refuse;
-use super::summary::{Cost, Summary, count};
+use super::summary::{Cost, Summary, count, grouped};
 use super::views::{ViewList, names, warn_distorted};
 use super::written::Written;
 
@@ -20,6 +22,7 @@ const EXAMPLES: &str = "\
 Examples:
   organza render scene.safetensors transforms.json -o images
   organza render scene.safetensors transforms.json -o images --views 0-3,8 --tile-size 128
+  organza render scene.safetensors transforms.json -o images --channels depth,normal --format exr
   organza render run -o images                             the views that the run was trained on
   organza render run -o images --split held-out            those that it did not see
   organza render scene.safetensors data/fox -o images --split all --downscale 2
@@ -31,7 +34,12 @@ If each camera names a photograph of its own, files are named after these; other
 view's index. The tile size does not change the image.
 
 The folder also gets .organza-files.json, a list of the images with their hashes. The next call removes those that \
-were made from another scene or other cameras, unless you have changed them. It removes nothing else.";
+were made from another scene or other cameras, unless you have changed them. It removes nothing else.
+
+A channel is written beside the image, as NAME.depth.png. Every channel is 0 where no Gaussian \
+covers a pixel. In a PNG, depth is in thousandths of a world unit unless `--depth-scale` says \
+otherwise, alpha and visibility go from 0 to 1, and each part of a normal from -1 to 1. In an EXR \
+file, the values are as they are.";
 
 /// Render whole views as PNG images
 #[derive(Debug, clap::Args)]
@@ -57,6 +65,10 @@ pub struct Args {
     #[command(flatten)]
     data: DataArgs,
     #[command(flatten)]
+    channels: ChannelArgs,
+    #[command(flatten)]
+    format: FormatArgs,
+    #[command(flatten)]
     scene_args: SceneArgs,
     #[command(flatten)]
     device: DeviceArgs,
@@ -72,32 +84,40 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         None => (0..list.len()).collect(),
     };
     warn_distorted(console, list, &views);
+    let (channels, format) = (args.channels.list(), args.format.format());
     for &view in &views {
         Image::check_memory(list[view].width, list[view].height)?;
+        ChannelImage::check_memory(&channels, list[view].width, list[view].height)?;
     }
     let scene = source.load(console)?;
     let folder = Folder::make(&args.output)?;
-    let files = files(&folder, &source, &cameras, &views)?;
+    let beside = |channel: &Channel| format!("{}.{}", channel.name(), format.extension());
+    let endings: Vec<_> =
+        std::iter::once("png".to_owned()).chain(channels.iter().map(beside)).collect();
+    let files = files(&folder, &source, &cameras, &views, &endings)?;
 
     let renderer = args.device.open(console)?;
     let scene = args.scene_args.upload(&renderer, &scene)?;
     let (renderer, tile_size) = (&renderer, args.tile_size);
     let pictures = Pictures { renderer, scene: &scene, cameras: list, tile_size };
     let mut written = Written::open(&folder, source.file(), &cameras.all)?;
-    let cost = write_all(&pictures, &views, &files, &mut written, console)?;
+    let output = (&channels[..], format);
+    let cost = write_all(&pictures, &views, &files, output, &mut written, console)?;
     let removed = written.finish(console)?;
-    console.note(&match files.as_slice() {
+    console.note(&match files.concat().as_slice() {
         [first, .., last] => format!(
             "wrote {} to {}: {} to {}",
-            count(files.len() as u64, "image"),
+            count((files.len() * endings.len()) as u64, "image"),
             args.output.display(),
             name(first),
             name(last)
         ),
-        _ => format!("wrote {}", files[0].display()),
+        only => format!("wrote {}", only[0].display()),
     });
     if args.json {
-        let image = |(&view, file): (&usize, &PathBuf)| Picture::new(view, file, &list[view]);
+        let image = |(&view, files): (&usize, &Vec<PathBuf>)| {
+            Picture::new(view, &files[0], &list[view]).with_channels(&channels, &files[1..])
+        };
         let images = views.iter().zip(&files).map(image).collect();
         return print_json(&Rendered { folder: &args.output, images, removed, cost });
     }
@@ -118,38 +138,53 @@ struct Rendered<'a> {
 fn write_all(
     pictures: &Pictures<'_>,
     views: &[usize],
-    files: &[PathBuf],
+    files: &[Vec<PathBuf>],
+    (channels, format): (&[Channel], ChannelFormat),
     written: &mut Written,
     console: Console,
 ) -> Result<Cost> {
     let mut summary = Summary::start();
-    let mut not_finite = 0;
+    let (mut not_finite, mut clipped) = (0, 0);
     {
         let progress = console.progress(pictures.tiles(views), "tiles");
-        for (&view, path) in views.iter().zip(files) {
-            progress.say(&name(path));
-            let image = pictures.render(view, &mut summary, &progress)?;
-            image.save_png(path)?;
-            written.add(path)?;
+        for (&view, paths) in views.iter().zip(files) {
+            progress.say(&name(&paths[0]));
+            let (image, beside) =
+                pictures.render_channels(view, channels, &mut summary, &progress)?;
+            image.save_png(&paths[0])?;
+            written.add(&paths[0])?;
             not_finite += image.not_finite();
+            for (image, path) in beside.iter().zip(&paths[1..]) {
+                image.save(path, format)?;
+                written.add(path)?;
+                clipped += image.clipped(format);
+            }
         }
     }
     let (number, size) = (count(views.len() as u64, "image"), sizes(pictures.cameras, views));
     console.note(&summary.line(&format!("{number} of {size}")));
     warn_not_finite(console, not_finite);
+    if clipped > 0 {
+        let clipped = grouped(clipped);
+        console.warn(&format!(
+            "deeper than a PNG holds: {clipped} pixels; use a smaller `--depth-scale`, or \
+             `--format exr`"
+        ));
+    }
     Ok(summary.cost(pictures.renderer, not_finite))
 }
 
-/// The files to write, none of which may be what the scene was made from.
+/// The files to write for each view, one for each ending; none may be what the scene was made from.
 fn files(
     folder: &Folder,
     scene: &SceneSource,
     cameras: &Cameras,
     views: &[usize],
-) -> Result<Vec<PathBuf>> {
+    endings: &[String],
+) -> Result<Vec<Vec<PathBuf>>> {
     let names = names(&cameras.list);
-    let path = |&view: &usize| {
-        let path = folder.join(&format!("{}.png", names[view]));
+    let path = |view: usize, ending: &str| {
+        let path = folder.join(&format!("{}.{ending}", names[view]));
         output::check_file(&path, &[scene.file(), &cameras.origin])?;
         if cameras.is_photograph(&path) {
             let (path, origin) = (path.display(), cameras.origin.display());
@@ -159,7 +194,8 @@ fn files(
         }
         Ok(path)
     };
-    views.iter().map(path).collect()
+    let paths = |&view: &usize| endings.iter().map(|ending| path(view, ending)).collect();
+    views.iter().map(paths).collect()
 }
 
 fn name(path: &Path) -> String {

@@ -15,12 +15,12 @@ pub struct Table {
 
 impl Table {
     /// A table whose first `words` columns are words.
-    pub fn new<const N: usize>(words: usize, titles: [&str; N]) -> Self {
-        Self { words, rows: vec![titles.map(str::to_owned).to_vec()] }
+    pub fn new<'a>(words: usize, titles: impl IntoIterator<Item = &'a str>) -> Self {
+        Self { words, rows: vec![titles.into_iter().map(str::to_owned).collect()] }
     }
 
-    pub fn row<const N: usize>(&mut self, cells: [String; N]) {
-        self.rows.push(cells.to_vec());
+    pub fn row(&mut self, cells: impl IntoIterator<Item = String>) {
+        self.rows.push(cells.into_iter().collect());
     }
 }
 

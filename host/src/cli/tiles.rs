@@ -3,10 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use organza::scene::{TensorRef, read_tensors, write_tensors};
-use organza::{Camera, DeviceScene, Error, Renderer, Result, TileBatch};
+use organza::{Camera, Channel, DeviceScene, Error, Renderer, Result, Scene, TileBatch};
 use organza_device::memory;
 use serde::Serialize;
 
+use super::channels::ChannelArgs;
 use super::console::{Console, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, Expected, SceneSource, told_apart};
@@ -19,6 +20,7 @@ Examples:
   organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors
   organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors --backend cpu
   organza tiles run tiles.json -o rendered.safetensors     cameras of what the run was trained on
+  organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors --channels depth,alpha
   organza tiles scene.safetensors cameras.json tiles.json --grad-output G.safetensors --grad gradient.safetensors
 
 A data set in the place of CAMERAS gives its cameras as training has them; a tile's camera counts \
@@ -26,7 +28,8 @@ within `--split`.
 
 TILES holds {\"side\": 64, \"tiles\": [{\"camera\": 0, \"origin\": [128, 96]}, ...]}: a tile's \
 origin is the column and the row of its upper left pixel. OUT holds `tiles`, F32 [K, 3, S, S]: \
-tile, RGB, row, column. G holds `grad_output`, the gradient of a loss with respect to `tiles`, \
+tile, RGB, row, column; and each of the `--channels` under its name, [K, 1, S, S], or \
+[K, 3, S, S] of a normal. G holds `grad_output`, the gradient of a loss with respect to `tiles`, \
 in the same shape. gradient.safetensors then gets the gradient of the loss with respect to every \
 tensor of the scene, `grad.<tensor>`.";
 
@@ -55,6 +58,8 @@ pub struct Args {
     #[command(flatten)]
     data: DataArgs,
     #[command(flatten)]
+    channels: ChannelArgs,
+    #[command(flatten)]
     scene_args: SceneArgs,
     #[command(flatten)]
     device: DeviceArgs,
@@ -71,6 +76,10 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     if args.output.is_some() && args.output == args.grad {
         return refuse("`--output` and `--grad` name the same file");
     }
+    let channels = args.channels.list();
+    if args.output.is_none() && !channels.is_empty() {
+        return refuse("`--channels` are written to the output; name one with `-o OUT`");
+    }
     // The large file comes last: most mistakes are in the small ones.
     let batch = load_batch(&args.tiles)?;
     let usage = "organza tiles SCENE CAMERAS TILES";
@@ -82,16 +91,17 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     warn_distorted(console, &cameras, &views);
     let grad_output = args.grad_output.as_deref().map(|path| read_grad_output(path, &batch));
     let grad_output = grad_output.transpose()?;
-    memory::check(
-        4 * batch.output_shape().iter().map(|&n| n as u64).product::<u64>(),
-        "the output",
-    )?;
+    let planes = 3 + channels.iter().map(|c| c.planes()).sum::<usize>();
+    let [tiles, _, side, _] = batch.output_shape().map(|n| n as u64);
+    memory::check(4 * tiles * planes as u64 * side * side, "the output")?;
     let scene = source.load(console)?;
 
     let renderer = args.device.open(console)?;
     let scene = args.scene_args.upload(&renderer, &scene)?;
     let cost = match &args.output {
-        Some(output) => Some(write_tiles(console, &renderer, &scene, &cameras, &batch, output)?),
+        Some(output) => {
+            Some(write_tiles(console, &renderer, &scene, &cameras, &batch, &channels, output)?)
+        }
         None => None,
     };
     if let (Some(values), Some(output)) = (grad_output, &args.grad) {
@@ -142,6 +152,7 @@ fn write_tiles(
     scene: &DeviceScene,
     cameras: &[Camera],
     batch: &TileBatch,
+    channels: &[Channel],
     output: &Path,
 ) -> Result<Cost> {
     let mut summary = Summary::start();
@@ -149,7 +160,7 @@ fn write_tiles(
         let progress = console.progress(batch.tiles.len() as u64, "tiles");
         progress.say("rendering");
         let mut advance = |done, total| progress.set_of(done, total);
-        renderer.render_with_progress(scene, cameras, batch, &mut advance)?
+        renderer.render_channels(scene, cameras, batch, channels, &mut advance)?
     };
     summary.add(&tiles.report);
     let (number, side) = (count(tiles.count as u64, "tile"), tiles.side);
@@ -160,10 +171,18 @@ fn write_tiles(
         console.warn(&format!("{found} of {all} are NaN or infinite; check the networks' weights"));
     }
 
-    let shape = batch.output_shape();
-    let tensor = TensorRef { name: "tiles", shape: &shape, data: &tiles.data };
-    write_tensors(output, &[tensor], &[])?;
-    console.note(&format!("wrote {}: tiles {shape:?}", output.display()));
+    let shape = |planes| {
+        let [tiles, _, rows, columns] = batch.output_shape();
+        [tiles, planes, rows, columns]
+    };
+    let mut named = vec![("tiles", shape(3), &tiles.data)];
+    named.extend(tiles.channels.iter().map(|(c, values)| (c.name(), shape(c.planes()), values)));
+    let tensors: Vec<_> =
+        named.iter().map(|(name, shape, data)| TensorRef { name, shape, data }).collect();
+    write_tensors(output, &tensors, &[])?;
+    let written: Vec<_> =
+        named.iter().map(|(name, shape, _)| format!("{name} {shape:?}")).collect();
+    console.note(&format!("wrote {}: {}", output.display(), written.join(", ")));
     Ok(summary.cost(renderer, not_finite as u64))
 }
 

@@ -28,11 +28,13 @@ Examples:
   organza train data/fox -o quick --preset fast
   organza train data/fox -o other --config run/config.toml --seed 1
   organza train data/fox -o small --set scene.color_mlp.hidden=16,16 --set growth.method=none
+  organza train -o run --tensorboard                   then: tensorboard --logdir run
   organza train --preset best --print-config > mine.toml
   organza eval run
 
 RUN gets config.toml (all settings; --config reads them back), metrics.jsonl (the log), \
-checkpoint.safetensors (a scene that every other command accepts) and report.html.";
+checkpoint.safetensors (a scene that every other command accepts), evaluations.csv (the scores of \
+each held-out view) and report.html.";
 
 /// The examples, and what `--set` can set.
 fn long_help() -> String {
@@ -134,6 +136,9 @@ pub struct SettingsArgs {
     #[arg(long, value_name = "M", conflicts_with = "steps")]
     #[arg(value_parser = minutes)]
     minutes: Option<f64>,
+    /// Also write the log as a TensorBoard event file, in the folder RUN/tensorboard
+    #[arg(long)]
+    tensorboard: bool,
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
@@ -342,6 +347,7 @@ impl SettingsArgs {
         set(&mut config.data.hold_out_every, &self.hold_out_every);
         set(&mut config.data.background, &self.background);
         config.data.allow_outside |= self.allow_outside;
+        config.run.tensorboard |= self.tensorboard;
         other(&mut config);
         // options are held to what files are held to
         TrainConfig::parse(&config.to_toml(), Path::new(""))

@@ -74,17 +74,19 @@ fn sizes_must_agree() {
 
 #[test]
 fn what_has_no_value_is_left_out_of_the_mean_and_null_in_json() {
-    let view =
-        |name: &str, psnr, ssim| ViewScore { name: name.into(), score: Score { psnr, ssim } };
+    let view = |name: &str, psnr, ssim| ViewScore {
+        name: name.into(),
+        score: Score { psnr, ssim, lpips: None },
+    };
     let views =
         vec![view("a", Some(20.0), None), view("b", None, None), view("c", Some(30.0), None)];
     let evaluation = Evaluation { mean: mean(&views), views, not_finite: 3 };
-    assert_eq!(evaluation.mean, Score { psnr: Some(25.0), ssim: None });
+    assert_eq!(evaluation.mean, Score { psnr: Some(25.0), ..Score::default() });
     let json = serde_json::to_string(&evaluation).unwrap();
     let start =
         r#"{"mean":{"psnr":25.0,"ssim":null},"views":[{"name":"a","psnr":20.0,"ssim":null},"#;
     assert!(json.starts_with(start), "{json}");
-    let infinite = Score { psnr: Some(f64::INFINITY), ssim: Some(1.0) };
+    let infinite = Score { psnr: Some(f64::INFINITY), ssim: Some(1.0), lpips: None };
     assert_eq!(serde_json::to_string(&infinite).unwrap(), r#"{"psnr":null,"ssim":1.0}"#);
     assert_eq!(mean(&[]), Score::default());
 }

@@ -1,3 +1,5 @@
+use std::collections::BTreeMap;
+
 use super::*;
 use crate::render::RenderReport;
 use crate::tile::Tile;
@@ -16,7 +18,13 @@ fn rendered(batch: &TileBatch, value: impl Fn(i32, i32, usize) -> f32) -> Render
         }
     }
     let report = RenderReport::default();
-    RenderedTiles { side: batch.side, count: batch.tiles.len(), data, report }
+    RenderedTiles {
+        side: batch.side,
+        count: batch.tiles.len(),
+        data,
+        channels: BTreeMap::new(),
+        report,
+    }
 }
 
 fn gradient(x: i32, y: i32, channel: usize) -> f32 {

@@ -5,6 +5,7 @@
 //! one fails a test.
 
 pub mod adam;
+pub mod channels;
 pub mod color;
 pub mod color_backward;
 pub mod composite;
@@ -61,6 +62,7 @@ pub fn cases() -> Vec<Case> {
         Case::of::<transmittance::TransmittanceInputs>(),
         Case::of::<transmittance::TransmittanceHead>(),
         Case::of::<transmittance::SegmentProduct>(),
+        Case::of::<channels::PairChannels>(),
         Case::of::<splat::Splat>(),
         Case::of::<tile_cells::TileCells>(),
         Case::of::<composite::Composite>(),

@@ -37,48 +37,9 @@ impl Composite {
         transmittance: &Buffer<f32>,
         color: &Buffer<f32>,
     ) -> Result<Self> {
-        let pairs = &bins.pairs;
-        let capacity = pairs.count.at_most();
-        let splat = device.zeros("splats", (capacity * VECTORS) as usize)?;
-        let kernel = SplatKernel {
-            params: SplatParams { pairs: capacity, gaussians: scene.gaussians },
-            pair: &pairs.pair,
-            projection: &pairs.projection,
-            opacity: &scene.tensors.gaussians.opacity,
-            transmittance,
-            color,
-            splat: &splat,
-        };
-        device.run(&kernel.counted(&pairs.count), capacity, 1)?;
-
-        let (tiles, members) = (bins.tiles, bins.members.at_most());
-        let cells = device.zeros("cells", members as usize)?;
-        let kernel = TileCellsKernel {
-            params: TileCellsParams { members, tiles, side },
-            tile: &bins.tile,
-            tile_first: &bins.tile_first,
-            member: &bins.member,
-            splat: &splat,
-            cells: &cells,
-        };
-        device.run(&kernel.counted(&bins.members), members, 1)?;
-
-        let pixels = tiles as usize * (side * side) as usize;
-        let sum = device.zeros("sums", pixels * SUM_PLANES as usize)?;
-        for pass in 0..bins.largest.div_ceil(MAX_MEMBERS) {
-            let kernel = CompositeKernel {
-                params: CompositeParams { side, skip: pass * MAX_MEMBERS },
-                tile: &bins.tile,
-                tile_first: &bins.tile_first,
-                member: &bins.member,
-                cells: &cells,
-                splat: &splat,
-                sum: &sum,
-            };
-            device.run_over(&kernel, [side, side, tiles])?;
-        }
-
-        let image = device.zeros("tiles", pixels * 3)?;
+        let (sum, splat) = weighted_sum(device, scene, side, bins, transmittance, color)?;
+        let tiles = bins.tiles;
+        let image = device.zeros("tiles", tiles as usize * (3 * side * side) as usize)?;
         let kernel = ResolveKernel {
             params: resolve_params(scene, side),
             tile: &bins.tile,
@@ -172,6 +133,59 @@ impl Composite {
         }
         Ok(member_gradient)
     }
+}
+
+/// The sums of Eq. 12, `[tiles, 4, S, S]`, of any three values of each pair, `color [pairs, 3]`; and the splats that they
+/// are the sums of.
+pub fn weighted_sum(
+    device: &Device,
+    scene: &DeviceScene,
+    side: u32,
+    bins: &Bins,
+    transmittance: &Buffer<f32>,
+    color: &Buffer<f32>,
+) -> Result<(Buffer<f32>, Buffer<Vec4>)> {
+    let pairs = &bins.pairs;
+    let capacity = pairs.count.at_most();
+    let splat = device.zeros("splats", (capacity * VECTORS) as usize)?;
+    let kernel = SplatKernel {
+        params: SplatParams { pairs: capacity, gaussians: scene.gaussians },
+        pair: &pairs.pair,
+        projection: &pairs.projection,
+        opacity: &scene.tensors.gaussians.opacity,
+        transmittance,
+        color,
+        splat: &splat,
+    };
+    device.run(&kernel.counted(&pairs.count), capacity, 1)?;
+
+    let (tiles, members) = (bins.tiles, bins.members.at_most());
+    let cells = device.zeros("cells", members as usize)?;
+    let kernel = TileCellsKernel {
+        params: TileCellsParams { members, tiles, side },
+        tile: &bins.tile,
+        tile_first: &bins.tile_first,
+        member: &bins.member,
+        splat: &splat,
+        cells: &cells,
+    };
+    device.run(&kernel.counted(&bins.members), members, 1)?;
+
+    let pixels = tiles as usize * (side * side) as usize;
+    let sum = device.zeros("sums", pixels * SUM_PLANES as usize)?;
+    for pass in 0..bins.largest.div_ceil(MAX_MEMBERS) {
+        let kernel = CompositeKernel {
+            params: CompositeParams { side, skip: pass * MAX_MEMBERS },
+            tile: &bins.tile,
+            tile_first: &bins.tile_first,
+            member: &bins.member,
+            cells: &cells,
+            splat: &splat,
+            sum: &sum,
+        };
+        device.run_over(&kernel, [side, side, tiles])?;
+    }
+    Ok((sum, splat))
 }
 
 fn resolve_params(scene: &DeviceScene, side: u32) -> ResolveParams {

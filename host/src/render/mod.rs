@@ -4,6 +4,7 @@ mod backward;
 mod bin;
 mod block;
 mod capacity;
+mod channels;
 mod color;
 mod composite;
 mod dense_half;
@@ -35,6 +36,7 @@ mod transmittance;
 mod upload;
 
 pub use backward::LossTarget;
+pub use channels::Channel;
 pub(crate) use dense_half::half_vectors;
 pub use gradient::{SceneGradient, TensorGradient};
 pub(crate) use hash_grid_half::pack_halves;

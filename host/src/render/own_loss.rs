@@ -13,6 +13,7 @@ use crate::camera::Camera;
 use crate::error::{Error, Result};
 use crate::tile::TileBatch;
 use organza_device::{Buffer, Device};
+use std::collections::BTreeMap;
 
 /// The tiles of a step, and what they should look like: the argument of a loss on the host.
 #[derive(Clone, Copy, Debug)]
@@ -172,7 +173,13 @@ fn in_order(batch: &TileBatch, plan: &Plan, pixels: &[f32]) -> RenderedTiles {
         data[tile.place * len..][..len].copy_from_slice(pixels);
     }
     let report = RenderReport { parts: 1, ..RenderReport::default() };
-    RenderedTiles { side: batch.side, count: batch.tiles.len(), data, report }
+    RenderedTiles {
+        side: batch.side,
+        count: batch.tiles.len(),
+        data,
+        channels: BTreeMap::new(),
+        report,
+    }
 }
 
 fn host_loss(

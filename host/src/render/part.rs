@@ -1,6 +1,7 @@
 //! Renders one part of a batch, stage by stage.
 
 use super::bin::Bins;
+use super::channels::{Channel, ChannelSums};
 use super::color::Color;
 use super::composite::Composite;
 use super::part_counts::{Capacity, Needed};
@@ -68,22 +69,36 @@ impl Part {
     }
 }
 
-/// The pixels of a part, `[tiles, 3, S, S]`, its report, and the capacity that it needed. `capacity` is as for
-/// [`Part::evaluate`].
+/// What rendering a part gives.
+#[derive(Debug)]
+pub struct RenderedPart {
+    /// `[tiles, 3, S, S]`
+    pub pixels: Vec<f32>,
+    /// `[tiles, planes, S, S]` of each channel that was asked for, in their order.
+    pub channels: Vec<Vec<f32>>,
+    pub report: RenderReport,
+}
+
+/// Renders a part, and finds the capacity that it needed. `capacity` is as for [`Part::evaluate`].
 pub fn render(
     device: &Device,
     scene: &DeviceScene,
     cameras: &[Camera],
     plan: &Plan,
+    channels: &[Channel],
     capacity: Option<Capacity>,
-) -> Result<((Vec<f32>, RenderReport), Needed)> {
+) -> Result<(RenderedPart, Needed)> {
     let part = Part::evaluate(device, scene, cameras, plan, false, capacity)?;
-    let buffers = vec![part.composite.image.view(), part.bins.degenerate.view()];
-    let (values, needed) = part.read(device, buffers)?;
+    let sums = ChannelSums::new(device, scene, plan.side, &part, channels)?;
+    let mut buffers = vec![part.composite.image.view(), part.bins.degenerate.view()];
+    buffers.extend(sums.buffers());
+    let (mut values, needed) = part.read(device, buffers)?;
+    let sums = sums.resolve(&values.split_off(2), plan.side, channels);
     let mut report =
         RenderReport { parts: 1, degenerate: u64::from(values[1][0]), ..RenderReport::default() };
     if let Needed::Capacity(Capacity { pairs, members, samples }) = needed {
         [report.pairs, report.members, report.samples] = [pairs, members, samples].map(u64::from);
     }
-    Ok(((bytemuck::pod_collect_to_vec(&values[0]), report), needed))
+    let pixels = bytemuck::pod_collect_to_vec(&values[0]);
+    Ok((RenderedPart { pixels, channels: sums, report }, needed))
 }

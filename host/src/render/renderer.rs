@@ -1,9 +1,11 @@
 //! Renders batches of tiles, part by part.
 
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::capacity::CapacityPredictor;
+use super::channels::Channel;
 use super::part;
 use super::part_counts::{Capacity, Needed};
 use super::plan::{PART_BYTES, Plan};
@@ -98,20 +100,43 @@ impl Renderer {
         batch: &TileBatch,
         progress: &mut dyn FnMut(usize, usize),
     ) -> Result<RenderedTiles> {
+        self.render_channels(scene, cameras, batch, &[], progress)
+    }
+
+    /// As [`Renderer::render_with_progress`], with [channels](Channel) beside the color.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`].
+    pub fn render_channels(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        batch: &TileBatch,
+        channels: &[Channel],
+        progress: &mut dyn FnMut(usize, usize),
+    ) -> Result<RenderedTiles> {
         batch.validate(cameras)?;
-        let area = 3 * (batch.side * batch.side) as usize;
-        let mut data = memory::zeros(batch.tiles.len() * area, "the rendered batch")?;
+        let area = (batch.side * batch.side) as usize;
+        let len = |planes: usize| batch.tiles.len() * planes * area;
+        let mut data = memory::zeros(len(3), "the rendered batch")?;
+        let mut beside = BTreeMap::new();
+        for &channel in channels {
+            beside.insert(channel, memory::zeros(len(channel.planes()), channel.name())?);
+        }
         let (mut report, mut done) = (RenderReport::default(), 0);
         let mut plans = self.plans(scene, batch)?;
         while let Some(plan) = plans.pop() {
             let device = &*self.device;
-            let render = |capacity| Ok(part::render(device, scene, cameras, &plan, capacity)?);
+            let render =
+                |capacity| Ok(part::render(device, scene, cameras, &plan, channels, capacity)?);
             match device.run_in_pool(|| self.with_predicted_capacity(scene, &plan, render)) {
-                Ok((pixels, part)) => {
-                    for (place, tile) in pixels.chunks_exact(area).zip(&plan.tiles) {
-                        data[tile.place * area..][..area].copy_from_slice(place);
+                Ok(part) => {
+                    place(&plan, &part.pixels, 3 * area, &mut data);
+                    for (channel, values) in channels.iter().zip(&part.channels) {
+                        let all = beside.get_mut(channel).expect("inserted above");
+                        place(&plan, values, channel.planes() * area, all);
                     }
-                    report.add(&part);
+                    report.add(&part.report);
                     done += plan.tiles.len();
                     progress(done, batch.tiles.len());
                 }
@@ -122,7 +147,15 @@ impl Renderer {
                 Err(error) => return Err(error),
             }
         }
-        Ok(RenderedTiles { side: batch.side, count: batch.tiles.len(), data, report })
+        let (side, count) = (batch.side, batch.tiles.len());
+        Ok(RenderedTiles { side, count, data, channels: beside, report })
+    }
+}
+
+/// Copies the values of a part's tiles, `len` each, to their places in the batch.
+fn place(plan: &Plan, values: &[f32], len: usize, batch: &mut [f32]) {
+    for (values, tile) in values.chunks_exact(len).zip(&plan.tiles) {
+        batch[tile.place * len..][..len].copy_from_slice(values);
     }
 }
 

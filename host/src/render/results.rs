@@ -1,5 +1,9 @@
 //! The results of rendering a batch.
 
+use std::collections::BTreeMap;
+
+use super::channels::Channel;
+
 /// A rendered batch, the tensor Y of Eq. 16.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RenderedTiles {
@@ -9,6 +13,8 @@ pub struct RenderedTiles {
     pub count: usize,
     /// `[K, 3, S, S]`: tile, channel (RGB), row, column.
     pub data: Vec<f32>,
+    /// `[K, planes, S, S]` of each channel that was asked for.
+    pub channels: BTreeMap<Channel, Vec<f32>>,
     /// What was done to render it.
     pub report: RenderReport,
 }

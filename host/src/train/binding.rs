@@ -26,13 +26,14 @@ const NOT_SET: &str = "not set";
 
 /// The settings that may change when a run is resumed: how long it is, how large it may become, and how often something
 /// is written.
-pub const CHANGEABLE: [&str; 6] = [
+pub const CHANGEABLE: [&str; 7] = [
     "run.steps",
     "run.plan",
     "growth.max_gaussians",
     "run.evaluate_every",
     "run.checkpoint_every",
     "run.log_every",
+    "run.tensorboard",
 ];
 
 /// A setting that changed when a run was resumed.

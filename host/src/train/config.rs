@@ -109,6 +109,8 @@ pub struct RunConfig {
     pub checkpoint_every: u32,
     /// A line in `metrics.jsonl` every so many steps.
     pub log_every: u32,
+    /// Whether the log is also written as TensorBoard's event file.
+    pub tensorboard: bool,
 }
 
 /// The loss `(1 - w) L1 + w (1 - SSIM)`.
@@ -255,6 +257,7 @@ impl Default for RunConfig {
             evaluate_every: 500,
             checkpoint_every: 250,
             log_every: 10,
+            tensorboard: false,
         }
     }
 }

@@ -15,6 +15,8 @@ pub const CONFIG: &str = "config.toml";
 pub const METRICS: &str = "metrics.jsonl";
 /// `report.html`, one page.
 pub const REPORT: &str = "report.html";
+/// `evaluations.csv`: the scores of each held-out view in each evaluation.
+pub const EVALUATIONS: &str = "evaluations.csv";
 
 /// The locked file; it goes when the training ends.
 const LOCK: &str = ".organza-lock";
@@ -48,7 +50,7 @@ impl RunFolder {
         };
         let folder = Self { path: path.to_owned(), _lock: lock };
         remove_leftovers(path);
-        for name in [CONFIG, CHECKPOINT, BEST, METRICS, REPORT] {
+        for name in [CONFIG, CHECKPOINT, BEST, METRICS, REPORT, EVALUATIONS] {
             // Not through a link: it may lead to a file of somebody else's.
             let Ok(found) = fs::symlink_metadata(path.join(name)) else { continue };
             if !found.is_file() {

@@ -18,13 +18,14 @@ mod session;
 mod space;
 mod start;
 mod sweep;
+mod tensorboard;
 mod trainer;
 
 pub use binding::{Binding, CHANGEABLE, Change, changed_settings_of, settings_of};
 pub use checkpoint::{BEST, CHECKPOINT, Checkpoint, Progress};
 pub use config::{ConfigBuilder, Preset, TrainConfig};
 pub use folder::RunFolder;
-pub use folder::{CONFIG, METRICS, REPORT};
+pub use folder::{CONFIG, EVALUATIONS, METRICS, REPORT};
 pub use growth::Grown;
 pub use hooks::{GradientHook, StepGradient, StepHooks};
 pub use report::PICTURES;

@@ -62,6 +62,7 @@ impl Session<'_> {
         }
         let is_evaluation = |record: &&Record| matches!(record, Record::Evaluation { .. });
         let records = MetricsLog::read(path)?;
+        self.save_scores(&records)?;
         let evaluated = records.iter().rfind(is_evaluation).map(Record::step);
         let psnr = |record: &Record| match record {
             Record::Evaluation { psnr, .. } => *psnr,

@@ -8,15 +8,18 @@ use std::time::Instant;
 use super::binding::{Binding, Change};
 use super::checkpoint::{BEST, CHECKPOINT, Checkpoint, Progress};
 use super::config::TrainConfig;
-use super::folder::{CONFIG, REPORT, RunFolder};
+use super::folder::{CONFIG, EVALUATIONS, METRICS, REPORT, RunFolder};
 use super::hooks::StepHooks;
 use super::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
 use super::plan::{Now, Planner};
 use super::report::{Pictures, Run, write_report};
+use super::tensorboard::{EventLog, MAX_VIEWS};
 use super::trainer::{StepReport, Trainer};
-use crate::data::Dataset;
+use crate::data::{Dataset, Frame};
 use crate::error::Result;
+use crate::evaluate::csv::save_csv;
 use crate::evaluate::{self, Evaluation, evaluate_with};
+use crate::image::Image;
 use crate::render::{DeviceScene, Renderer};
 
 /// A training run in a folder: a [`Trainer`] with a log, checkpoints, evaluations and a report.
@@ -114,6 +117,8 @@ struct State<'a, 'w, 'h> {
     pictures: Pictures,
     /// Whether this session has taken a step: one that has not leaves no record.
     has_begun: bool,
+    /// The log for TensorBoard, if the settings ask for it.
+    events: Option<EventLog>,
     /// The step of the log's last evaluation.
     evaluated: Option<u64>,
     seconds: f64,
@@ -221,6 +226,7 @@ impl<'a> Session<'a> {
         let (log, evaluated, best) = self.open_log(resume, u64::from(progress.step), &changed)?;
         let pictures = Pictures::of_run(self.folder.path());
         pictures.begin(u64::from(progress.step))?;
+        let events = self.open_events(resume, u64::from(progress.step))?;
         let _ = self.renderer.device().take_timings();
         State {
             session: self,
@@ -229,6 +235,7 @@ impl<'a> Session<'a> {
             changes,
             pictures,
             has_begun: false,
+            events,
             evaluated,
             seconds: progress.seconds,
             begin,
@@ -240,6 +247,26 @@ impl<'a> Session<'a> {
             hooks,
         }
         .run()
+    }
+
+    fn open_events(&self, resume: bool, step: u64) -> Result<Option<EventLog>> {
+        let folder = self.folder.path();
+        let open =
+            || if resume { EventLog::resume(folder, step) } else { EventLog::create(folder) };
+        self.config.run.tensorboard.then(open).transpose()
+    }
+
+    /// Writes the scores of all evaluations as a table. Where there are none, it writes only over a table that there is.
+    pub(super) fn save_scores(&self, records: &[Record]) -> Result<()> {
+        let path = self.folder.path().join(EVALUATIONS);
+        let rows = records.iter().flat_map(|record| match record {
+            Record::Evaluation { step, views, .. } => {
+                views.iter().map(|view| (Some(*step), view)).collect()
+            }
+            _ => Vec::new(),
+        });
+        let rows: Vec<_> = rows.collect();
+        if rows.is_empty() && !path.exists() { Ok(()) } else { save_csv(path, &rows) }
     }
 }
 
@@ -363,9 +390,35 @@ impl State<'_, '_, '_> {
                 gaussians: numbers.1,
                 rates: self.rates(),
             })?;
+            if let Some(events) = &mut self.events {
+                log_step(events, step, self.trainer.config(), &report, scene.len())?;
+            }
         }
         let seconds = self.seconds;
         (self.watch)(Event::Step { step, seconds, report: &report, scene });
+        Ok(())
+    }
+
+    /// Writes an evaluation for TensorBoard: scores, and pictures of the first views.
+    fn log_evaluation_events(
+        &mut self,
+        frames: &[&Frame],
+        evaluation: &Evaluation,
+        images: &[Image],
+        is_first: bool,
+    ) -> Result<()> {
+        let Some(events) = &mut self.events else { return Ok(()) };
+        let step = u64::from(self.trainer.steps());
+        let mean = evaluation.mean;
+        let scores = [("psnr", mean.psnr), ("ssim", mean.ssim)];
+        events.scalars(step, scores.map(|(tag, score)| (format!("held_out/{tag}"), score)))?;
+        for (frame, rendered) in frames.iter().zip(images) {
+            events.picture(step, format!("{}/rendered", frame.name), rendered)?;
+            if is_first {
+                let photograph = Image::of_pixels(rendered.size(), frame.image.pixels());
+                events.picture(step, format!("{}/photograph", frame.name), &photograph)?;
+            }
+        }
         Ok(())
     }
 
@@ -397,7 +450,7 @@ impl State<'_, '_, '_> {
         let begin = Instant::now();
         let step = u64::from(self.trainer.steps());
         let (renderer, scene) = (self.session.renderer, self.trainer.scene());
-        let mut parts = Vec::with_capacity(frames.len());
+        let (mut parts, mut images) = (Vec::with_capacity(frames.len()), Vec::new());
         for (index, frame) in frames.iter().enumerate() {
             if self.session.stop.load(Ordering::Relaxed) {
                 return Ok(false);
@@ -406,6 +459,9 @@ impl State<'_, '_, '_> {
             let mut write = |event: evaluate::Event<'_>| {
                 if let evaluate::Event::View { image, .. } = event {
                     written = self.pictures.write(index, step, &frame.image, image);
+                    if self.events.is_some() && index < MAX_VIEWS {
+                        images.push(image.clone());
+                    }
                 }
             };
             parts.push(evaluate_with(renderer, scene, &[frame], &mut write)?);
@@ -419,8 +475,12 @@ impl State<'_, '_, '_> {
             self.best = Some(psnr);
             self.save(BEST)?;
         }
-        if self.evaluated.replace(step) != Some(step) {
+        let before = self.evaluated.replace(step);
+        if before != Some(step) {
             self.log.append(&Record::evaluation(step, self.seconds, &evaluation))?;
+            self.log_evaluation_events(&frames, &evaluation, &images, before.is_none())?;
+            let records = MetricsLog::read(self.session.folder.path().join(METRICS))?;
+            self.session.save_scores(&records)?;
         }
         self.pictures.keep(step);
         (self.watch)(Event::Evaluated(&evaluation));
@@ -453,4 +513,20 @@ impl State<'_, '_, '_> {
         rows.sort_by(|a, b| b.seconds.total_cmp(&a.seconds));
         self.log.append(&Record::Timing { step: u64::from(self.trainer.steps()), rows })
     }
+}
+
+/// Writes a step for TensorBoard. Learning rates are those of the step that is done, as the settings have them.
+fn log_step(
+    events: &mut EventLog,
+    step: u32,
+    config: &TrainConfig,
+    report: &StepReport,
+    gaussians: usize,
+) -> Result<()> {
+    let numbers = [("loss", report.loss), ("psnr", report.psnr), ("gaussians", gaussians as f64)];
+    let numbers = numbers.map(|(tag, value)| (format!("train/{tag}"), Some(value)));
+    let rates = config.optimizer.named_rates().map(|(name, rate)| {
+        (format!("learning_rate/{name}"), Some(rate.at(config.run.share(step - 1))))
+    });
+    events.scalars(u64::from(step), numbers.into_iter().chain(rates))
 }

@@ -11,8 +11,8 @@ use std::{fs, thread};
 use organza::Renderer;
 use organza::train::metrics::Record;
 use organza::train::{
-    self, BEST, CHECKPOINT, CONFIG, Checkpoint, METRICS, PICTURES, REPORT, RunFolder, Session,
-    TrainConfig, built_in,
+    self, BEST, CHECKPOINT, CONFIG, Checkpoint, EVALUATIONS, METRICS, PICTURES, REPORT, RunFolder,
+    Session, TrainConfig, built_in,
 };
 use organza_tests::devices;
 
@@ -174,7 +174,7 @@ fn a_run_that_is_killed_goes_on_to_the_same_bits() {
     let mut names: Vec<_> =
         names.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
     names.sort();
-    assert_eq!(names, [BEST, CHECKPOINT, CONFIG, METRICS, PICTURES, REPORT]);
+    assert_eq!(names, [BEST, CHECKPOINT, CONFIG, EVALUATIONS, METRICS, PICTURES, REPORT]);
 }
 
 /// What was planned after the checkpoint does not keep a run from going on from it.
@@ -216,7 +216,7 @@ fn a_run_that_is_done_stays_as_it_is() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} run --steps 12")).assert_ok();
     let read = |name: &str| fs::read(sandbox.path("run").join(name)).unwrap();
-    let names = [BEST, CHECKPOINT, CONFIG, METRICS, REPORT];
+    let names = [BEST, CHECKPOINT, CONFIG, EVALUATIONS, METRICS, REPORT];
     let before = names.map(read);
     sandbox.run("train --resume run --backend cpu").assert_ok();
     for (name, before) in names.into_iter().zip(before) {

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::Command;
 
 use organza::train::{
-    BEST, CHECKPOINT, CONFIG, Checkpoint, METRICS, PICTURES, REPORT, TrainConfig,
+    BEST, CHECKPOINT, CONFIG, Checkpoint, EVALUATIONS, METRICS, PICTURES, REPORT, TrainConfig,
 };
 
 use super::runs::{Bits, assert_same, bits, photographs, records, sandbox};
@@ -84,7 +84,7 @@ fn assert_goes_on(sandbox: &Sandbox, what: &str, expected: &Bits) {
     let mut names: Vec<_> =
         names.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
     names.sort();
-    assert_eq!(names, [BEST, CHECKPOINT, CONFIG, METRICS, PICTURES, REPORT], "{what}");
+    assert_eq!(names, [BEST, CHECKPOINT, CONFIG, EVALUATIONS, METRICS, PICTURES, REPORT], "{what}");
     fs::remove_dir_all(folder).unwrap();
 }
 

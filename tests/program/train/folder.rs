@@ -170,6 +170,7 @@ fn what_a_kill_left_before_the_first_step_is_removed() {
         "checkpoint.best.safetensors",
         "checkpoint.safetensors",
         "config.toml",
+        "evaluations.csv",
         "metrics.jsonl",
         "pictures",
         "report.html",
@@ -185,7 +186,14 @@ fn pipes_and_links_in_the_place_of_a_runs_files_are_refused() {
     sandbox.run(&format!("{TINY} run --steps 2")).assert_ok();
     fs::create_dir(sandbox.path("new")).unwrap();
     fs::write(sandbox.path("precious"), "precious").unwrap();
-    for name in ["metrics.jsonl", "report.html", "config.toml", "checkpoint.safetensors"] {
+    let files = [
+        "metrics.jsonl",
+        "report.html",
+        "config.toml",
+        "checkpoint.safetensors",
+        "evaluations.csv",
+    ];
+    for name in files {
         for make in ["mkfifo", "ln -s ../precious", "mkdir"] {
             let script = format!("rm -r new; mkdir new; {make} new/{name}");
             sandbox.shell(&script).assert_ok();

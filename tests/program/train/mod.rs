@@ -19,4 +19,5 @@ mod results;
 pub mod runs;
 mod settings;
 mod signals;
+mod tables;
 mod waits;

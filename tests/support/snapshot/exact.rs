@@ -57,21 +57,29 @@ pub fn transmittance(scene: &Scene, camera: &Camera, gaussian: usize) -> (u32, f
     (count, product(log_rho.sum::<f64>()))
 }
 
-/// EWA; nothing where the Gaussian is culled.
-pub fn project(scene: &Scene, camera: &Camera, gaussian: usize) -> Option<Projected<f64>> {
-    let view = View {
+/// A camera, for the equations.
+pub fn view(camera: &Camera) -> View {
+    View {
         axes: camera.world_to_camera_opencv(),
         eye: camera.eye(),
         focal: [camera.fl_x, camera.fl_y],
         center: [camera.cx, camera.cy],
         size: [camera.width, camera.height].map(f64::from),
-    };
-    let gaussian = Gaussian {
+    }
+}
+
+/// A Gaussian, for the equations.
+pub fn gaussian(scene: &Scene, gaussian: usize) -> Gaussian<f64> {
+    Gaussian {
         position: wide(scene.gaussians.position[gaussian]),
         rotation: wide(scene.gaussians.rotation[gaussian]),
         log_scale: wide(scene.gaussians.log_scale[gaussian]),
-    };
-    project::project(&view, scene.config.blur, &gaussian)
+    }
+}
+
+/// EWA; nothing where the Gaussian is culled.
+pub fn project(scene: &Scene, camera: &Camera, index: usize) -> Option<Projected<f64>> {
+    project::project(&view(camera), scene.config.blur, &gaussian(scene, index))
 }
 
 /// Pixels of tiles by the branch of Eq. 13 that they took.

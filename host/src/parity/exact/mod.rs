@@ -5,6 +5,7 @@
 //! the kernels.
 
 pub mod adam;
+pub mod channels;
 pub mod color;
 pub mod composite;
 pub mod dense;

@@ -131,9 +131,18 @@ fn clamped<N: Number>(ratio: N, [low, high]: [f64; 2]) -> N {
     }
 }
 
-/// The axes in the world, as long as the scales: each is turned by the quaternion, `e + 2 w n x e + 2 n x (n x e)`.
+/// The axes in the world, as long as the scales.
 fn scaled_axes<N: Number>(gaussian: &Gaussian<N>) -> [[N; 3]; 3] {
-    let [w, x, y, z] = gaussian.rotation;
+    let axes = unit_axes(gaussian.rotation);
+    std::array::from_fn(|k| {
+        let scale = gaussian.log_scale[k].exp();
+        axes[k].map(|part| part * scale)
+    })
+}
+
+/// The axes in the world, of length 1: each is turned by the quaternion, `e + 2 w n x e + 2 n x (n x e)`.
+pub fn unit_axes<N: Number>(rotation: [N; 4]) -> [[N; 3]; 3] {
+    let [w, x, y, z] = rotation;
     let length = (w * w + x * x + y * y + z * z).sqrt();
     let (w, n) = (w / length, [x, y, z].map(|part| part / length));
     let two = N::from(2.0);
@@ -141,8 +150,7 @@ fn scaled_axes<N: Number>(gaussian: &Gaussian<N>) -> [[N; 3]; 3] {
         let unit: [N; 3] = std::array::from_fn(|i| N::from(f64::from(u8::from(i == k))));
         let once = cross(n, unit);
         let twice = cross(n, once);
-        let scale = gaussian.log_scale[k].exp();
-        std::array::from_fn(|i| (unit[i] + two * (w * once[i] + twice[i])) * scale)
+        std::array::from_fn(|i| unit[i] + two * (w * once[i] + twice[i]))
     })
 }
 

@@ -46,8 +46,11 @@ fn step(step: u64) -> Record {
 }
 
 fn evaluation(step: u64, names: &[&str]) -> Record {
-    let score =
-        Score { psnr: Some(20.0 + step as f64 / 777.0), ssim: Some(0.5 + step as f64 / 7e3) };
+    let score = Score {
+        psnr: Some(20.0 + step as f64 / 777.0),
+        ssim: Some(0.5 + step as f64 / 7e3),
+        lpips: None,
+    };
     let view = |name: &&str| ViewScore { name: (*name).to_owned(), score };
     let views = names.iter().map(view).collect();
     let (psnr, ssim) = (score.psnr, score.ssim);

@@ -1,0 +1,78 @@
+//! The options that ask for channels beside color.
+
+use clap::ValueEnum;
+use organza::Channel;
+use organza::image::{ChannelFormat, PNG_DEPTH_SCALE};
+
+/// Which channels to write.
+#[derive(Debug, clap::Args)]
+pub struct ChannelArgs {
+    /// Channels to write beside the color: any of depth, alpha, visibility and normal, with commas between them
+    #[arg(long, value_name = "LIST", value_enum, value_delimiter = ',')]
+    channels: Vec<ChannelName>,
+}
+
+impl ChannelArgs {
+    /// Each channel once.
+    pub fn list(&self) -> Vec<Channel> {
+        let is_asked =
+            |channel: &Channel| self.channels.iter().any(|name| name.channel() == *channel);
+        Channel::ALL.into_iter().filter(is_asked).collect()
+    }
+}
+
+/// How images of channels are written.
+#[derive(Debug, clap::Args)]
+pub struct FormatArgs {
+    /// Format of the channels' images: png has 16 bits, exr the values as they are
+    #[arg(long, value_enum, default_value_t, requires = "channels")]
+    format: Format,
+    /// Levels of a PNG for one world unit of depth: the largest depth is 65,535 levels
+    #[arg(long, value_name = "N", default_value_t = PNG_DEPTH_SCALE, requires = "channels")]
+    #[arg(value_parser = depth_scale)]
+    depth_scale: f32,
+}
+
+impl FormatArgs {
+    pub fn format(&self) -> ChannelFormat {
+        match self.format {
+            Format::Png => ChannelFormat::Png { depth_scale: self.depth_scale },
+            Format::Exr => ChannelFormat::Exr,
+        }
+    }
+}
+
+fn depth_scale(text: &str) -> Result<f32, String> {
+    let scale = text.parse().ok().filter(|scale: &f32| *scale > 0.0 && scale.is_finite());
+    scale.ok_or_else(|| "expected a number above 0".to_owned())
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum Format {
+    #[default]
+    Png,
+    Exr,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum ChannelName {
+    /// Mean depth of the Gaussians along the camera's axis, in world units
+    Depth,
+    /// Sum of the Gaussians' weights
+    Alpha,
+    /// Mean transmittance of the Gaussians
+    Visibility,
+    /// Mean direction of the Gaussians' shortest axes, in world space
+    Normal,
+}
+
+impl ChannelName {
+    fn channel(self) -> Channel {
+        match self {
+            Self::Depth => Channel::Depth,
+            Self::Alpha => Channel::Alpha,
+            Self::Visibility => Channel::Visibility,
+            Self::Normal => Channel::Normal,
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! Depth, alpha, visibility and normal of the cases of the float64 reference, on every device: held to the equations in
+//! f64, with the transmittances that the reference computed.
+
+use organza::parity::exact::channels::{depth, normal};
+use organza::parity::exact::composite::{self, Splat};
+use organza::parity::exact::project;
+use organza::{Camera, Channel, Tile, TileBatch};
+use organza_tests::cases::{self, Case};
+
+use crate::snapshot::exact;
+
+/// Of the largest value of a channel: what `reference_cases` allows the transmittances, and so the weights, is 1e-4.
+const TOLERANCE: f64 = 2e-4;
+
+/// What a Gaussian adds to each pixel of a camera.
+struct Member {
+    splat: Splat<f64>,
+    depth: f64,
+    transmittance: f64,
+    normal: [f64; 3],
+}
+
+fn members(case: &Case, camera: usize) -> Vec<Member> {
+    let (scene, view) = (&case.scene, exact::view(&case.cameras[camera]));
+    let transmittance = case.expected(&format!("stage.{camera}.transmittance"));
+    let member = |index: usize| {
+        let projected = exact::project(scene, &case.cameras[camera], index)?;
+        let gaussian = exact::gaussian(scene, index);
+        let transmittance = f64::from(transmittance[index]);
+        let (normal, cosine) = normal(&view, &gaussian);
+        assert!(cosine > 1e-5, "rounding decides on the side of Gaussian {index}");
+        let logit = f64::from(scene.gaussians.opacity[index]);
+        Some(Member {
+            splat: Splat {
+                mean: projected.mean,
+                weight: composite::weight(logit, transmittance),
+                conic: projected.conic(),
+                color: [0.0; 3],
+            },
+            depth: depth(&view, &gaussian),
+            transmittance,
+            normal,
+        })
+    };
+    (0..scene.gaussians.len()).filter_map(member).collect()
+}
+
+/// The channels of a pixel: depth, alpha, visibility and the normal's parts. None where a Gaussian ends so close that
+/// rounding decides whether it counts.
+fn pixel(members: &[Member], place: [f64; 2]) -> Option<[f64; 6]> {
+    let mut sum = [0.0; 6];
+    for member in members {
+        if (member.splat.q(place) - project::cutoff()).abs() < 1e-3 {
+            return None;
+        }
+        let [.., alpha] = member.splat.term(place);
+        let [x, y, z] = member.normal;
+        let values = [member.depth, 1.0, member.transmittance, x, y, z];
+        sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += alpha * value);
+    }
+    let [depth, alpha, visibility, x, y, z] = sum;
+    if alpha == 0.0 {
+        return Some([0.0; 6]);
+    }
+    let length = (x * x + y * y + z * z).sqrt();
+    Some([depth / alpha, alpha, visibility / alpha, x / length, y / length, z / length])
+}
+
+#[test]
+fn channels_are_those_of_the_equations() {
+    // of all cases: pixels without a Gaussian, with S up to 1, and above
+    let mut kinds = [0; 3];
+    let cases: Vec<_> = cases::all();
+    let expected: Vec<Vec<_>> = cases
+        .iter()
+        .map(|case| {
+            let cameras: Vec<_> =
+                (0..case.cameras.len()).map(|camera| members(case, camera)).collect();
+            let side = case.tiles.side as usize;
+            let pixels = case.tiles.tiles.iter().flat_map(|tile| {
+                let members = &cameras[tile.camera];
+                let [left, top] = tile.origin.map(|origin| f64::from(origin) + 0.5);
+                (0..side * side).map(move |at| {
+                    pixel(members, [left + (at % side) as f64, top + (at / side) as f64])
+                })
+            });
+            pixels.collect()
+        })
+        .collect();
+    for pixel in expected.iter().flatten().flatten() {
+        kinds[if pixel[1] == 0.0 { 0 } else { 1 + usize::from(pixel[1] > 1.0) }] += 1;
+    }
+    let all: usize = expected.iter().map(Vec::len).sum();
+    let compared: usize = kinds.iter().sum();
+    assert!(kinds.iter().all(|&pixels| pixels > 20), "{kinds:?}");
+    assert!(10 * compared > 9 * all, "{compared} of {all} pixels are compared");
+
+    cases::on_every_device(|backend, renderer, case, scene| {
+        let of = cases.iter().position(|other| other.name == case.name).unwrap();
+        let (cameras, batch) = (&case.cameras, &case.tiles);
+        let tiles = renderer
+            .render_channels(scene, cameras, batch, &Channel::ALL, &mut |_, _| {})
+            .expect("it renders");
+        let plain = renderer.render(scene, cameras, batch).expect("it renders");
+        assert_eq!(tiles.data, plain.data, "{}: colors on {backend}", case.name);
+        let area = (batch.side * batch.side) as usize;
+        let mut first = 0;
+        for channel in Channel::ALL {
+            let found = &tiles.channels[&channel];
+            let planes = channel.planes();
+            assert_eq!(found.len(), batch.tiles.len() * planes * area);
+            let pixels = expected[of].iter().enumerate();
+            let known = pixels.filter_map(|(at, pixel)| pixel.as_ref().map(|pixel| (at, pixel)));
+            let values = known.flat_map(|(at, pixel)| {
+                let place = move |plane: usize| ((at / area) * planes + plane) * area + at % area;
+                (0..planes).map(move |plane| (place(plane), pixel[first + plane]))
+            });
+            let values: Vec<_> = values.collect();
+            let largest = values.iter().map(|(_, exact)| exact.abs()).fold(0.0, f64::max);
+            let name = format!("{} of {} on {backend}", channel.name(), case.name);
+            let mut worst = 0.0_f64;
+            for (at, exact) in values {
+                let apart = (f64::from(found[at]) - exact).abs() / largest;
+                assert!(apart <= TOLERANCE, "{name}: {} for {exact} at {at}", found[at]);
+                worst = worst.max(apart);
+            }
+            println!("{name}: {worst:.1e} of {largest:.3}");
+            first += planes;
+        }
+    });
+}
+
+/// Channels do not depend on how an image is cut, and a channel does not depend on which others are asked for.
+#[test]
+fn channels_are_the_same_bits_however_they_are_cut() {
+    cases::on_every_device(|backend, renderer, case, scene| {
+        if case.name != "basic" {
+            return;
+        }
+        let Camera { width, height, .. } = case.cameras[0];
+        let mut images = Vec::new();
+        for (side, renderer) in [(16, renderer.clone()), (13, renderer.clone().with_part_bytes(1))]
+        {
+            let batch = TileBatch::cover(0, width, height, side).unwrap();
+            for channels in [&Channel::ALL[..], &[Channel::Normal]] {
+                let tiles = renderer
+                    .render_channels(scene, &case.cameras, &batch, channels, &mut |_, _| {})
+                    .unwrap();
+                let mut image =
+                    organza::image::ChannelImage::new(Channel::Normal, width, height).unwrap();
+                image.paste(&batch, &tiles).unwrap();
+                images.push(image);
+            }
+        }
+        assert!(images[0].values().iter().any(|&value| value != 0.0));
+        assert!(images.iter().all(|image| *image == images[0]), "on {backend}");
+    });
+}
+
+/// Nothing but background: all channels are 0, and no division by 0 shows.
+#[test]
+fn pixels_without_a_gaussian_are_zero() {
+    cases::on_every_device(|backend, renderer, case, scene| {
+        let tiles = vec![Tile { camera: 0, origin: [900_000, 900_000] }];
+        let batch = TileBatch { side: 8, tiles };
+        let rendered = renderer
+            .render_channels(scene, &case.cameras, &batch, &Channel::ALL, &mut |_, _| {})
+            .unwrap();
+        for (channel, values) in rendered.channels {
+            assert!(values.iter().all(|&value| value == 0.0), "{} on {backend}", channel.name());
+        }
+    });
+}

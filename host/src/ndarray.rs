@@ -25,6 +25,8 @@
 //! # Ok::<(), organza::Error>(())
 //! ```
 
+use std::collections::BTreeMap;
+
 use ::ndarray::{Array4, ArrayView4, ArrayViewD, ArrayViewMutD};
 
 use crate::camera::Camera;
@@ -57,7 +59,8 @@ impl TryFrom<Array4<f32>> for RenderedTiles {
             let reason = format!("tiles are [K, 3, S, S], not {:?}", array.shape());
             return Err(Error::Argument { reason });
         };
-        Ok(Self { side, count, data: values(array.view()), report: RenderReport::default() })
+        let (data, report) = (values(array.view()), RenderReport::default());
+        Ok(Self { side, count, data, channels: BTreeMap::new(), report })
     }
 }
 

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use organza::scene::{TensorRef, read_tensors, write_tensors};
-use organza::{Camera, Channel, DeviceScene, Error, Renderer, Result, Scene, TileBatch};
+use organza::{Camera, Channel, DeviceScene, Error, Renderer, Result, TileBatch};
 use organza_device::memory;
 use serde::Serialize;
 

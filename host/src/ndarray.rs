@@ -1,4 +1,4 @@
-//! Tiles, tensors of scenes and gradients as arrays of [`ndarray`](::ndarray), and back. This needs the feature `ndarray`.
+//! Tiles, tensors of scenes and gradients as arrays of [`ndarray`], and back. This needs the feature `ndarray`.
 //!
 //! ```
 //! use ndarray::Axis;

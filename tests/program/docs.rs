@@ -34,21 +34,15 @@ const ORGANZA: &str = r#"#!/bin/sh
 has() { case " $words " in *" $1 "*) true ;; *) false ;; esac; }
 words="$*"
 case "$1" in
-  train | benchmark)
-    set -- $(echo "$words" | sed 's/--minutes [0-9.]*/--minutes 0.01/')
-    words="$*" ;;
-esac
-case "$1" in
   train)
     # a page shows several ways to begin a run of one name
     begun=$(printf '%s' "$words" | sed -n 's/.* -o \([^ ]*\).*/\1/p')
     [ -z "$begun" ] || rm -rf "$begun"
-    # more than before, but few
-    if has --resume; then
-      steps=$(($(cat .steps 2>/dev/null || echo 2) + 1))
-      echo "$steps" > .steps
-      set -- $(echo "$words" | sed "s/--steps [0-9]*/--steps $steps/; s/--time-limit [0-9]*/--time-limit 1/")
-    fi
+    # more steps than before, but few: also in the place of the minutes that choose their number
+    steps=$(($(cat .steps 2>/dev/null || echo 2) + 1))
+    echo "$steps" > .steps
+    set -- $(echo "$words" | sed "s/--minutes [0-9.]*/--steps $steps/; s/--steps [0-9]*/--steps $steps/; \
+        s/--time-limit [0-9]*/--time-limit 1/")
     if ! has --resume && ! has --print-config; then
       for setting in run.steps=2 run.tiles_per_step=2 run.tile_size=16 run.tiles_per_view=1 \
           data.built_in_views=4 data.built_in_side=32 start.gaussians=100 growth.max_gaussians=200; do
@@ -56,6 +50,7 @@ case "$1" in
       done
     fi ;;
   demo) set -- "$@" --views 2 --size 32 ;;
+  benchmark) set -- $(echo "$words" | sed 's/--minutes [0-9.]*/--minutes 0.01/') ;;
 esac
 case "$1" in
   train | demo | eval | render | tiles) has --backend || has --print-config || set -- "$@" --backend cpu ;;

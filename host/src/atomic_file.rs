@@ -102,6 +102,7 @@ fn sync_folder(folder: &Path) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::chain;
 
     fn names(folder: &Path) -> Vec<String> {
         let entries = fs::read_dir(folder).unwrap();
@@ -128,7 +129,7 @@ mod tests {
             writer.write_all(b"half")?;
             Err(io::ErrorKind::StorageFull.into())
         });
-        assert!(error.unwrap_err().to_string().contains("disk is full"));
+        assert!(chain(&error.unwrap_err()).contains("disk is full"));
         assert_eq!(fs::read_to_string(&path).unwrap(), "old");
         assert_eq!(names(folder.path()), ["out.bin"]);
     }
@@ -137,7 +138,7 @@ mod tests {
     fn missing_folder_is_named() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("absent/out.bin");
-        let text = write_atomic(&path, |_| Ok(())).unwrap_err().to_string();
+        let text = chain(&write_atomic(&path, |_| Ok(())).unwrap_err());
         assert!(text.contains("absent does not exist; create it first"), "{text}");
     }
 
@@ -153,7 +154,7 @@ mod tests {
     fn device_is_written_to_and_stays() {
         use std::os::unix::fs::FileTypeExt;
         let error = write_atomic("/dev/full", |writer| writer.write_all(b"x")).unwrap_err();
-        assert!(crate::error::chain(&error).contains("disk is full"), "{error}");
+        assert!(chain(&error).contains("disk is full"), "{error}");
         assert!(fs::metadata("/dev/full").unwrap().file_type().is_char_device());
     }
 

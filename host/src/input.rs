@@ -112,17 +112,18 @@ pub(crate) fn integer(value: &Value) -> Option<i64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::chain;
     use serde_json::json;
 
     #[test]
     fn only_regular_files_are_opened() {
         let folder = tempfile::tempdir().unwrap();
-        let text = open_regular(folder.path()).unwrap_err().to_string();
+        let text = chain(&open_regular(folder.path()).unwrap_err());
         assert!(text.contains("folder"), "{text}");
-        let text = open_regular(&folder.path().join("absent")).unwrap_err().to_string();
+        let text = chain(&open_regular(&folder.path().join("absent")).unwrap_err());
         assert!(text.contains("absent") && text.contains("no such file"), "{text}");
         if cfg!(unix) {
-            let text = open_regular(Path::new("/dev/zero")).unwrap_err().to_string();
+            let text = chain(&open_regular(Path::new("/dev/zero")).unwrap_err());
             assert!(text.contains("device"), "{text}");
         }
     }

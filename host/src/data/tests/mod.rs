@@ -15,6 +15,7 @@ use serde_json::{Value, json};
 use tempfile::TempDir;
 
 use super::*;
+use crate::error::chain;
 
 /// A camera at (0, 0, 4) that looks at the origin.
 const POSE: [[f64; 4]; 4] =
@@ -65,7 +66,7 @@ fn assert_refused(path: &Path, facts: &[&str]) {
 
 #[track_caller]
 fn assert_facts<T: std::fmt::Debug>(result: Result<T>, facts: &[&str]) {
-    let text = result.unwrap_err().to_string();
+    let text = chain(&result.unwrap_err());
     for fact in facts {
         assert!(text.contains(fact), "no {fact:?} in: {text}");
     }

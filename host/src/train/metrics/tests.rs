@@ -1,6 +1,7 @@
 use std::fs;
 
 use super::*;
+use crate::error::chain;
 use crate::evaluate::Score;
 
 fn step(step: u64) -> Record {
@@ -124,7 +125,7 @@ fn half_a_line_is_dropped() {
 fn a_log_is_begun_where_there_is_none() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("metrics.jsonl");
-    let text = MetricsLog::read(&path).unwrap_err().to_string();
+    let text = chain(&MetricsLog::read(&path).unwrap_err());
     assert!(text.contains("metrics.jsonl") && text.contains("no such file"), "{text}");
     MetricsLog::resume(&path, 5).unwrap().append(&step(1)).unwrap();
     assert_eq!(MetricsLog::read(&path).unwrap(), [step(1)]);

@@ -133,7 +133,7 @@ fn results_are_json_with_documented_keys() {
     for (command, calls) in [
         ("train", vec![train]),
         ("eval", vec!["eval run --backend cpu"]),
-        ("render", vec!["render run -o images --backend cpu"]),
+        ("render", vec!["render run -o images --channels depth --backend cpu"]),
         ("tiles", vec!["tiles run tiles.json -o out --backend cpu"]),
         ("demo", vec!["demo -o demo --views 2 --size 16 --backend cpu"]),
         ("info", vec!["info run", "info cameras.json", "info data", "info tiles.json", "info out"]),

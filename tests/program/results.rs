@@ -287,12 +287,13 @@ fn channels_are_written_beside_the_color() {
     );
 
     sandbox.run(&format!("{RENDER} -o plain --views 0")).assert_ok();
-    let words = format!("{RENDER} -o images --views 0 --channels {all}");
+    let words = format!("{RENDER} -o views --views 0 --channels {all}");
     sandbox.run(&format!("{words} --depth-scale 100")).assert_ok();
     sandbox.run(&format!("{words} --format exr")).assert_ok();
-    let color = fs::read_dir(sandbox.path("plain")).unwrap().next().unwrap().unwrap().path();
+    let mut files = fs::read_dir(sandbox.path("plain")).unwrap().map(|file| file.unwrap().path());
+    let color = files.find(|path| path.extension().is_some_and(|name| name == "png")).unwrap();
     let stem = color.file_stem().unwrap().to_str().unwrap();
-    let same = fs::read(sandbox.path(&format!("images/{stem}.png"))).unwrap();
+    let same = fs::read(sandbox.path(&format!("views/{stem}.png"))).unwrap();
     assert!(fs::read(&color).unwrap() == same, "channels change the color");
     for (name, planes, to_unit) in [
         ("depth", 1, (|v| v * 100.0 / 65_535.0) as fn(f32) -> f32),
@@ -304,10 +305,10 @@ fn channels_are_written_beside_the_color() {
         let side = tensor.shape[2];
         assert_eq!(tensor.shape, [1, planes, side, side], "{name}");
         let value = |x, y, plane| tensor.data[(plane * side + y) * side + x];
-        let (kind, found) = levels(&sandbox, &format!("images/{stem}.{name}.png"));
+        let (kind, found) = levels(&sandbox, &format!("views/{stem}.{name}.png"));
         assert_eq!(kind.channel_count() as usize, planes);
         let floats = exr::prelude::read_all_flat_layers_from_file(
-            sandbox.path(&format!("images/{stem}.{name}.exr")),
+            sandbox.path(&format!("views/{stem}.{name}.exr")),
         );
         let layer = &floats.unwrap().layer_data[0];
         let mut names: Vec<_> =

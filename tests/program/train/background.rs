@@ -15,6 +15,10 @@ fn blenders_photographs_with_alpha_are_in_front_of_white() {
     fs::rename(data.join("transforms.json"), data.join("transforms_train.json")).unwrap();
     for file in fs::read_dir(data.join("images")).unwrap() {
         let path = file.unwrap().path();
+        // beside the pictures is the list of them
+        if path.extension().is_none_or(|extension| extension != "png") {
+            continue;
+        }
         let mut image = image::open(&path).expect("a picture").to_rgba8();
         image.put_pixel(0, 0, image::Rgba([0; 4]));
         image.save(&path).unwrap();

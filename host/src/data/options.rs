@@ -18,7 +18,7 @@ pub struct DatasetOptions {
     /// `downscale` by `downscale` pixels. What is left over at the right and the lower edge, where
     /// a side does not divide, is cut off. Cameras follow.
     pub downscale: u32,
-    /// Every so many-th frame is held out, beginning with the first; 0 holds none out. The frames
+    /// Every Nth frame is held out, beginning with the first; 0 holds none out. The frames
     /// of Blender's `transforms_test.json`, where there is one, are held out instead.
     pub hold_out_every: usize,
     /// What photographs with an alpha channel are put in front of.

@@ -69,7 +69,7 @@ pub struct DataConfig {
     pub path: Option<PathBuf>,
     /// Photographs become smaller by this factor.
     pub downscale: u32,
-    /// Every so many-th frame is held out; 0 holds none out.
+    /// Every Nth frame is held out; 0 holds none out.
     pub hold_out_every: usize,
     /// What the scene is in front of, and photographs with an alpha channel are put in front of.
     pub background: Background,

@@ -1,4 +1,4 @@
-//! Runs that end before their last step, and go on to what they would have come to.
+//! Runs that end before their last step, and then continue to the same result.
 #![cfg(unix)]
 
 use std::collections::BTreeMap;
@@ -22,7 +22,7 @@ use crate::sandbox::{Outcome, Sandbox};
 
 const LONGEST: Duration = Duration::from_secs(120);
 
-/// The steps that a log tells of, also while it is written to.
+/// The steps in a log, also while it is written to.
 fn steps(folder: &Path) -> usize {
     let text = fs::read_to_string(folder.join(METRICS)).unwrap_or_default();
     text.lines().filter(|line| line.starts_with("{\"kind\":\"step\"")).count()

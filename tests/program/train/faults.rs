@@ -15,7 +15,7 @@ use crate::sandbox::{Outcome, Sandbox, program};
 
 /// What writes, and what makes it last.
 const CALLS: &str = "write,fsync,rename,renameat,renameat2,unlink,ftruncate,openat";
-/// Every so many-th call of those of a run, unless all are asked for.
+/// One call in this many is taken, unless all are asked for.
 const SAMPLE: usize = 8;
 const RUN: &str = "train data --config tiny.toml --downscale 4 --hold-out-every 2 --backend cpu --threads 1 --steps 6 -o run";
 const RESUME: &str = "train --resume run --backend cpu --threads 1";

@@ -25,13 +25,11 @@
 //! # Ok::<(), organza::Error>(())
 //! ```
 
-use std::collections::BTreeMap;
-
 use ::ndarray::{Array4, ArrayView4, ArrayViewD, ArrayViewMutD};
 
 use crate::camera::Camera;
 use crate::error::{Error, Result};
-use crate::render::{DeviceScene, LossGradient, RenderReport, RenderedTiles, Renderer};
+use crate::render::{DeviceScene, LossGradient, RenderedTiles, Renderer};
 use crate::scene::{Gradient, Scene};
 use crate::tile::TileBatch;
 
@@ -59,8 +57,7 @@ impl TryFrom<Array4<f32>> for RenderedTiles {
             let reason = format!("tiles are [K, 3, S, S], not {:?}", array.shape());
             return Err(Error::Argument { reason });
         };
-        let (data, report) = (values(array.view()), RenderReport::default());
-        Ok(Self { side, count, data, channels: BTreeMap::new(), report })
+        Ok(Self { side, count, data: values(array.view()), ..Self::default() })
     }
 }
 

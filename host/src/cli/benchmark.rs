@@ -5,8 +5,8 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use organza::train::metrics::{MetricsLog, Record};
-use organza::train::{self, CHECKPOINT, CONFIG, METRICS, Outcome, REPORT};
+use organza::train::report::{Run, Summary};
+use organza::train::{self, CHECKPOINT, CONFIG, Outcome, REPORT};
 use organza::{Result, Scene, write_atomic};
 use serde::Serialize;
 
@@ -121,29 +121,19 @@ fn names(data: &[PathBuf]) -> Result<Vec<String>> {
 impl Row {
     /// What a finished run has left.
     fn of(name: &str, folder: &Path) -> Result<Self> {
-        let records = MetricsLog::read(folder.join(METRICS))?;
+        let run = Run::load(folder)?;
+        let Summary { psnr, ssim, seconds, .. } = run.summary();
         let scene = Scene::load(folder.join(CHECKPOINT))?;
         let bytes: usize = scene.tensors().iter().map(|(_, values)| size_of_val(&**values)).sum();
-        let mut row = Self {
+        Ok(Self {
             name: name.to_owned(),
-            psnr: None,
-            ssim: None,
-            steps: 0,
+            psnr,
+            ssim,
+            steps: run.last_step(),
             gaussians: scene.gaussians.len(),
             megabytes: bytes as f64 / 1e6,
-            minutes: 0.0,
-        };
-        for record in &records {
-            row.steps = row.steps.max(record.step());
-            match record {
-                Record::Evaluation { seconds, psnr, ssim, .. } => {
-                    (row.psnr, row.ssim, row.minutes) = (*psnr, *ssim, seconds / 60.0);
-                }
-                Record::Step { seconds, .. } => row.minutes = seconds / 60.0,
-                _ => {}
-            }
-        }
-        Ok(row)
+            minutes: seconds / 60.0,
+        })
     }
 
     /// Its numbers as text; `none` stands for what there is not.

@@ -94,11 +94,11 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 }
 
 fn frames<'a>(args: &Args, dataset: &'a Dataset, split: Split) -> Result<Vec<&'a Frame>> {
-    let mut is_held_out = vec![false; dataset.frames.len()];
-    dataset.held_out.iter().for_each(|&index| is_held_out[index] = true);
-    let all = dataset.frames.iter().zip(is_held_out);
-    let frames: Vec<_> =
-        all.filter(|(_, held_out)| split.takes(*held_out)).map(|(frame, _)| frame).collect();
+    let frames: Vec<_> = match split {
+        Split::Train => dataset.train_frames().collect(),
+        Split::HeldOut => dataset.held_out_frames().collect(),
+        Split::All => dataset.frames.iter().collect(),
+    };
     if frames.is_empty() {
         return split.nothing(args.data.as_ref().unwrap_or(&args.scene));
     }

@@ -1,7 +1,4 @@
-use std::collections::BTreeMap;
-
 use super::*;
-use crate::render::RenderReport;
 use crate::tile::Tile;
 
 /// What a tile shows: a value that tells column, row and channel.
@@ -17,14 +14,8 @@ fn rendered(batch: &TileBatch, value: impl Fn(i32, i32, usize) -> f32) -> Render
             }
         }
     }
-    let report = RenderReport::default();
-    RenderedTiles {
-        side: batch.side,
-        count: batch.tiles.len(),
-        data,
-        channels: BTreeMap::new(),
-        report,
-    }
+    let (side, count) = (batch.side, batch.tiles.len());
+    RenderedTiles { side, count, data, ..RenderedTiles::default() }
 }
 
 fn gradient(x: i32, y: i32, channel: usize) -> f32 {

@@ -13,7 +13,6 @@ use crate::camera::Camera;
 use crate::error::{Error, Result};
 use crate::tile::TileBatch;
 use organza_device::{Buffer, Device};
-use std::collections::BTreeMap;
 
 /// The tiles of a step, and what they should look like: the argument of a loss on the host.
 #[derive(Clone, Copy, Debug)]
@@ -173,13 +172,8 @@ fn in_order(batch: &TileBatch, plan: &Plan, pixels: &[f32]) -> RenderedTiles {
         data[tile.place * len..][..len].copy_from_slice(pixels);
     }
     let report = RenderReport { parts: 1, ..RenderReport::default() };
-    RenderedTiles {
-        side: batch.side,
-        count: batch.tiles.len(),
-        data,
-        channels: BTreeMap::new(),
-        report,
-    }
+    let (side, count) = (batch.side, batch.tiles.len());
+    RenderedTiles { side, count, data, report, ..RenderedTiles::default() }
 }
 
 fn host_loss(

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::channels::Channel;
 
 /// A rendered batch, the tensor Y of Eq. 16.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct RenderedTiles {
     /// S, in pixels.
     pub side: u32,

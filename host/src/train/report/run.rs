@@ -17,7 +17,7 @@ use crate::train::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
 pub struct Run {
     pub(super) folder: PathBuf,
     pub(super) config: TrainConfig,
-    pub(super) records: Vec<Record>,
+    pub(in crate::train) records: Vec<Record>,
     pub(super) pictures: Pictures,
 }
 
@@ -104,7 +104,8 @@ impl Run {
     }
 
     /// The steps that were taken, also those since the last evaluation.
-    pub(super) fn last_step(&self) -> u64 {
+    #[must_use]
+    pub fn last_step(&self) -> u64 {
         self.records.iter().map(Record::step).max().unwrap_or_default()
     }
 

@@ -1,10 +1,15 @@
-//! Pinhole cameras from nerfstudio's `transforms.json`.
+//! Pinhole cameras from nerfstudio's `transforms.json`, and their paths.
 
+mod orbit;
 pub(crate) mod parse;
+mod path;
 #[cfg(test)]
 mod tests;
 
 use std::path::Path;
+
+pub use orbit::Orbit;
+pub use path::CameraPath;
 
 use serde_json::{Map, Value, json};
 
@@ -138,6 +143,24 @@ impl Camera {
         };
         camera.validate(0)?;
         Ok(camera)
+    }
+
+    /// The same view as an image of another size. It shows all that the camera sees; where the shape differs, it shows more at
+    /// the sides, or above and below.
+    #[must_use]
+    pub fn with_size(&self, [width, height]: [u32; 2]) -> Self {
+        let [old, new] =
+            [[self.width, self.height], [width, height]].map(|size| size.map(f64::from));
+        let scale = (new[0] / old[0]).min(new[1] / old[1]);
+        Self {
+            fl_x: scale * self.fl_x,
+            fl_y: scale * self.fl_y,
+            cx: 0.5 * new[0] + scale * (self.cx - 0.5 * old[0]),
+            cy: 0.5 * new[1] + scale * (self.cy - 0.5 * old[1]),
+            width,
+            height,
+            ..self.clone()
+        }
     }
 
     /// The rotation from world axes to OpenCV camera axes (x right, y down, z forward), row by row.

@@ -53,6 +53,21 @@ fn opencv_axes_are_down_and_forward() {
     );
 }
 
+/// A point of the scene keeps its place relative to the image's middle, in units of the side that limits.
+#[test]
+fn another_size_shows_the_same_and_more() {
+    let camera = &parse(&file()).unwrap()[0];
+    assert_eq!(&camera.with_size([96, 80]), camera);
+    let double = camera.with_size([192, 160]);
+    assert_eq!((double.fl_x, double.fl_y, double.cx, double.cy), (180.0, 176.0, 95.0, 81.0));
+    // wider: as high, with more at the sides
+    let wide = camera.with_size([200, 80]);
+    assert_eq!((wide.fl_x, wide.fl_y, wide.cx, wide.cy), (90.0, 88.0, 99.5, 40.5));
+    let high = camera.with_size([48, 80]);
+    assert_eq!((high.fl_x, high.fl_y, high.cx, high.cy), (45.0, 44.0, 23.75, 40.25));
+    assert_eq!((high.width, high.height), (48, 80));
+}
+
 /// The cameras of the cases look at the origin, so it lies on the optical axis at their distance.
 #[test]
 fn case_cameras_see_the_origin() {

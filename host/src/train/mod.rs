@@ -30,4 +30,5 @@ pub use growth::Grown;
 pub use hooks::{GradientHook, StepGradient, StepHooks};
 pub use report::PICTURES;
 pub use session::{Event, Outcome, Session};
+pub(crate) use space::{Target, median};
 pub use trainer::{StepReport, Trainer};

@@ -18,7 +18,7 @@ const MOST_CAMERAS: usize = 200;
 
 /// What the cameras look at.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Target {
+pub(crate) struct Target {
     pub center: DVec3,
     /// Typical distance of the cameras.
     pub distance: f64,
@@ -174,7 +174,7 @@ pub(super) fn depth(camera: &Camera, place: DVec3) -> Option<f64> {
 }
 
 /// The middle of numbers in their order; 0 of none.
-fn median(numbers: impl Iterator<Item = f64>) -> f64 {
+pub(crate) fn median(numbers: impl Iterator<Item = f64>) -> f64 {
     let mut numbers: Vec<_> = numbers.collect();
     if numbers.is_empty() {
         return 0.0;

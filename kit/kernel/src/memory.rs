@@ -259,7 +259,10 @@ mod host {
                 out_of_range(first + N as u32 - 1, self.len, self.name);
             }
             if let Some(monitor) = self.monitor {
-                (first..first + N as u32).for_each(|index| monitored(monitor, index, touch));
+                // no closure: it would be the place of the message
+                for index in first..first + N as u32 {
+                    monitored(monitor, index, touch);
+                }
             }
             // SAFETY: checked above; an array is aligned as its elements
             unsafe { self.data.add(first as usize).cast() }
@@ -311,7 +314,9 @@ mod host {
                 out_of_range(largest, self.len, self.name);
             }
             if let Some(monitor) = self.monitor {
-                index.iter().for_each(|&index| monitored(monitor, index, touch));
+                for index in index {
+                    monitored(monitor, index, touch);
+                }
             }
             self.data
         }

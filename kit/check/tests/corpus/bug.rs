@@ -1,0 +1,183 @@
+//! What a wrong kernel is tested with, and what the test finds.
+
+use std::fmt::Debug;
+
+pub use organza_check::Canary;
+use organza_check::KernelRunner;
+use organza_device::{Buffer, Device, DeviceOptions, Error, Host, Modules};
+pub use organza_kernel::atomic;
+use organza_kernel::kernel::{Dispatch, InstructionSet};
+pub use organza_kernel::prelude::*;
+
+/// A number of items.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct Count {
+    /// Items.
+    pub count: u32,
+}
+
+/// The size of an image.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct Size {
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+}
+
+/// 0, 1, 2, ...
+pub fn numbers(count: u32) -> Vec<u32> {
+    (0..count).collect()
+}
+
+/// One of the corpus.
+pub struct Bug {
+    /// Its folder.
+    pub kind: &'static str,
+    /// Its file.
+    pub name: &'static str,
+    /// Its text.
+    pub source: &'static str,
+    /// Its test, as the kernel's author would write it.
+    pub test: fn(&Bench) -> Result<(), Found>,
+}
+
+/// What a test finds.
+#[derive(Debug)]
+pub enum Found {
+    /// A message of the kit.
+    Message(String),
+    /// A value that is not the expected one, and nothing that says why.
+    Value(String),
+}
+
+impl From<Error> for Found {
+    fn from(error: Error) -> Self {
+        Self::Message(error.to_string())
+    }
+}
+
+/// A device, and what tests of kernels need.
+pub struct Bench {
+    /// The CPU with one thread, so that it finds the same each time.
+    pub device: Device,
+}
+
+impl Bench {
+    /// The CPU as programs run it. Eight lanes, whatever this CPU has.
+    pub fn plain() -> Self {
+        Self::open(DeviceOptions::cpu(1).instruction_set(InstructionSet::Plain))
+    }
+
+    /// The CPU as tests of kernels should run it.
+    pub fn checked() -> Self {
+        Self::open(DeviceOptions::cpu(1).check_races(true))
+    }
+
+    fn open(options: DeviceOptions) -> Self {
+        Self { device: Device::open(&options, Modules::none()).expect("the CPU") }
+    }
+
+    /// The runner of a kernel's parity case.
+    fn runner(&self, kernel: &'static str) -> KernelRunner<'_> {
+        KernelRunner::new(&self.device, kernel)
+    }
+
+    /// A buffer of `values`.
+    pub fn input<T: Pod>(&self, values: &[T]) -> Result<Buffer<T>, Error> {
+        self.runner("").upload(values)
+    }
+
+    /// An output of `len` elements: canaries, and more of them behind it.
+    pub fn output<T: Canary>(&self, len: usize) -> Result<Buffer<T>, Error> {
+        self.runner("").output(len)
+    }
+
+    /// A buffer to read and write, canaries behind it.
+    pub fn holding<T: Canary>(&self, values: &[T]) -> Result<Buffer<T>, Error> {
+        self.runner("").output_of(values)
+    }
+
+    /// Zeros to count with, canaries behind them.
+    pub fn cleared(&self, len: usize) -> Result<Buffer<u32>, Error> {
+        self.holding(&vec![0; len])
+    }
+
+    /// A buffer for what one kernel hands to the next.
+    pub fn scratch<T: Pod>(&self, len: usize) -> Result<Buffer<T>, Error> {
+        self.device.zeros("scratch", len)
+    }
+
+    /// Runs a kernel over items.
+    pub fn run<'a>(&self, kernel: &impl Dispatch<'a, Host>, items: u32) -> Result<(), Error> {
+        self.layers(kernel, items, 1)
+    }
+
+    /// Runs a kernel over items, in layers of z.
+    pub fn layers<'a>(
+        &self,
+        kernel: &impl Dispatch<'a, Host>,
+        items: u32,
+        layers: u32,
+    ) -> Result<(), Error> {
+        self.runner(kernel.info().name).items(kernel, items, layers)
+    }
+
+    /// Runs a kernel over pixels.
+    pub fn pixels<'a>(
+        &self,
+        kernel: &impl Dispatch<'a, Host>,
+        [width, height]: [u32; 2],
+    ) -> Result<(), Error> {
+        self.device.run_over(kernel, [width, height, 1])
+    }
+
+    /// Runs a kernel over a number of workgroups that the test has computed.
+    pub fn workgroups<'a>(
+        &self,
+        kernel: &impl Dispatch<'a, Host>,
+        workgroups: [u32; 3],
+    ) -> Result<(), Error> {
+        self.device.dispatch(kernel, workgroups)
+    }
+
+    /// What an output holds, without the canaries behind it.
+    pub fn read<T: Canary>(&self, buffer: &Buffer<T>) -> Result<Vec<T>, Error> {
+        let tail = self.output::<T>(0)?.len();
+        let mut values = self.runner("").read(buffer)?;
+        values.truncate(values.len() - tail);
+        Ok(values)
+    }
+
+    /// Compares an output with what each element should be.
+    pub fn expect<T: Canary + Debug>(
+        &self,
+        buffer: &Buffer<T>,
+        expected: impl Fn(u32) -> T,
+    ) -> Result<(), Found> {
+        self.expect_values(&self.read(buffer)?, expected)
+    }
+
+    /// Compares values with what each should be.
+    pub fn expect_values<T: Canary + Debug>(
+        &self,
+        values: &[T],
+        expected: impl Fn(u32) -> T,
+    ) -> Result<(), Found> {
+        let wrong = (0..).zip(values).find(|(i, value)| expected(*i) != **value);
+        match wrong {
+            Some((i, value)) => {
+                let message = format!("element {i} is {value:?}, not {:?}", expected(i));
+                Err(Found::Value(message))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Fails if a kernel that has nothing to do has written something.
+    pub fn expect_unwritten<T: Canary + Debug>(&self, buffer: &Buffer<T>) -> Result<(), Found> {
+        self.expect(buffer, |_| T::CANARY)
+    }
+}

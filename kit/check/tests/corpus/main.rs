@@ -1,0 +1,145 @@
+//! A corpus of wrong kernels, of the kinds that people write. Each file has one, and its first line says what is wrong.
+//!
+//! The tests run all of them as the author of a kernel would, and hold the table of `docs/corpus.md` to what they find.
+//! A line that is at fault ends with `//~`.
+
+mod bug;
+mod page;
+
+use bug::Bug;
+
+/// Declares the modules of all wrong kernels, by kind, and lists them.
+macro_rules! corpus {
+    ($($kind:ident { $($name:ident)* })*) => {
+        $(mod $kind { $(pub mod $name;)* })*
+
+        const BUGS: &[Bug] = &[$($(Bug {
+            kind: stringify!($kind),
+            name: stringify!($name),
+            source: include_str!(concat!(stringify!($kind), "/", stringify!($name), ".rs")),
+            test: $kind::$name::test,
+        }),*),*];
+    };
+}
+
+corpus! {
+    barriers {
+        missing_before_read
+        missing_before_overwrite
+        reduction_without_barrier
+        scan_in_place
+        last_warp_needs_none
+        next_tile_overwrites
+        divergent_half
+        returns_before_barrier
+        barrier_in_each_branch
+        loop_of_different_lengths
+        barrier_behind_a_vote
+        barrier_for_storage
+        barrier_for_all_workgroups
+    }
+    workgroup_memory {
+        half_is_loaded
+        counts_are_not_cleared
+        end_of_the_last_tile
+        halo_is_missing
+        past_the_end
+        index_of_the_dispatch
+        one_cell_for_all
+        fewer_invocations_than_elements
+        more_invocations_than_elements
+        column_is_not_the_index
+        row_without_its_padding
+        shared_is_not_global
+    }
+    storage_races {
+        two_write_one
+        sum_in_one_element
+        histogram_without_atomics
+        atomic_and_plain
+        reads_a_counter_too_soon
+        blur_in_place
+        shift_in_place
+        transpose_in_place
+        reverse_in_place
+        scatter_with_duplicates
+        append_without_atomics
+        flag_without_atomics
+        sum_by_every_invocation
+        spans_overlap
+        rows_overlap
+        wide_sum_without_layers
+        layers_share_a_sum
+    }
+    out_of_range {
+        no_test_of_the_index
+        test_is_off_by_one
+        neighbor_of_the_last
+        neighbor_of_the_first
+        negative_column
+        stride_of_four
+        bytes_for_elements
+        index_from_a_buffer
+        clamped_to_the_length
+        last_word_of_a_mask
+        height_for_width
+        lanes_past_the_end
+    }
+    unwritten {
+        last_element
+        one_branch_writes
+        dispatch_rounds_down
+        dispatch_without_rows
+        every_second_pair
+        behind_the_output
+        counter_is_not_cleared
+        sum_onto_its_output
+        consumer_before_producer
+        producer_is_too_short
+    }
+    arithmetic {
+        sum_overflows
+        product_overflows
+        difference_underflows
+        divides_by_zero
+        remainder_by_zero
+        shift_by_32
+        bits_shifted_out
+        color_spills_over
+        float_counts_too_far
+        negative_float_to_unsigned
+        nan_of_an_empty_mean
+        nan_of_a_root
+        nan_of_a_direction
+        sign_is_lost
+    }
+    loops {
+        understated
+        inner_loop_forgotten
+        depends_on_data
+        one_iteration_too_many
+    }
+    bindings {
+        swapped_inputs
+        swapped_parameters
+        input_is_the_output
+        tail_of_the_output
+        view_of_the_output
+        buffer_of_another_size
+        count_of_another_buffer
+    }
+    workgroups {
+        size_is_written_out
+        one_row_of_workgroups
+        rows_have_one_index
+        layers_are_not_in_the_index
+        stride_of_the_dispatch
+    }
+    values {
+        end_of_the_row
+        transposed
+        one_weight_for_all_lanes
+        index_of_the_first_lane
+        rest_of_the_lanes
+    }
+}

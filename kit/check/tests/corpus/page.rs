@@ -1,0 +1,179 @@
+//! Runs the corpus, and holds the page to what is found.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::BUGS;
+use crate::bug::{Bench, Bug, Found};
+
+/// How a bug is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Check {
+    /// By every CPU run.
+    Always,
+    /// By every CPU run of a debug build: Rust checks integers.
+    Debug,
+    /// By a device for tests.
+    Tests,
+    /// By its values.
+    Values,
+    /// By nothing.
+    Nothing,
+}
+
+impl Check {
+    const ALL: [Self; 5] = [Self::Always, Self::Debug, Self::Tests, Self::Values, Self::Nothing];
+
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Always => "always",
+            Self::Debug => "debug builds",
+            Self::Tests => "`check_races`",
+            Self::Values => "values",
+            Self::Nothing => "**not found**",
+        }
+    }
+}
+
+/// A row of the table.
+struct Finding {
+    bug: &'static Bug,
+    check: Check,
+    message: String,
+    /// Where the message says that it happens.
+    line: Option<usize>,
+}
+
+/// Tests a bug on a CPU as it is, and on one for tests.
+fn find(bug: &'static Bug) -> Finding {
+    let plain = (bug.test)(&Bench::plain()).err();
+    let checked = (bug.test)(&Bench::checked()).err();
+    let (check, text) = match (plain, checked) {
+        (Some(Found::Message(text)), _) if text.contains(": attempt to ") => (Check::Debug, text),
+        (Some(Found::Message(text)), _) => (Check::Always, text),
+        (_, Some(Found::Message(text))) => (Check::Tests, text),
+        (Some(Found::Value(text)), _) | (_, Some(Found::Value(text))) => (Check::Values, text),
+        (None, None) => (Check::Nothing, String::new()),
+    };
+    let (message, line) = shorten(bug, &text);
+    Finding { bug, check, message, line }
+}
+
+/// The message without the kernel, the place and the invocation; and the line of the place.
+fn shorten(bug: &Bug, text: &str) -> (String, Option<usize>) {
+    // whatever the machine's separators are
+    let text = text.replace('\\', "/");
+    let text = text.split_once("`: ").map_or(text.as_str(), |(_, message)| message);
+    let file = format!("{}/{}.rs:", bug.kind, bug.name);
+    let mut pieces = text.split(&file);
+    let mut message = pieces.next().unwrap_or_default().to_owned();
+    let mut line = None;
+    for piece in pieces {
+        let number: String = piece.chars().take_while(char::is_ascii_digit).collect();
+        line = line.or(number.parse().ok());
+        // the path before the file's folder, and the column
+        message.truncate(message.rfind(' ').map_or(0, |space| space + 1));
+        let rest =
+            piece[number.len()..].trim_start_matches(|c: char| c == ':' || c.is_ascii_digit());
+        write!(message, "line {number}{rest}").expect("a string");
+    }
+    let end = [", at line ", ", in invocation ", ", in workgroup "].iter();
+    let end = end.filter_map(|end| message.find(end)).min().unwrap_or(message.len());
+    message.truncate(end);
+    (message, line)
+}
+
+/// What the first line of a file says.
+fn what_is_wrong(bug: &Bug) -> &'static str {
+    let first = bug.source.lines().next().unwrap_or_default();
+    first.strip_prefix("//! ").unwrap_or_else(|| panic!("{} does not say what is wrong", bug.name))
+}
+
+/// The lines that are marked as wrong.
+fn marked(bug: &Bug) -> Vec<usize> {
+    let lines = bug.source.lines().enumerate();
+    lines.filter(|(_, line)| line.ends_with("//~")).map(|(index, _)| index + 1).collect()
+}
+
+/// The part of the page that the tests write.
+fn table(findings: &[Finding]) -> String {
+    let count = |check| findings.iter().filter(|finding| finding.check == check).count();
+    let mut text = String::from("| found | bugs |\n| --- | ---: |\n");
+    for check in Check::ALL.into_iter().filter(|&check| count(check) > 0) {
+        writeln!(text, "| {} | {} |", check.name(), count(check)).expect("a string");
+    }
+    writeln!(text, "| in all | {} |", findings.len()).expect("a string");
+    let mut kind = "";
+    for Finding { bug, check, message, line } in findings {
+        if bug.kind != kind {
+            kind = bug.kind;
+            let title = kind.replace('_', " ");
+            let title = title[..1].to_uppercase() + &title[1..];
+            let head = "| wrong kernel | what is wrong | found | message | line |\n| --- | --- | --- | --- | ---: |";
+            writeln!(text, "\n### {title}\n\n{head}").expect("a string");
+        }
+        let (name, what, check) = (bug.name, what_is_wrong(bug), check.name());
+        let line = line.map_or(String::new(), |line| line.to_string());
+        let file = format!("../{FOLDER}/{kind}/{name}.rs");
+        writeln!(text, "| [{name}]({file}) | {what} | {check} | {message} | {line} |")
+            .expect("a string");
+    }
+    text
+}
+
+/// The corpus in the repository.
+const FOLDER: &str = "kit/check/tests/corpus";
+
+/// What comes before the part that the tests write.
+const BEGIN: &str = "<!-- The rest of this page is written by a test: see above. -->\n\n";
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// Says so if a message names another line than those that are marked.
+fn elsewhere(finding: &Finding) -> Option<String> {
+    let Finding { bug, check, message, line } = finding;
+    let marked = marked(bug);
+    let is_there = match line {
+        Some(line) => marked.contains(line),
+        // of wrong values nobody knows where they come from
+        None => marked.is_empty() || matches!(check, Check::Values | Check::Nothing),
+    };
+    (!is_there).then(|| format!("{}: {message}: at {line:?}, not {marked:?}", bug.name))
+}
+
+#[test]
+fn every_file_is_in_the_corpus() {
+    let folder = root().join(FOLDER);
+    let mut files = 0;
+    for kind in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+        let kind = if kind.is_dir() { kind } else { continue };
+        files += fs::read_dir(kind).unwrap().count();
+    }
+    assert_eq!(files, BUGS.len(), "a file is missing in the list of main.rs");
+}
+
+#[test]
+#[cfg(debug_assertions)]
+fn the_page_is_what_is_found() {
+    let findings: Vec<_> = BUGS.iter().map(find).collect();
+    let wrong: Vec<_> = findings.iter().filter_map(elsewhere).collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    let path = root().join("docs/corpus.md");
+    let page = fs::read_to_string(&path).unwrap();
+    let (begin, rest) = page.split_once(BEGIN).expect("the page's beginning");
+    let table = table(&findings);
+    if std::env::var_os("ORGANZA_WRITE_CORPUS").is_some() {
+        fs::write(&path, [begin, BEGIN, &table].concat()).unwrap();
+    } else {
+        let differs = rest.lines().zip(table.lines()).find(|(page, found)| page != found);
+        assert!(
+            rest == table,
+            "docs/corpus.md differs from what is found: {differs:?}; ORGANZA_WRITE_CORPUS=1 writes it"
+        );
+    }
+    let found = findings.iter().filter(|finding| finding.check != Check::Nothing).count();
+    assert!(found * 100 >= findings.len() * 94, "{found} of {} are found", findings.len());
+}

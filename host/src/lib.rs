@@ -33,7 +33,7 @@
 //! # Ok::<(), organza::Error>(())
 //! ```
 //!
-//! [`Renderer::gradient`] gives the gradient of any loss, and [`train::StepHooks`] has a [`Trainer`] use one. The
+//! [`Renderer::gradient`] gives the gradient of any loss, [`Renderer::record`] the tiles with it, and [`train::StepHooks`] has a [`Trainer`] use one. The
 //! feature `ndarray` converts tiles, tensors and gradients to arrays and back.
 
 mod atomic_file;
@@ -71,7 +71,8 @@ pub use organza_device::{
 #[doc(hidden)]
 pub use render::Stages;
 pub use render::{
-    Channel, DeviceScene, Inspection, RenderReport, RenderedTiles, Renderer, UploadOptions,
+    Channel, DeviceScene, Inspection, Recording, RenderReport, RenderedTiles, Renderer,
+    UploadOptions,
 };
 pub use scene::{Gradient, Scene};
 pub use tile::{Tile, TileBatch};

@@ -11,7 +11,7 @@ use super::project::project_backward;
 use super::renderer::Renderer;
 use super::scene::DeviceScene;
 use crate::camera::Camera;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::scene::Gradient;
 use crate::tile::TileBatch;
 use organza_device::{Buffer, Device};
@@ -68,11 +68,10 @@ impl Renderer {
     /// dLoss/dtensor for every tensor of a scene, given `grad_output [K, 3, S, S]`, dLoss/dY.
     ///
     /// The networks see positions and directions as constants: position, rotation and scale have the gradient of the
-    /// projection alone.
+    /// projection alone. [`Renderer::record`] gives the tiles, too.
     ///
     /// # Errors
-    /// As [`Renderer::render`]; [`Error::Argument`] where `grad_output` has another number of values;
-    /// [`Error::Diverged`] if a gradient is not finite.
+    /// As [`Recording::backward`](super::Recording::backward).
     pub fn gradient(
         &self,
         scene: &DeviceScene,
@@ -80,21 +79,7 @@ impl Renderer {
         batch: &TileBatch,
         grad_output: &[f32],
     ) -> Result<Gradient> {
-        batch.validate(cameras)?;
-        let shape = batch.output_shape();
-        if grad_output.len() != shape.iter().product::<usize>() {
-            let found = grad_output.len();
-            let reason = format!("the gradient has {found} values, but the batch is {shape:?}");
-            return Err(Error::Argument { reason });
-        }
-        let device = self.device();
-        let gradient = self.in_parts(scene, batch, |plans| {
-            let gradient = SceneGradient::new(device, scene)?;
-            self.add_parts(scene, cameras, plans, grad_output, &gradient)?;
-            Ok(gradient)
-        })?;
-        gradient.check(device)?;
-        gradient.download(device, &scene.config, scene.len())
+        self.record(scene, cameras, batch)?.backward(grad_output)
     }
 
     /// Does `work` with the parts of a batch; where one does not fit, all over again with smaller ones: what parts have

@@ -62,6 +62,20 @@ impl DeviceField {
         })
     }
 
+    /// The same field, on the same memory.
+    pub(super) fn view(&self) -> Self {
+        Self {
+            levels: self.levels.view(),
+            table: self.table.view(),
+            half_table: self.half_table.as_ref().map(Buffer::view),
+            parameters: self.parameters.view(),
+            half_weights: self.half_weights.as_ref().map(Buffer::view),
+            features: self.features,
+            smoothstep: self.smoothstep,
+            layers: self.layers.clone(),
+        }
+    }
+
     /// What it takes beside its tensors.
     pub fn bytes_beside_tensors(&self) -> u64 {
         self.levels.bytes()

@@ -110,6 +110,16 @@ impl SceneGradient {
         Ok(())
     }
 
+    /// Zeros, as [`SceneGradient::new`] makes them.
+    pub fn clear(&self, device: &Device) {
+        device.clear(&self.statistics);
+        self.begin(device);
+        self.restart(device);
+        for field in [&self.color, &self.transmittance] {
+            device.clear(&field.table.status);
+        }
+    }
+
     /// A step begins.
     pub(crate) fn begin(&self, device: &Device) {
         device.copy(&self.statistics, &self.statistics_before);
@@ -133,7 +143,9 @@ impl SceneGradient {
     /// # Errors
     /// As [`Device::read`].
     pub fn download(&self, device: &Device, config: &SceneConfig, len: usize) -> Result<Gradient> {
-        let read = |tensor: &TensorGradient| tensor.read(device);
+        let read = |tensor: &TensorGradient, values: &mut [f32]| {
+            device.read_into(&tensor.buffer, tensor.range.start, values)
+        };
         Ok(Gradient::of(unpack(config, len, self.tensors.as_ref(), read)?))
     }
 }
@@ -151,16 +163,22 @@ impl TensorGradient {
         Ok(device.read_range(&self.buffer, self.range.start, self.range.len())?)
     }
 
+    /// Reads the gradient's values into memory of the caller's. Those of a network are as on a device, see
+    /// [`SceneGradient::download`].
+    ///
+    /// # Errors
+    /// [`Error::Argument`] if the number of values differs from the tensor's; as [`Device::read`].
+    pub fn read_into(&self, device: &Device, values: &mut [f32]) -> Result<()> {
+        self.check_len(values.len())?;
+        Ok(device.read_into(&self.buffer, self.range.start, values)?)
+    }
+
     /// Replaces the gradient's values. Sets the flags of a hash grid's blocks that are not all zero.
     ///
     /// # Errors
     /// [`Error::Argument`] if the number of values differs from the tensor's; as [`Device::write`].
     pub fn write(&self, device: &Device, values: &[f32]) -> Result<()> {
-        if values.len() != self.range.len() {
-            let (found, expected) = (values.len(), self.range.len());
-            let reason = format!("found {found} values for a gradient, expected {expected}");
-            return Err(Error::Argument { reason });
-        }
+        self.check_len(values.len())?;
         device.write(&self.buffer, self.range.start, values)?;
         let Some(touched) = &self.touched else { return Ok(()) };
         let mut flags = device.read(touched)?;
@@ -168,6 +186,15 @@ impl TensorGradient {
             *flag |= u32::from(block.iter().any(|&value| value != 0.0));
         }
         Ok(device.write(touched, 0, &flags)?)
+    }
+
+    fn check_len(&self, found: usize) -> Result<()> {
+        let expected = self.range.len();
+        if found == expected {
+            return Ok(());
+        }
+        let reason = format!("found {found} values for a gradient, expected {expected}");
+        Err(Error::Argument { reason })
     }
 }
 

@@ -1,5 +1,7 @@
 //! A network's parameters as [`organza_shaders::dense`] reads them: each layer transposed, its outputs padded.
 
+use std::ops::Range;
+
 use organza_shaders::dense::OUTPUTS_PER_INVOCATION;
 
 use crate::scene::Network;
@@ -35,21 +37,36 @@ impl LayerPlace {
         4 * (self.weight as usize + input * self.columns as usize) + output
     }
 
+    /// The places of the layer's weight with its padding, in values.
+    pub fn weight_values(&self) -> Range<usize> {
+        4 * self.weight as usize..self.bias_value()
+    }
+
     /// The place of the layer's bias, in values.
-    fn bias_value(&self) -> usize {
+    pub fn bias_value(&self) -> usize {
         4 * self.bias as usize
     }
+
+    /// Writes the layer's weight `[outputs, inputs]` to its places, [`LayerPlace::weight_values`].
+    pub fn pack_weight(&self, weight: &[f32], parameters: &mut [f32]) {
+        let first = self.weight_values().start;
+        for (at, &weight) in weight.iter().enumerate() {
+            parameters[self.weight_value(at) - first] = weight;
+        }
+    }
+}
+
+/// Values of a network's parameters, with the padding.
+pub fn packed_len(network: &Network) -> usize {
+    let vectors = LayerPlace::of(network).last().map_or(0, |last| last.bias + last.columns);
+    4 * vectors as usize
 }
 
 /// A network's parameters, four values a vector.  Outputs past a layer's last are zero, and nothing reads them.
 pub fn pack_network(network: &Network) -> Vec<f32> {
-    let places = LayerPlace::of(network);
-    let vectors = places.last().map_or(0, |last| last.bias + last.columns);
-    let mut parameters = vec![0.0; 4 * vectors as usize];
-    for (layer, place) in network.layers.iter().zip(places) {
-        for (at, &weight) in layer.weight.iter().enumerate() {
-            parameters[place.weight_value(at)] = weight;
-        }
+    let mut parameters = vec![0.0; packed_len(network)];
+    for (layer, place) in network.layers.iter().zip(LayerPlace::of(network)) {
+        place.pack_weight(&layer.weight, &mut parameters[place.weight_values()]);
         parameters[place.bias_value()..][..layer.outputs].copy_from_slice(&layer.bias);
     }
     parameters

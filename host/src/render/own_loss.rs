@@ -7,7 +7,7 @@ use super::part::Part;
 use super::part_counts::{Capacity, Needed};
 use super::plan::Plan;
 use super::renderer::Renderer;
-use super::results::{RenderReport, RenderedTiles};
+use super::results::RenderedTiles;
 use super::scene::DeviceScene;
 use crate::camera::Camera;
 use crate::error::{Error, Result};
@@ -70,7 +70,6 @@ pub(crate) enum OwnLoss<'h> {
 struct Step<'a> {
     scene: &'a DeviceScene,
     cameras: &'a [Camera],
-    batch: &'a TileBatch,
     target: &'a LossTarget<'a>,
     gradient: &'a SceneGradient,
 }
@@ -90,40 +89,47 @@ impl Renderer {
         target: &LossTarget<'_>,
         gradient: &SceneGradient,
     ) -> Result<(f64, f64)> {
-        let step = Step { scene, cameras, batch, target, gradient };
-        gradient.begin(self.device());
+        let step = Step { scene, cameras, target, gradient };
         let (loss, squared) = match own {
-            OwnLoss::Host(own) if self.plans(scene, batch)?.len() > 1 => self.whole(step, own),
-            own => self.in_parts(scene, batch, |plans| {
-                let add = |sum: (f64, f64), plan| {
-                    let (loss, squared) = self.part(step, own, plan)?;
-                    Ok((sum.0 + loss, sum.1 + squared))
-                };
-                let sum = plans.iter().try_fold((0.0, 0.0), add);
-                sum.inspect_err(|_| gradient.restart(self.device()))
-            }),
-        }?;
+            OwnLoss::Host(own) => self.host(step, batch, own)?,
+            OwnLoss::Device(own) => {
+                gradient.begin(self.device());
+                self.in_parts(scene, batch, |plans| {
+                    let add = |sum: (f64, f64), plan| {
+                        let (loss, squared) = self.part(step, own, plan)?;
+                        Ok((sum.0 + loss, sum.1 + squared))
+                    };
+                    let sum = plans.iter().try_fold((0.0, 0.0), add);
+                    sum.inspect_err(|_| gradient.restart(self.device()))
+                })?
+            }
+        };
         Ok((loss, squared / (3.0 * target.valid_pixels).max(1.0)))
     }
 
-    /// A loss that needs all tiles at once, of a batch in parts: they are rendered twice.
-    fn whole(&self, step: Step<'_>, own: &mut HostLoss<'_>) -> Result<(f64, f64)> {
-        let Step { scene, cameras, batch, target, gradient } = step;
-        let rendered = self.render(scene, cameras, batch)?;
-        let LossGradient { loss, grad_output } = host_loss(own, step, &rendered)?;
-        self.in_parts(scene, batch, |plans| {
-            let added = self.add_parts(scene, cameras, plans, &grad_output, gradient);
-            added.inspect_err(|_| gradient.restart(self.device()))
-        })?;
+    /// A loss on the host needs all tiles at once.
+    fn host(
+        &self,
+        step: Step<'_>,
+        batch: &TileBatch,
+        own: &mut HostLoss<'_>,
+    ) -> Result<(f64, f64)> {
+        let Step { scene, cameras, target, gradient } = step;
+        let recording = self.record(scene, cameras, batch)?;
+        let rendered = recording.tiles();
+        let LossGradient { loss, grad_output } =
+            own(&LossBatch { batch, rendered, target: *target })?;
+        check_len(grad_output.len(), rendered.data.len())?;
+        recording.add_to(gradient, &grad_output)?;
         let area = (batch.side * batch.side) as usize;
         Ok((loss, squared_error(&rendered.data, target.image, target.valid, area)))
     }
 
     /// Renders a part, has the loss evaluated, and goes back.
-    fn part(&self, step: Step<'_>, own: &mut OwnLoss<'_>, plan: &Plan) -> Result<(f64, f64)> {
-        let Step { scene, cameras, batch, target, gradient } = step;
-        let device = self.device();
-        let area = (batch.side * batch.side) as usize;
+    fn part(&self, step: Step<'_>, own: &mut DeviceLoss<'_>, plan: &Plan) -> Result<(f64, f64)> {
+        let Step { scene, cameras, target, gradient } = step;
+        let (device, side) = (self.device(), plan.side);
+        let area = (side * side) as usize;
         let image = of_tiles(target.image, &plan.tiles, 3 * area);
         let valid = of_tiles(target.valid, &plan.tiles, area);
         let work = |capacity: Option<Capacity>| {
@@ -133,57 +139,25 @@ impl Renderer {
             if needed == Needed::Overflow {
                 return Ok(((0.0, 0.0), needed));
             }
-            let pixels: Vec<f32> = bytemuck::pod_collect_to_vec(&values[0]);
-            let squared = squared_error(&pixels, &image, &valid, area);
-            let (loss, slopes) = match own {
-                OwnLoss::Host(own) => {
-                    let rendered = in_order(batch, plan, &pixels);
-                    let LossGradient { loss, grad_output } = host_loss(own, step, &rendered)?;
-                    let slopes = of_tiles(&grad_output, &plan.tiles, 3 * area);
-                    (loss, device.upload("gradient of the tiles", &slopes)?)
-                }
-                OwnLoss::Device(own) => {
-                    let target_image = device.upload("photographs", &image)?;
-                    let valid = device.upload("masks", &valid)?;
-                    let inputs = LossInputs {
-                        image: &part.composite.image,
-                        target: &target_image,
-                        valid: &valid,
-                        valid_pixels: target.valid_pixels,
-                        ssim_weight: target.ssim_weight,
-                    };
-                    let found = own(&DeviceLossBatch { device, side: batch.side, inputs })?;
-                    check_len(found.grad_image.len(), pixels.len())?;
-                    (found.loss, found.grad_image)
-                }
+            let pixels = bytemuck::cast_slice(&values[0]);
+            let squared = squared_error(pixels, &image, &valid, area);
+            let target_image = device.upload("photographs", &image)?;
+            let valid = device.upload("masks", &valid)?;
+            let inputs = LossInputs {
+                image: &part.composite.image,
+                target: &target_image,
+                valid: &valid,
+                valid_pixels: target.valid_pixels,
+                ssim_weight: target.ssim_weight,
             };
-            device.run_in_pool(|| part.backward(device, scene, plan.side, &slopes, gradient))?;
+            let DeviceLossGradient { loss, grad_image } =
+                own(&DeviceLossBatch { device, side, inputs })?;
+            check_len(grad_image.len(), pixels.len())?;
+            device.run_in_pool(|| part.backward(device, scene, side, &grad_image, gradient))?;
             Ok(((loss, squared), needed))
         };
         self.with_predicted_capacity(scene, plan, work)
     }
-}
-
-/// The tiles of a batch's only part, in the batch's order.
-fn in_order(batch: &TileBatch, plan: &Plan, pixels: &[f32]) -> RenderedTiles {
-    let len = 3 * (batch.side * batch.side) as usize;
-    let mut data = vec![0.0; pixels.len()];
-    for (pixels, tile) in pixels.chunks_exact(len).zip(&plan.tiles) {
-        data[tile.place * len..][..len].copy_from_slice(pixels);
-    }
-    let report = RenderReport { parts: 1, ..RenderReport::default() };
-    let (side, count) = (batch.side, batch.tiles.len());
-    RenderedTiles { side, count, data, report, ..RenderedTiles::default() }
-}
-
-fn host_loss(
-    own: &mut HostLoss<'_>,
-    step: Step<'_>,
-    rendered: &RenderedTiles,
-) -> Result<LossGradient> {
-    let found = own(&LossBatch { batch: step.batch, rendered, target: *step.target })?;
-    check_len(found.grad_output.len(), rendered.data.len())?;
-    Ok(found)
 }
 
 fn check_len(found: usize, expected: usize) -> Result<()> {

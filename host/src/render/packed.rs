@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::network::{pack_network, unpack_network};
+use super::network::{pack_network, packed_len, unpack_network};
 use crate::error::Result;
 use crate::scene::{Field, FieldTensors, Network, Scene, SceneConfig, Tensors};
 use organza_device::{Buffer, Device};
@@ -48,7 +48,7 @@ fn field_targets(field: &mut Field) -> FieldTensors<Target<'_>> {
     }
 }
 
-/// The scene of `gaussians` Gaussians whose tensors `read` gives as kernels read them.
+/// The scene of `gaussians` Gaussians whose tensors `read` fills in as kernels read them.
 ///
 /// # Errors
 /// As [`Scene::zeros`]; those of `read`.
@@ -56,7 +56,7 @@ pub fn unpack<T>(
     config: &SceneConfig,
     gaussians: usize,
     tensors: Tensors<T>,
-    read: impl Fn(T) -> Result<Vec<f32>>,
+    read: impl Fn(T, &mut [f32]) -> organza_device::Result<()>,
 ) -> Result<Scene> {
     let mut scene = Scene::zeros(config.clone(), gaussians)?;
     let targets = Tensors {
@@ -65,10 +65,13 @@ pub fn unpack<T>(
         transmittance: field_targets(&mut scene.transmittance),
     };
     targets.zip(tensors).try_map(|_, (target, tensor)| -> Result<()> {
-        let values = read(tensor)?;
         match target {
-            Target::Values(target) => target.copy_from_slice(&values),
-            Target::Network(network) => unpack_network(&values, network),
+            Target::Values(target) => read(tensor, target)?,
+            Target::Network(network) => {
+                let mut values = vec![0.0; packed_len(network)];
+                read(tensor, &mut values)?;
+                unpack_network(&values, network);
+            }
         }
         Ok(())
     })?;

@@ -79,16 +79,17 @@ pub struct RenderedPart {
     pub report: RenderReport,
 }
 
-/// Renders a part, and finds the capacity that it needed. `capacity` is as for [`Part::evaluate`].
+/// Renders a part, and finds the capacity that it needed. `keep` and `capacity` are as for [`Part::evaluate`].
 pub fn render(
     device: &Device,
     scene: &DeviceScene,
     cameras: &[Camera],
     plan: &Plan,
     channels: &[Channel],
+    keep: bool,
     capacity: Option<Capacity>,
-) -> Result<(RenderedPart, Needed)> {
-    let part = Part::evaluate(device, scene, cameras, plan, false, capacity)?;
+) -> Result<((Part, RenderedPart), Needed)> {
+    let part = Part::evaluate(device, scene, cameras, plan, keep, capacity)?;
     let sums = ChannelSums::new(device, scene, plan.side, &part, channels)?;
     let mut buffers = vec![part.composite.image.view(), part.bins.degenerate.view()];
     buffers.extend(sums.buffers());
@@ -100,5 +101,5 @@ pub fn render(
         [report.pairs, report.members, report.samples] = [pairs, members, samples].map(u64::from);
     }
     let pixels = bytemuck::pod_collect_to_vec(&values[0]);
-    Ok((RenderedPart { pixels, channels: sums, report }, needed))
+    Ok(((part, RenderedPart { pixels, channels: sums, report }), needed))
 }

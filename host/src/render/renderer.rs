@@ -1,21 +1,20 @@
 //! Renders batches of tiles, part by part.
 
-use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::capacity::CapacityPredictor;
 use super::channels::Channel;
-use super::part;
+use super::part::{self, Part, RenderedPart};
 use super::part_counts::{Capacity, Needed};
 use super::plan::{PART_BYTES, Plan};
-use super::results::{RenderReport, RenderedTiles};
+use super::results::RenderedTiles;
 use super::scene::DeviceScene;
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::image::{self, Image};
 use crate::tile::TileBatch;
-use organza_device::{Device, memory};
+use organza_device::Device;
 
 /// Renders scenes on a device.
 ///
@@ -116,27 +115,13 @@ impl Renderer {
         progress: &mut dyn FnMut(usize, usize),
     ) -> Result<RenderedTiles> {
         batch.validate(cameras)?;
-        let area = (batch.side * batch.side) as usize;
-        let len = |planes: usize| batch.tiles.len() * planes * area;
-        let mut data = memory::zeros(len(3), "the rendered batch")?;
-        let mut beside = BTreeMap::new();
-        for &channel in channels {
-            beside.insert(channel, memory::zeros(len(channel.planes()), channel.name())?);
-        }
-        let (mut report, mut done) = (RenderReport::default(), 0);
+        let mut tiles = RenderedTiles::zeros(batch, channels)?;
+        let mut done = 0;
         let mut plans = self.plans(scene, batch)?;
         while let Some(plan) = plans.pop() {
-            let device = &*self.device;
-            let render =
-                |capacity| Ok(part::render(device, scene, cameras, &plan, channels, capacity)?);
-            match device.run_in_pool(|| self.with_predicted_capacity(scene, &plan, render)) {
-                Ok(part) => {
-                    place(&plan, &part.pixels, 3 * area, &mut data);
-                    for (channel, values) in channels.iter().zip(&part.channels) {
-                        let all = beside.get_mut(channel).expect("inserted above");
-                        place(&plan, values, channel.planes() * area, all);
-                    }
-                    report.add(&part.report);
+            match self.render_part(scene, cameras, &plan, channels, false) {
+                Ok((_, part)) => {
+                    tiles.place(&plan, &part, channels);
                     done += plan.tiles.len();
                     progress(done, batch.tiles.len());
                 }
@@ -147,15 +132,22 @@ impl Renderer {
                 Err(error) => return Err(error),
             }
         }
-        let (side, count) = (batch.side, batch.tiles.len());
-        Ok(RenderedTiles { side, count, data, channels: beside, report })
+        Ok(tiles)
     }
-}
 
-/// Copies the values of a part's tiles, `len` each, to their places in the batch.
-fn place(plan: &Plan, values: &[f32], len: usize, batch: &mut [f32]) {
-    for (values, tile) in values.chunks_exact(len).zip(&plan.tiles) {
-        batch[tile.place * len..][..len].copy_from_slice(values);
+    /// Renders a part; `keep` says whether it will be gone back through.
+    pub(super) fn render_part(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        plan: &Plan,
+        channels: &[Channel],
+        keep: bool,
+    ) -> Result<(Part, RenderedPart)> {
+        let device = self.device();
+        let render =
+            |capacity| Ok(part::render(device, scene, cameras, plan, channels, keep, capacity)?);
+        device.run_in_pool(|| self.with_predicted_capacity(scene, plan, render))
     }
 }
 

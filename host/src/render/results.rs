@@ -3,6 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::channels::Channel;
+use super::part::RenderedPart;
+use super::plan::Plan;
+use crate::error::Result;
+use crate::tile::TileBatch;
+use organza_device::memory;
 
 /// A rendered batch, the tensor Y of Eq. 16.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -35,6 +40,35 @@ pub struct RenderReport {
 }
 
 impl RenderedTiles {
+    /// Black tiles: to fill in.
+    pub(super) fn zeros(batch: &TileBatch, channels: &[Channel]) -> Result<Self> {
+        let area = (batch.side * batch.side) as usize;
+        let len = |planes: usize| batch.tiles.len() * planes * area;
+        let data = memory::zeros(len(3), "the rendered batch")?;
+        let beside = channels
+            .iter()
+            .map(|&channel| Ok((channel, memory::zeros(len(channel.planes()), channel.name())?)));
+        let channels = beside.collect::<Result<_>>()?;
+        let (side, count) = (batch.side, batch.tiles.len());
+        Ok(Self { side, count, data, channels, report: RenderReport::default() })
+    }
+
+    /// Puts the tiles of a part in their places; `channels` are those of the part.
+    pub(super) fn place(&mut self, plan: &Plan, part: &RenderedPart, channels: &[Channel]) {
+        let area = (self.side * self.side) as usize;
+        let place = |values: &[f32], len: usize, batch: &mut [f32]| {
+            for (values, tile) in values.chunks_exact(len).zip(&plan.tiles) {
+                batch[tile.place * len..][..len].copy_from_slice(values);
+            }
+        };
+        place(&part.pixels, 3 * area, &mut self.data);
+        for (channel, values) in channels.iter().zip(&part.channels) {
+            let all = self.channels.get_mut(channel).expect("made by `zeros`");
+            place(values, channel.planes() * area, all);
+        }
+        self.report.add(&part.report);
+    }
+
     /// Red, green and blue of a pixel: column `x` and row `y` of a tile. Values can be outside 0 to 1.
     ///
     /// # Panics
@@ -49,7 +83,7 @@ impl RenderedTiles {
 }
 
 impl RenderReport {
-    pub(super) fn add(&mut self, part: &Self) {
+    fn add(&mut self, part: &Self) {
         self.parts += part.parts;
         self.pairs += part.pairs;
         self.members += part.members;

@@ -1,10 +1,13 @@
 //! A scene on a device.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use organza_shaders::hash_grid::GridLevel;
 
 use super::field::DeviceField;
 use super::packed::{pack, unpack};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::scene::{Scene, SceneConfig, Tensors};
 use organza_device::{Buffer, Device};
 
@@ -19,6 +22,8 @@ pub struct DeviceScene {
     pub(super) tensors: Tensors<Buffer<f32>>,
     pub(super) color: DeviceField,
     pub(super) transmittance: DeviceField,
+    /// How often [`DeviceScene::write`] has changed it.
+    pub(super) version: Arc<AtomicU64>,
 }
 
 impl DeviceScene {
@@ -75,6 +80,57 @@ impl DeviceScene {
     /// As [`Device::read`]; [`Error::Argument`](crate::Error::Argument) where the grids are halves.
     pub fn download(&self, device: &Device) -> Result<Scene> {
         self.require_full_grids()?;
-        unpack(&self.config, self.len(), self.tensors.as_ref(), |buffer| Ok(device.read(buffer)?))
+        let read = |buffer: &Buffer<f32>, values: &mut [f32]| device.read_into(buffer, 0, values);
+        unpack(&self.config, self.len(), self.tensors.as_ref(), read)
+    }
+
+    /// Replaces a tensor's values, after everything that was dispatched before. `name` is that of [`Scene::tensors`],
+    /// such as `gaussians.position` or `color.mlp.0.weight`; values are row-major. Nothing is allocated on a CPU.
+    ///
+    /// A [`Recording`](super::Recording) of the scene as it was before has no gradient anymore.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] where there is no such tensor, or where the scene was uploaded as halves;
+    /// [`Error::WrongShape`] or [`Error::NotFinite`] where the values are not those of the tensor; as [`Device::write`].
+    pub fn write(&self, device: &Device, name: &str, values: &[f32]) -> Result<()> {
+        self.require_gradients()?;
+        let specs = self.config.tensors(self.len());
+        let Some(spec) = specs.iter().find(|spec| spec.name == name) else {
+            let names: Vec<_> = specs.iter().map(|spec| &*spec.name).collect();
+            let reason = format!("a scene has no tensor `{name}`, only {}", names.join(", "));
+            return Err(Error::Argument { reason });
+        };
+        spec.check(values)?;
+        self.version.fetch_add(1, Ordering::Relaxed);
+        if let Some((_, buffer)) = self.tensors.iter().find(|(own, _)| *own == name) {
+            return Ok(device.write(buffer, 0, values)?);
+        }
+        let (field, rest) = match name.strip_prefix("color.mlp.") {
+            Some(rest) => (&self.color, rest),
+            None => (&self.transmittance, name.trim_start_matches("transmittance.mlp.")),
+        };
+        let (layer, kind) = rest.split_once('.').expect("a layer's tensor");
+        let place = &field.layers[layer.parse::<usize>().expect("a layer's number")];
+        let parameters = field.parameters.view::<f32>();
+        if kind == "bias" {
+            return Ok(device.write(&parameters, place.bias_value(), values)?);
+        }
+        let mut packed = vec![0.0; place.weight_values().len()];
+        place.pack_weight(values, &mut packed);
+        Ok(device.write(&parameters, place.weight_values().start, &packed)?)
+    }
+
+    /// The same scene, on the same memory.
+    pub(super) fn view(&self) -> Self {
+        Self {
+            config: self.config.clone(),
+            gaussians: self.gaussians,
+            divide_above: self.divide_above,
+            scene_box: self.scene_box.view(),
+            tensors: self.tensors.as_ref().map(|_, buffer| buffer.view()),
+            color: self.color.view(),
+            transmittance: self.transmittance.view(),
+            version: Arc::clone(&self.version),
+        }
     }
 }

@@ -1,5 +1,7 @@
 //! A part whose numbers stay on the device, beside one that the host knows all about.
 
+mod recording;
+
 use super::gradient::SceneGradient;
 use super::part::Part;
 use super::part_counts::{Capacity, Needed};

@@ -1,6 +1,7 @@
 //! How a scene is stored on a device, and which scenes cannot be.
 
 use std::borrow::Cow;
+use std::sync::Arc;
 
 use organza_shaders::resolve::DIVIDE_ABOVE;
 use organza_shaders::unit_cube::SceneBox;
@@ -57,6 +58,7 @@ impl Renderer {
             )?,
             tensors,
             config: config.clone(),
+            version: Arc::default(),
         })
     }
 }

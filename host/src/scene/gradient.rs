@@ -74,6 +74,12 @@ impl Gradient {
         self.tensors().into_iter().find(|(spec, _)| spec.name == name).map(|(_, values)| values)
     }
 
+    /// The values, in the shape of the scene that it is a gradient of.
+    #[must_use]
+    pub fn into_values(self) -> Scene {
+        self.0
+    }
+
     /// Writes a safetensors file with `grad.<tensor>` for each tensor of the scene, atomically.
     ///
     /// # Errors

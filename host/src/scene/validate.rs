@@ -6,6 +6,17 @@ use super::Scene;
 use super::spec::{MAX_VALUES, TensorSpec};
 use crate::error::{Error, IN_MEMORY, Result};
 
+impl TensorSpec {
+    /// Checks that values are as many as the tensor has, and finite.
+    pub(crate) fn check(&self, values: &[f32]) -> Result<()> {
+        let origin = Path::new(IN_MEMORY);
+        if values.len() != self.values() {
+            return Err(wrong_shape(self, vec![values.len()], origin));
+        }
+        check_finite(self, values, origin)
+    }
+}
+
 impl Scene {
     /// Checks that the configuration is in range, that there are Gaussians, that every tensor has
     /// the shape the configuration gives it, and that every value is finite.

@@ -82,7 +82,7 @@ impl<'h> StepHooks<'h> {
     /// A loss on the host: a function of the rendered tiles Y `[K, 3, S, S]` and the photographs behind them. It
     /// returns the loss and dL/dY.
     ///
-    /// It sees all tiles of a step at once. If memory runs out, it can be called again for the same step.
+    /// It sees all tiles of a step at once.
     #[must_use]
     pub fn loss(mut self, loss: impl FnMut(&LossBatch<'_>) -> Result<LossGradient> + 'h) -> Self {
         self.loss = Some(OwnLoss::Host(Box::new(loss)));

@@ -32,7 +32,9 @@ impl Optimizer {
     /// As [`Device::read`].
     pub fn moments(&self, device: &Device, scene: &DeviceScene) -> Result<[Scene; 2]> {
         let read = |moment: &Tensors<Buffer<f32>>| {
-            unpack(scene.config(), scene.len(), moment.as_ref(), |buffer| Ok(device.read(buffer)?))
+            unpack(scene.config(), scene.len(), moment.as_ref(), |buffer, values| {
+                device.read_into(buffer, 0, values)
+            })
         };
         let [first, second] = &self.moments;
         Ok([read(first)?, read(second)?])

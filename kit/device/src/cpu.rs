@@ -108,6 +108,13 @@ impl Cpu {
         unsafe { memory.data().add(begin as usize).write_bytes(0, bytes as usize) };
     }
 
+    pub fn write(&self, to: &CpuMemory, begin: u64, bytes: &[u8]) {
+        let begin = begin as usize;
+        assert!(begin + bytes.len() <= to.bytes().len());
+        // SAFETY: in range, and no dispatch runs: each returns when it is done
+        unsafe { to.data().add(begin).copy_from(bytes.as_ptr(), bytes.len()) };
+    }
+
     pub fn copy(&self, from: &CpuMemory, range: Range<u64>, to: &CpuMemory, begin: u64) {
         let bytes = (range.end - range.start) as usize;
         assert!(range.end <= from.bytes().len() as u64);

@@ -111,7 +111,14 @@ impl Device {
         if values.is_empty() {
             return Ok(());
         }
-        let values = self.upload(buffer.raw().label, values)?;
+        let raw = buffer.raw();
+        if let (Kind::Cpu(cpu), Memory::Cpu(memory)) = (&self.kind, &raw.memory) {
+            let begin = raw.begin + (first * size_of::<T>()) as u64;
+            cpu.write(memory, begin, bytemuck::cast_slice(values));
+            return Ok(());
+        }
+        // through a buffer: a copy waits for what was dispatched before
+        let values = self.upload(raw.label, values)?;
         self.copy_to(&values, buffer, first);
         Ok(())
     }
@@ -134,24 +141,41 @@ impl Device {
         first: usize,
         len: usize,
     ) -> Result<Vec<T>> {
-        assert!(first + len <= buffer.len(), "read past the end of `{}`", buffer.raw().label);
-        if len == 0 {
-            return Ok(Vec::new());
+        let mut values = crate::memory::zeros(len, buffer.raw().label)?;
+        self.read_into(buffer, first, &mut values)?;
+        Ok(values)
+    }
+
+    /// Reads elements from `first` on into memory of the caller's, as many as it holds; as [`Device::read`].
+    ///
+    /// # Errors
+    /// As [`Device::read`].
+    ///
+    /// # Panics
+    /// Past the buffer's end.
+    pub fn read_into<T: Pod>(
+        &self,
+        buffer: &Buffer<T>,
+        first: usize,
+        values: &mut [T],
+    ) -> Result<()> {
+        let label = buffer.raw().label;
+        assert!(first + values.len() <= buffer.len(), "read past the end of `{label}`");
+        if values.is_empty() {
+            return Ok(());
         }
         let begin = buffer.raw().begin as usize + first * size_of::<T>();
-        let bytes = len * size_of::<T>();
-        let mut values: Vec<T> = crate::memory::zeros(len, buffer.raw().label)?;
-        let target: &mut [u8] = bytemuck::cast_slice_mut(&mut values);
+        let target: &mut [u8] = bytemuck::cast_slice_mut(values);
         match (&self.kind, &buffer.raw().memory) {
             (Kind::Cpu(_), Memory::Cpu(memory)) => {
-                target.copy_from_slice(&memory.bytes()[begin..begin + bytes])
+                target.copy_from_slice(&memory.bytes()[begin..begin + target.len()]);
+                Ok(())
             }
             (Kind::Gpu(gpu), Memory::Gpu(memory)) => {
-                gpu.read(&mut [(memory, begin as u64, target)])?
+                gpu.read(&mut [(memory, begin as u64, target)])
             }
-            _ => panic!("the buffer `{}` belongs to another device", buffer.raw().label),
+            _ => panic!("the buffer `{label}` belongs to another device"),
         }
-        Ok(values)
     }
 
     /// As [`Device::read`], of many buffers: waits once.

@@ -1,11 +1,12 @@
-//! How close a scene comes to photographs: each is rendered whole and compared, by PSNR and SSIM, and by LPIPS where there
-//! are weights.
+//! How close a scene comes to photographs: each is rendered whole and compared, by PSNR and SSIM, and by what else is
+//! asked for.
 //!
 //! What is compared is the rendered value of f32, clamped to 0 to 1 as a picture would be but not rounded to 8 bits; a NaN
 //! is black. Pixels that the photograph does not have (undistorting leaves such) do not count: PSNR is over the others,
 //! and SSIM over the windows that touch none of them.
 
 pub(crate) mod csv;
+mod fitted;
 #[cfg(test)]
 mod tests;
 
@@ -28,9 +29,22 @@ pub struct Score {
     pub psnr: Option<f64>,
     /// The structural similarity, at most 1; none, null in JSON, where no window of 11 x 11 pixels is valid.
     pub ssim: Option<f64>,
-    /// LPIPS, which only [`evaluate_with_lpips`] measures. Pixels that the photograph does not have are black in both images.
+    /// LPIPS, which only [`evaluate_measures`] measures. Pixels that the photograph does not have are black in both images.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lpips: Option<f64>,
+    /// PSNR after a gain and an offset for each channel, each half of the image with the fit of the other half. Only
+    /// [`evaluate_measures`] with [`Measures::fitted`] measures it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub psnr_fitted: Option<f64>,
+}
+
+/// What is measured besides PSNR and SSIM.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Measures<'a> {
+    /// LPIPS, with these weights.
+    pub lpips: Option<&'a Lpips>,
+    /// PSNR after a fit of the colors, [`Score::psnr_fitted`].
+    pub fitted: bool,
 }
 
 /// The score of one frame.
@@ -116,18 +130,18 @@ pub fn evaluate_with(
     frames: &[&Frame],
     watch: &mut dyn FnMut(Event<'_>),
 ) -> Result<Evaluation> {
-    evaluate_with_lpips(renderer, scene, frames, None, watch)
+    evaluate_measures(renderer, scene, frames, Measures::default(), watch)
 }
 
-/// As [`evaluate_with`]; also measures LPIPS, if it has weights.
+/// As [`evaluate_with`]; also measures what `measures` asks for.
 ///
 /// # Errors
 /// As [`evaluate`].
-pub fn evaluate_with_lpips(
+pub fn evaluate_measures(
     renderer: &Renderer,
     scene: &DeviceScene,
     frames: &[&Frame],
-    lpips: Option<&Lpips>,
+    measures: Measures<'_>,
     watch: &mut dyn FnMut(Event<'_>),
 ) -> Result<Evaluation> {
     let (mut views, mut not_finite) = (Vec::with_capacity(frames.len()), 0);
@@ -138,7 +152,7 @@ pub fn evaluate_with_lpips(
             watch(Event::Tiles { done, total });
         };
         let rendered = Rendered::new(renderer, scene, frame, &mut advance)?;
-        let score = ViewScore { name: frame.name.clone(), score: rendered.score(frame, lpips)? };
+        let score = ViewScore { name: frame.name.clone(), score: rendered.score(frame, measures)? };
         not_finite += rendered.image.not_finite();
         watch(Event::View { index, score: &score, image: &rendered.image });
         views.push(score);
@@ -174,6 +188,7 @@ fn mean(views: &[ViewScore]) -> Score {
         psnr: mean(|score| score.psnr),
         ssim: mean(|score| score.ssim),
         lpips: mean(|score| score.lpips),
+        psnr_fitted: mean(|score| score.psnr_fitted),
     }
 }
 
@@ -231,18 +246,23 @@ impl Rendered {
         }
     }
 
-    fn score(&self, frame: &Frame, lpips: Option<&Lpips>) -> Result<Score> {
+    fn score(&self, frame: &Frame, measures: Measures<'_>) -> Result<Score> {
         let photograph = &frame.image;
         let mut truth = colors(frame, "a photograph")?;
         for (color, pixel) in truth.iter_mut().zip(photograph.pixels()) {
             *color = pixel.map(|value| f32::from(value) / 255.0);
         }
         let size = self.image.size().map(|size| size as usize);
-        let (psnr, ssim) = (
-            psnr(&self.colors, &truth, photograph.valid()),
-            ssim(size, &self.colors, &truth, photograph.valid()),
-        );
-        let Some(lpips) = lpips else { return Ok(Score { psnr, ssim, lpips: None }) };
+        let valid = photograph.valid();
+        let mut score = Score {
+            psnr: psnr(&self.colors, &truth, valid),
+            ssim: ssim(size, &self.colors, &truth, valid),
+            ..Score::default()
+        };
+        if measures.fitted {
+            score.psnr_fitted = fitted::psnr_fitted(size, &self.colors, &truth, valid);
+        }
+        let Some(lpips) = measures.lpips else { return Ok(score) };
         let mut colors = self.colors.clone();
         for (at, _) in photograph
             .valid()
@@ -251,7 +271,7 @@ impl Rendered {
         {
             (colors[at], truth[at]) = ([0.0; 3], [0.0; 3]);
         }
-        Ok(Score { psnr, ssim, lpips: lpips.distance(size, &colors, &truth)? })
+        Ok(Score { lpips: lpips.distance(size, &colors, &truth)?, ..score })
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use organza::data::{Background, Dataset, Frame};
-use organza::evaluate::{Event, Score, evaluate_with_lpips};
+use organza::evaluate::{Event, Measures, Score, evaluate_measures};
 use organza::metrics::lpips::Lpips;
 use organza::{DeviceScene, Evaluation, Renderer, Result};
 
@@ -23,6 +23,7 @@ Examples:
   organza eval scene.safetensors data/lego --background white --json
   organza eval run data/garden --downscale 4
   organza eval run --csv scores.csv --lpips lpips-alex.safetensors
+  organza eval run --fit-colors
 
 A run's folder says what the run was trained on, the built-in scene included, and which frames were held out. \
 Arguments and options override this.
@@ -52,6 +53,10 @@ pub struct Args {
     /// Also measure LPIPS, with the weights in this file
     #[arg(long, value_name = "WEIGHTS")]
     lpips: Option<PathBuf>,
+    /// Also measure PSNR with a gain and an offset for each channel: each half of an image, left and right, is measured
+    /// with the fit of the other half
+    #[arg(long)]
+    fit_colors: bool,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -85,7 +90,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let dataset = data.read(&renderer, console)?;
     let frames = frames(args, &dataset, split)?;
     let scene = args.scene_args.upload(&renderer, &scene)?;
-    let evaluation = measure(&renderer, &scene, &frames, lpips.as_ref(), console)?;
+    let measures = Measures { lpips: lpips.as_ref(), fitted: args.fit_colors };
+    let evaluation = measure(&renderer, &scene, &frames, measures, console)?;
     if let Some(csv) = &args.csv {
         evaluation.save_csv(csv)?;
         console.note(&format!("wrote {}", csv.display()));
@@ -109,14 +115,14 @@ fn measure(
     renderer: &Renderer,
     scene: &DeviceScene,
     frames: &[&Frame],
-    lpips: Option<&Lpips>,
+    measures: Measures<'_>,
     console: Console,
 ) -> Result<Evaluation> {
     let start = Instant::now();
     let evaluation = {
         let progress = console.progress(0, "tiles");
         progress.say(&frames[0].name);
-        evaluate_with_lpips(renderer, scene, frames, lpips, &mut |event| match event {
+        evaluate_measures(renderer, scene, frames, measures, &mut |event| match event {
             Event::Tiles { done, total } => progress.set_of(done, total),
             Event::View { index, .. } => {
                 progress.say(frames.get(index + 1).map_or("", |next| &next.name));
@@ -132,17 +138,21 @@ fn measure(
 
 /// A row for each view, and their mean.
 fn table(evaluation: &Evaluation) -> String {
-    let has_lpips = evaluation.mean.lpips.is_some();
-    let columns = if has_lpips { 4 } else { 3 };
-    let mut table = Table::new(1, ["view", "PSNR", "SSIM", "LPIPS"].into_iter().take(columns));
+    let (lpips, fitted) = (evaluation.mean.lpips, evaluation.mean.psnr_fitted);
+    let is_shown = [true, true, true, lpips.is_some(), fitted.is_some()];
+    let titles = ["view", "PSNR", "SSIM", "LPIPS", "PSNR, fitted"];
+    let titles =
+        titles.into_iter().zip(is_shown).filter_map(|(title, is_shown)| is_shown.then_some(title));
+    let mut table = Table::new(1, titles);
     let cell = |value: Option<f64>, digits| match value {
         Some(value) => format!("{value:.digits$}"),
         None => "-".to_owned(),
     };
     let mut row = |name: &str, score: &Score| {
-        let [psnr, ssim] = [cell(score.psnr, 2), cell(score.ssim, 4)];
-        let cells = [name.to_owned(), psnr, ssim, cell(score.lpips, 4)];
-        table.row(cells.into_iter().take(columns));
+        let [psnr, fitted] = [score.psnr, score.psnr_fitted].map(|value| cell(value, 2));
+        let [ssim, lpips] = [score.ssim, score.lpips].map(|value| cell(value, 4));
+        let cells = [name.to_owned(), psnr, ssim, lpips, fitted].into_iter().zip(is_shown);
+        table.row(cells.filter_map(|(cell, is_shown)| is_shown.then_some(cell)));
     };
     for view in &evaluation.views {
         row(&view.name, &view.score);

@@ -76,7 +76,7 @@ fn sizes_must_agree() {
 fn what_has_no_value_is_left_out_of_the_mean_and_null_in_json() {
     let view = |name: &str, psnr, ssim| ViewScore {
         name: name.into(),
-        score: Score { psnr, ssim, lpips: None },
+        score: Score { psnr, ssim, ..Score::default() },
     };
     let views =
         vec![view("a", Some(20.0), None), view("b", None, None), view("c", Some(30.0), None)];
@@ -86,7 +86,7 @@ fn what_has_no_value_is_left_out_of_the_mean_and_null_in_json() {
     let start =
         r#"{"mean":{"psnr":25.0,"ssim":null},"views":[{"name":"a","psnr":20.0,"ssim":null},"#;
     assert!(json.starts_with(start), "{json}");
-    let infinite = Score { psnr: Some(f64::INFINITY), ssim: Some(1.0), lpips: None };
+    let infinite = Score { psnr: Some(f64::INFINITY), ssim: Some(1.0), ..Score::default() };
     assert_eq!(serde_json::to_string(&infinite).unwrap(), r#"{"psnr":null,"ssim":1.0}"#);
     assert_eq!(mean(&[]), Score::default());
 }

@@ -13,7 +13,7 @@ fn step(step: u64) -> Record {
 }
 
 fn evaluation(step: u64) -> Record {
-    let score = Score { psnr: Some(f64::INFINITY), ssim: Some(0.5), lpips: None };
+    let score = Score { psnr: Some(f64::INFINITY), ssim: Some(0.5), ..Score::default() };
     let views = vec![ViewScore { name: "a \"b\"\n.png".to_owned(), score }];
     Record::evaluation(step, 2.0, &Evaluation { mean: score, views, not_finite: 0 })
 }

@@ -49,7 +49,7 @@ fn evaluation(step: u64, names: &[&str]) -> Record {
     let score = Score {
         psnr: Some(20.0 + step as f64 / 777.0),
         ssim: Some(0.5 + step as f64 / 7e3),
-        lpips: None,
+        ..Score::default()
     };
     let view = |name: &&str| ViewScore { name: (*name).to_owned(), score };
     let views = names.iter().map(view).collect();

@@ -146,9 +146,12 @@ fn results_are_json_with_documented_keys() {
         };
         assert_documented(command, &calls.into_iter().map(result).collect::<Vec<_>>());
     }
-    let explain = "explain scene.safetensors cameras.json --pixel 48,40 --json";
-    let outcome = Sandbox::new("crowded").run(explain).assert_ok();
-    assert_documented("explain", &[serde_json::from_str(&outcome.stdout).expect("only JSON")]);
+    let crowded = Sandbox::new("crowded");
+    let explain = ["--pixel 48,40", "--summary"].map(|what| {
+        let words = format!("explain scene.safetensors cameras.json {what} --json");
+        serde_json::from_str(&crowded.run(&words).assert_ok().stdout).expect("only JSON")
+    });
+    assert_documented("explain", &explain);
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! `organza explain`: how one pixel came about, Gaussian by Gaussian.
 
+mod summary;
+
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
@@ -20,11 +22,16 @@ Examples:
   organza explain scene.safetensors cameras.json --view 0 --pixel 192,192
   organza explain scene.safetensors cameras.json --view 3 --pixel 10,20 --all --json
   organza explain run --split held-out --view 0 --pixel 64,64
+  organza explain run --split held-out --summary
 
 The columns are those of docs/pipeline.md: alpha = opacity * falloff * T, where opacity is the \
-sigmoid of the logit. C and S are the sums of Eq. 12 up to and including the row's Gaussian.";
+sigmoid of the logit. C and S are the sums of Eq. 12 up to and including the row's Gaussian.
 
-/// Break one pixel down, Gaussian by Gaussian; always computed on the CPU
+--summary looks at up to 1024 evenly spaced pixels of each view. The surface of a pixel is the median depth of its \
+weights: Gaussians with half of S are nearer. The table shows the shares of the weight that are more than 12% deeper \
+(behind) or nearer (in front) than the surface, and the share of the pixels that show the background: S < 0.98.";
+
+/// Break one pixel down, Gaussian by Gaussian, or sum up views; always computed on the CPU
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -32,12 +39,16 @@ pub struct Args {
     scene: PathBuf,
     /// The cameras: nerfstudio's transforms.json, or a data set [default: what the run was trained on]
     cameras: Option<PathBuf>,
-    /// Index of the view
-    #[arg(long, value_name = "V", default_value_t = 0)]
-    view: usize,
+    /// Index of the view [default: 0; all with --summary]
+    #[arg(long, value_name = "V")]
+    view: Option<usize>,
     /// Column and row of the pixel, from the upper left
     #[arg(long, value_name = "X,Y", value_parser = parse_pixel, allow_hyphen_values = true)]
-    pixel: [i32; 2],
+    #[arg(required_unless_present = "summary")]
+    pixel: Option<[i32; 2]>,
+    /// Show how much of the views' weight is not at the surface, instead of a pixel
+    #[arg(long, conflicts_with_all = ["pixel", "all"])]
+    summary: bool,
     /// Also show Gaussians whose falloff is zero at the pixel
     #[arg(long)]
     all: bool,
@@ -59,43 +70,67 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let usage = "organza explain SCENE CAMERAS";
     let cameras = Cameras::load(&source, args.cameras.as_deref(), &args.data, usage, console)?;
     let Cameras { list: cameras, origin, .. } = cameras;
-    let Some(camera) = cameras.get(args.view) else {
-        return no_view(args.view, cameras.len(), &origin);
-    };
-    let ([x, y], size) = (args.pixel, [camera.width, camera.height]);
-    if args.pixel.iter().zip(size).any(|(&at, size)| !(0..i64::from(size)).contains(&i64::from(at)))
-    {
-        let [width, height] = size;
-        return refuse(format!(
-            "pixel {x},{y} is outside view {}, which has {width} x {height} pixels: columns 0 \
-             to {}, rows 0 to {}",
-            args.view,
-            width - 1,
-            height - 1
-        ));
+    if let Some(view) = args.view.filter(|&view| view >= cameras.len()) {
+        return no_view(view, cameras.len(), &origin);
     }
-    warn_distorted(console, &cameras, &[args.view]);
+    let views = match args.view {
+        None if args.summary => (0..cameras.len()).collect(),
+        view => vec![view.unwrap_or(0)],
+    };
+    let at = args.pixel.map(|pixel| Place { view: views[0], pixel });
+    if let Some(at) = at {
+        at.check(&cameras[at.view])?;
+    }
+    warn_distorted(console, &cameras, &views);
     let scene = source.load(console)?;
     let renderer = Renderer::new(organza::open_device(&DeviceOptions::cpu(None))?);
     let scene = renderer.upload(&scene)?;
-    let mut inspection = renderer.inspect(&scene, &cameras, args.view, args.pixel)?;
+    let Some(at) = at else {
+        return summary::run(&renderer, &scene, &cameras, &views, args.json, console);
+    };
+    let mut inspection = renderer.inspect(&scene, &cameras, at.view, at.pixel)?;
     let reaching = inspection.contributions.len();
     if !args.all {
         inspection.contributions.retain(|contribution| contribution.falloff > 0.0);
     }
     let hidden = reaching - inspection.contributions.len();
     if args.json {
-        return print_json(&Explanation::new(args, &inspection, hidden));
+        return print_json(&Explanation::new(at, &inspection, hidden));
     }
-    print(&text(args, camera, &inspection, hidden))
+    print(&text(at, &cameras[at.view], &inspection, hidden))
 }
 
-fn text(args: &Args, camera: &Camera, inspection: &Inspection, hidden: usize) -> String {
-    let [x, y] = args.pixel;
+/// A pixel of a view.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    view: usize,
+    pixel: [i32; 2],
+}
+
+impl Place {
+    /// Fails where the pixel is not in the view's image.
+    fn check(self, camera: &Camera) -> Result<()> {
+        let ([x, y], [width, height]) = (self.pixel, [camera.width, camera.height]);
+        let is_within = |at: i32, side: u32| (0..i64::from(side)).contains(&i64::from(at));
+        if is_within(x, width) && is_within(y, height) {
+            return Ok(());
+        }
+        refuse(format!(
+            "pixel {x},{y} is outside view {}, which has {width} x {height} pixels: columns 0 \
+             to {}, rows 0 to {}",
+            self.view,
+            width - 1,
+            height - 1
+        ))
+    }
+}
+
+fn text(at: Place, camera: &Camera, inspection: &Inspection, hidden: usize) -> String {
+    let [x, y] = at.pixel;
     let image = camera.file_path.as_ref().map_or(String::new(), |path| format!("{path}, "));
     let mut text = format!(
         "pixel {x},{y} of view {} ({image}{} x {})\n\n",
-        args.view, camera.width, camera.height
+        at.view, camera.width, camera.height
     );
     if !inspection.contributions.is_empty() {
         text += &table(&inspection.contributions).to_string();
@@ -194,7 +229,7 @@ struct Row {
 }
 
 impl Explanation {
-    fn new(args: &Args, inspection: &Inspection, hidden: usize) -> Self {
+    fn new(at: Place, inspection: &Inspection, hidden: usize) -> Self {
         let row = |row: &Contribution| Row {
             gaussian: row.gaussian,
             distance: row.distance,
@@ -208,8 +243,8 @@ impl Explanation {
             alpha_sum: row.alpha_sum,
         };
         Self {
-            view: args.view,
-            pixel: args.pixel,
+            view: at.view,
+            pixel: at.pixel,
             gaussians: inspection.contributions.iter().map(row).collect(),
             hidden,
             color_sum: inspection.color_sum,

@@ -15,6 +15,7 @@ mod halves;
 mod hash_grid;
 mod hash_grid_half;
 mod inspect;
+mod leakage;
 mod loss;
 mod mask;
 mod network;
@@ -44,6 +45,7 @@ pub(crate) use hash_grid_half::pack_halves;
 #[doc(hidden)]
 pub use inspect::Stages;
 pub use inspect::{Contribution, Inspection};
+pub use leakage::Leakage;
 pub use loss::{Loss, LossInputs, LossOutput, TileLoss};
 pub use options::UploadOptions;
 pub(crate) use own_loss::OwnLoss;

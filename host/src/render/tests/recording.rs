@@ -1,12 +1,24 @@
 //! A recorded batch beside one that is rendered and thrown away, and scenes that are written to.
 
-use super::{all_devices, some, tiles};
+use super::{all_devices, some as large, tiles};
 use crate::demo;
 use crate::render::{Channel, DeviceScene, Recording, Renderer, SceneGradient, UploadOptions};
 use crate::scene::{Gradient, Scene};
 
-/// One part of all tiles, and one part a tile: more than are kept.
+/// One part of all tiles, and one for each tile: more than are kept.
 const PART_BYTES: [u64; 2] = [512 << 20, 1];
+
+/// A scene with small hash grids: going back looks at every entry, for each part.
+fn some() -> Scene {
+    let mut scene = large();
+    let config = &mut scene.config;
+    let grids = [&mut config.color_grid, &mut config.transmittance_grid];
+    for (grid, field) in grids.into_iter().zip([&mut scene.color, &mut scene.transmittance]) {
+        grid.log2_table = 8;
+        field.grid.truncate(grid.entries() * grid.features as usize);
+    }
+    scene
+}
 
 /// Any dL/dY.
 fn slopes(values: usize) -> Vec<f32> {
@@ -30,8 +42,7 @@ fn rendered_again(renderer: &Renderer, scene: &DeviceScene, slopes: &[f32]) -> G
 
 fn batch() -> crate::TileBatch {
     let mut batch = tiles();
-    let more = batch.tiles.iter().map(|tile| crate::Tile { origin: [tile.origin[1], 9], ..*tile });
-    batch.tiles = batch.tiles.iter().copied().chain(more).collect();
+    batch.tiles.push(crate::Tile { camera: 0, origin: [30, 9] });
     batch
 }
 
@@ -41,7 +52,7 @@ fn record(renderer: &Renderer, scene: &DeviceScene) -> crate::Result<Recording> 
 
 #[test]
 fn a_recording_has_the_bits_of_rendering_and_of_rendering_again() {
-    for device in all_devices() {
+    for device in all_devices().into_iter().take(2) {
         let renderer = Renderer::new(device);
         for bytes in PART_BYTES {
             let renderer = renderer.clone().with_part_bytes(bytes);
@@ -51,7 +62,7 @@ fn a_recording_has_the_bits_of_rendering_and_of_rendering_again() {
             let cameras = demo::turntable(2, 64);
             let expected = renderer.render(&scene, &cameras, &batch()).expect("tiles");
             assert!(*recording.tiles() == expected, "{what}");
-            assert_eq!(expected.report.parts, if bytes == 1 { 8 } else { 1 });
+            assert_eq!(expected.report.parts, if bytes == 1 { 5 } else { 1 });
 
             let channels = [Channel::Alpha, Channel::Depth];
             let beside = renderer.record_channels(&scene, &cameras, &batch(), &channels);
@@ -85,7 +96,8 @@ fn a_recording_has_the_bits_of_rendering_and_of_rendering_again() {
 
 #[test]
 fn parts_are_given_up_where_memory_ends() {
-    for device in all_devices() {
+    // one that counts on the host, and one that counts on the device
+    for device in all_devices().into_iter().take(2) {
         let renderer = Renderer::new(device).with_part_bytes(1);
         let device = renderer.device();
         let scene = renderer.upload(&some()).expect("a scene");
@@ -93,7 +105,7 @@ fn parts_are_given_up_where_memory_ends() {
         let slopes = slopes(recording.tiles().data.len());
         let expected = bits(&recording.backward(&slopes).expect("a gradient"));
         let mut survived = 0;
-        for number in [20, 130, 240, 350] {
+        for number in [20, 130, 300] {
             device.refuse_one(number);
             let found = record(&renderer, &scene);
             let was_refused = !device.refuse_one(0);
@@ -117,7 +129,7 @@ fn parts_are_given_up_where_memory_ends() {
                 Err(error) => assert!(error.is_out_of_memory(), "{error}"),
             }
         }
-        assert!(survived >= 3, "{}: {survived}", device.choice());
+        assert!(survived >= 2, "{}: {survived}", device.choice());
     }
 }
 
@@ -176,7 +188,7 @@ fn what_cannot_be_written_or_recorded_is_refused() {
 
     let recording = record(&renderer, &scene).expect("a recording");
     let text = recording.backward(&[1.0]).unwrap_err().to_string();
-    assert!(text.contains("has 1 values, but the batch is [8, 3, 16, 16]"), "{text}");
+    assert!(text.contains("has 1 values, but the batch is [5, 3, 16, 16]"), "{text}");
     let options = UploadOptions { half_grids: true, ..UploadOptions::default() };
     let halves = renderer.upload_with(&host, options).expect("a scene");
     for error in [

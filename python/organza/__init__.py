@@ -1,0 +1,38 @@
+"""organza: sort-free Gaussian rendering and training.
+
+    import organza
+
+    renderer = organza.Renderer()
+    scene = organza.Scene.built_in()
+    images = renderer.render(scene, organza.Cameras.turntable(4, side=128))  # [C, H, W, 3]
+
+`organza.torch` and `organza.jax` give gradients to those frameworks. Wrong arguments raise `ValueError`, files that are not
+there `FileNotFoundError`, too little memory `MemoryError`, and all else that stops organza `organza.Error`.
+"""
+
+from ._organza import DeviceScene, Error, Recording, Scene, __version__
+from ._cameras import Cameras, Tiles
+from ._data import Dataset, load_dataset
+from ._images import Images
+from ._renderer import Renderer, parity
+from ._training import Evaluation, Step, TrainConfig, Training, train
+
+__all__ = [
+    "Cameras",
+    "Dataset",
+    "DeviceScene",
+    "Error",
+    "Evaluation",
+    "Images",
+    "Recording",
+    "Renderer",
+    "Scene",
+    "Step",
+    "Tiles",
+    "TrainConfig",
+    "Training",
+    "__version__",
+    "load_dataset",
+    "parity",
+    "train",
+]

@@ -1,0 +1,139 @@
+//! Data sets.
+
+use std::path::{PathBuf, absolute};
+use std::sync::Arc;
+
+use numpy::ndarray::Array3;
+use numpy::{IntoPyArray, PyArray3};
+use organza::data::Background;
+use organza::train::built_in;
+use organza::train::config::DataConfig;
+use pyo3::exceptions::PyIndexError;
+use pyo3::prelude::*;
+
+use crate::cameras::Cameras;
+use crate::error::raise;
+use crate::job;
+use crate::renderer::Renderer;
+
+/// Photographs with poses.
+#[pyclass(frozen, module = "organza")]
+pub struct Dataset {
+    pub dataset: Arc<organza::Dataset>,
+    /// How it was read.
+    pub data: DataConfig,
+}
+
+#[pymethods]
+impl Dataset {
+    #[staticmethod]
+    #[pyo3(signature = (path, downscale, hold_out_every, background, allow_outside))]
+    fn load(
+        py: Python<'_>,
+        path: PathBuf,
+        downscale: u32,
+        hold_out_every: usize,
+        background: Option<[f32; 3]>,
+        allow_outside: bool,
+    ) -> PyResult<Self> {
+        let mut data = DataConfig::default();
+        data.path = Some(absolute(&path).unwrap_or(path));
+        (data.downscale, data.hold_out_every) = (downscale, hold_out_every);
+        data.background = background.map_or(Background::Auto, Background::Color);
+        data.allow_outside = allow_outside;
+        Self::open(py, data, None)
+    }
+
+    #[staticmethod]
+    fn built_in(
+        py: Python<'_>,
+        renderer: &Renderer,
+        views: u32,
+        side: u32,
+        hold_out_every: usize,
+    ) -> PyResult<Self> {
+        let mut data = DataConfig::default();
+        (data.built_in_views, data.built_in_side) = (views, side);
+        data.hold_out_every = hold_out_every;
+        Self::open(py, data, Some(&renderer.0))
+    }
+
+    /// Width, height and pixels `[H, W, 3]` of a photograph, as bytes.
+    fn image<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyArray3<u8>>> {
+        let Some(frame) = self.dataset.frames.get(index) else {
+            let reason = format!("there are {} photographs", self.dataset.frames.len());
+            return Err(PyIndexError::new_err(reason));
+        };
+        let image = &frame.image;
+        let shape = (image.height() as usize, image.width() as usize, 3);
+        let pixels = image.pixels().as_flattened().to_vec();
+        Ok(Array3::from_shape_vec(shape, pixels).expect("its own size").into_pyarray(py))
+    }
+
+    #[getter]
+    fn cameras(&self) -> Cameras {
+        Cameras(self.dataset.frames.iter().map(|frame| frame.camera.clone()).collect())
+    }
+
+    #[getter]
+    fn names(&self) -> Vec<String> {
+        self.dataset.frames.iter().map(|frame| frame.name.clone()).collect()
+    }
+
+    #[getter]
+    fn train(&self) -> Vec<usize> {
+        self.dataset.train.clone()
+    }
+
+    #[getter]
+    fn held_out(&self) -> Vec<usize> {
+        self.dataset.held_out.clone()
+    }
+
+    #[getter]
+    fn background(&self) -> [f64; 3] {
+        self.dataset.background
+    }
+
+    /// Photographs that the data set names and that are not there.
+    #[getter]
+    fn missing(&self) -> Vec<PathBuf> {
+        self.dataset.missing.clone()
+    }
+
+    fn __len__(&self) -> usize {
+        self.dataset.frames.len()
+    }
+
+    fn __repr__(&self) -> String {
+        let held_out = self.dataset.held_out.len();
+        format!("<organza.Dataset: {} photographs, {held_out} held out>", self.__len__())
+    }
+}
+
+impl Dataset {
+    /// As settings say; those of the built-in scene are rendered.
+    pub fn open(
+        py: Python<'_>,
+        data: DataConfig,
+        renderer: Option<&organza::Renderer>,
+    ) -> PyResult<Self> {
+        let dataset = match (data.path.clone(), renderer.cloned()) {
+            (Some(path), _) => {
+                let options = data.options();
+                job::run(py, move || organza::Dataset::load(path, &options))?
+            }
+            (None, Some(renderer)) => {
+                let (views, side) = (data.built_in_views, data.built_in_side);
+                let every = data.hold_out_every;
+                let render = move || built_in::dataset(&renderer, views, side, every);
+                job::run(py, render)?
+            }
+            (None, None) => {
+                let reason = "the data set has no path".to_owned();
+                return Err(raise(organza::Error::Argument { reason }));
+            }
+        };
+        Ok(Self { dataset: Arc::new(dataset), data })
+    }
+}

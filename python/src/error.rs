@@ -1,0 +1,40 @@
+//! organza's errors as exceptions of Python.
+
+use std::io::ErrorKind;
+
+use organza::error::{DeviceError, chain};
+use pyo3::PyErr;
+use pyo3::create_exception;
+use pyo3::exceptions::{
+    PyFileNotFoundError, PyMemoryError, PyOSError, PyPermissionError, PyRuntimeError, PyValueError,
+};
+
+create_exception!(
+    organza,
+    Error,
+    PyRuntimeError,
+    "organza cannot go on: there is no usable GPU, a GPU was lost, or training has left what numbers can hold."
+);
+
+/// The exception of an error. Its text is what the program prints.
+pub fn raise(error: organza::Error) -> PyErr {
+    let text = chain(&error);
+    match &error {
+        organza::Error::ReadFile { source, .. } | organza::Error::WriteFile { source, .. } => {
+            match source.io().kind() {
+                ErrorKind::NotFound => PyFileNotFoundError::new_err(text),
+                ErrorKind::PermissionDenied => PyPermissionError::new_err(text),
+                _ => PyOSError::new_err(text),
+            }
+        }
+        organza::Error::Device(DeviceError::OutOfMemory { .. }) => PyMemoryError::new_err(text),
+        organza::Error::Device(DeviceError::Argument { .. }) => PyValueError::new_err(text),
+        organza::Error::Device(_) | organza::Error::Diverged { .. } => Error::new_err(text),
+        _ => PyValueError::new_err(text),
+    }
+}
+
+/// A value that makes no sense.
+pub fn invalid(reason: impl Into<String>) -> PyErr {
+    PyValueError::new_err(reason.into())
+}

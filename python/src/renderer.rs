@@ -1,0 +1,348 @@
+//! Rendering and gradients.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use numpy::{IntoPyArray, PyArray4, PyArrayMethods, PyReadonlyArray4, PyUntypedArrayMethods};
+use organza::bench::{BenchOptions, measure};
+use organza::error::DeviceError;
+use organza::parity::cases;
+use organza::render::SceneGradient;
+use organza::{BackendChoice, Channel, DeviceOptions, RenderedTiles, SpirvPath};
+use organza_check::Report;
+use organza_device::adapters;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::cameras::{Cameras, Tiles};
+use crate::error::{invalid, raise};
+use crate::job;
+use crate::scene::{Scene, array, into_arrays, json};
+
+/// Renders on a device.
+#[pyclass(frozen, subclass, module = "organza._organza")]
+pub struct Renderer(pub organza::Renderer);
+
+/// A scene on a device, and what is kept beside it.
+pub struct Held {
+    scene: organza::DeviceScene,
+    /// Made by the first backward pass.
+    gradient: Option<SceneGradient>,
+}
+
+/// A scene on a device: `Renderer.upload` makes one.
+#[pyclass(frozen, module = "organza")]
+pub struct DeviceScene {
+    renderer: organza::Renderer,
+    held: Arc<Mutex<Held>>,
+    gaussians: usize,
+}
+
+/// A rendered batch that keeps what its gradient needs: `Renderer.record` makes one.
+#[pyclass(frozen, weakref, module = "organza")]
+pub struct Recording {
+    renderer: organza::Renderer,
+    held: Arc<Mutex<Held>>,
+    recording: Arc<Mutex<organza::Recording>>,
+    shape: [usize; 4],
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+#[pymethods]
+impl Renderer {
+    #[new]
+    #[pyo3(signature = (backend = "auto", threads = None, adapter = None))]
+    fn new(
+        py: Python<'_>,
+        backend: &str,
+        threads: Option<usize>,
+        adapter: Option<String>,
+    ) -> PyResult<Self> {
+        let backend = match backend {
+            "auto" => BackendChoice::Auto,
+            "gpu" => BackendChoice::Gpu,
+            "cpu" => BackendChoice::Cpu,
+            other => {
+                let reason =
+                    format!("there is no backend `{other}`; expected `auto`, `gpu` or `cpu`");
+                return Err(invalid(reason));
+            }
+        };
+        if threads == Some(0) {
+            return Err(invalid("`threads` is 0, expected at least 1"));
+        }
+        let options = DeviceOptions::default().backend(backend).threads(threads).adapter(adapter);
+        let open = move || organza::open_device(&options).map(organza::Renderer::new);
+        job::run(py, open).map(Self)
+    }
+
+    #[getter]
+    fn device(&self) -> &str {
+        self.0.device().choice()
+    }
+
+    fn upload(&self, py: Python<'_>, scene: &Scene) -> PyResult<DeviceScene> {
+        let (renderer, scene) = (self.0.clone(), Arc::clone(&scene.0));
+        let gaussians = scene.gaussians.len();
+        let uploaded = job::run(py, move || renderer.upload(&scene))?;
+        let held = Arc::new(Mutex::new(Held { scene: uploaded, gradient: None }));
+        Ok(DeviceScene { renderer: self.0.clone(), held, gaussians })
+    }
+
+    /// Y `[K, 3, S, S]`, and the channels that were asked for.
+    fn render_tiles<'py>(
+        &self,
+        py: Python<'py>,
+        scene: &DeviceScene,
+        cameras: &Cameras,
+        tiles: &Tiles,
+        channels: Vec<String>,
+    ) -> PyResult<(Bound<'py, PyArray4<f32>>, Bound<'py, PyDict>)> {
+        let (held, renderer) = (self.own(scene)?, self.0.clone());
+        let (cameras, batch) = (cameras.0.clone(), tiles.0.clone());
+        let channels = channels_of(&channels)?;
+        let rendered = job::run(py, move || {
+            let scene = &lock(&held).scene;
+            renderer.render_channels(scene, &cameras, &batch, &channels, &mut |_, _| {})
+        })?;
+        into_batch(py, rendered)
+    }
+
+    fn record(
+        &self,
+        py: Python<'_>,
+        scene: &DeviceScene,
+        cameras: &Cameras,
+        tiles: &Tiles,
+        channels: Vec<String>,
+    ) -> PyResult<Recording> {
+        let (held, renderer) = (self.own(scene)?, self.0.clone());
+        let (cameras, batch) = (cameras.0.clone(), tiles.0.clone());
+        let (shape, channels) = (batch.output_shape(), channels_of(&channels)?);
+        let recording = job::run(py, move || {
+            renderer.record_channels(&lock(&held).scene, &cameras, &batch, &channels)
+        })?;
+        let (renderer, held) = (self.0.clone(), Arc::clone(&scene.held));
+        Ok(Recording { renderer, held, recording: Arc::new(Mutex::new(recording)), shape })
+    }
+
+    /// One pixel, Gaussian by Gaussian.
+    fn explain<'py>(
+        &self,
+        py: Python<'py>,
+        scene: &DeviceScene,
+        cameras: &Cameras,
+        camera: usize,
+        pixel: [i32; 2],
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let (held, renderer) = (self.own(scene)?, self.0.clone());
+        let cameras = cameras.0.clone();
+        let found =
+            job::run(py, move || renderer.inspect(&lock(&held).scene, &cameras, camera, pixel))?;
+        let contributions = found.contributions.iter().map(|one| {
+            let dict = PyDict::new(py);
+            dict.set_item("gaussian", one.gaussian)?;
+            dict.set_item("distance", one.distance)?;
+            dict.set_item("falloff", one.falloff)?;
+            dict.set_item("opacity", one.opacity)?;
+            dict.set_item("samples", one.samples)?;
+            dict.set_item("transmittance", one.transmittance)?;
+            dict.set_item("alpha", one.alpha)?;
+            dict.set_item("color", one.color)?;
+            Ok(dict)
+        });
+        let dict = PyDict::new(py);
+        dict.set_item("contributions", contributions.collect::<PyResult<Vec<_>>>()?)?;
+        dict.set_item("color_sum", found.color_sum)?;
+        dict.set_item("alpha_sum", found.alpha_sum)?;
+        dict.set_item("background", found.background)?;
+        dict.set_item("pixel", found.pixel)?;
+        Ok(dict)
+    }
+
+    fn bench<'py>(
+        &self,
+        py: Python<'py>,
+        scene: &DeviceScene,
+        cameras: &Cameras,
+        tiles: &Tiles,
+        repeat: usize,
+        backward: bool,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        if repeat == 0 {
+            return Err(invalid("`repeat` is 0, expected at least 1"));
+        }
+        let (held, renderer) = (self.own(scene)?, self.0.clone());
+        let (cameras, batch) = (cameras.0.clone(), tiles.0.clone());
+        let options = BenchOptions { repeat, backward };
+        let found = job::run(py, move || {
+            measure(&renderer, &lock(&held).scene, &cameras, &batch, options, &mut || ())
+        })?;
+        json(py, &serde_json::to_string(&found).expect("numbers and strings"))
+    }
+}
+
+impl Renderer {
+    /// The scene, which must be on this device.
+    fn own(&self, scene: &DeviceScene) -> PyResult<Arc<Mutex<Held>>> {
+        if !std::ptr::eq(self.0.device(), scene.renderer.device()) {
+            return Err(invalid("the scene is on another renderer's device: upload it here"));
+        }
+        Ok(Arc::clone(&scene.held))
+    }
+}
+
+#[pymethods]
+impl DeviceScene {
+    /// Replaces the values of tensors, by their names, in place. Recordings of the scene as it was have no gradient anymore.
+    ///
+    /// Raises `ValueError` where a tensor is unknown, of another shape or not finite; those before it are written then.
+    fn write(&self, py: Python<'_>, tensors: HashMap<String, Bound<'_, PyAny>>) -> PyResult<()> {
+        let specs = py.detach(|| lock(&self.held).scene.config().tensors(self.gaussians));
+        for (name, value) in tensors {
+            let Some(spec) = specs.iter().find(|spec| spec.name == name) else {
+                return Err(invalid(format!("a scene has no tensor `{name}`")));
+            };
+            let array = array(spec, &value)?;
+            let values = array.as_slice()?;
+            let device = self.renderer.device();
+            let write = || lock(&self.held).scene.write(device, &name, values);
+            py.detach(write).map_err(raise)?;
+        }
+        Ok(())
+    }
+
+    /// The scene as it is now.
+    fn download(&self, py: Python<'_>) -> PyResult<Scene> {
+        let (held, renderer) = (Arc::clone(&self.held), self.renderer.clone());
+        job::run(py, move || lock(&held).scene.download(renderer.device())).map(Scene::new)
+    }
+
+    fn __len__(&self) -> usize {
+        self.gaussians
+    }
+}
+
+#[pymethods]
+impl Recording {
+    /// The tiles Y `[K, 3, S, S]`, and a dictionary of the channels that were asked for, `[K, planes, S, S]`.
+    fn tiles<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyArray4<f32>>, Bound<'py, PyDict>)> {
+        let rendered = py.detach(|| lock(&self.recording).tiles().clone());
+        into_batch(py, rendered)
+    }
+
+    /// The gradient of a loss L for every tensor, by its name, given dL/dY `[K, 3, S, S]`. Nothing is rendered again.
+    ///
+    /// Raises `ValueError` where the shape is another or the scene has been written to since, and `organza.Error` if a gradient
+    /// is not finite.
+    fn backward<'py>(
+        &self,
+        py: Python<'py>,
+        grad_output: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let numpy = py.import("numpy")?;
+        let grad_output = numpy.call_method1("ascontiguousarray", (grad_output, "float32"))?;
+        let Ok(grad_output) = grad_output.extract::<PyReadonlyArray4<'py, f32>>() else {
+            return Err(invalid(format!("the gradient must be {:?}", self.shape)));
+        };
+        if grad_output.shape() != self.shape {
+            let (found, expected) = (grad_output.shape(), self.shape);
+            return Err(invalid(format!("the gradient is {found:?}, expected {expected:?}")));
+        }
+        let slopes = grad_output.as_slice()?.to_vec();
+        let (held, renderer) = (Arc::clone(&self.held), self.renderer.clone());
+        let recording = Arc::clone(&self.recording);
+        let values = job::run(py, move || {
+            let (held, device) = (&mut *lock(&held), renderer.device());
+            let gradient = match held.gradient.take() {
+                Some(gradient) => gradient,
+                None => SceneGradient::new(device, &held.scene)?,
+            };
+            let gradient = held.gradient.insert(gradient);
+            lock(&recording).backward_into(gradient, &slopes)?;
+            let (config, len) = (held.scene.config(), held.scene.len());
+            Ok(gradient.download(device, config, len)?.into_values())
+        })?;
+        into_arrays(py, values)
+    }
+
+    /// Gives up the memory of what is kept: `backward` then renders again.
+    fn release(&self, py: Python<'_>) {
+        py.detach(|| lock(&self.recording).release());
+    }
+
+    #[getter]
+    fn shape(&self) -> [usize; 4] {
+        self.shape
+    }
+}
+
+fn channels_of(names: &[String]) -> PyResult<Vec<Channel>> {
+    let channel = |name: &String| {
+        let found = Channel::ALL.into_iter().find(|channel| channel.name() == name);
+        found.ok_or_else(|| {
+            let names = Channel::ALL.map(Channel::name).join("`, `");
+            invalid(format!("there is no channel `{name}`; expected `{names}`"))
+        })
+    };
+    names.iter().map(channel).collect()
+}
+
+fn into_batch(
+    py: Python<'_>,
+    tiles: RenderedTiles,
+) -> PyResult<(Bound<'_, PyArray4<f32>>, Bound<'_, PyDict>)> {
+    let (count, side) = (tiles.count, tiles.side as usize);
+    let channels = PyDict::new(py);
+    for (channel, values) in tiles.channels {
+        let shape = [count, channel.planes(), side, side];
+        channels.set_item(channel.name(), values.into_pyarray(py).reshape(shape)?)?;
+    }
+    Ok((tiles.data.into_pyarray(py).reshape([count, 3, side, side])?, channels))
+}
+
+/// Runs every kernel, and compares with the CPU: a report for each GPU and way to it, or one of the CPU alone.
+#[pyfunction]
+pub fn parity<'py>(py: Python<'py>, backend: &str) -> PyResult<Bound<'py, PyAny>> {
+    let on_gpu = match backend {
+        "gpu" => true,
+        "cpu" => false,
+        other => {
+            return Err(invalid(format!("there is no backend `{other}`; expected `gpu` or `cpu`")));
+        }
+    };
+    let reports = job::run(py, move || reports(on_gpu))?;
+    json(py, &serde_json::to_string(&reports).expect("numbers and strings"))
+}
+
+fn reports(on_gpu: bool) -> organza::Result<Vec<Report>> {
+    let cpu = organza::open_device(&DeviceOptions::cpu(None))?;
+    if !on_gpu {
+        return Ok(vec![Report::of_cpu(&cases(), &cpu, |_| ())?]);
+    }
+    let mut reports = Vec::new();
+    for adapter in adapters() {
+        for path in [SpirvPath::Passthrough, SpirvPath::Naga] {
+            if path == SpirvPath::Passthrough && !adapter.passes_through {
+                continue;
+            }
+            match Report::of_gpu(&cases(), &organza::MODULES, &cpu, &adapter, path, |_| ()) {
+                Ok(report) => reports.push(report),
+                // another may be of use
+                Err(DeviceError::NoGpu { .. }) => {}
+                Err(error) => return Err(error.into()),
+            }
+        }
+    }
+    if reports.is_empty() {
+        // opening one says why there is none
+        organza::open_device(&DeviceOptions::gpu(SpirvPath::Naga))?;
+    }
+    Ok(reports)
+}

@@ -1,0 +1,164 @@
+//! Scenes, and their tensors as arrays of numpy.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use numpy::ndarray::{ArrayViewD, ArrayViewMutD};
+use numpy::{PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use organza::scene::{SceneConfig, TensorSpec};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyString};
+
+use crate::error::{invalid, raise};
+use crate::job;
+
+/// A scene in the host's memory: N Gaussians and the two fields of color and transmittance. It never changes; `from_tensors` makes
+/// another.
+#[pyclass(frozen, module = "organza")]
+pub struct Scene(pub Arc<organza::Scene>);
+
+#[pymethods]
+impl Scene {
+    /// Reads a scene's file (safetensors).
+    ///
+    /// Raises `FileNotFoundError`, `ValueError` for a file that is damaged or no scene, and `MemoryError`.
+    #[staticmethod]
+    fn load(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        job::run(py, move || organza::Scene::load(path)).map(Self::new)
+    }
+
+    /// The scene that is built in: no file is needed.
+    #[staticmethod]
+    fn built_in(py: Python<'_>) -> PyResult<Self> {
+        job::run(py, || Ok(organza::demo::scene())).map(Self::new)
+    }
+
+    /// A scene of arrays, by the names of a scene's file: `gaussians.position [N, 3]` in world units, `gaussians.rotation [N, 4]`
+    /// (quaternions w x y z, not normalized), `gaussians.log_scale [N, 3]` (natural logarithms), `gaussians.opacity [N]` (logits),
+    /// `gaussians.material`, `gaussians.extra`, and for each field a `grid` and the `mlp`. They are copied, as `float32`.
+    ///
+    /// `config` is the scene's configuration as a dictionary or as JSON, as `Scene.config` gives it. Raises `ValueError` where a
+    /// tensor is missing, unknown, of another shape or not finite.
+    #[staticmethod]
+    fn from_tensors(tensors: &Bound<'_, PyDict>, config: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let config = read_config(config)?;
+        let Some(position) = tensors.get_item("gaussians.position")? else {
+            return Err(invalid("tensor `gaussians.position` is missing"));
+        };
+        let mut scene = organza::Scene::zeros(config, position.len()?).map_err(raise)?;
+        let mut used = 0;
+        for (spec, target) in scene.tensors_mut() {
+            let Some(value) = tensors.get_item(&spec.name)? else {
+                let (origin, expected) = (PathBuf::new(), spec.shape);
+                let (tensor, why) = (spec.name, spec.why);
+                let missing = organza::Error::MissingTensor { origin, tensor, expected, why };
+                return Err(raise(missing));
+            };
+            target.copy_from_slice(array(&spec, &value)?.as_slice()?);
+            used += 1;
+        }
+        if used < tensors.len() {
+            let specs = scene.config.tensors(0);
+            for name in tensors.keys() {
+                let name: String = name.extract()?;
+                if specs.iter().all(|spec| spec.name != name) {
+                    return Err(invalid(format!("a scene has no tensor `{name}`")));
+                }
+            }
+        }
+        scene.validate().map_err(raise)?;
+        Ok(Self::new(scene))
+    }
+
+    /// Writes a scene's file. Whatever stood under its name before is kept until the new one is whole.
+    fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+        let scene = Arc::clone(&self.0);
+        job::run(py, move || scene.save(path))
+    }
+
+    /// Every tensor by its name, `float32`. The arrays are the scene's own memory, so they are read-only.
+    fn tensors<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(slf.py());
+        for (spec, values) in slf.get().0.tensors() {
+            let view = ArrayViewD::from_shape(&spec.shape[..], values).expect("its own shape");
+            // SAFETY: the array keeps the scene, which never changes, and cannot be written to
+            let array = unsafe { PyArrayDyn::borrow_from_array(&view, slf.clone().into_any()) };
+            array.call_method1("setflags", (false,))?;
+            dict.set_item(spec.name, array)?;
+        }
+        Ok(dict)
+    }
+
+    /// The configuration: a new dictionary.
+    #[getter]
+    fn config<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        json(py, &serde_json::to_string(&self.0.config).expect("numbers and strings"))
+    }
+
+    fn __len__(&self) -> usize {
+        self.0.gaussians.len()
+    }
+
+    fn __repr__(&self) -> String {
+        let values: usize = self.0.tensors().iter().map(|(_, values)| values.len()).sum();
+        format!("<organza.Scene: {} Gaussians, {values} values>", self.0.gaussians.len())
+    }
+}
+
+impl Scene {
+    pub fn new(scene: organza::Scene) -> Self {
+        Self(Arc::new(scene))
+    }
+}
+
+/// A configuration: a dictionary, or its JSON.
+fn read_config(config: &Bound<'_, PyAny>) -> PyResult<SceneConfig> {
+    let text: String = match config.cast::<PyString>() {
+        Ok(text) => text.extract()?,
+        Err(_) => config.py().import("json")?.call_method1("dumps", (config,))?.extract()?,
+    };
+    SceneConfig::from_json(&text, "").map_err(raise)
+}
+
+/// What JSON says, as Python has it.
+pub fn json<'py>(py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyAny>> {
+    py.import("json")?.call_method1("loads", (text,))
+}
+
+/// Anything like an array as `f32`, row-major; copied only where it is not.
+pub fn array<'py>(
+    spec: &TensorSpec,
+    value: &Bound<'py, PyAny>,
+) -> PyResult<PyReadonlyArrayDyn<'py, f32>> {
+    let numpy = value.py().import("numpy")?;
+    let value = numpy.call_method1("ascontiguousarray", (value, "float32"))?;
+    let array: PyReadonlyArrayDyn<'py, f32> = value.extract().map_err(PyErr::from)?;
+    // numpy makes [1] of a number
+    if array.shape() == spec.shape || (spec.values() == 1 && array.len() == 1) {
+        return Ok(array);
+    }
+    Err(raise(organza::Error::WrongShape {
+        origin: PathBuf::new(),
+        tensor: spec.name.clone(),
+        found: array.shape().to_vec(),
+        expected: spec.shape.clone(),
+        why: spec.why,
+    }))
+}
+
+/// Keeps the memory of arrays.
+#[pyclass(module = "organza")]
+struct Values(organza::Scene);
+
+/// A scene's values as arrays that may be written to; nothing is copied.
+pub fn into_arrays(py: Python<'_>, values: organza::Scene) -> PyResult<Bound<'_, PyDict>> {
+    let values = Bound::new(py, Values(values))?;
+    let dict = PyDict::new(py);
+    for (spec, tensor) in values.borrow_mut().0.tensors_mut() {
+        let view = ArrayViewMutD::from_shape(&spec.shape[..], tensor).expect("its own shape");
+        // SAFETY: the array keeps `values`, which nothing else looks into
+        let array = unsafe { PyArrayDyn::borrow_from_array(&view, values.clone().into_any()) };
+        dict.set_item(spec.name, array)?;
+    }
+    Ok(dict)
+}

@@ -1,0 +1,276 @@
+//! Training, step by step: a thread trains, and Python asks it for the next thing that happens.
+
+use std::path::{Path, PathBuf, absolute};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
+use std::thread::JoinHandle;
+
+use numpy::{IntoPyArray, PyArrayMethods, PyReadonlyArray4};
+use organza::data::Background;
+use organza::render::LossGradient;
+use organza::train::{self, ConfigBuilder, Preset, RunFolder};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::data::Dataset;
+use crate::error::{invalid, raise};
+use crate::job;
+use crate::renderer::Renderer;
+use crate::run::{Answer, Message, Run, StepNumbers};
+use crate::scene::Scene;
+
+/// Every setting of a run.
+#[pyclass(frozen, module = "organza._organza")]
+pub struct TrainConfig(organza::TrainConfig);
+
+#[pymethods]
+impl TrainConfig {
+    /// A preset, a file over it, assignments such as `run.steps=300` over that.
+    #[new]
+    fn new(
+        preset: Option<&str>,
+        file: Option<PathBuf>,
+        assignments: Vec<String>,
+    ) -> PyResult<Self> {
+        let named = |name: &str| {
+            let found = Preset::ALL.into_iter().find(|preset| preset.name() == name);
+            found.ok_or_else(|| {
+                let names = Preset::ALL.map(Preset::name).join("`, `");
+                invalid(format!("there is no preset `{name}`; expected `{names}`"))
+            })
+        };
+        let preset = preset.map_or(Ok(Preset::Default), named)?;
+        let mut builder = ConfigBuilder::new(preset).map_err(raise)?;
+        if let Some(file) = file {
+            builder = builder.file(file).map_err(raise)?;
+        }
+        for assignment in &assignments {
+            builder = builder.set(assignment).map_err(raise)?;
+        }
+        builder.build().map(Self).map_err(raise)
+    }
+
+    /// The settings of a run's folder.
+    #[staticmethod]
+    fn of_run(folder: PathBuf) -> PyResult<Self> {
+        train::settings_of(&folder).map(Self).map_err(raise)
+    }
+
+    /// The text of a settings file.
+    fn to_toml(&self) -> String {
+        self.0.to_toml()
+    }
+}
+
+/// A run that goes on in a thread.
+#[pyclass(frozen, module = "organza._organza")]
+pub struct Training {
+    channel: Mutex<Channel>,
+    stop: Arc<AtomicBool>,
+}
+
+struct Channel {
+    messages: Receiver<Message>,
+    /// None after the end.
+    answers: Option<Sender<Answer>>,
+    thread: Option<JoinHandle<()>>,
+}
+
+#[pymethods]
+impl Training {
+    #[new]
+    #[pyo3(signature = (renderer, config, dataset, path, output, resume, time_limit, has_loss))]
+    #[expect(clippy::too_many_arguments, reason = "the package names them")]
+    fn new(
+        py: Python<'_>,
+        renderer: &Renderer,
+        config: &TrainConfig,
+        dataset: Option<&Dataset>,
+        path: Option<PathBuf>,
+        output: Option<PathBuf>,
+        resume: bool,
+        time_limit: Option<f64>,
+        has_loss: bool,
+    ) -> PyResult<Self> {
+        let mut config = config.0.clone();
+        if let Some(path) = path {
+            // a run is resumed from anywhere
+            config.data.path = Some(absolute(&path).unwrap_or(path));
+        }
+        let opened;
+        let dataset = match dataset {
+            Some(dataset) => {
+                config.data = dataset.data.clone();
+                &dataset.dataset
+            }
+            None => {
+                opened = Dataset::open(py, config.data.clone(), Some(&renderer.0))?;
+                &opened.dataset
+            }
+        };
+        if config.data.path.is_some() {
+            // as the program does: a run's file says which it was
+            config.data.background = Background::Color(dataset.background.map(|c| c as f32));
+        }
+        config.check_memory().map_err(raise)?;
+        let folder = output.map(|path| open_folder(&path, resume)).transpose()?;
+        let stop = Arc::new(AtomicBool::new(false));
+        let ((messages, receiver), (sender, answers)) = (channel(), channel());
+        let run = Run {
+            device: renderer.0.clone(),
+            config,
+            dataset: Arc::clone(dataset),
+            folder,
+            resume,
+            time_limit,
+            has_loss,
+            stop: Arc::clone(&stop),
+            messages,
+            answers,
+        };
+        let thread = Some(job::spawn(move || run.run())?);
+        let channel = Channel { messages: receiver, answers: Some(sender), thread };
+        Ok(Self { channel: Mutex::new(channel), stop })
+    }
+
+    /// The next thing that happens: its kind, and what belongs to it.
+    fn wait<'py>(&self, py: Python<'py>) -> PyResult<(&'static str, Bound<'py, PyDict>)> {
+        let dict = PyDict::new(py);
+        let mut channel = self.lock()?;
+        if channel.answers.is_none() {
+            return Ok(("end", dict));
+        }
+        let Some(message) = job::receive(py, &mut channel.messages)? else {
+            channel.answers = None;
+            let thread = channel.thread.take().expect("it is there until the end");
+            return Err(job::panicked(thread));
+        };
+        let kind = match message {
+            Message::Begin(step) => {
+                dict.set_item("step", step)?;
+                "begin"
+            }
+            Message::Warning(text) => {
+                dict.set_item("text", text)?;
+                "warning"
+            }
+            Message::Step(StepNumbers { step, seconds, loss, psnr, gaussians, grown }) => {
+                dict.set_item("step", step)?;
+                dict.set_item("seconds", seconds)?;
+                dict.set_item("loss", loss)?;
+                dict.set_item("psnr", psnr)?;
+                dict.set_item("gaussians", gaussians)?;
+                dict.set_item("grown", grown)?;
+                "step"
+            }
+            Message::Evaluated { step, psnr, ssim } => {
+                dict.set_item("step", step)?;
+                dict.set_item("psnr", psnr)?;
+                dict.set_item("ssim", ssim)?;
+                "evaluated"
+            }
+            Message::Loss { rendered, target, valid, shape } => {
+                let [count, _, height, width] = shape;
+                dict.set_item("rendered", rendered.into_pyarray(py).reshape(shape)?)?;
+                dict.set_item("target", target.into_pyarray(py).reshape(shape)?)?;
+                let valid = valid.into_pyarray(py).reshape([count, 1, height, width])?;
+                dict.set_item("valid", valid)?;
+                "loss"
+            }
+            Message::Scene(_) => unreachable!("`scene` takes it"),
+            Message::End(outcome) => {
+                channel.answers = None;
+                dict.set_item("outcome", outcome.map_err(raise)?)?;
+                "end"
+            }
+        };
+        Ok((kind, dict))
+    }
+
+    /// Goes on after a step.
+    fn proceed(&self) -> PyResult<()> {
+        self.lock()?.answer(Answer::Continue);
+        Ok(())
+    }
+
+    /// The scene after the step that was reported last.
+    fn scene(&self, py: Python<'_>) -> PyResult<Scene> {
+        let mut channel = self.lock()?;
+        channel.answer(Answer::Scene);
+        match job::receive(py, &mut channel.messages)? {
+            Some(Message::Scene(scene)) => scene.map(Scene::new).map_err(raise),
+            _ => Err(invalid("training has ended")),
+        }
+    }
+
+    /// The loss that was asked for, and dL/dY `[K, 3, S, S]`.
+    fn answer(&self, loss: f64, grad_output: PyReadonlyArray4<'_, f32>) -> PyResult<()> {
+        let grad_output = grad_output.as_slice()?.to_vec();
+        self.lock()?.answer(Answer::Loss(LossGradient { loss, grad_output }));
+        Ok(())
+    }
+
+    /// The loss has raised an exception.
+    fn fail(&self) -> PyResult<()> {
+        self.lock()?.answer(Answer::Failed);
+        Ok(())
+    }
+
+    /// Saves and stops after the step that goes on; `wait` then comes to an end.
+    fn stop(&self) {
+        self.stop.store(true, Ordering::Relaxed);
+    }
+
+    /// Saves, stops, and waits for the end.
+    fn close(&self, py: Python<'_>) {
+        self.stop();
+        py.detach(|| self.channel.lock().unwrap_or_else(PoisonError::into_inner).close());
+    }
+}
+
+impl Training {
+    /// Not for long: whoever waits has the lock until something happens.
+    fn lock(&self) -> PyResult<MutexGuard<'_, Channel>> {
+        match self.channel.try_lock() {
+            Ok(channel) => Ok(channel),
+            Err(TryLockError::Poisoned(poisoned)) => Ok(poisoned.into_inner()),
+            Err(TryLockError::WouldBlock) => Err(invalid("another thread waits for this run")),
+        }
+    }
+}
+
+impl Drop for Training {
+    fn drop(&mut self) {
+        self.stop();
+        let channel = self.channel.get_mut().unwrap_or_else(PoisonError::into_inner);
+        if channel.thread.is_some() {
+            Python::attach(|py| py.detach(|| channel.close()));
+        }
+    }
+}
+
+impl Channel {
+    fn answer(&self, answer: Answer) {
+        if let Some(answers) = &self.answers {
+            // it has ended with an error, which the next message says
+            let _ = answers.send(answer);
+        }
+    }
+
+    fn close(&mut self) {
+        self.answers = None;
+        if let Some(thread) = self.thread.take() {
+            // a panic has been reported, or nobody asks
+            let _ = thread.join();
+        }
+    }
+}
+
+fn open_folder(path: &Path, resume: bool) -> PyResult<RunFolder> {
+    if !resume {
+        let made = std::fs::create_dir_all(path);
+        made.map_err(|source| raise(organza::Error::write(path, source)))?;
+    }
+    RunFolder::lock(path, resume).map_err(raise)
+}

@@ -1,0 +1,181 @@
+"""Gradients through torch."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import organza
+
+torch = pytest.importorskip("torch", reason="torch is not installed: pip install torch")
+
+import organza.torch  # noqa: E402
+
+CASES = Path(__file__).parents[2] / "tests" / "cases"
+REFERENCE = sorted(path.parent.name for path in CASES.glob("*/expected.safetensors"))
+
+
+def read_safetensors(path):
+    """A file's tensors: a header of JSON, and the values."""
+    data = path.read_bytes()
+    length = int.from_bytes(data[:8], "little")
+    header = json.loads(data[8 : 8 + length])
+    kinds = {"F32": np.float32, "F64": np.float64, "U32": np.uint32, "I32": np.int32}
+    tensors = {}
+    for name, entry in header.items():
+        if name != "__metadata__" and entry["dtype"] in kinds:
+            begin, end = (8 + length + offset for offset in entry["data_offsets"])
+            values = np.frombuffer(data[begin:end], kinds[entry["dtype"]])
+            tensors[name] = values.reshape(entry["shape"])
+    return tensors
+
+
+@pytest.mark.parametrize("name", REFERENCE)
+def test_autograd_gives_the_gradients_of_the_float64_reference(renderer, name):
+    case = CASES / name
+    expected = read_safetensors(case / "expected.safetensors")
+    scene = organza.torch.Scene(organza.Scene.load(case / "scene.safetensors"), renderer)
+    cameras, tiles = organza.Cameras.load(case / "cameras.json"), organza.Tiles.load(case / "tiles.json")
+    slopes = torch.from_numpy(expected["grad_output"].astype(np.float32))
+    (scene(cameras, tiles) * slopes).sum().backward()
+    compared = 0
+    for tensor, parameter in scene.tensors().items():
+        if parameter.numel() == 0:
+            continue
+        truth = expected[f"grad.{tensor}"].astype(np.float64)
+        error = np.linalg.norm(parameter.grad.numpy() - truth)
+        assert error <= 1e-3 * np.linalg.norm(truth) + 1e-12, tensor
+        compared += 1
+    assert compared > 10
+
+
+def test_gradients_are_the_bits_of_the_native_call(renderer, scene, cameras, tiles, slopes):
+    module = organza.torch.Scene(scene, renderer)
+    rendered = module(cameras, tiles)
+    assert np.array_equal(rendered.detach().numpy(), renderer.render(scene, cameras, tiles))
+    rendered.backward(torch.from_numpy(slopes), retain_graph=True)
+    expected = renderer.gradient(scene, cameras, tiles, slopes)
+    for name, parameter in module.tensors().items():
+        assert np.array_equal(parameter.grad.numpy(), expected[name]), name
+    # of a graph that was retained
+    rendered.backward(torch.from_numpy(slopes))
+    opacity = module.tensors()["gaussians.opacity"].grad.numpy()
+    assert np.array_equal(opacity, 2 * expected["gaussians.opacity"])
+
+
+def activated(scene):
+    tensors = {name: torch.from_numpy(np.array(v)) for name, v in scene.tensors().items()}
+    short = {name.removeprefix("gaussians."): values for name, values in tensors.items()}
+    arguments = {
+        "means": short["position"],
+        "quats": short["rotation"],
+        "scales": short["log_scale"].exp(),
+        "opacities": short["opacity"].sigmoid(),
+        "materials": short["material"],
+        "extras": short["extra"],
+    }
+    return {name: values.requires_grad_() for name, values in arguments.items()}
+
+
+def test_rasterization_has_the_pictures_and_slopes_of_the_scene(renderer, scene, cameras):
+    fields = organza.torch.Fields(scene, renderer)
+    arguments = activated(scene)
+    viewmats, Ks = torch.from_numpy(cameras.viewmats), torch.from_numpy(cameras.Ks)
+    image, weight, meta = organza.torch.rasterization(
+        **arguments, fields=fields, viewmats=viewmats, Ks=Ks, width=40, height=40, channels=["depth"]
+    )
+    assert image.shape == (2, 40, 40, 3) and weight.shape == (2, 40, 40, 1)
+    assert meta["depth"].shape == (2, 40, 40, 1) and not weight.requires_grad
+    expected, beside = renderer.render_channels(scene, cameras)
+    assert np.abs(image.detach().numpy() - expected).max() < 1e-3
+    assert np.abs(weight.numpy() - beside["alpha"]).max() < 1e-3
+
+    target = torch.from_numpy(np.asarray(expected)) + 0.1
+    (image - target).square().mean().backward()
+    module = organza.torch.Scene(scene, renderer)
+    (module(cameras) - target).square().mean().backward()
+    raw = {name: tensor.grad for name, tensor in module.tensors().items()}
+    means, scales, opacities = (arguments[name] for name in ("means", "scales", "opacities"))
+    # the chain rule of exp and of the logistic function
+    pairs = [
+        (means.grad, raw["gaussians.position"]),
+        (scales.grad * scales, raw["gaussians.log_scale"]),
+        (opacities.grad * opacities * (1 - opacities), raw["gaussians.opacity"]),
+        (fields.tensors()["color.grid"].grad, raw["color.grid"]),
+    ]
+    for found, truth in pairs:
+        assert torch.linalg.norm(truth) > 0
+        assert torch.linalg.norm(found - truth) <= 5e-3 * torch.linalg.norm(truth)
+
+
+def test_several_pictures_may_wait_for_one_backward_pass(renderer, scene, cameras):
+    module = organza.torch.Scene(scene, renderer)
+    losses = [module(camera).square().mean() for camera in cameras]
+    sum(losses).backward()
+    together = {name: t.grad.clone() for name, t in module.tensors().items()}
+    module.zero_grad()
+    for camera in cameras:
+        module(camera).square().mean().backward()
+    for name, tensor in module.tensors().items():
+        assert torch.allclose(tensor.grad, together[name], rtol=1e-4, atol=1e-9), name
+    # of another scene in between, too
+    arguments, fields = activated(scene), organza.torch.Fields(scene, renderer)
+    cases = [1.0, 0.5]
+    images = []
+    for factor in cases:
+        changed = arguments | {"opacities": arguments["opacities"] * factor}
+        image, _, _ = organza.torch.rasterization(
+            **changed, fields=fields, viewmats=torch.from_numpy(cameras.viewmats), Ks=torch.from_numpy(cameras.Ks), width=40, height=40
+        )
+        images.append(image)
+    sum(image.square().mean() for image in images).backward()
+    assert arguments["opacities"].grad.abs().sum() > 0
+
+
+def test_a_parameter_that_was_changed_is_rendered_changed(renderer, scene, cameras, tiles):
+    module = organza.torch.Scene(scene, renderer)
+    with torch.no_grad():
+        before = module(cameras, tiles)
+        module.tensors()["gaussians.opacity"].data.sub_(1.0)
+        after = module(cameras, tiles)
+    assert not torch.equal(before, after)
+    assert np.array_equal(after.numpy(), renderer.render(module.to_scene(), cameras, tiles))
+
+
+def test_an_optimizer_lowers_a_loss(renderer, scene, cameras):
+    target = torch.from_numpy(np.array(renderer.render(scene, cameras)))
+    module = organza.torch.Scene(scene, renderer)
+    with torch.no_grad():
+        module.tensors()["gaussians.opacity"] -= 1.0
+        module.tensors()["color.grid"].zero_()
+    optimizer = torch.optim.Adam(module.parameters(), lr=1e-2)
+    losses = []
+    for _ in range(8):
+        optimizer.zero_grad()
+        loss = (module(cameras) - target).square().mean()
+        loss.backward()
+        optimizer.step()
+        losses.append(float(loss.detach()))
+    assert losses[-1] < 0.7 * losses[0], losses
+
+
+def test_what_torch_cannot_have_is_refused(renderer, scene, cameras, tiles):
+    module = organza.torch.Scene(scene, renderer)
+    opacity = module.tensors()["gaussians.opacity"]
+    (slopes,) = torch.autograd.grad(module(cameras, tiles).square().sum(), opacity, create_graph=True)
+    with pytest.raises(RuntimeError, match="once_differentiable|differentiate twice"):
+        slopes.sum().backward()
+    rendered = module(cameras, tiles).sum()
+    stale = module(cameras, tiles).sum()
+    stale.backward(retain_graph=True)
+    rendered.backward()
+    with torch.no_grad():
+        opacity.add_(1.0)
+    module(cameras, tiles).sum().backward()
+    with pytest.raises(ValueError, match="record it again"):
+        stale.backward()
+    with torch.no_grad():
+        opacity[0] = float("nan")
+    with pytest.raises(ValueError, match="`gaussians.opacity` holds NaN"):
+        module(cameras, tiles)

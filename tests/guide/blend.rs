@@ -31,19 +31,16 @@ pub fn blend(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::UVec3;
+    use organza_kernel::workgroup::Workgroup;
 
     #[test]
     fn a_quarter_of_the_way() {
         let (first, second) = ([0.0, 8.0, -4.0], [4.0, 8.0, 0.0]);
         let mut output = [0.0; 3];
         let params = BlendParams { count: 3, weight: 0.25 };
-        for x in 0..64 {
-            let local = UVec3::new(x, 0, 0);
-            let id = Invocation::new(local, UVec3::ZERO, UVec3::ONE, UVec3::new(64, 1, 1));
-            let output = Write::from(output.as_mut_slice());
-            blend(id, &params, Read::from(&first[..]), Read::from(&second[..]), output);
-        }
+        let (first, second) = (Read::from(&first[..]), Read::from(&second[..]));
+        let view = Write::from(&mut output[..]);
+        Workgroup::new([64, 1, 1]).run(|id| blend(id, &params, first, second, view));
         assert_eq!(output, [1.0, 8.0, -3.0]);
     }
 }

@@ -5,7 +5,7 @@ use organza_tests::devices;
 /// Blends two images of one size.
 fn blend(device: &Device, first: &[f32], second: &[f32], weight: f32) -> Result<Vec<f32>> {
     let params = BlendParams { count: first.len() as u32, weight };
-    let output = device.zeros("output", first.len())?;
+    let output = device.unwritten("output", first.len())?;
     let kernel = BlendKernel {
         params,
         first: &device.upload("first", first)?,

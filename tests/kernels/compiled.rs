@@ -34,7 +34,8 @@ fn every_kernel_is_compiled_as_it_is_declared() {
                 Interface::of(kernel, &point),
                 "the compiled kernel `{name}` (left) is not the declared one (right): {REMEDY}"
             );
-            assert_eq!(entry.file, kernel.file.replace('\\', "/"), "`{name}` has moved: {REMEDY}");
+            assert_eq!(entry.file, kernel.source(), "`{name}` has moved: {REMEDY}");
+            assert_eq!(entry.package, kernel.package, "`{name}` has moved: {REMEDY}");
         }
     }
 }

@@ -5,13 +5,14 @@ use std::path::Path;
 
 use organza::parity;
 use organza::parity::project_backward::ProjectBackward;
-use organza::{DeviceOptions, InstructionSet, SpirvPath};
+use organza::{InstructionSet, SpirvPath};
 use organza_check::{KernelRunner, Output, Parity, Rounding, Values, missing};
+use organza_kernel::kernels;
 use organza_tests::devices;
 
 #[test]
 fn every_kernel_has_a_case() {
-    let missing = missing(&parity::cases(), "host/src/parity");
+    let missing = missing(kernels(), &parity::cases(), "host/src/parity");
     assert!(missing.is_empty(), "{}", missing.join("\n"));
 }
 
@@ -19,7 +20,7 @@ fn every_kernel_has_a_case() {
 fn a_kernel_without_a_case_is_told_where_to_add_it() {
     let mut cases = parity::cases();
     let removed = cases.remove(0);
-    let missing = missing(&cases, "host/src/parity");
+    let missing = missing(kernels(), &cases, "host/src/parity");
     assert_eq!(missing.len(), 1);
     for part in [removed.kernel, "host/src/parity/project.rs", "cases()"] {
         assert!(missing[0].contains(part), "{}", missing[0]);
@@ -108,12 +109,13 @@ fn every_device_is_within_tolerance_of_the_equations() {
 /// Hostile inputs, and every invocation's accesses beside those of all others.
 #[test]
 fn no_two_invocations_get_in_each_others_way() {
-    let options = DeviceOptions::cpu(None).check_races(true);
     let scalar = devices::with(InstructionSet::Scalar);
-    let checked = organza::open_device(&options).expect("the CPU");
-    for case in parity::cases() {
-        let measure = case.measure(&scalar, &checked, Rounding::AsWritten).expect("no race");
-        assert_eq!(measure.share.value, 0.0, "{}: checking changes the result", case.kernel);
+    for checked in [devices::checked(), devices::checked_variants()] {
+        for case in parity::cases() {
+            let measure = case.measure(&scalar, &checked, Rounding::AsWritten).expect("no race");
+            let kernel = case.entry_point(&checked);
+            assert_eq!(measure.share.value, 0.0, "{kernel}: checking changes the result");
+        }
     }
 }
 

@@ -11,9 +11,11 @@ use std::process::Command;
 use glam::UVec3;
 use organza::error::DeviceError;
 use organza::{Device, DeviceOptions, InstructionSet, Renderer};
+use organza_check::KernelRunner;
 use organza_kernel::invocation::Invocation;
 use organza_kernel::kernel::Dispatch;
 use organza_kernel::memory::{Read, Write};
+use organza_kernel::workgroup::{SharedMemory, Workgroup};
 use organza_tests::{cases, devices};
 
 use broken::*;
@@ -162,6 +164,197 @@ fn a_barrier_is_reached_by_all_or_none() {
         &message,
         &["a barrier in a kernel without workgroup memory", "invocation [0, 0, 0]"],
     );
+}
+
+#[test]
+fn a_skipped_barrier_is_named_and_not_what_follows_from_it() {
+    let device = devices::cpu(None);
+    let output = device.zeros("out", 64).unwrap();
+    let message = failure(&device, &SkipsTheBarrierKernel { output: &output }, 64);
+    assert_contains(
+        &message,
+        &[
+            "kernel `skips_the_barrier`: a barrier in divergent control flow: invocation [0, 0, 0] (with 31 more) waits",
+            &line("// half of them"),
+            "while invocation [32, 0, 0] (with 31 more) has ended",
+        ],
+    );
+}
+
+#[test]
+#[cfg(debug_assertions)]
+fn loops_are_counted_against_what_is_declared() {
+    let output = checked().zeros("out", 64).unwrap();
+    for (steps, place) in [(18, "while step < params.steps / 2"), (9, "for step in begin..end")] {
+        let kernel = LoopsTooLongKernel { params: LoopParams { steps }, output: &output };
+        let message = failure(&checked(), &kernel, 64);
+        let reason = "the loops take more iterations than the kernel declares with `iterations`";
+        assert_contains(&message, &[reason, "[0, 0, 0]", &line(place)]);
+    }
+    let kernel = LoopsTooLongKernel { params: LoopParams { steps: 8 }, output: &output };
+    checked().run(&kernel, 64, 1).expect("as many as declared");
+    assert_eq!(checked().read(&output).unwrap(), [28; 64]);
+}
+
+#[test]
+fn memory_that_nobody_has_written_is_not_read() {
+    let device = checked();
+    let (input, output) = (device.upload("in", &[7; 64]).unwrap(), device.unwritten("out", 64));
+    let output = output.unwrap();
+    let message = failure(&device, &AddsToNothingKernel { input: &input, output: &output }, 64);
+    let parts =
+        ["reads element ", " of `output`, which nothing has written", &line("output.read(id")];
+    assert_contains(&message, &parts);
+    // what was written is there for the next kernel; `clear` and `write` count
+    device.clear(&output);
+    device.run(&AddsToNothingKernel { input: &input, output: &output }, 64, 1).unwrap();
+    assert_eq!(device.read(&output).unwrap(), [7; 64]);
+    let parts = device.unwritten("parts", 65).unwrap();
+    device.write(&parts, 0, &[1; 64]).unwrap();
+    device.run(&AddsToNothingKernel { input: &parts, output: &output }, 64, 1).unwrap();
+    // the same in a buffer that is only read
+    #[cfg(debug_assertions)]
+    {
+        device.forget(&input);
+        let kernel = AddsToNothingKernel { input: &input, output: &output };
+        let message = failure(&device, &kernel, 64);
+        assert_contains(
+            &message,
+            &[" of `input`, which nothing has written", &line("input.read(id.index())")],
+        );
+    }
+    // elsewhere it is full of zeros
+    let plain = devices::cpu(None);
+    let (input, output) = (plain.upload("in", &[7; 64]).unwrap(), plain.unwritten("out", 64));
+    let output = output.unwrap();
+    plain.run(&AddsToNothingKernel { input: &input, output: &output }, 64, 1).unwrap();
+    assert_eq!(plain.read(&output).unwrap(), [7; 64]);
+}
+
+/// A kernel that adds to its output gives other numbers from other canaries.
+#[test]
+fn canaries_differ() {
+    let device = devices::cpu(None);
+    let run = |runner: KernelRunner<'_>| {
+        let (input, output) = (runner.upload(&[1; 64]).unwrap(), runner.output(64).unwrap());
+        let kernel = AddsToNothingKernel { input: &input, output: &output };
+        runner.items(&kernel, 64, 1).unwrap();
+        runner.read::<u32>(&output).unwrap()
+    };
+    let [one, other] = [KernelRunner::new, KernelRunner::with_other_canaries]
+        .map(|new| run(new(&device, "adds_to_nothing")));
+    assert!(one[..64].iter().zip(&other).all(|(one, other)| one != other));
+    assert_eq!(one[64..], other[64..], "what is not written is the same");
+}
+
+#[test]
+fn an_earlier_round_is_not_read() {
+    let device = devices::cpu(None);
+    let output = device.zeros("out", 64).unwrap();
+    let message = failure(&device, &StaleRoundKernel { output: &output }, 64);
+    assert_contains(
+        &message,
+        &[
+            "reads element 63 of `values`, which no invocation has written in this round",
+            &line("sum += values.read(63"),
+            "invocation [0, 0, 0]",
+        ],
+    );
+}
+
+#[test]
+fn one_workgroup_more_is_run() {
+    let output = devices::checked().zeros("out", 64).unwrap();
+    let message = failure(&devices::checked(), &WholeWorkgroupsKernel { output: &output }, 64);
+    assert_contains(&message, &["index 64 is out of range of `output`", "workgroup [1, 0, 0]"]);
+    checked().run(&WholeWorkgroupsKernel { output: &output }, 64, 1).expect("whole workgroups");
+}
+
+#[test]
+fn workgroups_count_with_atomics() {
+    let input: Vec<u32> = (0..100).map(|i| i * i).collect();
+    for device in [devices::checked(), devices::cpu(Some(1)), devices::cpu(Some(3))] {
+        let (place, bins) =
+            (device.unwritten("place", 100).unwrap(), device.zeros("bins", 8).unwrap());
+        let kernel = HistogramKernel {
+            params: HistogramParams { count: 100 },
+            input: &device.upload("input", &input).unwrap(),
+            place: &place,
+            bins: &bins,
+        };
+        device.run(&kernel, 100, 1).unwrap();
+        let expected = [0, 1, 2, 3, 4, 5, 6, 7]
+            .map(|bin| input.iter().filter(|value| *value % 8 == bin).count() as u32);
+        assert_eq!(device.read(&bins).unwrap(), expected);
+        // a value's place is the number of those before it, in its workgroup
+        let mut before = [[0; 8]; 2];
+        let places = input.iter().enumerate().map(|(i, value)| {
+            let count = &mut before[i / 64][(value % 8) as usize];
+            *count += 1;
+            *count - 1
+        });
+        assert_eq!(device.read(&place).unwrap(), places.collect::<Vec<u32>>());
+    }
+    let device = devices::checked();
+    let output = device.zeros("out", 64).unwrap();
+    let message = failure(&device, &UnclearedBinsKernel { output: &output }, 64);
+    assert_contains(
+        &message,
+        &["atomically changes element 0 of `counts`, which no invocation has written"],
+    );
+    let message = failure(&device, &ReadsWhileCountingKernel { output: &output }, 64);
+    assert_contains(
+        &message,
+        &[
+            "atomically changes element 0 of `counts`, which invocation [0, 0, 0] of the workgroup has read",
+        ],
+    );
+}
+
+#[test]
+fn a_test_calls_a_kernel_with_barriers() {
+    let input: Vec<u32> = (0..64).collect();
+    let (mut place, mut bins) = ([0; 64], [5; 8]);
+    let counts = SharedMemory::new();
+    let params = HistogramParams { count: 60 };
+    let (places, sums) = (Write::from(&mut place[..]), Write::from(&mut bins[..]));
+    let workgroup = Workgroup::new([64, 1, 1]);
+    workgroup.run(|id| histogram(id, &params, Read::from(&input[..]), places, sums, counts.view()));
+    assert_eq!(bins, [13, 13, 13, 13, 12, 12, 12, 12]);
+    assert_eq!((place[8], place[59], place[60]), (1, 7, 0));
+    // workgroup memory of another workgroup is unwritten
+    let message = std::panic::catch_unwind(|| {
+        let (mut output, counts) = ([0; 64], SharedMemory::new());
+        let output = Write::from(&mut output[..]);
+        workgroup.run(|id| neighbor(id, output, counts.view()));
+        workgroup.run(|id| {
+            let _ = counts.view().read(id.local.x);
+        });
+    });
+    let message = *message.unwrap_err().downcast::<String>().unwrap();
+    assert_contains(&message, &["reads element 0 of `a buffer`, which no invocation has written"]);
+    let message = std::panic::catch_unwind(|| {
+        let (mut output, values) = ([0; 64], SharedMemory::new());
+        let output = Write::from(&mut output[..]);
+        workgroup.run(|id| missing_barrier(id, output, values.view()));
+    });
+    let message = *message.unwrap_err().downcast::<String>().unwrap();
+    assert_contains(
+        &message,
+        &[
+            "reads element 0 of `values`",
+            "no barrier lies between",
+            "in invocation [1, 0, 0] of the workgroup",
+        ],
+    );
+    let message = std::panic::catch_unwind(|| {
+        let mut output = [0; 64];
+        let id = Invocation::new(UVec3::ZERO, UVec3::ZERO, UVec3::ONE, UVec3::new(64, 1, 1));
+        neighbor(id, Write::from(&mut output[..]), SharedMemory::new().view());
+    });
+    let message = message.unwrap_err();
+    let message = message.downcast_ref::<&str>().unwrap();
+    assert_contains(message, &["a barrier, and no other invocation runs", "workgroup::Workgroup"]);
 }
 
 #[test]

@@ -139,3 +139,126 @@ pub fn layers_overlap(id: Invocation, sums: Write<u32>) {
 pub fn layers_apart(id: Invocation, sums: Write<u32>) {
     atomic::add_wide(sums, id.workgroup.z, [u32::MAX, 0]);
 }
+
+/// Waits in the first half, while the second half reads what the first has written: the barrier is what is wrong.
+#[kernel(threads(64))]
+pub fn skips_the_barrier(id: Invocation, output: Write<u32>, values: Shared<u32, 64>) {
+    if id.local.x < 32 {
+        values.write(id.local.x, id.local.x);
+        id.barrier(); // half of them
+    }
+    output.write(id.index(), values.read(id.local.x % 32));
+}
+
+/// Parameters of kernels that loop.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct LoopParams {
+    /// Iterations.
+    pub steps: u32,
+}
+
+/// States fewer iterations than it takes.
+#[kernel(threads(64), iterations = 8)]
+pub fn loops_too_long(id: Invocation, params: &LoopParams, output: Write<u32>) {
+    let (mut step, mut sum) = (0, 0);
+    // half of them here
+    while step < params.steps / 2 {
+        sum += step;
+        step += 1;
+    }
+    if id.index() < 64 {
+        output.write(id.index(), sum + rest(step, params.steps));
+    }
+}
+
+/// The other half.
+#[loops]
+fn rest(begin: u32, end: u32) -> u32 {
+    let mut sum = 0;
+    for step in begin..end {
+        sum += step;
+    }
+    sum
+}
+
+/// Adds to what nobody has written.
+#[kernel(threads(64))]
+pub fn adds_to_nothing(id: Invocation, input: Read<u32>, output: Write<u32>) {
+    if id.index() < 64 {
+        output.write(id.index(), output.read(id.index()) + input.read(id.index()));
+    }
+}
+
+/// Reads in every round what only the first, larger one has written.
+#[kernel(threads(64), iterations = 2)]
+pub fn stale_round(id: Invocation, output: Write<u32>, values: Shared<u32, 64>) {
+    let (mut round, mut sum) = (0, 0);
+    while round < 2 {
+        values.begin_round();
+        if id.local.x < 64 - round {
+            values.write(id.local.x, round);
+        }
+        id.barrier();
+        sum += values.read(63 - id.local.x);
+        id.barrier();
+        round += 1;
+    }
+    output.write(id.index(), sum);
+}
+
+/// Has no test of its index, as if there were always whole workgroups.
+#[kernel(threads(64))]
+pub fn whole_workgroups(id: Invocation, output: Write<u32>) {
+    output.write(id.index(), id.index());
+}
+
+/// Parameters of [`histogram`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct HistogramParams {
+    /// Values.
+    pub count: u32,
+}
+
+/// Not broken: how many values of a workgroup fall into each of 8 bins, and the place of each value in its bin.
+#[kernel(threads(64))]
+pub fn histogram(
+    id: Invocation,
+    params: &HistogramParams,
+    input: Read<u32>,
+    place: Write<u32>,
+    bins: Write<u32>,
+    counts: Shared<u32, 8>,
+) {
+    if id.local.x < 8 {
+        counts.write(id.local.x, 0);
+    }
+    id.barrier();
+    if id.index() < params.count {
+        place.write(id.index(), counts.atomic_add(input.read(id.index()) % 8, 1));
+    }
+    id.barrier();
+    if id.local.x < 8 {
+        bins.atomic_add(id.local.x, counts.read(id.local.x));
+    }
+}
+
+/// Counts in bins that nobody has cleared.
+#[kernel(threads(64))]
+pub fn uncleared_bins(id: Invocation, output: Write<u32>, counts: Shared<u32, 8>) {
+    counts.atomic_add(id.local.x % 8, 1);
+    id.barrier();
+    output.write(id.index(), counts.read(id.local.x % 8));
+}
+
+/// Reads a bin while others count in it.
+#[kernel(threads(64))]
+pub fn reads_while_counting(id: Invocation, output: Write<u32>, counts: Shared<u32, 1>) {
+    if id.local.x == 0 {
+        counts.write(0, 0);
+    }
+    id.barrier();
+    counts.atomic_add(0, 1);
+    output.write(id.index(), counts.read(0));
+}

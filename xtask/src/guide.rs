@@ -50,10 +50,14 @@ fn reduced(manifest: &str, sources: &[String]) -> Result<String> {
     Ok(manifest.lines().map(line).collect())
 }
 
-fn copy_tree(from: &Path, to: &Path) -> Result<()> {
+pub fn copy_tree(from: &Path, to: &Path) -> Result<()> {
     fs::create_dir_all(to)?;
     for entry in fs::read_dir(from)? {
         let entry = entry?;
+        // what cargo has built there
+        if entry.file_name() == "target" {
+            continue;
+        }
         let target = to.join(entry.file_name());
         match entry.file_type()?.is_dir() {
             true => copy_tree(&entry.path(), &target)?,

@@ -2,6 +2,7 @@
 //! crate embeds. Everybody else builds organza without a SPIR-V compiler.
 
 mod guide;
+mod new;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -22,37 +23,28 @@ struct Cli {
 enum Task {
     /// Compile the kernels to SPIR-V, into host/kernels
     Kernels(Options),
+    /// Make a project of its own in a new folder: kernels, tests on the CPU and two ways on a GPU, a picture
+    New {
+        /// The folder: it must not exist, or be empty
+        folder: PathBuf,
+    },
     /// Compile the kernel that docs/adding-a-kernel.md shows, in a copy of the shader crate
     Guide,
 }
 
 /// The workspace.
 fn project() -> Project {
-    // Cargo's word at run time: a copy of the workspace may share the compiled xtask.
-    let xtask = std::env::var_os("CARGO_MANIFEST_DIR");
-    let xtask = xtask.map_or(env!("CARGO_MANIFEST_DIR").into(), PathBuf::from);
-    let root = xtask.parent().expect("xtask is a folder of the workspace").to_owned();
-    let target = std::env::var_os("CARGO_TARGET_DIR").map_or("target".into(), PathBuf::from);
     Project {
-        shader_crate: "shader-crate".into(),
         sources: ["kit/kernel", "kit/macros", "shader-crate"].map(String::from).into(),
         kernels: "host/kernels".into(),
-        // Joining an absolute path gives that path.
-        target: root.join(target),
-        root,
+        ..Project::of_xtask(env!("CARGO_MANIFEST_DIR"), "shader-crate")
     }
 }
 
 fn main() -> ExitCode {
-    let result = match Cli::parse().task {
+    organza_build::exit_code(match Cli::parse().task {
         Task::Guide => guide::run(&project()),
+        Task::New { folder } => new::run(&project(), &folder),
         Task::Kernels(options) => organza_build::run(&project(), options),
-    };
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error:#}");
-            ExitCode::FAILURE
-        }
-    }
+    })
 }

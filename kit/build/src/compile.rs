@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, bail};
 use organza_kernel::{EntryPoint, KernelInfo};
 use organza_manifest as manifest;
 use organza_manifest::{Interface, KernelEntry, Manifest};
@@ -13,7 +13,7 @@ use spirv_builder::{Capability, ModuleResult, SpirvBuilder, SpirvMetadata};
 use crate::artifacts::Artifacts;
 use crate::compiler::Compiler;
 use crate::lower::lower;
-use crate::{Project, module};
+use crate::{Project, module, naga_check};
 
 /// Vulkan 1.2's SPIR-V 1.5 is the newest that every driver we aim at reads.
 pub const TARGET: &str = "spirv-unknown-vulkan1.2";
@@ -28,17 +28,19 @@ pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
     let mut modules = build(&project.root.join(&project.shader_crate), &project.target, compiler)?;
     let mut entries = Vec::new();
     let mut files = BTreeMap::new();
+    refuse_one_name_twice()?;
     let kernels = organza_kernel::kernels();
     let all = kernels.flat_map(|kernel| kernel.entry_points().map(move |entry| (kernel, entry)));
     for (kernel, point) in all {
         let name = point.name;
         let Some(spirv) = modules.remove(name) else {
-            bail!("{}: the kernel `{name}` has no entry point in the SPIR-V", kernel.file);
+            bail!("{}: the kernel `{name}` has no entry point in the SPIR-V", kernel.source());
         };
-        let context = || format!("{}: kernel `{name}`", kernel.file);
+        let context = || format!("{}: kernel `{name}`", kernel.source());
         let spirv = lower(&spirv, kernel.fused).with_context(context)?;
         module::check(kernel, &point, &spirv).with_context(context)?;
-        let entry = entry(kernel, &point, &spirv)?;
+        naga_check::check(&spirv).with_context(context)?;
+        let entry = entry(kernel, &point, &spirv);
         files.insert(entry.spirv.clone(), spirv);
         entries.push(entry);
     }
@@ -54,6 +56,18 @@ pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
     let manifest = Manifest::new(project.sources.clone(), source_hash, versions, entries);
     files.insert(manifest::FILE_NAME.to_owned(), manifest.to_json().into_bytes());
     Ok(Artifacts::new(files))
+}
+
+/// All entry points are compiled together: two kernels need two names.
+fn refuse_one_name_twice() -> Result<()> {
+    let mut found: BTreeMap<_, &KernelInfo> = BTreeMap::new();
+    for kernel in organza_kernel::kernels() {
+        if let Some(other) = found.insert(kernel.name, kernel) {
+            let (one, other) = (kernel.source(), other.source());
+            bail!("two kernels are named `{}`: in {other} and in {one}", kernel.name);
+        }
+    }
+    Ok(())
 }
 
 /// Runs the compiler on a crate of kernels: the modules by entry point.
@@ -82,20 +96,14 @@ pub fn build(
     paths.into_iter().map(read).collect()
 }
 
-fn entry(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> Result<KernelEntry> {
-    // Modules and manifest must not depend on where the workspace is.
-    let file = kernel.file.replace('\\', "/");
-    ensure!(
-        Path::new(&file).is_relative(),
-        "the kernel `{}` was compiled from outside the workspace: {file}",
-        kernel.name
-    );
-    Ok(KernelEntry {
+fn entry(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> KernelEntry {
+    KernelEntry {
         name: point.name.to_owned(),
-        file,
+        package: kernel.package.to_owned(),
+        file: kernel.source(),
         spirv: format!("{}.spv", point.name),
         spirv_bytes: spirv.len() as u64,
         spirv_sha256: manifest::sha256(spirv),
         interface: Interface::of(kernel, point),
-    })
+    }
 }

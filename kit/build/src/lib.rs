@@ -1,24 +1,28 @@
 //! Builds kernels: compiles a crate of `#[kernel]` functions to SPIR-V modules that drivers and naga accept, and writes their
 //! manifest.
 //!
-//! A program that is linked with the kernels calls [`run`]; in organza that is `cargo xtask kernels`.
+//! A program that is linked with the kernels calls [`main`], or [`run`] if it has more to do; usually that is `cargo xtask kernels`.
 
 mod artifacts;
+mod atomic_arguments;
 mod capabilities;
 mod compile;
 mod compiler;
 mod contraction;
+mod ids;
 mod lower;
 mod memory_model;
 mod module;
+mod naga_check;
 mod validate;
 mod watch;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 use std::time::Instant;
 
 use anyhow::Result;
-use clap::Args;
+use clap::{Args, Parser};
 
 pub use artifacts::Artifacts;
 pub use compile::{build, compile};
@@ -38,6 +42,63 @@ pub struct Project {
     pub kernels: String,
     /// Cargo's target folder.
     pub target: PathBuf,
+}
+
+impl Project {
+    /// The project of an xtask: `xtask` is that package's folder, a folder of the workspace, and `shader_crate` another one. The
+    /// modules go to `compiled`, beside it.
+    ///
+    /// # Panics
+    /// Where `xtask` is no folder of a workspace.
+    #[must_use]
+    pub fn of_xtask(xtask: &str, shader_crate: &str) -> Self {
+        // Cargo's word at run time: a copy of the workspace may share the compiled xtask.
+        let xtask = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or(xtask.into());
+        let root = Path::new(&xtask).parent().expect("a folder of the workspace").to_owned();
+        let target = std::env::var_os("CARGO_TARGET_DIR").map_or("target".into(), PathBuf::from);
+        Self {
+            shader_crate: shader_crate.into(),
+            sources: vec![shader_crate.into()],
+            kernels: "compiled".into(),
+            // Joining an absolute path gives that path.
+            target: root.join(target),
+            root,
+        }
+    }
+}
+
+/// What an xtask that only compiles kernels understands.
+#[derive(Parser)]
+#[command(bin_name = "cargo xtask")]
+enum Task {
+    /// Compile the kernels to SPIR-V
+    Kernels(Options),
+}
+
+/// The whole `main` of an xtask: `cargo xtask kernels`, with [`Options`].
+///
+/// ```no_run
+/// // use my_kernels as _;
+/// fn main() -> std::process::ExitCode {
+///     organza_build::main(&organza_build::Project::of_xtask(env!("CARGO_MANIFEST_DIR"), "kernels"))
+/// }
+/// ```
+#[must_use]
+pub fn main(project: &Project) -> ExitCode {
+    let Task::Kernels(options) = Task::parse();
+    exit_code(run(project, options))
+}
+
+/// Prints an error, if there is one.
+#[must_use]
+pub fn exit_code(result: Result<()>) -> ExitCode {
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
 }
 
 /// What to do with the compiled kernels.

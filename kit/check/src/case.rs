@@ -4,6 +4,7 @@ use super::hold::hold;
 use super::measure::{Bound, Measure, Output};
 use super::runner::KernelRunner;
 use organza_device::{Device, Result};
+use organza_kernel::KernelInfo;
 
 /// One set of a kernel's inputs, with everything that tests need to know about the kernel.
 pub trait Parity: Sized + 'static {
@@ -123,7 +124,7 @@ fn measure<P: Parity>(cpu: &Device, device: &Device, rounding: Rounding) -> Resu
     let mut measure = Measure::default();
     for (name, set) in P::sets() {
         let expected = set.run(&KernelRunner::new(cpu, P::KERNEL))?;
-        let found = set.run(&KernelRunner::new(device, P::KERNEL))?;
+        let found = set.run(&KernelRunner::with_other_canaries(device, P::KERNEL))?;
         assert_eq!(expected.len(), found.len(), "outputs of `{}`", P::KERNEL);
         for (expected, found) in expected.iter().zip(&found) {
             measure.add(&name, expected, found, P::TOLERANCE, |index| {
@@ -134,12 +135,19 @@ fn measure<P: Parity>(cpu: &Device, device: &Device, rounding: Rounding) -> Resu
     Ok(measure)
 }
 
-/// The kernels that have no case, and the cases that have no kernel; `folder` is where cases are.
+/// What is to be done so that each of some kernels has a case, and each case a kernel; `folder` is where cases are.
+///
+/// A program passes its own kernels, [`kernels_of`](organza_kernel::kernels_of): it is linked with those of its dependencies, too.
 #[must_use]
-pub fn missing(cases: &[Case], folder: &str) -> Vec<String> {
-    let declared = || organza_kernel::kernels();
-    let without_case = declared().filter(|kernel| cases.iter().all(|c| c.kernel != kernel.name));
-    let without_kernel = cases.iter().filter(|c| declared().all(|k| k.name != c.kernel));
+pub fn missing(
+    kernels: impl Iterator<Item = &'static KernelInfo>,
+    cases: &[Case],
+    folder: &str,
+) -> Vec<String> {
+    let kernels: Vec<_> = kernels.collect();
+    let without_case =
+        kernels.iter().filter(|kernel| cases.iter().all(|c| c.kernel != kernel.name));
+    let without_kernel = cases.iter().filter(|c| kernels.iter().all(|k| k.name != c.kernel));
     let add = without_case.map(|kernel| {
         let stage = kernel.file.rsplit(['/', '\\']).next().unwrap_or(kernel.file);
         format!(

@@ -69,6 +69,25 @@ pub fn cpu(threads: Option<usize>) -> Device {
     Device::open(&DeviceOptions::cpu(threads), Modules::none()).expect("the CPU")
 }
 
+/// The CPU that finds the most mistakes of kernels: [`DeviceOptions::checked`].
+///
+/// # Panics
+/// Where threads cannot be started.
+#[must_use]
+pub fn checked() -> Device {
+    Device::open(&DeviceOptions::checked(), Modules::none()).expect("the CPU")
+}
+
+/// As [`checked`], with the [variants](organza_kernel::KernelInfo::variant) of kernels: their copies to workgroup memory run without
+/// a GPU.
+///
+/// # Panics
+/// Where threads cannot be started.
+#[must_use]
+pub fn checked_variants() -> Device {
+    Device::open(&DeviceOptions::checked().variants(true), Modules::none()).expect("the CPU")
+}
+
 /// The CPU with an instruction set.
 ///
 /// # Panics

@@ -14,31 +14,49 @@ const TAIL: usize = 8;
 pub struct KernelRunner<'d> {
     device: &'d Device,
     kernel: &'static str,
+    has_other_canaries: bool,
 }
 
 /// Fills an output before the kernel runs: elements that the kernel should not write must keep this value.
 pub trait Canary: Pod + PartialEq {
     /// A value that no kernel computes.
     const CANARY: Self;
+    /// Another one. A case fills the outputs of one device with this one, and those of the other device with that: a kernel
+    /// that computes with what it finds in its output then gives two results.
+    const OTHER_CANARY: Self;
 }
 
 impl Canary for f32 {
     const CANARY: Self = -12_345.5;
+    const OTHER_CANARY: Self = 23_456.25;
 }
 
 impl Canary for u32 {
     const CANARY: Self = 0x00c0_ffee;
+    const OTHER_CANARY: Self = 0x0bad_cafe;
 }
 
 impl Canary for Vec4 {
     const CANARY: Self = Self::splat(f32::CANARY);
+    const OTHER_CANARY: Self = Self::splat(f32::OTHER_CANARY);
 }
 
 impl<'d> KernelRunner<'d> {
     /// Only the kernel of this name may run.
     #[must_use]
     pub fn new(device: &'d Device, kernel: &'static str) -> Self {
-        Self { device, kernel }
+        Self { device, kernel, has_other_canaries: false }
+    }
+
+    /// As [`KernelRunner::new`], with [`Canary::OTHER_CANARY`] in the outputs. [`KernelRunner::read`] gives [`Canary::CANARY`] for
+    /// it.
+    #[must_use]
+    pub fn with_other_canaries(device: &'d Device, kernel: &'static str) -> Self {
+        Self { has_other_canaries: true, ..Self::new(device, kernel) }
+    }
+
+    fn canary<T: Canary>(&self) -> T {
+        if self.has_other_canaries { T::OTHER_CANARY } else { T::CANARY }
     }
 
     /// A buffer that holds `values`.
@@ -49,12 +67,15 @@ impl<'d> KernelRunner<'d> {
         self.device.upload("parity input", values)
     }
 
-    /// A buffer of `len` elements to write to, and canaries after them.
+    /// A buffer of `len` elements to write to, and canaries after them. A device that checks it fails where the kernel reads what
+    /// it has not written.
     ///
     /// # Errors
     /// As [`Device::upload`].
     pub fn output<T: Canary>(&self, len: usize) -> Result<Buffer<T>> {
-        self.output_of(&vec![T::CANARY; len])
+        let buffer = self.output_of(&vec![self.canary::<T>(); len])?;
+        self.device.forget(&buffer);
+        Ok(buffer)
     }
 
     /// A buffer of `values` that the kernel writes to, and canaries after them.
@@ -62,7 +83,7 @@ impl<'d> KernelRunner<'d> {
     /// # Errors
     /// As [`Device::upload`].
     pub fn output_of<T: Canary>(&self, values: &[T]) -> Result<Buffer<T>> {
-        self.upload(&[values, &[T::CANARY; TAIL]].concat())
+        self.upload(&[values, &[self.canary::<T>(); TAIL]].concat())
     }
 
     /// What an output holds, canaries included.
@@ -70,10 +91,15 @@ impl<'d> KernelRunner<'d> {
     /// # Errors
     /// As [`Device::read`], or if the kernel has written after the output.
     pub fn read<T: Canary>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
-        let values = self.device.read(buffer)?;
-        if values[values.len() - TAIL..].iter().any(|value| *value != T::CANARY) {
+        let mut values = self.device.read(buffer)?;
+        let canary = self.canary::<T>();
+        if values[values.len() - TAIL..].iter().any(|value| *value != canary) {
             let reason = "it writes behind its output".into();
             return Err(Error::Kernel { kernel: self.kernel.into(), reason });
+        }
+        // what was not written is the same on all devices
+        for value in values.iter_mut().filter(|value| **value == canary) {
+            *value = T::CANARY;
         }
         Ok(values)
     }

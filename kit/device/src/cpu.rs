@@ -5,16 +5,21 @@ use std::ops::Range;
 
 use glam::{UVec3, Vec3Swizzles};
 use organza_kernel::invocation::Invocation;
-use organza_kernel::kernel::{Access, BindingInfo, CpuBinding, CpuRun, InstructionSet, KernelInfo};
+use organza_kernel::kernel::{
+    Access, BindingInfo, CpuBinding, CpuRun, EntryPoint, InstructionSet, KernelInfo,
+};
 use organza_kernel::memory::AccessMonitor;
 use organza_kernel::running::{RunningInvocation, begin, unlinear};
+use organza_kernel::workgroup;
 use rayon::prelude::*;
 
 use crate::buffer::{Memory, RawBuffer};
 use crate::cpu_memory::{CpuMemory, MemoryPool};
 use crate::error::{Error, Result};
-use crate::races::Races;
-use crate::{coroutine, memory, supervise};
+use crate::open::DeviceOptions;
+use crate::races::{Races, Reads};
+use crate::written::Written;
+use crate::{memory, supervise};
 
 thread_local! {
     /// Threads that have work of their own, this one among them; 0 where a dispatch is everyone's.
@@ -45,16 +50,15 @@ const AT_ONCE: u64 = 8;
 pub struct Cpu {
     pool: rayon::ThreadPool,
     check_races: bool,
+    /// Whether kernels run as their variants.
+    variants: bool,
     instruction_set: InstructionSet,
     pool_memory: MemoryPool,
 }
 
 impl Cpu {
-    pub fn new(
-        threads: Option<usize>,
-        check_races: bool,
-        instruction_set: Option<InstructionSet>,
-    ) -> Result<Self> {
+    pub fn new(options: &DeviceOptions) -> Result<Self> {
+        let DeviceOptions { threads, check_races, instruction_set, .. } = *options;
         // a monitor sees one invocation at a time
         let best = if check_races { InstructionSet::Scalar } else { InstructionSet::best() };
         let instruction_set = instruction_set.unwrap_or(best);
@@ -70,7 +74,29 @@ impl Cpu {
             .map_err(|error| Error::Argument {
                 reason: format!("cannot start threads: {error}"),
             })?;
-        Ok(Self { pool, check_races, instruction_set, pool_memory: MemoryPool::default() })
+        let variants = check_races && options.variants == Some(true);
+        let pool_memory = MemoryPool::default();
+        Ok(Self { pool, check_races, variants, instruction_set, pool_memory })
+    }
+
+    /// The entry point of a kernel that stands for what runs: its variant only where a test asks for it.
+    pub fn entry_point(&self, kernel: &KernelInfo) -> EntryPoint {
+        let variant = kernel.variant.filter(|_| self.variants && kernel.run_variant.is_some());
+        variant.unwrap_or(kernel.plain())
+    }
+
+    /// From now on nothing of these bytes was written, where that is checked.
+    pub fn forget(&self, memory: &CpuMemory, begin: u64, bytes: u64) {
+        if self.check_races {
+            memory.forget(begin as usize..(begin + bytes) as usize);
+        }
+    }
+
+    /// The host has written these bytes.
+    pub fn wrote(memory: &CpuMemory, begin: u64, bytes: u64) {
+        if let Some(written) = memory.written() {
+            written.set(begin as usize..(begin + bytes) as usize, true);
+        }
     }
 
     pub fn instruction_set(&self) -> InstructionSet {
@@ -106,6 +132,7 @@ impl Cpu {
         assert!(begin + bytes <= memory.bytes().len() as u64);
         // SAFETY: in range, and no dispatch runs: each returns when it is done
         unsafe { memory.data().add(begin as usize).write_bytes(0, bytes as usize) };
+        Self::wrote(memory, begin, bytes);
     }
 
     pub fn write(&self, to: &CpuMemory, begin: u64, bytes: &[u8]) {
@@ -123,6 +150,10 @@ impl Cpu {
         unsafe {
             to.data().add(begin as usize).copy_from(from.data().add(range.start as usize), bytes)
         };
+        if let Some(written) = to.written() {
+            let range = range.start as usize..range.end as usize;
+            written.copy(from.written(), range, begin as usize);
+        }
     }
 
     pub fn dispatch(
@@ -134,18 +165,26 @@ impl Cpu {
     ) -> Result<()> {
         let failed = |reason| Error::Kernel { kernel: info.name.into(), reason };
         let mut bindings = bind(info, uniform, buffers).map_err(failed)?;
-        let races = if self.check_races { races(info, &bindings, workgroups) } else { Vec::new() };
-        for (binding, race) in bindings.iter_mut().zip(&races) {
-            binding.monitor = race.as_ref().map(|race| race as &dyn AccessMonitor);
+        let monitors = match self.check_races {
+            true => monitors(info, &bindings, buffers, workgroups),
+            false => Vec::new(),
+        };
+        for (binding, monitor) in bindings.iter_mut().zip(&monitors) {
+            binding.monitor = monitor.as_deref();
         }
+        let point = self.entry_point(info);
         let [x, y, z] = workgroups.map(u64::from);
-        let size = UVec3::from(workgroups);
+        let (size, local) = (UVec3::from(workgroups), UVec3::from(info.workgroup_size));
         let place = |index: u64| match info.z_innermost {
             // z counts fastest
             true => unlinear(index, size.zxy()).yzx(),
             false => unlinear(index, size),
         };
         let run_of_lanes = match info.run {
+            _ if point.name != info.name => match info.run_variant {
+                Some(run) => CpuRun::Invocation(run),
+                None => unreachable!("`entry_point` has looked"),
+            },
             CpuRun::Lanes(runs) => CpuRun::Workgroup(runs.of(self.instruction_set)),
             run => run,
         };
@@ -158,10 +197,9 @@ impl Cpu {
                 Ok(())
             }
             CpuRun::Invocation(run) => {
-                coroutine::run_workgroup(info, run, &bindings, place(index), size)
+                workgroup::run_bound(point.shared, local, run, &bindings, place(index), size)
             }
         };
-        let local = UVec3::from(info.workgroup_size);
         let run_some = |mut indices: Range<u64>| {
             supervise::supervise(|| {
                 indices.try_for_each(|index| {
@@ -256,17 +294,32 @@ fn bind(
     Ok(bindings)
 }
 
-/// A monitor for every binding that is written.
-fn races(
+/// A monitor for every binding that is written, or that may hold what nothing has written.
+fn monitors<'a>(
     info: &KernelInfo,
     bindings: &[CpuBinding<'_>],
+    buffers: &[&'a RawBuffer],
     workgroups: [u32; 3],
-) -> Vec<Option<Races>> {
+) -> Vec<Option<Box<dyn AccessMonitor + 'a>>> {
     let invocations = UVec3::from(workgroups) * UVec3::from(info.workgroup_size);
     let layers = info.z_serial;
+    let mut buffers = buffers.iter();
     let monitor = |(info, binding): (&BindingInfo, &CpuBinding<'_>)| {
-        let written = info.access == Access::Write;
-        written.then(|| Races::new(info, binding.bytes, invocations, layers))
+        if info.access == Access::Uniform {
+            return None;
+        }
+        let buffer = buffers.next()?;
+        let (written, begin): (Option<&Written>, _) = match &buffer.memory {
+            Memory::Cpu(memory) => (memory.written(), buffer.begin as usize),
+            Memory::Gpu(_) => (None, 0),
+        };
+        let monitor: Box<dyn AccessMonitor> = match info.access {
+            Access::Write => {
+                Box::new(Races::new(info, binding.bytes, invocations, layers, written, begin))
+            }
+            _ => Box::new(Reads::new(info, written?, begin)),
+        };
+        Some(monitor)
     };
     info.bindings.iter().zip(bindings).map(monitor).collect()
 }

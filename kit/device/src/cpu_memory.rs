@@ -3,7 +3,9 @@
 use std::alloc::{self, Layout};
 use std::collections::VecDeque;
 use std::ptr::NonNull;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+
+use crate::written::Written;
 
 /// Largest unused memory that is kept, in bytes.
 const SPARE_BYTES: usize = 256 << 20;
@@ -13,6 +15,8 @@ const SPARE_BYTES: usize = 256 << 20;
 pub struct CpuMemory {
     block: Option<Allocation>,
     pool_memory: MemoryPool,
+    /// What of it was written, if not all of it counts as that.
+    written: OnceLock<Written>,
 }
 
 /// Memory that is not in use; the block that was unused longest is first.
@@ -34,7 +38,7 @@ impl MemoryPool {
         };
         // SAFETY: the block has that many bytes, and no other owner
         unsafe { block.data.as_ptr().write_bytes(0, bytes as usize) };
-        Some(CpuMemory { block: Some(block), pool_memory: self.clone() })
+        Some(CpuMemory::new(block, self.clone()))
     }
 
     /// New memory of at least this many bytes, all zeros; `None` if the system has none.
@@ -42,7 +46,7 @@ impl MemoryPool {
         let layout = layout(bytes)?;
         // SAFETY: the size is not zero
         let data = NonNull::new(crate::memory::asking(|| unsafe { alloc::alloc_zeroed(layout) }))?;
-        Some(CpuMemory { block: Some(Allocation { data, layout }), pool_memory: self.clone() })
+        Some(CpuMemory::new(Allocation { data, layout }, self.clone()))
     }
 
     /// Gives everything back to the system.
@@ -69,6 +73,28 @@ fn layout(bytes: u64) -> Option<Layout> {
 }
 
 impl CpuMemory {
+    fn new(block: Allocation, pool_memory: MemoryPool) -> Self {
+        Self { block: Some(block), pool_memory, written: OnceLock::new() }
+    }
+
+    /// What of it was written; `None` where everything counts as written.
+    pub fn written(&self) -> Option<&Written> {
+        self.written.get()
+    }
+
+    /// From now on nothing of these bytes was written.
+    pub fn forget(&self, bytes: std::ops::Range<usize>) {
+        let mut is_new = false;
+        let written = self.written.get_or_init(|| {
+            is_new = true;
+            Written::none(self.bytes().len())
+        });
+        if is_new {
+            written.set(0..self.bytes().len(), true);
+        }
+        written.set(bytes, false);
+    }
+
     fn block(&self) -> &Allocation {
         self.block.as_ref().expect("it has one until it is dropped")
     }

@@ -38,6 +38,8 @@ pub struct Device {
     timings: Timings,
     /// Buffers until memory is refused; 0 where it is not.
     pub(crate) refused: AtomicU64,
+    /// See [`DeviceOptions::extra_workgroup`].
+    extra_workgroup: bool,
 }
 
 #[derive(Debug)]
@@ -50,7 +52,11 @@ impl Device {
     pub(crate) fn new(kind: Kind, choice: String) -> Self {
         let no = || AtomicBool::new(false);
         let (timings, refused) = (Timings::default(), AtomicU64::new(0));
-        Self { kind, choice, times: no(), waits: no(), timings, refused }
+        Self { kind, choice, times: no(), waits: no(), timings, refused, extra_workgroup: false }
+    }
+
+    pub(crate) fn with_extra_workgroup(self, extra_workgroup: bool) -> Self {
+        Self { extra_workgroup, ..self }
     }
 
     /// Opens the device that `options` ask for; `modules` are the compiled kernels that a GPU runs.
@@ -84,11 +90,11 @@ impl Device {
         }
     }
 
-    /// Which of a kernel's entry points it runs: on the CPU, the plain one stands for the function.
+    /// Which of a kernel's entry points it runs: on the CPU, they stand for the function.
     #[must_use]
     pub fn entry_point(&self, kernel: &KernelInfo) -> EntryPoint {
         match &self.kind {
-            Kind::Cpu(_) => kernel.plain(),
+            Kind::Cpu(cpu) => cpu.entry_point(kernel),
             Kind::Gpu(gpu) => gpu.entry_point(kernel),
         }
     }
@@ -245,11 +251,20 @@ impl Device {
         }
     }
 
+    /// Whether a dispatch gets a workgroup more than its items need. Workgroups of one invocation always fit.
+    fn has_extra_workgroup(&self, info: &KernelInfo) -> bool {
+        self.extra_workgroup && info.workgroup_size != [1; 3]
+    }
+
     /// Workgroups along x and y for this many items.
     fn workgroups_for(&self, info: &KernelInfo, items: u32) -> [u32; 2] {
-        match self.kind {
-            Kind::Cpu(_) => workgroups_for(info, items),
-            Kind::Gpu(_) => workgroups_for(info, items.div_ceil(info.each)),
+        let invocations = match self.kind {
+            Kind::Cpu(_) => items,
+            Kind::Gpu(_) => items.div_ceil(info.each),
+        };
+        match self.has_extra_workgroup(info) && items > 0 {
+            true => workgroups_for(info, invocations.saturating_add(info.workgroup_size[0])),
+            false => workgroups_for(info, invocations),
         }
     }
 
@@ -274,7 +289,8 @@ impl Device {
     /// As [`Device::dispatch`].
     pub fn run_over<'a>(&self, kernel: &impl Dispatch<'a, Host>, size: [u32; 3]) -> Result<()> {
         let [x, y, _] = kernel.info().workgroup_size;
-        self.dispatch(kernel, [size[0].div_ceil(x), size[1].div_ceil(y), size[2]])
+        let extra = u32::from(self.has_extra_workgroup(kernel.info()) && !size.contains(&0));
+        self.dispatch(kernel, [size[0].div_ceil(x) + extra, size[1].div_ceil(y) + extra, size[2]])
     }
 
     /// From now on, whether a GPU's dispatches are timed and every device's [`Work`] is counted; the CPU's times are always

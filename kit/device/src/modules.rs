@@ -128,6 +128,13 @@ impl Modules {
     /// [`Error::StaleKernels`] when the kernel was not compiled since its declaration changed.
     pub fn of(&'static self, kernel: &KernelInfo, point: &EntryPoint) -> Result<CompiledKernel> {
         let compiled = self.find(point.name)?;
+        if compiled.entry.package != kernel.package {
+            let (package, other) = (kernel.package, &compiled.entry.package);
+            return Err(stale(format!(
+                "`{}` of {package} is not among them, but that of {other}",
+                point.name
+            )));
+        }
         if compiled.entry.interface != Interface::of(kernel, point) {
             return Err(stale(format!("the declaration of `{}` has changed", point.name)));
         }

@@ -59,13 +59,18 @@ pub struct DeviceOptions {
     pub threads: Option<usize>,
     /// Part of the name of the GPU to take, in any case.
     pub adapter: Option<String>,
-    /// On the CPU, whether to fail where two invocations of a dispatch get in each other's way in a storage buffer.
-    /// For tests of kernels: slow, and 16 bytes for every element that a kernel may write.
+    /// On the CPU, whether to fail where two invocations of a dispatch get in each other's way in a storage buffer, and where a
+    /// kernel reads what [nothing has written](Device::unwritten). For tests of kernels: slow, and 16 bytes for every element
+    /// that a kernel may write.
     pub check_races: bool,
+    /// Whether [`Device::run`] and [`Device::run_over`] start one workgroup more than needed, along x and, for a size, along
+    /// y. For tests of kernels: their invocations must do nothing.
+    pub extra_workgroup: bool,
     /// On the CPU, what kernels with lanes run on; the best that there is unless set.
     pub instruction_set: Option<InstructionSet>,
     /// On a GPU, whether kernels that have a [variant](organza_kernel::KernelInfo::variant) run that, or their plain entry
-    /// point; a hardware device runs variants, unless set.
+    /// point; a hardware device runs variants, unless set. The CPU runs variants if this is set with
+    /// [`check_races`](Self::check_races).
     pub variants: Option<bool>,
 }
 
@@ -80,6 +85,13 @@ impl DeviceOptions {
     #[must_use]
     pub fn gpu(spirv: SpirvPath) -> Self {
         Self { backend: BackendChoice::Gpu, spirv: Some(spirv), ..Self::default() }
+    }
+
+    /// The CPU as tests of kernels want it: it [looks for races](Self::check_races) and for reads of what nothing has written,
+    /// and runs [one workgroup more](Self::extra_workgroup) than needed.
+    #[must_use]
+    pub fn checked() -> Self {
+        Self { check_races: true, extra_workgroup: true, ..Self::cpu(None) }
     }
 
     /// Sets [`backend`](Self::backend).
@@ -117,6 +129,13 @@ impl DeviceOptions {
         self
     }
 
+    /// Sets [`extra_workgroup`](Self::extra_workgroup).
+    #[must_use]
+    pub fn extra_workgroup(mut self, extra: bool) -> Self {
+        self.extra_workgroup = extra;
+        self
+    }
+
     /// Sets [`instruction_set`](Self::instruction_set).
     #[must_use]
     pub fn instruction_set(mut self, set: impl Into<Option<InstructionSet>>) -> Self {
@@ -133,7 +152,7 @@ impl DeviceOptions {
 }
 
 pub fn open(options: &DeviceOptions, modules: &'static Modules) -> Result<Device> {
-    match options.backend {
+    let device = match options.backend {
         BackendChoice::Cpu => open_cpu(options, "asked for"),
         BackendChoice::Gpu => {
             let gpu = gpu::Gpu::open(options, modules)?;
@@ -153,11 +172,12 @@ pub fn open(options: &DeviceOptions, modules: &'static Modules) -> Result<Device
             Err(Error::NoGpu { reason }) => open_cpu(options, &format!("no usable GPU: {reason}")),
             Err(error) => Err(error),
         },
-    }
+    };
+    device.map(|device| device.with_extra_workgroup(options.extra_workgroup))
 }
 
 fn open_cpu(options: &DeviceOptions, why: &str) -> Result<Device> {
-    let cpu = cpu::Cpu::new(options.threads, options.check_races, options.instruction_set)?;
+    let cpu = cpu::Cpu::new(options)?;
     let threads = cpu.threads();
     let plural = if threads == 1 { "" } else { "s" };
     let set = cpu.instruction_set().as_str();

@@ -24,6 +24,27 @@ impl Device {
         Ok(Buffer::new(RawBuffer { memory, label, begin: 0, bytes }))
     }
 
+    /// A buffer of `len` elements that kernels write before anything reads them.
+    ///
+    /// A device that [checks](crate::DeviceOptions::check_races) fails where a kernel reads an element that nothing has written.
+    /// Others fill the buffer with zeros: use [`zeros`](Device::zeros) where a kernel needs them.
+    ///
+    /// # Errors
+    /// As [`Device::zeros`].
+    pub fn unwritten<T: Pod>(&self, label: &'static str, len: usize) -> Result<Buffer<T>> {
+        let buffer = self.zeros(label, len)?;
+        self.forget(&buffer);
+        Ok(buffer)
+    }
+
+    /// Says that nothing was written to a buffer, whatever it holds: see [`Device::unwritten`].
+    pub fn forget<T: Pod>(&self, buffer: &Buffer<T>) {
+        let raw = buffer.raw();
+        if let (Kind::Cpu(cpu), Memory::Cpu(memory)) = (&self.kind, &raw.memory) {
+            cpu.forget(memory, raw.begin, raw.bytes);
+        }
+    }
+
     /// Fails where [`Device::refuse_one`] has said so.
     fn refuse(&self, label: &'static str, bytes: u64) -> Result<()> {
         let is_due = |left: u64| left.checked_sub(1);

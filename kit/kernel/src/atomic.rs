@@ -1,4 +1,24 @@
-//! Integer atomics. Rust-GPU's panic on the CPU, so each has a CPU twin here.
+//! Integer atomics, on storage buffers and workgroup memory of `u32` and `i32`. All return the value that was there before.
+//!
+//! | method of `Write` and `Shared` | the element becomes | |
+//! | --- | --- | --- |
+//! | `atomic_add(index, value)` | the sum, modulo 2^32 | does not depend on the order |
+//! | `atomic_min(index, value)`, `atomic_max(index, value)` | the smaller, the larger | does not depend on the order |
+//! | `atomic_and(index, value)`, `atomic_or(index, value)`, `atomic_xor(index, value)` | what the bits give | does not depend on the order |
+//! | `atomic_exchange(index, value)` | `value` | |
+//! | `atomic_compare_exchange(index, expected, value)` | `value`, if it was `expected` | |
+//! | `atomic_load(index)` | what it was | |
+//! | `atomic_store(index, value)` | `value`; returns nothing | |
+//!
+//! The element that results does not depend on the order of the invocations, where the table says so. What an atomic *returns*
+//! always does: use it as a ticket (a free slot), and not as a number that is part of the result.
+//!
+//! Atomics order nothing else: between a write and another invocation's read there must be a barrier, or a dispatch. An
+//! element that one invocation changes atomically must not be read or written plainly by another before that: the CPU run
+//! reports it.
+//!
+//! [`add`] and [`raise`] are the two that kernels need most, as functions. [`add_wide`] adds to 64-bit integers. Rust-GPU's own atomics
+//! panic on the CPU.
 
 #[cfg(target_arch = "spirv")]
 use spirv_std::arch::IndexUnchecked;
@@ -6,8 +26,10 @@ use spirv_std::arch::IndexUnchecked;
 use spirv_std::memory::{Scope, Semantics};
 
 #[cfg(not(target_arch = "spirv"))]
-use core::sync::atomic::{AtomicU32, AtomicU64, Ordering};
+use core::sync::atomic::{AtomicI32, AtomicU32, AtomicU64, Ordering};
 
+#[cfg(not(target_arch = "spirv"))]
+use crate::memory::Shared;
 #[cfg(not(target_arch = "spirv"))]
 use crate::memory::Touch;
 use crate::memory::Write;
@@ -19,42 +41,166 @@ const SCOPE: u32 = Scope::QueueFamily as u32;
 #[cfg(target_arch = "spirv")]
 const NO_ORDER: u32 = Semantics::NONE.bits();
 
-/// Adds `value` at `index`; sums of integers do not depend on the order.
-#[inline(always)]
-#[cfg_attr(not(target_arch = "spirv"), track_caller)]
-pub fn add(buffer: Write<u32>, index: u32, value: u32) {
-    #[cfg(target_arch = "spirv")]
-    // SAFETY: the CPU run checks the index
-    unsafe {
-        let at = buffer.index_unchecked_mut(index as usize);
-        spirv_std::arch::atomic_i_add::<_, SCOPE, NO_ORDER>(at, value);
-    }
-    #[cfg(not(target_arch = "spirv"))]
-    {
-        // SAFETY: the address is in range and aligned, and kernels touch a counter only through atomics
-        unsafe { AtomicU32::from_ptr(buffer.address(index, Touch::Atomic)) }
-            .fetch_add(value, Ordering::Relaxed);
-    }
+/// The atomics of a buffer, or of an array in workgroup memory: see the [module](self).
+#[cfg(target_arch = "spirv")]
+#[allow(missing_docs)]
+pub trait AtomicBuffer<T> {
+    fn atomic_add(&mut self, index: u32, value: T) -> T;
+    fn atomic_min(&mut self, index: u32, value: T) -> T;
+    fn atomic_max(&mut self, index: u32, value: T) -> T;
+    fn atomic_and(&mut self, index: u32, value: T) -> T;
+    fn atomic_or(&mut self, index: u32, value: T) -> T;
+    fn atomic_xor(&mut self, index: u32, value: T) -> T;
+    fn atomic_exchange(&mut self, index: u32, value: T) -> T;
+    fn atomic_compare_exchange(&mut self, index: u32, expected: T, value: T) -> T;
+    fn atomic_load(&mut self, index: u32) -> T;
+    fn atomic_store(&mut self, index: u32, value: T);
 }
 
-/// Raises what is at `index` to `value`; the largest of integers does not depend on the order.
+/// The atomics of a GPU.
+#[cfg(target_arch = "spirv")]
+macro_rules! device_atomics {
+    ([$($generics:tt)*] $buffer:ty, $element:ty, $min:ident, $max:ident) => {
+        impl<$($generics)*> AtomicBuffer<$element> for $buffer {
+            device_atomics!(method $element, atomic_add, atomic_i_add);
+            device_atomics!(method $element, atomic_min, $min);
+            device_atomics!(method $element, atomic_max, $max);
+            device_atomics!(method $element, atomic_and, atomic_and);
+            device_atomics!(method $element, atomic_or, atomic_or);
+            device_atomics!(method $element, atomic_xor, atomic_xor);
+            device_atomics!(method $element, atomic_exchange, atomic_exchange);
+
+            #[inline(always)]
+            fn atomic_compare_exchange(&mut self, index: u32, expected: $element, value: $element) -> $element {
+                // SAFETY: the CPU run checks the index
+                unsafe {
+                    let at = self.index_unchecked_mut(index as usize);
+                    spirv_std::arch::atomic_compare_exchange::<_, SCOPE, NO_ORDER, NO_ORDER>(at, value, expected)
+                }
+            }
+
+            #[inline(always)]
+            fn atomic_load(&mut self, index: u32) -> $element {
+                // SAFETY: the CPU run checks the index
+                unsafe {
+                    let at = self.index_unchecked_mut(index as usize);
+                    spirv_std::arch::atomic_load::<_, SCOPE, NO_ORDER>(at)
+                }
+            }
+
+            #[inline(always)]
+            fn atomic_store(&mut self, index: u32, value: $element) {
+                // SAFETY: the CPU run checks the index
+                unsafe {
+                    let at = self.index_unchecked_mut(index as usize);
+                    spirv_std::arch::atomic_store::<_, SCOPE, NO_ORDER>(at, value);
+                }
+            }
+        }
+    };
+    (method $element:ty, $name:ident, $operation:ident) => {
+        #[inline(always)]
+        fn $name(&mut self, index: u32, value: $element) -> $element {
+            // SAFETY: the CPU run checks the index
+            unsafe {
+                let at = self.index_unchecked_mut(index as usize);
+                spirv_std::arch::$operation::<_, SCOPE, NO_ORDER>(at, value)
+            }
+        }
+    };
+}
+
+#[cfg(target_arch = "spirv")]
+device_atomics!([][u32], u32, atomic_u_min, atomic_u_max);
+#[cfg(target_arch = "spirv")]
+device_atomics!([][i32], i32, atomic_s_min, atomic_s_max);
+#[cfg(target_arch = "spirv")]
+device_atomics!([const N: usize] [u32; N], u32, atomic_u_min, atomic_u_max);
+#[cfg(target_arch = "spirv")]
+device_atomics!([const N: usize] [i32; N], i32, atomic_s_min, atomic_s_max);
+
+/// The atomics of the CPU; `$view` is the buffer of a `self`.
+#[cfg(not(target_arch = "spirv"))]
+macro_rules! host_atomics {
+    ([$($generics:tt)*] $buffer:ty, $element:ty, $atomic:ty, $self:ident => $view:expr) => {
+        impl<$($generics)*> $buffer {
+            host_atomics!(method $element, $atomic, $self => $view, atomic_add, fetch_add, "Adds `value` at `index`, modulo 2^32.");
+            host_atomics!(method $element, $atomic, $self => $view, atomic_min, fetch_min, "Lowers what is at `index` to `value`.");
+            host_atomics!(method $element, $atomic, $self => $view, atomic_max, fetch_max, "Raises what is at `index` to `value`.");
+            host_atomics!(method $element, $atomic, $self => $view, atomic_and, fetch_and, "Keeps the bits of `value` at `index`.");
+            host_atomics!(method $element, $atomic, $self => $view, atomic_or, fetch_or, "Sets the bits of `value` at `index`.");
+            host_atomics!(method $element, $atomic, $self => $view, atomic_xor, fetch_xor, "Flips the bits of `value` at `index`.");
+            host_atomics!(method $element, $atomic, $self => $view, atomic_exchange, swap, "Stores `value` at `index`.");
+
+            /// Stores `value` at `index`, if `expected` is there. Returns what was there; panics out of range.
+            #[inline(always)]
+            #[track_caller]
+            pub fn atomic_compare_exchange(&$self, index: u32, expected: $element, value: $element) -> $element {
+                let (order, at) = (Ordering::Relaxed, $view.address(index, Touch::Atomic));
+                // SAFETY: as in the others
+                let result = unsafe { <$atomic>::from_ptr(at) }.compare_exchange(expected, value, order, order);
+                result.unwrap_or_else(|found| found)
+            }
+
+            /// What is at `index`; panics out of range.
+            #[inline(always)]
+            #[track_caller]
+            pub fn atomic_load(&$self, index: u32) -> $element {
+                // SAFETY: as in the others
+                unsafe { <$atomic>::from_ptr($view.address(index, Touch::Atomic)) }.load(Ordering::Relaxed)
+            }
+
+            /// Stores `value` at `index`; panics out of range.
+            #[inline(always)]
+            #[track_caller]
+            pub fn atomic_store(&$self, index: u32, value: $element) {
+                // SAFETY: as in the others
+                unsafe { <$atomic>::from_ptr($view.address(index, Touch::Store)) }.store(value, Ordering::Relaxed);
+            }
+        }
+    };
+    (method $element:ty, $atomic:ty, $self:ident => $view:expr, $name:ident, $operation:ident, $doc:literal) => {
+        #[doc = $doc]
+        /// Returns what was there; panics out of range.
+        #[inline(always)]
+        #[track_caller]
+        pub fn $name(&$self, index: u32, value: $element) -> $element {
+            // SAFETY: the address is in range and aligned, and kernels touch such an element only through atomics: the CPU run
+            // with `check_races` sees to it
+            unsafe { <$atomic>::from_ptr($view.address(index, Touch::Atomic)) }.$operation(value, Ordering::Relaxed)
+        }
+    };
+}
+
+#[cfg(not(target_arch = "spirv"))]
+host_atomics!(['a] Write<'a, u32>, u32, AtomicU32, self => self);
+#[cfg(not(target_arch = "spirv"))]
+host_atomics!(['a] Write<'a, i32>, i32, AtomicI32, self => self);
+#[cfg(not(target_arch = "spirv"))]
+host_atomics!(['a, const N: usize] Shared<'a, u32, N>, u32, AtomicU32, self => self.0);
+#[cfg(not(target_arch = "spirv"))]
+host_atomics!(['a, const N: usize] Shared<'a, i32, N>, i32, AtomicI32, self => self.0);
+
+/// Adds `value` at `index`; sums of integers do not depend on the order. Returns what was there.
 #[inline(always)]
 #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-pub fn raise(buffer: Write<u32>, index: u32, value: u32) {
+pub fn add(buffer: Write<u32>, index: u32, value: u32) -> u32 {
+    buffer.atomic_add(index, value)
+}
+
+/// Raises what is at `index` to `value`; the largest of integers does not depend on the order. Returns what was there.
+#[inline(always)]
+#[cfg_attr(not(target_arch = "spirv"), track_caller)]
+pub fn raise(buffer: Write<u32>, index: u32, value: u32) -> u32 {
     #[cfg(target_arch = "spirv")]
-    // SAFETY: the CPU run checks the index
-    unsafe {
-        let at = buffer.index_unchecked_mut(index as usize);
-        spirv_std::arch::atomic_u_max::<_, SCOPE, NO_ORDER>(at, value);
-    }
+    return buffer.atomic_max(index, value);
     #[cfg(not(target_arch = "spirv"))]
     {
-        // SAFETY: as in `add`
+        // SAFETY: as in the methods
         let at = unsafe { AtomicU32::from_ptr(buffer.address(index, Touch::Atomic)) };
         // mostly there is nothing to do, and threads do not wait for each other
-        if at.load(Ordering::Relaxed) < value {
-            at.fetch_max(value, Ordering::Relaxed);
-        }
+        let found = at.load(Ordering::Relaxed);
+        if found < value { at.fetch_max(value, Ordering::Relaxed) } else { found }
     }
 }
 

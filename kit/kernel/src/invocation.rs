@@ -81,6 +81,13 @@ impl Invocation {
 }
 
 #[cfg(not(target_arch = "spirv"))]
+#[track_caller]
 fn no_barrier(_: &'static Location<'static>) {
-    panic!("a barrier in a kernel without workgroup memory");
+    match crate::running::current() {
+        Some(_) => panic!("a barrier in a kernel without workgroup memory"),
+        None => panic!(
+            "a barrier, and no other invocation runs: a test calls a kernel with barriers through \
+             `organza_kernel::workgroup::Workgroup`"
+        ),
+    }
 }

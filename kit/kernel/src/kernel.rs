@@ -9,7 +9,7 @@ use glam::UVec3;
 
 use crate::invocation::Invocation;
 use crate::memory::{AccessMonitor, Read, Shared, Write};
-pub use crate::running::{PanicContext, enter};
+pub use crate::running::{PanicContext, allow_iterations, enter, iterate};
 use crate::work::{Shape, Work, WorkOf};
 
 /// How a kernel uses a binding.
@@ -92,7 +92,9 @@ pub struct EntryPoint {
 pub struct KernelInfo {
     /// Name of the function and of the plain SPIR-V entry point.
     pub name: &'static str,
-    /// The source file.
+    /// The package that declares it: two packages can have kernels of one name.
+    pub package: &'static str,
+    /// The source file, as the compiler has it: relative to the workspace, or of a package from elsewhere.
     pub file: &'static str,
     /// Invocations of a workgroup.
     pub workgroup_size: [u32; 3],
@@ -116,6 +118,8 @@ pub struct KernelInfo {
     pub work: Option<WorkOf>,
     /// The CPU execution.
     pub run: CpuRun,
+    /// The CPU execution of the variant: one invocation, with the workgroup memory of the variant after the bindings.
+    pub run_variant: Option<unsafe fn(&[CpuBinding], Invocation)>,
 }
 
 impl KernelInfo {
@@ -129,6 +133,19 @@ impl KernelInfo {
     pub fn work(&self, uniform: &[u8], elements: &[u64], workgroups_z: u32) -> Work {
         let shape = Shape { elements, workgroups_z: u64::from(workgroups_z) };
         self.work.map_or_else(Work::default, |work| work(uniform, shape))
+    }
+
+    /// The source file by a name that depends on no machine: relative to the workspace, or `package/src/..` where the package
+    /// comes from elsewhere.
+    pub fn source(&self) -> std::string::String {
+        let file = self.file.replace('\\', "/");
+        match std::path::Path::new(self.file).is_relative() && !file.starts_with("../") {
+            true => file,
+            false => {
+                let begin = file.rfind("/src/").or(file.rfind('/')).unwrap_or(0);
+                std::format!("{}{}", self.package, &file[begin..])
+            }
+        }
     }
 
     /// All entry points, the plain one first.
@@ -286,7 +303,7 @@ pub struct CpuBinding<'a> {
     pub data: *mut u8,
     /// Size.
     pub bytes: usize,
-    /// Sees every access, where the binding is written.
+    /// Sees every access: where the binding is written and races are looked for, and where nothing was written to parts of it.
     pub monitor: Option<&'a dyn AccessMonitor>,
 }
 
@@ -309,6 +326,7 @@ impl<'a> CpuBinding<'a> {
     pub unsafe fn read<T: Pod>(self) -> Read<'a, T> {
         // SAFETY: the caller's
         unsafe { Read::from_raw(self.data.cast(), self.bytes / size_of::<T>()) }
+            .monitored(self.monitor)
     }
 
     /// # Safety
@@ -390,11 +408,16 @@ impl<'a, S: Storage, K: Dispatch<'a, S>, const N: usize> Dispatch<'a, S> for Cou
     }
 }
 
-/// Every kernel; `#[kernel]` adds to it.
+/// Every kernel that the program is linked with; `#[kernel]` adds to it.
 #[linkme::distributed_slice]
 pub static KERNELS: [KernelInfo];
 
-/// Every kernel.
+/// Every kernel that the program is linked with, those of its dependencies included.
 pub fn kernels() -> impl Iterator<Item = &'static KernelInfo> {
     KERNELS.iter()
+}
+
+/// The kernels of one package, such as `env!("CARGO_PKG_NAME")`.
+pub fn kernels_of(package: &str) -> impl Iterator<Item = &'static KernelInfo> {
+    kernels().filter(move |kernel| kernel.package == package)
 }

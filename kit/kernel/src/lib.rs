@@ -1,9 +1,91 @@
 //! The kernel language: write a compute kernel once, in Rust, and run it on every GPU and on the CPU.
 //!
-//! A kernel is a function with the attribute [`kernel`](macro@prelude::kernel). Its parameters are its bindings. Start with
-//! the [`prelude`], [`memory`] (buffers) and [`invocation`]. [`lane`] and [`samples`] are SIMD on the CPU, [`shared_tile`] is
-//! workgroup memory as a cache, [`atomic`] and [`fixed`] are sums that do not depend on the order, and [`count`] has numbers
-//! that stay on the device. The host finds all kernels in the [registry](kernel::kernels).
+//! # What a kernel is
+//!
+//! A kernel is a function that a device calls many times at once: each call is an *invocation*, and does a small part of the work.
+//! The attribute [`kernel`](macro@prelude::kernel) declares it. Its parameters are its bindings:
+//!
+//! ```
+//! use organza_kernel::prelude::*;
+//!
+//! /// Parameters of [`square`].
+//! #[params]
+//! pub struct SquareParams {
+//!     /// Values to square.
+//!     pub count: u32,
+//! }
+//!
+//! /// `output = input^2`
+//! #[kernel(threads(64))]
+//! pub fn square(id: Invocation, params: &SquareParams, input: Read<f32>, output: Write<f32>) {
+//!     let index = id.index();
+//!     if index < params.count {
+//!         output.write(index, input.read(index) * input.read(index));
+//!     }
+//! }
+//! ```
+//!
+//! `threads(64)` says that 64 invocations form a *workgroup*. A dispatch has whole workgroups, so the last one can have invocations
+//! without an item: a kernel starts with a test of its index. The invocations of a workgroup can share memory,
+//! [`Shared`](memory::Shared), and wait for each other, [`Invocation::barrier`](invocation::Invocation::barrier). [`atomic`] lets
+//! invocations count together. [`lane`] and [`samples`] are SIMD on the CPU.
+//!
+//! # How it is run
+//!
+//! On the CPU a kernel is compiled with the rest of the program. For GPUs, `organza-build` compiles it to SPIR-V with
+//! [Rust-GPU](https://rust-gpu.github.io). The attribute also writes a struct with a field for each binding, here `SquareKernel`. With
+//! `organza-device` the host fills it and runs it, on either:
+//!
+//! ```ignore
+//! let output = device.unwritten("output", input.len())?;
+//! let params = SquareParams { count: input.len() as u32 };
+//! device.run(&SquareKernel { params, input: &device.upload("input", &input)?, output: &output }, params.count, 1)?;
+//! let squares: Vec<f32> = device.read(&output)?;
+//! ```
+//!
+//! All kernels that a program is linked with are in a [registry](kernel::kernels). A program finds its own by the
+//! [package](kernel::kernels_of) that declares them.
+//!
+//! # How it is tested
+//!
+//! A test beside the kernel calls it as a function. [`Workgroup`](workgroup::Workgroup) does so for every invocation of a workgroup,
+//! with barriers, in a second:
+//!
+//! ```
+//! # use organza_kernel::prelude::*;
+//! # #[params] pub struct SquareParams { pub count: u32 }
+//! # #[kernel(threads(64))]
+//! # pub fn square(id: Invocation, params: &SquareParams, input: Read<f32>, output: Write<f32>) {
+//! #     if id.index() < params.count {
+//! #         output.write(id.index(), input.read(id.index()) * input.read(id.index()));
+//! #     }
+//! # }
+//! use organza_kernel::workgroup::Workgroup;
+//!
+//! let (params, mut output) = (SquareParams { count: 3 }, [0.0; 3]);
+//! let (input, view) = (Read::from(&[1.0, 2.0, -3.0][..]), Write::from(&mut output[..]));
+//! Workgroup::new([64, 1, 1]).run(|id| square(id, &params, input, view));
+//! assert_eq!(output, [1.0, 4.0, 9.0]);
+//! ```
+//!
+//! The CPU run is strict where a GPU goes on with garbage. It reports an index out of range, a missing or divergent barrier, a race,
+//! memory that is read before it is written, and a loop that takes longer than declared. Each message has the kernel, the line, the
+//! invocation and the buffer. `DeviceOptions::checked()` of `organza-device` is the device that finds most.
+//!
+//! # How devices are compared
+//!
+//! `organza-check` runs a kernel with many inputs on the CPU and on a GPU, in both ways that SPIR-V takes to a driver, and compares the
+//! results with each other and with the equations in f64. It also keeps snapshots of tensors and pictures.
+//!
+//! # How it is debugged
+//!
+//! On the CPU a kernel is an ordinary function: set a breakpoint. A condition on `id` stops in one invocation. Compile the kernels
+//! without optimizations, and run them with `InstructionSet::Scalar`, to see every variable.
+//!
+//! # The crate
+//!
+//! Start with the [`prelude`], [`memory`] (buffers) and [`invocation`]. [`shared_tile`] is workgroup memory as a cache, [`fixed`] are
+//! sums that do not depend on the order, and [`count`] has numbers that stay on the device.
 //!
 //! The crate is compiled twice. Rust-GPU compiles it to SPIR-V, where [`memory::Read`] and [`memory::Write`] are storage
 //! buffers. For the CPU they are views of slices, and every access is checked.
@@ -37,9 +119,16 @@ mod wide;
 mod wide_math;
 #[cfg(not(target_arch = "spirv"))]
 pub mod work;
+#[cfg(not(target_arch = "spirv"))]
+pub mod workgroup;
+#[cfg(not(target_arch = "spirv"))]
+mod workgroup_memory;
 
 #[cfg(not(target_arch = "spirv"))]
-pub use kernel::{Access, BindingInfo, EntryPoint, KernelInfo, SharedInfo, kernels};
+pub use kernel::{Access, BindingInfo, EntryPoint, KernelInfo, SharedInfo, kernels, kernels_of};
+
+// vectors, as kernels and their hosts use them
+pub use glam;
 
 /// Dependencies of what `#[kernel]` writes.
 #[doc(hidden)]

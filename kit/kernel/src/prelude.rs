@@ -1,11 +1,13 @@
 //! Everything that a kernel needs: `use organza_kernel::prelude::*`.
 
 pub use bytemuck::{Pod, Zeroable};
-pub use organza_macros::kernel;
+pub use organza_macros::{kernel, loops, params};
 
+#[cfg(target_arch = "spirv")]
+pub use crate::atomic::AtomicBuffer;
 pub use crate::invocation::Invocation;
 pub use crate::lane::{Lane, LaneIndex};
 pub use crate::memory::{Read, Shared, Write};
 #[cfg(target_arch = "spirv")]
-pub use crate::memory::{ReadBuffer, WriteBuffer};
+pub use crate::memory::{ReadBuffer, SharedBuffer, WriteBuffer};
 pub use crate::shared_tile::{SharedTile, Source};

@@ -23,6 +23,10 @@ std::thread_local! {
     static WORKGROUP: Cell<Option<RunningInvocation>> = const { Cell::new(None) };
     /// Number of the invocation in it.
     static INVOCATION: Cell<u32> = const { Cell::new(0) };
+    /// Iterations that its loops may still take.
+    static ITERATIONS: Cell<u32> = const { Cell::new(u32::MAX) };
+    /// Whether invocations end that have not failed: they have nothing to say.
+    static SILENT: Cell<bool> = const { Cell::new(false) };
 }
 
 /// Sets the workgroup that the thread runs from now on, by its first invocation; `None` after the dispatch.
@@ -36,6 +40,41 @@ pub fn begin(workgroup: Option<RunningInvocation>) {
 #[inline(always)]
 pub fn enter(invocation: u32) {
     INVOCATION.set(invocation);
+}
+
+/// Sets how many iterations the loops of the invocation may take from now on. In debug builds, `#[kernel]` and `#[loops]` count
+/// them.
+#[inline(always)]
+pub fn allow_iterations(most: u32) {
+    ITERATIONS.set(most);
+}
+
+/// What is left of them.
+pub fn iterations_left() -> u32 {
+    ITERATIONS.get()
+}
+
+/// Counts one iteration.
+#[inline(always)]
+#[track_caller]
+pub fn iterate() {
+    let left = ITERATIONS.get();
+    if left == 0 {
+        too_many_iterations();
+    }
+    ITERATIONS.set(left - 1);
+}
+
+#[cold]
+#[inline(never)]
+#[track_caller]
+fn too_many_iterations() -> ! {
+    panic!("the loops take more iterations than the kernel declares with `iterations`");
+}
+
+/// Says whether invocations end that have not failed.
+pub(crate) fn silence(silent: bool) {
+    SILENT.set(silent);
 }
 
 /// Number of the invocation that the thread runs.
@@ -70,7 +109,7 @@ impl PanicContext {
 
 impl Drop for PanicContext {
     fn drop(&mut self) {
-        if std::thread::panicking() && WORKGROUP.get().is_none() {
+        if std::thread::panicking() && WORKGROUP.get().is_none() && !SILENT.get() {
             std::eprintln!("in kernel `{}`, {}", self.0.kernel, self.0);
         }
     }

@@ -1,12 +1,15 @@
 //! Workgroup memory as a cache.
 //!
 //! A kernel with a parameter `near: &mut impl SharedTile<Vec4, 192>` has two entry points with the same body. In the plain
-//! one, and on the CPU, the tile is [`Unshared`]: it is empty, and reads go to its [`Source`]. In the one named `_shared` it is
-//! workgroup memory: each invocation copies a share of what all of them will read, and reads go there.
+//! one the tile is [`Unshared`]: it is empty, and reads go to its [`Source`]. In the one named `_shared` it is workgroup memory: each
+//! invocation copies a share of what all of them will read, and reads go there. The CPU runs the plain one, and the other where a
+//! test asks for it.
 
 use crate::invocation::Invocation;
+#[cfg(not(target_arch = "spirv"))]
+use crate::memory::Shared;
 #[cfg(target_arch = "spirv")]
-use crate::memory::{ReadBuffer, WriteBuffer};
+use crate::memory::{ReadBuffer, SharedBuffer, WriteBuffer};
 
 /// Where a tile's elements come from: items of several elements each.
 pub trait Source<T>: Copy {
@@ -74,42 +77,56 @@ impl<T: Copy, const N: usize> SharedTile<T, N> for Unshared {
     }
 }
 
-/// Workgroup memory.
-#[cfg(target_arch = "spirv")]
-impl<T: Copy, const N: usize> SharedTile<T, N> for [T; N] {
-    #[inline(always)]
-    fn is_shared(&self) -> bool {
-        true
-    }
+/// Workgroup memory, which a `Shared` is on both sides.
+macro_rules! impl_shared_tile {
+    ([$($generics:tt)*] $shared:ty) => {
+        impl<$($generics)*> SharedTile<T, N> for $shared {
+            #[inline(always)]
+            fn is_shared(&self) -> bool {
+                true
+            }
 
-    #[inline(always)]
-    fn capacity<S: Source<T>>(&self, _: S, items: u32) -> u32 {
-        let most = N as u32 / S::ELEMENTS;
-        if items < most { items } else { most }
-    }
+            #[inline(always)]
+            fn capacity<S: Source<T>>(&self, _: S, items: u32) -> u32 {
+                let most = N as u32 / S::ELEMENTS;
+                if items < most { items } else { most }
+            }
 
-    #[inline(always)]
-    fn wait(&self, id: Invocation) {
-        id.barrier();
-    }
+            #[inline(always)]
+            #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+            fn wait(&self, id: Invocation) {
+                id.barrier();
+            }
 
-    #[inline(always)]
-    fn fill<S: Source<T>>(&mut self, id: Invocation, items: u32, source: S) {
-        let mut at = id.local_index();
-        while at < items * S::ELEMENTS {
-            let offset = source.offset(at / S::ELEMENTS) + at % S::ELEMENTS;
-            self.write(at, source.element(offset));
-            at += id.size.x * id.size.y * id.size.z;
+            #[inline(always)]
+            #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+            fn fill<S: Source<T>>(&mut self, id: Invocation, items: u32, source: S) {
+                self.begin_round();
+                let mut at = id.local_index();
+                while at < items * S::ELEMENTS {
+                    #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+                    crate::running::iterate();
+                    let offset = source.offset(at / S::ELEMENTS) + at % S::ELEMENTS;
+                    self.write(at, source.element(offset));
+                    at += id.size.x * id.size.y * id.size.z;
+                }
+            }
+
+            #[inline(always)]
+            fn offset<S: Source<T>>(&self, item: u32, _: S) -> u32 {
+                item * S::ELEMENTS
+            }
+
+            #[inline(always)]
+            #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+            fn element<S: Source<T>>(&self, offset: u32, _: S) -> T {
+                self.read(offset)
+            }
         }
-    }
-
-    #[inline(always)]
-    fn offset<S: Source<T>>(&self, item: u32, _: S) -> u32 {
-        item * S::ELEMENTS
-    }
-
-    #[inline(always)]
-    fn element<S: Source<T>>(&self, offset: u32, _: S) -> T {
-        self.read(offset)
-    }
+    };
 }
+
+#[cfg(target_arch = "spirv")]
+impl_shared_tile!([T: Copy, const N: usize] [T; N]);
+#[cfg(not(target_arch = "spirv"))]
+impl_shared_tile!(['a, T: Copy, const N: usize] Shared<'a, T, N>);

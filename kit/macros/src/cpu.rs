@@ -54,6 +54,48 @@ pub fn cpu_run(kernel: &Kernel) -> TokenStream {
     }
 }
 
+/// `Option<fn>`: one invocation of the variant, whose shared tiles are workgroup memory.
+pub fn run_variant(kernel: &Kernel) -> TokenStream {
+    // four samples per invocation are for GPUs
+    if !kernel.has_shared_tiles() || kernel.samples {
+        return quote!(::core::option::Option::None);
+    }
+    let name = &kernel.function.sig.ident;
+    let mut binding = 0usize;
+    let mut shared = kernel.parameters.iter().filter(|p| p.role.is_binding()).count();
+    let views = kernel.parameters.iter().map(|parameter| {
+        let (name, element) = (&parameter.name, &parameter.element);
+        let slot = if parameter.role.is_binding() { &mut binding } else { &mut shared };
+        let index = *slot;
+        *slot += 1;
+        let text = name.to_string();
+        let view = match &parameter.role {
+            Role::Uniform => quote!(uniform::<#element>()),
+            Role::Read => quote!(read::<#element>()),
+            Role::Write => quote!(write::<#element>()),
+            Role::Shared(len) => quote!(shared::<#element, {#len}>()),
+            Role::SharedTile(len) => {
+                // SAFETY: as the others
+                return quote! { let #name = &mut unsafe { bindings[#index].shared::<#element, {#len}>() }.named(#text); };
+            }
+        };
+        // SAFETY: of the generated code, see `CpuRun`: the caller passes bindings of the declared types.
+        quote! { let #name = unsafe { bindings[#index].#view }; }
+    });
+    let names = kernel.parameters.iter().map(|parameter| &parameter.name);
+    let lane = kernel.lanes.is_some().then(|| quote!(::<f32>));
+    quote! {{
+        unsafe fn run_variant(bindings: &[::organza_kernel::kernel::CpuBinding], id: ::organza_kernel::invocation::Invocation) {
+            #(
+                // SAFETY: the caller passes bindings of the declared types
+                #views
+            )*
+            self::#name #lane (id, #(#names),*);
+        }
+        ::core::option::Option::Some(run_variant as unsafe fn(&[::organza_kernel::kernel::CpuBinding], ::organza_kernel::invocation::Invocation))
+    }}
+}
+
 /// Parameters and body of a function that runs a workgroup: `step` runs the invocation `id`, or several from it on, and
 /// adds their number to `local_x`.
 fn workgroup(kernel: &Kernel, views: &[TokenStream], step: &TokenStream) -> TokenStream {

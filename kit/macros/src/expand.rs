@@ -4,7 +4,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use syn::parse_quote;
 
-use crate::cpu::cpu_run;
+use crate::cpu::{cpu_run, run_variant};
+use crate::loops::count_iterations;
 use crate::parse::{Kernel, Parameter, Role};
 
 pub fn expand(kernel: &Kernel) -> TokenStream {
@@ -39,7 +40,21 @@ fn function(kernel: &Kernel) -> syn::ItemFn {
         #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
         let _witness = ::organza_kernel::kernel::PanicContext::new(#name, #id);
     };
-    let statements: Vec<syn::Stmt> = std::iter::once(witness).chain(named).collect();
+    let most = kernel.iterations.as_ref().map(|most| {
+        let most = match kernel.lanes_type() {
+            // an invocation that takes several lanes may loop over them
+            Some(lanes) => quote!((#most) * #lanes::WIDTH),
+            None => quote!(#most),
+        };
+        parse_quote! {
+            #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+            ::organza_kernel::kernel::allow_iterations(#most);
+        }
+    });
+    if most.is_some() {
+        count_iterations(&mut function.block);
+    }
+    let statements: Vec<syn::Stmt> = [witness].into_iter().chain(most).chain(named).collect();
     function.block.stmts.splice(0..0, statements);
     function
 }
@@ -166,6 +181,7 @@ fn info(kernel: &Kernel) -> TokenStream {
     let is_storage = |parameter: &&Parameter| matches!(parameter.role, Role::Read | Role::Write);
     let storage_buffers = kernel.parameters.iter().filter(is_storage).count() as u32;
     let run = cpu_run(kernel);
+    let run_variant = run_variant(kernel);
     let (fused, z_serial, z_innermost) = (kernel.fused, kernel.z_serial, kernel.z_innermost);
     let each = each(kernel);
     let work = work(kernel);
@@ -177,6 +193,7 @@ fn info(kernel: &Kernel) -> TokenStream {
             #run
             ::organza_kernel::kernel::KernelInfo {
                 name: #name_text,
+                package: ::core::env!("CARGO_PKG_NAME"),
                 file: ::core::file!(),
                 workgroup_size: [#x, #y, #z],
                 iterations: #iterations,
@@ -189,6 +206,7 @@ fn info(kernel: &Kernel) -> TokenStream {
                 variant: #variant,
                 work: #work,
                 run: run(),
+                run_variant: #run_variant,
             }
         };
         #[cfg(not(target_arch = "spirv"))]

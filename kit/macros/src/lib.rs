@@ -42,6 +42,7 @@
 
 mod cpu;
 mod expand;
+mod loops;
 mod parse;
 
 use proc_macro::TokenStream;
@@ -53,4 +54,32 @@ pub fn kernel(attribute: TokenStream, item: TokenStream) -> TokenStream {
         .map(|kernel| expand::expand(&kernel))
         .unwrap_or_else(syn::Error::into_compile_error)
         .into()
+}
+
+/// Of a function that kernels call: the iterations of its loops count as the kernel's, against its `iterations`.
+#[proc_macro_attribute]
+pub fn loops(_: TokenStream, item: TokenStream) -> TokenStream {
+    let mut function = syn::parse_macro_input!(item as syn::ItemFn);
+    loops::count_iterations(&mut function.block);
+    quote::quote!(#function).into()
+}
+
+/// Parameters of a kernel: a struct of plain numbers that the host fills and a GPU reads, field after field.
+///
+/// It stands for `#[repr(C)]` and the derives of `Clone`, `Copy`, `Debug`, `Pod` and `Zeroable`. Use `u32`, `i32` and `f32`: others
+/// have another layout on a GPU than in Rust.
+#[proc_macro_attribute]
+pub fn params(_: TokenStream, item: TokenStream) -> TokenStream {
+    let item = syn::parse_macro_input!(item as syn::ItemStruct);
+    quote::quote! {
+        #[repr(C)]
+        #[derive(
+            Clone, Copy, Debug,
+            ::organza_kernel::dependencies::bytemuck::Pod,
+            ::organza_kernel::dependencies::bytemuck::Zeroable,
+        )]
+        #[bytemuck(crate = "::organza_kernel::dependencies::bytemuck")]
+        #item
+    }
+    .into()
 }

@@ -132,6 +132,11 @@ impl Kernel {
         self.parameters.iter().find(|parameter| matches!(parameter.role, Role::Uniform))
     }
 
+    /// What a kernel with `lanes` calls their type.
+    pub fn lanes_type(&self) -> Option<&Ident> {
+        self.function.sig.generics.type_params().next().map(|parameter| &parameter.ident)
+    }
+
     pub fn has_shared(&self) -> bool {
         self.has(|role| matches!(role, Role::Shared(_)))
     }

@@ -17,7 +17,7 @@ pub use embed::embed;
 pub use source::{locked_version, source_hash};
 
 /// The layout of the manifest that this crate reads and writes.
-pub const FORMAT_VERSION: u32 = 2;
+pub const FORMAT_VERSION: u32 = 3;
 
 /// The manifest's file name, in the folder of the modules it describes.
 pub const FILE_NAME: &str = "manifest.json";
@@ -80,7 +80,9 @@ pub struct Compiler {
 pub struct KernelEntry {
     /// The name of the SPIR-V entry point: the kernel's, or that of its variant.
     pub name: String,
-    /// The Rust source that declares it, relative to the workspace.
+    /// The package that declares it.
+    pub package: String,
+    /// The Rust source that declares it: relative to the workspace, or `package/src/..` where the package comes from elsewhere.
     pub file: String,
     /// The module's file name, in the manifest's folder.
     pub spirv: String,
@@ -224,6 +226,7 @@ mod tests {
     fn entry(name: &str) -> KernelEntry {
         KernelEntry {
             name: name.into(),
+            package: "kernels".into(),
             file: format!("shader-crate/src/{name}.rs"),
             spirv: format!("{name}.spv"),
             spirv_bytes: 4,

@@ -9,7 +9,15 @@ use crate::{Error, hex};
 
 /// The packages whose code or whose compiler ends up in the SPIR-V: another version of one of them
 /// may give other modules from the same sources.
-const COMPILED_IN: [&str; 5] = ["glam", "libm", "num-traits", "spirv-std", "spirv-std-macros"];
+const COMPILED_IN: [&str; 7] = [
+    "glam",
+    "libm",
+    "num-traits",
+    "organza-kernel",
+    "organza-macros",
+    "spirv-std",
+    "spirv-std-macros",
+];
 
 /// The hash of the kernel sources: every `.rs` file and `Cargo.toml` under the folders, which are relative to the
 /// workspace, and the versions, from the workspace's lock file, of the packages that are compiled into kernels.

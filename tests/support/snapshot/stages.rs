@@ -3,10 +3,11 @@
 use organza::scene::Interpolation;
 use organza::{Camera, Renderer, Scene, Stages};
 
+use crate::snapshot::compare::Tolerance;
 use crate::snapshot::exact;
 use crate::snapshot::generator::{Recipe, camera, camera_to};
 use crate::snapshot::tensors::Tensors;
-use crate::snapshots::{RENDERERS, Tolerance, assert_tensors};
+use crate::snapshots::{RENDERERS, SNAPSHOTS};
 
 /// Values of about 1.  Measured: features 8e-7 where naga lets a driver fuse, 1e-7 elsewhere.
 const COLOR: Tolerance = Tolerance { absolute: 5e-6, relative: 5e-6 };
@@ -84,7 +85,7 @@ fn color_of_degree(degree: u32) {
             tensors.0.extend(recorded.0.into_iter().skip(again));
         }
         assert_ne!(tensors.0[1].values, tensors.0[3].values, "the interpolations are the same");
-        assert_tensors([&name, &text], backend, &tensors, COLOR);
+        SNAPSHOTS.assert_tensors([&name, &text], backend, &tensors, COLOR);
     }
 }
 
@@ -110,7 +111,7 @@ fn color_without_material() {
         let mut tensors = Tensors::default();
         record_color(&mut tensors, &scene, &camera, &stages(renderer, &scene, &camera));
         let text = "A alone: material of width 0";
-        assert_tensors(["color_without_material", text], backend, &tensors, COLOR);
+        SNAPSHOTS.assert_tensors(["color_without_material", text], backend, &tensors, COLOR);
     }
 }
 
@@ -164,7 +165,7 @@ fn transmittance_from_outside() {
             assert_eq!(missed, [3, 4, 6], "rays that miss the cube");
             let text =
                 "B alone: K and T; axis-parallel rays, and rays that miss the cube (3, 4, 6)";
-            assert_tensors([name, text], backend, &tensors, TRANSMITTANCE);
+            SNAPSHOTS.assert_tensors([name, text], backend, &tensors, TRANSMITTANCE);
         }
     }
 }
@@ -178,7 +179,12 @@ fn transmittance_from_inside() {
         let tensors = record_transmittance(&scene, &camera, &stages);
         assert!(stages.sample_count.iter().all(|&k| k > 0), "every ray ends in the cube");
         let text = "B alone: K and T of a camera inside the cube";
-        assert_tensors(["transmittance_from_inside", text], backend, &tensors, TRANSMITTANCE);
+        SNAPSHOTS.assert_tensors(
+            ["transmittance_from_inside", text],
+            backend,
+            &tensors,
+            TRANSMITTANCE,
+        );
     }
 }
 
@@ -220,6 +226,6 @@ fn projection() {
         tensors.push("conic", &[24, 3], &conic);
         tensors.push("radius", &[24], &stages.radius);
         let text = "C alone: projection; zeros where the Gaussian is behind the camera";
-        assert_tensors(["projection", text], backend, &tensors, PROJECTION);
+        SNAPSHOTS.assert_tensors(["projection", text], backend, &tensors, PROJECTION);
     }
 }

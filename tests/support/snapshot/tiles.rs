@@ -2,12 +2,13 @@
 
 use organza::{Camera, RenderedTiles, Scene, Stages, Tile, TileBatch};
 
+use crate::snapshot::compare::Tolerance;
 use crate::snapshot::exact::{self, Branches};
 use crate::snapshot::generator::{Recipe, camera, camera_to, keep};
 use crate::snapshot::picture::Montage;
 use crate::snapshot::tensors::Tensors;
 use crate::snapshots::stages::record_transmittance;
-use crate::snapshots::{RENDERERS, Tolerance, assert_picture, assert_tensors};
+use crate::snapshots::{RENDERERS, SNAPSHOTS};
 
 /// Weighted means of colors are no farther off than the colors.  Measured: 4e-7.
 const TILES: Tolerance = Tolerance { absolute: 5e-6, relative: 5e-6 };
@@ -36,13 +37,13 @@ impl Shot<'_> {
             let scene = renderer.upload(&self.scene).expect("the scene fits");
             let found = renderer.render(&scene, &self.cameras, &self.batch).expect("it renders");
             let name = format!("{}_picture", self.name);
-            assert_picture([&name, self.description], backend, &found.data, montage);
+            SNAPSHOTS.assert_picture([&name, self.description], backend, &found.data, montage);
             let mut tensors = Tensors::default();
             tensors.push("tiles", &self.batch.output_shape(), &found.data);
             // more would not fit into a file; the picture shows them
             if found.data.len() <= 5000 {
                 let name = format!("{}_values", self.name);
-                assert_tensors([&name, self.description], backend, &tensors, TILES);
+                SNAPSHOTS.assert_tensors([&name, self.description], backend, &tensors, TILES);
             }
             let stages: Vec<Stages> = self
                 .cameras

@@ -107,7 +107,7 @@ impl Bench {
 
     /// A buffer for what one kernel hands to the next.
     pub fn scratch<T: Pod>(&self, len: usize) -> Result<Buffer<T>, Error> {
-        self.device.zeros("scratch", len)
+        self.device.unwritten("scratch", len)
     }
 
     /// Runs a kernel over items.

@@ -13,7 +13,8 @@ use crate::count::{Count, Total};
 
 /// The kernel that does it.
 pub static KERNEL: LazyLock<&'static KernelInfo> = LazyLock::new(|| {
-    organza_kernel::kernels().find(|kernel| kernel.name == "count_fill").expect("it is declared")
+    let mut kernels = organza_kernel::kernels_of("organza-kernel");
+    kernels.find(|kernel| kernel.name == "count_fill").expect("it is declared")
 });
 
 /// Numbers to fill in, by the buffer that holds them.

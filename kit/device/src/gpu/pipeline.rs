@@ -11,13 +11,16 @@ use crate::error::{Error, Result};
 use crate::modules::Modules;
 use crate::open::SpirvPath;
 
+/// A kernel's package and name: other packages can have kernels of that name.
+type Key = (&'static str, &'static str);
+
 /// The pipelines of a device, by kernel.
 #[derive(Debug)]
 pub struct Pipelines {
     spirv: SpirvPath,
     variants: Variants,
     modules: &'static Modules,
-    made: Mutex<HashMap<&'static str, Arc<Pipeline>>>,
+    made: Mutex<HashMap<Key, Arc<Pipeline>>>,
 }
 
 /// A kernel, ready to be bound.
@@ -34,7 +37,7 @@ impl Pipelines {
 
     pub fn get(&self, device: &wgpu::Device, kernel: &'static KernelInfo) -> Result<Arc<Pipeline>> {
         let mut made = self.made.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(pipeline) = made.get(kernel.name) {
+        if let Some(pipeline) = made.get(&(kernel.package, kernel.name)) {
             return Ok(pipeline.clone());
         }
         let point = self.variants.entry_point(kernel);
@@ -44,7 +47,7 @@ impl Pipelines {
         if let Some(error) = pollster::block_on(scope.pop()) {
             return Err(Error::Kernel { kernel: point.name.into(), reason: error.to_string() });
         }
-        made.insert(kernel.name, pipeline.clone());
+        made.insert((kernel.package, kernel.name), pipeline.clone());
         Ok(pipeline)
     }
 }

@@ -1,0 +1,136 @@
+//! Copies arguments of atomics that come from another block.
+//!
+//! naga's SPIR-V reader takes an atomic's argument as it is, even if it was computed in a loop that has ended, and then refuses
+//! the module: "NotInScope". For every other instruction, it carries such a value out of the loop in a variable. So the argument
+//! is copied first, next to the atomic.
+
+use std::collections::HashMap;
+
+use anyhow::{Context, Result};
+use rspirv::dr::{Instruction, Module, Operand};
+use rspirv::spirv::{Op, Word};
+
+/// Copies the arguments of all atomics that were computed in another block.
+pub fn copy(module: &mut Module) -> Result<()> {
+    let mut bound = module.header.as_ref().context("the module has no header")?.bound;
+    for function in &mut module.functions {
+        // who computes a value, and where; parameters and constants are in scope everywhere
+        let mut computed: HashMap<Word, (usize, Word)> = HashMap::new();
+        for (at, block) in function.blocks.iter().enumerate() {
+            for instruction in &block.instructions {
+                if let (Some(id), Some(kind)) = (instruction.result_id, instruction.result_type) {
+                    computed.insert(id, (at, kind));
+                }
+            }
+        }
+        for (at, block) in function.blocks.iter_mut().enumerate() {
+            let mut instructions = Vec::with_capacity(block.instructions.len());
+            for mut instruction in block.instructions.drain(..) {
+                for argument in arguments(&mut instruction) {
+                    match computed.get(argument) {
+                        Some(&(place, kind)) if place != at => {
+                            let operand = Operand::IdRef(*argument);
+                            let (kind, id) = (Some(kind), Some(bound));
+                            instructions.push(Instruction::new(
+                                Op::CopyObject,
+                                kind,
+                                id,
+                                vec![operand],
+                            ));
+                            *argument = bound;
+                            bound += 1;
+                        }
+                        _ => {}
+                    }
+                }
+                instructions.push(instruction);
+            }
+            block.instructions = instructions;
+        }
+    }
+    if let Some(header) = &mut module.header {
+        header.bound = bound;
+    }
+    Ok(())
+}
+
+/// The values that an atomic takes: what follows its pointer.
+fn arguments(instruction: &mut Instruction) -> impl Iterator<Item = &mut Word> {
+    let is_atomic = instruction.class.opname.starts_with("Atomic");
+    let operands = instruction.operands.iter_mut().skip(1).filter(move |_| is_atomic);
+    operands.filter_map(|operand| match operand {
+        Operand::IdRef(id) => Some(id),
+        _ => None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rspirv::binary::Assemble;
+    use rspirv::dr::Builder;
+    use rspirv::spirv::{
+        AddressingModel, Capability, Decoration, ExecutionMode, ExecutionModel, FunctionControl,
+        LoopControl, MemoryModel, StorageClass,
+    };
+
+    /// A kernel that adds `n` to a counter, which a loop has counted up to 3.
+    fn counted_in_a_loop() -> Module {
+        let mut b = Builder::new();
+        b.set_version(1, 5);
+        b.capability(Capability::Shader);
+        b.memory_model(AddressingModel::Logical, MemoryModel::GLSL450);
+        let (void, uint, bool) = (b.type_void(), b.type_int(32, 0), b.type_bool());
+        let kind = b.type_function(void, []);
+        let block = b.type_struct([uint]);
+        let storage = b.type_pointer(None, StorageClass::StorageBuffer, block);
+        let element = b.type_pointer(None, StorageClass::StorageBuffer, uint);
+        let counter = b.variable(storage, None, StorageClass::StorageBuffer, None);
+        b.decorate(block, Decoration::Block, []);
+        b.member_decorate(block, 0, Decoration::Offset, [Operand::LiteralBit32(0)]);
+        b.decorate(counter, Decoration::DescriptorSet, [Operand::LiteralBit32(0)]);
+        b.decorate(counter, Decoration::Binding, [Operand::LiteralBit32(0)]);
+        let [zero, one, three] = [0, 1, 3].map(|value| b.constant_bit32(uint, value));
+        let main = b.begin_function(void, None, FunctionControl::NONE, kind).unwrap();
+        let [entry, head, body, next, end] = [(); 5].map(|()| b.id());
+        let (n, more) = (b.id(), b.id());
+        b.begin_block(Some(entry)).unwrap();
+        b.branch(head).unwrap();
+        b.begin_block(Some(head)).unwrap();
+        let before = b.phi(uint, None, [(zero, entry), (n, next)]).unwrap();
+        b.loop_merge(end, next, LoopControl::NONE, []).unwrap();
+        b.branch(body).unwrap();
+        b.begin_block(Some(body)).unwrap();
+        b.i_add(uint, Some(n), before, one).unwrap();
+        b.u_less_than(bool, Some(more), n, three).unwrap();
+        b.branch_conditional(more, next, end, []).unwrap();
+        b.begin_block(Some(next)).unwrap();
+        b.branch(head).unwrap();
+        b.begin_block(Some(end)).unwrap();
+        let at = b.access_chain(element, None, counter, [zero]).unwrap();
+        b.atomic_i_add(uint, None, at, one, zero, n).unwrap();
+        b.ret().unwrap();
+        b.end_function().unwrap();
+        b.entry_point(ExecutionModel::GLCompute, main, "main", []);
+        b.execution_mode(main, ExecutionMode::LocalSize, [1, 1, 1]);
+        b.module()
+    }
+
+    #[test]
+    fn naga_takes_an_argument_that_comes_out_of_a_loop() {
+        let bytes = |module: &Module| -> Vec<u8> {
+            module.assemble().into_iter().flat_map(u32::to_le_bytes).collect()
+        };
+        let mut module = counted_in_a_loop();
+        let refused = crate::naga_check::check(&bytes(&module)).unwrap_err().to_string();
+        assert!(refused.contains("NotInScope"), "naga takes it now: this pass can go: {refused}");
+        copy(&mut module).unwrap();
+        crate::naga_check::check(&bytes(&module)).unwrap();
+        let count = |op| module.all_inst_iter().filter(|i| i.class.opcode == op).count();
+        assert_eq!(count(Op::CopyObject), 1);
+        // there is nothing more to copy
+        let once = bytes(&module);
+        copy(&mut module).unwrap();
+        assert_eq!(bytes(&module), once);
+    }
+}

@@ -1,0 +1,55 @@
+//! All cases on all devices of this machine, as one test.
+
+use organza_device::{Device, Modules};
+
+use super::case::{Case, Rounding};
+use super::{devices, measure::Measure};
+
+/// Holds each kernel to its case, on every device of this machine: the CPU with each instruction set, the CPU that
+/// [checks](devices::checked) for mistakes, and the GPU, passed through and through naga. Each is compared with the CPU and with
+/// the equations.
+///
+/// # Panics
+/// Where a device is out of a case's tolerance or a kernel makes a mistake, with a line for each; and as [`devices::gpus`].
+#[track_caller]
+pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
+    let cpu = devices::cpu(None);
+    let checked = [
+        ("cpu, checked", devices::checked()),
+        ("cpu, checked variants", devices::checked_variants()),
+    ];
+    let gpus = devices::gpus(modules).into_iter().chain(variants(modules));
+    let mut failures = Vec::new();
+    for (name, device) in devices::cpus().into_iter().chain(checked).chain(gpus) {
+        let rounding = match name.contains("naga") {
+            true => Rounding::Regrouped,
+            false => Rounding::AsWritten,
+        };
+        for case in cases.iter().filter(|case| case.is_offered(&device)) {
+            let kernel = case.entry_point(&device);
+            let results = [
+                ("the CPU", case.measure(&cpu, &device, rounding)),
+                ("the equations", case.hold(&device, rounding)),
+            ];
+            for (beside, result) in results {
+                match result {
+                    Err(error) => failures.push(format!("{kernel} on {name}: {error}")),
+                    Ok(Measure { failures: failed, values, share, .. }) if failed > 0 => failures.push(format!(
+                        "{kernel} on {name}: {failed} of {values} are too far from {beside}, most {share:?}"
+                    )),
+                    Ok(_) => {}
+                }
+            }
+        }
+    }
+    failures.dedup();
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// The GPU's variants, where it has any that [`devices::gpus`] does not run.
+fn variants(modules: &'static Modules) -> Vec<(&'static str, Device)> {
+    if organza_kernel::kernels().all(|kernel| kernel.variant.is_none()) {
+        return Vec::new();
+    }
+    devices::variants(modules).into_iter().map(|(name, [_, variants])| (name, variants)).collect()
+}

@@ -1,0 +1,110 @@
+//! The kernels on the CPU and, two ways, on a GPU: beside each other, beside the equations in f64, and as a picture.
+
+use organza_check::snapshot::{Snapshots, picture::Montage};
+use organza_check::{Bound, Case, KernelRunner, Output, Parity, Rounding};
+use organza_check::{assert_parity, devices, inputs, missing};
+use organza_device::Result;
+use picture::{MODULES, picture};
+use picture_kernels::*;
+
+const SNAPSHOTS: Snapshots = organza_check::snapshots!("tests/snapshots");
+
+/// Inputs of `ripples`: the side.
+struct Ripples(u32);
+
+impl Parity for Ripples {
+    const KERNEL: &'static str = "ripples";
+    const TOLERANCE: f64 = 2e-6;
+    const WHY: &'static str = "five roundings of up to 6 ripples";
+
+    fn sets() -> Vec<(String, Self)> {
+        [1, 7, 8, 33].map(|side| (format!("side {side}"), Self(side))).into()
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let params = Picture { side: self.0, pixels: self.0 * self.0 };
+        let brightness = runner.output(params.pixels as usize)?;
+        runner.pixels(&RipplesKernel { params, brightness: &brightness }, self.0, 1)?;
+        Ok(vec![Output::float("brightness", runner.read(&brightness)?)])
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let place = |at: u32| (2.0 * f64::from(at) + 1.0) / f64::from(self.0) - 1.0;
+        let ripple = |x, y| Some((2.0 * (4.0 * place(x).hypot(place(y))).fract() - 1.0).abs());
+        (0..self.0).flat_map(|y| (0..self.0).map(move |x| ripple(x, y))).collect()
+    }
+
+    fn bound(&self, _: &Output, _: usize, _: Rounding) -> Bound {
+        Bound::of(1.0)
+    }
+}
+
+/// Inputs of `histogram`: the brightness of each pixel.
+struct Histogram(Vec<f32>);
+
+impl Parity for Histogram {
+    const KERNEL: &'static str = "histogram";
+    const TOLERANCE: f64 = 0.0;
+    const WHY: &'static str = "integers";
+
+    fn sets() -> Vec<(String, Self)> {
+        inputs::sets(|count, _, random| Self(random.values(count as usize, 0.0, 1.0)))
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let params = Picture { side: 0, pixels: self.0.len() as u32 };
+        let (brightness, bins) = (runner.upload(&self.0)?, runner.output_of(&[0; BINS])?);
+        let kernel = HistogramKernel { params, brightness: &brightness, bins: &bins };
+        runner.items(&kernel, params.pixels, 1)?;
+        Ok(vec![Output::exact("bins", runner.read(&bins)?)])
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let count = |bin| self.0.iter().filter(|value| (*value * 15.99) as usize == bin).count();
+        (0..BINS).map(|bin| Some(count(bin) as f64)).collect()
+    }
+}
+
+/// Inputs of `tint`: the brightness of each pixel.
+struct Tint(Vec<f32>);
+
+impl Parity for Tint {
+    const KERNEL: &'static str = "tint";
+    const TOLERANCE: f64 = 1.2e-7;
+    const WHY: &'static str = "one rounding";
+
+    fn sets() -> Vec<(String, Self)> {
+        inputs::sets(|count, _, random| Self(random.values(count as usize, 0.0, 1.0)))
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let params = Picture { side: 0, pixels: self.0.len() as u32 };
+        let (brightness, color) = (runner.upload(&self.0)?, runner.output(3 * self.0.len())?);
+        let kernel = TintKernel { params, brightness: &brightness, color: &color };
+        runner.items(&kernel, params.pixels, 1)?;
+        Ok(vec![Output::float("color", runner.read(&color)?)])
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let tints = [|b| b, |b| b * b, |b| 0.5 - 0.25 * b] as [fn(f64) -> f64; 3];
+        tints.iter().flat_map(|tint| self.0.iter().map(|&b| Some(tint(b.into())))).collect()
+    }
+}
+
+#[test]
+fn every_kernel_is_right_on_every_device() {
+    let cases = [Case::of::<Ripples>(), Case::of::<Histogram>(), Case::of::<Tint>()];
+    assert_eq!(missing(organza_device::kernels_of("picture-kernels"), &cases, "tests"), [""; 0]);
+    assert_parity(&cases, &MODULES);
+}
+
+#[test]
+fn the_picture_stays_the_same() {
+    let montage = Montage { tiles: 1, side: 64, columns: 1, scale: 4 };
+    for (name, device) in devices::all(&MODULES) {
+        let (color, bins) = picture(&device, 64).unwrap();
+        assert_eq!(bins.iter().sum::<u32>(), 64 * 64, "{name}");
+        SNAPSHOTS.assert_picture(["ripples", "rings around the middle"], name, &color, montage);
+    }
+    picture(&devices::checked(), 63).expect("no race, and no read of what nothing has written");
+}

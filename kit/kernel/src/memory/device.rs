@@ -1,0 +1,65 @@
+//! Buffers on the GPU: slices, indexed without checks.
+
+use spirv_std::arch::IndexUnchecked;
+
+/// A storage buffer that is only read.
+pub type Read<'a, T> = &'a [T];
+/// A storage buffer that is read and written.
+pub type Write<'a, T> = &'a mut [T];
+/// Workgroup memory.
+pub type Shared<'a, T, const N: usize> = &'a mut [T; N];
+
+/// Reading at an index.
+pub trait ReadBuffer<T> {
+    /// The value at `index`, which must be in range.
+    fn read(&self, index: u32) -> T;
+}
+
+/// Writing at an index.
+pub trait WriteBuffer<T>: ReadBuffer<T> {
+    /// Stores `value` at `index`, which must be in range.
+    fn write(&mut self, index: u32, value: T);
+}
+
+impl<T: Copy> ReadBuffer<T> for [T] {
+    #[inline(always)]
+    fn read(&self, index: u32) -> T {
+        // SAFETY: the CPU run of every kernel checks its indices
+        unsafe { *self.index_unchecked(index as usize) }
+    }
+}
+
+impl<T: Copy> WriteBuffer<T> for [T] {
+    #[inline(always)]
+    fn write(&mut self, index: u32, value: T) {
+        // SAFETY: as above
+        unsafe { *self.index_unchecked_mut(index as usize) = value }
+    }
+}
+
+impl<T: Copy, const N: usize> ReadBuffer<T> for [T; N] {
+    #[inline(always)]
+    fn read(&self, index: u32) -> T {
+        // SAFETY: as above
+        unsafe { *self.index_unchecked(index as usize) }
+    }
+}
+
+impl<T: Copy, const N: usize> WriteBuffer<T> for [T; N] {
+    #[inline(always)]
+    fn write(&mut self, index: u32, value: T) {
+        // SAFETY: as above
+        unsafe { *self.index_unchecked_mut(index as usize) = value }
+    }
+}
+
+/// Workgroup memory alone.
+pub trait SharedBuffer {
+    /// Says that a new round begins: see the CPU's `Shared::begin_round`. A GPU does nothing.
+    fn begin_round(&self);
+}
+
+impl<T, const N: usize> SharedBuffer for [T; N] {
+    #[inline(always)]
+    fn begin_round(&self) {}
+}

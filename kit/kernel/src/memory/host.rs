@@ -1,0 +1,368 @@
+//! Buffers on the CPU: views that check every access.
+
+use core::marker::PhantomData;
+use core::panic::Location;
+
+use super::monitor::{AccessMonitor, Touch};
+
+/// A storage buffer that is only read.
+#[derive(Clone, Copy)]
+pub struct Read<'a, T> {
+    data: *const T,
+    len: usize,
+    name: &'static str,
+    /// Where reads are watched, `len` is 0: every read then takes the way of those that are out of range, and others cost
+    /// nothing.
+    #[cfg(debug_assertions)]
+    watched: Option<Watched<'a>>,
+    lifetime: PhantomData<&'a [T]>,
+}
+
+/// A buffer whose reads are watched: who sees them, and its real length.
+#[cfg(debug_assertions)]
+#[derive(Clone, Copy)]
+struct Watched<'a> {
+    monitor: &'a dyn AccessMonitor,
+    len: usize,
+}
+
+/// A storage buffer that is read and written, by many invocations at once.
+#[derive(Clone, Copy)]
+pub struct Write<'a, T> {
+    data: *mut T,
+    len: usize,
+    name: &'static str,
+    monitor: Option<&'a dyn AccessMonitor>,
+    lifetime: PhantomData<&'a mut [T]>,
+}
+
+/// Workgroup memory.
+#[derive(Clone, Copy)]
+pub struct Shared<'a, T, const N: usize>(pub(crate) Write<'a, T>);
+
+/// What a buffer is called before a kernel has it.
+const UNNAMED: &str = "a buffer";
+
+#[cold]
+#[inline(never)]
+#[track_caller]
+fn out_of_range(index: u32, len: usize, name: &str) -> ! {
+    panic!("index {index} is out of range of `{name}`, which has {len} elements");
+}
+
+#[cold]
+#[inline(never)]
+#[track_caller]
+fn monitored(monitor: &dyn AccessMonitor, name: &str, index: u32, touch: Touch) {
+    if let Err(reason) = monitor.touch(name, index, touch, Location::caller()) {
+        panic!("{reason}");
+    }
+}
+
+impl<'a, T: Copy> Read<'a, T> {
+    /// # Safety
+    /// `data` points to `len` values that nothing writes while the view is in use.
+    pub const unsafe fn from_raw(data: *const T, len: usize) -> Self {
+        Self {
+            data,
+            len,
+            name: UNNAMED,
+            #[cfg(debug_assertions)]
+            watched: None,
+            lifetime: PhantomData,
+        }
+    }
+
+    /// The same buffer by the name that a kernel has for it.
+    #[inline(always)]
+    #[must_use]
+    pub const fn named(self, name: &'static str) -> Self {
+        Self { name, ..self }
+    }
+
+    /// The same buffer; in debug builds `monitor` sees every read.
+    #[inline(always)]
+    #[must_use]
+    pub const fn monitored(self, monitor: Option<&'a dyn AccessMonitor>) -> Self {
+        #[cfg(debug_assertions)]
+        if let Some(monitor) = monitor {
+            return Self { len: 0, watched: Some(Watched { monitor, len: self.len }), ..self };
+        }
+        let _ = monitor;
+        self
+    }
+
+    /// The value at `index`; panics out of range.
+    #[inline(always)]
+    #[track_caller]
+    pub fn read(&self, index: u32) -> T {
+        if index as usize >= self.len {
+            self.beyond([index], index);
+        }
+        // SAFETY: checked above
+        unsafe { *self.data.add(index as usize) }
+    }
+
+    /// Where `largest` of some indices is not below `len`: returns if the buffer is watched and they are in range.
+    #[cfg(debug_assertions)]
+    #[cold]
+    #[inline(never)]
+    #[track_caller]
+    fn beyond<const N: usize>(&self, indices: [u32; N], largest: u32) {
+        match self.watched {
+            Some(Watched { monitor, len }) if (largest as usize) < len => {
+                for index in indices {
+                    monitored(monitor, self.name, index, Touch::Read);
+                }
+            }
+            Some(Watched { len, .. }) => out_of_range(largest, len, self.name),
+            None => out_of_range(largest, self.len, self.name),
+        }
+    }
+
+    #[cfg(not(debug_assertions))]
+    #[inline(always)]
+    #[track_caller]
+    fn beyond<const N: usize>(&self, _: [u32; N], largest: u32) -> ! {
+        out_of_range(largest, self.len, self.name)
+    }
+}
+
+impl<T: Copy> Read<'_, T> {
+    /// The `N` values from `first` on; panics out of range.
+    #[inline(always)]
+    #[track_caller]
+    pub fn read_lanes<const N: usize>(&self, first: u32) -> [T; N] {
+        if first as usize + N > self.len {
+            let indices = core::array::from_fn(|i| first + i as u32);
+            self.beyond::<N>(indices, first + N as u32 - 1);
+        }
+        // SAFETY: checked above; an array is aligned as its elements
+        unsafe { *self.data.add(first as usize).cast::<[T; N]>() }
+    }
+
+    /// The values at `N` indices; panics out of range.
+    #[inline(always)]
+    #[track_caller]
+    pub fn gather<const N: usize>(&self, at: [u32; N]) -> [T; N] {
+        // one test for all of them
+        let mut largest = 0;
+        let mut i = 0;
+        while i < N {
+            largest = if at[i] > largest { at[i] } else { largest };
+            i += 1;
+        }
+        if largest as usize >= self.len {
+            self.beyond(at, largest);
+        }
+        core::array::from_fn(
+            #[inline(always)]
+            // SAFETY: checked above
+            |i| unsafe { *self.data.add(at[i] as usize) },
+        )
+    }
+}
+
+impl<'a, T: Copy> Write<'a, T> {
+    /// # Safety
+    /// `data` points to `len` values that are read and written through such views alone, an element
+    /// by one invocation at a time.
+    pub const unsafe fn from_raw(data: *mut T, len: usize) -> Self {
+        Self { data, len, name: UNNAMED, monitor: None, lifetime: PhantomData }
+    }
+
+    /// The same buffer by the name that a kernel has for it.
+    #[inline(always)]
+    #[must_use]
+    pub const fn named(self, name: &'static str) -> Self {
+        Self { name, ..self }
+    }
+
+    /// The same buffer; `monitor` sees every access.
+    #[inline(always)]
+    #[must_use]
+    pub const fn monitored(self, monitor: Option<&'a dyn AccessMonitor>) -> Self {
+        Self { monitor, ..self }
+    }
+
+    /// The value at `index`; panics out of range.
+    #[inline(always)]
+    #[track_caller]
+    pub fn read(&self, index: u32) -> T {
+        // SAFETY: `address` is in range, and no other invocation writes this element meanwhile
+        unsafe { *self.address(index, Touch::Read) }
+    }
+
+    /// Stores `value` at `index`; panics out of range.
+    #[inline(always)]
+    #[track_caller]
+    pub fn write(&self, index: u32, value: T) {
+        // SAFETY: as in `read`
+        unsafe { *self.address(index, Touch::Write) = value }
+    }
+
+    /// The `N` values from `first` on; panics out of range.
+    #[inline(always)]
+    #[track_caller]
+    pub fn read_lanes<const N: usize>(&self, first: u32) -> [T; N] {
+        // SAFETY: `addresses` is in range, and no other invocation writes these elements meanwhile
+        unsafe { *self.addresses::<N>(first, Touch::Read) }
+    }
+
+    /// Stores `N` values from `first` on; panics out of range.
+    #[inline(always)]
+    #[track_caller]
+    pub fn write_lanes<const N: usize>(&self, first: u32, values: [T; N]) {
+        // SAFETY: as in `read_lanes`
+        unsafe { *self.addresses::<N>(first, Touch::Write) = values }
+    }
+
+    /// The address of `N` values from `first` on; panics out of range.
+    #[inline(always)]
+    #[track_caller]
+    fn addresses<const N: usize>(&self, first: u32, touch: Touch) -> *mut [T; N] {
+        if first as usize + N > self.len {
+            out_of_range(first + N as u32 - 1, self.len, self.name);
+        }
+        if let Some(monitor) = self.monitor {
+            // no closure: it would be the place of the message
+            for index in first..first + N as u32 {
+                monitored(monitor, self.name, index, touch);
+            }
+        }
+        // SAFETY: checked above; an array is aligned as its elements
+        unsafe { self.data.add(first as usize).cast() }
+    }
+
+    /// The address of the value at `index`; panics out of range.
+    #[inline(always)]
+    #[track_caller]
+    pub(crate) fn address(&self, index: u32, touch: Touch) -> *mut T {
+        if index as usize >= self.len {
+            out_of_range(index, self.len, self.name);
+        }
+        if let Some(monitor) = self.monitor {
+            monitored(monitor, self.name, index, touch);
+        }
+        // SAFETY: checked above
+        unsafe { self.data.add(index as usize) }
+    }
+}
+
+impl<T: Copy> Write<'_, T> {
+    /// Says that the value at `index` is about to be read and written.
+    #[inline(always)]
+    pub fn prefetch(&self, index: u32) {
+        let address = self.data.wrapping_add(index as usize);
+        #[cfg(target_arch = "x86_64")]
+        // SAFETY: a hint: it reads nothing, and no address is wrong
+        unsafe {
+            core::arch::x86_64::_mm_prefetch::<{ core::arch::x86_64::_MM_HINT_T0 }>(address.cast());
+        }
+        #[cfg(not(target_arch = "x86_64"))]
+        let _ = address;
+    }
+}
+
+impl Write<'_, u32> {
+    /// The address of the first element, after a check of all `index`; panics out of range.
+    #[inline(always)]
+    #[track_caller]
+    pub(crate) fn addresses_of<const N: usize>(&self, index: [u32; N], touch: Touch) -> *mut u32 {
+        let largest = index.iter().fold(0, |a: u32, &b| if a > b { a } else { b });
+        if largest as usize >= self.len {
+            out_of_range(largest, self.len, self.name);
+        }
+        if let Some(monitor) = self.monitor {
+            for index in index {
+                monitored(monitor, self.name, index, touch);
+            }
+        }
+        self.data
+    }
+
+    /// The address of the first 64-bit integer, after a check of all `index`. The integer at `index` is the elements
+    /// `2 index` and `2 index + 1`; the monitor sees only the latter. Panics out of range.
+    #[inline(always)]
+    #[track_caller]
+    pub(crate) fn wide_addresses<const N: usize>(&self, index: [u32; N], touch: Touch) -> *mut u64 {
+        let first: *mut u64 = self.addresses_of(index.map(|index| 2 * index + 1), touch).cast();
+        assert!(first.is_aligned(), "`{}` does not hold 64-bit integers", self.name);
+        first
+    }
+
+    /// As [`Self::wide_addresses`], for the 64-bit integers at `index` and `index + 1`.
+    #[inline(always)]
+    #[track_caller]
+    #[cfg(target_endian = "little")]
+    pub(crate) fn two_wide_addresses<const N: usize>(
+        &self,
+        index: [u32; N],
+        touch: Touch,
+    ) -> *mut u64 {
+        if self.monitor.is_some() {
+            self.wide_addresses(index, touch);
+        }
+        self.wide_addresses(index.map(|index| index + 1), touch)
+    }
+}
+
+impl<'a, T: Copy, const N: usize> Shared<'a, T, N> {
+    /// # Safety
+    /// As [`Write::from_raw`], for `N` values.
+    pub const unsafe fn from_raw(data: *mut T) -> Self {
+        // SAFETY: the caller's
+        Self(unsafe { Write::from_raw(data, N) })
+    }
+
+    /// As [`Write::named`].
+    #[inline(always)]
+    #[must_use]
+    pub const fn named(self, name: &'static str) -> Self {
+        Self(self.0.named(name))
+    }
+
+    /// As [`Write::monitored`].
+    #[inline(always)]
+    #[must_use]
+    pub const fn monitored(self, monitor: Option<&'a dyn AccessMonitor>) -> Self {
+        Self(self.0.monitored(monitor))
+    }
+
+    /// Says that a new round begins: what was written to the array before the last barrier counts as unwritten, and the CPU
+    /// run refuses to read it. All invocations call it, after the barrier that ends the last round.
+    #[inline(always)]
+    pub fn begin_round(&self) {
+        if let Some(monitor) = self.0.monitor {
+            monitor.begin_round();
+        }
+    }
+
+    /// The value at `index`; panics out of range.
+    #[inline(always)]
+    #[track_caller]
+    pub fn read(&self, index: u32) -> T {
+        self.0.read(index)
+    }
+
+    /// Stores `value` at `index`; panics out of range.
+    #[inline(always)]
+    #[track_caller]
+    pub fn write(&self, index: u32, value: T) {
+        self.0.write(index, value);
+    }
+}
+
+impl<'a, T: Copy> From<&'a [T]> for Read<'a, T> {
+    fn from(slice: &'a [T]) -> Self {
+        // SAFETY: a slice that is borrowed as long as the view
+        unsafe { Self::from_raw(slice.as_ptr(), slice.len()) }
+    }
+}
+
+impl<'a, T: Copy> From<&'a mut [T]> for Write<'a, T> {
+    fn from(slice: &'a mut [T]) -> Self {
+        // SAFETY: only the view has this slice, as long as it exists
+        unsafe { Self::from_raw(slice.as_mut_ptr(), slice.len()) }
+    }
+}

@@ -1,0 +1,316 @@
+//! Workgroups with barriers on the CPU: each invocation is a coroutine that yields at them.
+//!
+//! A device runs kernels with workgroup memory like this. A unit test beside a kernel does so with [`Workgroup`]:
+//!
+//! ```
+//! use organza_kernel::prelude::*;
+//! use organza_kernel::workgroup::{SharedMemory, Workgroup};
+//!
+//! /// Turns the values of a workgroup around.
+//! #[kernel(threads(64))]
+//! pub fn reverse(id: Invocation, data: Write<u32>, values: Shared<u32, 64>) {
+//!     values.write(id.local.x, data.read(id.index()));
+//!     id.barrier();
+//!     data.write(id.index(), values.read(63 - id.local.x));
+//! }
+//!
+//! let mut data: Vec<u32> = (0..64).collect();
+//! let (view, values) = (Write::from(&mut data[..]), SharedMemory::new());
+//! Workgroup::new([64, 1, 1]).run(|id| reverse(id, view, values.view()));
+//! assert!(data.into_iter().eq((0..64).rev()));
+//! ```
+
+extern crate std;
+
+use core::cell::{Cell, RefCell, UnsafeCell};
+use core::panic::Location;
+use core::ptr;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::string::String;
+use std::vec::Vec;
+use std::{borrow::ToOwned, format, vec};
+
+use bytemuck::Pod;
+use corosensei::stack::DefaultStack;
+use corosensei::{Coroutine, Yielder};
+use glam::UVec3;
+
+use crate::invocation::Invocation;
+use crate::kernel::{CpuBinding, SharedInfo};
+use crate::memory::Shared;
+use crate::running::{self, unlinear};
+use crate::workgroup_memory::WorkgroupMemory;
+
+/// Stack of an invocation, in bytes: kernels need little, panics and unoptimized builds more.
+const STACK: usize = 64 << 10;
+
+/// Where in the source an invocation waits.
+type Barrier = &'static Location<'static>;
+
+/// An invocation.
+type Body = Coroutine<(), Barrier, (), DefaultStack>;
+
+std::thread_local! {
+    static STACKS: RefCell<Vec<DefaultStack>> = const { RefCell::new(Vec::new()) };
+    static CURRENT: Cell<*const Yielder<(), Barrier>> = const { Cell::new(ptr::null()) };
+    /// Barriers and workgroups so far: between two of them is a phase.
+    static PHASE: Cell<u64> = const { Cell::new(1) };
+    /// Invocations of the workgroup.
+    static SIZE: Cell<UVec3> = const { Cell::new(UVec3::ONE) };
+    /// The phase in which the workgroup began.
+    static FIRST_PHASE: Cell<u64> = const { Cell::new(1) };
+    /// What is wrong with the workgroup's memory: the first thing of a phase.
+    static CONFLICT: RefCell<Option<String>> = const { RefCell::new(None) };
+}
+
+/// The phase between two barriers that the thread's workgroup is in.
+pub(crate) fn phase() -> u64 {
+    PHASE.get()
+}
+
+/// The phase that the thread's workgroup began with.
+pub(crate) fn first_phase() -> u64 {
+    FIRST_PHASE.get()
+}
+
+/// Invocations of the thread's workgroup.
+pub(crate) fn size() -> UVec3 {
+    SIZE.get()
+}
+
+fn next_phase() {
+    PHASE.set(PHASE.get() + 1);
+}
+
+/// Notes what an invocation does wrong with workgroup memory. The workgroup fails at the end of the phase: only then is it
+/// known whether the reason is a barrier that some invocations have not reached.
+pub(crate) fn conflict(reason: &str, at: &'static Location<'static>) {
+    CONFLICT.with_borrow_mut(|conflict| {
+        conflict.get_or_insert_with(|| match running::current() {
+            Some(place) => format!("{reason}, at {at}, in {place}"),
+            None => {
+                let invocation = unlinear(running::invocation().into(), size());
+                format!("{reason}, at {at}, in invocation {invocation} of the workgroup")
+            }
+        });
+    });
+}
+
+/// Where a coroutine waits for its workgroup.
+fn wait(at: &'static Location<'static>) {
+    let yielder = CURRENT.get();
+    assert!(!yielder.is_null(), "a barrier outside of a workgroup");
+    let (invocation, left) = (running::invocation(), running::iterations_left());
+    // SAFETY: set by the coroutine that runs now, whose yielder lives as long as it
+    unsafe { &*yielder }.suspend(at);
+    // others ran meanwhile
+    CURRENT.set(yielder);
+    running::enter(invocation);
+    running::allow_iterations(left);
+}
+
+/// Runs the invocations of one workgroup of a dispatch, from barrier to barrier. `shared` is the workgroup memory that `run`
+/// takes after the bindings.
+///
+/// # Errors
+/// What is wrong with its barriers or its memory.
+#[doc(hidden)]
+pub fn run_bound(
+    shared: &[SharedInfo],
+    size: UVec3,
+    run: unsafe fn(&[CpuBinding], Invocation),
+    bindings: &[CpuBinding],
+    workgroup: UVec3,
+    workgroups: UVec3,
+) -> Result<(), String> {
+    let watches: Vec<_> = shared.iter().map(|shared| WorkgroupMemory::new(shared.len)).collect();
+    let words: usize = shared.iter().map(|shared| shared.bytes.div_ceil(16) as usize).sum();
+    // no kernel can see the zeros: what it has not written it must not read
+    let mut memory = vec![0_u128; words];
+    let mut bindings = bindings.to_vec();
+    let mut rest = memory.as_mut_slice();
+    for (shared, monitor) in shared.iter().zip(&watches) {
+        let (head, tail) = rest.split_at_mut(shared.bytes.div_ceil(16) as usize);
+        bindings.push(CpuBinding {
+            data: head.as_mut_ptr().cast(),
+            bytes: shared.bytes as usize,
+            monitor: Some(monitor),
+        });
+        rest = tail;
+    }
+    let bindings = bindings.as_slice();
+    // SAFETY: the caller's bindings, and workgroup memory of the declared types; the coroutines of a workgroup share a thread,
+    // so that only one touches memory at a time
+    let body = |id| unsafe { run(bindings, id) };
+    let place = Invocation::new(UVec3::ZERO, workgroup, workgroups, size);
+    run_to_end(place, &body).map_err(|reason| match reason {
+        Failure::Divergence(reason) => format!("{reason}, in workgroup {workgroup}"),
+        Failure::Memory(reason) => reason,
+    })
+}
+
+/// Why a workgroup fails.
+enum Failure {
+    Divergence(String),
+    Memory(String),
+}
+
+/// Runs all invocations of a workgroup from barrier to barrier: every one waits at the same, or none. `place` is the first.
+fn run_to_end(place: Invocation, run: &dyn Fn(Invocation)) -> Result<(), Failure> {
+    let size = place.size;
+    next_phase();
+    FIRST_PHASE.set(PHASE.get());
+    SIZE.set(size);
+    CONFLICT.set(None);
+    let new = |index: u32| {
+        let id = Invocation { local: unlinear(index.into(), size), wait, ..place };
+        let body = move |yielder: &Yielder<(), Barrier>, ()| {
+            CURRENT.set(yielder);
+            running::enter(index);
+            run(id);
+        };
+        // SAFETY: the coroutines are dropped below, which unwinds those that have not ended, before what they borrow
+        unsafe { Coroutine::with_stack_unchecked(take_stack(), body) }
+    };
+    let mut invocations: Vec<Body> = (0..size.element_product()).map(new).collect();
+    loop {
+        let mut waiting = Vec::with_capacity(invocations.len());
+        for index in 0..invocations.len() {
+            let invocation = &mut invocations[index];
+            if invocation.done() {
+                waiting.push(None);
+                continue;
+            }
+            match catch_unwind(AssertUnwindSafe(|| invocation.resume(()).as_yield())) {
+                Ok(barrier) => waiting.push(barrier),
+                Err(panic) => {
+                    give_up(invocations);
+                    // it may have panicked because of what it has read
+                    match CONFLICT.take() {
+                        Some(conflict) => return Err(Failure::Memory(conflict)),
+                        None => resume_unwind(panic),
+                    }
+                }
+            }
+        }
+        CURRENT.set(ptr::null());
+        let failure = if waiting.iter().any(|barrier| *barrier != waiting[0]) {
+            Some(Failure::Divergence(divergence(&waiting, size)))
+        } else {
+            CONFLICT.take().map(Failure::Memory)
+        };
+        if let Some(failure) = failure {
+            give_up(invocations);
+            return Err(failure);
+        }
+        if waiting[0].is_none() {
+            break;
+        }
+        next_phase();
+    }
+    for invocation in invocations {
+        STACKS.with_borrow_mut(|stacks| stacks.push(invocation.into_stack()));
+    }
+    Ok(())
+}
+
+/// Ends invocations that still wait.
+fn give_up(invocations: Vec<Body>) {
+    CURRENT.set(ptr::null());
+    running::silence(true);
+    drop(invocations);
+    running::silence(false);
+}
+
+/// Who waits where, when the invocations of a workgroup do not wait together.
+fn divergence(waiting: &[Option<Barrier>], size: UVec3) -> String {
+    let (first, others): (Vec<_>, Vec<_>) =
+        (0..waiting.len()).partition(|&index| waiting[index] == waiting[0]);
+    let side = |indices: &[usize]| {
+        let place = unlinear(indices[0] as u64, size);
+        let does = match waiting[indices[0]] {
+            Some(barrier) => format!("waits at the barrier of {barrier}"),
+            None => "has ended".to_owned(),
+        };
+        match indices.len() - 1 {
+            0 => format!("invocation {place} {does}"),
+            more => format!("invocation {place} (with {more} more) {does}"),
+        }
+    };
+    let (first, others) = (side(&first), side(&others));
+    format!("a barrier in divergent control flow: {first}, while {others}")
+}
+
+fn take_stack() -> DefaultStack {
+    STACKS
+        .with_borrow_mut(Vec::pop)
+        .unwrap_or_else(|| DefaultStack::new(STACK).expect("memory for a coroutine's stack"))
+}
+
+/// One workgroup of a kernel, in a test that calls the kernel as a function.
+///
+/// Its invocations wait for each other at barriers. A device runs whole dispatches, and finds more.
+#[derive(Clone, Copy, Debug)]
+pub struct Workgroup {
+    size: UVec3,
+    place: UVec3,
+    among: UVec3,
+}
+
+impl Workgroup {
+    /// The only workgroup of a dispatch; `size` is the kernel's `threads`.
+    #[must_use]
+    pub fn new(size: [u32; 3]) -> Self {
+        Self { size: size.into(), place: UVec3::ZERO, among: UVec3::ONE }
+    }
+
+    /// The workgroup at `place` of a dispatch of `among` workgroups.
+    #[must_use]
+    pub fn at(self, place: [u32; 3], among: [u32; 3]) -> Self {
+        Self { place: place.into(), among: among.into(), ..self }
+    }
+
+    /// Calls `kernel` for every invocation.
+    ///
+    /// # Panics
+    /// Where the kernel does, where invocations do not reach the same barrier, and where a barrier is missing between what two
+    /// of them do to one element of workgroup memory.
+    #[track_caller]
+    pub fn run(&self, kernel: impl Fn(Invocation)) {
+        let place = Invocation::new(UVec3::ZERO, self.place, self.among, self.size);
+        match run_to_end(place, &kernel) {
+            Ok(()) => {}
+            Err(Failure::Divergence(reason) | Failure::Memory(reason)) => panic!("{reason}"),
+        }
+    }
+}
+
+/// Workgroup memory for [`Workgroup::run`]: a kernel must write an element before it reads it.
+pub struct SharedMemory<T, const N: usize> {
+    elements: UnsafeCell<Vec<T>>,
+    monitor: WorkgroupMemory,
+}
+
+impl<T: Pod, const N: usize> SharedMemory<T, N> {
+    /// Memory that nothing was written to.
+    #[must_use]
+    pub fn new() -> Self {
+        Self {
+            elements: UnsafeCell::new(vec![T::zeroed(); N]),
+            monitor: WorkgroupMemory::new(N as u32),
+        }
+    }
+
+    /// The array as a kernel takes it.
+    pub fn view(&self) -> Shared<'_, T, N> {
+        // SAFETY: N values, which only the views touch, on one thread, as an `UnsafeCell` is not shared between threads
+        let view = unsafe { Shared::from_raw((*self.elements.get()).as_mut_ptr()) };
+        view.monitored(Some(&self.monitor))
+    }
+}
+
+impl<T: Pod, const N: usize> Default for SharedMemory<T, N> {
+    fn default() -> Self {
+        Self::new()
+    }
+}

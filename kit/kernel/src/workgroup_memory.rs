@@ -1,0 +1,155 @@
+//! Watches workgroup memory: between two barriers, only the invocation that writes an element may read it.
+
+extern crate std;
+
+use core::panic::Location;
+use core::sync::atomic::{AtomicU64, Ordering};
+use std::format;
+use std::string::String;
+use std::vec::Vec;
+
+use glam::UVec3;
+
+use crate::memory::{AccessMonitor, Touch};
+use crate::running::{self, unlinear};
+use crate::workgroup;
+
+/// Bits of a stamp that have the invocation, counted from 1.
+const INVOCATION_BITS: u32 = 16;
+
+/// Watches an array of workgroup memory.
+///
+/// The invocations of a workgroup take turns on one thread; atomics are here for the trait's sake.
+pub struct WorkgroupMemory {
+    elements: Vec<Element>,
+    /// The phase that the current round began in: what was written before is unwritten.
+    round: AtomicU64,
+}
+
+/// Who touched an element last, and in which phase. Two of those who did it, where several may in one phase: so that the one
+/// who asks does not hide another.
+#[derive(Default)]
+struct Element {
+    writer: AtomicU64,
+    atomics: [AtomicU64; 2],
+    readers: [AtomicU64; 2],
+}
+
+/// What invocations must not do to one element in one phase.
+#[derive(Clone, Copy)]
+enum Did {
+    Written,
+    Changed,
+    Read,
+}
+
+impl Did {
+    const fn as_str(self) -> &'static str {
+        match self {
+            Self::Written => "written",
+            Self::Changed => "atomically changed",
+            Self::Read => "read",
+        }
+    }
+}
+
+impl WorkgroupMemory {
+    /// Watches an array of `len` elements.
+    pub fn new(len: u32) -> Self {
+        let elements = (0..len).map(|_| Element::default()).collect();
+        Self { elements, round: AtomicU64::new(0) }
+    }
+
+    /// The invocation that runs now, and the phase, as they are written into an element: never 0.
+    fn stamp() -> u64 {
+        workgroup::phase() << INVOCATION_BITS | u64::from(1 + running::invocation())
+    }
+
+    /// Whether nothing was written since the workgroup and the round began.
+    fn is_unwritten(&self, element: &Element) -> bool {
+        let begin = workgroup::first_phase().max(self.round.load(Ordering::Relaxed));
+        let stamps = element.atomics.iter().chain([&element.writer]);
+        stamps.map(load).all(|stamp| stamp >> INVOCATION_BITS < begin)
+    }
+
+    /// What is wrong with touching an element.
+    fn fault(&self, element: &Element, touch: Touch, own: u64) -> Option<String> {
+        if !matches!(touch, Touch::Write | Touch::Store) && self.is_unwritten(element) {
+            let earlier = element.atomics.iter().chain([&element.writer]).map(load);
+            let before = earlier.map(|stamp| stamp >> INVOCATION_BITS).max().unwrap_or(0);
+            let when = if before >= workgroup::first_phase() { " in this round" } else { "" };
+            return Some(format!("which no invocation has written{when}"));
+        }
+        let [first, second] = &element.atomics;
+        let [reader, another] = &element.readers;
+        let marks = [
+            (&element.writer, Did::Written),
+            (first, Did::Changed),
+            (second, Did::Changed),
+            (reader, Did::Read),
+            (another, Did::Read),
+        ];
+        let (did, other) = marks.into_iter().find_map(|(stamp, did)| {
+            let agree = match touch {
+                Touch::Read => matches!(did, Did::Read),
+                Touch::Atomic | Touch::Store | Touch::Serial => matches!(did, Did::Changed),
+                Touch::Write => false,
+            };
+            if agree { None } else { Some((did, other(load(stamp), own)?)) }
+        })?;
+        Some(format!(
+            "which invocation {other} of the workgroup has {}, and no barrier lies between",
+            did.as_str()
+        ))
+    }
+}
+
+fn load(stamp: &AtomicU64) -> u64 {
+    stamp.load(Ordering::Relaxed)
+}
+
+/// The invocation that left a stamp, if it was another one in the same phase.
+fn other(stamp: u64, own: u64) -> Option<UVec3> {
+    let conflict = stamp != 0 && stamp != own && stamp >> INVOCATION_BITS == own >> INVOCATION_BITS;
+    let invocation = (stamp & ((1 << INVOCATION_BITS) - 1)).wrapping_sub(1);
+    conflict.then(|| unlinear(invocation, workgroup::size()))
+}
+
+/// Leaves a stamp, and keeps that of one other invocation.
+fn leave([last, before]: &[AtomicU64; 2], own: u64) {
+    let found = load(last);
+    if found != own {
+        before.store(found, Ordering::Relaxed);
+        last.store(own, Ordering::Relaxed);
+    }
+}
+
+impl AccessMonitor for WorkgroupMemory {
+    fn touch(
+        &self,
+        name: &str,
+        index: u32,
+        touch: Touch,
+        at: &'static Location<'static>,
+    ) -> Result<(), String> {
+        let (element, own) = (&self.elements[index as usize], Self::stamp());
+        if let Some(fault) = self.fault(element, touch, own) {
+            let does = match touch {
+                Touch::Read => "reads",
+                Touch::Write => "writes",
+                Touch::Atomic | Touch::Store | Touch::Serial => "atomically changes",
+            };
+            workgroup::conflict(&format!("{does} element {index} of `{name}`, {fault}"), at);
+        }
+        match touch {
+            Touch::Read => leave(&element.readers, own),
+            Touch::Write => element.writer.store(own, Ordering::Relaxed),
+            Touch::Atomic | Touch::Store | Touch::Serial => leave(&element.atomics, own),
+        }
+        Ok(())
+    }
+
+    fn begin_round(&self) {
+        self.round.store(workgroup::phase(), Ordering::Relaxed);
+    }
+}

@@ -1,0 +1,39 @@
+//! Makes a project of anyone's own: the example in `kit/examples/`, with the way to the kit's crates.
+
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result, ensure};
+use organza_build::Project;
+
+use crate::guide::copy_tree;
+
+/// The example, in the workspace.
+const EXAMPLE: &str = "kit/examples/picture";
+
+/// Its way to the kit's crates.
+const KIT: &str = "path = \"../..";
+
+/// Copies the example to a folder, and lets it find the kit where this workspace has it.
+pub fn run(project: &Project, folder: &Path) -> Result<()> {
+    let is_empty = fs::read_dir(folder).map_or(!folder.exists(), |mut all| all.next().is_none());
+    ensure!(is_empty, "{} is there already, and not empty", folder.display());
+    copy_tree(&project.root.join(EXAMPLE), folder)?;
+    let manifest = folder.join("Cargo.toml");
+    let text = fs::read_to_string(&manifest)?;
+    ensure!(text.contains(KIT), "{EXAMPLE}/Cargo.toml names the kit's crates by other paths");
+    let kit = project.root.canonicalize()?.join("kit");
+    let kit = kit.to_str().context("the workspace's folder has a name that is not UTF-8")?;
+    fs::write(&manifest, text.replace(KIT, &format!("path = \"{}", kit.replace('\\', "/"))))?;
+    // the versions that the kit was tested with; cargo takes out what the project does not use
+    fs::copy(project.root.join("Cargo.lock"), folder.join("Cargo.lock"))?;
+    println!(
+        "{0} has three kernels and their tests. Now:\n  \
+         cd {0}\n  \
+         cargo test             # on the CPU; a GPU has no compiled kernels yet\n  \
+         cargo xtask kernels    # compiles them for GPUs\n  \
+         cargo test             # three ways",
+        folder.display()
+    );
+    Ok(())
+}

@@ -5,10 +5,10 @@ use std::path::Path;
 
 use organza::parity;
 use organza::parity::project_backward::ProjectBackward;
-use organza::{InstructionSet, SpirvPath};
+use organza::{InstructionSet, Renderer, SpirvPath};
 use organza_check::{KernelRunner, Output, Parity, Rounding, Values, missing};
 use organza_kernel::kernels;
-use organza_tests::devices;
+use organza_tests::{cases, devices};
 
 #[test]
 fn every_kernel_has_a_case() {
@@ -116,6 +116,20 @@ fn no_two_invocations_get_in_each_others_way() {
             let kernel = case.entry_point(&checked);
             assert_eq!(measure.share.value, 0.0, "{kernel}: checking changes the result");
         }
+    }
+}
+
+#[test]
+fn the_pipeline_has_no_races() {
+    let renderer = Renderer::new(devices::checked());
+    for case in cases::all() {
+        let scene = renderer.upload(&case.scene).unwrap();
+        let checked = renderer.render(&scene, &case.cameras, &case.tiles);
+        let checked = checked.unwrap_or_else(|error| panic!("{}: {error}", case.name));
+        let plain = Renderer::new(devices::with(InstructionSet::Scalar));
+        let scene = plain.upload(&case.scene).unwrap();
+        let plain = plain.render(&scene, &case.cameras, &case.tiles).unwrap();
+        assert!(checked.data == plain.data, "{}: checking changes the image", case.name);
     }
 }
 

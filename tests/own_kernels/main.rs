@@ -1,5 +1,4 @@
-//! Kernels that tests declare.  They enter the registry of the binary that they are in, so that this one looks at no
-//! kernel of organza's.
+//! The guide's kernel. It enters the registry of the binary that it is in, so that this one looks at no kernel of organza's.
+//! The CPU run is tested in `kit/check/tests/`.
 
-mod cpu_execution;
 mod guide;

@@ -30,9 +30,9 @@ pub fn run(project: &Project, folder: &Path) -> Result<()> {
     println!(
         "{0} has three kernels and their tests. Now:\n  \
          cd {0}\n  \
-         cargo test             # on the CPU; a GPU has no compiled kernels yet\n  \
-         cargo xtask kernels    # compiles them for GPUs\n  \
-         cargo test             # three ways",
+         cargo test -p picture-kernels   # the kernels as functions, on the CPU\n  \
+         cargo xtask kernels             # compiles them for GPUs\n  \
+         cargo test                      # on the CPU, and on a GPU in two ways",
         folder.display()
     );
     Ok(())

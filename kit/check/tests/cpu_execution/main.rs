@@ -1,22 +1,19 @@
 //! The CPU runs kernels as a GPU does, and says what a GPU would not: which invocation of which kernel does something
 //! that no kernel may do.
 //!
-//! The broken kernels are declared here, with the macro of all kernels; the registry of organza has none of them.
+//! The broken kernels are declared here, with the macro of all kernels.
 
-#[path = "../support/broken.rs"]
 mod broken;
 
 use std::process::Command;
 
-use glam::UVec3;
-use organza::error::DeviceError;
-use organza::{Device, DeviceOptions, InstructionSet, Renderer};
-use organza_check::KernelRunner;
+use organza_check::{KernelRunner, devices};
+use organza_device::{Device, DeviceOptions, Error, Modules};
+use organza_kernel::glam::UVec3;
 use organza_kernel::invocation::Invocation;
 use organza_kernel::kernel::Dispatch;
 use organza_kernel::memory::{Read, Write};
 use organza_kernel::workgroup::{SharedMemory, Workgroup};
-use organza_tests::{cases, devices};
 
 use broken::*;
 
@@ -27,7 +24,7 @@ fn failure<'a>(
     items: u32,
 ) -> String {
     match device.run(kernel, items, 1) {
-        Err(error @ DeviceError::Kernel { .. }) => error.to_string(),
+        Err(error @ Error::Kernel { .. }) => error.to_string(),
         other => panic!("`{}` gave {other:?}", kernel.info().name),
     }
 }
@@ -40,12 +37,12 @@ fn assert_contains(message: &str, parts: &[&str]) {
 
 fn checked() -> Device {
     let options = DeviceOptions::cpu(None).check_races(true);
-    organza::open_device(&options).expect("the CPU")
+    Device::open(&options, Modules::none()).expect("the CPU")
 }
 
 /// The line of this crate's broken kernels that has a text.
 fn line(text: &str) -> String {
-    let source = include_str!("../support/broken.rs");
+    let source = include_str!("broken.rs");
     let line = source.lines().position(|line| line.contains(text)).expect("a line");
     format!("broken.rs:{}:", line + 1)
 }
@@ -408,20 +405,6 @@ fn one_buffer_is_not_bound_twice_where_it_is_written() {
     assert_contains(&message, &["`input` and `output` are one buffer, and it is written"]);
 }
 
-#[test]
-fn the_pipeline_has_no_races() {
-    let renderer = Renderer::new(checked());
-    for case in cases::all() {
-        let scene = renderer.upload(&case.scene).unwrap();
-        let checked = renderer.render(&scene, &case.cameras, &case.tiles);
-        let checked = checked.unwrap_or_else(|error| panic!("{}: {error}", case.name));
-        let plain = Renderer::new(devices::with(InstructionSet::Scalar));
-        let scene = plain.upload(&case.scene).unwrap();
-        let plain = plain.render(&scene, &case.cameras, &case.tiles).unwrap();
-        assert!(checked.data == plain.data, "{}: checking changes the image", case.name);
-    }
-}
-
 /// What [`a_test_that_calls_a_kernel_says_which_invocation_failed`] runs.
 #[test]
 #[ignore = "it fails, and another test looks how"]
@@ -439,7 +422,7 @@ fn calls_a_kernel_that_fails() {
 #[cfg(debug_assertions)]
 fn a_test_that_calls_a_kernel_says_which_invocation_failed() {
     let mut test = Command::new(std::env::current_exe().unwrap());
-    let name = "cpu_execution::calls_a_kernel_that_fails";
+    let name = "calls_a_kernel_that_fails";
     let test = test.args(["--exact", name, "--ignored", "--nocapture"]);
     let message = String::from_utf8(test.output().unwrap().stderr).unwrap();
     assert_contains(

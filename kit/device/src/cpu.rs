@@ -140,6 +140,7 @@ impl Cpu {
         assert!(begin + bytes.len() <= to.bytes().len());
         // SAFETY: in range, and no dispatch runs: each returns when it is done
         unsafe { to.data().add(begin).copy_from(bytes.as_ptr(), bytes.len()) };
+        Self::wrote(to, begin as u64, bytes.len() as u64);
     }
 
     pub fn copy(&self, from: &CpuMemory, range: Range<u64>, to: &CpuMemory, begin: u64) {

@@ -12,7 +12,7 @@ use crate::bug::{Bench, Bug, Found};
 enum Check {
     /// By every CPU run.
     Always,
-    /// By every CPU run of a debug build: Rust checks integers.
+    /// By every CPU run of a debug build: Rust checks integers, and the kit counts iterations.
     Debug,
     /// By a device for tests.
     Tests,
@@ -50,7 +50,11 @@ fn find(bug: &'static Bug) -> Finding {
     let plain = (bug.test)(&Bench::plain()).err();
     let checked = (bug.test)(&Bench::checked()).err();
     let (check, text) = match (plain, checked) {
-        (Some(Found::Message(text)), _) if text.contains(": attempt to ") => (Check::Debug, text),
+        (Some(Found::Message(text)), _)
+            if text.contains(": attempt to ") || text.contains("take more iterations") =>
+        {
+            (Check::Debug, text)
+        }
         (Some(Found::Message(text)), _) => (Check::Always, text),
         (_, Some(Found::Message(text))) => (Check::Tests, text),
         (Some(Found::Value(text)), _) | (_, Some(Found::Value(text))) => (Check::Values, text),

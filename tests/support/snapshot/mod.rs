@@ -3,4 +3,4 @@
 pub mod exact;
 pub mod generator;
 
-pub use organza_check::snapshot::{compare, picture, report, tensors};
+pub use organza_check::snapshot::{compare, picture, tensors};

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import tomllib
 import warnings
+import weakref
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -97,12 +98,17 @@ class Step:
     """The Gaussians of the scene."""
     grown: bool
     """Whether Gaussians were added or taken away."""
-    _training: Training = field(repr=False)
+    # not the run itself: who leaves the loop ends the run, and may keep the step
+    _training: weakref.ref[Training] = field(repr=False)
 
     @property
     def scene(self) -> _organza.Scene:
-        """The scene as it is now. Ask before the next step: `ValueError` after it."""
-        return self._training._scene_of(self)
+        """The scene as it is now. Ask inside the loop, before the next step: `ValueError` after it."""
+        training = self._training()
+        if training is None or training._step is not self:
+            reason = f"training has gone on or ended since step {self.step}"
+            raise ValueError(f"{reason}: ask for a step's scene inside the loop")
+        return training._core.scene()
 
 
 Loss = Callable[[Any, Any, Any], Any]
@@ -136,7 +142,7 @@ class Training:
         while True:
             kind, values = self._core.wait()
             if kind == "step":
-                self._step = Step(**values, _training=self)
+                self._step = Step(**values, _training=weakref.ref(self))
                 return self._step
             if kind == "loss":
                 self._answer(values)
@@ -159,11 +165,6 @@ class Training:
             self._core.fail()
             self._core.close()
             raise
-
-    def _scene_of(self, step: Step) -> _organza.Scene:
-        if self._step is not step:
-            raise ValueError(f"training has gone on since step {step.step}: ask for a step's scene before the next")
-        return self._core.scene()
 
     def run(self) -> Training:
         """Trains to the end."""

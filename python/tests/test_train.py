@@ -59,7 +59,7 @@ def test_a_run_is_iterated_over(renderer, tmp_path):
     assert [step.step for step in steps] == [1, 2, 3, 4] and run.outcome == "finished"
     assert all(step.loss > 0 and step.psnr > 3 and step.gaussians == 100 for step in steps)
     assert len(scene) == 100 and [e.step for e in seen] == [2, 4] == [e.step for e in run.evaluations]
-    with pytest.raises(ValueError, match="before the next"):
+    with pytest.raises(ValueError, match="inside the loop"):
         steps[0].scene
     for name in ("config.toml", "metrics.jsonl", "checkpoint.safetensors", "report.html", "evaluations.csv"):
         assert (tmp_path / "run" / name).exists(), name
@@ -87,7 +87,8 @@ def test_a_run_that_is_left_is_saved_and_resumed_to_the_same_bits(renderer, tmp_
     for step in organza.train(config=small(), output=tmp_path / "left", renderer=renderer):
         if step.step == 3:
             break
-    del step
+    with pytest.raises(ValueError, match="inside the loop"):
+        step.scene
     with organza.train(resume=tmp_path / "left", renderer=renderer) as rest:
         assert [step.step for step in rest] == [4]
     found, expected = (tensors_of(tmp_path / name / "checkpoint.safetensors") for name in ("left", "whole"))

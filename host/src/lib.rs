@@ -59,7 +59,7 @@ pub mod tile;
 pub mod train;
 
 #[doc(hidden)]
-pub use atomic_file::write_atomic;
+pub use atomic_file::{remove_leftovers, write_atomic};
 pub use camera::Camera;
 pub use data::{Dataset, DatasetOptions};
 pub use error::{Error, Result};

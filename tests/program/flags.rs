@@ -63,7 +63,7 @@ fn the_short_help_is_short() {
         "--half-grids",
         "--half-networks",
     ];
-    for command in ["render", "tiles", "eval", "bench"] {
+    for command in ["render", "film", "tiles", "eval", "bench"] {
         let [short, long] = ["-h", "--help"]
             .map(|help| sandbox.run(&format!("{command} {help}")).assert_ok().stdout);
         let device = long.split("\nDevice:\n").nth(1).expect("a heading");
@@ -134,6 +134,7 @@ fn results_are_json_with_documented_keys() {
         ("train", vec![train]),
         ("eval", vec!["eval run --backend cpu"]),
         ("render", vec!["render run -o images --channels depth --backend cpu"]),
+        ("film", vec!["film run -o film.png --frames 2 --backend cpu"]),
         ("tiles", vec!["tiles run tiles.json -o out --backend cpu"]),
         ("demo", vec!["demo -o demo --views 2 --size 16 --backend cpu"]),
         ("info", vec!["info run", "info cameras.json", "info data", "info tiles.json", "info out"]),

@@ -10,6 +10,7 @@ mod corpus;
 mod docs;
 mod environment;
 mod eval;
+mod film;
 mod flags;
 mod hostile;
 mod kernels;

@@ -4,17 +4,25 @@ use glam::{DMat3, DQuat, DVec3};
 
 use super::Camera;
 use crate::error::{Error, Result};
+use crate::train::Target;
 
 /// The shortest time from a key to the next, as a part of the mean: two equal keys make the camera stop, not jump.
 const SHORTEST: f64 = 0.01;
+/// Where a camera looks, by its own axes.
+const FORWARD: DVec3 = DVec3::NEG_Z;
 
 /// A smooth path through cameras of one image size: its keys.
 ///
-/// Position, rotation, the logarithm of the focal lengths (so that a zoom looks steady) and the principal point each
-/// follow a Catmull-Rom spline: from key to key a cubic Bézier curve, whose tangent at a key is that of the parabola
-/// through the key and its neighbors. Rotations use spherical interpolation in the curve's construction (Shoemake,
-/// "Animating rotation with quaternion curves", 1985). Time from key to key is as long as the camera's way, so the
-/// camera moves at an even pace. Position and rotation have continuous velocities everywhere.
+/// What is looked at, the distance from there, the rotation, the logarithm of the focal lengths (so that a zoom looks
+/// steady) and the principal point each follow a Catmull-Rom spline: from key to key a cubic Bézier curve, whose tangent
+/// at a key is that of the parabola through the key and its neighbors. Rotations use spherical interpolation in the
+/// curve's construction (Shoemake, "Animating rotation with quaternion curves", 1985).
+///
+/// If the keys look at one place, a key looks at the point of its axis that is nearest to that place: the camera turns
+/// around it and keeps it in view. Otherwise the distance is 0, and the camera's own position follows the spline.
+///
+/// Time from key to key is as long as the camera's way, so the camera moves at an even pace. Position and rotation have
+/// continuous velocities everywhere.
 ///
 /// ```
 /// use organza::Camera;
@@ -65,14 +73,15 @@ impl CameraPath {
         for (index, key) in keys.iter().enumerate() {
             key.validate(index)?;
         }
-        let keys: Vec<_> = keys.iter().map(State::of).collect();
+        let target = Target::of(keys);
+        let center = target.is_met.then_some(target.center);
+        let keys: Vec<_> = keys.iter().map(|key| State::of(key, center)).collect();
         let spread = spread(&keys);
-        let next = |key: usize| &keys[(key + 1) % keys.len()];
         let segments = if is_closed { keys.len() } else { keys.len() - 1 };
-        let motions: Vec<_> = (0..segments).map(|key| keys[key].motion_to(next(key))).collect();
-        let spans = spans(&motions, spread);
+        let pairs = || (0..segments).map(|key| (&keys[key], &keys[(key + 1) % keys.len()]));
+        let spans = spans(pairs().map(|(a, b)| a.way_to(b, spread)).collect());
         let rates: Vec<_> =
-            motions.iter().zip(&spans).map(|(motion, span)| motion.times(1.0 / span)).collect();
+            pairs().zip(&spans).map(|((a, b), span)| a.motion_to(b).times(1.0 / span)).collect();
         let tangents = tangents(&rates, &spans, is_closed);
         let mut times = vec![0.0];
         times.extend(spans.iter().scan(0.0, |time, span| {
@@ -128,7 +137,10 @@ impl CameraPath {
 /// What a path interpolates.
 #[derive(Clone, Debug)]
 struct State {
-    position: DVec3,
+    /// What it looks at.
+    target: DVec3,
+    /// Distance from there.
+    distance: f64,
     /// From the camera's axes to the world's.
     rotation: DQuat,
     /// Logarithms of the focal lengths, and the principal point.
@@ -139,28 +151,39 @@ struct State {
 #[derive(Clone, Debug)]
 struct Motion {
     shift: DVec3,
+    distance: f64,
     /// Along the axis, in world space, and as long as the angle.
     turn: DVec3,
     lens: [f64; 4],
 }
 
 impl State {
-    fn of(camera: &Camera) -> Self {
+    /// `center` is what all keys look at, if they do.
+    fn of(camera: &Camera, center: Option<DVec3>) -> Self {
+        let (eye, axis) = (DVec3::from(camera.eye()), camera.world_to_camera_opencv()[2]);
+        let distance = center.map_or(0.0, |center| (center - eye).dot(DVec3::from(axis)).max(0.0));
         let rows: [DVec3; 3] =
             std::array::from_fn(|row| DVec3::from_slice(&camera.camera_to_world[row][..3]));
         let rotation = DMat3::from_cols(rows[0], rows[1], rows[2]).transpose();
+        let rotation = DQuat::from_mat3(&rotation).normalize();
         Self {
-            position: camera.eye().into(),
-            rotation: DQuat::from_mat3(&rotation).normalize(),
+            target: eye + rotation * (distance * FORWARD),
+            distance,
+            rotation,
             lens: [camera.fl_x.ln(), camera.fl_y.ln(), camera.cx, camera.cy],
         }
     }
 
+    fn eye(&self) -> DVec3 {
+        self.target - self.rotation * (self.distance * FORWARD)
+    }
+
     fn camera(&self, [width, height]: [u32; 2]) -> Camera {
+        let eye = self.eye();
         let axes = DMat3::from_quat(self.rotation.normalize());
         let row = |row: usize| {
             let [x, y, z] = axes.row(row).to_array();
-            [x, y, z, self.position[row]]
+            [x, y, z, eye[row]]
         };
         let [log_x, log_y, cx, cy] = self.lens;
         Camera {
@@ -181,7 +204,8 @@ impl State {
         // the shorter way around
         let turn = if turn.w < 0.0 { -turn } else { turn };
         Motion {
-            shift: other.position - self.position,
+            shift: other.target - self.target,
+            distance: other.distance - self.distance,
             turn: turn.to_scaled_axis(),
             lens: std::array::from_fn(|i| other.lens[i] - self.lens[i]),
         }
@@ -189,10 +213,20 @@ impl State {
 
     fn moved(&self, motion: &Motion) -> Self {
         Self {
-            position: self.position + motion.shift,
+            target: self.target + motion.shift,
+            distance: self.distance + motion.distance,
             rotation: DQuat::from_scaled_axis(motion.turn) * self.rotation,
             lens: std::array::from_fn(|i| self.lens[i] + motion.lens[i]),
         }
+    }
+
+    /// How long the way looks: the angle in radians, and the shift as a part of how far the keys are apart. On a circle,
+    /// and looking at its center, both are the same.
+    fn way_to(&self, other: &Self, spread: f64) -> f64 {
+        let Motion { turn, lens, .. } = self.motion_to(other);
+        let shift = if spread > 0.0 { self.eye().distance(other.eye()) / spread } else { 0.0 };
+        let zoom = lens[0].abs().max(lens[1].abs());
+        DVec3::new(shift, turn.length(), zoom).length()
     }
 
     fn toward(&self, other: &Self, part: f64) -> Self {
@@ -203,41 +237,34 @@ impl State {
 impl Motion {
     fn times(&self, factor: f64) -> Self {
         let lens = self.lens.map(|value| value * factor);
-        Self { shift: self.shift * factor, turn: self.turn * factor, lens }
+        let (shift, turn) = (self.shift * factor, self.turn * factor);
+        Self { shift, distance: self.distance * factor, turn, lens }
     }
 
     fn plus(&self, other: &Self) -> Self {
         Self {
             shift: self.shift + other.shift,
+            distance: self.distance + other.distance,
             turn: self.turn + other.turn,
             lens: std::array::from_fn(|i| self.lens[i] + other.lens[i]),
         }
-    }
-
-    /// How long the way looks: the angle in radians, and the shift as a part of how far the keys are apart. On a circle,
-    /// and looking at its center, both are the same.
-    fn length(&self, spread: f64) -> f64 {
-        let shift = if spread > 0.0 { self.shift.length() / spread } else { 0.0 };
-        let zoom = self.lens[0].abs().max(self.lens[1].abs());
-        DVec3::new(shift, self.turn.length(), zoom).length()
     }
 }
 
 /// Root mean square of the positions' distances from their center.
 fn spread(keys: &[State]) -> f64 {
     let count = keys.len() as f64;
-    let center = keys.iter().map(|key| key.position).sum::<DVec3>() / count;
-    let squares = keys.iter().map(|key| key.position.distance_squared(center));
+    let center = keys.iter().map(|key| key.eye()).sum::<DVec3>() / count;
+    let squares = keys.iter().map(|key| key.eye().distance_squared(center));
     (squares.sum::<f64>() / count).sqrt()
 }
 
-/// The time of each segment.
-fn spans(motions: &[Motion], spread: f64) -> Vec<f64> {
-    let lengths: Vec<_> = motions.iter().map(|motion| motion.length(spread)).collect();
+/// The time of each segment, as long as its way.
+fn spans(lengths: Vec<f64>) -> Vec<f64> {
     let mean = lengths.iter().sum::<f64>() / lengths.len() as f64;
     // a camera that stands still has all the time
     let mean = if mean > 0.0 { mean } else { 1.0 };
-    lengths.iter().map(|length| length.max(SHORTEST * mean)).collect()
+    lengths.into_iter().map(|length| length.max(SHORTEST * mean)).collect()
 }
 
 /// The tangent at each key: that of the parabola through it and its neighbors. `rates` are the mean velocities of the

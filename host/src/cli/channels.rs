@@ -55,7 +55,7 @@ enum Format {
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
-enum ChannelName {
+pub enum ChannelName {
     /// Mean depth of the Gaussians along the camera's axis, in world units
     Depth,
     /// Sum of the Gaussians' weights
@@ -67,7 +67,8 @@ enum ChannelName {
 }
 
 impl ChannelName {
-    fn channel(self) -> Channel {
+    /// The library's.
+    pub fn channel(self) -> Channel {
         match self {
             Self::Depth => Channel::Depth,
             Self::Alpha => Channel::Alpha,

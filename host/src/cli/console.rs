@@ -63,9 +63,14 @@ impl Console {
         task()
     }
 
+    /// What nobody sees.
+    pub fn hidden(self) -> Progress {
+        Progress(ProgressBar::hidden())
+    }
+
     fn show(self, bar: ProgressBar, template: &str) -> Progress {
         if self.level < Level::Normal {
-            return Progress(ProgressBar::hidden());
+            return self.hidden();
         }
         // Before the first step is done nobody knows how long one takes.
         let left = |state: &ProgressState, text: &mut dyn fmt::Write| {

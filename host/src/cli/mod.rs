@@ -10,6 +10,7 @@ mod demo;
 mod device;
 mod eval;
 mod explain;
+mod film;
 mod info;
 mod inputs;
 mod kernels;
@@ -70,6 +71,7 @@ enum Command {
     Train(train::Args),
     Tiles(tiles::Args),
     Render(render::Args),
+    Film(film::Args),
     Demo(demo::Args),
     Info(info::Args),
     Explain(explain::Args),
@@ -95,6 +97,7 @@ pub fn main() -> ExitCode {
         Command::Train(args) => train::run(args, console).map(done),
         Command::Tiles(args) => tiles::run(args, console).map(done),
         Command::Render(args) => render::run(args, console).map(done),
+        Command::Film(args) => film::run(args, console).map(done),
         Command::Demo(args) => demo::run(args, console).map(done),
         Command::Info(args) => info::run(args, console).map(done),
         Command::Explain(args) => explain::run(args, console).map(done),

@@ -1,4 +1,4 @@
-//! Ctrl-C and SIGTERM, from the first moment of a training to its last.
+//! Ctrl-C and SIGTERM, from the first moment of a training to its last, and while a film is rendered.
 
 use std::io::Write;
 use std::path::PathBuf;
@@ -13,7 +13,7 @@ use organza::train::RunFolder;
 use super::output::Folder;
 use super::{FAILURE, refuse};
 
-/// Who listens: until training begins a signal ends the program at once and leaves nothing; then the
+/// Who listens: until there is something to keep a signal ends the program at once and leaves nothing; then the
 /// first one asks to save and stop, and the second ends at once.
 #[derive(Debug)]
 pub struct Signals {
@@ -25,7 +25,7 @@ pub struct Signals {
 #[derive(Debug, Default)]
 struct Begun {
     /// Whether something was written that is to be kept.
-    is_training: bool,
+    keeps_results: bool,
     /// The run's folder, and those that were made for it, innermost first.
     folder: Option<(PathBuf, Vec<PathBuf>)>,
 }
@@ -38,12 +38,12 @@ impl Signals {
         let handler = move || {
             // Held to the end, so that nothing begins while what was made is removed.
             let begun = lock(&begun);
-            if !begun.is_training {
+            if !begun.keeps_results {
                 begun.remove();
                 end("stopped before training began; nothing was written");
             }
             if stop.swap(true, Ordering::Relaxed) {
-                end("stopped by a second signal; the last checkpoint stays");
+                end("stopped by a second signal; what was saved stays");
             }
         };
         match ctrlc::set_handler(handler) {
@@ -63,8 +63,8 @@ impl Signals {
     }
 
     /// From now on what was written is kept.
-    pub fn training_begins(&self) {
-        lock(&self.begun).is_training = true;
+    pub fn keeps_results(&self) {
+        lock(&self.begun).keeps_results = true;
     }
 }
 

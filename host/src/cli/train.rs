@@ -258,7 +258,7 @@ impl Job<'_> {
         let mut progress = TrainingProgress::new(console, config.run.steps, self.time_limit);
         let outcome = session.run(self.resume, &mut |event| {
             if matches!(event, Event::Begin(_)) {
-                signals.training_begins();
+                signals.keeps_results();
             }
             watch(&event);
             progress.show(&event);

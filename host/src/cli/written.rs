@@ -4,13 +4,17 @@
 //! that of what it was made from. At the end of a call the images that were made from something else are removed,
 //! unless the call has written them anew. Nothing else is ever removed: no file that is not listed, and none whose
 //! content is no longer what the program wrote.
+//!
+//! The list is saved while a call writes, so that a film that was stopped, even killed, goes on where it was.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Debug;
 use std::fs::{self, File};
 use std::io;
 use std::path::{Component, Path, PathBuf};
+use std::time::{Duration, Instant};
 
-use organza::{Camera, Error, Result, write_atomic};
+use organza::{Error, Result, write_atomic};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -22,6 +26,8 @@ use super::summary::count;
 const NAME: &str = ".organza-files.json";
 /// Far more than any list needs; what is larger is not ours.
 const MAX_BYTES: u64 = 64 << 20;
+/// How often the list is saved.
+const INTERVAL: Duration = Duration::from_secs(1);
 
 /// The list while a call writes.
 #[derive(Debug)]
@@ -30,13 +36,26 @@ pub struct Written {
     source: String,
     files: BTreeMap<String, Entry>,
     /// Names that this call has written.
-    now: Vec<String>,
+    now: BTreeSet<String>,
+    saved: Instant,
+}
+
+/// What is there under the name of an image.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Found {
+    Nothing,
+    /// The image itself: an earlier call wrote it, of the same scene and cameras.
+    Image,
+    /// What an earlier call wrote of another scene or other cameras, or wrote last before it was killed.
+    Stale,
+    /// What no call has written, or somebody has changed.
+    Foreign,
 }
 
 /// One image.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 struct Entry {
-    /// SHA-256 of the file.
+    /// SHA-256 of the file; empty until it is known to be written.
     content: String,
     /// SHA-256 of the scene's file and of all cameras.
     source: String,
@@ -44,22 +63,51 @@ struct Entry {
 
 impl Written {
     /// Reads the list of a folder; a damaged one counts as empty. `scene` is the scene's file, and `cameras` are all
-    /// of the file or data set: a call that renders some views does not make the others stale.
-    pub fn open(folder: &Folder, scene: &Path, cameras: &[Camera]) -> Result<Self> {
+    /// of the file or data set, with what else images depend on: a call that renders some views does not make the
+    /// others stale.
+    pub fn open(folder: &Folder, scene: &Path, cameras: &dyn Debug) -> Result<Self> {
         let mut hash = Sha256::new();
         copy(scene, &mut hash).map_err(|source| Error::read(scene, source))?;
         hash.update(format!("{cameras:?}"));
         let source = hex(hash);
         let files = read(&folder.join(NAME)).unwrap_or_default();
-        Ok(Self { folder: folder.path().to_owned(), source, files, now: Vec::new() })
+        let (folder, now, saved) = (folder.path().to_owned(), BTreeSet::new(), Instant::now());
+        Ok(Self { folder, source, files, now, saved })
+    }
+
+    /// What is there in the place of an image.
+    pub fn found(&self, path: &Path) -> Result<Found> {
+        if fs::symlink_metadata(path).is_err_and(|error| error.kind() == io::ErrorKind::NotFound) {
+            return Ok(Found::Nothing);
+        }
+        let content = digest(path).map_err(|source| Error::read(path, source))?;
+        Ok(match self.files.get(&name(path)) {
+            Some(entry) if entry.content.is_empty() => Found::Stale,
+            Some(entry) if entry.content != content => Found::Foreign,
+            Some(entry) if entry.source == self.source => Found::Image,
+            Some(_) => Found::Stale,
+            None => Found::Foreign,
+        })
+    }
+
+    /// These images will be written: what a call that is killed has written of them is not somebody else's.
+    pub fn announce(&mut self, paths: &[PathBuf]) -> Result<()> {
+        for path in paths {
+            let entry = Entry { content: String::new(), source: self.source.clone() };
+            self.files.insert(name(path), entry);
+        }
+        self.save()
     }
 
     /// A file of the folder was written.
     pub fn add(&mut self, path: &Path) -> Result<()> {
         let content = digest(path).map_err(|source| Error::read(path, source))?;
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        self.files.insert(name.clone(), Entry { content, source: self.source.clone() });
-        self.now.push(name);
+        self.files.insert(name(path), Entry { content, source: self.source.clone() });
+        self.now.insert(name(path));
+        if self.saved.elapsed() > INTERVAL {
+            self.save()?;
+            self.saved = Instant::now();
+        }
         Ok(())
     }
 
@@ -70,19 +118,7 @@ impl Written {
             .into_iter()
             .partition(|(name, entry)| now.contains(name) || entry.source == self.source);
         self.files = kept;
-        let (mut removed, mut changed) = (0, 0);
-        for (name, entry) in stale {
-            let path = self.folder.join(&name);
-            if !is_name(&name) || !fs::symlink_metadata(&path).is_ok_and(|found| found.is_file()) {
-                continue;
-            }
-            if digest(&path).is_ok_and(|content| content == entry.content) {
-                fs::remove_file(&path).map_err(|source| Error::write(&path, source))?;
-                removed += 1;
-            } else {
-                changed += 1;
-            }
-        }
+        let [removed, changed] = self.remove(stale)?;
         let folder = self.folder.display();
         if removed > 0 {
             let images = count(removed, "image");
@@ -98,15 +134,47 @@ impl Written {
         Ok(removed as usize)
     }
 
-    fn save(&mut self) -> Result<()> {
-        let path = self.folder.join(NAME);
+    /// Removes all images of the list, and the list: what they were for is done.
+    pub fn discard(mut self) -> Result<()> {
+        self.now.clear();
         let files = std::mem::take(&mut self.files);
+        self.remove(files)?;
+        let path = self.folder.join(NAME);
+        match fs::remove_file(&path) {
+            Err(source) if source.kind() != io::ErrorKind::NotFound => {
+                Err(Error::write(&path, source))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Removes files that are as the list has them; how many those were, and how many others there are.
+    fn remove(&self, files: BTreeMap<String, Entry>) -> Result<[u64; 2]> {
+        let (mut removed, mut changed) = (0, 0);
+        for (name, entry) in files {
+            let path = self.folder.join(&name);
+            if !is_name(&name) || !fs::symlink_metadata(&path).is_ok_and(|found| found.is_file()) {
+                continue;
+            }
+            if digest(&path).is_ok_and(|content| content == entry.content) {
+                fs::remove_file(&path).map_err(|source| Error::write(&path, source))?;
+                removed += 1;
+            } else {
+                changed += 1;
+            }
+        }
+        Ok([removed, changed])
+    }
+
+    fn save(&self) -> Result<()> {
+        let path = self.folder.join(NAME);
         // Not through a link, nor to what somebody put there.
-        if files.is_empty() || fs::symlink_metadata(&path).is_ok_and(|found| !found.is_file()) {
+        if self.files.is_empty() || fs::symlink_metadata(&path).is_ok_and(|found| !found.is_file())
+        {
             return Ok(());
         }
         write_atomic(path, |writer| {
-            serde_json::to_writer_pretty(&mut *writer, &files)?;
+            serde_json::to_writer_pretty(&mut *writer, &self.files)?;
             writer.write_all(b"\n")
         })
     }
@@ -133,6 +201,10 @@ fn read(path: &Path) -> Option<BTreeMap<String, Entry>> {
 fn is_name(name: &str) -> bool {
     let mut parts = Path::new(name).components();
     matches!((parts.next(), parts.next()), (Some(Component::Normal(_)), None))
+}
+
+fn name(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
 fn digest(path: &Path) -> io::Result<String> {

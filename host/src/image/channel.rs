@@ -6,7 +6,7 @@ use std::path::Path;
 use ::image::ExtendedColorType;
 use exr::prelude::{AnyChannel, AnyChannels, Encoding, FlatSamples, SmallVec, WritableImage};
 
-use super::{save_png, visible_pixels};
+use super::{Image, save_png, to_8_bit, visible_pixels};
 use crate::atomic_file::write_atomic;
 use crate::error::{Error, Result};
 use crate::render::{Channel, RenderedTiles};
@@ -137,6 +137,30 @@ impl ChannelImage {
             ChannelFormat::Png { depth_scale } => self.save_png(path, depth_scale),
             ChannelFormat::Exr => self.save_exr(path),
         }
+    }
+
+    /// The channel as a picture for people: depth from red, `near`, to blue, `far`; alpha and visibility from black, 0, to
+    /// white, 1; each part of a normal from 0, -1, to 255, 1. What no Gaussian covers is black. Depth has Google's color
+    /// map Turbo.
+    #[must_use]
+    pub fn picture(&self, [near, far]: [f32; 2]) -> Image {
+        let pixels = self.values.len() / self.channel.planes();
+        let color = |at: usize| match self.channel {
+            Channel::Depth => match self.values[at] {
+                depth if depth > 0.0 => {
+                    let part = ((depth - near) / (far - near)).clamp(0.0, 1.0);
+                    colorous::TURBO.eval_continuous(1.0 - f64::from(part)).into_array()
+                }
+                _ => [0; 3],
+            },
+            Channel::Alpha | Channel::Visibility => [to_8_bit(self.values[at]); 3],
+            Channel::Normal => match [0, 1, 2].map(|plane| self.values[plane * pixels + at]) {
+                [0.0, 0.0, 0.0] => [0; 3],
+                normal => normal.map(|part| to_8_bit(0.5 * part + 0.5)),
+            },
+        };
+        let colors: Vec<_> = (0..pixels).map(color).collect();
+        Image::of_pixels(self.size, &colors)
     }
 
     fn save_png(&self, path: impl AsRef<Path>, depth_scale: f32) -> Result<()> {

@@ -13,7 +13,7 @@ mod memory;
 mod mistakes;
 mod monstrous;
 mod own_loss;
-mod processes;
+pub mod processes;
 mod progress;
 mod results;
 pub mod runs;

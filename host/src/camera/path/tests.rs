@@ -63,12 +63,32 @@ fn an_even_motion_is_kept() {
     }
 }
 
-/// Eight keys on a circle. Halfway between two keys the curve's distance from the center has a closed form, and the
-/// rotation is the circle's own.
+/// Cameras that look at one place turn around it, however few they are, and keep it in view.
+#[test]
+fn keys_that_look_at_one_place_make_an_orbit() {
+    let angles = [0.0, 0.8, 2.0, 4.3];
+    let path = CameraPath::through(&angles.map(around), true).unwrap();
+    for camera in path.cameras(100) {
+        let [x, y, z] = camera.eye();
+        assert!((x.hypot(y) - 3.0).abs() < 0.01 && (z - 1.0).abs() < 1e-9, "{x} {y} {z}");
+        let forward = DVec3::from(camera.world_to_camera_opencv()[2]);
+        let missed = DVec3::new(-x, -y, 0.0).reject_from_normalized(forward).length();
+        assert!(missed < 0.03, "{missed}");
+    }
+}
+
+/// A camera on the circle that looks outward.
+fn outward(angle: f64) -> Camera {
+    let [sin, cos] = [angle.sin(), angle.cos()].map(|value| 3.0 * value);
+    Camera::look_at([cos, sin, 1.0], [2.0 * cos, 2.0 * sin, 1.0], UP, 1.0, [96, 80]).unwrap()
+}
+
+/// Eight keys on a circle that look at no common place. Halfway between two keys the curve's distance from the center has
+/// a closed form, and the rotation is the circle's own.
 #[test]
 fn a_closed_path_through_a_circle_stays_near_it() {
     let angle = TAU / 8.0;
-    let keys: Vec<_> = (0..8).map(|key| around(angle * f64::from(key))).collect();
+    let keys: Vec<_> = (0..8).map(|key| outward(angle * f64::from(key))).collect();
     let path = CameraPath::through(&keys, true).unwrap();
     let half = 3.0 * ((angle / 2.0).cos() + angle.sin() * (angle / 2.0).sin() / 4.0);
     for key in 0..8 {
@@ -76,7 +96,7 @@ fn a_closed_path_through_a_circle_stays_near_it() {
         let [x, y, z] = camera.eye();
         assert!((x.hypot(y) - half).abs() < 1e-9, "{} {half}", x.hypot(y));
         assert!((z - 1.0).abs() < 1e-12);
-        let circle = around(angle * (f64::from(key) + 0.5));
+        let circle = outward(angle * (f64::from(key) + 0.5));
         for (row, expected) in camera.camera_to_world.iter().zip(circle.camera_to_world) {
             let off = row[..3].iter().zip(expected).map(|(a, b)| (a - b).abs());
             assert!(off.fold(0.0, f64::max) < 1e-9);

@@ -1,0 +1,207 @@
+//! From frames to a film: MP4 by ffmpeg, or an animated PNG.
+
+use std::ffi::OsStr;
+use std::fs::{self, File};
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::thread;
+
+use organza::{Error, Result, write_atomic};
+
+use crate::cli::console::Progress;
+use crate::cli::refuse;
+
+/// What a film is written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// H.264 by ffmpeg.
+    Mp4,
+    /// An animated PNG.
+    Png,
+    /// A folder of frames.
+    Frames,
+}
+
+impl Kind {
+    /// By the name's ending; what has none, or is a folder, is a folder.
+    pub fn of(output: &Path) -> Result<Self> {
+        let extension = output.extension().map(OsStr::to_ascii_lowercase);
+        match extension.as_deref().and_then(OsStr::to_str) {
+            _ if output.is_dir() => Ok(Self::Frames),
+            Some("mp4") => Ok(Self::Mp4),
+            Some("png" | "apng") => Ok(Self::Png),
+            None if extension.is_none() => Ok(Self::Frames),
+            _ => {
+                let output = output.display();
+                refuse(format!(
+                    "{output}: a film is written as .mp4, as .png (animated), or to a folder, frame by frame"
+                ))
+            }
+        }
+    }
+
+    /// Fails at once where a film could not be written after hours of rendering.
+    pub fn check(self, size: [u32; 2]) -> Result<()> {
+        if self != Self::Mp4 {
+            return Ok(());
+        }
+        let [width, height] = size;
+        if !(width.is_multiple_of(2) && height.is_multiple_of(2)) {
+            return refuse(format!(
+                "an MP4 needs an even width and an even height, not {width}x{height}; give another `--size`"
+            ));
+        }
+        let found = Command::new("ffmpeg").arg("-version").stdin(Stdio::null()).output();
+        match found {
+            Ok(output) if output.status.success() => Ok(()),
+            Ok(output) => refuse(format!("`ffmpeg -version` fails: {}", output.status)),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => refuse(
+                "an MP4 needs the program ffmpeg, which is not installed; install it, or write an animated PNG \
+                 (`-o film.png`) or a folder of frames (`-o film`)",
+            ),
+            Err(error) => refuse(format!("cannot run ffmpeg: {error}")),
+        }
+    }
+
+    /// Writes the film of some frames, at so many a second. `scratch` is a folder for what is half done.
+    pub fn write(
+        self,
+        frames: &[PathBuf],
+        fps: u32,
+        output: &Path,
+        scratch: &Path,
+        progress: &Progress,
+    ) -> Result<()> {
+        match self {
+            Self::Mp4 => mp4(frames, fps, output, scratch, progress),
+            Self::Png => animated_png(frames, fps, output, progress),
+            Self::Frames => Ok(()),
+        }
+    }
+}
+
+/// ffmpeg goes back in its file, so it has one of its own.
+fn mp4(
+    frames: &[PathBuf],
+    fps: u32,
+    output: &Path,
+    scratch: &Path,
+    progress: &Progress,
+) -> Result<()> {
+    let beside = tempfile::Builder::new().prefix(".organza-").suffix(".tmp").tempfile_in(scratch);
+    let beside = beside.map_err(|source| Error::write(scratch, source))?;
+    let path = std::path::absolute(beside.path()).map_err(|source| Error::read(scratch, source))?;
+    let mut child = match ffmpeg(fps, &path).spawn() {
+        Ok(child) => child,
+        Err(error) => return refuse(format!("cannot run ffmpeg: {error}")),
+    };
+    let mut stderr = child.stderr.take().expect("it is piped");
+    let said = thread::spawn(move || {
+        let mut text = Vec::new();
+        let _ = stderr.read_to_end(&mut text);
+        String::from_utf8_lossy(&text).into_owned()
+    });
+    let fed = feed(&mut child, frames, progress);
+    let status = child.wait();
+    let said = said.join().unwrap_or_default();
+    match (fed, status) {
+        (Ok(()), Ok(status)) if status.success() => {}
+        // what it says is worth more than that it does not listen
+        (Err(Feed::Frame(path, source)), _) => return Err(Error::read(&path, source)),
+        (Err(Feed::Pipe(error)), Ok(status)) if status.success() => {
+            return refuse(format!("ffmpeg does not take frames: {error}"));
+        }
+        (_, Ok(status)) => {
+            let last = said.lines().rev().find(|line| !line.trim().is_empty());
+            return refuse(format!("ffmpeg ended with {status}: {}", last.unwrap_or("no message")));
+        }
+        (_, Err(error)) => return refuse(format!("ffmpeg got lost: {error}")),
+    }
+    let mut film = File::open(&path).map_err(|source| Error::read(&path, source))?;
+    write_atomic(output, |writer| io::copy(&mut film, writer).map(drop))
+}
+
+/// H.264 that every player shows: 4:2:0, and the matrix of HD written in the file.
+fn ffmpeg(fps: u32, output: &Path) -> Command {
+    let mut command = Command::new("ffmpeg");
+    command
+        .args(["-hide_banner", "-loglevel", "error", "-nostdin"])
+        .args(["-f", "image2pipe", "-c:v", "png", "-framerate", &fps.to_string(), "-i", "pipe:0"])
+        .args(["-vf", "scale=out_color_matrix=bt709,format=yuv420p"])
+        .args(["-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709"])
+        .args(["-c:v", "libx264", "-preset", "medium", "-crf", "17"])
+        .args(["-movflags", "+faststart", "-f", "mp4", "-y"])
+        .arg(output)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped());
+    command
+}
+
+/// What keeps frames from ffmpeg.
+enum Feed {
+    Frame(PathBuf, io::Error),
+    Pipe(io::Error),
+}
+
+fn feed(child: &mut Child, frames: &[PathBuf], progress: &Progress) -> Result<(), Feed> {
+    let mut pipe = child.stdin.take().expect("it is piped");
+    for frame in frames {
+        let bytes = fs::read(frame).map_err(|error| Feed::Frame(frame.clone(), error))?;
+        pipe.write_all(&bytes).map_err(Feed::Pipe)?;
+        progress.advance(1);
+    }
+    Ok(())
+}
+
+fn animated_png(frames: &[PathBuf], fps: u32, output: &Path, progress: &Progress) -> Result<()> {
+    let pixels = |frame: &PathBuf| match ::image::open(frame) {
+        Ok(image) => Ok(image.into_rgb8()),
+        Err(error) => {
+            let reason = format!("the frame cannot be read again: {error}");
+            Err(Error::Invalid { origin: frame.clone(), reason })
+        }
+    };
+    let (width, height) = pixels(&frames[0])?.dimensions();
+    // an error about a frame is not one of writing
+    let mut failed = None;
+    let written = write_atomic(output, |writer| {
+        let mut encoder = png::Encoder::new(writer, width, height);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        // 0 plays: for ever
+        encoder.set_animated(frames.len() as u32, 0)?;
+        encoder.set_frame_delay(1, fps as u16)?;
+        let mut writer = encoder.write_header()?;
+        for frame in frames {
+            match pixels(frame) {
+                Ok(pixels) => writer.write_image_data(&pixels)?,
+                Err(error) => {
+                    failed = Some(error);
+                    return Err(io::ErrorKind::InvalidData.into());
+                }
+            }
+            progress.advance(1);
+        }
+        Ok(writer.finish()?)
+    });
+    failed.map_or(written, Err)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ending_says_what_a_film_is_written_as() {
+        let kind = |name: &str| Kind::of(Path::new(name)).ok();
+        assert_eq!(kind("a/film.mp4"), Some(Kind::Mp4));
+        assert_eq!(kind("film.MP4"), Some(Kind::Mp4));
+        assert_eq!(kind("film.png"), Some(Kind::Png));
+        assert_eq!(kind("film.apng"), Some(Kind::Png));
+        assert_eq!(kind("frames"), Some(Kind::Frames));
+        assert_eq!(kind("."), Some(Kind::Frames));
+        assert_eq!((kind("film.avi"), kind("film.")), (None, None));
+    }
+}

@@ -1,0 +1,332 @@
+//! `organza film`: a camera that moves.
+
+mod file;
+mod way;
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
+
+use organza::image::ChannelImage;
+use organza::{Camera, Channel, DeviceScene, Image, Renderer, Result, remove_leftovers};
+use serde::Serialize;
+
+use super::channels::ChannelName;
+use super::console::{Console, Progress, print_json};
+use super::device::{DeviceArgs, SceneArgs};
+use super::inputs::{DataArgs, SceneSource};
+use super::output::{self, Folder};
+use super::picture::{Pictures, warn_not_finite};
+use super::refuse;
+use super::signals::Signals;
+use super::summary::{Cost, Summary, count};
+use super::written::{Found, Written};
+use file::Kind;
+use way::{Inputs, WayArgs, described};
+
+const TILE_SIZE: u32 = 64;
+/// Frames that are looked at to find the range of a film's depths, and the part of their sides.
+const PROBES: usize = 5;
+const PROBE_SHRINK: u32 = 4;
+/// The part of the depths that a range leaves out at each end.
+const LEFT_OUT: f64 = 0.01;
+
+const EXAMPLES: &str = "\
+Examples:
+  organza film run -o film.mp4                                      around what the run's cameras look at
+  organza film run -o film.mp4 --between --views 0,10,20,30 --loop  through cameras of its data set
+  organza film scene.safetensors keys.json -o film.mp4              through keyframes of your own
+  organza film run -o depth.mp4 --channel depth --size 1280x720
+  organza film run -o frames --frames 600                           a folder of PNG images
+  organza film scene.safetensors -o film.png --orbit --distance 4 --elevation 20
+
+An MP4 is encoded by ffmpeg, which must be installed. An animated PNG (.png) needs nothing, loses nothing, plays in \
+every browser, and is larger.
+
+Between cameras, position, rotation and field of view change smoothly, at an even pace. All of what a camera sees is in \
+the film, whatever the film's size.
+
+Ctrl-C stops. Finished frames are kept in FILE.frames, or in the folder, and the same command continues from there, even \
+if the program was killed. A file that is already there under the film's name is replaced when the film is complete, not \
+before. A film's frames are the images that `organza render` writes of the same cameras.";
+
+/// Make a film: around a scene, or along a path through cameras
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The scene, safetensors, or the folder of a training run
+    scene: PathBuf,
+    /// Cameras to move through, or whose scene to turn around: nerfstudio's transforms.json, or a data set
+    cameras: Option<PathBuf>,
+    /// The film: a name that ends in .mp4 or .png, or a folder for its frames
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+    /// Number of frames
+    #[arg(long, value_name = "N", default_value_t = 180)]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=99_999))]
+    frames: u32,
+    /// Frames a second
+    #[arg(long, value_name = "F", default_value_t = 30)]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=240))]
+    fps: u32,
+    /// Show a channel in place of the color: depth from red (near) to blue, the others as in PNG images
+    #[arg(long, value_enum)]
+    channel: Option<ChannelName>,
+    /// Depths that are shown as red and as blue, in world units [default: from a few frames]
+    #[arg(long, value_name = "NEAR,FAR", value_parser = depth_range, allow_hyphen_values = true)]
+    #[arg(requires = "channel")]
+    depth_range: Option<[f32; 2]>,
+    /// Print JSON: the film, and what rendering took (docs/json.md)
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    way: WayArgs,
+    #[command(flatten)]
+    data: DataArgs,
+    #[command(flatten)]
+    scene_args: SceneArgs,
+    #[command(flatten)]
+    device: DeviceArgs,
+}
+
+fn depth_range(text: &str) -> Result<[f32; 2], String> {
+    let number = |text: &str| text.trim().parse().ok().filter(|value: &f32| value.is_finite());
+    let range = text.split_once(',').and_then(|(near, far)| Some([number(near)?, number(far)?]));
+    let range = range.filter(|[near, far]| near < far);
+    range.ok_or_else(|| "expected two depths NEAR,FAR such as 1.5,8, the nearer first".to_owned())
+}
+
+pub fn run(args: &Args, console: Console) -> Result<()> {
+    let source = SceneSource::find(&args.scene)?;
+    let kind = Kind::of(&args.output)?;
+    let channel = args.channel.map(ChannelName::channel);
+    if args.depth_range.is_some() && channel != Some(Channel::Depth) {
+        return refuse("`--depth-range` is for `--channel depth`");
+    }
+    let scene = source.load(console)?;
+    let inputs =
+        Inputs { source: &source, scene: &scene, named: args.cameras.as_deref(), data: &args.data };
+    let way = args.way.frames(&inputs, args.frames as usize, kind == Kind::Mp4, console)?;
+    let size @ [width, height] = [way.frames[0].width, way.frames[0].height];
+    kind.check(size)?;
+    Image::check_memory(width, height)?;
+    ChannelImage::check_memory(channel.as_slice(), width, height)?;
+    if kind != Kind::Frames {
+        let origin = way.cameras.iter().map(|cameras| cameras.origin.as_path());
+        let inputs: Vec<_> = origin.chain([source.file()]).collect();
+        output::check_file(&args.output, &inputs)?;
+        if way.cameras.as_ref().is_some_and(|cameras| cameras.is_photograph(&args.output)) {
+            let path = args.output.display();
+            return refuse(format!("{path} would replace a photograph; choose another name"));
+        }
+    }
+
+    let renderer = args.device.open(console)?;
+    let scene = args.scene_args.upload(&renderer, &scene)?;
+    let mut film = Film { renderer: &renderer, scene: &scene, cameras: &way.frames, look: None };
+    if let Some(channel) = channel {
+        let range = match (channel, args.depth_range) {
+            (_, Some(range)) => range,
+            (Channel::Depth, None) => film.depth_range(console)?,
+            _ => [0.0, 1.0],
+        };
+        film.look = Some((channel, range));
+    }
+    let made = film.make(args, kind, &source, console)?;
+    if args.json { print_json(&made) } else { Ok(()) }
+}
+
+/// What `--json` prints.
+#[derive(Debug, Serialize)]
+struct Made<'a> {
+    film: &'a Path,
+    frames: usize,
+    fps: u32,
+    width: u32,
+    height: u32,
+    /// Frames that this call rendered; earlier ones the others.
+    rendered: usize,
+    #[serde(flatten)]
+    cost: Cost,
+}
+
+/// A film to be rendered.
+struct Film<'a> {
+    renderer: &'a Renderer,
+    scene: &'a DeviceScene,
+    cameras: &'a [Camera],
+    /// What is shown in place of color, and the range of depths.
+    look: Option<(Channel, [f32; 2])>,
+}
+
+impl Film<'_> {
+    fn make<'a>(
+        &self,
+        args: &'a Args,
+        kind: Kind,
+        source: &SceneSource,
+        console: Console,
+    ) -> Result<Made<'a>> {
+        let folder = match kind {
+            Kind::Frames => args.output.clone(),
+            Kind::Mp4 | Kind::Png => {
+                let mut name = args.output.clone().into_os_string();
+                name.push(".frames");
+                name.into()
+            }
+        };
+        let folder = Folder::make(&folder)?;
+        let mut written = Written::open(&folder, source.file(), &(self.cameras, self.look))?;
+        let files: Vec<_> =
+            (0..self.cameras.len()).map(|frame| folder.join(&format!("{frame:05}.png"))).collect();
+        let todo = todo(&folder, &written, &files)?;
+        // a signal while frames were looked at has ended the program, and nothing was changed
+        let signals = Signals::listen()?;
+        signals.keeps_results();
+        let announced: Vec<_> = todo.iter().map(|&frame| files[frame].clone()).collect();
+        written.announce(&announced)?;
+        let cost = self.render(&files, &todo, &mut written, &signals, console)?;
+        let Some(cost) = cost else { return stopped(&written, &files, &folder) };
+        match kind {
+            Kind::Frames => {
+                written.finish(console)?;
+            }
+            Kind::Mp4 | Kind::Png => {
+                let progress = console.progress(files.len() as u64, "frames");
+                progress.say("encoding");
+                let kept = format!("the frames are kept in {}", folder.path().display());
+                let result = kind.write(&files, args.fps, &args.output, folder.path(), &progress);
+                if let Err(error) = result {
+                    drop(progress);
+                    console.note(&kept);
+                    return Err(error);
+                }
+                written.discard()?;
+                remove_leftovers(folder.path());
+                // fails, as it should, where somebody has put something in it
+                let _ = fs::remove_dir(folder.path());
+            }
+        }
+        let described = described(self.cameras, args.fps);
+        console.note(&format!("wrote {}: {described}", args.output.display()));
+        let [Camera { width, height, .. }, ..] = *self.cameras else { unreachable!("a frame") };
+        let (film, frames, rendered) = (&*args.output, files.len(), todo.len());
+        Ok(Made { film, frames, fps: args.fps, width, height, rendered, cost })
+    }
+
+    /// Renders frames; nothing where a signal asks to stop.
+    fn render(
+        &self,
+        files: &[PathBuf],
+        todo: &[usize],
+        written: &mut Written,
+        signals: &Signals,
+        console: Console,
+    ) -> Result<Option<Cost>> {
+        if todo.len() < files.len() {
+            let (there, all) = (files.len() - todo.len(), files.len());
+            console.note(&format!("{there} of {all} frames are there from an earlier call"));
+        }
+        let mut summary = Summary::start();
+        let mut not_finite = 0;
+        {
+            let progress = console.progress(todo.len() as u64, "frames");
+            progress.say("rendering");
+            // the bar counts frames
+            let silent = console.hidden();
+            for &frame in todo {
+                if signals.stop().load(Ordering::Relaxed) {
+                    return Ok(None);
+                }
+                let image = self.frame(frame, &mut summary, &silent)?;
+                not_finite += image.not_finite();
+                image.save_png(&files[frame])?;
+                written.add(&files[frame])?;
+                progress.advance(1);
+            }
+        }
+        if !todo.is_empty() {
+            console.note(&summary.line(&count(todo.len() as u64, "frame")));
+        }
+        warn_not_finite(console, not_finite);
+        Ok(Some(summary.cost(self.renderer, not_finite)))
+    }
+}
+
+impl Film<'_> {
+    fn frame(&self, frame: usize, summary: &mut Summary, progress: &Progress) -> Result<Image> {
+        let Self { renderer, scene, cameras, look } = *self;
+        let pictures = Pictures { renderer, scene, cameras, tile_size: TILE_SIZE };
+        let channels: Vec<_> = look.iter().map(|(channel, _)| *channel).collect();
+        let (image, beside) = pictures.render_channels(frame, &channels, summary, progress)?;
+        Ok(look.map_or(image, |(_, range)| beside[0].picture(range)))
+    }
+
+    /// The range of depths, without the nearest and the farthest few, of a few small frames.
+    fn depth_range(&self, console: Console) -> Result<[f32; 2]> {
+        let last = self.cameras.len() - 1;
+        let probes: BTreeSet<_> = (0..PROBES).map(|probe| probe * last / (PROBES - 1)).collect();
+        let small = |&frame: &usize| {
+            let camera = &self.cameras[frame];
+            camera.with_size([camera.width, camera.height].map(|side| side.div_ceil(PROBE_SHRINK)))
+        };
+        let cameras: Vec<_> = probes.iter().map(small).collect();
+        let (renderer, scene) = (self.renderer, self.scene);
+        let pictures = Pictures { renderer, scene, cameras: &cameras, tile_size: TILE_SIZE };
+        let mut depths = Vec::new();
+        console.during("looking at depths", || {
+            for view in 0..cameras.len() {
+                let (summary, progress) = (&mut Summary::start(), &console.hidden());
+                let (_, beside) =
+                    pictures.render_channels(view, &[Channel::Depth], summary, progress)?;
+                depths.extend(beside[0].values().iter().filter(|depth| **depth > 0.0));
+            }
+            Ok::<_, organza::Error>(())
+        })?;
+        depths.sort_by(f32::total_cmp);
+        let at = |part: f64| {
+            let place = part * (depths.len().max(1) - 1) as f64;
+            depths.get(place as usize).copied().unwrap_or(1.0)
+        };
+        let (near, far) = (at(LEFT_OUT), at(1.0 - LEFT_OUT));
+        // a flat thing has a range all the same
+        let far = far.max(near * 1.001);
+        console.note(&format!(
+            "depth: red is {near:.4}, blue is {far:.4}; `--depth-range` changes it"
+        ));
+        Ok([near, far])
+    }
+}
+
+/// The frames that are not there yet. What somebody else has put into their places stays, and is an error.
+fn todo(folder: &Folder, written: &Written, files: &[PathBuf]) -> Result<Vec<usize>> {
+    let mut todo = Vec::new();
+    for (frame, file) in files.iter().enumerate() {
+        match written.found(file)? {
+            Found::Image => {}
+            Found::Nothing | Found::Stale => todo.push(frame),
+            Found::Foreign => {
+                let (folder, file) = (folder.path().display(), file.display());
+                return refuse(format!(
+                    "{file} is not a frame that the program wrote, or was changed since; move it away from {folder}, \
+                     or choose another name for the film"
+                ));
+            }
+        }
+    }
+    Ok(todo)
+}
+
+/// The error after a signal.
+fn stopped<T>(written: &Written, files: &[PathBuf], folder: &Folder) -> Result<T> {
+    let mut there = 0;
+    for file in files {
+        there += u64::from(written.found(file)? == Found::Image);
+    }
+    let (all, folder) = (files.len(), folder.path().display());
+    refuse(format!(
+        "stopped after {} of {all}, which are kept in {folder}; the same command continues",
+        count(there, "frame")
+    ))
+}

@@ -1,0 +1,230 @@
+//! Where the camera of a film goes.
+
+use std::path::Path;
+
+use organza::camera::{CameraPath, MAX_IMAGE_SIDE, Orbit};
+use organza::{Camera, Result, Scene};
+
+use crate::cli::console::Console;
+use crate::cli::inputs::{Cameras, DataArgs, SceneSource};
+use crate::cli::refuse;
+use crate::cli::summary::count;
+use crate::cli::views::ViewList;
+
+const USAGE: &str = "organza film SCENE CAMERAS -o FILE";
+/// The longer side of a film whose size nobody says: photographs may be several times as large.
+const LONGEST_SIDE: u32 = 1920;
+/// Size where there is no camera that has one.
+const SIZE: [u32; 2] = [640, 480];
+
+/// Options that say where the camera goes.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Camera")]
+pub struct WayArgs {
+    /// Turn once around what the cameras look at [default without CAMERAS]
+    #[arg(long, conflicts_with = "between")]
+    orbit: bool,
+    /// Move smoothly through the cameras, in their order [default with CAMERAS]
+    #[arg(long)]
+    between: bool,
+    /// The cameras to move through, such as 0,8 or 0-3 [default: all]
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true, conflicts_with = "orbit")]
+    views: Option<ViewList>,
+    /// Return from the last camera to the first
+    #[arg(long = "loop", conflicts_with = "orbit")]
+    is_closed: bool,
+    /// Center of the orbit, in world units [default: what the cameras look at, or the middle of the scene's box]
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true, requires = "orbit")]
+    center: Option<[f64; 3]>,
+    /// Axis of the orbit, upward in the film [default: as the cameras were held, or 0,0,1]
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true, requires = "orbit")]
+    up: Option<[f64; 3]>,
+    /// Distance from the center, in world units [default: the cameras' median]
+    #[arg(long, value_name = "D", value_parser = distance, requires = "orbit")]
+    distance: Option<f64>,
+    /// Angle above the horizon, in degrees, -89 to 89 [default: the cameras' median]
+    #[arg(long, value_name = "DEGREES", value_parser = elevation, allow_hyphen_values = true, requires = "orbit")]
+    elevation: Option<f64>,
+    /// What an orbit shows from left to right, in degrees, 1 to 170 [default: as the first camera]
+    #[arg(long, value_name = "DEGREES", value_parser = field_of_view, requires = "orbit")]
+    field_of_view: Option<f64>,
+    /// Width and height in pixels, such as 1280x720 [default: the first camera's, if that has at most 1920 pixels a side]
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<[u32; 2]>,
+}
+
+/// What a film is made from.
+pub struct Inputs<'a> {
+    pub source: &'a SceneSource,
+    pub scene: &'a Scene,
+    /// The cameras that were named.
+    pub named: Option<&'a Path>,
+    pub data: &'a DataArgs,
+}
+
+/// The camera of each frame.
+#[derive(Debug)]
+pub struct Way {
+    pub frames: Vec<Camera>,
+    /// What they were made from, if there are any.
+    pub cameras: Option<Cameras>,
+}
+
+impl WayArgs {
+    /// The cameras of so many frames. Without `--size` their width and height are even if `is_even` says so.
+    pub fn frames(
+        &self,
+        inputs: &Inputs<'_>,
+        frames: usize,
+        is_even: bool,
+        console: Console,
+    ) -> Result<Way> {
+        let Inputs { source, named, data, .. } = *inputs;
+        let is_between = self.between || (named.is_some() && !self.orbit);
+        let has_cameras = named.is_some() || data.is_given() || source.settings()?.is_some();
+        let cameras = match is_between || has_cameras {
+            true => Some(Cameras::load(source, named, data, USAGE, console)?),
+            false => None,
+        };
+        let size = |camera: &Camera| match self.size {
+            Some(size) => size,
+            None => default_size(camera, is_even),
+        };
+        let frames = match &cameras {
+            Some(cameras) if is_between => self.between(cameras, frames, size)?,
+            Some(cameras) => {
+                let mut orbit = Orbit::around(&cameras.list)?;
+                orbit.size = [cameras.list[0].width, cameras.list[0].height];
+                self.orbit(orbit, frames, size)?
+            }
+            None => {
+                let aabb = inputs.scene.config.aabb;
+                self.orbit(Orbit::of_box(aabb, self.size.unwrap_or(SIZE)), frames, size)?
+            }
+        };
+        Ok(Way { frames, cameras })
+    }
+
+    fn between(
+        &self,
+        cameras: &Cameras,
+        frames: usize,
+        size: impl Fn(&Camera) -> [u32; 2],
+    ) -> Result<Vec<Camera>> {
+        let list = &cameras.list;
+        let views = match &self.views {
+            Some(views) => views.resolve(list.len(), &cameras.origin)?,
+            None => (0..list.len()).collect(),
+        };
+        if let [only] = views[..] {
+            let origin = cameras.origin.display();
+            return refuse(format!(
+                "a film between cameras needs two at least; {origin} gives one, view {only}: try `--orbit`"
+            ));
+        }
+        let size = size(&list[views[0]]);
+        let keys: Vec<_> = views.iter().map(|&view| list[view].with_size(size)).collect();
+        Ok(CameraPath::through(&keys, self.is_closed)?.cameras(frames))
+    }
+
+    fn orbit(
+        &self,
+        found: Orbit,
+        frames: usize,
+        size: impl Fn(&Camera) -> [u32; 2],
+    ) -> Result<Vec<Camera>> {
+        let orbit = Orbit {
+            center: self.center.unwrap_or(found.center),
+            up: self.up.unwrap_or(found.up),
+            distance: self.distance.unwrap_or(found.distance),
+            elevation: self.elevation.map_or(found.elevation, f64::to_radians),
+            angle: self.field_of_view.map_or(found.angle, f64::to_radians),
+            ..found
+        };
+        let cameras = orbit.cameras(frames)?;
+        // a field of view that was asked for is that of the film
+        if self.field_of_view.is_some() {
+            let size = size(&cameras[0]);
+            return Orbit { size, ..orbit }.cameras(frames);
+        }
+        Ok(cameras.iter().map(|camera| camera.with_size(size(camera))).collect())
+    }
+}
+
+/// A camera's own size, or a smaller one of its shape.
+fn default_size(camera: &Camera, is_even: bool) -> [u32; 2] {
+    let size = [camera.width, camera.height];
+    let longest = size[0].max(size[1]);
+    let scale = f64::from(longest.min(LONGEST_SIDE)) / f64::from(longest);
+    size.map(|side| {
+        let side = ((f64::from(side) * scale).round() as u32).max(1);
+        if is_even { side.next_multiple_of(2) } else { side }
+    })
+}
+
+/// `6.0 s of 640 x 480, 180 frames`
+pub fn described(frames: &[Camera], fps: u32) -> String {
+    let (number, [width, height]) = (frames.len(), [frames[0].width, frames[0].height]);
+    let seconds = number as f64 / f64::from(fps);
+    format!("{seconds:.1} s of {width} x {height}, {}", count(number as u64, "frame"))
+}
+
+fn vector(text: &str) -> Result<[f64; 3], String> {
+    let number = |text: &str| text.trim().parse().ok().filter(|value: &f64| value.is_finite());
+    let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
+    let vector = numbers.and_then(|numbers| numbers.try_into().ok());
+    vector.ok_or_else(|| "expected three numbers X,Y,Z such as 0,0,1.5".to_owned())
+}
+
+fn distance(text: &str) -> Result<f64, String> {
+    within(text, f64::MIN_POSITIVE, 1e30).ok_or_else(|| "expected a number above 0".to_owned())
+}
+
+fn elevation(text: &str) -> Result<f64, String> {
+    within(text, -89.0, 89.0).ok_or_else(|| "expected degrees from -89 to 89".to_owned())
+}
+
+fn field_of_view(text: &str) -> Result<f64, String> {
+    within(text, 1.0, 170.0).ok_or_else(|| "expected degrees from 1 to 170".to_owned())
+}
+
+fn within(text: &str, low: f64, high: f64) -> Option<f64> {
+    text.trim().parse().ok().filter(|value| (low..=high).contains(value))
+}
+
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let side =
+        |text: &str| text.trim().parse().ok().filter(|side| (1..=MAX_IMAGE_SIDE).contains(side));
+    let size = text.split_once('x').and_then(|(w, h)| Some([side(w)?, side(h)?]));
+    size.ok_or_else(|| format!("expected pixels such as 1280x720, each side 1 to {MAX_IMAGE_SIDE}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arguments_are_read_or_refused() {
+        assert_eq!(vector(" 1,-2.5, 3e1"), Ok([1.0, -2.5, 30.0]));
+        assert_eq!(size("1280x720"), Ok([1280, 720]));
+        for bad in ["", "1,2", "1,2,3,4", "1,,2", "nan,0,0", "inf,0,0"] {
+            assert!(vector(bad).is_err(), "{bad}");
+        }
+        for bad in ["", "640", "640x", "0x480", "70000x8", "-1x4", "1.5x2", "6 40x2"] {
+            assert!(size(bad).is_err(), "{bad}");
+        }
+        assert!(elevation("90").is_err() && elevation("-89").is_ok() && elevation("nan").is_err());
+        assert!(distance("0").is_err() && distance("inf").is_err() && distance("0.1").is_ok());
+        assert!(field_of_view("0.5").is_err() && field_of_view("170").is_ok());
+    }
+
+    #[test]
+    fn large_photographs_make_a_smaller_film() {
+        let of =
+            |size| Camera::look_at([0.0, -1.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 0.7, size).unwrap();
+        assert_eq!(default_size(&of([67, 120]), false), [67, 120]);
+        assert_eq!(default_size(&of([67, 120]), true), [68, 120]);
+        assert_eq!(default_size(&of([6000, 4000]), false), [1920, 1280]);
+        assert_eq!(default_size(&of([65536, 1]), true), [1920, 2]);
+    }
+}

@@ -1,0 +1,267 @@
+//! Films: their frames, what is written of them, and what happens when making one is interrupted.
+
+use std::fs;
+use std::io::BufReader;
+
+use image::{AnimationDecoder, RgbImage};
+use serde_json::Value;
+
+use crate::sandbox::{Outcome, Sandbox};
+
+const FILM: &str = "film scene.safetensors cameras.json --backend cpu";
+
+fn pixels(sandbox: &Sandbox, name: &str) -> RgbImage {
+    image::open(sandbox.path(name)).unwrap_or_else(|error| panic!("{name}: {error}")).into_rgb8()
+}
+
+/// The largest difference of two images, in 8-bit levels.
+fn difference(a: &RgbImage, b: &RgbImage) -> u8 {
+    assert_eq!(a.dimensions(), b.dimensions());
+    a.iter().zip(b.iter()).map(|(a, b)| a.abs_diff(*b)).max().unwrap()
+}
+
+fn json(outcome: Outcome) -> Value {
+    serde_json::from_str(&outcome.assert_ok().stdout).expect("only JSON")
+}
+
+#[test]
+fn a_film_begins_and_ends_at_its_keys() {
+    let sandbox = Sandbox::new("tiny");
+    sandbox.run("render scene.safetensors cameras.json -o images --backend cpu").assert_ok();
+    sandbox.run(&format!("{FILM} -o frames --frames 3")).assert_ok();
+    let key = |name: &str| pixels(&sandbox, &format!("images/{name}"));
+    let frame = |name: &str| pixels(&sandbox, &format!("frames/{name}"));
+    // a pose becomes a quaternion on the way
+    assert!(difference(&key("0000.png"), &frame("00000.png")) <= 1);
+    assert!(difference(&key("0001.png"), &frame("00002.png")) <= 1);
+    assert!(difference(&frame("00000.png"), &frame("00001.png")) > 10);
+    // in the other order, and back again
+    sandbox.run(&format!("{FILM} -o loop --frames 2 --views 1,0 --loop")).assert_ok();
+    let frame = |name: &str| pixels(&sandbox, &format!("loop/{name}"));
+    assert!(difference(&key("0001.png"), &frame("00000.png")) <= 1);
+    assert!(difference(&key("0000.png"), &frame("00001.png")) <= 1);
+}
+
+#[test]
+fn an_animated_png_has_the_frames_and_their_pace() {
+    let sandbox = Sandbox::new("tiny");
+    let orbit =
+        "film scene.safetensors --backend cpu --frames 3 --size 40x33 --elevation 10 --orbit";
+    sandbox.run(&format!("{orbit} -o frames")).assert_ok();
+    let made = json(sandbox.run(&format!("{orbit} --fps 20 -o film.png --json")));
+    assert_eq!(
+        (&made["frames"], &made["fps"], &made["rendered"]),
+        (&3.into(), &20.into(), &3.into())
+    );
+    let file = BufReader::new(fs::File::open(sandbox.path("film.png")).unwrap());
+    let decoder = image::codecs::png::PngDecoder::new(file).unwrap().apng().unwrap();
+    let frames = decoder.into_frames().collect_frames().unwrap();
+    assert_eq!(frames.len(), 3);
+    for (index, frame) in frames.iter().enumerate() {
+        assert_eq!(frame.delay().numer_denom_ms(), (50, 1));
+        let expected = pixels(&sandbox, &format!("frames/{index:05}.png"));
+        let found = image::DynamicImage::from(frame.buffer().clone()).into_rgb8();
+        assert_eq!(difference(&found, &expected), 0);
+    }
+    assert!(!sandbox.path("film.png.frames").exists());
+}
+
+/// A camera that looks along -z has the depth of a plane z = const everywhere; here the numbers of `render` decide.
+#[test]
+fn a_film_of_depth_has_one_range() {
+    let sandbox = Sandbox::new("tiny");
+    let range = "--channel depth --depth-range 0.5,6";
+    sandbox.run(&format!("{FILM} -o frames --frames 2 {range}")).assert_ok();
+    let words = "render scene.safetensors cameras.json -o images --channels depth --backend cpu";
+    sandbox.run(words).assert_ok();
+    let film = pixels(&sandbox, "frames/00000.png");
+    let depth = image::open(sandbox.path("images/0000.depth.png")).unwrap().into_luma16();
+    let mut red_of: Vec<(u16, [u8; 3])> =
+        depth.pixels().zip(film.pixels()).map(|(depth, color)| (depth.0[0], color.0)).collect();
+    assert!(red_of.iter().any(|(depth, _)| *depth > 0));
+    for (depth, color) in &red_of {
+        // Turbo's darkest color is not black
+        assert_eq!(*depth == 0, *color == [0; 3], "{depth} {color:?}");
+    }
+    // equal depths have equal colors, up to rounding to thousandths
+    red_of.sort_unstable();
+    for pair in red_of.windows(2) {
+        if pair[1].0 - pair[0].0 <= 1 && pair[0].0 > 0 {
+            let off = pair[0].1.iter().zip(pair[1].1).map(|(a, b)| a.abs_diff(b)).max().unwrap();
+            assert!(off <= 4, "{pair:?}");
+        }
+    }
+    let said =
+        sandbox.run(&format!("{FILM} -o auto --frames 2 --channel depth")).assert_ok().stderr;
+    assert!(said.contains("depth: red is "), "{said}");
+}
+
+#[test]
+fn finished_frames_are_not_rendered_again() {
+    let sandbox = Sandbox::new("tiny");
+    let words = format!("{FILM} -o frames --frames 4 --json");
+    let rendered = |words: &str| json(sandbox.run(words))["rendered"].as_u64().unwrap();
+    assert_eq!(rendered(&words), 4);
+    let before = sandbox.files();
+    assert_eq!(rendered(&words), 0);
+    assert!(before == sandbox.files());
+    fs::remove_file(sandbox.path("frames/00002.png")).unwrap();
+    assert_eq!(rendered(&words), 1);
+    assert!(before == sandbox.files());
+    // another way, and fewer frames
+    assert_eq!(rendered(&words.replace("4", "3")), 3);
+    assert!(!sandbox.path("frames/00003.png").exists());
+}
+
+/// What is not the program's stays as it is.
+#[test]
+fn no_file_of_the_users_is_lost() {
+    let sandbox = Sandbox::new("tiny");
+    fs::create_dir(sandbox.path("frames")).unwrap();
+    fs::write(sandbox.path("frames/00001.png"), "mine").unwrap();
+    let words = format!("{FILM} -o frames --frames 2");
+    sandbox.assert_refuses(&words, &["00001.png is not a frame that the program wrote"]);
+    fs::remove_file(sandbox.path("frames/00001.png")).unwrap();
+    sandbox.run(&words).assert_ok();
+    fs::write(sandbox.path("frames/00001.png"), "painted over").unwrap();
+    sandbox.assert_refuses(&words, &["00001.png", "was changed since"]);
+}
+
+#[test]
+fn what_makes_no_film_is_refused_at_once() {
+    let sandbox = Sandbox::new("tiny");
+    let scene = "film scene.safetensors --backend cpu";
+    for (words, facts) in [
+        (format!("{FILM} -o film.avi"), ["film.avi", ".mp4"]),
+        (format!("{FILM} -o out --orbit --between"), ["--orbit", "--between"]),
+        (format!("{FILM} -o out --views 1"), ["needs two", "--orbit"]),
+        (format!("{FILM} -o out --views 7"), ["no view 7", "0 to 1"]),
+        (format!("{FILM} -o out --frames 0"), ["--frames", "1..=99999"]),
+        (format!("{FILM} -o out --size 0x7"), ["--size", "1280x720"]),
+        (format!("{FILM} -o out --distance 3"), ["--orbit", ""]),
+        (format!("{FILM} -o out --depth-range 1,2"), ["--channel", ""]),
+        (format!("{FILM} -o out --channel alpha --depth-range 1,2"), ["--channel depth", ""]),
+        (format!("{FILM} -o out --channel depth --depth-range 2,1"), ["nearer first", ""]),
+        (format!("{FILM} -o film.mp4 --size 33x32"), ["even width", "33x32"]),
+        (format!("{FILM} -o cameras.json/film.png"), ["cameras.json is a file", ""]),
+        (format!("{scene} -o out --between"), ["does not say what it was trained on", "CAMERAS"]),
+        (format!("{scene} -o out --orbit --up 0,0,0"), ["axis", "[0.0, 0.0, 0.0]"]),
+        (format!("{scene} -o out --orbit --elevation 90"), ["--elevation", "-89 to 89"]),
+        (format!("{FILM} -o out --size 65536x65536"), ["65536", "memory"]),
+    ] {
+        sandbox.assert_refuses(&words, &facts);
+    }
+}
+
+/// A stand-in for ffmpeg: the tests do not need it installed, and it fails when told to.
+#[cfg(unix)]
+mod mp4 {
+    use std::os::unix::fs::PermissionsExt;
+    use std::path::PathBuf;
+
+    use super::*;
+
+    /// The file is what came in; the arguments are beside the program.
+    const FFMPEG: &str = r#"#!/bin/sh
+[ "$1" = -version ] && exit 0
+[ -e "${0%/*}/broken" ] && { echo "no space on the moon" >&2; exit 3; }
+echo "$@" > "${0%/*}/arguments"
+for last; do :; done
+cat > "$last"
+"#;
+
+    fn ffmpeg(sandbox: &Sandbox) -> PathBuf {
+        let bin = sandbox.path("bin");
+        fs::create_dir(&bin).unwrap();
+        fs::write(bin.join("ffmpeg"), FFMPEG).unwrap();
+        fs::set_permissions(bin.join("ffmpeg"), fs::Permissions::from_mode(0o755)).unwrap();
+        bin
+    }
+
+    fn run(sandbox: &Sandbox, words: &str, path: &str) -> Outcome {
+        sandbox.command(words).env("PATH", path).output().unwrap().into()
+    }
+
+    #[test]
+    fn ffmpeg_gets_every_frame_and_a_failure_loses_nothing() {
+        let sandbox = Sandbox::new("tiny");
+        let bin = ffmpeg(&sandbox);
+        let path = format!("{}:/usr/bin:/bin", bin.display());
+        let words = format!("{FILM} -o film.mp4 --frames 3 --fps 24");
+        fs::write(sandbox.path("film.mp4"), "an older film").unwrap();
+
+        fs::write(bin.join("broken"), "").unwrap();
+        let outcome = run(&sandbox, &words, &path);
+        outcome.assert_refused(&["ffmpeg ended with", "3", "no space on the moon"]);
+        assert!(outcome.stderr.contains("the frames are kept in film.mp4.frames"), "{outcome:?}");
+        assert_eq!(fs::read(sandbox.path("film.mp4")).unwrap(), b"an older film");
+        let frames: Vec<u8> = (0..3)
+            .flat_map(|frame| {
+                fs::read(sandbox.path(&format!("film.mp4.frames/{frame:05}.png"))).unwrap()
+            })
+            .collect();
+
+        fs::remove_file(bin.join("broken")).unwrap();
+        let made = json(run(&sandbox, &format!("{words} --json"), &path));
+        assert_eq!(made["rendered"], 0);
+        assert!(fs::read(sandbox.path("film.mp4")).unwrap() == frames);
+        let arguments = fs::read_to_string(bin.join("arguments")).unwrap();
+        assert!(
+            arguments.contains("-framerate 24") && arguments.contains("libx264"),
+            "{arguments}"
+        );
+        let left: Vec<_> =
+            sandbox.files().into_keys().filter(|path| !path.starts_with(&bin)).collect();
+        assert_eq!(left.len(), 4, "{left:?}");
+    }
+
+    #[test]
+    fn without_ffmpeg_nothing_is_rendered() {
+        let sandbox = Sandbox::new("tiny");
+        let before = sandbox.files();
+        let outcome = run(&sandbox, &format!("{FILM} -o film.mp4"), "/nowhere");
+        outcome.assert_refused(&["ffmpeg, which is not installed", "-o film.png"]);
+        assert!(before == sandbox.files());
+    }
+}
+
+#[cfg(target_os = "linux")]
+mod signals {
+    use std::thread;
+    use std::time::{Duration, Instant};
+
+    use super::*;
+    use crate::train::processes::{signal, start, wait_for_end};
+
+    /// Terminated, then killed, then left alone: the film is that of a call that nothing has stopped.
+    #[test]
+    fn a_film_that_was_stopped_or_killed_goes_on() {
+        let sandbox = Sandbox::new("tiny");
+        let words = format!("{FILM} --frames 100 --size 48x40");
+        sandbox.run(&format!("{words} -o whole.png")).assert_ok();
+        let stopped = format!("{words} -o film.png");
+        for (name, frame) in [("TERM", 0), ("KILL", 12)] {
+            let mut child = start(&sandbox, &stopped);
+            let begin = Instant::now();
+            let file = sandbox.path(&format!("film.png.frames/{frame:05}.png"));
+            while !file.exists() {
+                assert!(begin.elapsed() < Duration::from_secs(60), "no frame");
+                thread::sleep(Duration::from_millis(1));
+            }
+            signal(&child, name);
+            wait_for_end(&mut child);
+            let outcome = child.wait_with_output().unwrap();
+            assert!(!sandbox.path("film.png").exists(), "too quick to be stopped");
+            if name == "TERM" {
+                let said =
+                    ["stopped after", "of 100", "film.png.frames", "the same command continues"];
+                Outcome::from(outcome).assert_refused(&said);
+            }
+        }
+        let made = json(sandbox.run(&format!("{stopped} --json")));
+        assert!((1..100).contains(&made["rendered"].as_u64().unwrap()), "{made}");
+        let read = |name: &str| fs::read(sandbox.path(name)).unwrap();
+        assert!(read("whole.png") == read("film.png"));
+        assert!(!sandbox.path("film.png.frames").exists());
+    }
+}

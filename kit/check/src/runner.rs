@@ -104,6 +104,22 @@ impl<'d> KernelRunner<'d> {
         Ok(values)
     }
 
+    /// What an output holds, without the canaries behind it. The kernel must have written all of it.
+    ///
+    /// # Errors
+    /// As [`KernelRunner::read`], or if an element still holds its canary.
+    pub fn read_all<T: Canary>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
+        let mut values = self.read(buffer)?;
+        values.truncate(values.len() - TAIL);
+        match values.iter().position(|value| *value == T::CANARY) {
+            Some(index) => {
+                let reason = format!("it has not written element {index} of its output");
+                Err(Error::Kernel { kernel: self.kernel.into(), reason })
+            }
+            None => Ok(values),
+        }
+    }
+
     /// Runs the kernel with at least `items` invocations, and always with a workgroup: an empty input must be
     /// left by the kernel's own test.
     ///

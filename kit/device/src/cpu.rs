@@ -260,6 +260,7 @@ fn bind(
     uniform: &[u8],
     buffers: &[&RawBuffer],
 ) -> Result<Vec<CpuBinding<'static>>, String> {
+    refuse_swapped(info, buffers)?;
     let mut buffers = buffers.iter();
     let mut bindings = Vec::with_capacity(info.bindings.len());
     let mut memories = Vec::with_capacity(info.bindings.len());
@@ -293,6 +294,24 @@ fn bind(
         }
     }
     Ok(bindings)
+}
+
+/// Fails where two buffers are bound the wrong way round, which their labels show: each is called as the other's binding.
+fn refuse_swapped(info: &KernelInfo, buffers: &[&RawBuffer]) -> Result<(), String> {
+    let bindings = || info.bindings.iter().filter(|info| info.access != Access::Uniform);
+    for (at, (info, buffer)) in bindings().zip(buffers).enumerate() {
+        for (other, other_buffer) in bindings().zip(buffers).take(at) {
+            let are_swapped = buffer.label == other.name && other_buffer.label == info.name;
+            // what one pass writes, the next one reads: there they take turns
+            if are_swapped && info.access == other.access {
+                let (first, second) = (other.name, info.name);
+                return Err(format!(
+                    "`{first}` is the buffer `{second}`, and `{second}` is the buffer `{first}`: they are swapped"
+                ));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// A monitor for every binding that is written, or that may hold what nothing has written.

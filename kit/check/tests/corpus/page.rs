@@ -12,10 +12,12 @@ use crate::bug::{Bench, Bug, Found};
 enum Check {
     /// By every CPU run.
     Always,
-    /// By every CPU run of a debug build: Rust checks integers, and the kit counts iterations.
+    /// By every CPU run of a debug build: Rust checks integers.
     Debug,
     /// By a device for tests.
     Tests,
+    /// By the canaries in an output and behind it.
+    Canaries,
     /// By its values.
     Values,
     /// By nothing.
@@ -23,13 +25,15 @@ enum Check {
 }
 
 impl Check {
-    const ALL: [Self; 5] = [Self::Always, Self::Debug, Self::Tests, Self::Values, Self::Nothing];
+    const ALL: [Self; 6] =
+        [Self::Always, Self::Debug, Self::Tests, Self::Canaries, Self::Values, Self::Nothing];
 
     const fn name(self) -> &'static str {
         match self {
             Self::Always => "always",
             Self::Debug => "debug builds",
             Self::Tests => "`check_races`",
+            Self::Canaries => "canaries",
             Self::Values => "values",
             Self::Nothing => "**not found**",
         }
@@ -49,14 +53,14 @@ struct Finding {
 fn find(bug: &'static Bug) -> Finding {
     let plain = (bug.test)(&Bench::plain()).err();
     let checked = (bug.test)(&Bench::checked()).err();
+    let is_of_canaries = |text: &str| text.ends_with("its output");
     let (check, text) = match (plain, checked) {
-        (Some(Found::Message(text)), _)
-            if text.contains(": attempt to ") || text.contains("take more iterations") =>
-        {
-            (Check::Debug, text)
+        (Some(Found::Message(text)), _) if text.contains(": attempt to ") => (Check::Debug, text),
+        (Some(Found::Message(text)), _) if !is_of_canaries(&text) => (Check::Always, text),
+        (_, Some(Found::Message(text))) if !is_of_canaries(&text) => (Check::Tests, text),
+        (Some(Found::Message(text)), _) | (_, Some(Found::Message(text))) => {
+            (Check::Canaries, text)
         }
-        (Some(Found::Message(text)), _) => (Check::Always, text),
-        (_, Some(Found::Message(text))) => (Check::Tests, text),
         (Some(Found::Value(text)), _) | (_, Some(Found::Value(text))) => (Check::Values, text),
         (None, None) => (Check::Nothing, String::new()),
     };

@@ -171,7 +171,7 @@ impl Cpu {
             false => Vec::new(),
         };
         for (binding, monitor) in bindings.iter_mut().zip(&monitors) {
-            binding.monitor = monitor.as_deref();
+            binding.monitor = monitor.as_ref().map(Monitor::as_dyn);
         }
         let point = self.entry_point(info);
         let [x, y, z] = workgroups.map(u64::from);
@@ -220,13 +220,15 @@ impl Cpu {
             run_some(first..(first + at_once).min(x * y * z))
         };
         if SINGLE_THREAD.get() > 0 {
-            return (0..all as usize).try_for_each(some).map_err(failed);
+            let result = (0..all as usize).try_for_each(some);
+            return result.and_then(|()| refuse_nan(info, &bindings, &monitors)).map_err(failed);
         }
         let run_all = || match info.z_serial {
             true => (0..all as usize).into_par_iter().with_max_len(1).try_for_each(some),
             false => (0..all as usize).into_par_iter().try_for_each(some),
         };
-        self.pool.install(run_all).map_err(failed)
+        let result = self.pool.install(run_all);
+        result.and_then(|()| refuse_nan(info, &bindings, &monitors)).map_err(failed)
     }
 
     /// Runs `work` for every item, on all threads at once. The dispatches of an item run on its thread.
@@ -314,13 +316,45 @@ fn refuse_swapped(info: &KernelInfo, buffers: &[&RawBuffer]) -> Result<(), Strin
     Ok(())
 }
 
+/// Sees the accesses to a binding.
+enum Monitor<'a> {
+    Written(Races<'a>),
+    Read(Reads<'a>),
+}
+
+impl Monitor<'_> {
+    fn as_dyn(&self) -> &dyn AccessMonitor {
+        match self {
+            Self::Written(races) => races,
+            Self::Read(reads) => reads,
+        }
+    }
+}
+
+/// Fails where a kernel has written NaN, on a device that watches what it writes.
+fn refuse_nan(
+    info: &KernelInfo,
+    bindings: &[CpuBinding<'_>],
+    monitors: &[Option<Monitor<'_>>],
+) -> Result<(), String> {
+    for ((info, binding), monitor) in info.bindings.iter().zip(bindings).zip(monitors) {
+        let Some(Monitor::Written(races)) = monitor else { continue };
+        // SAFETY: the buffer's bytes; the dispatch is over, so nothing writes them
+        let data = unsafe { std::slice::from_raw_parts(binding.data, binding.bytes) };
+        if let Some(fault) = races.nan(info, data) {
+            return Err(fault);
+        }
+    }
+    Ok(())
+}
+
 /// A monitor for every binding that is written, or that may hold what nothing has written.
 fn monitors<'a>(
     info: &KernelInfo,
     bindings: &[CpuBinding<'_>],
     buffers: &[&'a RawBuffer],
     workgroups: [u32; 3],
-) -> Vec<Option<Box<dyn AccessMonitor + 'a>>> {
+) -> Vec<Option<Monitor<'a>>> {
     let invocations = UVec3::from(workgroups) * UVec3::from(info.workgroup_size);
     let layers = info.z_serial;
     let mut buffers = buffers.iter();
@@ -333,11 +367,12 @@ fn monitors<'a>(
             Memory::Cpu(memory) => (memory.written(), buffer.begin as usize),
             Memory::Gpu(_) => (None, 0),
         };
-        let monitor: Box<dyn AccessMonitor> = match info.access {
+        let monitor = match info.access {
             Access::Write => {
-                Box::new(Races::new(info, binding.bytes, invocations, layers, written, begin))
+                let bytes = binding.bytes;
+                Monitor::Written(Races::new(info, bytes, invocations, layers, written, begin))
             }
-            _ => Box::new(Reads::new(info, written?, begin)),
+            _ => Monitor::Read(Reads::new(info, written?, begin)),
         };
         Some(monitor)
     };

@@ -59,9 +59,9 @@ pub struct DeviceOptions {
     pub threads: Option<usize>,
     /// Part of the name of the GPU to take, in any case.
     pub adapter: Option<String>,
-    /// On the CPU, whether to fail where two invocations of a dispatch get in each other's way in a storage buffer, and where a
-    /// kernel reads what [nothing has written](Device::unwritten). For tests of kernels: slow, and 16 bytes for every element
-    /// that a kernel may write.
+    /// On the CPU, whether to fail where two invocations of a dispatch get in each other's way in a storage buffer, where a
+    /// kernel reads what [nothing has written](Device::unwritten), and where it writes NaN. For tests of kernels: slow, and 24
+    /// bytes for every element that a kernel may write.
     pub check_races: bool,
     /// Whether [`Device::run`] and [`Device::run_over`] start one workgroup more than needed, along x and, for a size, along
     /// y. For tests of kernels: their invocations must do nothing.

@@ -75,25 +75,35 @@ pub struct Races<'a> {
     written: Option<Elements<'a>>,
 }
 
-/// Who wrote an element last, and one who read it.
+/// Who has touched an element in this dispatch, each in its own way: nobody, or the first one, with marks. What an
+/// invocation does in one way does not hide what others did in another.
 #[derive(Default)]
 struct Touched {
     writer: AtomicU64,
+    atomic: AtomicU64,
     reader: AtomicU64,
 }
 
-/// Marks a writer that did so atomically: atomics do not disturb each other.
-const ATOMIC: u64 = 1 << 63;
+/// Marks what several invocations did.
+const SEVERAL: u64 = 1 << 63;
 
-/// With `ATOMIC`, marks a writer that does not disturb others of the same z.
+/// Marks atomics that do not disturb others of the same z.
 const SERIAL: u64 = 1 << 62;
 
-/// Stands for several readers.
-const MANY: u64 = SERIAL - 1;
-
-/// Who left a mark.
+/// Who left a mark, or left it first.
 const fn who(mark: u64) -> u64 {
-    mark & !(ATOMIC | SERIAL)
+    mark & !(SEVERAL | SERIAL)
+}
+
+/// Leaves a mark; returns what was there.
+fn leave(slot: &AtomicU64, own: u64) -> u64 {
+    let merge = |before: u64| match before {
+        0 => own,
+        _ if who(before) == who(own) => before & (own | !SERIAL),
+        _ => before & (own | !SERIAL) | SEVERAL,
+    };
+    // the closure always gives a value
+    slot.fetch_update(Ordering::SeqCst, Ordering::SeqCst, |before| Some(merge(before))).unwrap_or(0)
 }
 
 impl<'a> Races<'a> {
@@ -116,21 +126,43 @@ impl<'a> Races<'a> {
         self.written.as_ref().is_none_or(|written| written.has(index))
     }
 
-    /// Whether two writers' marks let each other be: both change an element atomically, on the CPU too.
+    /// Whether two atomics let each other be, on the CPU too.
     fn agree(&self, own: u64, other: u64) -> bool {
         let layer = |mark| unlinear(who(mark) - 1, self.invocations).z;
-        let atomic = own & other & ATOMIC != 0;
-        atomic && ((own | other) & SERIAL == 0 || self.layers && layer(own) == layer(other))
+        (own | other) & SERIAL == 0
+            || own & other & SERIAL != 0 && self.layers && layer(own) == layer(other)
     }
 
-    fn conflict(&self, name: &str, index: u32, does: &str, mark: u64, did: &str) -> String {
-        let who = match who(mark) {
-            MANY => "other invocations have".to_owned(),
-            who => {
-                format!("invocation {} of the dispatch has", unlinear(who - 1, self.invocations))
+    fn conflict(&self, element: &str, does: &str, other: Option<u64>, did: &str) -> String {
+        let who = match other {
+            None => "other invocations have".to_owned(),
+            Some(mark) => {
+                let invocation = unlinear(who(mark) - 1, self.invocations);
+                format!("invocation {invocation} of the dispatch has")
             }
         };
-        format!("{does} element {index} of `{name}`, which {who} {did} in the same dispatch")
+        format!("{does} {element}, which {who} {did} in the same dispatch")
+    }
+
+    /// What is wrong if the kernel has written a number that is none; `data` is the binding's.
+    pub fn nan(&self, info: &BindingInfo, data: &[u8]) -> Option<String> {
+        let element = info.element.rsplit("::").next().unwrap_or_default().trim();
+        if !["f32", "Vec2", "Vec3", "Vec4"].contains(&element) {
+            return None;
+        }
+        let is_nan = |bytes: &[u8]| {
+            let (numbers, _) = bytes.as_chunks::<4>();
+            numbers.iter().any(|number| f32::from_ne_bytes(*number).is_nan())
+        };
+        let elements = data.chunks_exact(info.element_bytes as usize).zip(&self.elements);
+        let (index, writer) = elements.enumerate().find_map(|(index, (bytes, touched))| {
+            let writer = touched.writer.load(Ordering::SeqCst);
+            (writer != 0 && is_nan(bytes)).then_some((index, writer))
+        })?;
+        let (name, invocation) = (info.name, unlinear(who(writer) - 1, self.invocations));
+        Some(format!(
+            "writes NaN to element {index} of `{name}`, in invocation {invocation} of the dispatch"
+        ))
     }
 }
 
@@ -144,42 +176,34 @@ impl AccessMonitor for Races<'_> {
         _: &'static Location<'static>,
     ) -> Result<(), String> {
         let Some(place) = running::current() else { return Ok(()) };
-        let element = &self.elements[index as usize];
+        let touched = &self.elements[index as usize];
         let own = 1 + linear(place.id.global(), self.invocations);
-        let is_other = |mark: u64| mark != 0 && who(mark) != own;
-        if touch == Touch::Read {
-            let before =
-                element.reader.compare_exchange(0, own, Ordering::SeqCst, Ordering::SeqCst);
-            if before.is_err_and(is_other) {
-                element.reader.store(MANY, Ordering::SeqCst);
-            }
-            let writer = element.writer.load(Ordering::SeqCst);
-            return match is_other(writer) {
-                true => Err(self.conflict(name, index, "reads", writer, "written")),
-                // no other invocation has written it, or wants to
-                false => match self.is_written(index) {
-                    true => Ok(()),
-                    false => Err(unwritten("reads", index, name)),
-                },
-            };
-        }
-        let (does, mark) = match touch {
-            Touch::Serial => ("adds, for its z alone, to", own | ATOMIC | SERIAL),
-            Touch::Atomic | Touch::Store => ("atomically changes", own | ATOMIC),
-            Touch::Read | Touch::Write => ("writes", own),
+        let (does, slot, mark) = match touch {
+            Touch::Read => ("reads", &touched.reader, own),
+            Touch::Write => ("writes", &touched.writer, own),
+            Touch::Atomic | Touch::Store => ("atomically changes", &touched.atomic, own),
+            Touch::Serial => ("adds, for its z alone, to", &touched.atomic, own | SERIAL),
         };
-        if matches!(touch, Touch::Atomic | Touch::Serial) && !self.is_written(index) {
+        let before = leave(slot, mark);
+        let is_atomic = !matches!(touch, Touch::Read | Touch::Write);
+        let others = [
+            (&touched.writer, "written", true),
+            (&touched.atomic, "atomically changed", !is_atomic || !self.agree(mark, before.max(1))),
+            (&touched.reader, "read", touch != Touch::Read),
+        ];
+        for (slot, did, disturbs) in others {
+            let found = slot.load(Ordering::SeqCst);
+            let is_first = who(found) == own;
+            if disturbs && found != 0 && (!is_first || found & SEVERAL != 0) {
+                let element = format!("element {index} of `{name}`");
+                let other = (!is_first).then_some(found);
+                return Err(self.conflict(&element, does, other, did));
+            }
+        }
+        if !matches!(touch, Touch::Write | Touch::Store) && !self.is_written(index) {
             return Err(unwritten(does, index, name));
         }
-        let writer = element.writer.swap(mark, Ordering::SeqCst);
-        if is_other(writer) && !self.agree(mark, writer) {
-            return Err(self.conflict(name, index, does, writer, "written"));
-        }
-        let reader = element.reader.load(Ordering::SeqCst);
-        if is_other(reader) {
-            return Err(self.conflict(name, index, does, reader, "read"));
-        }
-        if let Some(written) = &self.written {
+        if let Some(written) = self.written.as_ref().filter(|_| touch != Touch::Read) {
             written.set(index);
         }
         Ok(())

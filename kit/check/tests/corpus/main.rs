@@ -51,6 +51,7 @@ corpus! {
         column_is_not_the_index
         row_without_its_padding
         shared_is_not_global
+        counts_read_too_soon
     }
     storage_races {
         two_write_one
@@ -118,6 +119,7 @@ corpus! {
         inner_loop_forgotten
         depends_on_data
         one_iteration_too_many
+        never_ends
     }
     bindings {
         swapped_inputs

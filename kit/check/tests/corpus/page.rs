@@ -12,7 +12,7 @@ use crate::bug::{Bench, Bug, Found};
 enum Check {
     /// By every CPU run.
     Always,
-    /// By every CPU run of a debug build: Rust checks integers.
+    /// By every CPU run of a debug build: Rust checks integers, and loops are counted.
     Debug,
     /// By a device for tests.
     Tests,
@@ -32,7 +32,7 @@ impl Check {
         match self {
             Self::Always => "always",
             Self::Debug => "debug builds",
-            Self::Tests => "`check_races`",
+            Self::Tests => "checked device",
             Self::Canaries => "canaries",
             Self::Values => "values",
             Self::Nothing => "**not found**",
@@ -53,9 +53,12 @@ struct Finding {
 fn find(bug: &'static Bug) -> Finding {
     let plain = (bug.test)(&Bench::plain()).err();
     let checked = (bug.test)(&Bench::checked()).err();
+    let is_of_debug_builds = |text: &str| {
+        [": attempt to ", " more iterations than "].iter().any(|part| text.contains(part))
+    };
     let is_of_canaries = |text: &str| text.ends_with("its output");
     let (check, text) = match (plain, checked) {
-        (Some(Found::Message(text)), _) if text.contains(": attempt to ") => (Check::Debug, text),
+        (Some(Found::Message(text)), _) if is_of_debug_builds(&text) => (Check::Debug, text),
         (Some(Found::Message(text)), _) if !is_of_canaries(&text) => (Check::Always, text),
         (_, Some(Found::Message(text))) if !is_of_canaries(&text) => (Check::Tests, text),
         (Some(Found::Message(text)), _) | (_, Some(Found::Message(text))) => {
@@ -100,8 +103,9 @@ fn what_is_wrong(bug: &Bug) -> &'static str {
 
 /// The lines that are marked as wrong.
 fn marked(bug: &Bug) -> Vec<usize> {
-    let lines = bug.source.lines().enumerate();
-    lines.filter(|(_, line)| line.ends_with("//~")).map(|(index, _)| index + 1).collect()
+    let lines = (1..).zip(bug.source.lines()).filter(|(_, line)| line.ends_with("//~"));
+    // on a line of its own, it marks the next one
+    lines.map(|(number, line)| number + usize::from(line.trim() == "//~")).collect()
 }
 
 /// The part of the page that the tests write.
@@ -183,5 +187,5 @@ fn the_page_is_what_is_found() {
         );
     }
     let found = findings.iter().filter(|finding| finding.check != Check::Nothing).count();
-    assert!(found * 100 >= findings.len() * 94, "{found} of {} are found", findings.len());
+    assert!(found * 100 >= findings.len() * 95, "{found} of {} are found", findings.len());
 }

@@ -5,7 +5,8 @@ use crate::bug::*;
 #[kernel(threads(64), iterations = 16)]
 pub fn depends_on_data(id: Invocation, next: Read<u32>, output: Write<u32>) {
     let (mut at, mut steps) = (id.index(), 0);
-    while at != 0 { //~
+    //~
+    while at != 0 {
         at = next.read(at);
         steps += 1;
     }

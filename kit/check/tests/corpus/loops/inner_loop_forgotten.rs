@@ -7,7 +7,8 @@ pub fn inner_loop_forgotten(id: Invocation, input: Read<u32>, output: Write<u32>
     let (mut sum, mut row) = (0, 0);
     while row < 8 {
         let mut column = 0;
-        while column < 8 { //~
+        //~
+        while column < 8 {
             sum += input.read(8 * row + column);
             column += 1;
         }

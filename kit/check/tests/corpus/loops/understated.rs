@@ -5,7 +5,8 @@ use crate::bug::*;
 #[kernel(threads(64), iterations = 8)]
 pub fn understated(id: Invocation, input: Read<u32>, output: Write<u32>) {
     let (mut sum, mut i) = (0, 0);
-    while i < 16 { //~
+    //~
+    while i < 16 {
         sum += input.read(16 * id.index() + i);
         i += 1;
     }

@@ -22,6 +22,7 @@ pub fn end_of_the_last_tile(
             i += 1;
         }
         id.barrier();
+        tile.begin_round();
         first += 64;
     }
     output.write(id.index(), sum);

@@ -217,7 +217,7 @@ fn memory_that_nobody_has_written_is_not_read() {
         let message = failure(&device, &kernel, 64);
         assert_contains(
             &message,
-            &[" of `input`, which nothing has written", &line("input.read(id.index())")],
+            &[" of `input`, which nothing has written", &line("+ input.read(id.index())")],
         );
     }
     // elsewhere it is full of zeros

@@ -30,6 +30,12 @@ def small(**more):
     return organza.TrainConfig("built-in", settings=SMALL | more)
 
 
+@pytest.fixture(scope="module")
+def dataset(renderer):
+    """That of the settings: rendering it takes longer than the steps."""
+    return organza.Dataset.built_in(renderer, views=4, side=32, hold_out_every=2)
+
+
 def tensors_of(path):
     scene = organza.Scene.load(path)
     return {name: np.array(values) for name, values in scene.tensors().items()}
@@ -48,9 +54,9 @@ def program():
     return named
 
 
-def test_a_run_is_iterated_over(renderer, tmp_path):
+def test_a_run_is_iterated_over(renderer, dataset, tmp_path):
     seen = []
-    run = organza.train(config=small(), output=tmp_path / "run", renderer=renderer, on_evaluation=seen.append)
+    run = organza.train(dataset, small(), output=tmp_path / "run", renderer=renderer, on_evaluation=seen.append)
     steps = []
     for step in run:
         steps.append(step)
@@ -64,7 +70,7 @@ def test_a_run_is_iterated_over(renderer, tmp_path):
     for name in ("config.toml", "metrics.jsonl", "checkpoint.safetensors", "report.html", "evaluations.csv"):
         assert (tmp_path / "run" / name).exists(), name
     with pytest.raises(ValueError, match="already holds a run"):
-        organza.train(config=small(), output=tmp_path / "run", renderer=renderer)
+        organza.train(dataset, small(), output=tmp_path / "run", renderer=renderer)
 
 
 def test_a_run_has_the_bits_of_the_program(renderer, tmp_path):
@@ -81,10 +87,10 @@ def test_a_run_has_the_bits_of_the_program(renderer, tmp_path):
     subprocess.run(command, check=True, capture_output=True)
 
 
-def test_a_run_that_is_left_is_saved_and_resumed_to_the_same_bits(renderer, tmp_path):
-    whole = organza.train(config=small(), output=tmp_path / "whole", renderer=renderer).run()
+def test_a_run_that_is_left_is_saved_and_resumed_to_the_same_bits(renderer, dataset, tmp_path):
+    whole = organza.train(dataset, small(), output=tmp_path / "whole", renderer=renderer).run()
     assert whole.outcome == "finished"
-    for step in organza.train(config=small(), output=tmp_path / "left", renderer=renderer):
+    for step in organza.train(dataset, small(), output=tmp_path / "left", renderer=renderer):
         if step.step == 3:
             break
     with pytest.raises(ValueError, match="inside the loop"):
@@ -95,8 +101,7 @@ def test_a_run_that_is_left_is_saved_and_resumed_to_the_same_bits(renderer, tmp_
     assert_same(found, expected)
 
 
-def test_a_data_set_is_shared_by_runs_without_folders(renderer):
-    dataset = organza.Dataset.built_in(renderer, views=4, side=32, hold_out_every=2)
+def test_a_data_set_is_shared_by_runs_without_folders(renderer, dataset):
     assert len(dataset) == 4 and dataset.train == [1, 3] and dataset.held_out == [0, 2]
     assert dataset.image(0).shape == (32, 32, 3) and 0 < dataset.image(0).max() <= 1.0
     finals = []
@@ -109,14 +114,14 @@ def test_a_data_set_is_shared_by_runs_without_folders(renderer):
     assert_same(*finals)
 
 
-def test_a_loss_of_torch_trains(renderer, tmp_path):
+def test_a_loss_of_torch_trains(renderer, dataset, tmp_path):
     torch = pytest.importorskip("torch", reason="torch is not installed: pip install torch")
 
     def squares(rendered, target, valid):
         assert rendered.shape == target.shape == (2, 3, 16, 16) and valid.shape == (2, 1, 16, 16)
         return ((rendered - target) * valid).square().mean()
 
-    steps = list(organza.train(config=small(), loss=squares, renderer=renderer))
+    steps = list(organza.train(dataset, small(), loss=squares, renderer=renderer))
     # the loss is the mean of squares, of which the PSNR is the logarithm
     for step in steps:
         assert step.loss == pytest.approx(10 ** (-step.psnr / 10), rel=0.05)
@@ -125,9 +130,9 @@ def test_a_loss_of_torch_trains(renderer, tmp_path):
         raise ZeroDivisionError("the loss's own")
 
     with pytest.raises(ZeroDivisionError, match="the loss's own"):
-        organza.train(config=small(), output=tmp_path / "run", loss=broken, renderer=renderer).run()
+        organza.train(dataset, small(), output=tmp_path / "run", loss=broken, renderer=renderer).run()
     with pytest.raises(ValueError, match="one value"):
-        organza.train(config=small(), loss=lambda y, t, v: y, renderer=renderer).run()
+        organza.train(dataset, small(), loss=lambda y, t, v: y, renderer=renderer).run()
     assert torch.is_grad_enabled()
 
 

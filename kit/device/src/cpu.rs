@@ -50,6 +50,7 @@ const AT_ONCE: u64 = 8;
 pub struct Cpu {
     pool: rayon::ThreadPool,
     check_races: bool,
+    check_nan: bool,
     /// Whether kernels run as their variants.
     variants: bool,
     instruction_set: InstructionSet,
@@ -58,7 +59,7 @@ pub struct Cpu {
 
 impl Cpu {
     pub fn new(options: &DeviceOptions) -> Result<Self> {
-        let DeviceOptions { threads, check_races, instruction_set, .. } = *options;
+        let DeviceOptions { threads, check_races, check_nan, instruction_set, .. } = *options;
         // a monitor sees one invocation at a time
         let best = if check_races { InstructionSet::Scalar } else { InstructionSet::best() };
         let instruction_set = instruction_set.unwrap_or(best);
@@ -76,7 +77,7 @@ impl Cpu {
             })?;
         let variants = check_races && options.variants == Some(true);
         let pool_memory = MemoryPool::default();
-        Ok(Self { pool, check_races, variants, instruction_set, pool_memory })
+        Ok(Self { pool, check_races, check_nan, variants, instruction_set, pool_memory })
     }
 
     /// The entry point of a kernel that stands for what runs: its variant only where a test asks for it.
@@ -221,14 +222,35 @@ impl Cpu {
         };
         if SINGLE_THREAD.get() > 0 {
             let result = (0..all as usize).try_for_each(some);
-            return result.and_then(|()| refuse_nan(info, &bindings, &monitors)).map_err(failed);
+            return result
+                .and_then(|()| self.refuse_nan(info, &bindings, &monitors))
+                .map_err(failed);
         }
         let run_all = || match info.z_serial {
             true => (0..all as usize).into_par_iter().with_max_len(1).try_for_each(some),
             false => (0..all as usize).into_par_iter().try_for_each(some),
         };
         let result = self.pool.install(run_all);
-        result.and_then(|()| refuse_nan(info, &bindings, &monitors)).map_err(failed)
+        result.and_then(|()| self.refuse_nan(info, &bindings, &monitors)).map_err(failed)
+    }
+
+    /// Fails where a kernel has written NaN, on a device that looks for it.
+    fn refuse_nan(
+        &self,
+        info: &KernelInfo,
+        bindings: &[CpuBinding<'_>],
+        monitors: &[Option<Monitor<'_>>],
+    ) -> Result<(), String> {
+        let bindings = info.bindings.iter().zip(bindings).zip(monitors);
+        for ((info, binding), monitor) in bindings.filter(|_| self.check_nan) {
+            let Some(Monitor::Written(races)) = monitor else { continue };
+            // SAFETY: the buffer's bytes; the dispatch is over, so nothing writes them
+            let data = unsafe { std::slice::from_raw_parts(binding.data, binding.bytes) };
+            if let Some(fault) = races.nan(info, data) {
+                return Err(fault);
+            }
+        }
+        Ok(())
     }
 
     /// Runs `work` for every item, on all threads at once. The dispatches of an item run on its thread.
@@ -329,23 +351,6 @@ impl Monitor<'_> {
             Self::Read(reads) => reads,
         }
     }
-}
-
-/// Fails where a kernel has written NaN, on a device that watches what it writes.
-fn refuse_nan(
-    info: &KernelInfo,
-    bindings: &[CpuBinding<'_>],
-    monitors: &[Option<Monitor<'_>>],
-) -> Result<(), String> {
-    for ((info, binding), monitor) in info.bindings.iter().zip(bindings).zip(monitors) {
-        let Some(Monitor::Written(races)) = monitor else { continue };
-        // SAFETY: the buffer's bytes; the dispatch is over, so nothing writes them
-        let data = unsafe { std::slice::from_raw_parts(binding.data, binding.bytes) };
-        if let Some(fault) = races.nan(info, data) {
-            return Err(fault);
-        }
-    }
-    Ok(())
 }
 
 /// A monitor for every binding that is written, or that may hold what nothing has written.

@@ -60,9 +60,12 @@ pub struct DeviceOptions {
     /// Part of the name of the GPU to take, in any case.
     pub adapter: Option<String>,
     /// On the CPU, whether to fail where two invocations of a dispatch get in each other's way in a storage buffer, where a
-    /// kernel reads what [nothing has written](Device::unwritten), and where it writes NaN. For tests of kernels: slow, and 24
+    /// kernel reads what [nothing has written](Device::unwritten). For tests of kernels: slow, and 24
     /// bytes for every element that a kernel may write.
     pub check_races: bool,
+    /// With [`check_races`](Self::check_races), whether to fail where a kernel writes NaN to `f32` or vectors of them. For
+    /// kernels that never do, also not to elements that nobody reads.
+    pub check_nan: bool,
     /// Whether [`Device::run`] and [`Device::run_over`] start one workgroup more than needed, along x and, for a size, along
     /// y. For tests of kernels: their invocations must do nothing.
     pub extra_workgroup: bool,
@@ -126,6 +129,13 @@ impl DeviceOptions {
     #[must_use]
     pub fn check_races(mut self, check: bool) -> Self {
         self.check_races = check;
+        self
+    }
+
+    /// Sets [`check_nan`](Self::check_nan).
+    #[must_use]
+    pub fn check_nan(mut self, check: bool) -> Self {
+        self.check_nan = check;
         self
     }
 

@@ -85,30 +85,8 @@ impl Camera {
     /// [`Error::WriteFile`]; [`Error::Invalid`] without cameras; [`Error::Camera`] for the first
     /// camera that is not valid.
     pub fn save_all(path: impl AsRef<Path>, cameras: &[Self]) -> Result<()> {
-        let Some(first) = cameras.first() else {
-            let reason = "there are no cameras to write".to_owned();
-            return Err(Error::Invalid { origin: IN_MEMORY.into(), reason });
-        };
-        for (frame, camera) in cameras.iter().enumerate() {
-            camera.validate(frame)?;
-        }
-        let shared = first.intrinsics();
-        let same = cameras.iter().all(|camera| camera.intrinsics() == shared);
-        let frame = |camera: &Self| {
-            let mut frame = if same { Map::new() } else { camera.intrinsics() };
-            if let Some(path) = &camera.file_path {
-                frame.insert("file_path".to_owned(), json!(path));
-            }
-            frame.insert("transform_matrix".to_owned(), json!(camera.camera_to_world));
-            Value::Object(frame)
-        };
-        let mut file = if same { shared.clone() } else { Map::new() };
-        file.insert("camera_model".to_owned(), json!("PINHOLE"));
-        file.insert("frames".to_owned(), cameras.iter().map(frame).collect());
-        write_atomic(path, |writer| {
-            serde_json::to_writer_pretty(&mut *writer, &file)?;
-            writer.write_all(b"\n")
-        })
+        let file = file_of(cameras)?;
+        write_atomic(path, |writer| writer.write_all(&file))
     }
 
     /// A camera at `eye` that looks at `target` and sees `angle_x` radians from left to right, with
@@ -270,6 +248,33 @@ impl Camera {
         ];
         values.into_iter().map(|(key, value)| (key.to_owned(), value)).collect()
     }
+}
+
+/// The bytes of a `transforms.json`: see [`Camera::save_all`].
+pub(crate) fn file_of(cameras: &[Camera]) -> Result<Vec<u8>> {
+    let invalid = |reason| Error::Invalid { origin: IN_MEMORY.into(), reason };
+    let Some(first) = cameras.first() else {
+        return Err(invalid("there are no cameras to write".to_owned()));
+    };
+    for (frame, camera) in cameras.iter().enumerate() {
+        camera.validate(frame)?;
+    }
+    let shared = first.intrinsics();
+    let same = cameras.iter().all(|camera| camera.intrinsics() == shared);
+    let frame = |camera: &Camera| {
+        let mut frame = if same { Map::new() } else { camera.intrinsics() };
+        if let Some(path) = &camera.file_path {
+            frame.insert("file_path".to_owned(), json!(path));
+        }
+        frame.insert("transform_matrix".to_owned(), json!(camera.camera_to_world));
+        Value::Object(frame)
+    };
+    let mut file = if same { shared.clone() } else { Map::new() };
+    file.insert("camera_model".to_owned(), json!("PINHOLE"));
+    file.insert("frames".to_owned(), cameras.iter().map(frame).collect());
+    let mut bytes = serde_json::to_vec_pretty(&file).map_err(|e| invalid(e.to_string()))?;
+    bytes.push(b'\n');
+    Ok(bytes)
 }
 
 pub(crate) fn camera_error(origin: &Path, frame: usize, reason: String) -> Error {

@@ -57,6 +57,8 @@ pub mod render;
 pub mod scene;
 pub mod tile;
 pub mod train;
+#[doc(hidden)]
+pub mod view;
 
 #[doc(hidden)]
 pub use atomic_file::{remove_leftovers, write_atomic};

@@ -3,6 +3,7 @@
 mod channels;
 mod edges;
 mod extremes;
+mod eye;
 mod failures;
 mod loss;
 mod properties;

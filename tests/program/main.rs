@@ -22,3 +22,4 @@ mod results;
 mod sandbox;
 mod stale;
 mod train;
+mod view;

@@ -204,7 +204,7 @@ fn rgb([r, g, b]: [f32; 3]) -> String {
 struct Explanation {
     view: usize,
     pixel: [i32; 2],
-    gaussians: Vec<Row>,
+    gaussians: Vec<Contribution>,
     hidden: usize,
     color_sum: [f32; 3],
     alpha_sum: f32,
@@ -214,38 +214,12 @@ struct Explanation {
     color_8_bit: [u8; 3],
 }
 
-#[derive(Debug, Serialize)]
-struct Row {
-    gaussian: usize,
-    distance: f32,
-    falloff: f32,
-    opacity: f32,
-    samples: u32,
-    transmittance: f32,
-    alpha: f32,
-    color: [f32; 3],
-    color_sum: [f32; 3],
-    alpha_sum: f32,
-}
-
 impl Explanation {
     fn new(at: Place, inspection: &Inspection, hidden: usize) -> Self {
-        let row = |row: &Contribution| Row {
-            gaussian: row.gaussian,
-            distance: row.distance,
-            falloff: row.falloff,
-            opacity: row.opacity,
-            samples: row.samples,
-            transmittance: row.transmittance,
-            alpha: row.alpha,
-            color: row.color,
-            color_sum: row.color_sum,
-            alpha_sum: row.alpha_sum,
-        };
         Self {
             view: at.view,
             pixel: at.pixel,
-            gaussians: inspection.contributions.iter().map(row).collect(),
+            gaussians: inspection.contributions.clone(),
             hidden,
             color_sum: inspection.color_sum,
             alpha_sum: inspection.alpha_sum,

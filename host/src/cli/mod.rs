@@ -26,6 +26,7 @@ mod table;
 mod tiles;
 mod train;
 mod verbosity;
+mod view;
 mod views;
 mod written;
 
@@ -74,6 +75,7 @@ enum Command {
     Film(film::Args),
     Demo(demo::Args),
     Info(info::Args),
+    View(view::Args),
     Explain(explain::Args),
     Eval(eval::Args),
     Compare(compare::Args),
@@ -100,6 +102,7 @@ pub fn main() -> ExitCode {
         Command::Film(args) => film::run(args, console).map(done),
         Command::Demo(args) => demo::run(args, console).map(done),
         Command::Info(args) => info::run(args, console).map(done),
+        Command::View(args) => view::run(args, console).map(done),
         Command::Explain(args) => explain::run(args, console).map(done),
         Command::Eval(args) => eval::run(args, console).map(done),
         Command::Compare(args) => compare::run(args, console).map(done),

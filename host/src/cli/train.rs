@@ -10,6 +10,7 @@ use organza::train::{
     self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, RunFolder, Session,
     TrainConfig,
 };
+use organza::view::TrainingView;
 use serde::Serialize;
 
 use super::console::{Console, print, print_json};
@@ -17,7 +18,9 @@ use super::device::DeviceArgs;
 use super::inputs::DataSet;
 use super::output::Folder;
 use super::progress::TrainingProgress;
+use super::refuse;
 use super::signals::Signals;
+use super::view::{ServerArgs, title};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -29,6 +32,7 @@ Examples:
   organza train data/fox -o other --config run/config.toml --seed 1
   organza train data/fox -o small --set scene.color_mlp.hidden=16,16 --set growth.method=none
   organza train -o run --tensorboard                   then: tensorboard --logdir run
+  organza train data/fox -o run --view                 look at it while it trains
   organza train --preset best --print-config > mine.toml
   organza eval run
 
@@ -76,6 +80,15 @@ pub struct Args {
     /// Print JSON when the run ends: how it ended, and what was measured (docs/json.md)
     #[arg(long)]
     json: bool,
+    /// Show the scene, the curves and buttons to pause and stop on a page, while training
+    #[arg(long, help_heading = "Page")]
+    view: bool,
+    /// The share of the time that images of the page may take, in percent
+    #[arg(long, value_name = "PERCENT", help_heading = "Page", default_value_t = 10)]
+    #[arg(value_parser = clap::value_parser!(u8).range(1..=90))]
+    view_share: u8,
+    #[command(flatten)]
+    server: ServerArgs,
     #[command(flatten)]
     device: DeviceArgs,
 }
@@ -149,10 +162,16 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         };
         return if args.json { print_json(&config) } else { print(&config.to_toml()) };
     }
+    if !args.view && args.server.is_given() {
+        return refuse("`--port`, `--bind` and `--open` are for the page of `--view`");
+    }
     let signals = Signals::listen()?;
     let (folder, config) = prepare(args)?;
     let (planned, time_limit) = (args.settings.planned(), args.time_limit.map(f64::from));
-    let job = Job { config, folder: &folder, resume: args.resume.is_some(), planned, time_limit };
+    let share = f64::from(args.view_share) / 100.0;
+    let view = args.view.then_some((&args.server, share));
+    let resume = args.resume.is_some();
+    let job = Job { config, folder: &folder, resume, planned, time_limit, view };
     let mut ended = Ended::default();
     let outcome = job.run(&args.device, console, &signals, &mut |event| ended.see(event))?;
     console.note(&match outcome {
@@ -225,6 +244,8 @@ pub struct Job<'a> {
     pub planned: Option<f64>,
     /// See [`Session::time_limit`].
     pub time_limit: Option<f64>,
+    /// Where its page is, and the share of the time that images may take.
+    pub view: Option<(&'a ServerArgs, f64)>,
 }
 
 impl Job<'_> {
@@ -239,6 +260,7 @@ impl Job<'_> {
         let mut config = self.config.clone();
         config.check_memory()?;
         let data = DataSet::open(config.data.clone(), console)?;
+        let server = self.view.map(|(server, _)| server.listen()).transpose()?;
         // until there is something in it
         let made = Folder::make(self.folder)?;
         signals.has_made(&made);
@@ -255,6 +277,11 @@ impl Job<'_> {
             .with_planned(self.planned)
             .with_command(command_line())
             .with_stop(signals.stop());
+        let mut view = self.view.zip(server).map(|((args, share), server)| {
+            args.announce(&server.url(), console);
+            let (stop, title) = (signals.stop(), title(self.folder));
+            TrainingView::new(server, &renderer, &dataset, stop, share, title)
+        });
         let mut progress = TrainingProgress::new(console, config.run.steps, self.time_limit);
         let outcome = session.run(self.resume, &mut |event| {
             if matches!(event, Event::Begin(_)) {
@@ -262,6 +289,11 @@ impl Job<'_> {
             }
             watch(&event);
             progress.show(&event);
+            if let Some(view) = &mut view
+                && let Err(error) = view.see(&event, config.run.steps)
+            {
+                console.warn(&organza::error::chain(&error));
+            }
         })?;
         progress.end(outcome);
         Ok(outcome)

@@ -4,7 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::{
-    Dataset, DatasetKind, DatasetOptions, Layout, Listing, Reach, Shot, hint, invalid, list,
+    Background, Budget, Dataset, DatasetKind, DatasetOptions, Frame, Layout, Listing, Point, Reach,
+    Shot, hint, invalid, list,
 };
 use crate::camera::Camera;
 use crate::error::{Error, Result};
@@ -72,6 +73,24 @@ impl Poses {
             })
         };
         self.listing.shots.iter().map(pose).collect()
+    }
+
+    /// Reads one photograph, by its camera's index; none where there is no such camera.
+    ///
+    /// # Errors
+    /// As [`Dataset::load`], for this photograph.
+    pub fn photograph(&self, index: usize) -> Result<Option<Frame>> {
+        let Some(shot) = self.listing.shots.get(index) else { return Ok(None) };
+        let background = self.options.decide_background(&self.listing)?;
+        let background = Background::Color(background);
+        let options = DatasetOptions { background, ..self.options.clone() };
+        shot.develop(&options, &Budget::beside(0)).map(|(frame, _)| Some(frame))
+    }
+
+    /// The points that the data set has.
+    #[must_use]
+    pub fn points(&self) -> &[Point] {
+        &self.listing.points
     }
 
     /// Reads the photographs; `progress` is as in [`Dataset::load_with_progress`].

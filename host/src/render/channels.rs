@@ -4,8 +4,8 @@ use glam::Vec3;
 use organza_shaders::channels::{PairChannelsKernel, PairChannelsParams};
 use organza_shaders::composite::SUM_PLANES;
 
-use super::composite::weighted_sum;
-use super::part::Part;
+use super::bin::Bins;
+use super::composite::{Composite, weighted_sum};
 use super::scene::DeviceScene;
 use organza_device::{Buffer, Device, Result};
 
@@ -90,6 +90,15 @@ impl Channel {
     }
 }
 
+/// What a part's stages have written, as far as channels need it.
+#[derive(Clone, Copy)]
+pub struct Seen<'a> {
+    pub bins: &'a Bins,
+    /// `[pairs]`
+    pub transmittance: &'a Buffer<f32>,
+    pub composite: &'a Composite,
+}
+
 /// The sums of a part's tiles that its channels need, on the device: `[tiles, 4, S, S]` each.
 pub struct ChannelSums(Vec<(Source, Buffer<u32>)>);
 
@@ -98,19 +107,18 @@ impl ChannelSums {
         device: &Device,
         scene: &DeviceScene,
         side: u32,
-        part: &Part,
+        Seen { bins, transmittance, composite }: Seen<'_>,
         channels: &[Channel],
     ) -> Result<Self> {
         let is_needed = |source: &Source| channels.iter().any(|c| c.source() == *source);
         let mut sums = Vec::new();
         if is_needed(&Source::Color) {
-            sums.push((Source::Color, part.composite.sum.view()));
+            sums.push((Source::Color, composite.sum.view()));
         }
         if ![Source::Measure, Source::Normals].iter().any(is_needed) {
             return Ok(Self(sums));
         }
-        let (bins, pairs) = (&part.bins, &part.bins.pairs);
-        let transmittance = &part.transmittance.transmittance;
+        let pairs = &bins.pairs;
         let capacity = pairs.count.at_most();
         let zeros = |name| device.zeros(name, 3 * capacity as usize);
         let (measure, normals) = (zeros("depths and visibilities")?, zeros("normals")?);

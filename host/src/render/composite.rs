@@ -32,6 +32,7 @@ impl Composite {
     pub fn new(
         device: &Device,
         scene: &DeviceScene,
+        background: [f64; 3],
         side: u32,
         bins: &Bins,
         transmittance: &Buffer<f32>,
@@ -41,7 +42,7 @@ impl Composite {
         let tiles = bins.tiles;
         let image = device.zeros("tiles", tiles as usize * (3 * side * side) as usize)?;
         let kernel = ResolveKernel {
-            params: resolve_params(scene, side),
+            params: resolve_params(scene, background, side),
             tile: &bins.tile,
             sum: &sum,
             image: &image,
@@ -64,7 +65,7 @@ impl Composite {
         let tiles = bins.tiles;
         let sum_gradient = device.zeros("gradient of the sums", self.sum.len())?;
         let kernel = ResolveBackwardKernel {
-            params: resolve_params(scene, side),
+            params: resolve_params(scene, scene.config.background, side),
             tile: &bins.tile,
             sum: &self.sum,
             image_gradient,
@@ -188,9 +189,8 @@ pub fn weighted_sum(
     Ok((sum, splat))
 }
 
-fn resolve_params(scene: &DeviceScene, side: u32) -> ResolveParams {
-    let [background_r, background_g, background_b] =
-        scene.config.background.map(|channel| channel as f32);
+fn resolve_params(scene: &DeviceScene, background: [f64; 3], side: u32) -> ResolveParams {
+    let [background_r, background_g, background_b] = background.map(|channel| channel as f32);
     ResolveParams {
         side,
         background_r,

@@ -5,6 +5,7 @@ use organza_shaders::composite::{alpha, pixel_center, splat_distance};
 use organza_shaders::project::{falloff, in_support};
 use organza_shaders::splat::VECTORS;
 use organza_shaders::tile::Tile as KernelTile;
+use serde::Serialize;
 
 use super::bin::{Pairs, project};
 use super::color::Color;
@@ -12,7 +13,7 @@ use super::part::Part;
 use super::plan::{PART_BYTES, Plan};
 use super::renderer::Renderer;
 use super::scene::DeviceScene;
-use super::transmittance::Transmittance;
+use super::transmittance::{Ray, Transmittance};
 
 use crate::camera::Camera;
 use crate::error::Result;
@@ -41,7 +42,7 @@ pub struct Stages {
 }
 
 /// One Gaussian's part in a pixel.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Contribution {
     /// Index of the Gaussian.
     pub gaussian: usize,
@@ -65,11 +66,24 @@ pub struct Contribution {
     pub alpha_sum: f32,
 }
 
+/// Where a Gaussian lies on the screen, and the ray from it to the eye.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trace {
+    /// Projected center in pixels.
+    pub mean2d: [f32; 2],
+    /// Inverse of the projected covariance: xx, xy, yy. The support ends at the ellipse `d^T conic d = 2 ln 255`.
+    pub conic: [f32; 3],
+    /// The ray in the unit cube.
+    pub ray: Ray,
+}
+
 /// How a pixel came about.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inspection {
     /// The Gaussians whose support reaches the pixel's square, ascending.
     pub contributions: Vec<Contribution>,
+    /// Of each contribution, in their order.
+    pub traces: Vec<Trace>,
     /// C of Eq. 12.
     pub color_sum: [f32; 3],
     /// S of Eq. 12.
@@ -161,7 +175,8 @@ impl Renderer {
         let center = pixel_center(&KernelTile { camera: 0, origin: pixel, output: 0 }, 0, 0);
 
         let mut sum = Vec4::ZERO;
-        let mut contributions = Vec::new();
+        let rays = part.transmittance.rays(device, scene, &part.bins.pairs)?;
+        let (mut contributions, mut traces) = (Vec::new(), Vec::new());
         for member in device.read(&part.bins.member)? {
             let index = member as usize;
             let [placed, conic] = std::array::from_fn(|v| splat[index * VECTORS as usize + v]);
@@ -173,6 +188,11 @@ impl Renderer {
             if reached {
                 sum += Vec4::new(alpha * color[0], alpha * color[1], alpha * color[2], alpha);
             }
+            traces.push(Trace {
+                mean2d: [placed.x, placed.y],
+                conic: [conic.x, conic.y, conic.z],
+                ray: rays[index].clone(),
+            });
             let gaussian = (pair[index] % scene.gaussians) as usize;
             contributions.push(Contribution {
                 gaussian,
@@ -192,6 +212,7 @@ impl Renderer {
         let pixel = device.read(&part.composite.image)?;
         Ok(Inspection {
             contributions,
+            traces,
             color_sum: [sum[0], sum[1], sum[2]],
             alpha_sum: sum[3],
             background: scene.config.background.map(|channel| channel as f32),

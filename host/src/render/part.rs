@@ -1,7 +1,7 @@
 //! Renders one part of a batch, stage by stage.
 
 use super::bin::Bins;
-use super::channels::{Channel, ChannelSums};
+use super::channels::{Channel, ChannelSums, Seen};
 use super::color::Color;
 use super::composite::Composite;
 use super::part_counts::{Capacity, Needed};
@@ -40,6 +40,7 @@ impl Part {
         let composite = Composite::new(
             device,
             scene,
+            scene.config.background,
             plan.side,
             &bins,
             &transmittance.transmittance,
@@ -90,7 +91,12 @@ pub fn render(
     capacity: Option<Capacity>,
 ) -> Result<((Part, RenderedPart), Needed)> {
     let part = Part::evaluate(device, scene, cameras, plan, keep, capacity)?;
-    let sums = ChannelSums::new(device, scene, plan.side, &part, channels)?;
+    let seen = Seen {
+        bins: &part.bins,
+        transmittance: &part.transmittance.transmittance,
+        composite: &part.composite,
+    };
+    let sums = ChannelSums::new(device, scene, plan.side, seen, channels)?;
     let mut buffers = vec![part.composite.image.view(), part.bins.degenerate.view()];
     buffers.extend(sums.buffers());
     let (mut values, needed) = part.read(device, buffers)?;

@@ -115,12 +115,29 @@ impl Renderer {
         progress: &mut dyn FnMut(usize, usize),
     ) -> Result<RenderedTiles> {
         batch.validate(cameras)?;
+        let rendered = self.render_parts(scene, batch, channels, progress, &mut |plan| {
+            let (_, part) = self.render_part(scene, cameras, plan, channels, false)?;
+            Ok(Some(part))
+        })?;
+        Ok(rendered.expect("every part is rendered"))
+    }
+
+    /// Renders a batch part by part; nothing where `render` gives none.
+    pub(super) fn render_parts(
+        &self,
+        scene: &DeviceScene,
+        batch: &TileBatch,
+        channels: &[Channel],
+        progress: &mut dyn FnMut(usize, usize),
+        render: &mut dyn FnMut(&Plan) -> Result<Option<RenderedPart>>,
+    ) -> Result<Option<RenderedTiles>> {
         let mut tiles = RenderedTiles::zeros(batch, channels)?;
         let mut done = 0;
         let mut plans = self.plans(scene, batch)?;
         while let Some(plan) = plans.pop() {
-            match self.render_part(scene, cameras, &plan, channels, false) {
-                Ok((_, part)) => {
+            match render(&plan) {
+                Ok(None) => return Ok(None),
+                Ok(Some(part)) => {
                     tiles.place(&plan, &part, channels);
                     done += plan.tiles.len();
                     progress(done, batch.tiles.len());
@@ -132,7 +149,7 @@ impl Renderer {
                 Err(error) => return Err(error),
             }
         }
-        Ok(tiles)
+        Ok(Some(tiles))
     }
 
     /// Renders a part; `keep` says whether it will be gone back through.

@@ -49,6 +49,18 @@ impl Transmittance {
         keep: bool,
         count_samples: impl FnOnce(&Buffer<u32>) -> Result<Count>,
     ) -> Result<Self> {
+        Self::evaluate_with_step(device, scene, pairs, scene.config.step, keep, count_samples)
+    }
+
+    /// As [`Transmittance::evaluate`], with steps of a length of its own instead of the scene's sigma.
+    pub fn evaluate_with_step(
+        device: &Device,
+        scene: &DeviceScene,
+        pairs: &Pairs,
+        step: f64,
+        keep: bool,
+        count_samples: impl FnOnce(&Buffer<u32>) -> Result<Count>,
+    ) -> Result<Self> {
         check_samples(scene, pairs)?;
         let capacity = pairs.count.at_most();
         let segment = device.zeros("segments", capacity as usize * SEGMENT_VECTORS as usize)?;
@@ -57,7 +69,7 @@ impl Transmittance {
             params: SegmentParams {
                 pairs: capacity,
                 gaussians: scene.gaussians,
-                step: scene.config.step as f32,
+                step: step as f32,
             },
             pair: &pairs.pair,
             camera: &pairs.camera,
@@ -82,6 +94,38 @@ impl Transmittance {
         };
         device.run(&kernel.counted(&pairs.count), capacity, 1)?;
         Ok(Self { transmittance, first_sample, samples, segment, blocks })
+    }
+}
+
+/// The part of a pair's ray in the unit cube, and what its samples let through.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ray {
+    /// s of Eq. 7, in the unit cube's space: the end at the Gaussian.
+    pub start: [f32; 3],
+    /// s + w: the end at the eye.
+    pub end: [f32; 3],
+    /// The logarithm of each sample's rho, Eq. 11.
+    pub log_rho: Vec<f32>,
+}
+
+impl Transmittance {
+    /// The rays of all pairs; evaluates the samples once more.
+    pub fn rays(&self, device: &Device, scene: &DeviceScene, pairs: &Pairs) -> Result<Vec<Ray>> {
+        let (segment, first) = (&self.segment, &self.first_sample);
+        let log_rho = log_rho(device, scene, pairs, segment, first, &self.blocks)?;
+        let (segment, first) = (device.read(segment)?, device.read(first)?);
+        let log_rho = device.read(&log_rho)?;
+        let ray = |(pair, vectors): (usize, &[Vec4; SEGMENT_VECTORS as usize])| {
+            let [start, w, start_rest, w_rest] = *vectors;
+            let begin = start + start_rest;
+            let end = begin + w + w_rest;
+            Ray {
+                start: begin.truncate().to_array(),
+                end: end.truncate().to_array(),
+                log_rho: log_rho[first[pair] as usize..first[pair + 1] as usize].to_vec(),
+            }
+        };
+        Ok(segment.as_chunks().0.iter().enumerate().map(ray).collect())
     }
 }
 

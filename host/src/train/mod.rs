@@ -29,6 +29,7 @@ pub use folder::{CONFIG, EVALUATIONS, METRICS, REPORT};
 pub use growth::Grown;
 pub use hooks::{GradientHook, StepGradient, StepHooks};
 pub use report::PICTURES;
+pub(crate) use report::{ERROR_FACTOR, error_levels};
 pub use session::{Event, Outcome, Session};
 pub(crate) use space::{Target, median};
 pub use trainer::{StepReport, Trainer};

@@ -16,6 +16,7 @@ mod tests;
 pub use comparison::{Difference, differences, write_comparison};
 pub use pictures::PICTURES;
 pub(super) use pictures::Pictures;
+pub(crate) use pictures::{ERROR_FACTOR, error_levels};
 pub use run::{Run, Summary};
 pub use single::write_report;
 

@@ -4,9 +4,10 @@ use std::fs;
 use std::path::Path;
 
 use clap::ValueEnum;
-use organza::data::{Background, Dataset, Pose, Poses};
+use organza::data::{Background, Dataset, Point, Pose, Poses};
 use organza::train::built_in;
 use organza::train::config::DataConfig;
+use organza::view::Photographs;
 use organza::{Error, Renderer, Result};
 
 use super::kind::{Expected, told_apart};
@@ -149,6 +150,20 @@ impl DataSet {
             None => {
                 let (views, side) = (data.built_in_views, data.built_in_side);
                 Ok(built_in::cameras(views, side, data.hold_out_every))
+            }
+        }
+    }
+
+    /// Its photographs, each read when it is looked at, and its points.
+    pub fn photographs(self, cameras: &[Pose]) -> (Photographs, Vec<Point>) {
+        match self.poses {
+            Some(poses) => {
+                let points = poses.points().to_vec();
+                (Photographs::of_poses(poses), points)
+            }
+            None => {
+                let cameras = cameras.iter().map(|pose| pose.camera.clone()).collect();
+                (Photographs::of_built_in(cameras), Vec::new())
             }
         }
     }

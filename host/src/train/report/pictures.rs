@@ -209,7 +209,7 @@ fn rgb(image: &Image) -> RgbImage {
 }
 
 /// The mean absolute difference of the channels times [`ERROR_FACTOR`]; 0 where the photograph has no pixel.
-fn error_levels(truth: &[[u8; 3]], rendered: &[[u8; 3]], valid: Option<&[bool]>) -> Vec<u8> {
+pub fn error_levels(truth: &[[u8; 3]], rendered: &[[u8; 3]], valid: Option<&[bool]>) -> Vec<u8> {
     let level = |(at, (a, b)): (usize, (&[u8; 3], &[u8; 3]))| {
         let sum: u32 = a.iter().zip(b).map(|(a, b)| u32::from(a.abs_diff(*b))).sum();
         let is_valid = valid.is_none_or(|valid| valid[at]);

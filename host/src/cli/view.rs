@@ -1,0 +1,175 @@
+//! `organza view`: a scene in a browser.
+
+use std::net::IpAddr;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::sync::Arc;
+use std::time::Duration;
+
+use organza::data::{Point, Pose};
+use organza::view::{About, Address, Desk, Painter, Photographs, Server, Stage};
+use organza::{Camera, Result};
+
+use super::console::Console;
+use super::device::{DeviceArgs, SceneArgs};
+use super::inputs::{Cameras, DataArgs, DataSet, SceneSource};
+use super::refuse;
+
+const EXAMPLES: &str = "\
+Examples:
+  organza view run                           the scene of a training run, with its cameras and photographs
+  organza view run --open                    also opens the browser
+  organza view scene.safetensors data/fox
+  organza view scene.safetensors             without cameras
+  ssh -L 4747:localhost:4747 machine         then `organza view run` there, and the same address here
+  organza view run --bind 0.0.0.0            for other machines; the address has a token
+
+The page shows the scene while you move through it, coarsely at first. When the camera rests, the image becomes that \
+of `organza render`, to the bit. Press ? on the page for its keys. Ctrl-C ends the program.";
+
+/// Look at a scene in a browser
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The scene, safetensors, or the folder of a training run
+    scene: PathBuf,
+    /// A data set, or the cameras of a transforms.json [default: what the run was trained on]
+    data: Option<PathBuf>,
+    #[command(flatten)]
+    server: ServerArgs,
+    #[command(flatten)]
+    data_args: DataArgs,
+    #[command(flatten)]
+    scene_args: SceneArgs,
+    #[command(flatten)]
+    device: DeviceArgs,
+}
+
+/// Where the page is.
+#[derive(Debug, clap::Args)]
+pub struct ServerArgs {
+    /// The port of the page; 0 takes one that is free [default: 4747, or one that is free]
+    #[arg(long, value_name = "N", help_heading = "Page")]
+    port: Option<u16>,
+    /// Let other machines see the page at this address of this machine, such as 0.0.0.0. The page's address then has a
+    /// token [default: this machine alone]
+    #[arg(long, value_name = "ADDRESS", help_heading = "Page")]
+    bind: Option<IpAddr>,
+    /// Open the page in a browser
+    #[arg(long, help_heading = "Page")]
+    open: bool,
+}
+
+impl ServerArgs {
+    /// Whether any of them was given.
+    pub fn is_given(&self) -> bool {
+        self.port.is_some() || self.bind.is_some() || self.open
+    }
+
+    /// Takes the port.
+    pub fn listen(&self) -> Result<Server> {
+        Server::listen(Address { bind: self.bind, port: self.port })
+    }
+
+    /// Says where the page is, and opens it if that was asked for.
+    pub fn announce(&self, url: &str, console: Console) {
+        console.note(&format!("the page is at {url}"));
+        if self.open && !open(url) {
+            console.warn("no browser could be opened; open the address yourself");
+        }
+    }
+}
+
+/// Opens an address in the user's browser.
+fn open(url: &str) -> bool {
+    let mut command = if cfg!(target_os = "macos") {
+        Command::new("open")
+    } else if cfg!(windows) {
+        let mut command = Command::new("rundll32");
+        command.arg("url.dll,FileProtocolHandler");
+        command
+    } else {
+        Command::new("xdg-open")
+    };
+    command.arg(url).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    command.spawn().is_ok()
+}
+
+pub fn run(args: &Args, console: Console) -> Result<()> {
+    let source = SceneSource::find(&args.scene)?;
+    let Surroundings { poses, photographs, points } = surroundings(args, &source, console)?;
+    let scene = source.load(console)?;
+    let server = args.server.listen()?;
+    let renderer = args.device.open(console)?;
+    let scene = args.scene_args.upload(&renderer, &scene)?;
+    let title = title(source.named());
+    let has_photographs = !photographs.is_empty();
+    let about = About::new(&title, &renderer, &scene, &poses, has_photographs, &points, false);
+    let desk = Arc::new(Desk::default());
+    stop_at_signals(&desk)?;
+    let mut painter = Painter::new(Arc::clone(&desk), photographs);
+    let url = server.url();
+    server.start(Arc::clone(&desk), about, None)?;
+    args.server.announce(&format!("{url} (Ctrl-C ends it)"), console);
+    let stage = Stage { renderer: &renderer, scene: &scene, version: 0 };
+    while !desk.is_stopped() {
+        painter.serve(stage, Duration::from_secs(1));
+    }
+    Ok(())
+}
+
+/// What is known beside the scene.
+struct Surroundings {
+    poses: Vec<Pose>,
+    photographs: Photographs,
+    points: Vec<Point>,
+}
+
+/// The data set that was named, or the run's; a scene's file alone has none.
+fn surroundings(args: &Args, source: &SceneSource, console: Console) -> Result<Surroundings> {
+    let named = args.data.as_deref();
+    let nothing =
+        || Surroundings { poses: vec![], photographs: Photographs::none(), points: vec![] };
+    if named.is_none() && source.settings()?.is_none() {
+        if args.data_args.is_given() {
+            return refuse("options of a data set were given, but no data set");
+        }
+        return Ok(nothing());
+    }
+    let usage = "organza view SCENE DATA";
+    if let Some(file) = named.filter(|file| !file.is_dir() && !args.data_args.is_given()) {
+        let cameras = Cameras::load(source, Some(file), &args.data_args, usage, console)?;
+        let pose = |camera: Camera| Pose { camera, held_out: false, photograph: None };
+        return Ok(Surroundings {
+            poses: cameras.list.into_iter().map(pose).collect(),
+            ..nothing()
+        });
+    }
+    let settings = args.data_args.settings(source, named, usage)?;
+    let data = DataSet::open(settings, console)?;
+    let poses = data.cameras()?;
+    let (photographs, points) = data.photographs(&poses);
+    Ok(Surroundings { poses, photographs, points })
+}
+
+/// What a page is called: the last part of a path.
+pub fn title(path: &Path) -> String {
+    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    path.file_name()
+        .map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
+}
+
+/// The first signal ends the program after the image that is being painted, the second at once.
+fn stop_at_signals(desk: &Arc<Desk>) -> Result<()> {
+    let desk = Arc::clone(desk);
+    let handler = move || {
+        if desk.is_stopped() {
+            std::process::exit(0);
+        }
+        desk.stop();
+    };
+    match ctrlc::set_handler(handler) {
+        Ok(()) => Ok(()),
+        Err(error) => refuse(format!("cannot listen to signals: {error}")),
+    }
+}

@@ -1,0 +1,200 @@
+//! Where requests wait for whoever paints.
+
+use std::collections::BTreeMap;
+use std::collections::VecDeque;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use tokio::sync::oneshot;
+
+use super::message::{FrameRequest, Quality};
+use crate::camera::Camera;
+
+/// Clients that are remembered.
+const MAX_CLIENTS: usize = 256;
+/// Questions that wait at once; more are refused.
+const MAX_QUESTIONS: usize = 64;
+
+/// An answer: its bytes and what the page is told beside them, or what was wrong.
+pub type Answer = Result<Painted, String>;
+
+/// An image, or another file.
+#[derive(Debug)]
+pub struct Painted {
+    pub kind: &'static str,
+    pub bytes: Vec<u8>,
+    /// JSON.
+    pub about: String,
+}
+
+/// An image to paint.
+#[derive(Debug)]
+pub struct FrameJob {
+    pub request: FrameRequest,
+    pub camera: Camera,
+    /// Nobody waits for it any more where it is closed.
+    pub reply: oneshot::Sender<Answer>,
+}
+
+/// What else is asked of whoever paints.
+#[derive(Debug)]
+pub enum Question {
+    /// A pixel's column and row, in an image of the camera.
+    Pixel([i32; 2], Box<Camera>),
+    /// The photograph of the data set's view.
+    Photograph(usize),
+}
+
+/// The next thing to do.
+#[derive(Debug)]
+pub enum Job {
+    Frame(Box<FrameJob>),
+    Question(Question, oneshot::Sender<Answer>),
+}
+
+#[derive(Debug, Default)]
+struct Client {
+    job: Option<Box<FrameJob>>,
+    /// Of the newest request.
+    sequence: u64,
+    /// When it asked last, counted in requests.
+    last: u64,
+}
+
+#[derive(Debug, Default)]
+struct State {
+    clients: BTreeMap<u64, Client>,
+    questions: VecDeque<(Question, oneshot::Sender<Answer>)>,
+    requests: u64,
+    /// The client whose turn it was.
+    turn: u64,
+}
+
+/// Requests that wait.
+#[derive(Debug, Default)]
+pub struct Desk {
+    state: Mutex<State>,
+    wake: Condvar,
+    stopped: AtomicBool,
+}
+
+impl Desk {
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Ends the waiting for requests, for good.
+    pub fn stop(&self) {
+        self.stopped.store(true, Ordering::Relaxed);
+        let _state = self.state();
+        self.wake.notify_all();
+    }
+
+    /// Whether it was told to stop.
+    pub fn is_stopped(&self) -> bool {
+        self.stopped.load(Ordering::Relaxed)
+    }
+
+    /// Puts an image on the desk, in the place of the client's older one.
+    pub(super) fn post(&self, job: Box<FrameJob>) {
+        let mut state = self.state();
+        state.requests += 1;
+        let (now, id) = (state.requests, job.request.client);
+        if !state.clients.contains_key(&id) && state.clients.len() >= MAX_CLIENTS {
+            let idle = state.clients.iter().filter(|(_, client)| client.job.is_none());
+            let oldest = idle.min_by_key(|(_, client)| client.last).map(|(id, _)| *id);
+            match oldest {
+                Some(oldest) => state.clients.remove(&oldest),
+                // its reply is dropped
+                None => return,
+            };
+        }
+        let client = state.clients.entry(id).or_default();
+        client.last = now;
+        // requests may overtake each other on their way
+        if job.request.sequence >= client.sequence {
+            client.sequence = job.request.sequence;
+            client.job = Some(job);
+            self.wake.notify_all();
+        }
+    }
+
+    /// Puts a question on the desk.
+    pub(super) fn ask(&self, question: Question, reply: oneshot::Sender<Answer>) {
+        let mut state = self.state();
+        if state.questions.len() < MAX_QUESTIONS {
+            state.questions.push_back((question, reply));
+            self.wake.notify_all();
+        }
+    }
+
+    /// Puts back what was interrupted, unless the client wants something newer by now.
+    pub(super) fn put_back(&self, job: Box<FrameJob>) {
+        let mut state = self.state();
+        if let Some(client) = state.clients.get_mut(&job.request.client)
+            && client.job.is_none()
+            && client.sequence == job.request.sequence
+        {
+            client.job = Some(job);
+        }
+    }
+
+    /// The next thing to do; waits up to `patience` for it. Clients take turns.
+    pub(super) fn take(&self, patience: Duration) -> Option<Job> {
+        let mut state = self.state();
+        if !state.is_waiting() && !self.is_stopped() && !patience.is_zero() {
+            state =
+                self.wake.wait_timeout(state, patience).unwrap_or_else(PoisonError::into_inner).0;
+        }
+        if self.is_stopped() {
+            return None;
+        }
+        state.questions.retain(|(_, reply)| !reply.is_closed());
+        if let Some((question, reply)) = state.questions.pop_front() {
+            return Some(Job::Question(question, reply));
+        }
+        let turn = state.turn;
+        let waiting = |(id, client): (&u64, &Client)| client.is_waiting().then_some(*id);
+        let mut ids = state.clients.iter().filter_map(waiting);
+        let first = ids.next()?;
+        let next = if first > turn { first } else { ids.find(|id| *id > turn).unwrap_or(first) };
+        state.turn = next;
+        state.clients.get_mut(&next).and_then(|client| client.job.take()).map(Job::Frame)
+    }
+
+    /// Whether an image is not wanted any more: nobody waits for it, or its client wants another.
+    pub(super) fn is_outdated(&self, job: &FrameJob) -> bool {
+        let newest = self.state().clients.get(&job.request.client).map(|client| client.sequence);
+        job.reply.is_closed()
+            || self.is_stopped()
+            || newest.is_some_and(|newest| newest > job.request.sequence)
+    }
+
+    /// Whether something waits that is done sooner than an exact image.
+    pub(super) fn has_urgent(&self) -> bool {
+        let state = self.state();
+        let is_urgent = |job: &FrameJob| job.request.quality != Quality::Exact;
+        !state.questions.is_empty()
+            || state.clients.values().any(|client| client.job.as_deref().is_some_and(is_urgent))
+    }
+
+    /// Whether anything waits.
+    #[must_use]
+    pub fn has_work(&self) -> bool {
+        self.state().is_waiting()
+    }
+}
+
+impl Client {
+    fn is_waiting(&self) -> bool {
+        self.job.as_ref().is_some_and(|job| !job.reply.is_closed())
+    }
+}
+
+impl State {
+    fn is_waiting(&self) -> bool {
+        self.questions.iter().any(|(_, reply)| !reply.is_closed())
+            || self.clients.values().any(Client::is_waiting)
+    }
+}

@@ -1,0 +1,136 @@
+//! What the page asks for.
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use crate::camera::Camera;
+use crate::error::{Error, Result};
+
+/// The largest image that is painted, in pixels a side.
+pub const MAX_SIDE: u32 = 4096;
+
+/// A camera as the page has it: see [`Camera`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Lens {
+    pub camera_to_world: [[f64; 4]; 4],
+    pub fl_x: f64,
+    pub fl_y: f64,
+    pub cx: f64,
+    pub cy: f64,
+    pub w: u32,
+    pub h: u32,
+}
+
+impl From<&Camera> for Lens {
+    fn from(camera: &Camera) -> Self {
+        let Camera { camera_to_world, fl_x, fl_y, cx, cy, width: w, height: h, .. } = *camera;
+        Self { camera_to_world, fl_x, fl_y, cx, cy, w, h }
+    }
+}
+
+impl Lens {
+    /// The camera, held to what cameras of files are held to.
+    pub fn camera(&self) -> Result<Camera> {
+        let Self { camera_to_world, fl_x, fl_y, cx, cy, w: width, h: height } = *self;
+        let camera = Camera {
+            camera_to_world,
+            fl_x,
+            fl_y,
+            cx,
+            cy,
+            width,
+            height,
+            file_path: None,
+            distorted: false,
+        };
+        camera.validate(0)?;
+        Ok(camera)
+    }
+}
+
+/// What an image shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Mode {
+    Color,
+    /// The mean of T by the weights.
+    Visibility,
+    /// S of Eq. 12.
+    Weight,
+    Depth,
+    Normal,
+    /// How many Gaussians a pixel sums up.
+    Members,
+    /// The difference from the photograph.
+    Error,
+}
+
+/// How good an image has to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Quality {
+    /// The camera moves: a small image with long steps, soon.
+    Moving,
+    /// Every pixel, with long steps.
+    Still,
+    /// What `organza render` writes.
+    Exact,
+}
+
+/// An image that a client asks for.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FrameRequest {
+    /// The page, by a number of its own.
+    pub client: u64,
+    /// Requests of a page, counted: a higher one is newer.
+    pub sequence: u64,
+    pub camera: Lens,
+    pub mode: Mode,
+    pub quality: Quality,
+    /// Instead of the scene's.
+    #[serde(default)]
+    pub background: Option<[f64; 3]>,
+    /// The data set's view whose photograph is compared.
+    #[serde(default)]
+    pub view: Option<usize>,
+}
+
+/// A pixel that a client asks about.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PixelRequest {
+    pub camera: Lens,
+    /// Column and row.
+    pub pixel: [i32; 2],
+}
+
+/// A camera that images are painted of: of a size that is painted.
+pub fn checked(lens: &Lens) -> Result<Camera> {
+    let camera = lens.camera()?;
+    if camera.width.max(camera.height) > MAX_SIDE {
+        let [width, height] = [camera.width, camera.height];
+        return refuse(format!(
+            "an image of {width} x {height} pixels is too large to view: {MAX_SIDE} a side are allowed"
+        ));
+    }
+    Ok(camera)
+}
+
+impl FrameRequest {
+    /// The camera, once everything else was looked at.
+    pub fn check(&self) -> Result<Camera> {
+        let is_color = |color: &[f64; 3]| color.iter().all(|value| (0.0..=1.0).contains(value));
+        if !self.background.as_ref().is_none_or(is_color) {
+            return refuse("a background has red, green and blue of 0 to 1".to_owned());
+        }
+        checked(&self.camera)
+    }
+}
+
+/// An error about a request.
+pub fn refuse<T>(reason: String) -> Result<T> {
+    Err(Error::Invalid { origin: Path::new("").to_owned(), reason })
+}

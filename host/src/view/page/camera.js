@@ -1,0 +1,78 @@
+// Cameras as arithmetic. A pose is a camera-to-world matrix with OpenGL axes, row by row, as in transforms.json:
+// x right, y up, looking along -z.
+
+export const add = (a, b) => a.map((x, i) => x + b[i]);
+export const sub = (a, b) => a.map((x, i) => x - b[i]);
+export const scale = (a, s) => a.map((x) => x * s);
+export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+export const length = (a) => Math.sqrt(dot(a, a));
+export const normalize = (a) => scale(a, 1 / (length(a) || 1));
+export const cross = (a, b) => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+
+export const column = (pose, axis) => [pose[0][axis], pose[1][axis], pose[2][axis]];
+export const eyeOf = (pose) => column(pose, 3);
+export const forwardOf = (pose) => scale(column(pose, 2), -1);
+
+// A pose of its axes; they are made orthonormal, so that rounding never adds up.
+export function poseOf(right, back, eye) {
+  const z = normalize(back);
+  const x = normalize(sub(right, scale(z, dot(right, z))));
+  const y = cross(z, x);
+  return [0, 1, 2].map((row) => [x[row], y[row], z[row], eye[row]]).concat([[0, 0, 0, 1]]);
+}
+
+// A vector turned around an axis of length 1.
+export function turned(vector, axis, angle) {
+  const [sin, cos] = [Math.sin(angle), Math.cos(angle)];
+  const along = scale(axis, dot(axis, vector) * (1 - cos));
+  return add(add(scale(vector, cos), scale(cross(axis, vector), sin)), along);
+}
+
+// A pose turned around a place.
+export function rotated(pose, axis, angle, place) {
+  const eye = add(place, turned(sub(eyeOf(pose), place), axis, angle));
+  return poseOf(turned(column(pose, 0), axis, angle), turned(column(pose, 2), axis, angle), eye);
+}
+
+export const moved = (pose, by) => poseOf(column(pose, 0), column(pose, 2), add(eyeOf(pose), by));
+
+// The angle from the upper to the lower edge, in radians.
+export const angleOf = (camera) => 2 * Math.atan(camera.h / 2 / camera.fl_y);
+
+// The same view with another angle: the whole lens is scaled, so that pixels keep their shape.
+export function withAngle(camera, angle) {
+  const factor = camera.h / 2 / Math.tan(angle / 2) / camera.fl_y;
+  return { ...camera, fl_x: camera.fl_x * factor, fl_y: camera.fl_y * factor };
+}
+
+// The same view in an image of another size: it shows all that the camera sees, as `Camera::with_size` does.
+export function withSize(camera, [w, h]) {
+  if (camera.w === w && camera.h === h) return camera;
+  const factor = Math.min(w / camera.w, h / camera.h);
+  return {
+    ...camera, w, h,
+    fl_x: camera.fl_x * factor, fl_y: camera.fl_y * factor,
+    cx: w / 2 + (camera.cx - camera.w / 2) * factor, cy: h / 2 + (camera.cy - camera.h / 2) * factor,
+  };
+}
+
+// Where a point is: column, row, and depth along the camera's axis.
+export function project(camera, point) {
+  const pose = camera.camera_to_world;
+  const from = sub(point, eyeOf(pose));
+  const depth = -dot(column(pose, 2), from);
+  const x = dot(column(pose, 0), from), y = -dot(column(pose, 1), from);
+  return [camera.fl_x * x / depth + camera.cx, camera.fl_y * y / depth + camera.cy, depth];
+}
+
+// The point at a depth behind a pixel.
+export function unproject(camera, [x, y], depth) {
+  const pose = camera.camera_to_world;
+  const right = (x - camera.cx) / camera.fl_x * depth, down = (y - camera.cy) / camera.fl_y * depth;
+  const sideways = add(scale(column(pose, 0), right), scale(column(pose, 1), -down));
+  return add(add(eyeOf(pose), sideways), scale(forwardOf(pose), depth));
+}

@@ -1,0 +1,168 @@
+// Keyframes: views that are kept, and the path through them.
+
+import { post } from "./frames.js";
+import { $, download, element } from "./page.js";
+import { withSize } from "./camera.js";
+
+const RATE = 30; // cameras a second of a path
+
+export class Keyframes {
+  constructor(view, overlay, frames) {
+    Object.assign(this, { view, overlay, frames, list: [], chosen: null, playing: null });
+    $("add-keyframe").onclick = () => this.add();
+    $("play").onclick = () => this.toggle();
+    $("save-keyframes").onclick = () => this.save();
+    $("load-keyframes").onclick = () => $("keyframes-file").click();
+    $("keyframes-file").onchange = async () => {
+      const [file] = $("keyframes-file").files;
+      if (file) await this.load(await file.text());
+      $("keyframes-file").value = "";
+    };
+    $("loop").onchange = $("pace").onchange = () => this.changed();
+  }
+
+  // A small picture of what is shown now.
+  picture() {
+    const canvas = element("canvas", { width: 96, height: 64 }), image = $("image");
+    const factor = Math.max(96 / image.width, 64 / image.height);
+    const [w, h] = [image.width * factor, image.height * factor];
+    canvas.getContext("2d").drawImage(image, (96 - w) / 2, (64 - h) / 2, w, h);
+    return canvas.toDataURL("image/jpeg", 0.8);
+  }
+
+  add() {
+    const at = this.chosen == null ? this.list.length : this.chosen + 1;
+    this.list.splice(at, 0, { camera: this.view.camera, picture: this.picture() });
+    this.chosen = at === this.list.length - 1 ? null : at;
+    this.changed();
+  }
+
+  changed() {
+    this.stop();
+    const items = this.list.map((one, at) => this.item(one, at));
+    $("keyframes").replaceChildren(...items);
+    $("no-keyframes").hidden = this.list.length > 0;
+    $("save-keyframes").disabled = this.list.length === 0;
+    $("play").disabled = this.list.length < 2;
+    const parts = this.list.length - ($("loop").checked ? 0 : 1);
+    $("length").textContent = this.list.length > 1 ? `${(parts * this.pace).toFixed(1)} s` : "";
+    this.overlay.keyframes = this.list;
+    this.overlay.path = [];
+    this.overlay.draw();
+    this.fetchPath();
+  }
+
+  get pace() {
+    return Math.min(60, Math.max(0.2, Number($("pace").value) || 2));
+  }
+
+  item(one, at) {
+    const go = element("button", { className: "go", title: `Go to keyframe ${at + 1}` }, element("img", { src: one.picture, alt: "" }));
+    go.onclick = () => this.go(at);
+    const act = (text, title, action, disabled) => {
+      const button = element("button", { title, disabled, ariaLabel: title }, text);
+      button.onclick = action;
+      return button;
+    };
+    const swap = (by) => () => {
+      [this.list[at], this.list[at + by]] = [this.list[at + by], this.list[at]];
+      this.chosen = at + by;
+      this.changed();
+    };
+    const actions = element(
+      "span", { className: "actions" },
+      act("‹", "Earlier", swap(-1), at === 0),
+      act("↻", "Put the view there that is shown now", () => this.replace(at)),
+      act("×", "Remove", () => this.remove(at)),
+      act("›", "Later", swap(1), at === this.list.length - 1),
+    );
+    return element("li", { className: at === this.chosen ? "chosen" : "" }, go, actions);
+  }
+
+  go(at) {
+    this.stop();
+    this.chosen = at;
+    this.view.moved();
+    this.view.camera = this.list[at].camera;
+    this.view.changed();
+    [...$("keyframes").children].forEach((item, index) => item.classList.toggle("chosen", index === at));
+  }
+
+  replace(at) {
+    this.list[at] = { camera: this.view.camera, picture: this.picture() };
+    this.changed();
+  }
+
+  remove(at) {
+    this.list.splice(at, 1);
+    this.chosen = null;
+    this.changed();
+  }
+
+  // The cameras of the path; the program has the arithmetic.
+  async fetchPath() {
+    if (this.list.length < 2) return;
+    const list = this.list, loop = $("loop").checked;
+    const { w, h } = list[0].camera;
+    const keyframes = list.map(({ camera }) => withSize(camera, [w, h]));
+    const parts = keyframes.length - (loop ? 0 : 1);
+    const count = Math.min(2000, Math.max(2, Math.round(parts * this.pace * RATE)));
+    try {
+      const { cameras } = await (await post("/path", { keyframes, loop, frames: count })).json();
+      if (this.list !== list || cameras.length === 0) return;
+      this.path = cameras;
+      this.overlay.path = loop ? [...cameras, cameras[0]] : cameras;
+      this.overlay.draw();
+    } catch (error) {
+      $("message").hidden = false;
+      $("message").textContent = error.message;
+    }
+  }
+
+  toggle() {
+    if (this.playing) this.stop();
+    else if (this.list.length > 1) this.play();
+  }
+
+  async play() {
+    if (!this.overlay.path.length) await this.fetchPath();
+    if (!this.overlay.path.length) return;
+    const begin = performance.now(), seconds = this.path.length / RATE, loop = $("loop").checked;
+    const playing = (this.playing = {});
+    $("play").textContent = "Stop";
+    const size = [this.view.camera.w, this.view.camera.h];
+    const step = (now) => {
+      if (this.playing !== playing) return;
+      const t = (now - begin) / 1000 / seconds;
+      if (t >= 1 && !loop) return this.stop();
+      this.view.moved();
+      this.view.camera = withSize(this.path[Math.floor((t % 1) * this.path.length)], size);
+      this.view.changed();
+      requestAnimationFrame(step);
+    };
+    requestAnimationFrame(step);
+  }
+
+  stop() {
+    this.playing = null;
+    $("play").textContent = "Play";
+  }
+
+  async save() {
+    const reply = await post("/cameras.json", this.list.map(({ camera }) => camera));
+    download(await reply.blob(), "cameras.json");
+  }
+
+  async load(text) {
+    try {
+      const { cameras } = await (await post("/keyframes", text)).json();
+      this.list = cameras.map((camera) => ({ camera, picture: "icon.svg" }));
+      this.chosen = null;
+      this.changed();
+      this.go(0);
+    } catch (error) {
+      $("message").hidden = false;
+      $("message").textContent = error.message;
+    }
+  }
+}

@@ -1,0 +1,266 @@
+//! Whoever owns the scene: takes requests from the desk, and answers them.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
+
+use serde::Serialize;
+use serde_json::json;
+
+use super::desk::{Desk, FrameJob, Job, Painted, Question};
+use super::explain::explain;
+use super::message::{Mode, Quality, refuse};
+use super::pace::Pace;
+use super::photographs::Photographs;
+use super::picture::{self, Range};
+use crate::camera::Camera;
+use crate::data::Photograph;
+use crate::error::{self, Result};
+use crate::image::{ChannelImage, Image, TILE_SIDE};
+use crate::render::{DeviceScene, EyeCache, EyeOptions, RenderReport, Renderer};
+use crate::tile::TileBatch;
+
+/// Clients for whom what their eyes have seen is kept.
+const MAX_EYES: usize = 8;
+
+/// The scene as it is now.
+#[derive(Clone, Copy, Debug)]
+pub struct Stage<'a> {
+    /// What renders it.
+    pub renderer: &'a Renderer,
+    /// The scene.
+    pub scene: &'a DeviceScene,
+    /// Another number after every change: the steps of a training.
+    pub version: u64,
+}
+
+/// Answers requests, one at a time.
+#[derive(Debug)]
+pub struct Painter {
+    desk: Arc<Desk>,
+    photographs: Photographs,
+    /// The one that was used last is last.
+    eyes: Vec<Eye>,
+}
+
+/// What is remembered of a client.
+#[derive(Debug)]
+struct Eye {
+    client: u64,
+    version: u64,
+    cache: EyeCache,
+    pace: Pace,
+}
+
+/// What the page is told about an image.
+#[derive(Debug, Serialize)]
+struct About {
+    sequence: u64,
+    quality: Quality,
+    mode: Mode,
+    size: [u32; 2],
+    /// Of the scene: the steps of a training.
+    version: u64,
+    gaussians: usize,
+    /// (Gaussian, camera) pairs that the image needs.
+    pairs: u64,
+    members: u64,
+    /// Samples of T that were computed for this image; those that were known are not among them.
+    samples: u64,
+    /// How much longer than sigma T's steps are.
+    steps: u16,
+    milliseconds: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    range: Option<[f64; 2]>,
+}
+
+impl Painter {
+    /// Takes requests from `desk`.
+    #[must_use]
+    pub fn new(desk: Arc<Desk>, photographs: Photographs) -> Self {
+        Self { desk, photographs, eyes: Vec::new() }
+    }
+
+    /// Answers one request; waits up to `patience` for it. Returns whether there was one.
+    pub fn serve(&mut self, stage: Stage<'_>, patience: Duration) -> bool {
+        let Some(job) = self.desk.take(patience) else { return false };
+        match job {
+            Job::Question(question, reply) => {
+                let _ = reply.send(self.answer(stage, &question).map_err(told));
+            }
+            Job::Frame(job) => match self.frame(stage, &job) {
+                Ok(Some(painted)) => {
+                    let _ = job.reply.send(Ok(painted));
+                }
+                Ok(None) => self.desk.put_back(job),
+                Err(error) => {
+                    let _ = job.reply.send(Err(told(error)));
+                }
+            },
+        }
+        // a training counts its own kernels
+        let _ = stage.renderer.device().take_timings();
+        true
+    }
+
+    /// Paints an image, or nothing where it was interrupted.
+    fn frame(&mut self, stage: Stage<'_>, job: &FrameJob) -> Result<Option<Painted>> {
+        let begin = Instant::now();
+        let truth = match (job.request.mode, job.request.view) {
+            (Mode::Error, Some(view)) => Some(self.photographs.get(stage.renderer, view)?),
+            (Mode::Error, None) => return refuse("an error is that of a photograph".to_owned()),
+            _ => None,
+        };
+        let desk = Arc::clone(&self.desk);
+        let eye = self.eye(job.request.client, stage.version);
+        let canvas = paint(stage, job, eye, truth.as_deref(), &|slices| {
+            let quality = job.request.quality;
+            let outdated = quality != Quality::Moving && desk.is_outdated(job);
+            // every turn does something, or it would never end
+            let urgent = slices > 0 && quality == Quality::Exact && desk.has_urgent();
+            job.reply.is_closed() || outdated || urgent
+        })?;
+        let Some(Canvas { image, range, steps, report }) = canvas else { return Ok(None) };
+        let (kind, bytes) = match job.request.quality {
+            Quality::Exact => {
+                let bytes = image.encode_png();
+                ("image/png", bytes.or_else(|error| refuse(error.to_string()))?)
+            }
+            _ => ("image/jpeg", picture::encode_jpeg(&image)?),
+        };
+        let seconds = begin.elapsed().as_secs_f64();
+        if job.request.quality == Quality::Moving {
+            let fields = eye.cache.seconds();
+            eye.pace.learn(fields, seconds - fields);
+        }
+        let about = About {
+            sequence: job.request.sequence,
+            quality: job.request.quality,
+            mode: job.request.mode,
+            size: image.size(),
+            version: stage.version,
+            gaussians: stage.scene.len(),
+            pairs: report.pairs,
+            members: report.members,
+            samples: report.samples,
+            steps,
+            milliseconds: 1000.0 * seconds,
+            range: range.map(|Range { low, high }| [low, high]),
+        };
+        Ok(Some(painted_as(kind, bytes, &about)))
+    }
+
+    /// What is remembered of a client, of the scene as it is.
+    fn eye(&mut self, client: u64, version: u64) -> &mut Eye {
+        let found = self.eyes.iter().position(|eye| eye.client == client);
+        if found.is_none() && self.eyes.len() >= MAX_EYES {
+            self.eyes.remove(0);
+        }
+        let new = || Eye { client, version, cache: EyeCache::default(), pace: Pace::default() };
+        let mut eye = found.map_or_else(new, |at| self.eyes.remove(at));
+        if eye.version != version {
+            (eye.version, eye.cache) = (version, EyeCache::default());
+        }
+        self.eyes.push(eye);
+        self.eyes.last_mut().expect("pushed above")
+    }
+
+    fn answer(&mut self, stage: Stage<'_>, question: &Question) -> Result<Painted> {
+        match question {
+            Question::Photograph(view) => {
+                let photograph = self.photographs.get(stage.renderer, *view)?;
+                let size = [photograph.width(), photograph.height()];
+                let image = Image::of_pixels(size, photograph.pixels());
+                let bytes = picture::encode_jpeg(&image)?;
+                Ok(painted_as("image/jpeg", bytes, &json!({ "size": size })))
+            }
+            Question::Pixel(pixel, camera) => {
+                let bytes = explain(stage, camera, *pixel)?;
+                Ok(painted_as("application/json", bytes, &json!({})))
+            }
+        }
+    }
+}
+
+/// An error in words.
+fn told(error: error::Error) -> String {
+    error::chain(&error)
+}
+
+fn painted_as(kind: &'static str, bytes: Vec<u8>, about: &impl Serialize) -> Painted {
+    let about = serde_json::to_string(about).expect("numbers and names");
+    Painted { kind, bytes, about }
+}
+
+/// What was drawn.
+struct Canvas {
+    image: Image,
+    range: Option<Range>,
+    steps: u16,
+    report: RenderReport,
+}
+
+/// Draws an image. `is_cancelled` is asked before each slice of the Gaussians, with the number of slices that are done.
+fn paint(
+    Stage { renderer, scene, .. }: Stage<'_>,
+    FrameJob { request, camera, .. }: &FrameJob,
+    Eye { cache, pace, .. }: &mut Eye,
+    truth: Option<&Photograph>,
+    is_cancelled: &(dyn Fn(usize) -> bool + Sync),
+) -> Result<Option<Canvas>> {
+    let (shrink, steps) = match request.quality {
+        Quality::Moving => (pace.shrink, pace.steps),
+        Quality::Still => (1, pace.steps),
+        Quality::Exact => (1, 1),
+    };
+    // errors are those of the photograph's pixels
+    let camera = &if truth.is_some() { camera.clone() } else { shrunk(camera, shrink) };
+    let size = [camera.width, camera.height];
+    let batch = TileBatch::cover(0, size[0], size[1], TILE_SIDE)?;
+    let slices = AtomicUsize::new(0);
+    let options = EyeOptions {
+        channels: request.mode.channels(),
+        steps,
+        background: request.background,
+        is_cancelled: &|| is_cancelled(slices.fetch_add(1, Ordering::Relaxed)),
+    };
+    let rendered = renderer.render_from_eye(scene, camera, &batch, cache, &options)?;
+    let Some(tiles) = rendered else { return Ok(None) };
+    let (image, range) = match (request.mode, request.mode.channels()) {
+        (Mode::Members, _) => picture::of_members(&renderer.count_members(scene, camera)?, size),
+        (mode, [channel]) => {
+            let mut image = ChannelImage::new(*channel, size[0], size[1])?;
+            image.paste(&batch, &tiles)?;
+            picture::of_channel(mode, &image, scene, camera)
+        }
+        _ => {
+            let mut image = Image::new(size[0], size[1])?;
+            image.paste(&batch, &tiles)?;
+            match truth {
+                Some(truth) => picture::of_error(&image, truth)?,
+                None => (image, None),
+            }
+        }
+    };
+    Ok(Some(Canvas { image, range, steps, report: tiles.report }))
+}
+
+/// The same view in fewer pixels.
+fn shrunk(camera: &Camera, shrink: u32) -> Camera {
+    if shrink == 1 {
+        return camera.clone();
+    }
+    let side = |side: u32| side.div_ceil(shrink);
+    let (width, height) = (side(camera.width), side(camera.height));
+    let across = f64::from(width) / f64::from(camera.width);
+    let down = f64::from(height) / f64::from(camera.height);
+    Camera {
+        fl_x: camera.fl_x * across,
+        fl_y: camera.fl_y * down,
+        cx: camera.cx * across,
+        cy: camera.cy * down,
+        width,
+        height,
+        ..camera.clone()
+    }
+}

@@ -1,0 +1,290 @@
+//! The HTTP server: gives out the page, and puts what it asks for on the desk.
+
+use std::convert::Infallible;
+use std::io;
+use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpListener};
+use std::sync::Arc;
+use std::thread;
+use std::time::Duration;
+
+use http_body_util::{BodyExt, Full, Limited};
+use hyper::body::{Bytes, Incoming};
+use hyper::header::{CONTENT_TYPE, HeaderName, HeaderValue, SET_COOKIE};
+use hyper::server::conn::http1;
+use hyper::service::service_fn;
+use hyper::{Method, Request, Response, StatusCode};
+use hyper_util::rt::{TokioIo, TokioTimer};
+use serde::de::DeserializeOwned;
+use tokio::sync::{Semaphore, oneshot};
+
+use super::about::About;
+use super::assets;
+use super::board::{Board, Command};
+use super::desk::{Answer, Desk, FrameJob, Painted, Question};
+use super::guard::{Guard, Verdict};
+use super::keyframes;
+use super::message::{FrameRequest, PixelRequest, checked};
+use crate::error::{self, Error, Result};
+
+/// The port where nobody asks for another.
+const PORT: u16 = 4747;
+/// The largest request, in bytes.
+const MAX_BODY: usize = 4 << 20;
+/// Clients that are connected at once.
+const MAX_CONNECTIONS: usize = 256;
+/// How long a request may take to arrive.
+const PATIENCE: Duration = Duration::from_secs(20);
+
+/// Where a server listens.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Address {
+    /// Without it, this machine alone is listened to.
+    pub bind: Option<IpAddr>,
+    /// Without it, a usual port or one that is free.
+    pub port: Option<u16>,
+}
+
+impl Address {
+    fn listen(self) -> Result<TcpListener> {
+        let ip = self.bind.unwrap_or(IpAddr::V4(Ipv4Addr::LOCALHOST));
+        let listen = |port| TcpListener::bind(SocketAddr::new(ip, port));
+        let (port, listener) = match self.port {
+            Some(port) => (port, listen(port)),
+            None => (PORT, listen(PORT).or_else(|_| listen(0))),
+        };
+        listener.map_err(|error| {
+            let reason = match error.kind() {
+                io::ErrorKind::AddrInUse => format!(
+                    "port {port} of {ip} is taken by another program; choose another with `--port`, or 0 for \
+                     one that is free"
+                ),
+                _ => format!("cannot listen at port {port} of {ip}: {error}"),
+            };
+            Error::Invalid { origin: "".into(), reason }
+        })
+    }
+}
+
+/// A server that listens, on a thread of its own, until the program ends.
+#[derive(Debug)]
+pub struct Server {
+    listener: TcpListener,
+    guard: Guard,
+}
+
+struct Shared {
+    guard: Guard,
+    desk: Arc<Desk>,
+    about: About,
+    board: Option<Arc<Board>>,
+}
+
+impl Server {
+    /// Takes the port, and answers nobody yet.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] where the port is taken, or the address is not one of this machine.
+    pub fn listen(address: Address) -> Result<Self> {
+        let listener = address.listen()?;
+        let found = listener.local_addr().map_err(broken)?;
+        Ok(Self { listener, guard: Guard::new(found) })
+    }
+
+    /// Where the page is, the token included.
+    #[must_use]
+    pub fn url(&self) -> String {
+        let address = self.listener.local_addr().map(|address| address.to_string());
+        let address = address.unwrap_or_default();
+        let token = self.guard.token().map(|token| format!("?token={token}"));
+        format!("http://{address}/{}", token.unwrap_or_default())
+    }
+
+    /// Answers from now on.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] where the system gives no thread.
+    pub fn start(self, desk: Arc<Desk>, about: About, board: Option<Arc<Board>>) -> Result<()> {
+        let Self { listener, guard } = self;
+        listener.set_nonblocking(true).map_err(broken)?;
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+        let runtime = runtime.map_err(broken)?;
+        let shared = Arc::new(Shared { guard, desk, about, board });
+        let serve = move || runtime.block_on(accept(listener, shared));
+        thread::Builder::new().name("viewer".to_owned()).spawn(serve).map_err(broken)?;
+        Ok(())
+    }
+}
+
+fn broken(error: io::Error) -> Error {
+    Error::Invalid { origin: "".into(), reason: format!("the viewer cannot be served: {error}") }
+}
+
+async fn accept(listener: TcpListener, shared: Arc<Shared>) {
+    let Ok(listener) = tokio::net::TcpListener::from_std(listener) else { return };
+    let places = Arc::new(Semaphore::new(MAX_CONNECTIONS));
+    loop {
+        let Ok((stream, _)) = listener.accept().await else {
+            // too many open files, say
+            tokio::time::sleep(Duration::from_millis(100)).await;
+            continue;
+        };
+        let Ok(place) = Arc::clone(&places).try_acquire_owned() else { continue };
+        let _ = stream.set_nodelay(true);
+        let shared = Arc::clone(&shared);
+        tokio::spawn(async move {
+            let answer = |request| {
+                let shared = Arc::clone(&shared);
+                async move { Ok::<_, Infallible>(answer(&shared, request).await) }
+            };
+            // what a client does wrong is the end of its connection, and of nothing else
+            let _ = http1::Builder::new()
+                .timer(TokioTimer::new())
+                .header_read_timeout(PATIENCE)
+                .max_buf_size(64 << 10)
+                .serve_connection(TokioIo::new(stream), service_fn(answer))
+                .await;
+            drop(place);
+        });
+    }
+}
+
+type Reply = Response<Full<Bytes>>;
+
+/// Why a request is not answered as it asks.
+struct Refusal(StatusCode, String);
+
+async fn answer(shared: &Shared, request: Request<Incoming>) -> Reply {
+    let cookie = match shared.guard.judge(request.headers(), request.uri().query()) {
+        Verdict::Welcome { cookie } => cookie,
+        Verdict::Refused(reason) => {
+            return text(StatusCode::FORBIDDEN, "text/plain; charset=utf-8", reason.as_bytes());
+        }
+    };
+    let mut reply = route(shared, request).await.unwrap_or_else(|Refusal(status, reason)| {
+        let reason = serde_json::json!({ "error": reason }).to_string();
+        text(status, "application/json", reason.as_bytes())
+    });
+    if let Some(cookie) = cookie.and_then(|cookie| cookie.parse().ok()) {
+        reply.headers_mut().insert(SET_COOKIE, cookie);
+    }
+    reply
+}
+
+async fn route(shared: &Shared, request: Request<Incoming>) -> Result<Reply, Refusal> {
+    let (method, path) = (request.method().clone(), request.uri().path().to_owned());
+    let json = |bytes: &[u8]| Ok(text(StatusCode::OK, "application/json", bytes));
+    match (&method, path.as_str()) {
+        (&Method::GET, "/scene.json") => json(shared.about.json().as_bytes()),
+        (&Method::GET, "/points") => {
+            Ok(text(StatusCode::OK, "application/octet-stream", shared.about.points()))
+        }
+        (&Method::GET, "/training.json") => match &shared.board {
+            Some(board) => json(board.to_json().as_bytes()),
+            None => Err(Refusal(StatusCode::NOT_FOUND, "nothing is being trained".to_owned())),
+        },
+        (&Method::POST, "/training") => {
+            let command: Command = parsed(&body(request).await?)?;
+            if let Some(board) = &shared.board {
+                board.command(command);
+            }
+            json(b"{}")
+        }
+        (&Method::POST, "/frame") => {
+            let request: FrameRequest = parsed(&body(request).await?)?;
+            let camera = request.check().map_err(refused)?;
+            let (reply, answer) = oneshot::channel();
+            shared.desk.post(Box::new(FrameJob { request, camera, reply }));
+            painted(answer).await
+        }
+        (&Method::POST, "/explain") => {
+            let request: PixelRequest = parsed(&body(request).await?)?;
+            let camera = checked(&request.camera).map_err(refused)?;
+            ask(shared, Question::Pixel(request.pixel, Box::new(camera))).await
+        }
+        (&Method::POST, "/cameras.json") => {
+            json(&keyframes::write(&body(request).await?).map_err(refused)?)
+        }
+        (&Method::POST, "/path") => json(&keyframes::path(&body(request).await?).map_err(refused)?),
+        (&Method::POST, "/keyframes") => {
+            json(&keyframes::read(&body(request).await?).map_err(refused)?)
+        }
+        (&Method::GET, path) => {
+            if let Some((kind, content)) = assets::find(path) {
+                return Ok(text(StatusCode::OK, kind, content.as_bytes()));
+            }
+            match path.strip_prefix("/photograph/").and_then(|view| view.parse().ok()) {
+                Some(view) => ask(shared, Question::Photograph(view)).await,
+                None => Err(Refusal(StatusCode::NOT_FOUND, format!("there is no {path}"))),
+            }
+        }
+        _ => Err(Refusal(StatusCode::METHOD_NOT_ALLOWED, format!("{method} is not for {path}"))),
+    }
+}
+
+async fn ask(shared: &Shared, question: Question) -> Result<Reply, Refusal> {
+    let (reply, answer) = oneshot::channel();
+    shared.desk.ask(question, reply);
+    painted(answer).await
+}
+
+async fn painted(answer: oneshot::Receiver<Answer>) -> Result<Reply, Refusal> {
+    match answer.await {
+        Ok(Ok(Painted { kind, bytes, about })) => {
+            let mut reply = whole(StatusCode::OK, kind, bytes.into());
+            if let Ok(about) = HeaderValue::from_str(&about) {
+                reply.headers_mut().insert(HeaderName::from_static("x-organza"), about);
+            }
+            Ok(reply)
+        }
+        Ok(Err(reason)) => Err(Refusal(StatusCode::UNPROCESSABLE_ENTITY, reason)),
+        // a newer one took its place
+        Err(_) => Err(Refusal(StatusCode::CONFLICT, "nobody waits for this any more".to_owned())),
+    }
+}
+
+async fn body(request: Request<Incoming>) -> Result<Bytes, Refusal> {
+    let all = Limited::new(request.into_body(), MAX_BODY).collect();
+    match tokio::time::timeout(PATIENCE, all).await {
+        Ok(Ok(all)) => Ok(all.to_bytes()),
+        Ok(Err(error)) => Err(Refusal(StatusCode::BAD_REQUEST, error.to_string())),
+        Err(_) => Err(Refusal(StatusCode::REQUEST_TIMEOUT, "it took too long".to_owned())),
+    }
+}
+
+fn parsed<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, Refusal> {
+    serde_json::from_slice(bytes)
+        .map_err(|error| Refusal(StatusCode::BAD_REQUEST, error.to_string()))
+}
+
+fn refused(error: Error) -> Refusal {
+    Refusal(StatusCode::BAD_REQUEST, error::chain(&error))
+}
+
+fn text(status: StatusCode, kind: &'static str, content: &[u8]) -> Reply {
+    whole(status, kind, Bytes::copy_from_slice(content))
+}
+
+/// Headers of every answer: nothing is kept, nothing is loaded from elsewhere, and nobody shows the page within theirs.
+const HEADERS: [(&str, &str); 6] = [
+    ("cache-control", "no-store"),
+    (
+        "content-security-policy",
+        "default-src 'self'; img-src 'self' blob: data:; style-src 'self' 'unsafe-inline'; frame-ancestors 'none'; \
+         base-uri 'none'; form-action 'none'",
+    ),
+    ("cross-origin-opener-policy", "same-origin"),
+    ("cross-origin-resource-policy", "same-origin"),
+    ("referrer-policy", "no-referrer"),
+    ("x-content-type-options", "nosniff"),
+];
+
+fn whole(status: StatusCode, kind: &'static str, content: Bytes) -> Reply {
+    let mut reply = Response::new(Full::new(content));
+    *reply.status_mut() = status;
+    let headers = reply.headers_mut();
+    headers.insert(CONTENT_TYPE, HeaderValue::from_static(kind));
+    for (name, value) in HEADERS {
+        headers.insert(HeaderName::from_static(name), HeaderValue::from_static(value));
+    }
+    reply
+}

@@ -1,0 +1,125 @@
+//! A training that is looked at: images between its steps, within a share of the time.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use super::about::About;
+use super::board::Board;
+use super::desk::Desk;
+use super::painter::{Painter, Stage};
+use super::photographs::Photographs;
+use super::server::Server;
+use crate::data::{Dataset, Pose};
+use crate::error::Result;
+use crate::render::{DeviceScene, Renderer};
+use crate::train::Event;
+
+/// How soon a signal ends the waiting.
+const PATIENCE: Duration = Duration::from_millis(100);
+
+/// Shows a training to whoever looks. It reads the scene between steps and changes nothing, so the training's bits do not
+/// depend on it.
+#[derive(Debug)]
+pub struct TrainingView<'a> {
+    renderer: &'a Renderer,
+    dataset: &'a Arc<Dataset>,
+    /// Set where the page asks to save and stop.
+    stop: &'a AtomicBool,
+    /// The share of the time that images may take.
+    share: f64,
+    title: String,
+    /// Until there is a scene to show.
+    server: Option<Server>,
+    desk: Arc<Desk>,
+    board: Arc<Board>,
+    painter: Painter,
+    clock: Clock,
+}
+
+/// Where the time goes; while the training waits, it stands still.
+#[derive(Debug)]
+struct Clock {
+    training: f64,
+    images: f64,
+    since: Instant,
+}
+
+impl Clock {
+    fn share(&self) -> f64 {
+        self.images / (self.images + self.training).max(1e-9)
+    }
+}
+
+impl<'a> TrainingView<'a> {
+    /// Shows a training on a `server`; images take up to `share` of the time. The page's button sets `stop`.
+    #[must_use]
+    pub fn new(
+        server: Server,
+        renderer: &'a Renderer,
+        dataset: &'a Arc<Dataset>,
+        stop: &'a AtomicBool,
+        share: f64,
+        title: String,
+    ) -> Self {
+        let desk = Arc::new(Desk::default());
+        let photographs = Photographs::of_dataset(Arc::clone(dataset));
+        let painter = Painter::new(Arc::clone(&desk), photographs);
+        let clock = Clock { training: 0.0, images: 0.0, since: Instant::now() };
+        let (server, board) = (Some(server), Arc::default());
+        Self { renderer, dataset, stop, share, title, server, desk, board, painter, clock }
+    }
+
+    /// Sees what happens in a training. After a step, answers what the page asks; returns after the page's
+    /// pause is over.
+    ///
+    /// # Errors
+    /// As [`Server::start`].
+    pub fn see(&mut self, event: &Event<'_>, steps: u32) -> Result<()> {
+        match event {
+            Event::Begin(step) => self.board.begin(u64::from(*step), u64::from(steps)),
+            Event::Planned(steps) => self.board.planned(u64::from(*steps)),
+            Event::Evaluated(evaluation) => self.board.evaluated(evaluation.mean.psnr),
+            Event::Step { step, seconds, report, scene } => {
+                let share = self.clock.share();
+                let losses = [report.loss, report.psnr];
+                self.board.step(u64::from(*step), *seconds, losses, scene.len(), share);
+                self.serve(scene, u64::from(*step))?;
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn serve(&mut self, scene: &DeviceScene, version: u64) -> Result<()> {
+        if let Some(server) = self.server.take() {
+            self.start(server, scene)?;
+        }
+        let stage = Stage { renderer: self.renderer, scene, version };
+        let begin = Instant::now();
+        self.clock.training += (begin - self.clock.since).as_secs_f64();
+        if self.clock.share() < self.share && self.painter.serve(stage, Duration::ZERO) {
+            self.clock.images += begin.elapsed().as_secs_f64();
+        }
+        while self.board.is_paused() && !self.stop.load(Ordering::Relaxed) {
+            self.painter.serve(stage, PATIENCE);
+        }
+        if self.board.is_stopping() {
+            self.stop.store(true, Ordering::Relaxed);
+        }
+        self.clock.since = Instant::now();
+        Ok(())
+    }
+
+    fn start(&self, server: Server, scene: &DeviceScene) -> Result<()> {
+        let Dataset { frames, held_out, points, .. } = &**self.dataset;
+        let pose = |(index, frame): (usize, &crate::data::Frame)| {
+            let camera =
+                crate::Camera { file_path: Some(frame.name.clone()), ..frame.camera.clone() };
+            Pose { camera, held_out: held_out.contains(&index), photograph: None }
+        };
+        let poses: Vec<_> = frames.iter().enumerate().map(pose).collect();
+        let about = About::new(&self.title, self.renderer, scene, &poses, true, points, true);
+        server.start(Arc::clone(&self.desk), about, Some(Arc::clone(&self.board)))
+    }
+}

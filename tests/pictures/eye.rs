@@ -1,0 +1,143 @@
+//! What is kept of one place, on every device: images are those that are rendered without.
+
+use organza::render::{EyeCache, EyeOptions};
+use organza::{Camera, Channel, RenderedTiles, TileBatch};
+use organza_tests::cases;
+
+fn bits(values: &[f32]) -> Vec<u32> {
+    values.iter().map(|value| value.to_bits()).collect()
+}
+
+/// The image of a camera in tiles of 16 pixels.
+fn whole(camera: &Camera) -> TileBatch {
+    TileBatch::cover(0, camera.width, camera.height, 16).expect("tiles")
+}
+
+const EXACT: EyeOptions<'_> =
+    EyeOptions { channels: &Channel::ALL, steps: 1, background: None, is_cancelled: &|| false };
+
+#[test]
+fn images_are_the_same_bits_whatever_was_kept() {
+    cases::on_every_device(|device, renderer, case, scene| {
+        let mut cache = EyeCache::default();
+        let mut render = |camera: &Camera, options: &EyeOptions<'_>| {
+            let tiles =
+                renderer.render_from_eye(scene, camera, &whole(camera), &mut cache, options);
+            tiles.expect("an image").expect("nobody has cancelled it")
+        };
+        let first = &case.cameras[0];
+        let [right, up, back] = [0, 1, 2].map(|at| first.camera_to_world.map(|row| row[at]));
+        let mut turned = first.clone();
+        for row in 0..3 {
+            // a quarter around the camera's own axis, and closer
+            turned.camera_to_world[row][0] = up[row];
+            turned.camera_to_world[row][1] = -right[row];
+            turned.camera_to_world[row][2] = back[row];
+        }
+        (turned.fl_x, turned.fl_y) = (1.5 * first.fl_x, 1.4 * first.fl_y);
+        let larger = first.with_size([first.width * 2, first.height + 7]);
+        let all = [first, &turned, &larger, &case.cameras[1], first];
+        for (index, camera) in all.into_iter().enumerate() {
+            // first coarsely, as while a camera moves
+            render(camera, &EyeOptions { steps: 7, ..EXACT });
+            let found = render(camera, &EXACT);
+            let cameras = std::slice::from_ref(camera);
+            let batch = whole(camera);
+            let expected: RenderedTiles = renderer
+                .render_channels(scene, cameras, &batch, &Channel::ALL, &mut |_, _| {})
+                .expect("an image");
+            let what = format!("{device}, {}: camera {index}", case.name);
+            assert!(bits(&found.data) == bits(&expected.data), "{what}");
+            for (channel, values) in &expected.channels {
+                assert!(bits(&found.channels[channel]) == bits(values), "{what}: {channel:?}");
+            }
+            assert_eq!(found.report.pairs, expected.report.pairs, "{what}");
+            // what was seen from there is not computed again
+            assert_eq!(render(camera, &EXACT).report.samples, 0, "{what}");
+        }
+    });
+}
+
+/// With steps that are longer, T is that of fewer samples: near the exact one, and of a field that is the same everywhere it is
+/// the same.
+#[test]
+fn long_steps_change_little() {
+    cases::on_every_device(|device, renderer, case, scene| {
+        let camera = &case.cameras[0];
+        let render = |steps| {
+            let options = EyeOptions { channels: &[], steps, ..EXACT };
+            let mut cache = EyeCache::default();
+            let tiles =
+                renderer.render_from_eye(scene, camera, &whole(camera), &mut cache, &options);
+            tiles.expect("an image").expect("nobody has cancelled it")
+        };
+        let (exact, coarse) = (render(1), render(4));
+        let apart = exact.data.iter().zip(&coarse.data).map(|(a, b)| f64::from((a - b).abs()));
+        let mean = apart.sum::<f64>() / exact.data.len() as f64;
+        assert!(mean < 0.05, "{device}, {}: {mean}", case.name);
+        let (few, many) = (coarse.report.samples, exact.report.samples);
+        assert!(few < many || many < 8, "{device}, {}: {few} of {many} samples", case.name);
+    });
+}
+
+#[test]
+fn a_cancelled_image_keeps_what_was_done() {
+    cases::on_every_device(|device, renderer, case, scene| {
+        let camera = &case.cameras[0];
+        let (mut cache, batch) = (EyeCache::default(), whole(camera));
+        let cancelled = EyeOptions { is_cancelled: &|| true, ..EXACT };
+        let tiles = renderer.render_from_eye(scene, camera, &batch, &mut cache, &cancelled);
+        let what = format!("{device}, {}", case.name);
+        assert!(tiles.expect("no error").is_none(), "{what}");
+        let tiles = renderer.render_from_eye(scene, camera, &batch, &mut cache, &EXACT);
+        assert!(tiles.expect("an image").is_some(), "{what}");
+        // nothing is left to do
+        let tiles = renderer.render_from_eye(scene, camera, &batch, &mut cache, &cancelled);
+        assert!(tiles.expect("an image").is_some(), "{what}");
+    });
+}
+
+#[test]
+fn another_background_is_where_weights_leave_room() {
+    cases::on_every_device(|device, renderer, case, scene| {
+        let camera = &case.cameras[0];
+        let render = |background| {
+            let options = EyeOptions { channels: &[Channel::Alpha], background, ..EXACT };
+            let mut cache = EyeCache::default();
+            let batch = whole(camera);
+            let tiles = renderer.render_from_eye(scene, camera, &batch, &mut cache, &options);
+            tiles.expect("an image").expect("nobody has cancelled it")
+        };
+        let own = case.scene.config.background;
+        assert!(bits(&render(Some(own)).data) == bits(&render(None).data), "{device}");
+        let (black, white) = (render(Some([0.0; 3])), render(Some([1.0; 3])));
+        let area = 16 * 16;
+        for (at, (black_at, white_at)) in black.data.iter().zip(&white.data).enumerate() {
+            let (tile, pixel) = (at / (3 * area), at % area);
+            let weight = black.channels[&Channel::Alpha][tile * area + pixel];
+            let room = (1.0 - weight).max(0.0);
+            let off = (white_at - black_at - room).abs();
+            assert!(off < 1e-5, "{device}, {}: {off} at weight {weight}", case.name);
+        }
+    });
+}
+
+#[test]
+fn members_of_pixels_are_those_that_explain_lists() {
+    cases::on_every_device(|device, renderer, case, scene| {
+        for (index, camera) in case.cameras.iter().enumerate() {
+            let count = renderer.count_members(scene, camera).expect("a count");
+            let (width, height) = (camera.width as usize, camera.height as usize);
+            assert_eq!(count.len(), width * height);
+            let most = (0..count.len()).max_by_key(|&at| count[at]).expect("pixels");
+            assert!(count[most] > 0, "{device}, {}", case.name);
+            for at in (0..count.len()).step_by(count.len() / 9 + 1).chain([most]) {
+                let pixel = [(at % width) as i32, (at / width) as i32];
+                let found = renderer.inspect(scene, &case.cameras, index, pixel).expect("a pixel");
+                let members = found.contributions.iter().filter(|one| one.falloff > 0.0).count();
+                let what = format!("{device}, {}: pixel {pixel:?} of {index}", case.name);
+                assert_eq!(count[at] as usize, members, "{what}");
+            }
+        }
+    });
+}

@@ -1,0 +1,143 @@
+//! The page in a browser, as somebody uses it.
+
+use std::fs;
+
+use serde_json::{Value, json};
+
+use super::chromium::{Page, base64, program};
+use super::client::Viewer;
+use crate::sandbox::Sandbox;
+use crate::train::runs::{TINY, sandbox};
+
+const REST: &str = "document.documentElement.dataset.quality === 'exact' && !organza.frames.busy \
+    && !organza.frames.wanted";
+/// The bytes of the image that is shown, in base64.
+const SHOWN: &str = "new Promise((done) => { const reader = new FileReader(); reader.onload = () => \
+    done(reader.result.split(',')[1]); reader.readAsDataURL(organza.view.shown.blob); })";
+
+/// The canvas's middle on the screen.
+fn middle(page: &mut Page) -> [f64; 2] {
+    let middle = page.eval(
+        "(() => { const box = document.getElementById('overlay').getBoundingClientRect(); \
+         return [box.left + box.width / 2, box.top + box.height / 2]; })()",
+    );
+    serde_json::from_value(middle).expect("a place")
+}
+
+/// What `render` writes for the camera that is shown.
+fn rendered(sandbox: &Sandbox, viewer: &Viewer, camera: &Value) -> Vec<u8> {
+    let file = viewer.post("/cameras.json", &json!([camera])).ok();
+    fs::write(sandbox.path("shown.json"), file.body).unwrap();
+    sandbox.run("render scene.safetensors shown.json -o shown --backend cpu").assert_ok();
+    fs::read(sandbox.path("shown/0000.png")).expect("an image")
+}
+
+#[test]
+fn a_scene_in_a_browser() {
+    let Some(program) = program() else { return };
+    let sandbox = Sandbox::new("basic");
+    sandbox.run("render scene.safetensors cameras.json -o data/images --backend cpu").assert_ok();
+    fs::copy(sandbox.path("cameras.json"), sandbox.path("data/transforms.json")).unwrap();
+    let viewer = Viewer::start(&sandbox, "view scene.safetensors data --port 0 --backend cpu");
+    let mut page = Page::open(program, &format!("http://{}/", viewer.host), [700, 420]);
+    page.wait(REST);
+    let shown = |page: &mut Page| base64(page.eval(SHOWN).as_str().expect("bytes"));
+    let camera = |page: &mut Page| page.eval("organza.view.camera");
+    let (before, first) = (shown(&mut page), camera(&mut page));
+    assert!(before == rendered(&sandbox, &viewer, &first), "at rest");
+
+    // a drag moves the camera around what it looks at
+    let [x, y] = middle(&mut page);
+    page.drag([x, y], [x + 60.0, y + 25.0]);
+    page.wait(REST);
+    let (after, moved) = (shown(&mut page), camera(&mut page));
+    assert!(moved["camera_to_world"] != first["camera_to_world"] && after != before);
+    assert_eq!(moved["fl_x"], first["fl_x"]);
+    assert!(after == rendered(&sandbox, &viewer, &moved), "after a drag");
+    let far = |page: &mut Page| {
+        page.eval(
+            "organza.view.camera.camera_to_world.slice(0, 3).reduce(\
+        (sum, row, at) => sum + (row[3] - organza.view.center[at]) ** 2, 0) ** 0.5",
+        )
+    };
+    let [near, farther] = [&mut page].map(|page| {
+        let before = far(page).as_f64().unwrap();
+        page.mouse("mouseWheel", [x, y]);
+        page.wait(REST);
+        [far(page).as_f64().unwrap(), before]
+    })[0];
+    assert!(near < 0.95 * farther, "{near} {farther}");
+    let closer = camera(&mut page);
+    assert!(shown(&mut page) == rendered(&sandbox, &viewer, &closer), "after the wheel");
+
+    // a click explains the pixel
+    page.click([x, y]);
+    page.wait("organza.explain.answer");
+    let answer = page.eval("organza.explain.answer");
+    let pixel = answer["pixel"].clone();
+    let file = viewer.post("/cameras.json", &json!([closer])).ok();
+    fs::write(sandbox.path("shown.json"), file.body).unwrap();
+    let words =
+        format!("explain scene.safetensors shown.json --pixel {},{} --json", pixel[0], pixel[1]);
+    let expected: Value = serde_json::from_str(&sandbox.run(&words).assert_ok().stdout).unwrap();
+    assert_eq!(answer["color"], expected["color"]);
+    assert_eq!(answer["alpha_sum"], expected["alpha_sum"]);
+    let count = expected["gaussians"].as_array().unwrap().len();
+    let rows = page.eval("document.querySelectorAll('#rows tr').length").as_u64().unwrap();
+    assert!(count > 0 && rows as usize == count.min(61), "{rows} of {count}");
+
+    page.screenshot("viewer-explain");
+
+    // keyframes come back as they were saved
+    page.eval("document.getElementById('add-keyframe').click()");
+    page.drag([x, y], [x - 40.0, y]);
+    page.key("k");
+    let keyframes = page.eval("organza.keyframes.list.map((one) => one.camera)");
+    assert_eq!(keyframes.as_array().map(Vec::len), Some(2));
+    page.wait("organza.keyframes.path?.length > 1");
+    let save = "(async () => { let saved; const make = URL.createObjectURL; URL.createObjectURL = \
+        (blob) => { saved = blob; return make(blob); }; await organza.keyframes.save(); \
+        URL.createObjectURL = make; return saved.text(); })()";
+    let saved = page.eval(save);
+    fs::write(sandbox.path("keyframes.json"), saved.as_str().expect("a file")).unwrap();
+    sandbox.run("info keyframes.json").assert_ok();
+    page.eval("organza.keyframes.list = []; organza.keyframes.changed()");
+    page.eval(&format!("organza.keyframes.load({saved})"));
+    assert_eq!(page.eval("organza.keyframes.list.map((one) => one.camera)"), keyframes);
+
+    // a camera of the data set, and the photograph beside it
+    page.eval("document.getElementById('compare').click()");
+    page.wait(REST);
+    page.wait("document.getElementById('photograph').complete");
+    let index = page.eval("organza.view.index").as_u64().expect("a view") as usize;
+    let view = viewer.scene()["views"][index]["camera"].clone();
+    assert_eq!(camera(&mut page), view);
+    assert!(shown(&mut page) == rendered(&sandbox, &viewer, &view), "a camera of the data set");
+    assert!(page.errors.is_empty(), "{:?}", page.errors);
+}
+
+#[test]
+fn a_training_in_a_browser() {
+    let Some(program) = program() else { return };
+    let sandbox = sandbox();
+    let words = format!("{TINY} run --view --port 0 --view-share 50 --steps 100000");
+    let viewer = Viewer::start(&sandbox, &words);
+    let mut page = Page::open(program, &format!("http://{}/", viewer.host), [390, 760]);
+    page.wait("document.querySelectorAll('#charts canvas').length === 2");
+    page.wait("organza.view.shown?.about.version > 0");
+    let version = page.eval("organza.view.shown.about.version");
+    page.wait(&format!("organza.view.shown.about.version > {version}"));
+    page.wait("organza.training.state.curve.step.length > 200");
+    let psnr: Vec<Option<f64>> =
+        serde_json::from_value(page.eval("organza.training.state.curve.psnr")).expect("numbers");
+    let mean = |values: &[Option<f64>]| -> f64 {
+        values.iter().flatten().sum::<f64>() / values.len() as f64
+    };
+    let (first, last) = (mean(&psnr[..10]), mean(&psnr[psnr.len() - 10..]));
+    assert!(last > first + 1.0, "PSNR rises: {first} {last}");
+    page.screenshot("viewer-training");
+    page.eval("document.getElementById('pause').click()");
+    page.wait("organza.training.state.paused");
+    page.wait(REST);
+    assert!(page.errors.is_empty(), "{:?}", page.errors);
+}

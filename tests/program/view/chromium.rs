@@ -1,0 +1,208 @@
+//! Chromium without a window, driven by its DevTools protocol through a pair of pipes.
+
+use std::fs::{File, OpenOptions};
+use std::io::{BufRead, BufReader, Write};
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use serde_json::{Value, json};
+use tempfile::TempDir;
+
+/// Names of the program, as distributions have it.
+const PROGRAMS: [&str; 4] =
+    ["chromium", "chromium-headless-shell", "chromium-browser", "google-chrome"];
+
+/// A browser with one page.
+pub struct Page {
+    child: Child,
+    input: File,
+    output: BufReader<File>,
+    session: String,
+    next: u64,
+    /// What the page has complained about.
+    pub errors: Vec<String>,
+    _folder: TempDir,
+}
+
+/// The browser's program. None where there is none, unless `ORGANZA_REQUIRE_BROWSER` asks for it.
+pub fn program() -> Option<&'static str> {
+    let works = |name: &&str| {
+        let output = Command::new(name).arg("--version").stderr(Stdio::null()).output();
+        output.is_ok_and(|output| output.status.success())
+    };
+    let found = PROGRAMS.into_iter().find(works);
+    if found.is_none() {
+        let required = std::env::var_os("ORGANZA_REQUIRE_BROWSER").is_some();
+        assert!(!required, "there is no Chromium, and ORGANZA_REQUIRE_BROWSER is set");
+        println!("skipped: there is no Chromium");
+    }
+    found
+}
+
+impl Page {
+    /// Opens an address in a window of this size.
+    pub fn open(program: &str, url: &str, size: [u32; 2]) -> Self {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = |name: &str| folder.path().join(name);
+        let pipes = ["in", "out"].map(path);
+        let made = Command::new("mkfifo").args(&pipes).status().expect("mkfifo");
+        assert!(made.success());
+        let script = "exec \"$0\" \"$@\" 3<\"$IN\" 4>\"$OUT\"";
+        let child = Command::new("sh")
+            .args(["-c", script, program, "--headless", "--remote-debugging-pipe", "--no-sandbox"])
+            .args([
+                "--disable-gpu",
+                "--disable-dev-shm-usage",
+                "--no-first-run",
+                "--hide-scrollbars",
+            ])
+            .args(["--force-color-profile=srgb", "--disable-background-networking"])
+            .arg(format!("--user-data-dir={}", path("profile").display()))
+            .env("IN", &pipes[0])
+            .env("OUT", &pipes[1])
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("a shell");
+        let input = OpenOptions::new().write(true).open(&pipes[0]).expect("a pipe");
+        let output = BufReader::new(File::open(&pipes[1]).expect("a pipe"));
+        let (session, errors) = (String::new(), Vec::new());
+        let mut page = Self { child, input, output, session, next: 0, errors, _folder: folder };
+        let target = page.call("Target.createTarget", json!({"url": "about:blank"}));
+        let target = json!({"targetId": target["targetId"], "flatten": true});
+        let session = page.call("Target.attachToTarget", target);
+        page.session = session["sessionId"].as_str().expect("a session").to_owned();
+        page.call("Runtime.enable", json!({}));
+        page.call("Page.enable", json!({}));
+        page.resize(size);
+        page.call("Page.navigate", json!({ "url": url }));
+        page.wait("document.documentElement?.dataset.ready !== undefined");
+        page
+    }
+
+    pub fn resize(&mut self, [width, height]: [u32; 2]) {
+        let metrics = json!({"width": width, "height": height, "deviceScaleFactor": 1,
+            "mobile": false});
+        self.call("Emulation.setDeviceMetricsOverride", metrics);
+    }
+
+    /// Calls a method, and waits for its result.
+    pub fn call(&mut self, method: &str, params: Value) -> Value {
+        self.next += 1;
+        let mut message = json!({"id": self.next, "method": method, "params": params});
+        if !self.session.is_empty() {
+            message["sessionId"] = json!(self.session);
+        }
+        let bytes = [message.to_string().as_bytes(), b"\0"].concat();
+        self.input.write_all(&bytes).expect("the browser listens");
+        loop {
+            let mut bytes = Vec::new();
+            self.output.read_until(0, &mut bytes).expect("the browser answers");
+            assert_eq!(bytes.pop(), Some(0), "the browser has ended");
+            let message: Value = serde_json::from_slice(&bytes).expect("JSON");
+            if message["method"] == "Runtime.exceptionThrown" {
+                self.errors.push(message["params"]["exceptionDetails"].to_string());
+            }
+            if message["id"] == self.next {
+                assert!(message["error"].is_null(), "{method}: {}", message["error"]);
+                return message["result"].clone();
+            }
+        }
+    }
+
+    /// The value of an expression, or of what it promises.
+    #[track_caller]
+    pub fn eval(&mut self, expression: &str) -> Value {
+        let params = json!({"expression": expression, "awaitPromise": true, "returnByValue": true});
+        let result = self.call("Runtime.evaluate", params);
+        assert!(result["exceptionDetails"].is_null(), "{expression}: {result}");
+        result["result"]["value"].clone()
+    }
+
+    /// Waits until an expression is true.
+    #[track_caller]
+    pub fn wait(&mut self, expression: &str) {
+        let begin = Instant::now();
+        while self.eval(&format!("Boolean({expression})")) != json!(true) {
+            let seconds = begin.elapsed().as_secs();
+            assert!(seconds < 60, "{expression} is never true; {:?}", self.errors);
+            thread::sleep(Duration::from_millis(15));
+        }
+    }
+
+    /// An event of the mouse.
+    pub fn mouse(&mut self, kind: &str, [x, y]: [f64; 2]) {
+        let held = u32::from(kind != "mouseReleased" && kind != "mouseWheel");
+        let mut event = json!({"type": kind, "x": x, "y": y, "button": "left", "buttons": held,
+            "clickCount": 1});
+        if kind == "mouseWheel" {
+            event["deltaX"] = json!(0);
+            event["deltaY"] = json!(-120);
+        }
+        self.call("Input.dispatchMouseEvent", event);
+    }
+
+    pub fn drag(&mut self, from: [f64; 2], to: [f64; 2]) {
+        self.mouse("mousePressed", from);
+        for step in 1..=8 {
+            let part = f64::from(step) / 8.0;
+            self.mouse(
+                "mouseMoved",
+                [0, 1].map(|axis| from[axis] + part * (to[axis] - from[axis])),
+            );
+        }
+        self.mouse("mouseReleased", to);
+    }
+
+    pub fn click(&mut self, at: [f64; 2]) {
+        self.mouse("mousePressed", at);
+        self.mouse("mouseReleased", at);
+    }
+
+    pub fn key(&mut self, key: &str) {
+        for kind in ["keyDown", "keyUp"] {
+            self.call("Input.dispatchKeyEvent", json!({"type": kind, "key": key, "text": key}));
+        }
+    }
+
+    /// A picture of the page, to be looked at: in the folder that `ORGANZA_SCREENSHOTS` names, if it does.
+    pub fn screenshot(&mut self, name: &str) {
+        let Some(folder) = std::env::var_os("ORGANZA_SCREENSHOTS") else { return };
+        let picture = self.call("Page.captureScreenshot", json!({"format": "png"}));
+        let bytes = base64(picture["data"].as_str().expect("a picture"));
+        std::fs::write(Path::new(&folder).join(format!("{name}.png")), bytes).expect("a file");
+    }
+}
+
+impl Drop for Page {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// Decodes base64.
+pub fn base64(text: &str) -> Vec<u8> {
+    let value = |byte: u8| match byte {
+        b'A'..=b'Z' => Some(byte - b'A'),
+        b'a'..=b'z' => Some(byte - b'a' + 26),
+        b'0'..=b'9' => Some(byte - b'0' + 52),
+        b'+' => Some(62),
+        b'/' => Some(63),
+        _ => None,
+    };
+    let (mut bytes, mut bits, mut count) = (Vec::new(), 0_u32, 0);
+    for six in text.bytes().filter_map(value) {
+        bits = bits << 6 | u32::from(six);
+        count += 6;
+        if count >= 8 {
+            count -= 8;
+            bytes.push((bits >> count) as u8);
+            bits &= (1 << count) - 1;
+        }
+    }
+    bytes
+}

@@ -1,0 +1,139 @@
+//! A viewer that runs, and a small HTTP client.
+
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::{Shutdown, TcpStream};
+use std::process::{Child, Stdio};
+use std::sync::Mutex;
+use std::sync::mpsc::{Receiver, channel};
+use std::thread;
+use std::time::Duration;
+
+use serde_json::{Value, json};
+
+use crate::sandbox::Sandbox;
+
+/// A program that shows a page. It ends with the test.
+pub struct Viewer {
+    pub child: Child,
+    /// `127.0.0.1:port`
+    pub host: String,
+    /// What it says after its address.
+    said: Mutex<Receiver<String>>,
+}
+
+/// What a server answers.
+#[derive(Debug)]
+pub struct Reply {
+    pub status: u16,
+    pub headers: String,
+    pub body: Vec<u8>,
+}
+
+impl Viewer {
+    /// Starts the program with these words, and waits until it says where its page is.
+    pub fn start(sandbox: &Sandbox, words: &str) -> Self {
+        let mut command = sandbox.command(words);
+        let mut child =
+            command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().expect("it starts");
+        let mut lines = BufReader::new(child.stderr.take().expect("piped")).lines();
+        let mut before = String::new();
+        let host = loop {
+            let Some(Ok(line)) = lines.next() else { panic!("it has ended: {before}") };
+            if let Some((_, rest)) = line.split_once("the page is at http://") {
+                break rest.split('/').next().expect("a host").to_owned();
+            }
+            before += &(line + "\n");
+        };
+        let (sender, said) = channel();
+        thread::spawn(move || lines.map_while(Result::ok).try_for_each(|line| sender.send(line)));
+        Self { child, host, said: Mutex::new(said) }
+    }
+
+    /// The lines that it has said after its address, once it has ended.
+    pub fn last_words(&self) -> Vec<String> {
+        self.said.lock().expect("nobody panicked").iter().collect()
+    }
+
+    pub fn connect(&self) -> TcpStream {
+        let stream = TcpStream::connect(&self.host).expect("it listens");
+        stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
+        stream
+    }
+
+    /// Sends bytes as they are; returns what comes back until the server closes.
+    pub fn send(&self, bytes: &[u8]) -> Vec<u8> {
+        let (mut stream, mut back) = (self.connect(), Vec::new());
+        // a server that has heard enough closes
+        let _ = stream.write_all(bytes);
+        let _ = stream.shutdown(Shutdown::Write);
+        let _ = stream.read_to_end(&mut back);
+        back
+    }
+
+    pub fn get(&self, path: &str) -> Reply {
+        self.ask(&format!("GET {path} HTTP/1.1\r\nHost: {}\r\n", self.host), b"")
+    }
+
+    pub fn post(&self, path: &str, value: &Value) -> Reply {
+        let head = format!("POST {path} HTTP/1.1\r\nHost: {}\r\n", self.host);
+        self.ask(&head, value.to_string().as_bytes())
+    }
+
+    /// A request of a head, to which what is missing is added, and a body.
+    pub fn ask(&self, head: &str, body: &[u8]) -> Reply {
+        let mut stream = self.connect();
+        let head = format!("{head}Connection: close\r\nContent-Length: {}\r\n\r\n", body.len());
+        stream.write_all(&[head.as_bytes(), body].concat()).expect("a request");
+        let mut back = Vec::new();
+        stream.read_to_end(&mut back).expect("an answer");
+        Reply::of(&back)
+    }
+
+    pub fn scene(&self) -> Value {
+        self.get("/scene.json").json()
+    }
+
+    /// Asks for an image.
+    pub fn frame(&self, camera: &Value, quality: &str, more: &Value) -> Reply {
+        let mut request = json!({"client": 1, "sequence": 0, "camera": camera, "mode": "color", "quality": quality});
+        let more = more.as_object().cloned().unwrap_or_default();
+        request.as_object_mut().unwrap().extend(more);
+        self.post("/frame", &request)
+    }
+}
+
+impl Drop for Viewer {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+impl Reply {
+    #[track_caller]
+    fn of(bytes: &[u8]) -> Self {
+        let end = bytes.windows(4).position(|four| four == b"\r\n\r\n");
+        let end = end.unwrap_or_else(|| panic!("no head: {:?}", String::from_utf8_lossy(bytes)));
+        let headers = String::from_utf8_lossy(&bytes[..end]).into_owned();
+        let status = headers.split(' ').nth(1).and_then(|status| status.parse().ok());
+        Self { status: status.expect("a status"), headers, body: bytes[end + 4..].to_vec() }
+    }
+
+    #[track_caller]
+    pub fn ok(self) -> Self {
+        assert_eq!(self.status, 200, "{}: {}", self.headers, String::from_utf8_lossy(&self.body));
+        self
+    }
+
+    #[track_caller]
+    pub fn json(self) -> Value {
+        serde_json::from_slice(&self.ok().body).expect("JSON")
+    }
+
+    /// What is said of an image.
+    #[track_caller]
+    pub fn about(&self) -> Value {
+        let line = self.headers.lines().find_map(|line| line.strip_prefix("x-organza: "));
+        serde_json::from_str(line.expect("a header")).expect("JSON")
+    }
+}

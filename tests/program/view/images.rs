@@ -1,0 +1,139 @@
+//! Images and numbers of the page are those of the other commands.
+
+use std::fs;
+
+use organza::Camera;
+use serde_json::{Value, json};
+
+use super::client::Viewer;
+use crate::sandbox::Sandbox;
+
+const VIEW: &str = "view scene.safetensors cameras.json --port 0 --backend cpu";
+
+#[test]
+fn images_at_rest_are_the_bytes_of_render() {
+    let sandbox = Sandbox::new("basic");
+    sandbox
+        .run("render scene.safetensors cameras.json -o images --backend cpu --tile-size 50")
+        .assert_ok();
+    let viewer = Viewer::start(&sandbox, VIEW);
+    let scene = viewer.scene();
+    let views = scene["views"].as_array().expect("views");
+    let mut images: Vec<_> = fs::read_dir(sandbox.path("images")).unwrap().flatten().collect();
+    images.retain(|entry| entry.path().extension().is_some_and(|kind| kind == "png"));
+    images.sort_by_key(fs::DirEntry::path);
+    assert!(images.len() == views.len() && views.len() > 1);
+    for (index, (view, image)) in views.iter().zip(&images).enumerate() {
+        let camera = &view["camera"];
+        // of a client that was not here before, the pace is not known yet
+        let moving = viewer.frame(camera, "moving", &json!({ "client": 10 + index })).ok();
+        assert!(moving.body.starts_with(b"\xff\xd8") && moving.about()["steps"] != 1);
+        let size = [&camera["w"], &camera["h"]].map(|side| side.as_u64().unwrap().div_ceil(2));
+        assert_eq!(moving.about()["size"], json!(size));
+        let exact = viewer.frame(camera, "exact", &json!({})).ok();
+        assert!(exact.body == fs::read(image.path()).unwrap(), "{}", image.path().display());
+        assert!(exact.about()["samples"].as_u64().unwrap() > 0);
+        // what does not depend on where one looks is kept
+        let mut turned = camera.clone();
+        let pose: [[f64; 4]; 4] =
+            serde_json::from_value(camera["camera_to_world"].clone()).unwrap();
+        turned["camera_to_world"] =
+            pose.map(|[x, y, z, w]| json!([y, -x, z, w])).into_iter().collect();
+        turned["camera_to_world"][3] = json!([0.0, 0.0, 0.0, 1.0]);
+        viewer.frame(&turned, "exact", &json!({})).ok();
+        let again = viewer.frame(camera, "exact", &json!({})).ok();
+        assert_eq!(again.about()["samples"], 0);
+        assert!(again.body == exact.body);
+    }
+}
+
+/// As a colleague would: numbers of the page, then those of the command.
+#[test]
+fn a_pixel_is_explained_with_the_numbers_of_explain() {
+    let sandbox = Sandbox::new("basic");
+    let viewer = Viewer::start(&sandbox, VIEW);
+    let camera = viewer.scene()["views"][0]["camera"].clone();
+    for pixel in ["20,17", "3,30", "24,24"] {
+        let words =
+            format!("explain scene.safetensors cameras.json --view 0 --pixel {pixel} --json");
+        let expected: Value =
+            serde_json::from_str(&sandbox.run(&words).assert_ok().stdout).unwrap();
+        let at: Value = serde_json::from_str(&format!("[{pixel}]")).unwrap();
+        let found = viewer.post("/explain", &json!({"camera": camera, "pixel": at})).json();
+        for name in ["color_sum", "alpha_sum", "background", "divided", "color", "color_8_bit"] {
+            assert_eq!(found[name], expected[name], "{pixel}: {name}");
+        }
+        let rows = expected["gaussians"].as_array().unwrap();
+        assert_eq!(found["all"].as_u64().unwrap() as usize, rows.len());
+        assert!(!rows.is_empty());
+        for row in rows {
+            let same = |other: &&Value| other["gaussian"] == row["gaussian"];
+            let other = found["gaussians"].as_array().unwrap().iter().find(same).expect("listed");
+            for (name, value) in row.as_object().unwrap() {
+                assert_eq!(other[name], *value, "{pixel}: {name}");
+            }
+            // the ray ends with the T that the composite used
+            let ray = other["transmittances"].as_array().unwrap();
+            assert_eq!(ray.len() as u64, row["samples"].as_u64().unwrap());
+            let last = ray.last().map_or(1.0, |value| value.as_f64().unwrap());
+            let t = row["transmittance"].as_f64().unwrap();
+            assert!((last - t).abs() <= 1e-5 * t, "{pixel}: {last} and {t}");
+        }
+    }
+    let outside = viewer.post("/explain", &json!({"camera": camera, "pixel": [4000, 1]}));
+    assert_eq!(outside.status, 422);
+}
+
+#[test]
+fn every_mode_has_an_image_and_errors_need_a_photograph() {
+    let sandbox = Sandbox::new("tiny");
+    sandbox.run("render scene.safetensors cameras.json -o data/images --backend cpu").assert_ok();
+    fs::copy(sandbox.path("cameras.json"), sandbox.path("data/transforms.json")).unwrap();
+    let viewer = Viewer::start(&sandbox, "view scene.safetensors data --port 0 --backend cpu");
+    let scene = viewer.scene();
+    let camera = &scene["views"][1]["camera"];
+    for mode in ["color", "visibility", "weight", "depth", "normal", "members"] {
+        for quality in ["moving", "still", "exact"] {
+            viewer.frame(camera, quality, &json!({ "mode": mode })).ok();
+        }
+    }
+    let refused = viewer.frame(camera, "exact", &json!({"mode": "error"}));
+    assert_eq!(refused.status, 422);
+    let error = viewer.frame(camera, "exact", &json!({"mode": "error", "view": 1})).ok();
+    // the photograph is a rendering: there is no error, and so one color
+    let decoded = image::load_from_memory(&error.body).expect("an image").to_rgb8();
+    let first = decoded.pixels().next().expect("a pixel");
+    assert!(decoded.pixels().all(|pixel| pixel == first), "an error of a rendering");
+    let other = viewer.frame(camera, "exact", &json!({"mode": "error", "view": 0})).ok();
+    assert!(other.body != error.body, "another photograph");
+    let photograph = viewer.get("/photograph/1").ok();
+    assert!(photograph.body.starts_with(b"\xff\xd8"));
+    assert_eq!(viewer.get("/photograph/99").status, 422);
+    let far = viewer.frame(camera, "exact", &json!({"background": [1.0, 0.0, 2.0]}));
+    assert_eq!(far.status, 400);
+}
+
+#[test]
+fn keyframes_are_files_that_every_command_reads() {
+    let sandbox = Sandbox::new("tiny");
+    let viewer = Viewer::start(&sandbox, VIEW);
+    let views = viewer.scene()["views"].clone();
+    let keyframes: Value =
+        views.as_array().unwrap().iter().map(|view| view["camera"].clone()).collect();
+    let file = viewer.post("/cameras.json", &keyframes).ok();
+    fs::write(sandbox.path("keyframes.json"), &file.body).unwrap();
+    let without_paths = |name: &str| -> Vec<Camera> {
+        let cameras = Camera::load_all(sandbox.path(name)).expect("cameras");
+        let bare = |camera| Camera { file_path: None, distorted: false, ..camera };
+        cameras.into_iter().map(bare).collect()
+    };
+    assert_eq!(without_paths("keyframes.json"), without_paths("cameras.json"));
+    let head = format!("POST /keyframes HTTP/1.1\r\nHost: {}\r\n", viewer.host);
+    let back = viewer.ask(&head, &file.body).json();
+    assert_eq!(back["cameras"], keyframes);
+    let path = viewer.post("/path", &json!({"keyframes": keyframes, "loop": true, "frames": 12}));
+    assert_eq!(path.json()["cameras"].as_array().unwrap().len(), 12);
+    for bad in [json!([]), json!([{"w": 1}]), json!("x")] {
+        assert_eq!(viewer.post("/cameras.json", &bad).status, 400, "{bad}");
+    }
+}

@@ -1,0 +1,9 @@
+//! `organza view` and `train --view`, as a browser and as other programs meet them.
+#![cfg(target_os = "linux")]
+
+mod browser;
+mod chromium;
+mod client;
+mod images;
+mod protocol;
+mod training;

@@ -1,0 +1,252 @@
+//! Clients that are foreign, broken, slow, many or gone; ports that are taken; signals.
+
+use std::io::{Read, Write};
+use std::net::TcpListener;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use serde_json::json;
+
+use super::client::Viewer;
+use crate::sandbox::Sandbox;
+use crate::train::processes::{signal, wait_for_end};
+
+const VIEW: &str = "view scene.safetensors cameras.json --port 0 --backend cpu";
+
+#[test]
+fn pages_of_others_are_refused() {
+    let sandbox = Sandbox::new("tiny");
+    let viewer = Viewer::start(&sandbox, VIEW);
+    let status = |head: &str| viewer.ask(head, b"").status;
+    let host = &viewer.host;
+    let port = host.split(':').nth(1).unwrap();
+    for path in ["/", "/scene.json", "/main.js", "/points"] {
+        assert_eq!(status(&format!("GET {path} HTTP/1.1\r\nHost: {host}\r\n")), 200, "{path}");
+        assert_eq!(status(&format!("GET {path} HTTP/1.1\r\nHost: localhost:1\r\n")), 200, "{path}");
+        let same = format!("Host: {host}\r\nOrigin: http://{host}\r\n");
+        assert_eq!(status(&format!("GET {path} HTTP/1.1\r\n{same}")), 200, "{path}");
+        for foreign in ["Host: evil.example", &format!("Host: evil.example:{port}")] {
+            assert_eq!(status(&format!("GET {path} HTTP/1.1\r\n{foreign}\r\n")), 403, "{path}");
+        }
+        for origin in ["http://evil.example", "null", &format!("http://localhost:{port}")] {
+            let head = format!("GET {path} HTTP/1.1\r\nHost: {host}\r\nOrigin: {origin}\r\n");
+            assert_eq!(status(&head), 403, "{path} from {origin}");
+        }
+    }
+    let page = viewer.get("/").ok();
+    assert!(page.headers.contains("content-security-policy: default-src 'self'"));
+    let text = String::from_utf8(page.body).expect("text");
+    assert!(!text.contains("http://") && !text.contains("https://"), "nothing from elsewhere");
+    assert_eq!(viewer.get("/../scene.safetensors").status, 404);
+    assert_eq!(viewer.get("/training.json").status, 404);
+}
+
+#[test]
+fn another_address_needs_a_token() {
+    let sandbox = Sandbox::new("tiny");
+    let mut command = sandbox.command(&format!("{VIEW} --bind 0.0.0.0"));
+    let mut child = command.stderr(std::process::Stdio::piped()).spawn().expect("it starts");
+    let (mut said, mut byte) = (String::new(), [0]);
+    let stderr = child.stderr.as_mut().expect("piped");
+    while !said.contains("?token=") || !said.ends_with('\n') {
+        assert_eq!(stderr.read(&mut byte).expect("a line"), 1, "{said}");
+        said.push(char::from(byte[0]));
+    }
+    let url = said.split("http://0.0.0.0:").nth(1).expect("an address");
+    let (port, rest) = url.split_once('/').expect("a path");
+    let token = rest.split_once("?token=").unwrap().1.split_whitespace().next().unwrap();
+    let status = |path: &str, more: &str| {
+        let mut stream = std::net::TcpStream::connect(format!("127.0.0.1:{port}")).unwrap();
+        let head = format!(
+            "GET {path} HTTP/1.1\r\nHost: machine:{port}\r\n{more}Connection: close\r\n\r\n"
+        );
+        stream.write_all(head.as_bytes()).unwrap();
+        let mut back = String::new();
+        stream.read_to_string(&mut back).unwrap();
+        back.split(' ').nth(1).unwrap().to_owned()
+    };
+    assert_eq!(status("/", ""), "403");
+    assert_eq!(status("/scene.json", "Cookie: organza-token=0\r\n"), "403");
+    assert_eq!(status(&format!("/?token={token}"), ""), "200");
+    assert_eq!(status("/scene.json", &format!("Cookie: organza-token={token}\r\n")), "200");
+    signal(&child, "INT");
+    wait_for_end(&mut child);
+}
+
+#[test]
+fn garbage_ends_a_connection_and_nothing_else() {
+    let sandbox = Sandbox::new("tiny");
+    let viewer = Viewer::start(&sandbox, VIEW);
+    let host = &viewer.host;
+    let mut noise: Vec<u8> = Vec::new();
+    let mut state = 1_u32;
+    for _ in 0..200_000 {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        noise.push((state >> 24) as u8);
+    }
+    let long = format!("GET /{} HTTP/1.1\r\nHost: {host}\r\n\r\n", "a".repeat(300_000));
+    let many = format!("GET / HTTP/1.1\r\nHost: {host}\r\n{}\r\n", "a: b\r\n".repeat(50_000));
+    let short = format!("POST /frame HTTP/1.1\r\nHost: {host}\r\nContent-Length: 500\r\n\r\n{{");
+    let broken: [&[u8]; 7] = [
+        b"",
+        b"\0\0\0\0",
+        &noise,
+        long.as_bytes(),
+        many.as_bytes(),
+        short.as_bytes(),
+        b"GET / HTTP/9.9\r\n\r\n",
+    ];
+    for bytes in broken {
+        let back = viewer.send(bytes);
+        let back = String::from_utf8_lossy(&back[..back.len().min(30)]).into_owned();
+        assert!(!back.starts_with("HTTP/1.1 2") && !back.starts_with("HTTP/1.1 5"), "{back}");
+    }
+    // requests that are none
+    let camera = viewer.scene()["views"][0]["camera"].clone();
+    let edit = |name: &str, value: serde_json::Value| {
+        let mut camera = camera.clone();
+        camera[name] = value;
+        viewer.frame(&camera, "moving", &json!({})).status
+    };
+    for (name, value) in [
+        ("w", json!(0)),
+        ("w", json!(-1)),
+        ("h", json!(100_000)),
+        ("w", json!(60_000)),
+        ("fl_x", json!(0.0)),
+        ("fl_y", json!(1e300)),
+        ("cx", json!(null)),
+        ("camera_to_world", json!(vec![[1.0; 4]; 4])),
+        ("camera_to_world", json!([])),
+        ("unknown", json!(1)),
+    ] {
+        assert_eq!(edit(name, value.clone()), 400, "{name} {value}");
+    }
+    let large = vec![b' '; 5 << 20];
+    let head = format!("POST /frame HTTP/1.1\r\nHost: {host}\r\n");
+    let mut stream = viewer.connect();
+    let head = format!("{head}Connection: close\r\nContent-Length: {}\r\n\r\n", large.len());
+    let _ = stream.write_all(head.as_bytes()).and_then(|()| stream.write_all(&large));
+    let mut back = [0; 12];
+    if stream.read_exact(&mut back).is_ok() {
+        assert_eq!(&back, b"HTTP/1.1 400");
+    }
+    for (method, path, status) in
+        [("DELETE", "/", 405), ("POST", "/nothing", 405), ("GET", "/nothing", 404)]
+    {
+        let found = viewer.ask(&format!("{method} {path} HTTP/1.1\r\nHost: {host}\r\n"), b"");
+        assert_eq!(found.status, status, "{method} {path}");
+    }
+    viewer.frame(&camera, "exact", &json!({})).ok();
+}
+
+/// Each client moves through all views and rests at the last one.
+#[test]
+fn ten_clients_get_their_images_while_others_are_slow_or_gone() {
+    let sandbox = Sandbox::new("tiny");
+    sandbox.run("render scene.safetensors cameras.json -o images --backend cpu").assert_ok();
+    let viewer = Viewer::start(&sandbox, VIEW);
+    let scene = viewer.scene();
+    let views = scene["views"].as_array().expect("views");
+    let request = |client: u64, camera: &serde_json::Value, quality: &str| {
+        let mut camera = camera.clone();
+        (camera["w"], camera["h"]) = (json!(1500), json!(1500));
+        let body = json!({"client": client, "sequence": 0, "camera": camera, "mode": "color",
+            "quality": quality})
+        .to_string();
+        let (host, length) = (&viewer.host, body.len());
+        format!("POST /frame HTTP/1.1\r\nHost: {host}\r\nContent-Length: {length}\r\n\r\n{body}")
+    };
+    // one asks for megabytes and never reads, one has gone before its image is done, one never ends its request
+    let mut slow = viewer.connect();
+    slow.write_all(request(100, &views[0]["camera"], "exact").as_bytes()).unwrap();
+    let mut gone = viewer.connect();
+    gone.write_all(request(101, &views[0]["camera"], "exact").as_bytes()).unwrap();
+    drop(gone);
+    let mut half = viewer.connect();
+    half.write_all(b"POST /frame HTTP/1.1\r\nHost: ").unwrap();
+    let last = views.len() - 1;
+    let images = thread::scope(|scope| {
+        let clients = (0..10).map(|client| {
+            let (viewer, views) = (&viewer, &views);
+            scope.spawn(move || {
+                for (sequence, view) in views.iter().enumerate() {
+                    let more = json!({"client": client, "sequence": sequence});
+                    viewer.frame(&view["camera"], "moving", &more).ok();
+                }
+                let more = json!({"client": client, "sequence": views.len()});
+                viewer.frame(&views[last]["camera"], "exact", &more).ok().body
+            })
+        });
+        let clients: Vec<_> = clients.collect();
+        clients.into_iter().map(|client| client.join().expect("an image")).collect::<Vec<_>>()
+    });
+    let expected = std::fs::read(sandbox.path(&format!("images/{last:04}.png")));
+    let expected = expected.or_else(|_| {
+        let mut names: Vec<_> = std::fs::read_dir(sandbox.path("images"))
+            .unwrap()
+            .flatten()
+            .map(|entry| entry.path())
+            .filter(|path| path.extension().is_some_and(|kind| kind == "png"))
+            .collect();
+        names.sort();
+        std::fs::read(&names[last])
+    });
+    assert!(images.iter().all(|image| *image == *expected.as_ref().unwrap()));
+}
+
+/// The latest camera wins.
+#[test]
+fn an_image_that_nobody_waits_for_is_dropped() {
+    let sandbox = Sandbox::new("crowded");
+    let viewer = Viewer::start(&sandbox, VIEW);
+    let mut camera = viewer.scene()["views"][0]["camera"].clone();
+    (camera["w"], camera["h"]) = (json!(4000), json!(4000));
+    thread::scope(|scope| {
+        // the first is painted, the second waits, and the third takes its place
+        let ask = |sequence: u64| {
+            let (viewer, camera) = (&viewer, &camera);
+            let ask = move || viewer.frame(camera, "exact", &json!({ "sequence": sequence }));
+            let asked = scope.spawn(ask);
+            thread::sleep(Duration::from_millis(120));
+            asked
+        };
+        let [_, second, third] = [1, 2, 3].map(ask);
+        assert_eq!(second.join().unwrap().status, 409);
+        third.join().unwrap().ok();
+        // a request that was overtaken on its way
+        assert_eq!(ask(1).join().unwrap().status, 409);
+    });
+}
+
+#[test]
+fn a_port_that_is_taken_is_named() {
+    let sandbox = Sandbox::new("tiny");
+    let taken = TcpListener::bind("127.0.0.1:0").unwrap();
+    let port = taken.local_addr().unwrap().port();
+    let words = format!("view scene.safetensors --backend cpu --port {port}");
+    sandbox.assert_refuses(&words, &["is taken", &port.to_string(), "--port"]);
+    let words = format!("train --backend cpu -o run --view --port {port}");
+    sandbox.assert_refuses(&words, &["is taken"]);
+    sandbox.assert_refuses("train -o run --port 5", &["--view"]);
+    sandbox.assert_refuses("view scene.safetensors --bind 192.0.2.1", &["cannot listen"]);
+    sandbox.assert_refuses("view scene.safetensors --split train", &["no data set"]);
+}
+
+#[test]
+fn a_signal_ends_it_at_once_and_well() {
+    let sandbox = Sandbox::new("tiny");
+    for name in ["INT", "TERM"] {
+        let mut viewer = Viewer::start(&sandbox, VIEW);
+        // somebody is in the middle of a request
+        let mut stream = viewer.connect();
+        stream.write_all(b"GET / HTTP/1.1\r\n").unwrap();
+        let begin = Instant::now();
+        signal(&viewer.child, name);
+        wait_for_end(&mut viewer.child);
+        assert!(begin.elapsed() < Duration::from_secs(5));
+        assert_eq!(viewer.child.wait().unwrap().code(), Some(0), "SIG{name}");
+        let said = viewer.last_words();
+        assert!(said.is_empty(), "{said:?}");
+    }
+}

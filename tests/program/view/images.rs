@@ -53,7 +53,7 @@ fn a_pixel_is_explained_with_the_numbers_of_explain() {
     let sandbox = Sandbox::new("basic");
     let viewer = Viewer::start(&sandbox, VIEW);
     let camera = viewer.scene()["views"][0]["camera"].clone();
-    for pixel in ["20,17", "3,30", "24,24"] {
+    for pixel in ["20,17", "30,30", "24,24"] {
         let words =
             format!("explain scene.safetensors cameras.json --view 0 --pixel {pixel} --json");
         let expected: Value =

@@ -23,6 +23,7 @@
 //!         output.write(index, input.read(index) * input.read(index));
 //!     }
 //! }
+//! # fn main() {}
 //! ```
 //!
 //! `threads(64)` says that 64 invocations form a *workgroup*. A dispatch has whole workgroups, so the last one can have invocations
@@ -62,10 +63,12 @@
 //! # }
 //! use organza_kernel::workgroup::Workgroup;
 //!
+//! # fn main() {
 //! let (params, mut output) = (SquareParams { count: 3 }, [0.0; 3]);
 //! let (input, view) = (Read::from(&[1.0, 2.0, -3.0][..]), Write::from(&mut output[..]));
 //! Workgroup::new([64, 1, 1]).run(|id| square(id, &params, input, view));
 //! assert_eq!(output, [1.0, 4.0, 9.0]);
+//! # }
 //! ```
 //!
 //! The CPU run is strict where a GPU goes on with garbage. It reports an index out of range, a missing or divergent barrier, a race,

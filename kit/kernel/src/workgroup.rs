@@ -14,10 +14,12 @@
 //!     data.write(id.index(), values.read(63 - id.local.x));
 //! }
 //!
+//! # fn main() {
 //! let mut data: Vec<u32> = (0..64).collect();
 //! let (view, values) = (Write::from(&mut data[..]), SharedMemory::new());
 //! Workgroup::new([64, 1, 1]).run(|id| reverse(id, view, values.view()));
 //! assert!(data.into_iter().eq((0..64).rev()));
+//! # }
 //! ```
 
 extern crate std;

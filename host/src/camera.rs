@@ -9,6 +9,7 @@ mod tests;
 use std::path::Path;
 
 pub use orbit::Orbit;
+pub(crate) use orbit::upward;
 pub use path::CameraPath;
 
 use serde_json::{Map, Value, json};
@@ -108,19 +109,23 @@ impl Camera {
         let row = |axis: usize| [right[axis], up[axis], back[axis], eye[axis]];
         let focal = parse::focal_length(f64::from(width), angle_x)
             .map_err(|reason| camera_error(Path::new(IN_MEMORY), 0, reason))?;
-        let camera = Self {
-            camera_to_world: [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]],
-            fl_x: focal,
-            fl_y: focal,
-            cx: 0.5 * f64::from(width),
-            cy: 0.5 * f64::from(height),
-            width,
-            height,
-            file_path: None,
-            distorted: false,
-        };
+        let pose = [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]];
+        let principal = [width, height].map(|side| 0.5 * f64::from(side));
+        let camera = Self::pinhole(pose, [focal; 2], principal, [width, height]);
         camera.validate(0)?;
         Ok(camera)
+    }
+
+    /// A camera of its pose, focal lengths, principal point and image size, in pixels. [`Self::validate`] checks it.
+    #[must_use]
+    pub fn pinhole(
+        camera_to_world: [[f64; 4]; 4],
+        [fl_x, fl_y]: [f64; 2],
+        [cx, cy]: [f64; 2],
+        [width, height]: [u32; 2],
+    ) -> Self {
+        let (file_path, distorted) = (None, false);
+        Self { camera_to_world, fl_x, fl_y, cx, cy, width, height, file_path, distorted }
     }
 
     /// The same view as an image of another size. It shows all that the camera sees; where the shape differs, it shows more at
@@ -139,6 +144,19 @@ impl Camera {
             height,
             ..self.clone()
         }
+    }
+
+    /// The same view as an image whose sides are divided by `factor`, and rounded up: see [`Self::with_size`].
+    #[must_use]
+    pub fn shrunk(&self, factor: u32) -> Self {
+        self.with_size([self.width, self.height].map(|side| side.div_ceil(factor)))
+    }
+
+    /// The depth of a place along the camera's axis, in world units; negative behind the camera.
+    #[must_use]
+    pub fn depth(&self, place: [f64; 3]) -> f64 {
+        let (eye, [.., axis]) = (self.eye(), self.world_to_camera_opencv());
+        dot(axis, std::array::from_fn(|at| place[at] - eye[at]))
     }
 
     /// The rotation from world axes to OpenCV camera axes (x right, y down, z forward), row by row.

@@ -161,7 +161,10 @@ impl Image {
     }
 
     /// The bytes of a PNG file.
-    pub(crate) fn encode_png(&self) -> io::Result<Vec<u8>> {
+    ///
+    /// # Errors
+    /// Where the encoder fails; it writes to memory.
+    pub fn encode_png(&self) -> io::Result<Vec<u8>> {
         let mut bytes = Vec::new();
         let pixels = self.pixels.as_flattened();
         write_png(&mut bytes, pixels, self.size(), ExtendedColorType::Rgb8)?;

@@ -45,6 +45,8 @@ pub mod demo;
 pub mod error;
 pub mod evaluate;
 #[doc(hidden)]
+pub mod film;
+#[doc(hidden)]
 pub mod fuzz;
 pub mod image;
 mod input;

@@ -42,17 +42,9 @@ impl Cameras {
         let (poses, ks) = (poses.as_array(), ks.as_array());
         let camera = |(pose, k): (numpy::ndarray::ArrayView2<'_, f64>, _)| {
             let k: numpy::ndarray::ArrayView2<'_, f64> = k;
-            organza::Camera {
-                camera_to_world: [0, 1, 2, 3].map(|row| [0, 1, 2, 3].map(|at| pose[[row, at]])),
-                fl_x: k[[0, 0]],
-                fl_y: k[[1, 1]],
-                cx: k[[0, 2]],
-                cy: k[[1, 2]],
-                width,
-                height,
-                file_path: None,
-                distorted: false,
-            }
+            let pose = [0, 1, 2, 3].map(|row| [0, 1, 2, 3].map(|at| pose[[row, at]]));
+            let (focal, principal) = ([k[[0, 0]], k[[1, 1]]], [k[[0, 2]], k[[1, 2]]]);
+            organza::Camera::pinhole(pose, focal, principal, [width, height])
         };
         Self(poses.outer_iter().zip(ks.outer_iter()).map(camera).collect()).checked()
     }

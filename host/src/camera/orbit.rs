@@ -46,7 +46,7 @@ impl Orbit {
             return Err(Error::Argument { reason: "an orbit needs a camera".to_owned() });
         };
         let center = Target::of(cameras).center;
-        let up = upward(cameras);
+        let up = upward(cameras.iter());
         let offsets: Vec<_> =
             cameras.iter().map(|camera| DVec3::from(camera.eye()) - center).collect();
         let elevations = offsets.iter().map(|offset| offset.normalize_or_zero().dot(up).asin());
@@ -110,14 +110,15 @@ impl Orbit {
 /// The direction upward in the world, a unit vector, from how cameras were held.
 ///
 /// The mean of their images' upward directions leans to where the cameras look down from. Photographers hold the horizon
-/// level, so what is to the right in an image is horizontal: those directions count little.
-fn upward(cameras: &[Camera]) -> DVec3 {
+/// level, so what is to the right in an image is horizontal: those directions count little. Without cameras it is z, as in
+/// most data sets.
+pub fn upward<'a>(cameras: impl ExactSizeIterator<Item = &'a Camera> + Clone) -> DVec3 {
     let column = |camera: &Camera, column: usize| {
         DVec3::from_array(std::array::from_fn(|row| camera.camera_to_world[row][column]))
     };
     let count = cameras.len() as f64;
-    let mean = cameras.iter().map(|camera| column(camera, 1)).sum::<DVec3>() / count;
-    let level = cameras.iter().fold(DMat3::from_diagonal(DVec3::splat(SLANT)), |sum, camera| {
+    let mean = cameras.clone().map(|camera| column(camera, 1)).sum::<DVec3>() / count.max(1.0);
+    let level = cameras.fold(DMat3::from_diagonal(DVec3::splat(SLANT)), |sum, camera| {
         let right = column(camera, 0);
         sum + DMat3::from_cols(right * right.x, right * right.y, right * right.z) * (1.0 / count)
     });

@@ -178,7 +178,7 @@ impl State {
         self.target - self.rotation * (self.distance * FORWARD)
     }
 
-    fn camera(&self, [width, height]: [u32; 2]) -> Camera {
+    fn camera(&self, size: [u32; 2]) -> Camera {
         let eye = self.eye();
         let axes = DMat3::from_quat(self.rotation.normalize());
         let row = |row: usize| {
@@ -186,17 +186,8 @@ impl State {
             [x, y, z, eye[row]]
         };
         let [log_x, log_y, cx, cy] = self.lens;
-        Camera {
-            camera_to_world: [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]],
-            fl_x: log_x.exp(),
-            fl_y: log_y.exp(),
-            cx,
-            cy,
-            width,
-            height,
-            file_path: None,
-            distorted: false,
-        }
+        let pose = [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]];
+        Camera::pinhole(pose, [log_x.exp(), log_y.exp()], [cx, cy], size)
     }
 
     fn motion_to(&self, other: &Self) -> Motion {

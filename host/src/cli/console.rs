@@ -45,6 +45,11 @@ impl Console {
         }
     }
 
+    /// Says something that the user cannot do without, even if told to be quiet.
+    pub fn always(self, text: &str) {
+        write(&format!("{}\n", plain(text)));
+    }
+
     /// Says something that should not be missed.
     pub fn warn(self, text: &str) {
         line("warning", text);

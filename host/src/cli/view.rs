@@ -33,7 +33,7 @@ of `organza render`, to the bit. Press ? on the page for its keys. Ctrl-C ends t
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// A data set, or the cameras of a transforms.json [default: what the run was trained on]
+    /// A data set, or a transforms.json, with or without photographs [default: what the run was trained on]
     data: Option<PathBuf>,
     #[command(flatten)]
     server: ServerArgs,
@@ -71,9 +71,9 @@ impl ServerArgs {
         Server::listen(Address { bind: self.bind, port: self.port })
     }
 
-    /// Says where the page is, and opens it if that was asked for.
+    /// Says where the page is, as nobody could open it otherwise, and opens it if that was asked for.
     pub fn announce(&self, url: &str, console: Console) {
-        console.note(&format!("the page is at {url}"));
+        console.always(&format!("the page is at {url}"));
         if self.open && !open(url) {
             console.warn("no browser could be opened; open the address yourself");
         }
@@ -139,11 +139,12 @@ fn surroundings(args: &Args, source: &SceneSource, console: Console) -> Result<S
     let usage = "organza view SCENE DATA";
     if let Some(file) = named.filter(|file| !file.is_dir() && !args.data_args.is_given()) {
         let cameras = Cameras::load(source, Some(file), &args.data_args, usage, console)?;
-        let pose = |camera: Camera| Pose { camera, held_out: false, photograph: None };
-        return Ok(Surroundings {
-            poses: cameras.list.into_iter().map(pose).collect(),
-            ..nothing()
-        });
+        // a data set's file is that data set; others are cameras alone
+        if !cameras.has_photographs() {
+            let pose = |camera: Camera| Pose { camera, held_out: false, photograph: None };
+            let poses = cameras.list.into_iter().map(pose).collect();
+            return Ok(Surroundings { poses, ..nothing() });
+        }
     }
     let settings = args.data_args.settings(source, named, usage)?;
     let data = DataSet::open(settings, console)?;

@@ -207,8 +207,8 @@ impl Dataset {
     }
 
     fn develop(poses: Poses, progress: &mut (dyn FnMut(usize, usize) + Send)) -> Result<Self> {
-        let background = poses.options.decide_background(&poses.listing)?;
-        let Poses { missing, outside, kind, path, listing, options } = poses;
+        let background = poses.background()?;
+        let Poses { missing, outside, kind, path, listing, options, .. } = poses;
         let Listing { points, shots, prepared, .. } = listing;
         let options = DatasetOptions { background: Background::Color(background), ..options };
         let count = shots.len();

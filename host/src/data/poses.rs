@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 use super::{
     Background, Budget, Dataset, DatasetKind, DatasetOptions, Frame, Layout, Listing, Point, Reach,
@@ -23,6 +24,8 @@ pub struct Poses {
     pub path: PathBuf,
     pub(super) listing: Listing,
     pub(super) options: DatasetOptions,
+    /// What photographs are put in front of, once it was decided.
+    background: OnceLock<[f32; 3]>,
 }
 
 /// A camera of a data set.
@@ -56,7 +59,8 @@ impl Poses {
             return invalid(path, reason);
         }
         let (outside, path, options) = (reach.outside, path.to_owned(), options.clone());
-        Ok(Self { missing, outside, kind: listing.kind, path, listing, options })
+        let (kind, background) = (listing.kind, OnceLock::new());
+        Ok(Self { missing, outside, kind, path, listing, options, background })
     }
 
     /// Every camera, in the order of [`Dataset::frames`].
@@ -81,10 +85,18 @@ impl Poses {
     /// As [`Dataset::load`], for this photograph.
     pub fn photograph(&self, index: usize) -> Result<Option<Frame>> {
         let Some(shot) = self.listing.shots.get(index) else { return Ok(None) };
-        let background = self.options.decide_background(&self.listing)?;
-        let background = Background::Color(background);
+        let background = Background::Color(self.background()?);
         let options = DatasetOptions { background, ..self.options.clone() };
         shot.develop(&options, &Budget::beside(0)).map(|(frame, _)| Some(frame))
+    }
+
+    /// What photographs with an alpha channel are put in front of. It may take a look at every photograph, once.
+    pub(super) fn background(&self) -> Result<[f32; 3]> {
+        if let Some(background) = self.background.get() {
+            return Ok(*background);
+        }
+        let background = self.options.decide_background(&self.listing)?;
+        Ok(*self.background.get_or_init(|| background))
     }
 
     /// The points that the data set has.

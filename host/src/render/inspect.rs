@@ -82,8 +82,6 @@ pub struct Trace {
 pub struct Inspection {
     /// The Gaussians whose support reaches the pixel's square, ascending.
     pub contributions: Vec<Contribution>,
-    /// Of each contribution, in their order.
-    pub traces: Vec<Trace>,
     /// C of Eq. 12.
     pub color_sum: [f32; 3],
     /// S of Eq. 12.
@@ -159,6 +157,41 @@ impl Renderer {
         camera: usize,
         pixel: [i32; 2],
     ) -> Result<Inspection> {
+        self.inspect_part(scene, cameras, camera, pixel).map(|(inspection, _)| inspection)
+    }
+
+    /// As [`Self::inspect`], with a trace of each contribution; evaluates the samples of T once more.
+    pub(crate) fn inspect_traced(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        camera: usize,
+        pixel: [i32; 2],
+    ) -> Result<(Inspection, Vec<Trace>)> {
+        let (inspection, part) = self.inspect_part(scene, cameras, camera, pixel)?;
+        let device = self.device();
+        let rays = part.transmittance.rays(device, scene, &part.bins.pairs)?;
+        let splat = device.read(&part.composite.splat)?;
+        let trace = |member: u32| {
+            let index = member as usize;
+            let [placed, conic] = std::array::from_fn(|v| splat[index * VECTORS as usize + v]);
+            Trace {
+                mean2d: [placed.x, placed.y],
+                conic: [conic.x, conic.y, conic.z],
+                ray: rays[index].clone(),
+            }
+        };
+        let traces = device.read(&part.bins.member)?.into_iter().map(trace).collect();
+        Ok((inspection, traces))
+    }
+
+    fn inspect_part(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        camera: usize,
+        pixel: [i32; 2],
+    ) -> Result<(Inspection, Part)> {
         let device = self.device();
         let batch = TileBatch { side: 1, tiles: vec![Tile { camera, origin: pixel }] };
         batch.validate(cameras)?;
@@ -175,8 +208,7 @@ impl Renderer {
         let center = pixel_center(&KernelTile { camera: 0, origin: pixel, output: 0 }, 0, 0);
 
         let mut sum = Vec4::ZERO;
-        let rays = part.transmittance.rays(device, scene, &part.bins.pairs)?;
-        let (mut contributions, mut traces) = (Vec::new(), Vec::new());
+        let mut contributions = Vec::new();
         for member in device.read(&part.bins.member)? {
             let index = member as usize;
             let [placed, conic] = std::array::from_fn(|v| splat[index * VECTORS as usize + v]);
@@ -188,11 +220,6 @@ impl Renderer {
             if reached {
                 sum += Vec4::new(alpha * color[0], alpha * color[1], alpha * color[2], alpha);
             }
-            traces.push(Trace {
-                mean2d: [placed.x, placed.y],
-                conic: [conic.x, conic.y, conic.z],
-                ray: rays[index].clone(),
-            });
             let gaussian = (pair[index] % scene.gaussians) as usize;
             contributions.push(Contribution {
                 gaussian,
@@ -210,13 +237,13 @@ impl Renderer {
         // the running sums were taken here, these by the kernels
         let sum = device.read(&part.composite.sum)?;
         let pixel = device.read(&part.composite.image)?;
-        Ok(Inspection {
+        let inspection = Inspection {
             contributions,
-            traces,
             color_sum: [sum[0], sum[1], sum[2]],
             alpha_sum: sum[3],
             background: scene.config.background.map(|channel| channel as f32),
             pixel: [pixel[0], pixel[1], pixel[2]],
-        })
+        };
+        Ok((inspection, part))
     }
 }

@@ -145,8 +145,7 @@ fn spaced(cameras: &[Camera], camera: usize, most: u32) -> Result<TileBatch> {
 
 /// Depths of points `[N, 3]` along a camera's axis.
 fn depths(position: &[f32], camera: &Camera) -> Vec<f64> {
-    let (axis, eye) = (camera.world_to_camera_opencv()[2], camera.eye());
-    let depth = |place: &[f32; 3]| (0..3).map(|i| axis[i] * (f64::from(place[i]) - eye[i])).sum();
+    let depth = |place: &[f32; 3]| camera.depth(place.map(f64::from));
     position.as_chunks::<3>().0.iter().map(depth).collect()
 }
 

@@ -4,9 +4,10 @@ use glam::DVec3;
 use serde::Serialize;
 
 use super::message::{Lens, Mode};
-use crate::camera::{Camera, Orbit};
+use crate::camera::{Camera, Orbit, upward};
 use crate::data::{Point, Pose};
 use crate::demo;
+use crate::film::Kind;
 use crate::render::{DeviceScene, Renderer};
 
 /// Points that the page draws; of more, some are left out.
@@ -41,6 +42,8 @@ struct Told<'a> {
     photographs: bool,
     points: usize,
     training: bool,
+    /// What films can be written as on this machine.
+    films: Vec<Kind>,
     modes: Vec<(Mode, Option<Vec<String>>)>,
 }
 
@@ -66,7 +69,7 @@ impl About {
         let config = scene.config();
         let [low, high] = config.aabb.map(DVec3::from);
         let center = (low + high) / 2.0;
-        let up = up(poses);
+        let up = upward(poses.iter().map(|pose| &pose.camera));
         let first = poses.iter().find(|pose| pose.held_out).or(poses.first());
         let home = first.map_or_else(|| overview(config.aabb), |pose| pose.camera.clone());
         let view = |(index, pose): (usize, &Pose)| View {
@@ -90,6 +93,10 @@ impl About {
             photographs,
             points: colors.len() / 3,
             training,
+            films: [Kind::Mp4, Kind::Png]
+                .into_iter()
+                .filter(|kind| kind.check([2, 2]).is_ok())
+                .collect(),
             modes: Mode::ALL.into_iter().map(|mode| (mode, mode.ramp())).collect(),
         };
         let json = serde_json::to_string(&told).expect("numbers and names");
@@ -103,14 +110,6 @@ impl About {
     pub(super) fn points(&self) -> &[u8] {
         &self.points
     }
-}
-
-/// The mean of what is up in the cameras' images; z without cameras, as in most data sets.
-fn up(poses: &[Pose]) -> DVec3 {
-    let up =
-        |pose: &Pose| DVec3::from_array([0, 1, 2].map(|row| pose.camera.camera_to_world[row][1]));
-    let sum: DVec3 = poses.iter().map(up).sum();
-    if sum.length() > 1e-3 { sum.normalize() } else { DVec3::Z }
 }
 
 /// A camera that sees the whole box.

@@ -7,7 +7,7 @@ const SCRIPT: &str = "text/javascript; charset=utf-8";
 const STYLE: &str = "text/css; charset=utf-8";
 
 /// Every file of the page.
-const ASSETS: [Asset; 14] = [
+const ASSETS: [Asset; 15] = [
     ("/", "text/html; charset=utf-8", include_str!("page/index.html")),
     ("/icon.svg", "image/svg+xml", include_str!("page/icon.svg")),
     ("/page.css", STYLE, include_str!("page/page.css")),
@@ -15,6 +15,7 @@ const ASSETS: [Asset; 14] = [
     ("/camera.js", SCRIPT, include_str!("page/camera.js")),
     ("/controls.js", SCRIPT, include_str!("page/controls.js")),
     ("/explain.js", SCRIPT, include_str!("page/explain.js")),
+    ("/film.js", SCRIPT, include_str!("page/film.js")),
     ("/frames.js", SCRIPT, include_str!("page/frames.js")),
     ("/keyframes.js", SCRIPT, include_str!("page/keyframes.js")),
     ("/overlay.js", SCRIPT, include_str!("page/overlay.js")),

@@ -64,21 +64,19 @@ pub fn explain(stage: Stage<'_>, camera: &Camera, pixel: [i32; 2]) -> Result<Vec
         return refuse(format!("pixel {x},{y} is outside the image"));
     }
     let cameras = std::slice::from_ref(camera);
-    let inspection = stage.renderer.inspect(stage.scene, cameras, 0, pixel)?;
+    let (inspection, traces) = stage.renderer.inspect_traced(stage.scene, cameras, 0, pixel)?;
     let divided = inspection.is_divided();
-    let Inspection { contributions, traces, color_sum, alpha_sum, background, pixel: color } =
-        inspection;
+    let Inspection { contributions, color_sum, alpha_sum, background, pixel: color } = inspection;
     let mut rows: Vec<_> = contributions.into_iter().zip(traces).collect();
     rows.retain(|(contribution, _)| contribution.falloff > 0.0);
     rows.sort_by(|(a, _), (b, _)| b.alpha.total_cmp(&a.alpha));
     let all = rows.len();
     rows.truncate(MAX_GAUSSIANS);
     let position = stage.renderer.device().read(&stage.scene.tensors().gaussians.position)?;
-    let (eye, [.., forward]) = (camera.eye(), camera.world_to_camera_opencv());
+    let (position, _) = position.as_chunks::<3>();
     let row = |(contribution, trace): (Contribution, Trace)| {
-        let at = &position[3 * contribution.gaussian..][..3];
-        let along = |axis: usize| forward[axis] * (f64::from(at[axis]) - eye[axis]);
-        Row::new(contribution, trace, (0..3).map(along).sum())
+        let depth = camera.depth(position[contribution.gaussian].map(f64::from));
+        Row::new(contribution, trace, depth)
     };
     let explanation = Explanation {
         pixel,

@@ -1,4 +1,4 @@
-//! Keyframes as files: `cameras.json` as every other command reads it.
+//! Keyframes as files, `cameras.json` as every other command reads it, and the path through them.
 
 use std::path::Path;
 
@@ -21,52 +21,47 @@ struct Cameras {
 }
 
 /// A path that the page asks for.
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct PathRequest {
+pub struct PathRequest {
     keyframes: Vec<Lens>,
     #[serde(rename = "loop")]
     is_closed: bool,
     frames: usize,
 }
 
-/// The cameras along a path through keyframes.
-pub fn path(request: &[u8]) -> Result<Vec<u8>> {
-    let PathRequest { keyframes, is_closed, frames } = match serde_json::from_slice(request) {
-        Ok(request) => request,
-        Err(error) => return refuse(format!("a path has keyframes: {error}")),
-    };
-    if frames > MAX_FRAMES || keyframes.len() > MAX_KEYFRAMES {
-        return refuse(format!(
-            "a path has at most {MAX_KEYFRAMES} keyframes and {MAX_FRAMES} cameras"
-        ));
+impl PathRequest {
+    /// The cameras along the path, with images of the first keyframe's size, or of an even one.
+    pub fn cameras(&self, is_even: bool) -> Result<Vec<Camera>> {
+        let Self { keyframes, is_closed, frames } = self;
+        if *frames > MAX_FRAMES || keyframes.len() > MAX_KEYFRAMES {
+            return refuse(format!(
+                "a path has at most {MAX_KEYFRAMES} keyframes and {MAX_FRAMES} cameras"
+            ));
+        }
+        let keyframes = keyframes.iter().map(checked).collect::<Result<Vec<_>>>()?;
+        let Some(first) = keyframes.first() else { return refuse("a path has keyframes".into()) };
+        let size = [first.width, first.height];
+        let size = if is_even { size.map(|side| side.next_multiple_of(2)) } else { size };
+        let keyframes: Vec<_> = keyframes.iter().map(|camera| camera.with_size(size)).collect();
+        Ok(CameraPath::through(&keyframes, *is_closed)?.cameras(*frames))
     }
-    let keyframes = keyframes.iter().map(checked).collect::<Result<Vec<_>>>()?;
-    listed(&CameraPath::through(&keyframes, is_closed)?.cameras(frames))
 }
 
-fn listed(cameras: &[Camera]) -> Result<Vec<u8>> {
+/// Cameras as the page has them.
+pub fn listed(cameras: &[Camera]) -> Result<Vec<u8>> {
     let cameras = Cameras { cameras: cameras.iter().map(Lens::from).collect() };
     serde_json::to_vec(&cameras).or_else(|error| refuse(error.to_string()))
 }
 
 /// The file of some keyframes.
-pub fn write(keyframes: &[u8]) -> Result<Vec<u8>> {
-    let lenses: Vec<Lens> = match serde_json::from_slice(keyframes) {
-        Ok(lenses) => lenses,
-        Err(error) => return refuse(format!("keyframes are a list of cameras: {error}")),
-    };
-    let cameras = lenses.iter().map(checked).collect::<Result<Vec<_>>>()?;
-    file_of(&cameras)
+pub fn write(keyframes: &[Lens]) -> Result<Vec<u8>> {
+    file_of(&keyframes.iter().map(checked).collect::<Result<Vec<_>>>()?)
 }
 
 /// The keyframes of a file: cameras in any form that a `transforms.json` has.
-pub fn read(file: &[u8]) -> Result<Vec<u8>> {
-    let value: Value = match serde_json::from_slice(file) {
-        Ok(value) => value,
-        Err(error) => return refuse(format!("the file is not JSON: {error}")),
-    };
-    let cameras: Vec<Camera> = parse::cameras(&value, Path::new("the file"))?;
+pub fn read(file: &Value) -> Result<Vec<u8>> {
+    let cameras: Vec<Camera> = parse::cameras(file, Path::new("the file"))?;
     if cameras.len() > MAX_KEYFRAMES {
         let number = cameras.len();
         return refuse(format!(

@@ -33,18 +33,8 @@ impl From<&Camera> for Lens {
 impl Lens {
     /// The camera, held to what cameras of files are held to.
     pub fn camera(&self) -> Result<Camera> {
-        let Self { camera_to_world, fl_x, fl_y, cx, cy, w: width, h: height } = *self;
-        let camera = Camera {
-            camera_to_world,
-            fl_x,
-            fl_y,
-            cx,
-            cy,
-            width,
-            height,
-            file_path: None,
-            distorted: false,
-        };
+        let Self { camera_to_world, fl_x, fl_y, cx, cy, w, h } = *self;
+        let camera = Camera::pinhole(camera_to_world, [fl_x, fl_y], [cx, cy], [w, h]);
         camera.validate(0)?;
         Ok(camera)
     }
@@ -122,12 +112,17 @@ pub fn checked(lens: &Lens) -> Result<Camera> {
 impl FrameRequest {
     /// The camera, once everything else was looked at.
     pub fn check(&self) -> Result<Camera> {
-        let is_color = |color: &[f64; 3]| color.iter().all(|value| (0.0..=1.0).contains(value));
-        if !self.background.as_ref().is_none_or(is_color) {
-            return refuse("a background has red, green and blue of 0 to 1".to_owned());
-        }
+        checked_background(self.background)?;
         checked(&self.camera)
     }
+}
+
+/// A background, if there is one, must be a color.
+pub fn checked_background(background: Option<[f64; 3]>) -> Result<()> {
+    if background.is_none_or(|color| color.iter().all(|value| (0.0..=1.0).contains(value))) {
+        return Ok(());
+    }
+    refuse("a background has red, green and blue of 0 to 1".to_owned())
 }
 
 /// An error about a request.

@@ -9,6 +9,7 @@ mod assets;
 mod board;
 mod desk;
 mod explain;
+mod film;
 mod guard;
 mod keyframes;
 mod message;

@@ -13,7 +13,6 @@ use super::message::{Mode, Quality, refuse};
 use super::pace::Pace;
 use super::photographs::Photographs;
 use super::picture::{self, Range};
-use crate::camera::Camera;
 use crate::data::Photograph;
 use crate::error::{self, Result};
 use crate::image::{ChannelImage, Image, TILE_SIDE};
@@ -214,7 +213,7 @@ fn paint(
         Quality::Exact => (1, 1),
     };
     // errors are those of the photograph's pixels
-    let camera = &if truth.is_some() { camera.clone() } else { shrunk(camera, shrink) };
+    let camera = &camera.shrunk(if truth.is_some() { 1 } else { shrink });
     let size = [camera.width, camera.height];
     let batch = TileBatch::cover(0, size[0], size[1], TILE_SIDE)?;
     let slices = AtomicUsize::new(0);
@@ -243,24 +242,4 @@ fn paint(
         }
     };
     Ok(Some(Canvas { image, range, steps, report: tiles.report }))
-}
-
-/// The same view in fewer pixels.
-fn shrunk(camera: &Camera, shrink: u32) -> Camera {
-    if shrink == 1 {
-        return camera.clone();
-    }
-    let side = |side: u32| side.div_ceil(shrink);
-    let (width, height) = (side(camera.width), side(camera.height));
-    let across = f64::from(width) / f64::from(camera.width);
-    let down = f64::from(height) / f64::from(camera.height);
-    Camera {
-        fl_x: camera.fl_x * across,
-        fl_y: camera.fl_y * down,
-        cx: camera.cx * across,
-        cy: camera.cy * down,
-        width,
-        height,
-        ..camera.clone()
-    }
 }

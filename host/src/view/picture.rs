@@ -132,10 +132,9 @@ fn scaled(
 /// The depths of the scene's box in a camera.
 fn depths(scene: &DeviceScene, camera: &Camera) -> Range {
     let [low, high] = scene.config().aabb;
-    let (eye, [.., forward]) = (camera.eye(), camera.world_to_camera_opencv());
-    let depth = |corner: usize| -> f64 {
+    let depth = |corner: usize| {
         let axis = |axis: usize| if corner >> axis & 1 == 0 { low[axis] } else { high[axis] };
-        (0..3).map(|at| forward[at] * (axis(at) - eye[at])).sum()
+        camera.depth(std::array::from_fn(axis))
     };
     let (near, far) = (0..8)
         .map(depth)

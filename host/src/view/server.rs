@@ -7,7 +7,8 @@ use std::sync::Arc;
 use std::thread;
 use std::time::Duration;
 
-use http_body_util::{BodyExt, Full, Limited};
+use http_body_util::channel::Channel;
+use http_body_util::{BodyExt, Either, Full, Limited};
 use hyper::body::{Bytes, Incoming};
 use hyper::header::{CONTENT_TYPE, HeaderName, HeaderValue, SET_COOKIE};
 use hyper::server::conn::http1;
@@ -21,9 +22,10 @@ use super::about::About;
 use super::assets;
 use super::board::{Board, Command};
 use super::desk::{Answer, Desk, FrameJob, Painted, Question};
+use super::film::{self, FilmRequest};
 use super::guard::{Guard, Verdict};
-use super::keyframes;
-use super::message::{FrameRequest, PixelRequest, checked};
+use super::keyframes::{self, PathRequest};
+use super::message::{FrameRequest, Lens, PixelRequest, checked};
 use crate::error::{self, Error, Result};
 
 /// The port where nobody asks for another.
@@ -32,6 +34,8 @@ const PORT: u16 = 4747;
 const MAX_BODY: usize = 4 << 20;
 /// Clients that are connected at once.
 const MAX_CONNECTIONS: usize = 256;
+/// Films that are made at once.
+const MAX_FILMS: usize = 2;
 /// How long a request may take to arrive.
 const PATIENCE: Duration = Duration::from_secs(20);
 
@@ -77,6 +81,8 @@ struct Shared {
     desk: Arc<Desk>,
     about: About,
     board: Option<Arc<Board>>,
+    /// One of these for each film that is being made.
+    films: Arc<Semaphore>,
 }
 
 impl Server {
@@ -108,7 +114,8 @@ impl Server {
         listener.set_nonblocking(true).map_err(broken)?;
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
         let runtime = runtime.map_err(broken)?;
-        let shared = Arc::new(Shared { guard, desk, about, board });
+        let films = Arc::new(Semaphore::new(MAX_FILMS));
+        let shared = Arc::new(Shared { guard, desk, about, board, films });
         let serve = move || runtime.block_on(accept(listener, shared));
         thread::Builder::new().name("viewer".to_owned()).spawn(serve).map_err(broken)?;
         Ok(())
@@ -148,7 +155,8 @@ async fn accept(listener: TcpListener, shared: Arc<Shared>) {
     }
 }
 
-type Reply = Response<Full<Bytes>>;
+/// What is there already, or a film that is being made.
+type Reply = Response<Either<Full<Bytes>, Channel<Bytes>>>;
 
 /// Why a request is not answered as it asks.
 struct Refusal(StatusCode, String);
@@ -202,11 +210,32 @@ async fn route(shared: &Shared, request: Request<Incoming>) -> Result<Reply, Ref
             ask(shared, Question::Pixel(request.pixel, Box::new(camera))).await
         }
         (&Method::POST, "/cameras.json") => {
-            json(&keyframes::write(&body(request).await?).map_err(refused)?)
+            let keyframes: Vec<Lens> = parsed(&body(request).await?)?;
+            json(&keyframes::write(&keyframes).map_err(refused)?)
         }
-        (&Method::POST, "/path") => json(&keyframes::path(&body(request).await?).map_err(refused)?),
+        (&Method::POST, "/path") => {
+            let path: PathRequest = parsed(&body(request).await?)?;
+            let cameras = path.cameras(false).map_err(refused)?;
+            json(&keyframes::listed(&cameras).map_err(refused)?)
+        }
         (&Method::POST, "/keyframes") => {
-            json(&keyframes::read(&body(request).await?).map_err(refused)?)
+            let file = parsed(&body(request).await?)?;
+            json(&keyframes::read(&file).map_err(refused)?)
+        }
+        (&Method::POST, "/film") => {
+            let request: FilmRequest = parsed(&body(request).await?)?;
+            let cameras = request.check().map_err(refused)?;
+            let Ok(place) = Arc::clone(&shared.films).try_acquire_owned() else {
+                let reason = format!("{MAX_FILMS} films are being made; wait for one of them");
+                return Err(Refusal(StatusCode::SERVICE_UNAVAILABLE, reason));
+            };
+            let (sender, body) = Channel::new(1);
+            let desk = Arc::clone(&shared.desk);
+            tokio::spawn(async move {
+                film::make(&desk, &request, cameras, sender).await;
+                drop(place);
+            });
+            Ok(reply(StatusCode::OK, "application/octet-stream", Either::Right(body)))
         }
         (&Method::GET, path) => {
             if let Some((kind, content)) = assets::find(path) {
@@ -252,8 +281,9 @@ async fn body(request: Request<Incoming>) -> Result<Bytes, Refusal> {
 }
 
 fn parsed<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, Refusal> {
-    serde_json::from_slice(bytes)
-        .map_err(|error| Refusal(StatusCode::BAD_REQUEST, error.to_string()))
+    serde_json::from_slice(bytes).map_err(|error| {
+        Refusal(StatusCode::BAD_REQUEST, format!("this is not the JSON that was expected: {error}"))
+    })
 }
 
 fn refused(error: Error) -> Refusal {
@@ -279,7 +309,15 @@ const HEADERS: [(&str, &str); 6] = [
 ];
 
 fn whole(status: StatusCode, kind: &'static str, content: Bytes) -> Reply {
-    let mut reply = Response::new(Full::new(content));
+    reply(status, kind, Either::Left(Full::new(content)))
+}
+
+fn reply(
+    status: StatusCode,
+    kind: &'static str,
+    content: Either<Full<Bytes>, Channel<Bytes>>,
+) -> Reply {
+    let mut reply = Response::new(content);
     *reply.status_mut() = status;
     let headers = reply.headers_mut();
     headers.insert(CONTENT_TYPE, HeaderValue::from_static(kind));

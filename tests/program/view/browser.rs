@@ -38,7 +38,10 @@ fn a_scene_in_a_browser() {
     let sandbox = Sandbox::new("basic");
     sandbox.run("render scene.safetensors cameras.json -o data/images --backend cpu").assert_ok();
     fs::copy(sandbox.path("cameras.json"), sandbox.path("data/transforms.json")).unwrap();
-    let viewer = Viewer::start(&sandbox, "view scene.safetensors data --port 0 --backend cpu");
+    let viewer = Viewer::start(
+        &sandbox,
+        "view scene.safetensors data/transforms.json --port 0 --backend cpu",
+    );
     let mut page = Page::open(program, &format!("http://{}/", viewer.host), [700, 420]);
     page.wait(REST);
     let shown = |page: &mut Page| base64(page.eval(SHOWN).as_str().expect("bytes"));
@@ -105,6 +108,22 @@ fn a_scene_in_a_browser() {
     page.eval(&format!("organza.keyframes.load({saved})"));
     assert_eq!(page.eval("organza.keyframes.list.map((one) => one.camera)"), keyframes);
 
+    // their film
+    page.eval("document.getElementById('pace').value = 0.2");
+    page.eval("document.getElementById('film-kind').value = 'png'");
+    page.eval("document.getElementById('film').click()");
+    page.wait("organza.keyframes.film.film");
+    let frames = page.eval("organza.keyframes.request().frames");
+    let film = page.eval(
+        "organza.keyframes.film.film.arrayBuffer().then((film) => [film.byteLength, \
+        ...new Uint8Array(film).slice(1, 4), new DataView(film).getUint32(41)])",
+    );
+    // the length, PNG, and the number of frames in the chunk acTL
+    assert_eq!(film.as_array().unwrap()[1..], [80.into(), 78.into(), 71.into(), frames]);
+    assert!(
+        film[0].as_u64().unwrap() > 1000 && page.eval("organza.keyframes.film.abort").is_null()
+    );
+
     // a camera of the data set, and the photograph beside it
     page.eval("document.getElementById('compare').click()");
     page.wait(REST);
@@ -128,6 +147,7 @@ fn a_training_in_a_browser() {
     page.wait("organza.view.shown?.about.version > 0");
     let version = page.eval("organza.view.shown.about.version");
     page.wait(&format!("organza.view.shown.about.version > {version}"));
+    page.wait("document.getElementById('quality').textContent === 'live'");
     page.wait("organza.training.state.curve.step.length > 200");
     let psnr: Vec<Option<f64>> =
         serde_json::from_value(page.eval("organza.training.state.curve.psnr")).expect("numbers");

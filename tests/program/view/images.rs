@@ -8,7 +8,8 @@ use serde_json::{Value, json};
 use super::client::Viewer;
 use crate::sandbox::Sandbox;
 
-const VIEW: &str = "view scene.safetensors cameras.json --port 0 --backend cpu";
+// even who wants nothing said must know where the page is
+const VIEW: &str = "view scene.safetensors cameras.json --port 0 --backend cpu --quiet";
 
 #[test]
 fn images_at_rest_are_the_bytes_of_render() {

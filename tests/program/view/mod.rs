@@ -4,6 +4,7 @@
 mod browser;
 mod chromium;
 mod client;
+mod film;
 mod images;
 mod protocol;
 mod training;

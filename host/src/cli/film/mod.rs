@@ -1,6 +1,5 @@
 //! `organza film`: a camera that moves.
 
-mod file;
 mod way;
 
 use std::collections::BTreeSet;
@@ -8,6 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
+use organza::film::{Frames, Kind};
 use organza::image::ChannelImage;
 use organza::{Camera, Channel, DeviceScene, Image, Renderer, Result, remove_leftovers};
 use serde::Serialize;
@@ -22,7 +22,6 @@ use super::refuse;
 use super::signals::Signals;
 use super::summary::{Cost, Summary, count};
 use super::written::{Found, Written};
-use file::Kind;
 use way::{Inputs, WayArgs, described};
 
 const TILE_SIZE: u32 = 64;
@@ -196,7 +195,13 @@ impl Film<'_> {
                 let progress = console.progress(files.len() as u64, "frames");
                 progress.say("encoding");
                 let kept = format!("the frames are kept in {}", folder.path().display());
-                let result = kind.write(&files, args.fps, &args.output, folder.path(), &progress);
+                let frames = Frames {
+                    files: &files,
+                    fps: args.fps,
+                    scratch: folder.path(),
+                    progress: &|| progress.advance(1),
+                };
+                let result = kind.write(&frames, &args.output);
                 if let Err(error) = result {
                     drop(progress);
                     console.note(&kept);
@@ -267,10 +272,7 @@ impl Film<'_> {
     fn depth_range(&self, console: Console) -> Result<[f32; 2]> {
         let last = self.cameras.len() - 1;
         let probes: BTreeSet<_> = (0..PROBES).map(|probe| probe * last / (PROBES - 1)).collect();
-        let small = |&frame: &usize| {
-            let camera = &self.cameras[frame];
-            camera.with_size([camera.width, camera.height].map(|side| side.div_ceil(PROBE_SHRINK)))
-        };
+        let small = |&frame: &usize| self.cameras[frame].shrunk(PROBE_SHRINK);
         let cameras: Vec<_> = probes.iter().map(small).collect();
         let (renderer, scene) = (self.renderer, self.scene);
         let pictures = Pictures { renderer, scene, cameras: &cameras, tile_size: TILE_SIZE };

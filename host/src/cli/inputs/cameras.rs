@@ -75,6 +75,11 @@ impl Cameras {
         Ok(Self { list, all, origin, photographs })
     }
 
+    /// Whether some camera's photograph is there.
+    pub fn has_photographs(&self) -> bool {
+        !self.photographs.is_empty()
+    }
+
     /// Whether a path leads to a photograph of one of the cameras.
     pub fn is_photograph(&self, path: &Path) -> bool {
         fs::canonicalize(path).is_ok_and(|path| self.photographs.contains(&path))

@@ -1,5 +1,6 @@
 // Keyframes: views that are kept, and the path through them.
 
+import { Film } from "./film.js";
 import { post } from "./frames.js";
 import { $, download, element } from "./page.js";
 import { withSize } from "./camera.js";
@@ -18,6 +19,7 @@ export class Keyframes {
       if (file) await this.load(await file.text());
       $("keyframes-file").value = "";
     };
+    this.film = new Film(view, RATE, () => this.request());
     $("loop").onchange = $("pace").onchange = () => this.changed();
   }
 
@@ -44,6 +46,7 @@ export class Keyframes {
     $("no-keyframes").hidden = this.list.length > 0;
     $("save-keyframes").disabled = this.list.length === 0;
     $("play").disabled = this.list.length < 2;
+    $("film").disabled = this.list.length < 2 && !this.film.abort;
     const parts = this.list.length - ($("loop").checked ? 0 : 1);
     $("length").textContent = this.list.length > 1 ? `${(parts * this.pace).toFixed(1)} s` : "";
     this.overlay.keyframes = this.list;
@@ -99,16 +102,20 @@ export class Keyframes {
     this.changed();
   }
 
+  // What the path is: its images have the size of the one that is shown.
+  request() {
+    const { w, h } = this.view.camera, loop = $("loop").checked;
+    const keyframes = this.list.map(({ camera }) => withSize(camera, [w, h]));
+    const parts = keyframes.length - (loop ? 0 : 1);
+    return { keyframes, loop, frames: Math.min(2000, Math.max(2, Math.round(parts * this.pace * RATE))) };
+  }
+
   // The cameras of the path; the program has the arithmetic.
   async fetchPath() {
     if (this.list.length < 2) return;
-    const list = this.list, loop = $("loop").checked;
-    const { w, h } = list[0].camera;
-    const keyframes = list.map(({ camera }) => withSize(camera, [w, h]));
-    const parts = keyframes.length - (loop ? 0 : 1);
-    const count = Math.min(2000, Math.max(2, Math.round(parts * this.pace * RATE)));
+    const list = this.list, request = this.request(), { loop } = request;
     try {
-      const { cameras } = await (await post("/path", { keyframes, loop, frames: count })).json();
+      const { cameras } = await (await post("/path", request)).json();
       if (this.list !== list || cameras.length === 0) return;
       this.path = cameras;
       this.overlay.path = loop ? [...cameras, cameras[0]] : cameras;

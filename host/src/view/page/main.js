@@ -109,8 +109,10 @@ function say() {
   const about = view.shown?.about;
   if (!about) return;
   const [w, h] = about.size, rate = frames.rate;
-  const names = { moving: "moving", still: "refining", exact: "exact" };
-  $("quality").textContent = frames.wanted || frames.busy ? (about.quality === "moving" ? "moving" : "refining") : names[about.quality];
+  const isBusy = frames.wanted || frames.busy;
+  // a scene that is trained changes before it could be refined
+  const name = about.quality === "moving" ? "moving" : !frames.refines ? "live" : isBusy || about.quality === "still" ? "refining" : "exact";
+  $("quality").textContent = name;
   $("quality").dataset.is = $("quality").textContent;
   const facts = [`${w} × ${h}`, `${about.milliseconds.toFixed(0)} ms`];
   if (rate) facts.unshift(`${rate.toFixed(0)} frames/s`);

@@ -1,6 +1,6 @@
 // What is drawn over the image: cameras, points, the path of keyframes, and the Gaussians of a pixel.
 
-import { add, column, eyeOf, project, scale, forwardOf } from "./camera.js";
+import { add, column, eyeOf, forwardOf, length, project, scale, sub } from "./camera.js";
 import { css } from "./page.js";
 
 const SUPPORT = 2 * Math.log(255); // the support ends at d^T conic d = 2 ln 255
@@ -103,7 +103,11 @@ export class Overlay {
     context.strokeStyle = css("--path");
     context.lineWidth = 2 * this.unit;
     context.stroke();
-    for (const { camera: other } of this.keyframes) this.frustum(camera, other, 0.05 * this.view.extent, css("--path"), 1.5);
+    const eye = eyeOf(camera.camera_to_world), size = 0.05 * this.view.extent;
+    for (const { camera: other } of this.keyframes) {
+      // from within, its outline would be the image's edge
+      if (length(sub(eyeOf(other.camera_to_world), eye)) > size) this.frustum(camera, other, size, css("--path"), 1.5);
+    }
   }
 
   // Shows for a moment what the camera goes around now.

@@ -7,13 +7,14 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::thread;
 
-use organza::{Error, Result, write_atomic};
+use serde::{Deserialize, Serialize};
 
-use crate::cli::console::Progress;
-use crate::cli::refuse;
+use crate::atomic_file::write_atomic;
+use crate::error::{Error, Result};
 
 /// What a film is written as.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Kind {
     /// H.264 by ffmpeg.
     Mp4,
@@ -23,8 +24,23 @@ pub enum Kind {
     Frames,
 }
 
+/// Frames that become a film.
+pub struct Frames<'a> {
+    /// PNG images of one size.
+    pub files: &'a [PathBuf],
+    /// How many are shown in a second.
+    pub fps: u32,
+    /// A folder for what is half done.
+    pub scratch: &'a Path,
+    /// Called after each frame.
+    pub progress: &'a dyn Fn(),
+}
+
 impl Kind {
     /// By the name's ending; what has none, or is a folder, is a folder.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for another ending.
     pub fn of(output: &Path) -> Result<Self> {
         let extension = output.extension().map(OsStr::to_ascii_lowercase);
         match extension.as_deref().and_then(OsStr::to_str) {
@@ -42,6 +58,9 @@ impl Kind {
     }
 
     /// Fails at once where a film could not be written after hours of rendering.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for an MP4 whose sides are odd, or without ffmpeg.
     pub fn check(self, size: [u32; 2]) -> Result<()> {
         if self != Self::Mp4 {
             return Ok(());
@@ -64,31 +83,22 @@ impl Kind {
         }
     }
 
-    /// Writes the film of some frames, at so many a second. `scratch` is a folder for what is half done.
-    pub fn write(
-        self,
-        frames: &[PathBuf],
-        fps: u32,
-        output: &Path,
-        scratch: &Path,
-        progress: &Progress,
-    ) -> Result<()> {
+    /// Writes the film of some frames.
+    ///
+    /// # Errors
+    /// [`Error::ReadFile`] for a frame, [`Error::WriteFile`], [`Error::Invalid`] with what ffmpeg says.
+    pub fn write(self, frames: &Frames<'_>, output: &Path) -> Result<()> {
         match self {
-            Self::Mp4 => mp4(frames, fps, output, scratch, progress),
-            Self::Png => animated_png(frames, fps, output, progress),
+            Self::Mp4 => mp4(frames, output),
+            Self::Png => animated_png(frames, output),
             Self::Frames => Ok(()),
         }
     }
 }
 
 /// ffmpeg goes back in its file, so it has one of its own.
-fn mp4(
-    frames: &[PathBuf],
-    fps: u32,
-    output: &Path,
-    scratch: &Path,
-    progress: &Progress,
-) -> Result<()> {
+fn mp4(frames: &Frames<'_>, output: &Path) -> Result<()> {
+    let Frames { fps, scratch, .. } = *frames;
     let beside = tempfile::Builder::new().prefix(".organza-").suffix(".tmp").tempfile_in(scratch);
     let beside = beside.map_err(|source| Error::write(scratch, source))?;
     let path = std::path::absolute(beside.path()).map_err(|source| Error::read(scratch, source))?;
@@ -102,7 +112,7 @@ fn mp4(
         let _ = stderr.read_to_end(&mut text);
         String::from_utf8_lossy(&text).into_owned()
     });
-    let fed = feed(&mut child, frames, progress);
+    let fed = feed(&mut child, frames);
     let status = child.wait();
     let said = said.join().unwrap_or_default();
     match (fed, status) {
@@ -145,17 +155,18 @@ enum Feed {
     Pipe(io::Error),
 }
 
-fn feed(child: &mut Child, frames: &[PathBuf], progress: &Progress) -> Result<(), Feed> {
+fn feed(child: &mut Child, frames: &Frames<'_>) -> Result<(), Feed> {
     let mut pipe = child.stdin.take().expect("it is piped");
-    for frame in frames {
+    for frame in frames.files {
         let bytes = fs::read(frame).map_err(|error| Feed::Frame(frame.clone(), error))?;
         pipe.write_all(&bytes).map_err(Feed::Pipe)?;
-        progress.advance(1);
+        (frames.progress)();
     }
     Ok(())
 }
 
-fn animated_png(frames: &[PathBuf], fps: u32, output: &Path, progress: &Progress) -> Result<()> {
+fn animated_png(frames: &Frames<'_>, output: &Path) -> Result<()> {
+    let Frames { files, fps, progress, .. } = *frames;
     let pixels = |frame: &PathBuf| match ::image::open(frame) {
         Ok(image) => Ok(image.into_rgb8()),
         Err(error) => {
@@ -163,7 +174,7 @@ fn animated_png(frames: &[PathBuf], fps: u32, output: &Path, progress: &Progress
             Err(Error::Invalid { origin: frame.clone(), reason })
         }
     };
-    let (width, height) = pixels(&frames[0])?.dimensions();
+    let (width, height) = pixels(&files[0])?.dimensions();
     // an error about a frame is not one of writing
     let mut failed = None;
     let written = write_atomic(output, |writer| {
@@ -171,10 +182,10 @@ fn animated_png(frames: &[PathBuf], fps: u32, output: &Path, progress: &Progress
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
         // 0 plays: for ever
-        encoder.set_animated(frames.len() as u32, 0)?;
+        encoder.set_animated(files.len() as u32, 0)?;
         encoder.set_frame_delay(1, fps as u16)?;
         let mut writer = encoder.write_header()?;
-        for frame in frames {
+        for frame in files {
             match pixels(frame) {
                 Ok(pixels) => writer.write_image_data(&pixels)?,
                 Err(error) => {
@@ -182,11 +193,15 @@ fn animated_png(frames: &[PathBuf], fps: u32, output: &Path, progress: &Progress
                     return Err(io::ErrorKind::InvalidData.into());
                 }
             }
-            progress.advance(1);
+            progress();
         }
         Ok(writer.finish()?)
     });
     failed.map_or(written, Err)
+}
+
+fn refuse<T>(reason: impl Into<String>) -> Result<T> {
+    Err(Error::Invalid { origin: PathBuf::new(), reason: reason.into() })
 }
 
 #[cfg(test)]

@@ -1,0 +1,166 @@
+//! The film of a path, made while the page waits. Its frames are exact images that wait at the desk like any other, so whoever
+//! looks around meanwhile goes first.
+//!
+//! The answer has a line of JSON for each frame, then one with the film's number of bytes, then these. A page that goes away ends
+//! the work.
+
+use std::fs::{self, File};
+use std::io::Read;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use http_body_util::channel::Sender;
+use hyper::body::Bytes;
+use serde::Deserialize;
+use serde_json::{Value, json};
+use tokio::sync::oneshot;
+
+use super::desk::{Desk, FrameJob};
+use super::keyframes::PathRequest;
+use super::message::{FrameRequest, Lens, Mode, Quality, checked_background, refuse};
+use crate::camera::Camera;
+use crate::error::{self, Result};
+use crate::film::{Frames, Kind};
+
+/// The fastest film, in frames a second.
+const MAX_FPS: u32 = 240;
+/// Bytes of a film that are sent at once.
+const PART: u64 = 256 << 10;
+
+/// A film that the page asks for.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FilmRequest {
+    path: PathRequest,
+    kind: Kind,
+    fps: u32,
+    mode: Mode,
+    #[serde(default)]
+    background: Option<[f64; 3]>,
+}
+
+impl FilmRequest {
+    /// The camera of each frame, once everything else was looked at.
+    pub fn check(&self) -> Result<Vec<Camera>> {
+        if !(1..=MAX_FPS).contains(&self.fps) {
+            return refuse(format!("a film has 1 to {MAX_FPS} frames a second"));
+        }
+        if self.kind == Kind::Frames {
+            return refuse("a film is an `mp4` or a `png`".to_owned());
+        }
+        if self.mode == Mode::Error {
+            return refuse("a film has no photographs to compare with".to_owned());
+        }
+        checked_background(self.background)?;
+        let cameras = self.path.cameras(self.kind == Kind::Mp4)?;
+        let Some(first) = cameras.first() else { return refuse("a film has frames".to_owned()) };
+        self.kind.check([first.width, first.height])?;
+        Ok(cameras)
+    }
+}
+
+/// Why a film ends early: for the page, or because the page is gone.
+enum End {
+    Error(String),
+    Gone,
+}
+
+impl From<error::Error> for End {
+    fn from(error: error::Error) -> Self {
+        Self::Error(error::chain(&error))
+    }
+}
+
+/// Makes a film, and sends it.
+pub async fn make(
+    desk: &Desk,
+    request: &FilmRequest,
+    cameras: Vec<Camera>,
+    mut sender: Sender<Bytes>,
+) {
+    if let Err(End::Error(reason)) = send(desk, request, cameras, &mut sender).await {
+        let _ = say(&mut sender, &json!({ "error": reason })).await;
+    }
+}
+
+async fn send(
+    desk: &Desk,
+    request: &FilmRequest,
+    cameras: Vec<Camera>,
+    sender: &mut Sender<Bytes>,
+) -> Result<(), End> {
+    let failed = |error: std::io::Error| End::Error(format!("the film cannot be written: {error}"));
+    let folder = Arc::new(tempfile::tempdir().map_err(failed)?);
+    let mut files = Vec::with_capacity(cameras.len());
+    // no page has a number as large
+    let client = (1 << 32) + u64::from(rand::random::<u32>());
+    let all = cameras.len();
+    for (frame, camera) in cameras.into_iter().enumerate() {
+        say(sender, &json!({ "frame": frame, "frames": all })).await?;
+        let bytes = render(desk, request, client, frame, camera).await?;
+        let file = folder.path().join(format!("{frame:05}.png"));
+        fs::write(&file, bytes).map_err(failed)?;
+        files.push(file);
+    }
+    say(sender, &json!({ "frame": all, "frames": all })).await?;
+    let film = encode(request, files, Arc::clone(&folder)).await?;
+    let mut film = File::open(film).map_err(failed)?;
+    let size = film.metadata().map_err(failed)?.len();
+    say(sender, &json!({ "bytes": size })).await?;
+    loop {
+        let mut part = Vec::new();
+        film.by_ref().take(PART).read_to_end(&mut part).map_err(failed)?;
+        if part.is_empty() {
+            return Ok(());
+        }
+        sender.send_data(part.into()).await.map_err(|_| End::Gone)?;
+    }
+}
+
+async fn say(sender: &mut Sender<Bytes>, line: &Value) -> Result<(), End> {
+    sender.send_data(format!("{line}\n").into()).await.map_err(|_| End::Gone)
+}
+
+/// One frame, as `organza render` writes it.
+async fn render(
+    desk: &Desk,
+    request: &FilmRequest,
+    client: u64,
+    frame: usize,
+    camera: Camera,
+) -> Result<Vec<u8>, End> {
+    let (reply, answer) = oneshot::channel();
+    let request = FrameRequest {
+        client,
+        sequence: frame as u64,
+        camera: Lens::from(&camera),
+        mode: request.mode,
+        quality: Quality::Exact,
+        background: request.background,
+        view: None,
+    };
+    desk.post(Box::new(FrameJob { request, camera, reply }));
+    match answer.await {
+        Ok(Ok(painted)) => Ok(painted.bytes),
+        Ok(Err(reason)) => Err(End::Error(reason)),
+        Err(_) => Err(End::Error("too many pages are open".to_owned())),
+    }
+}
+
+/// Encodes on a thread of its own: the server has one, and others wait for their images.
+async fn encode(
+    request: &FilmRequest,
+    files: Vec<PathBuf>,
+    folder: Arc<tempfile::TempDir>,
+) -> Result<PathBuf, End> {
+    let (kind, fps) = (request.kind, request.fps);
+    let work = move || {
+        let film = folder.path().join("film");
+        let frames = Frames { files: &files, fps, scratch: folder.path(), progress: &|| {} };
+        kind.write(&frames, &film).map(|()| film)
+    };
+    match tokio::task::spawn_blocking(work).await {
+        Ok(film) => Ok(film?),
+        Err(error) => Err(End::Error(error.to_string())),
+    }
+}

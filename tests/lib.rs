@@ -1,4 +1,4 @@
-//! What the tests share: the reference's cases, devices, and comparisons.
+//! What the tests share: the reference's cases, devices, comparisons, and sorted Gaussians.
 
 #[path = "support/cases.rs"]
 pub mod cases;
@@ -6,6 +6,8 @@ pub mod cases;
 pub mod compare;
 #[path = "support/devices.rs"]
 pub mod devices;
+#[path = "support/sorted.rs"]
+pub mod sorted;
 #[path = "support/spirv.rs"]
 pub mod spirv;
 

@@ -28,9 +28,9 @@ def curve(run):
     return points
 
 
-def finish(name):
+def finish(name, corner="lower right"):
     plt.grid(alpha=0.3)
-    plt.legend(frameon=False, loc="lower right")
+    plt.legend(frameon=False, loc=corner)
     for side in ("top", "right"):
         plt.gca().spines[side].set_visible(False)
     plt.tight_layout()

@@ -12,3 +12,4 @@ mod reproducible;
 #[path = "../support/snapshot/mod.rs"]
 mod snapshot;
 mod snapshots;
+mod steadiness;

@@ -162,11 +162,15 @@ pub fn composite<L: Lane>(
         let end = if all < begin + MAX_MEMBERS { all } else { begin + MAX_MEMBERS };
         let area = params.side * params.side;
         let at = t * SUM_PLANES * area + place.y * params.side + place.x;
-        let mut red = L::read_written(sum, at);
-        let mut green = L::read_written(sum, at + area);
-        let mut blue = L::read_written(sum, at + 2 * area);
-        let mut weight = L::read_written(sum, at + 3 * area);
         let zero = L::splat(0.0);
+        let (mut red, mut green, mut blue, mut weight) = (zero, zero, zero, zero);
+        // an invocation without a pixel copies for the others, and has no sums
+        if inside {
+            red = L::read_written(sum, at);
+            green = L::read_written(sum, at + area);
+            blue = L::read_written(sum, at + 2 * area);
+            weight = L::read_written(sum, at + 3 * area);
+        }
         let cell = Cells::of(params.side).bit(place.x, place.y);
         let mut next = begin;
         while next < end {

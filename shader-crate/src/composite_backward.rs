@@ -72,6 +72,7 @@ struct Moments {
 
 /// Sums over `blocks` of `L::WIDTH` columns from `column` on, of the rows of a span; `at` is the tile's first value
 /// of `gradient [tiles, 4, S, S]`.
+#[loops]
 #[inline(always)]
 #[allow(clippy::too_many_arguments)]
 fn moments<L: Lane>(

@@ -40,6 +40,7 @@ pub struct DenseParams {
 /// The four outputs of a layer that has no more, for each lane's sample, before the activation: `b + sum_i W_i x_i`.
 ///
 /// Inputs are summed in ascending order on every device.
+#[loops]
 #[inline(always)]
 pub fn column<L: Lane>(
     params: &DenseParams,
@@ -104,6 +105,7 @@ pub fn dense<S: Samples>(
 }
 
 /// Sixteen outputs of a hidden layer, from a column on: each input is read once for all of them.
+#[loops]
 #[inline(always)]
 fn four_columns<S: Samples>(
     params: &DenseParams,
@@ -138,6 +140,7 @@ fn four_columns<S: Samples>(
 }
 
 /// Eight outputs of a hidden layer, from a column on.
+#[loops]
 #[inline(always)]
 fn two_columns<S: Samples>(
     params: &DenseParams,

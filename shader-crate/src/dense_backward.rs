@@ -304,6 +304,7 @@ pub fn dense_weight_backward<L: Lane>(
 
 /// Sums of the products of four inputs and a column of outputs' gradients, over as many whole lanes of samples as there are;
 /// and the first sample after those.
+#[loops]
 #[inline(always)]
 fn sum_products<L: Lane>(
     input: Read<f32>,
@@ -338,6 +339,7 @@ fn sum_rows<L: Lane>(rows: Read<f32>, first: u32, stride: u32, begin: u32, end: 
 }
 
 /// As [`sum_rows`], over as many whole lanes of samples as there are; and the first sample after those.
+#[loops]
 #[inline(always)]
 fn sum_lanes<L: Lane>(
     rows: Read<f32>,

@@ -19,7 +19,7 @@ pub const BEHIND: f32 = -1.0;
 /// [`Projection::radius`] of a Gaussian whose projection is not finite or has no inverse.
 pub const DEGENERATE: f32 = -2.0;
 
-/// A Gaussian on the image plane.
+/// A Gaussian on the image plane; all zeros but the radius where it is culled.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projection {
     /// Center, in pixels.
@@ -114,7 +114,11 @@ pub fn project_gaussian(
     let usable = is_finite(t.z) && is_finite(magnitude) && determinant > 0.0;
     let is_seen = Lens::sees(t);
     let culled = if is_finite(t.z) && !is_seen { BEHIND } else { DEGENERATE };
-    Projection { mean2d, conic, extent, radius: if is_seen && usable { radius } else { culled } }
+    if is_seen && usable {
+        Projection { mean2d, conic, extent, radius }
+    } else {
+        Projection { mean2d: Vec2::ZERO, conic: Vec3::ZERO, extent: Vec2::ZERO, radius: culled }
+    }
 }
 
 /// Squared Mahalanobis distance `q = d^T cov2d^-1 d`.

@@ -43,6 +43,7 @@ pub fn owner(first_sample: Read<u32>, pairs: u32, sample: u32) -> u32 {
 }
 
 /// As [`owner`], if it is known to be one of `low .. high`.
+#[loops]
 #[inline(always)]
 fn owner_among(first_sample: Read<u32>, low: u32, high: u32, sample: u32) -> u32 {
     let (mut low, mut high) = (low, high);
@@ -119,6 +120,7 @@ pub fn transmittance_inputs<L: Lane>(
 }
 
 /// What [`transmittance_inputs`] writes for the samples of the lanes from `index` on, which the same pair owns.
+#[loops]
 #[inline(always)]
 #[allow(clippy::too_many_arguments)]
 fn write_inputs<L: Lane>(

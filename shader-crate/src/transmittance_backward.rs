@@ -137,6 +137,7 @@ pub fn extra_backward<L: Lane>(
 }
 
 /// The sum of as many whole lanes as there are, and the index after those.
+#[loops]
 #[inline(always)]
 fn sum_lanes<L: Lane>(values: Read<f32>, begin: u32, end: u32) -> (L, u32) {
     let mut sum = L::splat(0.0);

@@ -6,7 +6,7 @@ use std::path::Path;
 use organza::parity;
 use organza::parity::project_backward::ProjectBackward;
 use organza::{InstructionSet, Renderer, SpirvPath};
-use organza_check::{KernelRunner, Output, Parity, Rounding, Values, missing};
+use organza_check::{Case, KernelRunner, Output, Parity, Rounding, Values, missing};
 use organza_kernel::kernels;
 use organza_tests::{cases, devices};
 
@@ -113,6 +113,20 @@ fn no_two_invocations_get_in_each_others_way() {
     for case in parity::cases() {
         let measure = case.measure(&scalar, &checked, Rounding::AsWritten).expect("no race");
         assert_eq!(measure.share.value, 0.0, "{}: checking changes the result", case.kernel);
+    }
+}
+
+/// The variants, whose invocations copy to workgroup memory and wait for each other, beside the plain kernels.
+#[test]
+fn staged_copies_are_right_without_a_gpu() {
+    let (scalar, staged) = (devices::with(InstructionSet::Scalar), devices::checked_variants());
+    let has_variant = |case: &&Case| case.entry_point(&staged) != case.entry_point(&scalar);
+    let cases = parity::cases();
+    let cases: Vec<_> = cases.iter().filter(has_variant).collect();
+    assert!(!cases.is_empty(), "no kernel has a variant");
+    for case in cases {
+        let measure = case.measure(&scalar, &staged, Rounding::AsWritten).expect("no race");
+        assert_eq!(measure.share.value, 0.0, "{}: the copies change the result", case.kernel);
     }
 }
 

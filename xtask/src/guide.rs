@@ -1,5 +1,6 @@
 //! Compiles the kernel of docs/adding-a-kernel.md as its reader would: as a file of the shader crate.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
@@ -35,6 +36,25 @@ pub fn run(project: &Project) -> Result<()> {
     let module = modules.remove(KERNEL).context("the page's kernel has no entry point")?;
     let module = lower(&module, false)?;
     println!("docs/adding-a-kernel.md: `{KERNEL}` compiles to {} bytes", module.len());
+    others_are_as_before(&modules, &project.root.join(&project.kernels))
+}
+
+/// A kernel more, or one that has changed, leaves the modules of all others as they are, to the byte.
+fn others_are_as_before(modules: &BTreeMap<String, Vec<u8>>, folder: &Path) -> Result<()> {
+    for kernel in organza_kernel::kernels() {
+        for name in kernel.entry_points().map(|point| point.name) {
+            let module = modules.get(name).with_context(|| format!("`{name}` is missing"))?;
+            let before = folder.join(format!("{name}.spv"));
+            let before = fs::read(&before)
+                .with_context(|| format!("cannot read {}", before.display()))?;
+            let is_same = lower(module, kernel.fused)? == before;
+            ensure!(
+                is_same,
+                "`{KERNEL}` has changed `{name}` (if `cargo xtask kernels --check` passes)"
+            );
+        }
+    }
+    println!("it leaves the {} other modules as they are", modules.len());
     Ok(())
 }
 

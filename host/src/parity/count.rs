@@ -26,8 +26,6 @@ pub struct RecordTotal {
 
 impl Parity for RecordTotal {
     const KERNEL: &'static str = "record_total";
-    const TOLERANCE: f64 = 0.0;
-    const WHY: &'static str = "integers";
 
     fn sets() -> Vec<(String, Self)> {
         let mut sets = Vec::new();
@@ -73,8 +71,6 @@ pub struct ClearOnOverflow {
 
 impl Parity for ClearOnOverflow {
     const KERNEL: &'static str = "clear_on_overflow";
-    const TOLERANCE: f64 = 0.0;
-    const WHY: &'static str = "integers";
 
     fn sets() -> Vec<(String, Self)> {
         let of = |size: u32, misfit: u32| {
@@ -116,8 +112,6 @@ pub struct CountFill {
 
 impl Parity for CountFill {
     const KERNEL: &'static str = "count_fill";
-    const TOLERANCE: f64 = 0.0;
-    const WHY: &'static str = "integers";
 
     fn sets() -> Vec<(String, Self)> {
         let of = |size: u32, misfit: u32| {

@@ -77,8 +77,6 @@ pub struct PairMask {
 
 impl Parity for PairMask {
     const KERNEL: &'static str = "pair_mask";
-    const TOLERANCE: f64 = 0.0;
-    const WHY: &'static str = "integers";
 
     fn sets() -> Vec<(String, Self)> {
         mask_sets(|words, bits, random| {
@@ -131,8 +129,6 @@ pub struct PairFill {
 
 impl Parity for PairFill {
     const KERNEL: &'static str = "pair_fill";
-    const TOLERANCE: f64 = 0.0;
-    const WHY: &'static str = "integers";
 
     fn sets() -> Vec<(String, Self)> {
         mask_sets(|words, bits, random| Self { words, mask: bits.words(random, 2 * words) })

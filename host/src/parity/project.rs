@@ -150,7 +150,7 @@ impl Parity for Project {
     const KERNEL: &'static str = "project";
     const TOLERANCE: f64 = 1e-6;
     const WHY: &'static str = "roundings of sums, divisions and square roots of 3 ulp, exp, scaled by \
-        how the f64 projection is conditioned; what is culled has no values; no Gaussian within 1e-5 \
+        how the f64 projection is conditioned; what is culled has zeros; no Gaussian within 1e-5 \
         of the near plane, none whose products overflow on some devices only (1e35 to 1e42)";
 
     fn sets() -> Vec<(String, Self)> {
@@ -194,16 +194,16 @@ impl Parity for Project {
         };
         let (places, behind) = projection.split_at(2 * slots);
         let places = places.as_chunks::<2>().0;
-        // a Gaussian that is culled has no projection
-        let of = |p: &[Vec4; 2], value: f32| if class(p) == 0 { value } else { 0.0 };
-        let mean2d = places.iter().flat_map(|p| [of(p, p[0].x), of(p, p[0].y)]);
-        let conic = places.iter().flat_map(|p| [p[1].x, p[1].y, p[1].z].map(|v| of(p, v)));
-        let extent = places.iter().flat_map(|p| [of(p, p[0].w), of(p, p[1].w)]);
+        // a negative one is a class
+        let radius = places.iter().map(|p| p[0].z.max(0.0));
+        let mean2d = places.iter().flat_map(|p| [p[0].x, p[0].y]);
+        let conic = places.iter().flat_map(|p| [p[1].x, p[1].y, p[1].z]);
+        let extent = places.iter().flat_map(|p| [p[0].w, p[1].w]);
         Ok(vec![
             Output::exact("class", places.iter().map(class).collect()),
             Output::exact("degenerate", runner.read(&degenerate)?),
             Output::float("mean2d", mean2d),
-            Output::float("radius", places.iter().map(|p| of(p, p[0].z))),
+            Output::float("radius", radius),
             Output::float("conic", conic),
             Output::float("extent", extent),
             Output::float("behind", behind.iter().flat_map(|v| v.to_array())),

@@ -34,8 +34,6 @@ pub struct ScanBlock {
 
 impl Parity for ScanBlock {
     const KERNEL: &'static str = "scan_block";
-    const TOLERANCE: f64 = 0.0;
-    const WHY: &'static str = "integers";
 
     fn sets() -> Vec<(String, Self)> {
         sets(|values| Self { values })
@@ -87,8 +85,6 @@ pub struct ScanAdd {
 
 impl Parity for ScanAdd {
     const KERNEL: &'static str = "scan_add";
-    const TOLERANCE: f64 = 0.0;
-    const WHY: &'static str = "integers";
 
     fn sets() -> Vec<(String, Self)> {
         sets(|mut prefix| {

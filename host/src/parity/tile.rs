@@ -168,8 +168,6 @@ pub struct TileFill {
 
 impl Parity for TileFill {
     const KERNEL: &'static str = "tile_fill";
-    const TOLERANCE: f64 = 0.0;
-    const WHY: &'static str = "integers";
 
     fn sets() -> Vec<(String, Self)> {
         mask_sets(|words, bits, random| {
@@ -227,8 +225,6 @@ pub struct TileRange {
 
 impl Parity for TileRange {
     const KERNEL: &'static str = "tile_range";
-    const TOLERANCE: f64 = 0.0;
-    const WHY: &'static str = "integers";
 
     fn sets() -> Vec<(String, Self)> {
         let of = |(tiles, words): (u32, u32)| {

@@ -1,7 +1,7 @@
 //! Builds kernels: compiles a crate of `#[kernel]` functions to SPIR-V modules that drivers and naga accept, and writes their
 //! manifest.
 //!
-//! A program that is linked with the kernels calls [`main`], or [`run`] if it has more to do; usually that is `cargo xtask kernels`.
+//! A program that is linked with the kernels is an [`xtask`], or calls [`run`] if it has more to do. Usually that is `cargo xtask kernels`.
 
 mod artifacts;
 mod atomic_arguments;
@@ -75,14 +75,25 @@ enum Task {
     Kernels(Options),
 }
 
-/// The whole `main` of an xtask: `cargo xtask kernels`, with [`Options`].
+/// The whole xtask of a project: `cargo xtask kernels`, with [`Options`]. It names the crate of kernels and the crate's folder
+/// in the workspace.
 ///
-/// ```no_run
-/// // use my_kernels as _;
-/// fn main() -> std::process::ExitCode {
-///     organza_build::main(&organza_build::Project::of_xtask(env!("CARGO_MANIFEST_DIR"), "kernels"))
-/// }
+/// ```ignore
+/// organza_build::xtask!(my_kernels in "kernels");
 /// ```
+#[macro_export]
+macro_rules! xtask {
+    ($kernels:ident in $folder:literal) => {
+        // the program is linked with the kernels that it compiles
+        use $kernels as _;
+
+        fn main() -> std::process::ExitCode {
+            $crate::main(&$crate::Project::of_xtask(env!("CARGO_MANIFEST_DIR"), $folder))
+        }
+    };
+}
+
+/// The `main` of an [`xtask`].
 #[must_use]
 pub fn main(project: &Project) -> ExitCode {
     let Task::Kernels(options) = Task::parse();

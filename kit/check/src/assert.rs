@@ -1,16 +1,20 @@
 //! All cases on all devices of this machine, as one test.
 
+use std::collections::BTreeSet;
+
 use organza_device::{Device, Modules};
+use organza_kernel::{KernelInfo, kernels};
 
 use super::case::{Case, Rounding};
 use super::{devices, measure::Measure};
 
 /// Holds each kernel to its case, on every device of this machine: the CPU with each instruction set, the CPU that
 /// [checks](devices::checked) for mistakes, and the GPU, passed through and through naga. Each is compared with the CPU and with
-/// the equations.
+/// the equations. Every kernel of their package must have a case.
 ///
 /// # Panics
-/// Where a device is out of a case's tolerance or a kernel makes a mistake, with a line for each; and as [`devices::gpus`].
+/// Where a device is out of a case's tolerance, a kernel makes a mistake or has no case, with a line for each; and as
+/// [`devices::gpus`].
 #[track_caller]
 pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
     let cpu = devices::cpu(None);
@@ -19,7 +23,7 @@ pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
         ("cpu, checked variants", devices::checked_variants()),
     ];
     let gpus = devices::gpus(modules).into_iter().chain(variants(modules));
-    let mut failures = Vec::new();
+    let mut failures = without_case(cases);
     for (name, device) in devices::cpus().into_iter().chain(checked).chain(gpus) {
         let rounding = match name.contains("naga") {
             true => Rounding::Regrouped,
@@ -46,9 +50,20 @@ pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
+/// The kernels without a case, of the packages whose kernels have some.
+fn without_case(cases: &[Case]) -> Vec<String> {
+    let has_case = |kernel: &&KernelInfo| cases.iter().any(|case| case.kernel == kernel.name);
+    let packages: BTreeSet<_> = kernels().filter(has_case).map(|kernel| kernel.package).collect();
+    let without = kernels().filter(|kernel| !has_case(kernel) && packages.contains(kernel.package));
+    let message = |kernel: &KernelInfo| {
+        format!("{}: the kernel `{}` has no parity case", kernel.source(), kernel.name)
+    };
+    without.map(message).collect()
+}
+
 /// The GPU's variants, where it has any that [`devices::gpus`] does not run.
 fn variants(modules: &'static Modules) -> Vec<(&'static str, Device)> {
-    if organza_kernel::kernels().all(|kernel| kernel.variant.is_none()) {
+    if kernels().all(|kernel| kernel.variant.is_none()) {
         return Vec::new();
     }
     devices::variants(modules).into_iter().map(|(name, [_, variants])| (name, variants)).collect()

@@ -11,9 +11,9 @@ pub trait Parity: Sized + 'static {
     /// The kernel.
     const KERNEL: &'static str;
     /// How far an output may differ, in units of [`Parity::bound`]'s scale; 0 if all outputs are integers.
-    const TOLERANCE: f64;
+    const TOLERANCE: f64 = 0.0;
     /// Where the tolerance comes from, and what the inputs stay away from.
-    const WHY: &'static str;
+    const WHY: &'static str = "integers";
     /// Whether it computes with 16-bit floats: it is skipped on a GPU that [does not](Device::computes_halves).
     const NEEDS_HALVES: bool = false;
     /// The part of each output's written elements that [`Parity::exact`] must give, over all sets.

@@ -1,11 +1,70 @@
 //! Tests of kernels: [parity](case) cases, and [snapshots](snapshot) with pictures.
 //!
-//! A [`Case`] has a kernel's inputs, its equation in f64 and its tolerance. A [`KernelRunner`] runs the kernel on a device, and a
-//! [`Report`] says how far each device is from the CPU. [`assert_parity`] is all of it in one line: every case, on every device of
-//! this machine. [`snapshots`] keeps what a program computes, and shows a change as a picture.
+//! # How devices are compared
 //!
-//! A case implements [`Parity`]. Its outputs start as canaries: a write in a wrong place, or a read of what was never written, is a
-//! difference.
+//! A kernel's case has its inputs, its equation in f64, and how far a device may be off. It implements [`Parity`]:
+//!
+//! ```
+//! use organza_check::{KernelRunner, Output, Parity, Result, inputs};
+//! use organza_kernel::prelude::*;
+//!
+//! #[params]
+//! pub struct SquareParams {
+//!     pub count: u32,
+//! }
+//!
+//! #[kernel(threads(64))]
+//! pub fn square(id: Invocation, params: &SquareParams, input: Read<f32>, output: Write<f32>) {
+//!     if id.index() < params.count {
+//!         output.write(id.index(), input.read(id.index()) * input.read(id.index()));
+//!     }
+//! }
+//!
+//! struct Square(Vec<f32>);
+//!
+//! impl Parity for Square {
+//!     const KERNEL: &'static str = "square";
+//!     const TOLERANCE: f64 = 1.2e-7;
+//!     const WHY: &'static str = "one rounding";
+//!
+//!     fn sets() -> Vec<(String, Self)> {
+//!         inputs::sets(|count, fill, random| Self(fill.values(random, count as usize, [-2.0, 2.0], 1e19)))
+//!     }
+//!
+//!     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+//!         let params = SquareParams { count: self.0.len() as u32 };
+//!         let (input, output) = (runner.upload(&self.0)?, runner.output(self.0.len())?);
+//!         runner.items(&SquareKernel { params, input: &input, output: &output }, params.count, 1)?;
+//!         Ok(vec![Output::float("output", runner.read(&output)?)])
+//!     }
+//!
+//!     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+//!         self.0.iter().map(|&x| Some(f64::from(x) * f64::from(x))).collect()
+//!     }
+//! }
+//!
+//! # fn main() {
+//! # use organza_check::{Case, Rounding, devices};
+//! # let measure = Case::of::<Square>().hold(&devices::checked(), Rounding::AsWritten).unwrap();
+//! # assert!(measure.is_ok() && measure.values > 0);
+//! # }
+//! ```
+//!
+//! One test then runs all cases on every device of this machine, each beside the CPU and beside its equation:
+//!
+//! ```ignore
+//! #[test]
+//! fn every_kernel_is_right_on_every_device() {
+//!     organza_check::assert_parity(&[Case::of::<Square>()], &MODULES);
+//! }
+//! ```
+//!
+//! Outputs start as canaries: a write in a wrong place, or a read of what was never written, is a difference. [`Report`] has the
+//! largest differences, for a table.
+//!
+//! # Snapshots
+//!
+//! [`snapshots`] keeps what a program computes, and shows a change as a picture. It needs the feature `snapshots`.
 
 mod assert;
 pub mod case;
@@ -21,6 +80,9 @@ pub mod snapshot;
 
 pub use assert::assert_parity;
 pub use case::{Case, Parity, Rounding, missing};
+// what cases return
+pub use organza_device::Result;
+
 pub use measure::{Bound, Measure, Output, Values, Worst};
 pub use report::{Report, Row};
 pub use runner::{Canary, KernelRunner};

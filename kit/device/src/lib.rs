@@ -3,21 +3,56 @@
 //! [`Device::open`] chooses a backend and gets the program's compiled kernels, its [`Modules`]. Code that uses a [`Device`] does
 //! not know the backend: the same dispatch of the same kernel runs on both.
 //!
+//! # A kernel runs
+//!
+//! Buffers live on the device. The host uploads inputs, runs kernels and reads what it needs; in between, nothing leaves the device.
+//!
+//! ```
+//! use organza_device::{Device, DeviceOptions, Modules};
+//! use organza_kernel::prelude::*;
+//!
+//! #[params]
+//! pub struct SquareParams {
+//!     pub count: u32,
+//! }
+//!
+//! #[kernel(threads(64))]
+//! pub fn square(id: Invocation, params: &SquareParams, input: Read<f32>, output: Write<f32>) {
+//!     if id.index() < params.count {
+//!         output.write(id.index(), input.read(id.index()) * input.read(id.index()));
+//!     }
+//! }
+//!
+//! fn main() -> organza_device::Result<()> {
+//!     let device = Device::open(&DeviceOptions::checked(), Modules::none())?;
+//!     let input = device.upload("input", &[1.0, 2.0, -3.0])?;
+//!     let output = device.unwritten("output", 3)?;
+//!     let params = SquareParams { count: 3 };
+//!     // at least 3 invocations along x, one workgroup along z
+//!     device.run(&SquareKernel { params, input: &input, output: &output }, 3, 1)?;
+//!     assert_eq!(device.read(&output)?, [1.0, 4.0, 9.0]);
+//!     Ok(())
+//! }
+//! ```
+//!
+//! This device is the CPU. `DeviceOptions::default()` takes a GPU where there is one, and needs the program's compiled kernels.
+//!
 //! # Kernels for GPUs
 //!
-//! A GPU runs compiled kernels. A program registers them when it opens a device: its build script finds them with
-//! `organza_manifest::embed`, and [`modules`] embeds them. Where a module is missing or older than its kernel's declaration, the
-//! device refuses that kernel and says so. The CPU needs none.
+//! `cargo xtask kernels`, which is `organza-build`, compiles kernels to SPIR-V modules. The program's build script finds them with
+//! `organza_manifest::embed_compiled`, and [`modules`] embeds them:
 //!
 //! ```ignore
 //! static MODULES: organza_device::Modules = organza_device::modules!();
 //! let device = Device::open(&DeviceOptions::default(), &MODULES)?;
 //! ```
 //!
-//! # Tests
+//! Where a module is missing or older than its kernel's declaration, the device refuses that kernel and says so.
 //!
-//! [`DeviceOptions::checked`] is the CPU as tests want it. It finds races between invocations, and reads of what nothing has written:
-//! allocate what kernels fill with [`Device::unwritten`]. It also runs one workgroup more than needed, which must do nothing.
+//! # The device for tests
+//!
+//! [`DeviceOptions::checked`] is the CPU as tests want it. It finds races between invocations, NaN, and reads of what nothing has
+//! written: allocate what kernels fill with [`Device::unwritten`]. It also runs one workgroup more than needed, which must do nothing.
 
 mod buffer;
 mod count;

@@ -63,8 +63,8 @@ pub struct DeviceOptions {
     /// kernel reads what [nothing has written](Device::unwritten). For tests of kernels: slow, and 24
     /// bytes for every element that a kernel may write.
     pub check_races: bool,
-    /// With [`check_races`](Self::check_races), whether to fail where a kernel writes NaN to `f32` or vectors of them. For
-    /// kernels that never do, also not to elements that nobody reads.
+    /// With [`check_races`](Self::check_races), whether to fail where a kernel writes NaN to `f32` or vectors of them, also to
+    /// elements that nobody reads.
     pub check_nan: bool,
     /// Whether [`Device::run`] and [`Device::run_over`] start one workgroup more than needed, along x and, for a size, along
     /// y. For tests of kernels: their invocations must do nothing.
@@ -90,11 +90,11 @@ impl DeviceOptions {
         Self { backend: BackendChoice::Gpu, spirv: Some(spirv), ..Self::default() }
     }
 
-    /// The CPU as tests of kernels want it: it [looks for races](Self::check_races) and for reads of what nothing has written,
-    /// and runs [one workgroup more](Self::extra_workgroup) than needed.
+    /// The CPU as tests of kernels want it: it [looks for races](Self::check_races), for reads of what nothing has written and
+    /// for [NaN](Self::check_nan), and runs [one workgroup more](Self::extra_workgroup) than needed.
     #[must_use]
     pub fn checked() -> Self {
-        Self { check_races: true, extra_workgroup: true, ..Self::cpu(None) }
+        Self { check_races: true, check_nan: true, extra_workgroup: true, ..Self::cpu(None) }
     }
 
     /// Sets [`backend`](Self::backend).

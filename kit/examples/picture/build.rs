@@ -1,4 +1,3 @@
 fn main() {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-    organza_manifest::embed(&folder.join("compiled"), folder);
+    organza_manifest::embed_compiled();
 }

@@ -73,7 +73,14 @@
 //!
 //! The CPU run is strict where a GPU goes on with garbage. It reports an index out of range, a missing or divergent barrier, a race,
 //! memory that is read before it is written, and a loop that takes longer than declared. Each message has the kernel, the line, the
-//! invocation and the buffer. `DeviceOptions::checked()` of `organza-device` is the device that finds most.
+//! invocation and the buffer:
+//!
+//! ```text
+//! kernel `square`: index 100 is out of range of `input`, which has 100 elements, at kernels/src/lib.rs:14:29,
+//! in invocation [36, 0, 0] of workgroup [1, 0, 0], [100, 0, 0] in the dispatch
+//! ```
+//!
+//! `DeviceOptions::checked()` of `organza-device` is the device that finds most.
 //!
 //! # How devices are compared
 //!
@@ -82,8 +89,21 @@
 //!
 //! # How it is debugged
 //!
-//! On the CPU a kernel is an ordinary function: set a breakpoint. A condition on `id` stops in one invocation. Compile the kernels
-//! without optimizations, and run them with `InstructionSet::Scalar`, to see every variable.
+//! On the CPU a kernel is an ordinary function, and a debugger stops in it. Compile without optimizations, so that every variable can
+//! be printed, and start the test's program, whose path `cargo test --no-run` prints:
+//!
+//! ```text
+//! $ cargo test --no-run --config 'profile.dev.package.my-kernels.opt-level=0'
+//! $ rust-gdb -ex 'break lib.rs:14' --args target/debug/deps/my_kernels-0123456789abcdef squares
+//! (gdb) run
+//! (gdb) print id
+//! (gdb) condition 1 id.local.x == 7
+//! (gdb) continue
+//! ```
+//!
+//! The condition stops in one invocation. Kernels with lanes show single values with `InstructionSet::Scalar`, which
+//! `DeviceOptions::checked()` has. If a GPU gives something else than the CPU, the parity test names the output and the element, and
+//! the same element is the one to stop at.
 //!
 //! # The crate
 //!

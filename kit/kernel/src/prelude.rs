@@ -1,4 +1,4 @@
-//! Everything that a kernel needs: `use organza_kernel::prelude::*`.
+//! Everything that a kernel and the test beside it need: `use organza_kernel::prelude::*`.
 
 pub use bytemuck::{Pod, Zeroable};
 pub use organza_macros::{kernel, loops, params};
@@ -11,3 +11,5 @@ pub use crate::memory::{Read, Shared, Write};
 #[cfg(target_arch = "spirv")]
 pub use crate::memory::{ReadBuffer, SharedBuffer, WriteBuffer};
 pub use crate::shared_tile::{SharedTile, Source};
+#[cfg(not(target_arch = "spirv"))]
+pub use crate::workgroup::{SharedMemory, Workgroup};

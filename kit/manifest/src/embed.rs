@@ -31,6 +31,16 @@ pub fn embed(kernels: &Path, workspace: &Path) {
     fs::write(out.join("kernels.rs"), table(kernels, &manifest)).expect("OUT_DIR is writable");
 }
 
+/// As [`embed`], for a package at the root of its workspace whose modules are in `compiled`: the whole build script of a project
+/// that `cargo xtask new` makes.
+///
+/// # Panics
+/// As [`embed`].
+pub fn embed_compiled() {
+    let folder = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("cargo sets it"));
+    embed(&folder.join("compiled"), &folder);
+}
+
 /// Rust source: an array of the modules that are there, each with its kernel's name.
 fn table(kernels: &Path, manifest: &Manifest) -> String {
     let mut table = String::from("[\n");

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-pub use embed::embed;
+pub use embed::{embed, embed_compiled};
 pub use source::{locked_version, source_hash};
 
 /// The layout of the manifest that this crate reads and writes.

@@ -73,7 +73,7 @@ impl Bench {
 
     /// The CPU as tests of kernels should run it.
     pub fn checked() -> Self {
-        Self::open(DeviceOptions::checked().check_nan(true).threads(1))
+        Self::open(DeviceOptions::checked().threads(1))
     }
 
     fn open(options: DeviceOptions) -> Self {

@@ -59,6 +59,22 @@ fn monitored(monitor: &dyn AccessMonitor, name: &str, index: u32, touch: Touch) 
     }
 }
 
+/// What both views of a buffer have.
+macro_rules! impl_named {
+    ($($view:ident),*) => {$(
+        impl<T: Copy> $view<'_, T> {
+            /// The same buffer by the name that a kernel has for it.
+            #[inline(always)]
+            #[must_use]
+            pub const fn named(self, name: &'static str) -> Self {
+                Self { name, ..self }
+            }
+        }
+    )*};
+}
+
+impl_named!(Read, Write);
+
 impl<'a, T: Copy> Read<'a, T> {
     /// # Safety
     /// `data` points to `len` values that nothing writes while the view is in use.
@@ -71,13 +87,6 @@ impl<'a, T: Copy> Read<'a, T> {
             watched: None,
             lifetime: PhantomData,
         }
-    }
-
-    /// The same buffer by the name that a kernel has for it.
-    #[inline(always)]
-    #[must_use]
-    pub const fn named(self, name: &'static str) -> Self {
-        Self { name, ..self }
     }
 
     /// The same buffer; in debug builds `monitor` sees every read.
@@ -169,13 +178,6 @@ impl<'a, T: Copy> Write<'a, T> {
     /// by one invocation at a time.
     pub const unsafe fn from_raw(data: *mut T, len: usize) -> Self {
         Self { data, len, name: UNNAMED, monitor: None, lifetime: PhantomData }
-    }
-
-    /// The same buffer by the name that a kernel has for it.
-    #[inline(always)]
-    #[must_use]
-    pub const fn named(self, name: &'static str) -> Self {
-        Self { name, ..self }
     }
 
     /// The same buffer; `monitor` sees every access.

@@ -1,39 +1,37 @@
 //! Three kernels. Each is an ordinary function: the CPU runs it, and `cargo xtask kernels` compiles it for every GPU.
 #![no_std]
 
-use organza_kernel::math::{abs, sqrt, truncate};
-use organza_kernel::prelude::*;
+use organza_kernel::{math, prelude::*};
 
-/// Parameters of all kernels.
+/// Parameters of all kernels: `pixels` is `side * side`.
 #[params]
 pub struct Picture {
-    /// Width and height, in pixels.
     pub side: u32,
-    /// Pixels: `side * side`.
     pub pixels: u32,
 }
 
-/// A plain kernel. `brightness [side, side]`: ripples around the middle, 0 to 1.
+/// A plain kernel. `gray [side, side]`: ripples around the middle, 0.2 to 1.
 #[kernel(threads(8, 8))]
-pub fn ripples(id: Invocation, params: &Picture, brightness: Write<f32>) {
+pub fn ripples(id: Invocation, params: &Picture, gray: Write<f32>) {
     let place = id.global();
     if place.x < params.side && place.y < params.side {
         let middle = 0.5 * params.side as f32;
         let (x, y) = (place.x as f32 + 0.5 - middle, place.y as f32 + 0.5 - middle);
-        let wave = 4.0 * sqrt(x * x + y * y) / middle;
-        brightness.write(place.y * params.side + place.x, abs(2.0 * (wave - truncate(wave)) - 1.0));
+        let wave = 4.0 * math::sqrt(x * x + y * y) / middle;
+        let slope = math::abs(2.0 * (wave - math::truncate(wave)) - 1.0);
+        gray.write(place.y * params.side + place.x, 1.0 - 0.8 * slope);
     }
 }
 
 /// Bins of [`histogram`].
 pub const BINS: usize = 16;
 
-/// With workgroup memory and barriers. Adds to `bins [BINS]` how many pixels have a brightness of each sixteenth of 0 to 1.
+/// With workgroup memory and barriers. Adds to `bins [BINS]` how many pixels have a gray of each sixteenth of 0 to 1.
 #[kernel(threads(64))]
 pub fn histogram(
     id: Invocation,
     params: &Picture,
-    brightness: Read<f32>,
+    gray: Read<f32>,
     bins: Write<u32>,
     counts: Shared<u32, BINS>,
 ) {
@@ -42,7 +40,7 @@ pub fn histogram(
     }
     id.barrier();
     if id.index() < params.pixels {
-        counts.atomic_add((brightness.read(id.index()) * 15.99) as u32, 1);
+        counts.atomic_add((gray.read(id.index()) * 15.99) as u32, 1);
     }
     id.barrier();
     if id.local.x < BINS as u32 {
@@ -52,10 +50,10 @@ pub fn histogram(
 
 /// With lanes: the CPU computes several pixels at once. `color [3, pixels]`: dark is blue, bright is yellow.
 #[kernel(threads(64), lanes(pixels))]
-pub fn tint<L: Lane>(id: Invocation, params: &Picture, brightness: Read<f32>, color: Write<f32>) {
+pub fn tint<L: Lane>(id: Invocation, params: &Picture, gray: Read<f32>, color: Write<f32>) {
     let index = id.index();
     if index < params.pixels {
-        let bright = L::read(brightness, index);
+        let bright = L::read(gray, index);
         bright.write(color, index);
         (bright * bright).write(color, params.pixels + index);
         (L::splat(0.5) - bright * L::splat(0.25)).write(color, 2 * params.pixels + index);
@@ -65,14 +63,13 @@ pub fn tint<L: Lane>(id: Invocation, params: &Picture, brightness: Read<f32>, co
 #[cfg(test)]
 mod tests {
     use super::*;
-    use organza_kernel::workgroup::{SharedMemory, Workgroup};
 
     /// A test beside a kernel needs no device: it calls the kernel, one workgroup at a time.
     #[test]
     fn pixels_are_counted() {
-        let (params, brightness) = (Picture { side: 2, pixels: 4 }, [0.0, 0.03, 0.52, 1.0]);
+        let (params, gray) = (Picture { side: 2, pixels: 4 }, [0.0, 0.03, 0.52, 1.0]);
         let (mut bins, counts) = ([0; BINS], SharedMemory::new());
-        let (input, sums) = (Read::from(&brightness[..]), Write::from(&mut bins[..]));
+        let (input, sums) = (Read::from(&gray[..]), Write::from(&mut bins[..]));
         Workgroup::new([64, 1, 1]).run(|id| histogram(id, &params, input, sums, counts.view()));
         assert_eq!((bins[0], bins[8], bins[15]), (2, 1, 1));
     }

@@ -9,6 +9,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 command -v cargo-mutants >/dev/null || cargo install --locked cargo-mutants@27.1.0
+# The copy of the sources has the dependencies that are compiled here.
+export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}
 # GPUs run SPIR-V, which is not compiled again: the tests have the CPU alone.
 export VK_DRIVER_FILES=/dev/null INSTA_UPDATE=no ORGANZA_REQUIRE_GPU=0
 # Round-robin: each part has mutants of all files.

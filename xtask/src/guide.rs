@@ -45,8 +45,8 @@ fn others_are_as_before(modules: &BTreeMap<String, Vec<u8>>, folder: &Path) -> R
         for name in kernel.entry_points().map(|point| point.name) {
             let module = modules.get(name).with_context(|| format!("`{name}` is missing"))?;
             let before = folder.join(format!("{name}.spv"));
-            let before = fs::read(&before)
-                .with_context(|| format!("cannot read {}", before.display()))?;
+            let before =
+                fs::read(&before).with_context(|| format!("cannot read {}", before.display()))?;
             let is_same = lower(module, kernel.fused)? == before;
             ensure!(
                 is_same,

@@ -20,6 +20,7 @@ mod mutations;
 mod parity;
 mod results;
 mod sandbox;
+mod shards;
 mod stale;
 mod train;
 mod view;

@@ -15,7 +15,7 @@ use super::output::{self, Folder};
 use super::picture::{Picture, Pictures, sizes, warn_not_finite};
 use super::refuse;
 use super::summary::{Cost, Summary, count, grouped};
-use super::views::{ViewList, names, warn_distorted};
+use super::views::{Shard, ViewList, names, warn_distorted};
 use super::written::Written;
 
 const EXAMPLES: &str = "\
@@ -26,6 +26,8 @@ Examples:
   organza render run -o images                             the views that the run was trained on
   organza render run -o images --split held-out            those that it did not see
   organza render scene.safetensors data/fox -o images --split all --downscale 2
+  organza render scene.safetensors transforms.json -o images --shard 0/4   the first of four machines
+  organza render scene.safetensors transforms.json -o images --missing     what is not there yet
 
 A folder is a data set: its cameras are as training has them, undistorted and downscaled, and a \
 run's folder says which frames are held out. Views count within the split.
@@ -35,6 +37,10 @@ view's index. The tile size does not change the image.
 
 The folder also gets .organza-files.json, a list of the images with their hashes. The next call removes those that \
 were made from another scene or other cameras, unless you have changed them. It removes nothing else.
+
+`--shard I/N` renders the views I, I + N, I + 2N and so on, counted in the list of views. Several machines may write to \
+one folder at the same time. A shard removes nothing. With `--missing`, images that are there and were made from the \
+same scene, cameras and options stay as they are, and the others are rendered: after a shard has failed, or was killed.
 
 A channel is written beside the image, as NAME.depth.png. Every channel is 0 where no Gaussian \
 covers a pixel. In a PNG, depth is in thousandths of a world unit unless `--depth-scale` says \
@@ -55,6 +61,12 @@ pub struct Args {
     /// Which views to render, such as 0,8 or 0-3 [default: all]
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     views: Option<ViewList>,
+    /// Render every Nth view from the Ith on, such as 0/4; `slurm` takes both from the task of a Slurm array
+    #[arg(long, value_name = "I/N")]
+    shard: Option<Shard>,
+    /// Render only images that are not there yet
+    #[arg(long)]
+    missing: bool,
     /// Side of the tiles that an image is cut into, in pixels
     #[arg(long, value_name = "S", default_value_t = 64)]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_TILE_SIDE)))]
@@ -83,6 +95,10 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         Some(chosen) => chosen.resolve(list.len(), &cameras.origin)?,
         None => (0..list.len()).collect(),
     };
+    let views = match args.shard {
+        Some(shard) => shard.of(views),
+        None => views,
+    };
     warn_distorted(console, list, &views);
     let (channels, format) = (args.channels.list(), args.format.format());
     for &view in &views {
@@ -100,26 +116,42 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let scene = args.scene_args.upload(&renderer, &scene)?;
     let (renderer, tile_size) = (&renderer, args.tile_size);
     let pictures = Pictures { renderer, scene: &scene, cameras: list, tile_size };
-    let mut written = Written::open(&folder, source.file(), &cameras.all)?;
+    let shard = args.shard.map(|shard| [shard.index, shard.count]);
+    let mut written = Written::open_shard(&folder, source.file(), &cameras.all, shard)?
+        .with_options(&(&args.scene_args, format));
+    let todo = match args.missing {
+        true => written.missing(files.iter().map(Vec::as_slice))?,
+        false => (0..views.len()).collect(),
+    };
+    if todo.len() < views.len() {
+        let (there, all) = (views.len() - todo.len(), count(views.len() as u64, "view"));
+        console.note(&format!("{there} of {all} are there from an earlier call"));
+    }
+    let rendered: Vec<_> = todo.iter().map(|&place| (views[place], &files[place])).collect();
+    written
+        .announce(&rendered.iter().flat_map(|(_, files)| *files).cloned().collect::<Vec<_>>())?;
     let output = (&channels[..], format);
-    let cost = write_all(&pictures, &views, &files, output, &mut written, console)?;
+    let cost = write_all(&pictures, &rendered, output, &mut written, console)?;
     let removed = written.finish(console)?;
-    console.note(&match files.concat().as_slice() {
+    let names: Vec<_> = rendered.iter().flat_map(|(_, files)| *files).collect();
+    console.note(&match names.as_slice() {
+        [] => "nothing to render".to_owned(),
+        [only] => format!("wrote {}", only.display()),
         [first, .., last] => format!(
             "wrote {} to {}: {} to {}",
-            count((files.len() * endings.len()) as u64, "image"),
+            count(names.len() as u64, "image"),
             args.output.display(),
             name(first),
             name(last)
         ),
-        only => format!("wrote {}", only[0].display()),
     });
     if args.json {
         let image = |(&view, files): (&usize, &Vec<PathBuf>)| {
             Picture::new(view, &files[0], &list[view]).with_channels(&channels, &files[1..])
         };
         let images = views.iter().zip(&files).map(image).collect();
-        return print_json(&Rendered { folder: &args.output, images, removed, cost });
+        let (folder, rendered) = (&*args.output, rendered.len());
+        return print_json(&Rendered { folder, images, rendered, removed, cost });
     }
     Ok(())
 }
@@ -129,6 +161,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 struct Rendered<'a> {
     folder: &'a Path,
     images: Vec<Picture>,
+    /// Views that this call rendered; earlier ones the others.
+    rendered: usize,
     /// Images of an earlier call that were removed.
     removed: usize,
     #[serde(flatten)]
@@ -137,17 +171,17 @@ struct Rendered<'a> {
 
 fn write_all(
     pictures: &Pictures<'_>,
-    views: &[usize],
-    files: &[Vec<PathBuf>],
+    todo: &[(usize, &Vec<PathBuf>)],
     (channels, format): (&[Channel], ChannelFormat),
     written: &mut Written,
     console: Console,
 ) -> Result<Cost> {
     let mut summary = Summary::start();
+    let views: Vec<_> = todo.iter().map(|(view, _)| *view).collect();
     let (mut not_finite, mut clipped) = (0, 0);
     {
-        let progress = console.progress(pictures.tiles(views), "tiles");
-        for (&view, paths) in views.iter().zip(files) {
+        let progress = console.progress(pictures.tiles(&views), "tiles");
+        for &(view, paths) in todo {
             progress.say(&name(&paths[0]));
             let (image, beside) =
                 pictures.render_channels(view, channels, &mut summary, &progress)?;
@@ -161,8 +195,10 @@ fn write_all(
             }
         }
     }
-    let (number, size) = (count(views.len() as u64, "image"), sizes(pictures.cameras, views));
-    console.note(&summary.line(&format!("{number} of {size}")));
+    if !views.is_empty() {
+        let (number, size) = (count(views.len() as u64, "image"), sizes(pictures.cameras, &views));
+        console.note(&summary.line(&format!("{number} of {size}")));
+    }
     warn_not_finite(console, not_finite);
     if clipped > 0 {
         let clipped = grouped(clipped);

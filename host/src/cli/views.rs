@@ -45,6 +45,71 @@ impl ViewList {
     }
 }
 
+/// Every Nth view, such as `3/8`: the fourth, the twelfth and so on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shard {
+    /// Which one, from 0.
+    pub index: usize,
+    /// How many there are.
+    pub count: usize,
+}
+
+impl FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text == SLURM {
+            return Self::of_slurm(|name| std::env::var(name).ok());
+        }
+        let number = |text: &str| text.trim().parse::<usize>().ok();
+        let shard = text
+            .split_once('/')
+            .and_then(|(index, count)| Some(Self { index: number(index)?, count: number(count)? }));
+        let shard = shard.ok_or_else(|| {
+            format!("expected I/N, such as 0/8 for the first of eight, or `{SLURM}`")
+        })?;
+        match shard {
+            Self { count: 0, .. } => Err("there must be one shard at least".to_owned()),
+            Self { index, count } if index >= count => {
+                let last = count - 1;
+                Err(format!("there is no shard {index} of {count}: they are 0 to {last}"))
+            }
+            shard => Ok(shard),
+        }
+    }
+}
+
+/// The value of `--shard` that stands for the task of a Slurm array.
+const SLURM: &str = "slurm";
+
+impl Shard {
+    /// That of this task of a Slurm array, `sbatch --array=A-B` or `A-B:STEP`.
+    fn of_slurm(variable: impl Fn(&str) -> Option<String>) -> Result<Self, String> {
+        let number =
+            |name: &str| variable(&format!("SLURM_ARRAY_TASK_{name}"))?.parse::<usize>().ok();
+        let (Some(id), Some(count)) = (number("ID"), number("COUNT").filter(|&count| count > 0))
+        else {
+            return Err("SLURM_ARRAY_TASK_ID and SLURM_ARRAY_TASK_COUNT are not set: this is no task of a Slurm array; \
+                        give I/N"
+                .to_owned());
+        };
+        let (first, step) = (number("MIN").unwrap_or(0), number("STEP").unwrap_or(1).max(1));
+        let place = id.checked_sub(first).filter(|place| place.is_multiple_of(step));
+        match place.map(|place| place / step).filter(|&index| index < count) {
+            Some(index) => Ok(Self { index, count }),
+            None => Err(format!(
+                "the {count} tasks of this Slurm array are not numbered evenly, so that {id} has no place among them; \
+                 use `--array=A-B`, or give I/N"
+            )),
+        }
+    }
+
+    /// Its part of a list.
+    pub fn of(self, views: Vec<usize>) -> Vec<usize> {
+        views.into_iter().skip(self.index).step_by(self.count).collect()
+    }
+}
+
 /// The error for a view that is not there.
 pub fn no_view<T>(view: usize, count: usize, cameras: &Path) -> Result<T> {
     let (cameras, last) = (cameras.display(), count.saturating_sub(1));
@@ -126,6 +191,28 @@ mod tests {
             Camera { file_path: path.map(str::to_owned), ..camera }
         };
         paths.iter().map(camera).collect()
+    }
+
+    #[test]
+    fn shards_of_arrays() {
+        let shard = |values: [&str; 4]| {
+            let names = ["ID", "COUNT", "MIN", "STEP"];
+            let variable = |name: &str| {
+                let at = names.iter().position(|n| name == format!("SLURM_ARRAY_TASK_{n}"))?;
+                Some(values[at].to_owned()).filter(|value| !value.is_empty())
+            };
+            Shard::of_slurm(variable).map(|Shard { index, count }| [index, count])
+        };
+        assert_eq!(shard(["0", "4", "0", "1"]), Ok([0, 4]));
+        assert_eq!(shard(["4", "4", "1", "1"]), Ok([3, 4]));
+        assert_eq!(shard(["9", "3", "1", "4"]), Ok([2, 3]));
+        assert_eq!(shard(["2", "3", "", ""]), Ok([2, 3]));
+        assert!(shard(["5", "3", "1", "1"]).unwrap_err().contains("numbered evenly"));
+        assert!(shard(["", "", "", ""]).unwrap_err().contains("no task of a Slurm array"));
+        for (text, reason) in [("3/3", "0 to 2"), ("1/0", "one shard"), ("2", "such as 0/8")] {
+            assert!(text.parse::<Shard>().unwrap_err().contains(reason), "{text}");
+        }
+        assert_eq!("1/3".parse::<Shard>().unwrap().of((0..8).collect()), [1, 4, 7]);
     }
 
     #[test]

@@ -6,6 +6,9 @@
 //! content is no longer what the program wrote.
 //!
 //! The list is saved while a call writes, so that a film that was stopped, even killed, goes on where it was.
+//!
+//! Calls that write different shards to one folder at the same time have a list each, beside [`NAME`]. The next call
+//! that is no shard takes them into its own.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Debug;
@@ -20,10 +23,13 @@ use sha2::{Digest, Sha256};
 
 use super::console::Console;
 use super::output::Folder;
+use super::refuse;
 use super::summary::count;
 
 /// The list's name.
 const NAME: &str = ".organza-files.json";
+/// The names of shards' lists begin and end like this.
+const SHARD: [&str; 2] = [".organza-files.shard-", ".json"];
 /// Far more than any list needs; what is larger is not ours.
 const MAX_BYTES: u64 = 64 << 20;
 /// How often the list is saved.
@@ -34,7 +40,13 @@ const INTERVAL: Duration = Duration::from_secs(1);
 pub struct Written {
     folder: PathBuf,
     source: String,
+    /// See [`Written::with_options`].
+    options: String,
+    /// The name of this call's list.
+    list: String,
     files: BTreeMap<String, Entry>,
+    /// The lists of calls that may be running now: the file of each, and what it has.
+    others: Vec<(PathBuf, BTreeMap<String, Entry>)>,
     /// Names that this call has written.
     now: BTreeSet<String>,
     saved: Instant,
@@ -59,6 +71,9 @@ struct Entry {
     content: String,
     /// SHA-256 of the scene's file and of all cameras.
     source: String,
+    /// See [`Written::with_options`].
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    options: String,
 }
 
 impl Written {
@@ -66,13 +81,62 @@ impl Written {
     /// of the file or data set, with what else images depend on: a call that renders some views does not make the
     /// others stale.
     pub fn open(folder: &Folder, scene: &Path, cameras: &dyn Debug) -> Result<Self> {
+        Self::open_shard(folder, scene, cameras, None)
+    }
+
+    /// As [`Written::open`], for a shard of those views: its number and how many there are.
+    pub fn open_shard(
+        folder: &Folder,
+        scene: &Path,
+        cameras: &dyn Debug,
+        shard: Option<[usize; 2]>,
+    ) -> Result<Self> {
         let mut hash = Sha256::new();
         copy(scene, &mut hash).map_err(|source| Error::read(scene, source))?;
         hash.update(format!("{cameras:?}"));
         let source = hex(hash);
-        let files = read(&folder.join(NAME)).unwrap_or_default();
+        let [begin, end] = SHARD;
+        let list = shard.map(|[index, of]| format!("{begin}{index}-of-{of}{end}"));
+        let list = list.unwrap_or_else(|| NAME.to_owned());
+        let files = read(&folder.join(&list)).unwrap_or_default();
+        let others = other_lists(folder.path(), &list);
+        let others = others.into_iter().filter_map(|path| Some((path.clone(), read(&path)?)));
+        let (others, options) = (others.collect(), String::new());
         let (folder, now, saved) = (folder.path().to_owned(), BTreeSet::new(), Instant::now());
-        Ok(Self { folder, source, files, now, saved })
+        Ok(Self { folder, source, options, list, files, others, now, saved })
+    }
+
+    /// What images depend on beside the scene and the cameras. One that was made with other options is not
+    /// [`Found::Image`], but it is not removed for that.
+    pub fn with_options(mut self, options: &dyn Debug) -> Self {
+        self.options = format!("{options:?}");
+        self
+    }
+
+    /// The places in `files` of those that are not there yet. What somebody else has put into their places stays, and is
+    /// an error.
+    pub fn missing<'a>(
+        &self,
+        files: impl IntoIterator<Item = &'a [PathBuf]>,
+    ) -> Result<Vec<usize>> {
+        let mut missing = Vec::new();
+        for (index, files) in files.into_iter().enumerate() {
+            for file in files {
+                match self.found(file)? {
+                    Found::Image => continue,
+                    Found::Nothing | Found::Stale if missing.last() == Some(&index) => {}
+                    Found::Nothing | Found::Stale => missing.push(index),
+                    Found::Foreign => {
+                        let (folder, file) = (self.folder.display(), file.display());
+                        return refuse(format!(
+                            "{file} is not an image that the program wrote, or was changed since; move it away from \
+                             {folder}, or choose another place to write to"
+                        ));
+                    }
+                }
+            }
+        }
+        Ok(missing)
     }
 
     /// What is there in the place of an image.
@@ -81,19 +145,29 @@ impl Written {
             return Ok(Found::Nothing);
         }
         let content = digest(path).map_err(|source| Error::read(path, source))?;
-        Ok(match self.files.get(&name(path)) {
-            Some(entry) if entry.content.is_empty() => Found::Stale,
-            Some(entry) if entry.content != content => Found::Foreign,
-            Some(entry) if entry.source == self.source => Found::Image,
+        let is_ours =
+            |entry: &Entry| (&entry.source, &entry.options) == (&self.source, &self.options);
+        let lists = std::iter::once(&self.files).chain(self.others.iter().map(|(_, files)| files));
+        let entries: Vec<_> = lists.filter_map(|files| files.get(&name(path))).collect();
+        let has_written = |entry: &&&Entry| entry.content == content;
+        Ok(match entries.iter().find(has_written) {
+            Some(_) if entries.iter().filter(has_written).any(|entry| is_ours(entry)) => {
+                Found::Image
+            }
             Some(_) => Found::Stale,
+            None if entries.iter().any(|entry| entry.content.is_empty()) => Found::Stale,
             None => Found::Foreign,
         })
+    }
+
+    fn entry(&self, content: String) -> Entry {
+        Entry { content, source: self.source.clone(), options: self.options.clone() }
     }
 
     /// These images will be written: what a call that is killed has written of them is not somebody else's.
     pub fn announce(&mut self, paths: &[PathBuf]) -> Result<()> {
         for path in paths {
-            let entry = Entry { content: String::new(), source: self.source.clone() };
+            let entry = self.entry(String::new());
             self.files.insert(name(path), entry);
         }
         self.save()
@@ -102,7 +176,8 @@ impl Written {
     /// A file of the folder was written.
     pub fn add(&mut self, path: &Path) -> Result<()> {
         let content = digest(path).map_err(|source| Error::read(path, source))?;
-        self.files.insert(name(path), Entry { content, source: self.source.clone() });
+        let entry = self.entry(content);
+        self.files.insert(name(path), entry);
         self.now.insert(name(path));
         if self.saved.elapsed() > INTERVAL {
             self.save()?;
@@ -111,9 +186,21 @@ impl Written {
         Ok(())
     }
 
-    /// Removes what is stale, and says so; returns how many files that were.
+    /// Removes what is stale, and says so; returns how many files that were. A shard removes nothing: another may be
+    /// writing it anew.
     pub fn finish(mut self, console: Console) -> Result<usize> {
+        if self.list != NAME {
+            self.now.clear();
+            return self.save().map(|()| 0);
+        }
         let now = std::mem::take(&mut self.now);
+        let shards = std::mem::take(&mut self.others);
+        for (name, entry) in shards.iter().flat_map(|(_, files)| files) {
+            let is_newer = entry.source == self.source && !entry.content.is_empty();
+            if !self.files.contains_key(name) || is_newer && !now.contains(name) {
+                self.files.insert(name.clone(), entry.clone());
+            }
+        }
         let (kept, stale): (BTreeMap<_, _>, BTreeMap<_, _>) = std::mem::take(&mut self.files)
             .into_iter()
             .partition(|(name, entry)| now.contains(name) || entry.source == self.source);
@@ -131,6 +218,10 @@ impl Written {
             ));
         }
         self.save()?;
+        for (path, _) in shards {
+            // all that it had is in this one
+            let _ = fs::remove_file(path);
+        }
         Ok(removed as usize)
     }
 
@@ -139,7 +230,7 @@ impl Written {
         self.now.clear();
         let files = std::mem::take(&mut self.files);
         self.remove(files)?;
-        let path = self.folder.join(NAME);
+        let path = self.folder.join(&self.list);
         match fs::remove_file(&path) {
             Err(source) if source.kind() != io::ErrorKind::NotFound => {
                 Err(Error::write(&path, source))
@@ -167,7 +258,7 @@ impl Written {
     }
 
     fn save(&self) -> Result<()> {
-        let path = self.folder.join(NAME);
+        let path = self.folder.join(&self.list);
         // Not through a link, nor to what somebody put there.
         if self.files.is_empty() || fs::symlink_metadata(&path).is_ok_and(|found| !found.is_file())
         {
@@ -187,6 +278,17 @@ impl Drop for Written {
             let _ = self.save();
         }
     }
+}
+
+/// The lists of a folder but for one: shards', and that of calls that are none.
+fn other_lists(folder: &Path, list: &str) -> Vec<PathBuf> {
+    let [begin, end] = SHARD;
+    let is_list = |name: &str| name == NAME || name.starts_with(begin) && name.ends_with(end);
+    let names = fs::read_dir(folder).into_iter().flatten().flatten();
+    let names = names.filter_map(|entry| entry.file_name().into_string().ok());
+    let mut names: Vec<_> = names.filter(|name| is_list(name) && name != list).collect();
+    names.sort();
+    names.iter().map(|name| folder.join(name)).collect()
 }
 
 fn read(path: &Path) -> Option<BTreeMap<String, Entry>> {

@@ -179,7 +179,7 @@ impl Film<'_> {
         let mut written = Written::open(&folder, source.file(), &(self.cameras, self.look))?;
         let files: Vec<_> =
             (0..self.cameras.len()).map(|frame| folder.join(&format!("{frame:05}.png"))).collect();
-        let todo = todo(&folder, &written, &files)?;
+        let todo = written.missing(files.iter().map(std::slice::from_ref))?;
         // a signal while frames were looked at has ended the program, and nothing was changed
         let signals = Signals::listen()?;
         signals.keeps_results();
@@ -299,25 +299,6 @@ impl Film<'_> {
         ));
         Ok([near, far])
     }
-}
-
-/// The frames that are not there yet. What somebody else has put into their places stays, and is an error.
-fn todo(folder: &Folder, written: &Written, files: &[PathBuf]) -> Result<Vec<usize>> {
-    let mut todo = Vec::new();
-    for (frame, file) in files.iter().enumerate() {
-        match written.found(file)? {
-            Found::Image => {}
-            Found::Nothing | Found::Stale => todo.push(frame),
-            Found::Foreign => {
-                let (folder, file) = (folder.path().display(), file.display());
-                return refuse(format!(
-                    "{file} is not a frame that the program wrote, or was changed since; move it away from {folder}, \
-                     or choose another name for the film"
-                ));
-            }
-        }
-    }
-    Ok(todo)
 }
 
 /// The error after a signal.

@@ -1,0 +1,102 @@
+//! `render --shard` and `--missing`: many machines that fill one folder.
+
+use std::collections::BTreeMap;
+use std::fs;
+
+use serde_json::Value;
+
+use crate::sandbox::{Outcome, Sandbox};
+
+const RENDER: &str = "render scene.safetensors cameras.json --backend cpu --channels depth";
+
+fn json(outcome: Outcome) -> Value {
+    serde_json::from_str(&outcome.assert_ok().stdout).expect("only JSON")
+}
+
+/// The files of a folder.
+fn files(sandbox: &Sandbox, folder: &str) -> BTreeMap<String, Vec<u8>> {
+    let entries = fs::read_dir(sandbox.path(folder)).unwrap().map(Result::unwrap);
+    let read = |entry: fs::DirEntry| {
+        (entry.file_name().into_string().unwrap(), fs::read(entry.path()).unwrap())
+    };
+    entries.map(read).collect()
+}
+
+fn images(sandbox: &Sandbox, folder: &str) -> BTreeMap<String, Vec<u8>> {
+    let mut files = files(sandbox, folder);
+    files.retain(|name, _| name.ends_with(".png"));
+    files
+}
+
+/// Three shards at the same time, of which one is killed: what is missing makes the folder that one call would have made.
+#[test]
+fn shards_and_what_is_missing_make_what_one_call_makes() {
+    let sandbox = Sandbox::new("tiny");
+    sandbox.run(&format!("{RENDER} -o whole")).assert_ok();
+    let whole = images(&sandbox, "whole");
+    let views = whole.len() / 2;
+    assert!(views >= 2, "{:?}", whole.keys());
+
+    // an image of another scene is not taken for this one's, and no shard removes it
+    let scene = fs::read(sandbox.path("scene.safetensors")).unwrap();
+    sandbox.edit_scene(|metadata, _| {
+        metadata.insert("train".to_owned(), Value::from("1"));
+    });
+    sandbox.run(&format!("{RENDER} -o out --views 0")).assert_ok();
+    fs::write(sandbox.path("scene.safetensors"), scene).unwrap();
+
+    std::thread::scope(|scope| {
+        let shard = |index| {
+            scope.spawn({
+                let sandbox = &sandbox;
+                move || json(sandbox.run(&format!("{RENDER} -o out --shard {index}/3 --json")))
+            })
+        };
+        let results = [0, 1, 2].map(shard).map(|thread| thread.join().expect("a result"));
+        for (index, result) in results.iter().enumerate() {
+            let expected: Vec<_> = (index..views).step_by(3).collect();
+            let list = result["images"].as_array().unwrap();
+            let found: Vec<_> =
+                list.iter().map(|image| image["view"].as_u64().unwrap() as usize).collect();
+            assert_eq!(found, expected);
+            assert_eq!(
+                (&result["rendered"], &result["removed"]),
+                (&expected.len().into(), &0.into())
+            );
+        }
+    });
+    assert_eq!(images(&sandbox, "out"), whole);
+    // nothing is missing, and the lists become one
+    let result = json(sandbox.run(&format!("{RENDER} -o out --missing --json")));
+    assert_eq!((&result["rendered"], &result["removed"]), (&0.into(), &0.into()), "{result}");
+    let hidden = || files(&sandbox, "out").into_keys().filter(|name| name.starts_with('.'));
+    assert_eq!(hidden().collect::<Vec<_>>(), [".organza-files.json"]);
+
+    // a gap of one channel, and one that a kill has left half announced
+    fs::remove_file(sandbox.path("out/0001.depth.png")).unwrap();
+    let result = json(sandbox.run(&format!("{RENDER} -o out --missing --shard 1/2 --json")));
+    assert_eq!(result["rendered"], 1);
+    assert_eq!(images(&sandbox, "out"), whole);
+    // other options are another image
+    let result = json(sandbox.run(&format!("{RENDER} -o out --missing --depth-scale 7 --json")));
+    assert_eq!(result["rendered"], views);
+    assert_ne!(images(&sandbox, "out"), whole);
+    // what somebody has painted stays
+    fs::write(sandbox.path("out/0000.png"), "mine").unwrap();
+    let words = format!("{RENDER} -o out --missing");
+    sandbox.assert_refuses(&words, &["0000.png is not an image that the program wrote"]);
+}
+
+#[test]
+fn a_shard_of_nothing_and_bad_shards() {
+    let sandbox = Sandbox::new("tiny");
+    let outcome = sandbox.run(&format!("{RENDER} -o out --shard 90/91")).assert_ok();
+    assert!(outcome.stderr.contains("nothing to render"), "{outcome:?}");
+    for (shard, reason) in [
+        ("2/2", "no shard 2 of 2: they are 0 to 1"),
+        ("0", "expected I/N, such as 0/8"),
+        ("slurm", "SLURM_ARRAY_TASK_ID and SLURM_ARRAY_TASK_COUNT are not set"),
+    ] {
+        sandbox.assert_refuses(&format!("{RENDER} -o out --shard {shard}"), &[reason]);
+    }
+}

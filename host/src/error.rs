@@ -230,6 +230,15 @@ pub enum Error {
         reason: String,
     },
 
+    /// Another rank has failed, so that this one cannot go on.
+    #[error("rank {rank}: {message}")]
+    Rank {
+        /// The rank that has failed.
+        rank: usize,
+        /// What it said.
+        message: String,
+    },
+
     /// A device could not be opened, ran out of memory, was lost, or could not run a kernel.
     #[error(transparent)]
     Device(#[from] organza_device::Error),

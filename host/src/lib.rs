@@ -55,6 +55,7 @@ pub mod metrics;
 pub mod ndarray;
 #[doc(hidden)]
 pub mod parity;
+pub mod ranks;
 pub mod render;
 pub mod scene;
 pub mod tile;

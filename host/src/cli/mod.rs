@@ -19,6 +19,7 @@ mod output;
 mod parity;
 mod picture;
 mod progress;
+mod ranks;
 mod render;
 mod signals;
 mod summary;

@@ -2,10 +2,12 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::thread;
 
 use clap::builder::PossibleValuesParser;
 use organza::Result;
 use organza::data::Background;
+use organza::error::{self, format_bytes};
 use organza::train::{
     self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, RunFolder, Session,
     TrainConfig,
@@ -18,6 +20,7 @@ use super::device::DeviceArgs;
 use super::inputs::DataSet;
 use super::output::Folder;
 use super::progress::TrainingProgress;
+use super::ranks::{RanksArgs, Team, follow_thread};
 use super::refuse;
 use super::signals::Signals;
 use super::view::{ServerArgs, title};
@@ -33,6 +36,8 @@ Examples:
   organza train data/fox -o small --set scene.color_mlp.hidden=16,16 --set growth.method=none
   organza train -o run --tensorboard                   then: tensorboard --logdir run
   organza train data/fox -o run --view                 look at it while it trains
+  organza train data/fox -o run --ranks 2              on two GPUs
+  mpirun -n 8 organza train data/fox -o run --ranks mpi
   organza train --preset best --print-config > mine.toml
   organza eval run
 
@@ -89,6 +94,8 @@ pub struct Args {
     view_share: u8,
     #[command(flatten)]
     server: ServerArgs,
+    #[command(flatten)]
+    ranks: RanksArgs,
     #[command(flatten)]
     device: DeviceArgs,
 }
@@ -165,13 +172,28 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     if !args.view && args.server.is_given() {
         return refuse("`--port`, `--bind` and `--open` are for the page of `--view`");
     }
+    let Some(team) = args.ranks.start()? else { return lead(args, None, console) };
+    if team.mine.rank() > 0 {
+        return team.follow_process(&args.device);
+    }
+    // threads end when rank 0 is gone; processes must be told
+    let processes = team.is_mpi.then(|| team.mine.clone());
+    lead(args, Some(team), console).inspect_err(|error| {
+        if let Some(processes) = processes {
+            processes.fail(&error::chain(error));
+        }
+    })
+}
+
+/// Trains as the first rank, or alone.
+fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
     let signals = Signals::listen()?;
     let (folder, config) = prepare(args)?;
     let (planned, time_limit) = (args.settings.planned(), args.time_limit.map(f64::from));
     let share = f64::from(args.view_share) / 100.0;
     let view = args.view.then_some((&args.server, share));
     let resume = args.resume.is_some();
-    let job = Job { config, folder: &folder, resume, planned, time_limit, view };
+    let job = Job { config, folder: &folder, resume, planned, time_limit, view, team };
     let mut ended = Ended::default();
     let outcome = job.run(&args.device, console, &signals, &mut |event| ended.see(event))?;
     console.note(&match outcome {
@@ -246,12 +268,14 @@ pub struct Job<'a> {
     pub time_limit: Option<f64>,
     /// Where its page is, and the share of the time that images may take.
     pub view: Option<(&'a ServerArgs, f64)>,
+    /// Who shares it, where this is the first rank.
+    pub team: Option<Team>,
 }
 
 impl Job<'_> {
     /// Makes the folder, reads the photographs, trains.
     pub fn run(
-        &self,
+        mut self,
         device: &DeviceArgs,
         console: Console,
         signals: &Signals,
@@ -259,31 +283,47 @@ impl Job<'_> {
     ) -> Result<Outcome> {
         let mut config = self.config.clone();
         config.check_memory()?;
+        let team = self.team.take();
+        if let Some(team) = &team {
+            team.tell(&config)?;
+        }
         let data = DataSet::open(config.data.clone(), console)?;
         let server = self.view.map(|(server, _)| server.listen()).transpose()?;
         // until there is something in it
         let made = Folder::make(self.folder)?;
         signals.has_made(&made);
         let folder = RunFolder::lock(self.folder, self.resume)?;
-        let renderer = device.open(console)?;
+        let options = device.options()?;
+        let of_rank = |rank| match &team {
+            Some(team) => team.device(options.clone(), rank),
+            None => options.clone(),
+        };
+        let renderer = device.open_as(&of_rank(0), console)?;
         let dataset = Arc::new(data.read(&renderer, console)?);
         if config.data.path.is_some() {
             // so that a run's file says which it was
             let background = dataset.background.map(|value| value as f32);
             config.data.background = Background::Color(background);
         }
+        let of_others: Vec<_> =
+            team.iter().flat_map(|team| 1..=team.others.len()).map(of_rank).collect();
+        let (mine, others, mixed) = match team {
+            Some(Team { mine, others, mixed, .. }) => (Some(mine), others, mixed),
+            None => (None, Vec::new(), false),
+        };
         let session = Session::new(&renderer, &config, &dataset, &folder)
             .with_time_limit(self.time_limit)
             .with_planned(self.planned)
             .with_command(command_line())
-            .with_stop(signals.stop());
+            .with_stop(signals.stop())
+            .with_ranks(mine, mixed);
         let mut view = self.view.zip(server).map(|((args, share), server)| {
             args.announce(&server.url(), console);
             let (stop, title) = (signals.stop(), title(self.folder));
             TrainingView::new(server, &renderer, &dataset, stop, share, title)
         });
         let mut progress = TrainingProgress::new(console, config.run.steps, self.time_limit);
-        let outcome = session.run(self.resume, &mut |event| {
+        let mut see = |event: Event<'_>| {
             if matches!(event, Event::Begin(_)) {
                 signals.keeps_results();
             }
@@ -292,8 +332,23 @@ impl Job<'_> {
             if let Some(view) = &mut view
                 && let Err(error) = view.see(&event, config.run.steps)
             {
-                console.warn(&organza::error::chain(&error));
+                console.warn(&error::chain(&error));
             }
+        };
+        let outcome = thread::scope(|scope| {
+            // the session is gone before the threads are waited for: whatever ends it ends them
+            let session = session;
+            for (ranks, options) in others.into_iter().zip(&of_others) {
+                let dataset = &dataset;
+                scope.spawn(move || follow_thread(ranks, options, dataset, mixed));
+            }
+            let outcome = session.run(self.resume, &mut see);
+            if let (Some(ranks), Ok(_)) = (&session.ranks, &outcome) {
+                let sent = format_bytes(ranks.sent());
+                let size = ranks.size();
+                console.detail(&format!("rank 0 of {size} has handed over {sent} to the others"));
+            }
+            outcome
         })?;
         progress.end(outcome);
         Ok(outcome)

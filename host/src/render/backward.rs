@@ -2,6 +2,8 @@
 
 use std::sync::atomic::Ordering;
 
+use glam::Vec4;
+
 use super::gradient::SceneGradient;
 use super::loss::{Loss, LossInputs, TileLoss};
 use super::part::Part;
@@ -27,20 +29,80 @@ impl Part {
         image_gradient: &Buffer<f32>,
         gradient: &SceneGradient,
     ) -> Result<()> {
-        let (bins, transmittance) = (&self.bins, &self.transmittance);
-        let pair_gradient = self.composite.backward(
+        let pair_gradient = self.pair_gradient(device, scene, side, image_gradient)?;
+        self.raise_bounds(device, &pair_gradient, gradient)?;
+        let (pairs, samples) = (&self.bins.pairs.count, &self.transmittance.samples);
+        let [color, transmittance] = [&gradient.color.table, &gradient.transmittance.table];
+        let has_transmittance = gradient.has_transmittance && samples.at_most() > 0;
+        if pairs.at_most() > 0 {
+            color.set_scale(device, &scene.color, pairs)?;
+        }
+        if has_transmittance {
+            transmittance.set_scale(device, &scene.transmittance, samples)?;
+        }
+        self.spread(device, scene, &pair_gradient, gradient)?;
+        if pairs.at_most() > 0 {
+            color.finish(device)?;
+        }
+        if has_transmittance {
+            transmittance.finish(device)?;
+        }
+        Ok(())
+    }
+
+    /// The first stages: `[pairs, 3]`, see [`splat_backward`](organza_shaders::splat).
+    pub fn pair_gradient(
+        &self,
+        device: &Device,
+        scene: &DeviceScene,
+        side: u32,
+        image_gradient: &Buffer<f32>,
+    ) -> Result<Buffer<Vec4>> {
+        let transmittance = &self.transmittance.transmittance;
+        Ok(self.composite.backward(
             device,
             scene,
             side,
-            bins,
-            &transmittance.transmittance,
+            &self.bins,
+            transmittance,
             image_gradient,
-        )?;
-        project_backward(device, scene, bins, &pair_gradient, gradient)?;
+        )?)
+    }
+
+    /// Raises the bounds of both hash grids' sums.
+    pub fn raise_bounds(
+        &self,
+        device: &Device,
+        pair_gradient: &Buffer<Vec4>,
+        gradient: &SceneGradient,
+    ) -> Result<()> {
+        let pairs = &self.bins.pairs.count;
+        if pairs.at_most() == 0 {
+            return Ok(());
+        }
+        gradient.color.table.raise_bound(device, pair_gradient, None, pairs)?;
+        let transmittance = &self.transmittance;
+        if gradient.has_transmittance && transmittance.samples.at_most() > 0 {
+            let values = Some(&transmittance.transmittance);
+            gradient.transmittance.table.raise_bound(device, pair_gradient, values, pairs)?;
+        }
+        Ok(())
+    }
+
+    /// The other stages: adds the gradients of all tensors, those of the hash grids to their sums.
+    pub fn spread(
+        &self,
+        device: &Device,
+        scene: &DeviceScene,
+        pair_gradient: &Buffer<Vec4>,
+        gradient: &SceneGradient,
+    ) -> Result<()> {
+        let bins = &self.bins;
+        project_backward(device, scene, bins, pair_gradient, gradient)?;
         let (pairs, mask) = (&bins.pairs, &bins.pair_mask);
-        self.color.backward(device, scene, pairs, mask, &pair_gradient, gradient)?;
+        self.color.backward(device, scene, pairs, mask, pair_gradient, gradient)?;
         if gradient.has_transmittance {
-            transmittance.backward(device, scene, bins, &pair_gradient, gradient)?;
+            self.transmittance.backward(device, scene, bins, pair_gradient, gradient)?;
         }
         Ok(())
     }

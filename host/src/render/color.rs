@@ -110,7 +110,7 @@ fn inputs(device: &Device, scene: &DeviceScene, pairs: &Pairs, chunk: &Chunk) ->
 }
 
 impl Color {
-    /// Adds the gradients of the color field and of the materials, of `pair_gradient [pairs, 3]` (see
+    /// Adds the gradients of the color field, the grid's to its sums, and of the materials, of `pair_gradient [pairs, 3]` (see
     /// [`splat_backward`](organza_shaders::splat)); `mask` says which pairs there are.
     pub fn backward(
         &self,
@@ -132,8 +132,6 @@ impl Color {
         let scratches = Mutex::default();
         let pair_material =
             device.zeros("gradient of the pairs' material", (capacity * material) as usize)?;
-        let table = &gradient.color.table;
-        table.set_scale(device, field, pair_gradient, None, &pairs.count, &pairs.count)?;
         for block in self.blocks.iter() {
             if !block.is_kept {
                 encode(device, scene, pairs, block)?;
@@ -150,7 +148,6 @@ impl Color {
                 field.group_backward(device, &group_scratch, group, grid_row, &gradient.color)?;
             }
         }
-        table.finish(device)?;
         sum_pairs(
             device,
             scene,

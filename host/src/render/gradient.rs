@@ -20,7 +20,7 @@ pub const GEOMETRY: [&str; 4] =
 /// Gradients of all tensors of a scene; kernels add to them.
 #[derive(Debug)]
 pub struct SceneGradient {
-    tensors: Tensors<TensorGradient>,
+    pub(super) tensors: Tensors<TensorGradient>,
     /// `[11 N]`: those of [`GEOMETRY`], one after the other.
     pub(super) geometry: Buffer<f32>,
     /// `[N]`: the sum of |dL/dmean2d| over cameras, the cameras that saw the Gaussian, its largest radius in pixels, 0.

@@ -19,8 +19,9 @@ const _: () = assert!(MAX_LAYERS as usize == MAX_HIDDEN_LAYERS + 1);
 
 /// Gradient of a hash grid's table.
 ///
-/// For each part of a batch: [`set_scale`](Self::set_scale), then [`accumulate`](Self::accumulate) for each block, then
-/// [`finish`](Self::finish).  Nothing of it waits for the device.
+/// For each part of a batch: [`raise_bound`](Self::raise_bound), [`set_scale`](Self::set_scale), then
+/// [`accumulate`](Self::accumulate) for each block, then [`finish`](Self::finish).  Nothing of it waits for the device.
+/// Several parts can share a scale: each of them raises the bound before it is set.
 #[derive(Debug)]
 pub struct HashGridGradient {
     /// `[entries, features]`; [`HashGridGradient::finish`] adds to it.
@@ -32,9 +33,9 @@ pub struct HashGridGradient {
     /// gradient is not finite, and what is not has been left out.
     pub status: Buffer<u32>,
     /// `[2 * entries * features]`: 64-bit integers, the low word first; 0 between parts.
-    sum: Buffer<u32>,
+    pub(super) sum: Buffer<u32>,
     /// `[1 + layers]`: bits of the bounds' factors; 0 between parts.
-    bound: Buffer<u32>,
+    pub(super) bound: Buffer<u32>,
     /// `[3]`: see `hash_grid_scale`.
     scale: Buffer<f32>,
 }
@@ -57,17 +58,15 @@ impl HashGridGradient {
         })
     }
 
-    /// Sets the unit of the sums for what is added until the next [`finish`](Self::finish): at most `samples` samples.
+    /// Raises the bound of what is added until the next [`finish`](Self::finish).
     ///
     /// `pair_gradient [pairs, 3]`; `transmittance [pairs]` for the transmittance field, none for the color field.
-    pub fn set_scale(
+    pub fn raise_bound(
         &self,
         device: &Device,
-        field: &DeviceField,
         pair_gradient: &Buffer<Vec4>,
         transmittance: Option<&Buffer<f32>>,
         pairs: &Count,
-        samples: &Count,
     ) -> Result<()> {
         let capacity = pairs.at_most();
         let kernel = HashGridPeakKernel {
@@ -80,7 +79,11 @@ impl HashGridGradient {
             transmittance: transmittance.unwrap_or(&self.scale),
             bound: &self.bound,
         };
-        device.run(&kernel.counted(pairs), capacity, 1)?;
+        device.run(&kernel.counted(pairs), capacity, 1)
+    }
+
+    /// Sets the unit of the sums by the bound: at most `samples` samples will be added.
+    pub fn set_scale(&self, device: &Device, field: &DeviceField, samples: &Count) -> Result<()> {
         for (layer, slot) in field.layers.iter().zip(1..) {
             let params = HashGridNormParams {
                 inputs: layer.inputs,
@@ -207,9 +210,9 @@ mod tests {
             let transmittance = device.upload("transmittance", &[0.5]).expect("memory");
             let (pair, all) = (pair.expect("memory"), 2 * samples);
             let counts = [1, all].map(Count::known);
-            table
-                .set_scale(&device, &field, &pair, Some(&transmittance), &counts[0], &counts[1])
-                .expect("a scale");
+            let transmittance = Some(&transmittance);
+            table.raise_bound(&device, &pair, transmittance, &counts[0]).expect("a bound");
+            table.set_scale(&device, &field, &counts[1]).expect("a scale");
             for chunk in [samples, samples - 3] {
                 let params = HashGridParams {
                     points: chunk,

@@ -36,6 +36,7 @@ mod scene;
 #[cfg(test)]
 mod tests;
 mod transmittance;
+mod units;
 mod upload;
 
 pub use backward::LossTarget;

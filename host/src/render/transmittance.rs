@@ -229,7 +229,7 @@ fn inputs(
 }
 
 impl Transmittance {
-    /// Adds the gradients of the transmittance field and of the extra vectors, of `pair_gradient [pairs, 3]` (see
+    /// Adds the gradients of the transmittance field, the grid's to its sums, and of the extra vectors, of `pair_gradient [pairs, 3]` (see
     /// [`splat_backward`](organza_shaders::splat)).
     pub fn backward(
         &self,
@@ -250,16 +250,6 @@ impl Transmittance {
         let pair_extra =
             device.zeros("gradient of the pairs' extra vectors", (capacity * extra) as usize)?;
         let owners = AllOwners::of(device, bins, &self.first_sample)?;
-        let table = &gradient.transmittance.table;
-        let transmittance = Some(&self.transmittance);
-        table.set_scale(
-            device,
-            field,
-            pair_gradient,
-            transmittance,
-            &pairs.count,
-            &self.samples,
-        )?;
         for block in self.blocks.iter() {
             if !block.is_kept {
                 encode(device, scene, pairs, &self.segment, &self.first_sample, block)?;
@@ -282,7 +272,6 @@ impl Transmittance {
                 field.group_backward(device, &group_scratch, group, 0, gradient)?;
             }
         }
-        table.finish(device)?;
         sum_pairs(
             device,
             scene,

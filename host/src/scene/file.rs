@@ -61,6 +61,18 @@ impl Scene {
         })
     }
 
+    /// [`Self::save_with`] to memory.
+    pub(crate) fn to_bytes_with(
+        &self,
+        more: &[TensorRef<'_>],
+        more_metadata: &[(&str, &str)],
+    ) -> Result<Vec<u8>> {
+        self.with_encoding(|tensors, metadata| {
+            let tensors: Vec<_> = tensors.iter().chain(more).copied().collect();
+            encode(&tensors, &[metadata, more_metadata].concat())
+        })
+    }
+
     /// [`Self::save`] to memory.
     ///
     /// # Errors

@@ -110,6 +110,23 @@ impl Checkpoint {
     /// # Errors
     /// As [`Scene::save`]: [`Error::NotFinite`] where training has left what numbers can hold.
     pub fn save(&self, path: impl AsRef<Path>, binding: Option<&Binding>) -> Result<()> {
+        self.encoded(binding, |tensors, metadata| self.scene.save_with(path, tensors, metadata))
+    }
+
+    /// [`Self::save`] to memory, bound to nothing.
+    ///
+    /// # Errors
+    /// As [`Self::save`].
+    pub fn to_bytes(&self) -> Result<Vec<u8>> {
+        self.encoded(None, |tensors, metadata| self.scene.to_bytes_with(tensors, metadata))
+    }
+
+    /// Calls `write` with what a checkpoint has beside the scene.
+    fn encoded<R>(
+        &self,
+        binding: Option<&Binding>,
+        write: impl FnOnce(&[TensorRef<'_>], &[(&str, &str)]) -> Result<R>,
+    ) -> Result<R> {
         self.check(Path::new(IN_MEMORY))?;
         let mut moments = Vec::new();
         for (moment, prefix) in self.moments.iter().zip(MOMENTS) {
@@ -124,7 +141,7 @@ impl Checkpoint {
         let binding = binding.map(serde_json::to_string).transpose().map_err(no_json)?;
         let mut metadata = vec![(PROGRESS, progress.as_str())];
         metadata.extend(binding.as_deref().map(|binding| (BINDING, binding)));
-        self.scene.save_with(path, &tensors, &metadata)
+        write(&tensors, &metadata)
     }
 
     /// Reads a file that [`Checkpoint::save`] wrote.

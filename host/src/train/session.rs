@@ -14,13 +14,15 @@ use super::folder::{EVALUATIONS, RunFolder};
 use super::hooks::StepHooks;
 use super::metrics::Record;
 use super::plan::Planner;
+use super::ranks;
 use super::report::Pictures;
 use super::tensorboard::EventLog;
 use super::trainer::{StepReport, Trainer};
 use crate::data::Dataset;
-use crate::error::Result;
+use crate::error::{self, Result};
 use crate::evaluate::Evaluation;
 use crate::evaluate::csv::save_csv;
+use crate::ranks::Ranks;
 use crate::render::{DeviceScene, Renderer};
 use state::State;
 
@@ -66,6 +68,10 @@ pub struct Session<'a> {
     pub command: Option<String>,
     /// Set from outside to save and stop.
     pub stop: &'a AtomicBool,
+    /// Who trains with this one, which is rank 0; see [`Session::with_ranks`].
+    pub ranks: Option<Arc<dyn Ranks>>,
+    /// Whether ranks may differ in program and device: the scene's bits then depend on who computes what.
+    pub mixed: bool,
 }
 
 /// What happens during a run.
@@ -130,6 +136,8 @@ impl<'a> Session<'a> {
             planned: None,
             command: None,
             stop: &NEVER,
+            ranks: None,
+            mixed: false,
         }
     }
 
@@ -161,6 +169,15 @@ impl<'a> Session<'a> {
         self
     }
 
+    /// The same run, shared with other ranks. This one is rank 0: it alone reads and writes files. The others call
+    /// [`follow`](super::follow). The scene's bits do not depend on the number of ranks; they are not those of a run
+    /// without ranks.
+    #[must_use]
+    pub fn with_ranks(mut self, ranks: Option<Arc<dyn Ranks>>, mixed: bool) -> Self {
+        (self.ranks, self.mixed) = (ranks, mixed);
+        self
+    }
+
     /// Trains to the end; goes on from the folder's checkpoint where `resume`, and from the first step where there is
     /// none yet.
     ///
@@ -180,6 +197,19 @@ impl<'a> Session<'a> {
         watch: &mut dyn FnMut(Event<'_>),
         hooks: &mut StepHooks<'_>,
     ) -> Result<Outcome> {
+        let outcome = self.run_alone_or_first(resume, watch, hooks);
+        if let (Some(ranks), Err(error)) = (&self.ranks, &outcome) {
+            ranks.fail(&error::chain(error));
+        }
+        outcome
+    }
+
+    fn run_alone_or_first(
+        &self,
+        resume: bool,
+        watch: &mut dyn FnMut(Event<'_>),
+        hooks: &mut StepHooks<'_>,
+    ) -> Result<Outcome> {
         let begin = Instant::now();
         let path = self.folder.path().join(CHECKPOINT);
         let (config, dataset) = (self.config.clone(), Arc::clone(self.dataset));
@@ -191,6 +221,10 @@ impl<'a> Session<'a> {
             (trainer, checkpoint.progress)
         } else {
             (Trainer::start(self.renderer, config, dataset)?, Progress::default())
+        };
+        let trainer = match &self.ranks {
+            Some(ranks) => ranks::lead(ranks, self.renderer, trainer, self.mixed)?,
+            None => trainer,
         };
         // only what can begin leaves anything
         watch(Event::Begin(progress.step));

@@ -15,6 +15,7 @@ use crate::data::Dataset;
 use crate::error::{Error, IN_MEMORY, Result};
 use crate::evaluate::{Evaluation, evaluate};
 use crate::metrics;
+use crate::ranks::Ranks;
 use crate::render::{DeviceScene, Loss, LossTarget, Renderer, SceneGradient, TileLoss};
 use crate::tile::TileBatch;
 
@@ -63,6 +64,8 @@ pub struct Trainer {
     loss: Option<Loss>,
     state: State,
     step: u32,
+    /// See [`Trainer::with_ranks`].
+    ranks: Option<Arc<dyn Ranks>>,
 }
 
 /// What a step changes.
@@ -128,8 +131,18 @@ impl Trainer {
         let sampler = Sampler::new(sizes, &config.run);
         sampler.check_memory()?;
         let state = State::upload(renderer, &config, checkpoint)?;
-        let (renderer, step, loss) = (renderer.clone(), checkpoint.progress.step, None);
-        Ok(Self { renderer, config, dataset, cameras, sampler, loss, state, step })
+        let (renderer, step) = (renderer.clone(), checkpoint.progress.step);
+        let (loss, ranks) = (None, None);
+        Ok(Self { renderer, config, dataset, cameras, sampler, loss, state, step, ranks })
+    }
+
+    /// The same training, shared with other [ranks](crate::ranks). Each rank has a trainer of its own, with the same
+    /// settings, data and checkpoint, and takes the same steps. All trainers then hold the same scene, and its bits do
+    /// not depend on the number of ranks. They are not those of a trainer without ranks, which adds in another order.
+    #[must_use]
+    pub fn with_ranks(mut self, ranks: Arc<dyn Ranks>) -> Self {
+        self.ranks = Some(ranks);
+        self
     }
 
     /// Steps that are done.
@@ -241,6 +254,10 @@ impl Trainer {
         };
         let State { scene, gradient, .. } = &self.state;
         let (renderer, cameras) = (&self.renderer, &self.cameras[..]);
+        if self.ranks.is_some() && (hooks.loss.is_some() || hooks.gradient.is_some()) {
+            let reason = "hooks see the whole batch, which ranks share: train without ranks, or without hooks";
+            return Err(Error::Argument { reason: reason.to_owned() });
+        }
         let (loss, [l1, ssim], squared) = match &mut hooks.loss {
             Some(own) => {
                 let (loss, squared) = renderer
@@ -249,8 +266,12 @@ impl Trainer {
             }
             None => {
                 let kept = &mut self.loss;
-                let losses =
-                    renderer.add_loss_gradient(scene, cameras, batch, kept, &target, gradient)?;
+                let losses = match self.ranks.as_deref() {
+                    Some(ranks) => renderer
+                        .add_ranks_gradient(scene, cameras, batch, &target, gradient, ranks)?,
+                    None => renderer
+                        .add_loss_gradient(scene, cameras, batch, kept, &target, gradient)?,
+                };
                 let total = TileLoss::total(&losses);
                 let pixels = (3.0 * total.valid).max(1.0);
                 // each part of the loss alone

@@ -90,6 +90,18 @@ impl Device {
         }
     }
 
+    /// What results depend on, to the bit: the instruction set of a CPU, or a GPU with its driver and how it gets its
+    /// kernels. Two devices of which this is the same compute the same.
+    #[must_use]
+    pub fn arithmetic(&self) -> String {
+        match &self.kind {
+            Kind::Cpu(cpu) => {
+                format!("cpu, {}, {}", std::env::consts::ARCH, cpu.instruction_set().as_str())
+            }
+            Kind::Gpu(gpu) => format!("gpu, {}, {}", gpu.description(), gpu.driver()),
+        }
+    }
+
     /// Which of a kernel's entry points it runs: on the CPU, they stand for the function.
     #[must_use]
     pub fn entry_point(&self, kernel: &KernelInfo) -> EntryPoint {

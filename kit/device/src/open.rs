@@ -59,6 +59,8 @@ pub struct DeviceOptions {
     pub threads: Option<usize>,
     /// Part of the name of the GPU to take, in any case.
     pub adapter: Option<String>,
+    /// Which of several equally capable GPUs to take, counted from 0 and around: for processes that share a machine.
+    pub place: usize,
     /// On the CPU, whether to fail where two invocations of a dispatch get in each other's way in a storage buffer, where a
     /// kernel reads what [nothing has written](Device::unwritten). For tests of kernels: slow, and 24
     /// bytes for every element that a kernel may write.
@@ -122,6 +124,13 @@ impl DeviceOptions {
     #[must_use]
     pub fn adapter(mut self, name: impl Into<Option<String>>) -> Self {
         self.adapter = name.into();
+        self
+    }
+
+    /// Sets [`place`](Self::place).
+    #[must_use]
+    pub fn place(mut self, place: usize) -> Self {
+        self.place = place;
         self
     }
 

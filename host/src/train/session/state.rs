@@ -15,6 +15,7 @@ use crate::train::folder::{CONFIG, REPORT};
 use crate::train::hooks::StepHooks;
 use crate::train::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
 use crate::train::plan::{Now, Planner};
+use crate::train::ranks::{self, Order};
 use crate::train::report::{Pictures, Run, write_report};
 use crate::train::tensorboard::{EventLog, MAX_VIEWS};
 use crate::train::trainer::{StepReport, Trainer};
@@ -71,6 +72,7 @@ impl State<'_, '_, '_> {
                 break Outcome::Stopped;
             }
             self.begin()?;
+            self.order(Order::Step(run.steps))?;
             self.step()?;
             let step = self.trainer.steps();
             if step.is_multiple_of(run.checkpoint_every) {
@@ -83,9 +85,16 @@ impl State<'_, '_, '_> {
         }
         if outcome == Outcome::Stopped || !self.evaluate()? {
             self.report()?;
+            self.order(Order::End)?;
             return Ok(Outcome::Stopped);
         }
+        self.order(Order::End)?;
         Ok(outcome)
+    }
+
+    /// Tells other ranks what comes next.
+    fn order(&self, order: Order) -> Result<()> {
+        self.session.ranks.as_deref().map_or(Ok(()), |ranks| order.give(ranks))
     }
 
     /// Where the run has a time and not a number of steps: chooses the number once more, and writes it down.
@@ -108,7 +117,11 @@ impl State<'_, '_, '_> {
             return Ok(());
         }
         let renderer = self.session.renderer;
-        let session = SessionInfo::now(self.session.command.clone(), renderer.device().choice());
+        let mut device = renderer.device().choice().to_owned();
+        if let Some(ranks) = &self.session.ranks {
+            device += &format!(", rank 0 of {}", ranks.size());
+        }
+        let session = SessionInfo::now(self.session.command.clone(), &device);
         let step = u64::from(self.trainer.steps());
         self.log.append(&Record::Session { step, session })?;
         if step > 0 {
@@ -230,21 +243,25 @@ impl State<'_, '_, '_> {
         let step = u64::from(self.trainer.steps());
         let (renderer, scene) = (self.session.renderer, self.trainer.scene());
         let (mut parts, mut images) = (Vec::with_capacity(frames.len()), Vec::new());
-        for (index, frame) in frames.iter().enumerate() {
+        let at_once = self.session.ranks.as_ref().map_or(1, |ranks| ranks.size());
+        for first in (0..frames.len()).step_by(at_once) {
             if self.session.stop.load(Ordering::Relaxed) {
                 return Ok(false);
             }
-            let mut written = Ok(());
-            let mut write = |event: evaluate::Event<'_>| {
-                if let evaluate::Event::View { image, .. } = event {
-                    written = self.pictures.write(index, step, &frame.image, image);
-                    if self.events.is_some() && index < MAX_VIEWS {
-                        images.push(image.clone());
-                    }
+            let found = match self.session.ranks.as_deref() {
+                Some(ranks) => {
+                    Order::Evaluate(first).give(ranks)?;
+                    ranks::measure(ranks, renderer, scene, &frames, first)?
                 }
+                None => vec![ranks::measure_one(renderer, scene, frames[first])?],
             };
-            parts.push(evaluate_with(renderer, scene, &[frame], &mut write)?);
-            written?;
+            for (index, (part, image)) in (first..).zip(found) {
+                self.pictures.write(index, step, &frames[index].image, &image)?;
+                if self.events.is_some() && index < MAX_VIEWS {
+                    images.push(image);
+                }
+                parts.push(part);
+            }
         }
         let evaluation = Evaluation::of_parts(parts);
         // before the log says so: who is killed in between makes up for both

@@ -81,15 +81,17 @@ pub fn choose(options: &DeviceOptions) -> Result<(wgpu::Adapter, SpirvPath)> {
     }
     let names: Vec<_> = adapters.iter().map(|adapter| adapter.get_info().name).collect();
     let wanted = options.adapter.as_deref().unwrap_or("").to_lowercase();
-    let adapter = adapters
-        .into_iter()
-        .find(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted))
-        .ok_or_else(|| Error::NoGpu {
-            reason: format!(
-                "no adapter's name contains {wanted:?}; there is: {}",
-                names.join(", ")
-            ),
-        })?;
+    let is_wanted =
+        |adapter: &wgpu::Adapter| adapter.get_info().name.to_lowercase().contains(&wanted);
+    let mut adapters: Vec<_> = adapters.into_iter().filter(is_wanted).collect();
+    let kind = |adapter: &wgpu::Adapter| rank(adapter.get_info().device_type);
+    let Some(best) = adapters.first().map(kind) else {
+        let names = names.join(", ");
+        let reason = format!("no adapter's name contains {wanted:?}; there is: {names}");
+        return Err(Error::NoGpu { reason });
+    };
+    adapters.retain(|adapter| kind(adapter) == best);
+    let adapter = adapters.swap_remove(options.place % adapters.len());
 
     let can_pass_through = can_pass_through(&adapter);
     let spirv = match options.spirv {

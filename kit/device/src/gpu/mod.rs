@@ -80,6 +80,11 @@ impl Gpu {
         )
     }
 
+    /// The driver, with its version as far as it is known.
+    pub fn driver(&self) -> String {
+        format!("{} {}", self.info.driver, self.info.driver_info)
+    }
+
     pub fn entry_point(&self, kernel: &KernelInfo) -> EntryPoint {
         self.variants.entry_point(kernel)
     }

@@ -1,0 +1,228 @@
+//! Ranks that are threads of one process.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+
+use super::{Ranks, ended};
+use crate::error::Result;
+
+/// What a rank hands over: everyone's bytes are everyone's to read.
+type Message = Arc<Vec<Vec<u8>>>;
+
+/// A rank that is a thread: give each thread one of [`ThreadRanks::new`].
+///
+/// ```
+/// use organza::ranks::{Ranks, ThreadRanks};
+///
+/// let threads = ThreadRanks::new(3).into_iter().map(|ranks| {
+///     std::thread::spawn(move || {
+///         let mut values = [1_i64 << ranks.rank()];
+///         ranks.sum(&mut values)?;
+///         Ok::<_, organza::Error>(values)
+///     })
+/// });
+/// for thread in threads.collect::<Vec<_>>() {
+///     assert_eq!(thread.join().expect("a thread that ends")?, [7]);
+/// }
+/// # Ok::<(), organza::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct ThreadRanks {
+    rank: usize,
+    shared: Arc<Shared>,
+    sent: AtomicU64,
+}
+
+#[derive(Debug)]
+struct Shared {
+    size: usize,
+    state: Mutex<State>,
+    changed: Condvar,
+}
+
+#[derive(Debug)]
+struct State {
+    /// Calls that all ranks have made.
+    calls: u64,
+    /// What ranks have handed over to the call that is being made.
+    messages: Vec<Option<Message>>,
+    /// What they handed over to the last one. The next cannot end before everyone has read it.
+    last: Vec<Message>,
+    /// The first rank that has failed, and why.
+    failed: Option<(usize, String)>,
+}
+
+impl ThreadRanks {
+    /// All ranks, in order.
+    ///
+    /// # Panics
+    /// For no rank.
+    #[must_use]
+    pub fn new(size: usize) -> Vec<Self> {
+        assert!(size > 0, "no rank");
+        let state = State { calls: 0, messages: vec![None; size], last: Vec::new(), failed: None };
+        let shared = Arc::new(Shared { size, state: state.into(), changed: Condvar::new() });
+        let rank = |rank| Self { rank, shared: shared.clone(), sent: 0.into() };
+        (0..size).map(rank).collect()
+    }
+
+    fn lock(&self) -> MutexGuard<'_, State> {
+        self.shared.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Hands something over, and waits for what the others do.
+    fn all(&self, mine: Vec<Vec<u8>>) -> Result<Vec<Message>> {
+        let bytes: usize = mine.iter().map(Vec::len).sum();
+        self.sent.fetch_add(bytes as u64, Ordering::Relaxed);
+        let mut state = self.lock();
+        let call = state.calls;
+        state.messages[self.rank] = Some(Arc::new(mine));
+        if state.messages.iter().all(Option::is_some) {
+            state.last = state.messages.iter_mut().filter_map(Option::take).collect();
+            state.calls += 1;
+            self.shared.changed.notify_all();
+        }
+        while state.calls == call {
+            if let Some((rank, message)) = &state.failed {
+                return Err(ended(*rank, message));
+            }
+            state = self.shared.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
+        }
+        Ok(state.last.clone())
+    }
+
+    /// Combines every rank's values, place by place, in the order of the ranks.
+    fn reduce<T: bytemuck::Pod>(
+        &self,
+        values: &mut [T],
+        combine: impl Fn(T, T) -> T,
+    ) -> Result<()> {
+        let all = self.all(vec![bytemuck::cast_slice(values).to_vec()])?;
+        for (rank, message) in all.iter().enumerate() {
+            let other: Vec<T> = bytemuck::pod_collect_to_vec(&message[0]);
+            assert_eq!(other.len(), values.len(), "all ranks make the same call");
+            match rank {
+                0 => values.copy_from_slice(&other),
+                _ => values
+                    .iter_mut()
+                    .zip(other)
+                    .for_each(|(sum, value)| *sum = combine(*sum, value)),
+            }
+        }
+        Ok(())
+    }
+
+    fn end(&self, message: &str) {
+        let mut state = self.lock();
+        state.failed.get_or_insert_with(|| (self.rank, message.to_owned()));
+        self.shared.changed.notify_all();
+    }
+}
+
+impl Ranks for ThreadRanks {
+    fn rank(&self) -> usize {
+        self.rank
+    }
+
+    fn size(&self) -> usize {
+        self.shared.size
+    }
+
+    fn max(&self, values: &mut [u32]) -> Result<()> {
+        self.reduce(values, u32::max)
+    }
+
+    fn or(&self, values: &mut [u32]) -> Result<()> {
+        self.reduce(values, |a, b| a | b)
+    }
+
+    fn sum(&self, values: &mut [i64]) -> Result<()> {
+        self.reduce(values, i64::wrapping_add)
+    }
+
+    fn gather(&self, mine: Vec<u8>) -> Result<Vec<Vec<u8>>> {
+        let all = self.all(vec![mine])?;
+        Ok(all.iter().map(|message| message[0].clone()).collect())
+    }
+
+    fn exchange(&self, for_each: Vec<Vec<u8>>) -> Result<Vec<Vec<u8>>> {
+        assert_eq!(for_each.len(), self.size(), "something for every rank");
+        let all = self.all(for_each)?;
+        Ok(all.iter().map(|message| message[self.rank].clone()).collect())
+    }
+
+    fn broadcast(&self, mine: Vec<u8>) -> Result<Vec<u8>> {
+        let mine = if self.rank == 0 { mine } else { Vec::new() };
+        Ok(self.all(vec![mine])?[0][0].clone())
+    }
+
+    fn fail(&self, message: &str) {
+        self.end(message);
+    }
+
+    fn sent(&self) -> u64 {
+        self.sent.load(Ordering::Relaxed)
+    }
+}
+
+/// A rank that is gone, even by a panic, is one that nobody needs to wait for.
+impl Drop for ThreadRanks {
+    fn drop(&mut self) {
+        self.end("it has ended");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::Error;
+
+    fn together<R: Send>(size: usize, work: impl Fn(ThreadRanks) -> R + Sync) -> Vec<R> {
+        let work = &work;
+        std::thread::scope(|scope| {
+            let ranks = ThreadRanks::new(size).into_iter();
+            let threads: Vec<_> = ranks.map(|ranks| scope.spawn(move || work(ranks))).collect();
+            threads.into_iter().map(|thread| thread.join().expect("a rank")).collect()
+        })
+    }
+
+    #[test]
+    fn every_call_gives_what_its_name_says() {
+        let found = together(3, |ranks| {
+            let rank = ranks.rank();
+            let mut max = [rank as u32, 5 - rank as u32];
+            let mut or = [1_u32 << rank];
+            let mut sum = [1 << (40 + rank), -1];
+            for _ in 0..50 {
+                ranks.max(&mut max).unwrap();
+                ranks.or(&mut or).unwrap();
+            }
+            ranks.sum(&mut sum).unwrap();
+            let gathered = ranks.gather(vec![rank as u8; rank]).unwrap();
+            let sent = (0..3).map(|to| vec![10 * rank as u8 + to]).collect();
+            let exchanged = ranks.exchange(sent).unwrap();
+            let broadcast = ranks.broadcast(vec![rank as u8]).unwrap();
+            (max, or, sum, gathered, exchanged, broadcast)
+        });
+        for (rank, found) in (0..).zip(found) {
+            let gathered = vec![vec![], vec![1], vec![2, 2]];
+            let exchanged = [0, 10, 20].map(|from| vec![from + rank]).to_vec();
+            assert_eq!(found, ([2, 5], [7], [7 << 40, -3], gathered, exchanged, vec![0]));
+        }
+    }
+
+    #[test]
+    fn a_rank_that_fails_ends_the_others() {
+        let found = together(3, |ranks| match ranks.rank() {
+            1 => {
+                ranks.fail("no memory");
+                String::new()
+            }
+            _ => match ranks.sum(&mut [1]) {
+                Err(error @ Error::Rank { rank: 1, .. }) => error.to_string(),
+                other => panic!("{other:?}"),
+            },
+        });
+        assert!(found[0] == found[2] && found[0].contains("rank 1: no memory"), "{found:?}");
+    }
+}

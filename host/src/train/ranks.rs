@@ -1,0 +1,192 @@
+//! A run that ranks share: rank 0 leads it, reads and writes its files, and tells the others what comes next.
+
+use std::sync::Arc;
+
+use super::checkpoint::Checkpoint;
+use super::config::TrainConfig;
+use super::trainer::Trainer;
+use crate::data::{Dataset, Frame};
+use crate::error::{Error, IN_MEMORY, Result};
+use crate::evaluate::{Evaluation, Event, Score, ViewScore, evaluate_with};
+use crate::image::Image;
+use crate::ranks::Ranks;
+use crate::render::{DeviceScene, Renderer};
+
+/// What rank 0 has all ranks do next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Order {
+    /// A step, of a run of so many.
+    Step(u32),
+    /// Measure a held-out view each, from this one on.
+    Evaluate(usize),
+    /// Nothing more.
+    End,
+}
+
+impl Order {
+    fn encode(self) -> [u64; 2] {
+        match self {
+            Self::Step(steps) => [0, u64::from(steps)],
+            Self::Evaluate(first) => [1, first as u64],
+            Self::End => [2, 0],
+        }
+    }
+
+    fn decode([kind, value]: [u64; 2]) -> Self {
+        match kind {
+            0 => Self::Step(value as u32),
+            1 => Self::Evaluate(value as usize),
+            _ => Self::End,
+        }
+    }
+
+    /// Tells the other ranks, from rank 0.
+    pub fn give(self, ranks: &dyn Ranks) -> Result<()> {
+        ranks.broadcast(bytemuck::cast_slice(&self.encode()).to_vec()).map(drop)
+    }
+
+    fn receive(ranks: &dyn Ranks) -> Result<Self> {
+        let words: Vec<u64> = bytemuck::pod_collect_to_vec(&ranks.broadcast(Vec::new())?);
+        Ok(Self::decode([words[0], words[1]]))
+    }
+}
+
+/// Makes sure that all ranks compute the same bits from the same data. `mixed` allows other programs and devices.
+///
+/// # Errors
+/// [`Error::Argument`], on every rank, with the first that differs from rank 0.
+fn meet(ranks: &dyn Ranks, renderer: &Renderer, dataset: &Dataset, mixed: bool) -> Result<()> {
+    let program = concat!("organza ", env!("CARGO_PKG_VERSION"));
+    let mine = [
+        program.to_owned(),
+        renderer.device().arithmetic(),
+        serde_json::to_string(&dataset.fingerprint).unwrap_or_default(),
+    ];
+    let all = ranks.gather(mine.join("\n").into_bytes())?;
+    let parts = |bytes: &[u8]| -> Vec<String> {
+        String::from_utf8_lossy(bytes).lines().map(str::to_owned).collect()
+    };
+    let first = parts(&all[0]);
+    for (rank, bytes) in all.iter().enumerate() {
+        let found = parts(bytes);
+        let differs = |part: usize| found.get(part) != first.get(part);
+        let reason = if differs(2) {
+            format!(
+                "rank {rank} has read other photographs than rank 0: give all of them the same data set"
+            )
+        } else if !mixed && (differs(0) || differs(1)) {
+            format!(
+                "rank {rank} is {} on {}, but rank 0 is {} on {}: the scene would depend on which of them computes what; \
+                 use the same program, device and `--instruction-set` everywhere, or allow it with `--mixed`",
+                found[0], found[1], first[0], first[1]
+            )
+        } else {
+            continue;
+        };
+        return Err(Error::Argument { reason });
+    }
+    Ok(())
+}
+
+/// Tells the other ranks what rank 0 begins with.
+pub(super) fn lead(
+    ranks: &Arc<dyn Ranks>,
+    renderer: &Renderer,
+    trainer: Trainer,
+    mixed: bool,
+) -> Result<Trainer> {
+    meet(&**ranks, renderer, trainer.dataset(), mixed)?;
+    ranks.broadcast(trainer.config().to_toml().into_bytes())?;
+    ranks.broadcast(trainer.checkpoint(0.0)?.to_bytes()?)?;
+    Ok(trainer.with_ranks(ranks.clone()))
+}
+
+/// Takes part in the run of a [`Session`](super::Session) of rank 0 that has these ranks, to its end. The photographs
+/// must be those of the session; its settings and its scene come from there. `mixed` is that of the session.
+///
+/// # Errors
+/// As [`Session::run`](super::Session::run); [`Error::Rank`] where another rank has failed. The caller then
+/// [tells](Ranks::fail) the others.
+pub fn follow(
+    renderer: &Renderer,
+    dataset: &Arc<Dataset>,
+    ranks: &Arc<dyn Ranks>,
+    mixed: bool,
+) -> Result<()> {
+    meet(&**ranks, renderer, dataset, mixed)?;
+    let text = String::from_utf8_lossy(&ranks.broadcast(Vec::new())?).into_owned();
+    let config = TrainConfig::parse(&text, IN_MEMORY.as_ref())?;
+    let checkpoint = Checkpoint::from_bytes(&ranks.broadcast(Vec::new())?, IN_MEMORY)?;
+    let trainer = Trainer::resume(renderer, config, dataset.clone(), &checkpoint)?;
+    drop(checkpoint);
+    let mut trainer = trainer.with_ranks(ranks.clone());
+    let frames: Vec<_> = dataset.held_out_frames().collect();
+    loop {
+        match Order::receive(&**ranks)? {
+            Order::Step(steps) => {
+                if steps != trainer.config().run.steps {
+                    trainer.replan(steps);
+                }
+                trainer.step()?;
+            }
+            Order::Evaluate(first) => {
+                measure(&**ranks, renderer, trainer.scene(), &frames, first)?;
+            }
+            Order::End => return Ok(()),
+        }
+    }
+}
+
+/// Measures as many views as there are ranks, from `first` on, each rank one; rank 0 has them all.
+pub(super) fn measure(
+    ranks: &dyn Ranks,
+    renderer: &Renderer,
+    scene: &DeviceScene,
+    frames: &[&Frame],
+    first: usize,
+) -> Result<Vec<(Evaluation, Image)>> {
+    let mine = frames.get(first + ranks.rank());
+    let mine = mine.map(|frame| measure_one(renderer, scene, frame)).transpose()?;
+    let mut for_each = vec![Vec::new(); ranks.size()];
+    for_each[0] = mine.map(|(found, image)| encode(&found, &image)).unwrap_or_default();
+    let all = ranks.exchange(for_each)?;
+    let views = all.iter().zip(&frames[first..]).filter(|(bytes, _)| !bytes.is_empty());
+    Ok(views.map(|(bytes, frame)| decode(bytes, frame)).collect())
+}
+
+/// Measures a view.
+pub(super) fn measure_one(
+    renderer: &Renderer,
+    scene: &DeviceScene,
+    frame: &Frame,
+) -> Result<(Evaluation, Image)> {
+    let mut rendered = None;
+    let found = evaluate_with(renderer, scene, &[frame], &mut |event| {
+        if let Event::View { image, .. } = event {
+            rendered = Some(image.clone());
+        }
+    })?;
+    Ok((found, rendered.expect("the view was rendered")))
+}
+
+/// Pixels that are not finite, PSNR and SSIM, the image. JSON would lose an infinite PSNR.
+fn encode(found: &Evaluation, image: &Image) -> Vec<u8> {
+    let Score { psnr, ssim, .. } = found.mean;
+    let score = |score: Option<f64>| [u64::from(score.is_some()), score.unwrap_or(0.0).to_bits()];
+    let [a, b] = [score(psnr), score(ssim)];
+    let words = [found.not_finite, a[0], a[1], b[0], b[1]];
+    let mut bytes = bytemuck::cast_slice(&words).to_vec();
+    bytes.extend_from_slice(image.pixels().as_flattened());
+    bytes
+}
+
+fn decode(bytes: &[u8], frame: &Frame) -> (Evaluation, Image) {
+    let (words, pixels) = bytes.split_at(5 * size_of::<u64>());
+    let words: Vec<u64> = bytemuck::pod_collect_to_vec(words);
+    let score = |at: usize| (words[at] != 0).then(|| f64::from_bits(words[at + 1]));
+    let mean = Score { psnr: score(1), ssim: score(3), ..Score::default() };
+    let views = vec![ViewScore { name: frame.name.clone(), score: mean }];
+    let size = [frame.camera.width, frame.camera.height];
+    let image = Image::of_pixels(size, pixels.as_chunks().0);
+    (Evaluation { mean, views, not_finite: words[0] }, image)
+}

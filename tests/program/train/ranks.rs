@@ -1,0 +1,160 @@
+//! Trainings that ranks share: the same bits for any number of them.
+
+use std::fs;
+use std::sync::Arc;
+
+use organza::data::Dataset;
+use organza::ranks::{Ranks, ThreadRanks};
+use organza::train::{Checkpoint, TrainConfig, Trainer};
+use organza::{Error, Renderer};
+use organza_tests::devices;
+
+use super::runs::{TINY, assert_same, begun, bits, records, sandbox, state_bits, without_times};
+
+type Begun = (TrainConfig, Checkpoint, Arc<Dataset>);
+
+/// A run after five of 40 steps: it grows at step 10.
+fn begun_of_40() -> Begun {
+    let (mut config, checkpoint, dataset) = begun();
+    config.run.steps = 40;
+    (config, checkpoint, dataset)
+}
+
+/// Trains so many steps on each of so many ranks; returns the states of all.
+fn train(begun: &Begun, name: &str, size: usize, steps: u32) -> Vec<Checkpoint> {
+    let (config, checkpoint, dataset) = begun;
+    std::thread::scope(|scope| {
+        let work = |ranks: ThreadRanks| {
+            let (_, device) =
+                devices::all().into_iter().find(|(other, _)| *other == name).expect("a device");
+            let renderer = Renderer::new(device);
+            let trainer = Trainer::resume(&renderer, config.clone(), dataset.clone(), checkpoint);
+            let mut trainer = trainer.expect("a trainer").with_ranks(Arc::new(ranks));
+            for _ in 0..steps {
+                trainer.step().expect("a step");
+            }
+            trainer.checkpoint(0.0).expect("a state")
+        };
+        let ranks = ThreadRanks::new(size).into_iter();
+        let threads: Vec<_> = ranks.map(|ranks| scope.spawn(move || work(ranks))).collect();
+        threads.into_iter().map(|thread| thread.join().expect("a rank")).collect()
+    })
+}
+
+/// Four tiles a step are four units at most: with more ranks, some hold nothing.
+#[test]
+fn any_number_of_ranks_gives_the_same_bits_on_every_device() {
+    let begun = begun_of_40();
+    for (name, _) in devices::all() {
+        let one = train(&begun, name, 1, 7).remove(0);
+        assert_eq!(one.progress.step, 12);
+        assert!(one.scene.gaussians.len() > 200, "{name}: the scene has grown");
+        // a software GPU takes its time
+        let sizes = if name == "cpu" { &[2, 3, 5][..] } else { &[3] };
+        for &size in sizes {
+            for (rank, state) in train(&begun, name, size, 7).iter().enumerate() {
+                assert!(state_bits(state) == state_bits(&one), "{name}: rank {rank} of {size}");
+            }
+        }
+    }
+}
+
+/// Both sum the same terms, and round differently.
+#[test]
+fn ranks_train_what_a_trainer_alone_trains() {
+    let begun = begun_of_40();
+    let (config, checkpoint, dataset) = begun.clone();
+    let renderer = Renderer::new(devices::cpu(None));
+    let mut alone = Trainer::resume(&renderer, config, dataset, &checkpoint).expect("a trainer");
+    let report = alone.step().expect("a step");
+    assert!(report.loss > 0.0);
+    let alone = alone.checkpoint(0.0).expect("a state");
+    let shared = train(&begun, "cpu", 3, 1).remove(0);
+    for (moment, (alone, shared)) in alone.moments.iter().zip(&shared.moments).enumerate() {
+        for ((spec, alone), (_, shared)) in alone.tensors().into_iter().zip(shared.tensors()) {
+            let largest = alone.iter().fold(0.0_f32, |most, value| most.max(value.abs()));
+            for (a, b) in alone.iter().zip(shared) {
+                assert!((a - b).abs() <= 1e-4 * largest, "{} {moment}: {a} {b}", spec.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_run_of_ranks_is_one_run() {
+    let sandbox = sandbox();
+    let run = |name: &str, words: &str| sandbox.run(&format!("{TINY} {name} {words}")).assert_ok();
+    run("one", "--ranks 1");
+    let one = bits(&sandbox, "one");
+    let told = |run: &str| without_times(&records(&sandbox.path(run)));
+    let files = |run: &str| {
+        let mut names: Vec<_> = fs::read_dir(sandbox.path(run).join("pictures"))
+            .unwrap()
+            .map(|entry| entry.unwrap())
+            .map(|entry| (entry.file_name(), fs::read(entry.path()).unwrap()))
+            .collect();
+        names.sort();
+        names
+    };
+    for size in [2, 4] {
+        let name = format!("of-{size}");
+        run(&name, &format!("--ranks {size} --threads 1"));
+        assert_same(&name, &bits(&sandbox, &name), &one);
+        assert_eq!(told(&name), told("one"));
+        assert!(files(&name) == files("one"), "{name}: the pictures");
+    }
+    // stopped, and continued by another number
+    run("other", "--ranks 3 --time-limit 1 --steps 40");
+    sandbox.run("train --resume other --ranks 2 --backend cpu").assert_ok();
+    assert_same("resumed", &bits(&sandbox, "other"), &one);
+    sandbox.assert_refuses(&format!("{TINY} no --ranks 0"), &["1 to 64, or `mpi`"]);
+    sandbox.assert_refuses(&format!("{TINY} no --mixed"), &["--ranks"]);
+}
+
+#[test]
+fn a_rank_that_fails_ends_all_with_its_message() {
+    let (config, checkpoint, dataset) = begun();
+    let mut ranks = ThreadRanks::new(2).into_iter();
+    let (first, second) = (ranks.next().unwrap(), ranks.next().unwrap());
+    let thread = std::thread::spawn(move || second.fail("out of memory"));
+    let renderer = Renderer::new(devices::cpu(None));
+    let trainer = Trainer::resume(&renderer, config, dataset, &checkpoint).expect("a trainer");
+    let mut trainer = trainer.with_ranks(Arc::new(first));
+    match trainer.step() {
+        Err(Error::Rank { rank: 1, message }) => assert_eq!(message, "out of memory"),
+        other => panic!("{other:?}"),
+    }
+    thread.join().expect("a thread");
+}
+
+/// Ranks that would round differently are refused before the first step.
+#[test]
+fn ranks_of_other_devices_must_be_allowed() {
+    let (_, _, dataset) = begun();
+    let meet = |mixed: bool| {
+        let sets = ["scalar", "best"];
+        std::thread::scope(|scope| {
+            let work = |ranks: ThreadRanks| {
+                let set =
+                    (sets[ranks.rank()] == "scalar").then_some(organza::InstructionSet::Scalar);
+                let options = organza::DeviceOptions::cpu(Some(1)).instruction_set(set);
+                let renderer = Renderer::new(organza::open_device(&options).expect("a CPU"));
+                let ranks: Arc<dyn Ranks> = Arc::new(ranks);
+                // there is no rank 0 that leads: what fails is told
+                organza::train::follow(&renderer, &dataset, &ranks, mixed).unwrap_err().to_string()
+            };
+            let threads: Vec<_> = ThreadRanks::new(2)
+                .into_iter()
+                .map(|ranks| scope.spawn(move || work(ranks)))
+                .collect();
+            threads.into_iter().map(|thread| thread.join().expect("a rank")).collect::<Vec<_>>()
+        })
+    };
+    let refused = meet(false);
+    assert!(
+        refused.iter().all(|text| text.contains("scalar") && text.contains("--mixed")),
+        "{refused:?}"
+    );
+    let allowed = meet(true);
+    assert!(!allowed.iter().any(|text| text.contains("--mixed")), "{allowed:?}");
+}

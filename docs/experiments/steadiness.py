@@ -51,11 +51,13 @@ def main():
                 values = kinds[kind]
                 many = (values > 1).sum() / (len(values) / PIXELS)
                 print(f"| {name} | {step:g}° | {label} | {values.mean():.4f} | {many:.1f} | {values.max():.2f} |", flush=True)
-        for at, (kind, label) in enumerate(LABELS.items()):
+        for color, kind in zip(COLORS, ("organza", "sorted")):
             largest = [kinds[kind].max() for kinds in found.values()]
-            style = {"linestyle": ["-", ":"][at // 2], "color": COLORS[at % 2], "linewidth": 1.8, "marker": "o", "markersize": 3.5}
-            panel.plot(list(found), largest, label=label, **style)
+            panel.plot(list(found), largest, label=LABELS[kind], color=color, linewidth=2, marker="o", markersize=4)
         panel.set(xscale="log", yscale="log", title=name, xlabel="step of the camera (degrees)")
+        panel.set_xticks(list(found), [f"{step:g}" for step in found], minor=False)
+        panel.set_yticks([1, 10, 100], ["1", "10", "100"])
+        panel.minorticks_off()
         panel.invert_xaxis()
         panel.grid(alpha=0.3)
         panel.spines[["top", "right"]].set_visible(False)

@@ -5,12 +5,17 @@ use std::sync::Arc;
 
 use numpy::ndarray::{ArrayViewD, ArrayViewMutD};
 use numpy::{PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use organza::DeviceOptions;
+use organza::camera::Orbit;
 use organza::scene::{SceneConfig, TensorSpec};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyString};
+use pyo3::types::{PyBytes, PyDict, PyString};
 
 use crate::error::{invalid, raise};
 use crate::job;
+
+/// Width and height of a scene's picture in a notebook.
+const PICTURE: [u32; 2] = [360, 270];
 
 /// A scene in the host's memory: N Gaussians and the two fields of color and transmittance. It never changes; `from_tensors` makes
 /// another.
@@ -97,6 +102,20 @@ impl Scene {
 
     fn __len__(&self) -> usize {
         self.0.gaussians.len()
+    }
+
+    /// What a notebook shows: the scene's box from outside, as PNG; none where it has no outside.
+    fn _repr_png_<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyBytes>>> {
+        let scene = Arc::clone(&self.0);
+        let png = job::run(py, move || {
+            let Ok(cameras) = Orbit::of_box(scene.config.aabb, PICTURE).cameras(1) else {
+                return Ok(None);
+            };
+            let renderer = organza::Renderer::new(organza::open_device(&DeviceOptions::default())?);
+            let image = renderer.render_view(&renderer.upload(&scene)?, &cameras[0])?;
+            Ok(image.encode_png().ok())
+        })?;
+        Ok(png.map(|png| PyBytes::new(py, &png)))
     }
 
     fn __repr__(&self) -> String {

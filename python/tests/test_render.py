@@ -128,6 +128,13 @@ def test_pictures_are_png(renderer, scene, cameras, tmp_path):
     assert images[0, 0]._repr_png_() is None
 
 
+def test_a_scene_shows_itself(scene):
+    png = scene._repr_png_()
+    assert png.startswith(b"\x89PNG") and struct.unpack(">II", png[16:24]) == (360, 270)
+    # not the background alone
+    assert len(png) > 5000
+
+
 def test_a_pixel_is_explained(renderer, scene, cameras):
     image = renderer.render(scene, cameras)[1]
     found = renderer.explain(scene, cameras, 1, (20, 18))

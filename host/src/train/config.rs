@@ -306,7 +306,7 @@ impl Default for ShapeConfig {
             sh_degree: 2,
             material: 8,
             extra: 2,
-            step: 0.03,
+            step: 0.05,
             blur: 0.3,
             color_mlp: MlpConfig { hidden: vec![32, 32] },
             transmittance_mlp: MlpConfig { hidden: vec![32, 32] },

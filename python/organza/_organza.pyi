@@ -1,4 +1,8 @@
-"""The compiled part of the package."""
+"""The compiled part of the package.
+
+Written by hand, and held to the module by a test. `maturin generate-stubs` needs pyo3's feature `experimental-inspect`, and finds nothing in a
+release build, which is stripped.
+"""
 
 import os
 from collections.abc import Mapping, Sequence

@@ -11,7 +11,6 @@ use organza::{Dataset, DeviceOptions, Renderer, Result, error};
 use super::console::Console;
 use super::device::DeviceArgs;
 use super::inputs::DataSet;
-use super::refuse;
 use super::signals::Signals;
 use super::verbosity::Level;
 

@@ -1,5 +1,6 @@
 //! Ranks that are MPI's processes.
 
+use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -17,7 +18,6 @@ use crate::error::{Error, Result};
 const AT_ONCE: usize = 1 << 28;
 
 /// A rank that is a process started by `mpirun`, `srun` or the like.
-#[derive(Debug)]
 pub struct MpiRanks {
     rank: usize,
     size: usize,
@@ -26,7 +26,6 @@ pub struct MpiRanks {
 }
 
 /// What calls of MPI's need. The communicator goes before MPI ends.
-#[derive(Debug)]
 struct Calls {
     world: SimpleCommunicator,
     _universe: Universe,
@@ -34,6 +33,12 @@ struct Calls {
 
 // SAFETY: MPI was started so that any thread may call it while no other does, and calls are made under a lock
 unsafe impl Send for Calls {}
+
+impl fmt::Debug for MpiRanks {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "rank {} of MPI's {}", self.rank, self.size)
+    }
+}
 
 impl MpiRanks {
     /// Starts MPI; a process can do so once. A process that nobody has started by MPI is the only rank.

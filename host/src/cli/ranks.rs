@@ -1,154 +1,56 @@
-//! The options of a training that ranks share, and what ranks other than the first do.
+//! A training that ranks share: threads of this process.
 
-use std::str::FromStr;
 use std::sync::Arc;
 use std::thread;
 
 use organza::ranks::{Ranks, ThreadRanks};
-use organza::train::{self, TrainConfig};
-use organza::{Dataset, DeviceOptions, Renderer, Result, error};
-
-use super::console::Console;
-use super::device::DeviceArgs;
-use super::inputs::DataSet;
-use super::signals::Signals;
-use super::verbosity::Level;
+use organza::{Dataset, DeviceOptions, Renderer, Result, error, train};
 
 /// Options of a training that ranks share.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Ranks")]
 pub struct RanksArgs {
-    /// Share the training among N threads of this process, each with a device of its own; or `mpi`: among the processes
-    /// that mpirun or srun has started. Any number of ranks gives the same bits (docs/cluster.md)
-    #[arg(long, value_name = "N|mpi")]
-    ranks: Option<Kind>,
-    /// Allow ranks with different programs or devices; the scene's bits then depend on which of them computes what
-    #[arg(long, requires = "ranks")]
-    mixed: bool,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Threads(usize),
-    Mpi,
-}
-
-/// More threads than that are a mistake: each holds the whole scene.
-const MOST_THREADS: usize = 64;
-
-impl FromStr for Kind {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text.parse() {
-            _ if text == "mpi" => Ok(Self::Mpi),
-            Ok(threads) if (1..=MOST_THREADS).contains(&threads) => Ok(Self::Threads(threads)),
-            _ => Err(format!("expected a number of threads, 1 to {MOST_THREADS}, or `mpi`")),
-        }
-    }
+    /// Share the training among N threads, each with a device of its own; any N gives the same bits, which are not those of
+    /// a training without this (docs/cluster.md)
+    #[arg(long, value_name = "N")]
+    #[arg(value_parser = clap::value_parser!(u16).range(1..=64))]
+    ranks: Option<u16>,
 }
 
 impl RanksArgs {
-    /// Meets the other ranks, if there are to be any.
-    pub fn start(&self) -> Result<Option<Team>> {
-        let mixed = self.mixed;
-        match self.ranks {
-            None => Ok(None),
-            Some(Kind::Threads(size)) => {
-                let mut ranks = ThreadRanks::new(size).into_iter();
-                let mine = Arc::new(ranks.next().expect("one at least"));
-                Ok(Some(Team { mine, others: ranks.collect(), mixed, is_mpi: false }))
-            }
-            Some(Kind::Mpi) => {
-                Ok(Some(Team { mine: start_mpi()?, others: Vec::new(), mixed, is_mpi: true }))
-            }
-        }
+    /// The ranks, if there are to be any.
+    pub fn start(&self) -> Option<Team> {
+        let mut ranks = ThreadRanks::new(usize::from(self.ranks?)).into_iter();
+        let mine = Arc::new(ranks.next().expect("one at least"));
+        Some(Team { mine, others: ranks.collect() })
     }
 }
 
-#[cfg(feature = "mpi")]
-fn start_mpi() -> Result<Arc<dyn Ranks>> {
-    Ok(Arc::new(organza::ranks::MpiRanks::start()?))
-}
-
-#[cfg(not(feature = "mpi"))]
-fn start_mpi() -> Result<Arc<dyn Ranks>> {
-    refuse(
-        "this program was built without MPI; build it with `cargo build --release --features mpi`",
-    )
-}
-
-/// The ranks of a training, as one of them sees it.
+/// The ranks of a training, as the first of them sees it.
 #[derive(Debug)]
 pub struct Team {
-    /// This process's, or that of its first thread.
     pub mine: Arc<dyn Ranks>,
     /// Those of other threads.
     pub others: Vec<ThreadRanks>,
-    pub mixed: bool,
-    pub is_mpi: bool,
 }
 
 impl Team {
-    /// Rank 0's settings, which the others cannot read while it writes them.
-    pub fn tell(&self, config: &TrainConfig) -> Result<()> {
-        if self.is_mpi {
-            self.mine.broadcast(config.to_toml().into_bytes())?;
-        }
-        Ok(())
-    }
-
-    /// What a rank's device is: threads share the cores, and ranks of one machine its GPUs.
+    /// What a rank's device is: ranks share the cores, and take a machine's GPUs in turn.
     pub fn device(&self, options: DeviceOptions, rank: usize) -> DeviceOptions {
-        if self.is_mpi {
-            return options.place(local_rank().unwrap_or(rank));
-        }
         let cores = thread::available_parallelism().map_or(1, usize::from);
         let threads = options.threads.unwrap_or((cores / self.mine.size()).max(1));
         options.threads(threads).place(rank)
     }
-
-    /// What a process of MPI's does that is not the first: reads the photographs, and does as it is told.
-    pub fn follow_process(&self, device: &DeviceArgs) -> Result<()> {
-        let ranks = &self.mine;
-        let follow = || {
-            // the first signal is for rank 0 to act on
-            let signals = Signals::listen()?;
-            signals.keeps_results();
-            let text = String::from_utf8_lossy(&ranks.broadcast(Vec::new())?).into_owned();
-            let config = TrainConfig::parse(&text, "the settings of rank 0".as_ref())?;
-            let console = Console::new(Level::Quiet);
-            let data = DataSet::open(config.data, console)?;
-            let options = self.device(device.options()?, ranks.rank());
-            let renderer = device.open_as(&options, console)?;
-            let dataset = Arc::new(data.read(&renderer, console)?);
-            train::follow(&renderer, &dataset, ranks, self.mixed)
-        };
-        follow().inspect_err(|error| ranks.fail(&error::chain(error)))
-    }
 }
 
 /// What a thread does that is not the first rank.
-pub fn follow_thread(
-    ranks: ThreadRanks,
-    options: &DeviceOptions,
-    dataset: &Arc<Dataset>,
-    mixed: bool,
-) {
+pub fn follow_thread(ranks: ThreadRanks, options: &DeviceOptions, dataset: &Arc<Dataset>) {
     let ranks: Arc<dyn Ranks> = Arc::new(ranks);
-    let follow = || {
+    let follow = || -> Result<()> {
         let renderer = Renderer::new(organza::open_device(options)?);
-        train::follow(&renderer, dataset, &ranks, mixed)
+        train::follow(&renderer, dataset, &ranks, false)
     };
     if let Err(error) = follow() {
         ranks.fail(&error::chain(&error));
     }
-}
-
-/// This process's number among those of its machine.
-fn local_rank() -> Option<usize> {
-    // Open MPI, Slurm, MPICH, Intel MPI
-    const NAMES: [&str; 4] =
-        ["OMPI_COMM_WORLD_LOCAL_RANK", "SLURM_LOCALID", "MPI_LOCALRANKID", "PMI_LOCAL_RANK"];
-    NAMES.iter().find_map(|name| std::env::var(name).ok()?.parse().ok())
 }

@@ -1,18 +1,14 @@
-//! Ranks: processes, or threads of one process, that train one scene together.
+//! Ranks: threads of one process that train one scene together.
 //!
 //! A rank is one of them, numbered from 0. Each holds the whole scene, and computes its share of every step. What they
 //! tell each other are the calls of [`Ranks`]. All ranks make the same calls in the same order.
 
-#[cfg(feature = "mpi")]
-mod mpi;
 mod threads;
 
 use std::fmt::Debug;
 
 use crate::error::{Error, Result};
 
-#[cfg(feature = "mpi")]
-pub use mpi::MpiRanks;
 pub use threads::ThreadRanks;
 
 /// What ranks tell each other. Every call waits for all ranks.

@@ -77,7 +77,7 @@ fn meet(ranks: &dyn Ranks, renderer: &Renderer, dataset: &Dataset, mixed: bool) 
         } else if !mixed && (differs(0) || differs(1)) {
             format!(
                 "rank {rank} is {} on {}, but rank 0 is {} on {}: the scene would depend on which of them computes what; \
-                 use the same program, device and `--instruction-set` everywhere, or allow it with `--mixed`",
+                 use the same program, device and instruction set everywhere",
                 found[0], found[1], first[0], first[1]
             )
         } else {

@@ -12,7 +12,6 @@ mod hostile;
 mod memory;
 mod mistakes;
 mod monstrous;
-mod mpi;
 mod own_loss;
 pub mod processes;
 mod progress;

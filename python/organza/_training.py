@@ -155,6 +155,8 @@ class Training:
                 warnings.warn(values["text"], stacklevel=2)
             elif kind == "end":
                 self.outcome = values.get("outcome", self.outcome)
+                # the folder is free for another run as soon as the loop is over
+                self._core.close()
                 raise StopIteration
 
     def _answer(self, values: dict[str, np.ndarray]) -> None:

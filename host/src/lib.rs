@@ -62,6 +62,8 @@ pub mod tile;
 pub mod train;
 #[doc(hidden)]
 pub mod view;
+#[doc(hidden)]
+pub mod web;
 
 #[doc(hidden)]
 pub use atomic_file::{remove_leftovers, write_atomic};

@@ -225,9 +225,11 @@ pub fn transmittance_head<L: Lane>(
 pub struct SegmentProductParams {
     /// Pairs in the batch.
     pub pairs: u32,
+    /// 1. If steps are n times as long as sigma (Eq. 8), n: `s_factor` was of those steps, and it is an exponent.
+    pub power: f32,
 }
 
-/// Eq. 11: `transmittance [pairs]`, the product over a segment's samples; 1 without samples.
+/// Eq. 11: `transmittance [pairs]`, the product over a segment's samples, to a power; 1 without samples.
 #[kernel(threads(64), iterations = MAX_SAMPLES, counts(pairs))]
 pub fn segment_product(
     id: Invocation,
@@ -245,6 +247,6 @@ pub fn segment_product(
             sum += log_rho.read(sample);
             sample += 1;
         }
-        transmittance.write(index, exp(sum));
+        transmittance.write(index, exp(params.power * sum));
     }
 }

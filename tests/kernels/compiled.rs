@@ -67,5 +67,8 @@ fn modules_are_those_of_the_manifest() {
         let (entry, spirv) = (kernel.entry(), kernel.spirv());
         assert_eq!(entry.spirv_bytes, spirv.len() as u64, "{}: {REMEDY}", entry.spirv);
         assert_eq!(entry.spirv_sha256, sha256(spirv), "{}: {REMEDY}", entry.spirv);
+        let wgsl = kernel.wgsl().map(|text| sha256(text.as_bytes()));
+        let listed = entry.wgsl.as_ref().map(|wgsl| wgsl.sha256.clone());
+        assert_eq!(wgsl, listed, "{}: {REMEDY}", entry.name);
     }
 }

@@ -24,3 +24,5 @@ mod shards;
 mod stale;
 mod train;
 mod view;
+#[cfg(target_os = "linux")]
+mod web;

@@ -1,4 +1,4 @@
-//! `cargo xtask kernels`: compiles the kernels to SPIR-V and writes the modules that the host
+//! `cargo xtask kernels`: compiles the kernels to SPIR-V and WGSL, and writes the modules that the host
 //! crate embeds. Everybody else builds organza without a SPIR-V compiler.
 
 mod guide;
@@ -21,7 +21,7 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Task {
-    /// Compile the kernels to SPIR-V, into host/kernels
+    /// Compile the kernels to SPIR-V and WGSL, into host/kernels
     Kernels(Options),
     /// Make a project of its own in a new folder: kernels, tests on the CPU and two ways on a GPU, a picture
     New {
@@ -37,6 +37,7 @@ fn project() -> Project {
     Project {
         sources: ["kit/kernel", "kit/macros", "shader-crate"].map(String::from).into(),
         kernels: "host/kernels".into(),
+        wgsl: true,
         ..Project::of_xtask(env!("CARGO_MANIFEST_DIR"), "shader-crate")
     }
 }

@@ -10,6 +10,7 @@ mod demo;
 mod device;
 mod eval;
 mod explain;
+mod export_web;
 mod film;
 mod info;
 mod inputs;
@@ -77,6 +78,7 @@ enum Command {
     Demo(demo::Args),
     Info(info::Args),
     View(view::Args),
+    ExportWeb(export_web::Args),
     Explain(explain::Args),
     Eval(eval::Args),
     Compare(compare::Args),
@@ -104,6 +106,7 @@ pub fn main() -> ExitCode {
         Command::Demo(args) => demo::run(args, console).map(done),
         Command::Info(args) => info::run(args, console).map(done),
         Command::View(args) => view::run(args, console).map(done),
+        Command::ExportWeb(args) => export_web::run(args, console).map(done),
         Command::Explain(args) => explain::run(args, console).map(done),
         Command::Eval(args) => eval::run(args, console).map(done),
         Command::Compare(args) => compare::run(args, console).map(done),

@@ -298,6 +298,8 @@ impl Parity for TransmittanceHead {
 /// Inputs of `segment_product`.
 #[derive(Clone, Debug)]
 pub struct SegmentProduct {
+    /// How many times as long as sigma the steps are.
+    pub power: f32,
     /// `[pairs + 1]`
     pub first_sample: Vec<u32>,
     /// `[samples]`
@@ -323,13 +325,17 @@ impl Parity for SegmentProduct {
             let first_sample = prefix(&counts);
             let samples = counts.iter().sum::<u32>() as usize;
             let log_rho = fill.values(random, samples, [0.0, 3.0], 1e30);
-            Self { first_sample, log_rho: log_rho.into_iter().map(|x| -x.abs()).collect() }
+            let log_rho = log_rho.into_iter().map(|x| -x.abs()).collect();
+            Self { power: 1.0, first_sample, log_rho }
         });
         for (name, size) in [("a long segment", 1e-3), ("a long segment down to zero", 0.1)] {
             let log_rho = Random::new(8).values(16_384, -size, 0.0);
-            let set = Self { first_sample: vec![0, 0, 16_384, 16_384], log_rho };
+            let set = Self { power: 1.0, first_sample: vec![0, 0, 16_384, 16_384], log_rho };
             sets.push((name.into(), set));
         }
+        let log_rho = Random::new(9).values(900, -0.1, 0.0);
+        let first_sample = (0..=100).map(|pair| 9 * pair).collect();
+        sets.push(("steps four times as long".into(), Self { power: 4.0, first_sample, log_rho }));
         sets
     }
 
@@ -337,7 +343,7 @@ impl Parity for SegmentProduct {
         let pairs = self.first_sample.len() as u32 - 1;
         let transmittance = runner.output(pairs as usize)?;
         let kernel = SegmentProductKernel {
-            params: SegmentProductParams { pairs },
+            params: SegmentProductParams { pairs, power: self.power },
             first_sample: &runner.upload(&self.first_sample)?,
             log_rho: &runner.upload(&self.log_rho)?,
             transmittance: &transmittance,
@@ -351,7 +357,7 @@ impl Parity for SegmentProduct {
             return Bound { scale: 0.0, floor: 0.0 };
         }
         let terms = self.of(index);
-        let sum: f64 = terms.iter().map(|&x| f64::from(x.abs())).sum();
+        let sum: f64 = terms.iter().map(|&x| f64::from(self.power * x.abs())).sum();
         let roundings = match rounding {
             Rounding::AsWritten => 1.0,
             Rounding::Regrouped => 1.0 + 0.03 * terms.len() as f64,
@@ -361,7 +367,7 @@ impl Parity for SegmentProduct {
 
     fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
         let product =
-            |pair| transmittance(self.of(pair).iter().map(|&x| f64::from(x)).sum::<f64>());
+            |pair| transmittance(self.of(pair).iter().map(|&x| f64::from(self.power * x)).sum());
         (0..len).map(|pair| (pair + 1 < self.first_sample.len()).then(|| product(pair))).collect()
     }
 

@@ -96,10 +96,9 @@ impl EyeCache {
             if (options.is_cancelled)() {
                 return Ok(None);
             }
-            let (pairs, length) =
-                (pairs_of(device, bins, some)?, scene.config.step * f64::from(steps));
+            let pairs = pairs_of(device, bins, some)?;
             let evaluated =
-                Transmittance::evaluate_with_step(device, scene, &pairs, length, false, |first| {
+                Transmittance::evaluate_with_steps(device, scene, &pairs, steps, false, |first| {
                     pairs.read_samples(device, first)
                 })?;
             samples += u64::from(evaluated.samples.at_most());
@@ -112,10 +111,8 @@ impl EyeCache {
                     device.read(&Color::evaluate(device, scene, &pairs, false)?.color)?
                 }
             };
-            // s_factor (Eq. 8) was of the longer steps, and it is an exponent
-            let power = i32::from(steps);
             for (&at, t) in some.iter().zip(device.read(&evaluated.transmittance)?) {
-                self.transmittance[at as usize] = if power == 1 { t } else { t.powi(power) };
+                self.transmittance[at as usize] = t;
                 self.steps[at as usize] = steps;
             }
             for (&at, color) in without.iter().zip(color.as_chunks().0) {

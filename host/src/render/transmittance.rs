@@ -49,37 +49,20 @@ impl Transmittance {
         keep: bool,
         count_samples: impl FnOnce(&Buffer<u32>) -> Result<Count>,
     ) -> Result<Self> {
-        Self::evaluate_with_step(device, scene, pairs, scene.config.step, keep, count_samples)
+        Self::evaluate_with_steps(device, scene, pairs, 1, keep, count_samples)
     }
 
-    /// As [`Transmittance::evaluate`], with steps of a length of its own instead of the scene's sigma.
-    pub fn evaluate_with_step(
+    /// As [`Transmittance::evaluate`], with steps `steps` times as long as the scene's sigma.
+    pub fn evaluate_with_steps(
         device: &Device,
         scene: &DeviceScene,
         pairs: &Pairs,
-        step: f64,
+        steps: u16,
         keep: bool,
         count_samples: impl FnOnce(&Buffer<u32>) -> Result<Count>,
     ) -> Result<Self> {
-        check_samples(scene, pairs)?;
         let capacity = pairs.count.at_most();
-        let segment = device.zeros("segments", capacity as usize * SEGMENT_VECTORS as usize)?;
-        let count = device.zeros("sample counts", capacity as usize)?;
-        let kernel = SegmentKernel {
-            params: SegmentParams {
-                pairs: capacity,
-                gaussians: scene.gaussians,
-                step: step as f32,
-            },
-            pair: &pairs.pair,
-            camera: &pairs.camera,
-            scene_box: &scene.scene_box,
-            position: &scene.tensors.gaussians.position,
-            segment: &segment,
-            count: &count,
-        };
-        device.run(&kernel.counted(&pairs.count), capacity, 1)?;
-        let first_sample = exclusive_scan(device, &count, capacity)?;
+        let (segment, first_sample) = segments(device, scene, pairs, steps)?;
         let samples = count_samples(&first_sample)?;
 
         let inputs = scene.config.transmittance_inputs();
@@ -87,7 +70,7 @@ impl Transmittance {
         let log_rho = log_rho(device, scene, pairs, &segment, &first_sample, &blocks)?;
         let transmittance = device.zeros("transmittance", capacity as usize)?;
         let kernel = SegmentProductKernel {
-            params: SegmentProductParams { pairs: capacity },
+            params: SegmentProductParams { pairs: capacity, power: f32::from(steps) },
             first_sample: &first_sample,
             log_rho: &log_rho,
             transmittance: &transmittance,
@@ -127,6 +110,36 @@ impl Transmittance {
         };
         Ok(segment.as_chunks().0.iter().enumerate().map(ray).collect())
     }
+}
+
+/// The segments `[pairs, 4]` (Eq. 4-8), and where the samples of each begin, `[pairs + 1]`; with steps `steps` times as long as
+/// the scene's sigma.
+pub fn segments(
+    device: &Device,
+    scene: &DeviceScene,
+    pairs: &Pairs,
+    steps: u16,
+) -> Result<(Buffer<Vec4>, Buffer<u32>)> {
+    check_samples(scene, pairs)?;
+    let capacity = pairs.count.at_most();
+    let segment = device.zeros("segments", capacity as usize * SEGMENT_VECTORS as usize)?;
+    let count = device.zeros("sample counts", capacity as usize)?;
+    let kernel = SegmentKernel {
+        params: SegmentParams {
+            pairs: capacity,
+            gaussians: scene.gaussians,
+            step: (scene.config.step * f64::from(steps)) as f32,
+        },
+        pair: &pairs.pair,
+        camera: &pairs.camera,
+        scene_box: &scene.scene_box,
+        position: &scene.tensors.gaussians.position,
+        segment: &segment,
+        count: &count,
+    };
+    device.run(&kernel.counted(&pairs.count), capacity, 1)?;
+    let first_sample = exclusive_scan(device, &count, capacity)?;
+    Ok((segment, first_sample))
 }
 
 /// Samples are numbered in 32 bits.

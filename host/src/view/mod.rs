@@ -22,6 +22,7 @@ mod training;
 
 pub use about::About;
 pub use desk::Desk;
+pub(crate) use message::Lens;
 pub use painter::{Painter, Stage};
 pub use photographs::Photographs;
 pub use server::{Address, Server};

@@ -87,13 +87,18 @@ fn is_module(name: &str) -> bool {
     name.ends_with(".spv")
 }
 
-/// The modules in a folder that belong to no kernel anymore.
+/// Whether a file is one that this program writes, beside the manifest.
+fn is_ours(name: &str) -> bool {
+    is_module(name) || name.ends_with(".wgsl")
+}
+
+/// The modules and translations in a folder that belong to no kernel anymore.
 fn stale(artifacts: &Artifacts, folder: &Path) -> Result<Vec<String>> {
     let mut stale = Vec::new();
     // A folder that does not exist yet holds nothing.
     for entry in fs::read_dir(folder).into_iter().flatten() {
         let name = entry?.file_name().to_string_lossy().into_owned();
-        if is_module(&name) && !artifacts.files.contains_key(&name) {
+        if is_ours(&name) && !artifacts.files.contains_key(&name) {
             stale.push(name);
         }
     }
@@ -170,11 +175,11 @@ mod tests {
     #[test]
     fn writing_replaces_what_differs_and_removes_what_is_stale() {
         let folder = tempfile::tempdir().unwrap();
-        let old = artifacts(&[("a.spv", b"1"), ("b.spv", b"2")]);
-        assert_eq!(old.write(folder.path()).unwrap(), 3);
+        let old = artifacts(&[("a.spv", b"1"), ("b.spv", b"2"), ("b.wgsl", b"3")]);
+        assert_eq!(old.write(folder.path()).unwrap(), 4);
         assert_eq!(old.write(folder.path()).unwrap(), 0);
         let new = artifacts(&[("a.spv", b"1"), ("c.spv", b"3")]);
-        assert_eq!(new.write(folder.path()).unwrap(), 2);
+        assert_eq!(new.write(folder.path()).unwrap(), 3);
         assert!(!folder.path().join("b.spv").exists());
         new.check(folder.path()).unwrap();
     }

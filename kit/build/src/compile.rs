@@ -7,13 +7,13 @@ use std::path::Path;
 use anyhow::{Context, Result, bail};
 use organza_kernel::{EntryPoint, KernelInfo};
 use organza_manifest as manifest;
-use organza_manifest::{Interface, KernelEntry, Manifest};
+use organza_manifest::{Interface, KernelEntry, Manifest, Translation};
 use spirv_builder::{Capability, ModuleResult, SpirvBuilder, SpirvMetadata};
 
 use crate::artifacts::Artifacts;
 use crate::compiler::Compiler;
 use crate::lower::lower;
-use crate::{Project, module, naga_check};
+use crate::{Project, module, naga_check, wgsl};
 
 /// Vulkan 1.2's SPIR-V 1.5 is the newest that every driver we aim at reads.
 pub const TARGET: &str = "spirv-unknown-vulkan1.2";
@@ -40,7 +40,14 @@ pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
         let spirv = lower(&spirv, kernel.fused).with_context(context)?;
         module::check(kernel, &point, &spirv).with_context(context)?;
         naga_check::check(&spirv).with_context(context)?;
-        let entry = entry(kernel, &point, &spirv);
+        let wgsl = match project.wgsl && point.name == kernel.name {
+            true => wgsl::translate(&spirv).with_context(context)?,
+            false => None,
+        };
+        let entry = entry(kernel, &point, &spirv, wgsl.as_deref());
+        if let (Some(translation), Some(text)) = (&entry.wgsl, wgsl) {
+            files.insert(translation.file.clone(), text.into_bytes());
+        }
         files.insert(entry.spirv.clone(), spirv);
         entries.push(entry);
     }
@@ -96,7 +103,16 @@ pub fn build(
     paths.into_iter().map(read).collect()
 }
 
-fn entry(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> KernelEntry {
+fn entry(
+    kernel: &KernelInfo,
+    point: &EntryPoint,
+    spirv: &[u8],
+    wgsl: Option<&str>,
+) -> KernelEntry {
+    let translation = |text: &str| Translation {
+        file: format!("{}.wgsl", point.name),
+        sha256: manifest::sha256(text.as_bytes()),
+    };
     KernelEntry {
         name: point.name.to_owned(),
         package: kernel.package.to_owned(),
@@ -104,6 +120,7 @@ fn entry(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> KernelEntry {
         spirv: format!("{}.spv", point.name),
         spirv_bytes: spirv.len() as u64,
         spirv_sha256: manifest::sha256(spirv),
+        wgsl: wgsl.map(translation),
         interface: Interface::of(kernel, point),
     }
 }

@@ -16,6 +16,7 @@ mod module;
 mod naga_check;
 mod validate;
 mod watch;
+mod wgsl;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -40,6 +41,9 @@ pub struct Project {
     pub sources: Vec<String>,
     /// The folder of the modules and their manifest, relative to the workspace.
     pub kernels: String,
+    /// Whether the kernels are also translated to WGSL, for browsers: this needs the feature `wgsl`. Variants are not: browsers refuse
+    /// their barriers.
+    pub wgsl: bool,
     /// Cargo's target folder.
     pub target: PathBuf,
 }
@@ -60,6 +64,7 @@ impl Project {
             shader_crate: shader_crate.into(),
             sources: vec![shader_crate.into()],
             kernels: "compiled".into(),
+            wgsl: false,
             // Joining an absolute path gives that path.
             target: root.join(target),
             root,

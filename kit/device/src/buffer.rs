@@ -37,6 +37,8 @@ pub const TAIL_ALIGNMENT: usize = 256;
 pub(super) enum Memory {
     Cpu(Arc<CpuMemory>),
     Gpu(wgpu::Buffer),
+    /// The number of a buffer of a [plan](crate::plan).
+    Planned(u32),
 }
 
 impl<T: Pod> Buffer<T> {
@@ -92,6 +94,15 @@ impl<T: Pod> Buffer<T> {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.raw.bytes == 0
+    }
+
+    /// Its number in a [`Plan`](crate::Plan); nothing on a device that runs kernels.
+    #[must_use]
+    pub fn planned(&self) -> Option<u32> {
+        match self.raw.memory {
+            Memory::Planned(buffer) => Some(buffer),
+            _ => None,
+        }
     }
 
     /// Size in bytes.

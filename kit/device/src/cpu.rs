@@ -370,7 +370,7 @@ fn monitors<'a>(
         let buffer = buffers.next()?;
         let (written, begin): (Option<&Written>, _) = match &buffer.memory {
             Memory::Cpu(memory) => (memory.written(), buffer.begin as usize),
-            Memory::Gpu(_) => (None, 0),
+            _ => (None, 0),
         };
         let monitor = match info.access {
             Access::Write => {

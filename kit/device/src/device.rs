@@ -15,7 +15,7 @@ use crate::error::Result;
 use crate::modules::Modules;
 use crate::open::{self, DeviceOptions};
 use crate::timings::{KernelTime, Timings};
-use crate::{cpu, gpu};
+use crate::{cpu, gpu, plan};
 
 /// Where kernels run.
 ///
@@ -46,6 +46,7 @@ pub struct Device {
 pub(crate) enum Kind {
     Cpu(cpu::Cpu),
     Gpu(Box<gpu::Gpu>),
+    Planner(plan::Planner),
 }
 
 impl Device {
@@ -73,12 +74,13 @@ impl Device {
         &self.choice
     }
 
-    /// `cpu` or `gpu`.
+    /// `cpu`, `gpu` or `planner`.
     #[must_use]
     pub fn backend(&self) -> &'static str {
         match self.kind {
             Kind::Cpu(_) => "cpu",
             Kind::Gpu(_) => "gpu",
+            Kind::Planner(_) => "planner",
         }
     }
 
@@ -87,6 +89,7 @@ impl Device {
         match &self.kind {
             Kind::Cpu(_) => true,
             Kind::Gpu(gpu) => gpu.is_software(),
+            Kind::Planner(_) => false,
         }
     }
 
@@ -108,6 +111,7 @@ impl Device {
         match &self.kind {
             Kind::Cpu(cpu) => cpu.entry_point(kernel),
             Kind::Gpu(gpu) => gpu.entry_point(kernel),
+            Kind::Planner(_) => kernel.plain(),
         }
     }
 
@@ -117,6 +121,7 @@ impl Device {
         match &self.kind {
             Kind::Cpu(_) => u64::MAX,
             Kind::Gpu(gpu) => gpu.max_buffer_bytes(),
+            Kind::Planner(planner) => planner.max_buffer_bytes(),
         }
     }
 
@@ -126,6 +131,7 @@ impl Device {
         match &self.kind {
             Kind::Cpu(_) => true,
             Kind::Gpu(gpu) => gpu.computes_halves(),
+            Kind::Planner(_) => false,
         }
     }
 
@@ -181,13 +187,17 @@ impl Device {
                 }
                 Ok(())
             }
+            Kind::Planner(planner) => {
+                planner.dispatch(info, uniform, counts, &buffers, workgroups);
+                Ok(())
+            }
         }
     }
 
     /// A kernel's parameters with the numbers that kernels have written on the CPU; a GPU fills in its own.
     fn fill_in<'u>(&self, uniform: &'u [u8], counts: &[(usize, &Count)]) -> Cow<'u, [u8]> {
         let is_known = counts.iter().all(|(_, count)| count.is_known());
-        if is_known || matches!(self.kind, Kind::Gpu(_)) {
+        if is_known || !matches!(self.kind, Kind::Cpu(_)) {
             return Cow::Borrowed(uniform);
         }
         let mut filled = uniform.to_vec();
@@ -199,22 +209,24 @@ impl Device {
 
     /// Says that what was dispatched before has written all [`Count`]s that are used from here on.
     pub fn publish_counts(&self) {
-        if let Kind::Gpu(gpu) = &self.kind {
-            gpu.publish_counts();
+        match &self.kind {
+            Kind::Cpu(_) => {}
+            Kind::Gpu(gpu) => gpu.publish_counts(),
+            Kind::Planner(planner) => planner.publish_counts(),
         }
     }
 
     /// Whether numbers are better left on the device than read: on a GPU reading waits.  Where dispatches are timed, their
     /// work is counted by those numbers.
     pub fn leaves_counts_on_device(&self) -> bool {
-        matches!(self.kind, Kind::Gpu(_)) && !self.times.load(Ordering::Relaxed)
+        !matches!(self.kind, Kind::Cpu(_)) && !self.times.load(Ordering::Relaxed)
     }
 
     /// Runs `work`, which dispatches many kernels. On a CPU it runs in the thread pool of the kernels, which is cheaper.
     pub fn run_in_pool<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
         match &self.kind {
             Kind::Cpu(cpu) => cpu.run_in_pool(work),
-            Kind::Gpu(_) => work(),
+            _ => work(),
         }
     }
 
@@ -230,7 +242,7 @@ impl Device {
     ) -> Result<(), E> {
         match &self.kind {
             Kind::Cpu(cpu) => cpu.parallel_for(items.collect(), work),
-            Kind::Gpu(_) => items.into_iter().try_for_each(work),
+            _ => items.into_iter().try_for_each(work),
         }
     }
 
@@ -259,7 +271,7 @@ impl Device {
     pub fn threads(&self) -> usize {
         match &self.kind {
             Kind::Cpu(cpu) => cpu.threads(),
-            Kind::Gpu(_) => 1,
+            _ => 1,
         }
     }
 
@@ -272,7 +284,7 @@ impl Device {
     fn workgroups_for(&self, info: &KernelInfo, items: u32) -> [u32; 2] {
         let invocations = match self.kind {
             Kind::Cpu(_) => items,
-            Kind::Gpu(_) => items.div_ceil(info.each),
+            _ => items.div_ceil(info.each),
         };
         match self.has_extra_workgroup(info) && items > 0 {
             true => workgroups_for(info, invocations.saturating_add(info.workgroup_size[0])),
@@ -333,8 +345,8 @@ impl Device {
     #[must_use]
     pub fn waits(&self) -> u64 {
         match &self.kind {
-            Kind::Cpu(_) => 0,
             Kind::Gpu(gpu) => gpu.waits(),
+            _ => 0,
         }
     }
 

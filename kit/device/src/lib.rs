@@ -47,7 +47,16 @@
 //! let device = Device::open(&DeviceOptions::default(), &MODULES)?;
 //! ```
 //!
+<<<<<<< HEAD
 //! Where a module is missing or older than its kernel's declaration, the device refuses that kernel and says so.
+=======
+//! # Elsewhere
+//!
+//! [`Device::planner`] runs nothing. It writes down buffers and dispatches as a [`Plan`], which something else can run, such as a
+//! browser with WebGPU.
+//!
+//! # Tests
+>>>>>>> 2c4ac4f (A page that renders a scene by itself, in any browser with WebGPU)
 //!
 //! # The device for tests
 //!
@@ -64,6 +73,7 @@ mod gpu;
 pub mod memory;
 mod modules;
 mod open;
+mod plan;
 mod races;
 mod supervise;
 mod timings;
@@ -80,4 +90,5 @@ pub use modules::Aligned;
 pub use modules::{CodeSize, CompiledKernel, Modules};
 pub use open::{BackendChoice, DeviceOptions, SpirvPath};
 pub use organza_kernel::kernel::{InstructionSet, kernels_of};
+pub use plan::{Part, Plan, PlannedBuffer, PlannedCount, Step};
 pub use timings::KernelTime;

@@ -13,12 +13,15 @@ use crate::error::{Error, Result};
 #[repr(C, align(4))]
 pub struct Aligned<T: ?Sized>(pub T);
 
+/// The name of an entry point, its module, and the same in WGSL.
+type Module = (&'static str, &'static Aligned<[u8]>, Option<&'static str>);
+
 /// The compiled kernels of a program, by entry point; [`modules`](crate::modules!) embeds them.
 #[derive(Debug)]
 pub struct Modules {
     /// The manifest's text.
     json: &'static str,
-    table: &'static [(&'static str, &'static Aligned<[u8]>)],
+    table: &'static [Module],
     manifest: OnceLock<Manifest>,
 }
 
@@ -32,7 +35,7 @@ macro_rules! modules {
     () => {
         $crate::Modules::new(include_str!(concat!(env!("OUT_DIR"), "/manifest.json")), {
             use $crate::Aligned;
-            static TABLE: &[(&str, &Aligned<[u8]>)] =
+            static TABLE: &[(&str, &Aligned<[u8]>, Option<&str>)] =
                 &include!(concat!(env!("OUT_DIR"), "/kernels.rs"));
             TABLE
         })
@@ -44,6 +47,7 @@ macro_rules! modules {
 pub struct CompiledKernel {
     entry: &'static KernelEntry,
     spirv: &'static [u8],
+    wgsl: Option<&'static str>,
 }
 
 impl CompiledKernel {
@@ -57,6 +61,12 @@ impl CompiledKernel {
     #[must_use]
     pub fn spirv(&self) -> &'static [u8] {
         self.spirv
+    }
+
+    /// The module in WGSL, if it is there.
+    #[must_use]
+    pub fn wgsl(&self) -> Option<&'static str> {
+        self.wgsl
     }
 
     /// The module as the words that SPIR-V is made of.
@@ -85,7 +95,7 @@ impl Modules {
     #[must_use]
     pub const fn new(
         json: &'static str,
-        table: &'static [(&'static str, &'static Aligned<[u8]>)],
+        table: &'static [Module],
     ) -> Self {
         Self { json, table, manifest: OnceLock::new() }
     }
@@ -105,10 +115,10 @@ impl Modules {
 
     fn compiled(
         &'static self,
-        (name, spirv): &'static (&'static str, &'static Aligned<[u8]>),
+        (name, spirv, wgsl): &'static Module,
     ) -> CompiledKernel {
         let entry = self.manifest().find(name).expect("the manifest names what is embedded");
-        CompiledKernel { entry, spirv: &spirv.0 }
+        CompiledKernel { entry, spirv: &spirv.0, wgsl: *wgsl }
     }
 
     /// The compiled kernel of a name.
@@ -116,7 +126,7 @@ impl Modules {
     /// # Errors
     /// [`Error::StaleKernels`] when the kernel was not compiled yet.
     pub fn find(&'static self, name: &str) -> Result<CompiledKernel> {
-        let module = self.table.iter().find(|(found, _)| *found == name);
+        let module = self.table.iter().find(|(found, ..)| *found == name);
         let module = module.ok_or_else(|| stale(format!("`{name}` is not among them")))?;
         Ok(self.compiled(module))
     }

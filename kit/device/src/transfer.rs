@@ -20,6 +20,7 @@ impl Device {
         let memory = match &self.kind {
             Kind::Cpu(cpu) => Memory::Cpu(Arc::new(cpu.allocate(label, bytes)?)),
             Kind::Gpu(gpu) => Memory::Gpu(gpu.allocate(label, bytes)?),
+            Kind::Planner(planner) => Memory::Planned(planner.allocate(label, bytes)?),
         };
         Ok(Buffer::new(RawBuffer { memory, label, begin: 0, bytes }))
     }
@@ -80,6 +81,9 @@ impl Device {
             (Kind::Gpu(gpu), Memory::Gpu(memory)) => {
                 gpu.write(memory, bytemuck::cast_slice(values))
             }
+            (Kind::Planner(planner), Memory::Planned(buffer)) => {
+                planner.fill(*buffer, bytemuck::cast_slice(values));
+            }
             _ => unreachable!("the buffer was made by this device"),
         }
         Ok(buffer)
@@ -91,6 +95,9 @@ impl Device {
         match (&self.kind, &raw.memory) {
             (Kind::Cpu(cpu), Memory::Cpu(memory)) => cpu.clear(memory, raw.begin, raw.bytes),
             (Kind::Gpu(gpu), Memory::Gpu(memory)) => gpu.clear(memory, raw.begin, raw.bytes),
+            (Kind::Planner(planner), Memory::Planned(buffer)) => {
+                planner.clear(*buffer, raw.begin, raw.bytes);
+            }
             _ => panic!("the buffer `{}` belongs to another device", raw.label),
         }
     }
@@ -113,6 +120,9 @@ impl Device {
             }
             (Kind::Gpu(gpu), Memory::Gpu(source), Memory::Gpu(target)) => {
                 gpu.copy(source, range, target, begin);
+            }
+            (Kind::Planner(planner), Memory::Planned(source), Memory::Planned(target)) => {
+                planner.copy(*source, range, *target, begin);
             }
             _ => panic!("the buffer `{}` belongs to another device", from.label),
         }
@@ -195,6 +205,9 @@ impl Device {
             (Kind::Gpu(gpu), Memory::Gpu(memory)) => {
                 gpu.read(&mut [(memory, begin as u64, target)])
             }
+            (Kind::Planner(_), _) => Err(Error::Argument {
+                reason: format!("`{label}` cannot be read: a planner runs nothing"),
+            }),
             _ => panic!("the buffer `{label}` belongs to another device"),
         }
     }

@@ -90,9 +90,21 @@ pub struct KernelEntry {
     pub spirv_bytes: u64,
     /// The module's SHA-256, in lower-case hexadecimal.
     pub spirv_sha256: String,
+    /// The same in WGSL, for browsers; nothing where the project has none, or where WebGPU does not offer what the kernel needs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wgsl: Option<Translation>,
     /// What the kernel expects of the host.
     #[serde(flatten)]
     pub interface: Interface,
+}
+
+/// A module in another language.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Translation {
+    /// The file's name, in the manifest's folder.
+    pub file: String,
+    /// The file's SHA-256, in lower-case hexadecimal.
+    pub sha256: String,
 }
 
 /// What a kernel expects of the host that dispatches it.
@@ -231,6 +243,7 @@ mod tests {
             spirv: format!("{name}.spv"),
             spirv_bytes: 4,
             spirv_sha256: sha256(b"test"),
+            wgsl: None,
             interface: Interface {
                 workgroup_size: [64, 1, 1],
                 each: 1,

@@ -44,6 +44,19 @@ pub fn program() -> Option<&'static str> {
 impl Page {
     /// Opens an address in a window of this size.
     pub fn open(program: &str, url: &str, size: [u32; 2]) -> Self {
+        Self::launch(program, url, size, &["--disable-gpu"])
+    }
+
+    /// As [`Page::open`], with WebGPU on the CPU.
+    pub fn open_with_webgpu(program: &str, url: &str, size: [u32; 2]) -> Self {
+        let adapter = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"];
+        // for canvases
+        let canvas =
+            ["--enable-features=Vulkan", "--use-vulkan=swiftshader", "--use-angle=swiftshader"];
+        Self::launch(program, url, size, &[&adapter[..], &canvas].concat())
+    }
+
+    fn launch(program: &str, url: &str, size: [u32; 2], flags: &[&str]) -> Self {
         let folder = tempfile::tempdir().expect("a folder");
         let path = |name: &str| folder.path().join(name);
         let pipes = ["in", "out"].map(path);
@@ -52,12 +65,8 @@ impl Page {
         let script = "exec \"$0\" \"$@\" 3<\"$IN\" 4>\"$OUT\"";
         let child = Command::new("sh")
             .args(["-c", script, program, "--headless", "--remote-debugging-pipe", "--no-sandbox"])
-            .args([
-                "--disable-gpu",
-                "--disable-dev-shm-usage",
-                "--no-first-run",
-                "--hide-scrollbars",
-            ])
+            .args(flags)
+            .args(["--disable-dev-shm-usage", "--no-first-run", "--hide-scrollbars"])
             .args(["--force-color-profile=srgb", "--disable-background-networking"])
             .arg(format!("--user-data-dir={}", path("profile").display()))
             .env("IN", &pipes[0])
@@ -78,9 +87,14 @@ impl Page {
         page.call("Runtime.enable", json!({}));
         page.call("Page.enable", json!({}));
         page.resize(size);
-        page.call("Page.navigate", json!({ "url": url }));
-        page.wait("document.documentElement?.dataset.ready !== undefined");
+        page.go(url);
         page
+    }
+
+    /// Goes to another address.
+    pub fn go(&mut self, url: &str) {
+        self.call("Page.navigate", json!({ "url": url }));
+        self.wait("document.documentElement?.dataset.ready !== undefined");
     }
 
     pub fn resize(&mut self, [width, height]: [u32; 2]) {
@@ -128,7 +142,7 @@ impl Page {
         let begin = Instant::now();
         while self.eval(&format!("Boolean({expression})")) != json!(true) {
             let seconds = begin.elapsed().as_secs();
-            assert!(seconds < 60, "{expression} is never true; {:?}", self.errors);
+            assert!(seconds < 240, "{expression} is never true; {:?}", self.errors);
             thread::sleep(Duration::from_millis(15));
         }
     }

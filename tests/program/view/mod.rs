@@ -2,7 +2,7 @@
 #![cfg(target_os = "linux")]
 
 mod browser;
-mod chromium;
+pub mod chromium;
 mod client;
 mod film;
 mod images;

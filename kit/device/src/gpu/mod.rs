@@ -202,7 +202,7 @@ impl Gpu {
                     // one that has no bytes has memory nevertheless
                     size: std::num::NonZero::new(buffer.bytes.next_multiple_of(4)),
                 },
-                Memory::Cpu(_) => panic!("the buffer `{}` belongs to the CPU", buffer.label),
+                _ => panic!("the buffer `{}` belongs to another device", buffer.label),
             })
             .collect();
         self.recorder().dispatch(

@@ -1,0 +1,82 @@
+struct type_5 {
+    member: array<f32>,
+}
+
+struct type_11 {
+    member: array<u32>,
+}
+
+struct type_14 {
+    member: u32,
+    member_1: f32,
+}
+
+struct type_15 {
+    member: type_14,
+}
+
+var<private> global: vec3<u32>;
+var<private> global_1: vec3<u32>;
+var<private> global_2: vec3<u32>;
+@group(0) @binding(0) 
+var<uniform> global_3: type_15;
+@group(0) @binding(1) 
+var<storage> global_4: type_11;
+@group(0) @binding(2) 
+var<storage> global_5: type_5;
+@group(0) @binding(3) 
+var<storage, read_write> global_6: type_5;
+
+fn function_() {
+    var phi_62_: f32;
+    var phi_65_: u32;
+    var phi_63_: f32;
+    var phi_66_: u32;
+    var local: f32;
+
+    let _e13 = global;
+    let _e14 = global_1;
+    let _e15 = global_2;
+    let _e23 = (((_e14.x + (_e14.y * _e15.x)) * 64u) + _e13.x);
+    let _e26 = global_3.member.member;
+    if (_e23 < _e26) {
+        let _e31 = global_4.member[(_e23 + 1u)];
+        let _e34 = global_4.member[_e23];
+        phi_62_ = 0f;
+        phi_65_ = _e34;
+        loop {
+            let _e36 = phi_62_;
+            let _e38 = phi_65_;
+            local = _e36;
+            let _e39 = (_e38 < _e31);
+            if _e39 {
+                let _e42 = global_5.member[_e38];
+                phi_63_ = (_e36 + _e42);
+                phi_66_ = (_e38 + 1u);
+            } else {
+                phi_63_ = f32();
+                phi_66_ = u32();
+            }
+            let _e46 = phi_63_;
+            let _e48 = phi_66_;
+            continue;
+            continuing {
+                phi_62_ = _e46;
+                phi_65_ = _e48;
+                break if !(_e39);
+            }
+        }
+        let _e52 = global_3.member.member_1;
+        let _e54 = local;
+        global_6.member[_e23] = exp((_e52 * _e54));
+    }
+    return;
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn segment_product(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>, @builtin(num_workgroups) param_2: vec3<u32>) {
+    global = param;
+    global_1 = param_1;
+    global_2 = param_2;
+    function_();
+}

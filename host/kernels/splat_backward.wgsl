@@ -1,0 +1,176 @@
+struct type_6 {
+    member: array<vec4<f32>>,
+}
+
+struct type_9 {
+    member: array<f32>,
+}
+
+struct type_15 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+}
+
+struct type_16 {
+    member: type_15,
+}
+
+struct type_19 {
+    member: array<u32>,
+}
+
+var<private> global: vec3<u32>;
+var<private> global_1: vec3<u32>;
+var<private> global_2: vec3<u32>;
+@group(0) @binding(0) 
+var<uniform> global_3: type_16;
+@group(0) @binding(1) 
+var<storage> global_4: type_19;
+@group(0) @binding(2) 
+var<storage> global_5: type_19;
+@group(0) @binding(3) 
+var<storage> global_6: type_19;
+@group(0) @binding(4) 
+var<storage> global_7: type_19;
+@group(0) @binding(5) 
+var<storage> global_8: type_9;
+@group(0) @binding(6) 
+var<storage> global_9: type_9;
+@group(0) @binding(7) 
+var<storage> global_10: type_6;
+@group(0) @binding(8) 
+var<storage, read_write> global_11: type_6;
+
+fn function_() {
+    var phi_105_: vec4<f32>;
+    var phi_108_: vec4<f32>;
+    var phi_110_: vec4<f32>;
+    var phi_112_: u32;
+    var phi_146_: vec4<f32>;
+    var phi_147_: vec4<f32>;
+    var phi_148_: vec4<f32>;
+    var phi_106_: vec4<f32>;
+    var phi_109_: vec4<f32>;
+    var phi_111_: vec4<f32>;
+    var phi_113_: u32;
+    var local: vec4<f32>;
+    var local_1: vec4<f32>;
+    var local_2: vec4<f32>;
+    var local_3: vec4<f32>;
+    var local_4: vec4<f32>;
+
+    switch bitcast<i32>(0u) {
+        default: {
+            let _e25 = global;
+            let _e26 = global_1;
+            let _e27 = global_2;
+            let _e35 = (((_e26.x + (_e26.y * _e27.x)) * 64u) + _e25.x);
+            let _e38 = global_3.member.member;
+            if (_e35 < _e38) {
+                let _e42 = global_4.member[_e35];
+                let _e45 = global_3.member.member_1;
+                let _e46 = (_e45 == 0u);
+                if _e46 {
+                    break;
+                }
+                let _e47 = (_e42 / _e45);
+                if _e46 {
+                    break;
+                }
+                let _e48 = (_e42 % _e45);
+                let _e53 = (1u << bitcast<u32>(((_e48 % 32u) & 31u)));
+                let _e57 = global_5.member[(_e47 + 1u)];
+                let _e60 = global_5.member[_e47];
+                phi_105_ = vec4<f32>(0f, 0f, 0f, 0f);
+                phi_108_ = vec4<f32>(0f, 0f, 0f, 0f);
+                phi_110_ = vec4<f32>(0f, 0f, 0f, 0f);
+                phi_112_ = _e60;
+                loop {
+                    let _e62 = phi_105_;
+                    let _e64 = phi_108_;
+                    let _e66 = phi_110_;
+                    let _e68 = phi_112_;
+                    local = _e66;
+                    local_1 = _e66;
+                    local_2 = _e66;
+                    local_3 = _e64;
+                    local_4 = _e62;
+                    let _e69 = (_e68 < _e57);
+                    if _e69 {
+                        let _e72 = global_3.member.member_2;
+                        let _e74 = ((_e68 * _e72) + (_e48 / 32u));
+                        let _e77 = global_6.member[_e74];
+                        if ((_e77 & _e53) == 0u) {
+                            phi_146_ = _e62;
+                            phi_147_ = _e64;
+                            phi_148_ = _e66;
+                        } else {
+                            let _e85 = global_7.member[_e74];
+                            let _e87 = (3u * (_e85 + countOneBits((_e77 & (_e53 - 1u)))));
+                            let _e90 = global_10.member[_e87];
+                            let _e95 = global_10.member[(_e87 + 1u)];
+                            let _e100 = global_10.member[(_e87 + 2u)];
+                            phi_146_ = (_e62 + _e100);
+                            phi_147_ = (_e64 + _e95);
+                            phi_148_ = (_e66 + _e90);
+                        }
+                        let _e103 = phi_146_;
+                        let _e105 = phi_147_;
+                        let _e107 = phi_148_;
+                        phi_106_ = _e103;
+                        phi_109_ = _e105;
+                        phi_111_ = _e107;
+                        phi_113_ = (_e68 + 1u);
+                    } else {
+                        phi_106_ = vec4<f32>();
+                        phi_109_ = vec4<f32>();
+                        phi_111_ = vec4<f32>();
+                        phi_113_ = u32();
+                    }
+                    let _e110 = phi_106_;
+                    let _e112 = phi_109_;
+                    let _e114 = phi_111_;
+                    let _e116 = phi_113_;
+                    continue;
+                    continuing {
+                        phi_105_ = _e110;
+                        phi_108_ = _e112;
+                        phi_110_ = _e114;
+                        phi_112_ = _e116;
+                        break if !(_e69);
+                    }
+                }
+                let _e120 = global_8.member[_e48];
+                let _e122 = local;
+                let _e124 = (_e120 < 0f);
+                let _e125 = -(_e120);
+                let _e127 = exp(select(_e125, _e120, _e124));
+                let _e129 = (1f / (1f + _e127));
+                let _e132 = (_e122.z * select(_e129, (_e127 * _e129), _e124));
+                let _e135 = global_9.member[_e35];
+                let _e137 = (_e125 < 0f);
+                let _e139 = exp(select(_e120, _e125, _e137));
+                let _e141 = (1f / (1f + _e139));
+                let _e145 = (3u * _e35);
+                let _e147 = local_1;
+                let _e150 = local_2;
+                global_11.member[_e145] = vec4<f32>(_e147.x, _e150.y, ((_e132 * _e135) * select(_e141, (_e139 * _e141), _e137)), _e132);
+                let _e159 = local_3;
+                global_11.member[(_e145 + 1u)] = _e159;
+                let _e164 = local_4;
+                global_11.member[(_e145 + 2u)] = _e164;
+            }
+            break;
+        }
+    }
+    return;
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn splat_backward(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>, @builtin(num_workgroups) param_2: vec3<u32>) {
+    global = param;
+    global_1 = param_1;
+    global_2 = param_2;
+    function_();
+}

@@ -1,0 +1,120 @@
+struct type_3 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+    member_4: u32,
+    member_5: u32,
+}
+
+struct type_4 {
+    member: type_3,
+}
+
+struct type_9 {
+    member: array<vec4<f32>>,
+}
+
+struct type_12 {
+    member: array<f32>,
+}
+
+struct type_17 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: f32,
+}
+
+var<private> global: vec3<u32>;
+var<private> global_1: vec3<u32>;
+var<private> global_2: vec3<u32>;
+@group(0) @binding(0) 
+var<uniform> global_3: type_4;
+@group(0) @binding(1) 
+var<storage> global_4: type_9;
+@group(0) @binding(3) 
+var<storage> global_5: type_12;
+@group(0) @binding(2) 
+var<storage> global_6: type_12;
+@group(0) @binding(4) 
+var<storage, read_write> global_7: type_12;
+
+fn function_() {
+    var phi_85_: u32;
+    var phi_88_: u32;
+    var phi_90_: type_17;
+    var phi_92_: u32;
+    var phi_86_: u32;
+    var phi_89_: u32;
+    var phi_91_: type_17;
+    var phi_93_: u32;
+    var local: type_17;
+
+    let _e27 = global;
+    let _e28 = global_1;
+    let _e29 = global_2;
+    let _e37 = (((_e28.x + (_e28.y * _e29.x)) * 64u) + _e27.x);
+    let _e40 = global_3.member.member;
+    if (_e37 < _e40) {
+        let _e44 = global_3.member.member_2;
+        let _e47 = global_3.member.member_3;
+        let _e50 = global_3.member.member_4;
+        let _e53 = global_3.member.member_5;
+        let _e56 = global_4.member[_e53];
+        phi_85_ = 0u;
+        phi_88_ = _e50;
+        phi_90_ = type_17(_e56.x, _e56.y, _e56.z, _e56.w);
+        phi_92_ = _e37;
+        loop {
+            let _e63 = phi_85_;
+            let _e65 = phi_88_;
+            let _e67 = phi_90_;
+            let _e69 = phi_92_;
+            local = _e67;
+            let _e70 = (_e63 < _e47);
+            if _e70 {
+                let _e73 = global_4.member[_e65];
+                let _e76 = global_5.member[_e69];
+                phi_86_ = (_e63 + 1u);
+                phi_89_ = (_e65 + 1u);
+                phi_91_ = type_17(((_e76 * _e73.x) + _e67.member), ((_e76 * _e73.y) + _e67.member_1), ((_e76 * _e73.z) + _e67.member_2), ((_e76 * _e73.w) + _e67.member_3));
+                phi_93_ = (_e69 + _e44);
+            } else {
+                phi_86_ = u32();
+                phi_89_ = u32();
+                phi_91_ = type_17();
+                phi_93_ = u32();
+            }
+            let _e98 = phi_86_;
+            let _e100 = phi_89_;
+            let _e102 = phi_91_;
+            let _e104 = phi_93_;
+            continue;
+            continuing {
+                phi_85_ = _e98;
+                phi_88_ = _e100;
+                phi_90_ = _e102;
+                phi_92_ = _e104;
+                break if !(_e70);
+            }
+        }
+        let _e107 = local;
+        let _e113 = global_6.member[((6u * _e44) + _e37)];
+        let _e114 = (_e107.member < 0f);
+        let _e118 = exp(select(-(_e107.member), _e107.member, _e114));
+        let _e120 = (_e118 / (2f + _e118));
+        let _e121 = (_e120 * _e120);
+        let _e140 = global_3.member.member_1;
+        global_7.member[(_e140 + _e37)] = (_e113 * (select(0f, _e107.member, _e114) - ((2f * _e120) * (1f + (_e121 * (0.33333334f + (_e121 * (0.2f + (_e121 * (0.14285715f + (_e121 * (0.11111111f + (_e121 * (0.09090909f + (_e121 * 0.07692308f)))))))))))))));
+    }
+    return;
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn transmittance_head(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>, @builtin(num_workgroups) param_2: vec3<u32>) {
+    global = param;
+    global_1 = param_1;
+    global_2 = param_2;
+    function_();
+}

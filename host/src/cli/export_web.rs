@@ -1,0 +1,143 @@
+//! `organza export-web`: a page that renders a scene in a browser, by itself.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use organza::error::format_bytes;
+use organza::web::{PageOptions, WebPage};
+use organza::{Result, write_atomic};
+
+use super::console::Console;
+use super::device::DeviceArgs;
+use super::inputs::{Cameras, DataArgs, SceneSource};
+use super::output::{Folder, check_file};
+use super::refuse;
+use super::view::title;
+
+const USAGE: &str = "organza export-web SCENE CAMERAS -o FOLDER";
+/// The longest side of a page's images.
+const MAX_SIDE: u32 = 4096;
+
+const EXAMPLES: &str = "\
+Examples:
+  organza export-web run -o page                     page/index.html and two files beside it, for any web server
+  organza export-web run --single-file -o page.html  one file, to open or to send
+  organza export-web scene.safetensors transforms.json -o page
+  organza export-web run -o page --size 1920x1080    up to so many pixels
+
+The page renders with the visitor's GPU. It needs a browser with WebGPU, and no program and no server: it also opens from \
+a folder. It begins at the first camera and turns around what the cameras look at; without cameras, around the scene's box.";
+
+/// Write a page that renders a scene in a browser, by itself
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The scene, safetensors, or the folder of a training run
+    scene: PathBuf,
+    /// Where to look from: nerfstudio's transforms.json, or a data set [default: what the run was trained on, or around the
+    /// scene's box]
+    cameras: Option<PathBuf>,
+    /// The folder of the page, created if it does not exist; with --single-file, the file
+    #[arg(short, long, value_name = "PATH")]
+    output: PathBuf,
+    /// Write one file that holds everything
+    #[arg(long)]
+    single_file: bool,
+    /// The most pixels that the page renders; a larger window shows them enlarged
+    #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = size)]
+    size: [u32; 2],
+    /// The name of the page [default: the scene's]
+    #[arg(long, value_name = "TEXT")]
+    title: Option<String>,
+    /// Keep both hash grids in full precision: the page is larger, and its images are those of `render`. Without it, each
+    /// feature is off by at most 1/2048
+    #[arg(long)]
+    full_grids: bool,
+    #[command(flatten)]
+    data: DataArgs,
+    #[command(flatten)]
+    device: DeviceArgs,
+}
+
+pub fn run(args: &Args, console: Console) -> Result<()> {
+    let source = SceneSource::find(&args.scene)?;
+    let has_cameras =
+        args.cameras.is_some() || args.data.is_given() || source.settings()?.is_some();
+    let cameras = match has_cameras {
+        true => Cameras::load(&source, args.cameras.as_deref(), &args.data, USAGE, console)?.list,
+        false => Vec::new(),
+    };
+    let inputs: Vec<_> = [Some(source.file()), args.cameras.as_deref()].into_iter().flatten().collect();
+    // looked at before anything is computed
+    let folder = match args.single_file {
+        true => {
+            check_file(&args.output, &inputs)?;
+            None
+        }
+        false => Some(folder(&args.output)?),
+    };
+    let scene = source.load(console)?;
+    let renderer = args.device.open(console)?;
+    let options = PageOptions {
+        title: args.title.clone().unwrap_or_else(|| title(source.named())),
+        size: args.size,
+        half_grids: !args.full_grids,
+    };
+    let page = console.during("measuring what images need", || {
+        WebPage::new(&scene, &cameras, &renderer, &options)
+    })?;
+    let (file, bytes) = match &folder {
+        None => {
+            let text = page.single_file();
+            write(&args.output, &text)?;
+            (args.output.clone(), text.len())
+        }
+        Some(folder) => {
+            let files = page.files();
+            for (name, text) in &files {
+                write(&folder.join(name), text)?;
+            }
+            (folder.join(INDEX), files.iter().map(|(_, text)| text.len()).sum())
+        }
+    };
+    let facts = page.facts;
+    console.detail(&format!(
+        "{} kernels, {} plans, room measured on {} cameras",
+        facts.kernels, facts.plans, facts.measured
+    ));
+    console.note(&format!(
+        "wrote a page of {}: open {} in a browser with WebGPU",
+        format_bytes(bytes as u64),
+        file.display()
+    ));
+    Ok(())
+}
+
+const INDEX: &str = "index.html";
+
+/// The page's folder. One that holds somebody's page is no place for another.
+fn folder(path: &Path) -> Result<Folder> {
+    let folder = Folder::make(path)?;
+    let has = |name: &&str| folder.join(name).exists();
+    let Some(name) = [INDEX, "page.js", "scene.js"].iter().find(|name| has(name)) else {
+        return Ok(folder);
+    };
+    let is_own = |text: &str| text.contains("<meta name=\"generator\" content=\"organza ");
+    match fs::read_to_string(folder.join(INDEX)) {
+        Ok(text) if is_own(&text) => Ok(folder),
+        _ => refuse(format!(
+            "{} holds a {name} that organza did not write; choose another folder",
+            path.display()
+        )),
+    }
+}
+
+fn write(path: &Path, text: &str) -> Result<()> {
+    write_atomic(path, |file| file.write_all(text.as_bytes()))
+}
+
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let side = |text: &str| text.trim().parse().ok().filter(|side| (16..=MAX_SIDE).contains(side));
+    let size = text.split_once('x').and_then(|(w, h)| Some([side(w)?, side(h)?]));
+    size.ok_or_else(|| format!("expected pixels such as 1280x720, each side 16 to {MAX_SIDE}"))
+}

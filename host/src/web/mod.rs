@@ -1,0 +1,137 @@
+//! A page that renders a scene by itself, in any browser with WebGPU: the kernels as WGSL, and frames as plans.
+
+mod bundle;
+mod payload;
+mod plans;
+
+use serde::Serialize;
+
+use crate::camera::{Camera, Orbit};
+use crate::error::Result;
+use crate::render::{Renderer, UploadOptions};
+use crate::scene::Scene;
+use crate::view::Lens;
+use organza_device::Device;
+
+/// What a page is made with.
+#[derive(Clone, Debug)]
+pub struct PageOptions {
+    /// The page's name.
+    pub title: String,
+    /// The largest image that it renders, in pixels; larger windows show it enlarged.
+    pub size: [u32; 2],
+    /// Whether the hash grids are 16-bit floats.
+    pub half_grids: bool,
+}
+
+/// A page: its files.
+#[derive(Clone, Debug)]
+pub struct WebPage {
+    title: String,
+    /// The scene, its plans and its kernels, packed.
+    payload: String,
+    /// What was measured on the way.
+    pub facts: Facts,
+}
+
+/// What a page has.
+#[derive(Clone, Copy, Debug)]
+pub struct Facts {
+    /// Plans of a frame.
+    pub plans: usize,
+    /// Kernels.
+    pub kernels: usize,
+    /// Cameras that the plans' capacities were measured on.
+    pub measured: usize,
+}
+
+/// What the page is told beside its plans.
+#[derive(Serialize)]
+struct About<'a> {
+    title: &'a str,
+    version: &'static str,
+    gaussians: usize,
+    aabb: [[f64; 3]; 2],
+    up: [f64; 3],
+    center: [f64; 3],
+    home: Lens,
+}
+
+/// Cameras on the orbit that capacities are measured on.
+const ORBIT: usize = 12;
+/// Of the scene's own cameras, so many are measured beside the orbit.
+const VIEWS: usize = 24;
+
+impl WebPage {
+    /// Makes the page of a scene. `cameras` are those that it was trained on, or none; `measuring` is what measures how much
+    /// memory their images need.
+    ///
+    /// # Errors
+    /// As [`Renderer::upload`]; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory) if the scene is larger than
+    /// a browser can bind.
+    pub fn new(
+        scene: &Scene,
+        cameras: &[Camera],
+        measuring: &Renderer,
+        options: &PageOptions,
+    ) -> Result<Self> {
+        let orbit = match cameras {
+            [] => Orbit::of_box(scene.config.aabb, options.size),
+            _ => Orbit { size: options.size, ..Orbit::around(cameras)? },
+        };
+        // a box of no size has no outside, and cameras above their center no way around
+        let around = orbit.cameras(ORBIT).unwrap_or_default();
+        let every = cameras.len().div_ceil(VIEWS).max(1);
+        let measured: Vec<_> = around.iter().chain(cameras.iter().step_by(every)).collect();
+        let home = cameras.first().or(around.first()).cloned();
+        let home = home.map_or_else(|| crate::demo::turntable(1, options.size[1]).remove(0), |at| at);
+
+        let upload = UploadOptions::default().half_grids(options.half_grids);
+        let planner = Renderer::new(Device::planner());
+        let planned = planner.upload_with(scene, upload)?;
+        let buffers = planner.device().take_plan().buffers;
+        let there = measuring.upload_with(scene, upload)?;
+        let ladder = plans::measure(measuring, &there, &measured, options.size)?;
+        let frames = plans::write(&planner, &planned, &ladder, buffers.len() as u32)?;
+        let kernels = plans::kernels(&frames)?;
+        let about = About {
+            title: &options.title,
+            version: env!("CARGO_PKG_VERSION"),
+            gaussians: scene.gaussians.len(),
+            aabb: scene.config.aabb,
+            up: orbit.up,
+            center: orbit.center,
+            home: Lens::from(&home),
+        };
+        let facts =
+            Facts { plans: frames.len(), kernels: kernels.len(), measured: measured.len() };
+        let payload = payload::pack(&about, &buffers, &frames, &kernels);
+        Ok(Self { title: options.title.clone(), payload, facts })
+    }
+
+    /// The whole page as one file.
+    #[must_use]
+    pub fn single_file(&self) -> String {
+        let scripts = format!(
+            "<script>{}</script>\n<script>{}</script>",
+            self.scene_script(),
+            bundle::script()
+        );
+        bundle::html(&self.title, &scripts)
+    }
+
+    /// The files of the page's folder, by name.
+    #[must_use]
+    pub fn files(&self) -> [(&'static str, String); 3] {
+        let scripts = "<script src=\"scene.js\"></script>\n<script src=\"page.js\"></script>";
+        [
+            ("index.html", bundle::html(&self.title, scripts)),
+            ("page.js", bundle::script()),
+            ("scene.js", self.scene_script()),
+        ]
+    }
+
+    fn scene_script(&self) -> String {
+        format!("const ORGANZA_SCENE = \"{}\";\n", self.payload)
+    }
+}

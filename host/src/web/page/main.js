@@ -1,0 +1,240 @@
+// The page: what is looked at, and which image comes next.
+
+import { add, eyeOf, forwardOf, length, scale, sub, withSize } from "./camera.js";
+import { Controls } from "./controls.js";
+import { Pace } from "./pace.js";
+import { Frame, Player, tilesOf, unpack } from "./player.js";
+import { Screen } from "./screen.js";
+
+const REST = 160; // milliseconds without a movement
+const OPEN = 2; // plans whose memory is kept
+const $ = (id) => document.getElementById(id);
+const number = new Intl.NumberFormat("en");
+
+function say(message) {
+  $("message").hidden = !message;
+  $("message").textContent = message ?? "";
+}
+
+// Ends the page with a reason.
+class Missing extends Error {}
+
+async function openDevice() {
+  if (!navigator.gpu) {
+    const insecure = !isSecureContext && "Browsers offer WebGPU to pages over https, from localhost and from files alone: this address is none of them.";
+    throw new Missing(insecure || "This page needs WebGPU, which this browser does not have or has turned off. Current versions of Chrome, Edge, Safari and Firefox have it.");
+  }
+  const adapter = await navigator.gpu.requestAdapter({ powerPreference: "high-performance" });
+  if (!adapter) throw new Missing("This browser has WebGPU, but found no GPU that it can use. A newer driver may help, or another browser.");
+  return adapter.requestDevice();
+}
+
+class Viewer {
+  constructor(device, player, header) {
+    Object.assign(this, { device, player, header, errors: [] });
+    this.screen = new Screen(device, $("view"));
+    this.pace = new Pace(header.plans);
+    this.frames = []; // with memory, the one that was used last is last
+    this.largest = Math.max(...header.plans.map((plan) => plan.tiles));
+    this.side = header.plans[0].side;
+    this.up = header.up;
+    this.extent = length(sub(header.aabb[1], header.aabb[0])) / 2;
+    this.wanted = null; // "moving" or "rest"
+    this.busy = false;
+    this.shown = null;
+    this.reset();
+  }
+
+  // --- the camera; Controls read and change it
+
+  reset() {
+    this.camera = withSize(this.header.home, this.size());
+    this.center = this.header.center;
+    const eye = eyeOf(this.camera.camera_to_world), forward = forwardOf(this.camera.camera_to_world);
+    const along = sub(this.center, eye).reduce((sum, x, at) => sum + x * forward[at], 0);
+    // on the camera's axis, so that the first drag does not jump
+    if (along > 0) this.center = add(eye, scale(forward, along));
+  }
+
+  size() {
+    const box = $("stage").getBoundingClientRect(), dense = devicePixelRatio || 1;
+    return [box.width, box.height].map((side) => Math.max(16, Math.min(4096, Math.round(side * dense))));
+  }
+
+  resize() {
+    const [width, height] = this.size();
+    Object.assign(this.screen.canvas, { width, height });
+    this.camera = withSize(this.camera, [width, height]);
+    this.moved();
+  }
+
+  moved() {
+    this.wanted = "moving";
+    this.pace.forgive();
+    clearTimeout(this.resting);
+    this.resting = setTimeout(() => this.rest(), REST);
+    this.next();
+  }
+
+  rest() {
+    this.wanted = "rest";
+    this.next();
+  }
+
+  click() {}
+  focus() {}
+  isHelp() {
+    return $("help").open;
+  }
+
+  key(event) {
+    const act = {
+      "?": () => $("help").showModal(),
+      r: () => { this.reset(); this.moved(); },
+      l: () => { this.controls.level(); this.moved(); },
+      f: () => (document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen?.()),
+      "[": () => { this.controls.zoom(0.94); this.moved(); },
+      "]": () => { this.controls.zoom(1.06); this.moved(); },
+    }[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    act?.();
+  }
+
+  // --- images
+
+  // The camera in an image whose sides are divided by `shrink`.
+  shrunk(shrink) {
+    return withSize(this.camera, [this.camera.w, this.camera.h].map((side) => Math.max(16, Math.round(side / shrink))));
+  }
+
+  // The smallest shrink that there are plans for.
+  get least() {
+    let least = 1;
+    while (tilesOf(this.shrunk(least), this.side) > this.largest) least *= 1.05;
+    return least;
+  }
+
+  async next() {
+    if (this.busy || !this.wanted) return;
+    const quality = this.wanted;
+    this.wanted = null;
+    this.busy = true;
+    try {
+      if (quality === "moving") {
+        const time = await this.image("moving", this.pace.shrink, this.pace.steps[this.pace.coarse]);
+        if (time) this.pace.learn(time, this.least);
+      } else {
+        // all samples first, then all pixels: as soon as the camera moves, that comes first
+        const shrink = Math.max(this.least, Math.min(this.pace.shrink, 4));
+        const time = await this.image("rest", shrink, this.pace.steps[0]);
+        const finer = time && this.pace.rest(time, shrink, this.least);
+        if (finer < 0.9 * shrink && !this.wanted) await this.image("rest", finer, this.pace.steps[0]);
+        if (!this.wanted) document.documentElement.dataset.quality = "rest";
+      }
+    } catch (error) {
+      this.fail(error);
+    }
+    this.busy = false;
+    this.next();
+  }
+
+  // Renders an image and shows it; gives the milliseconds that it took. A plan that was too small leaves the last image, and the next
+  // larger one takes its place.
+  async image(quality, shrink, steps) {
+    for (;;) {
+      const camera = this.shrunk(shrink), plan = this.pace.plan(tilesOf(camera, this.side), steps);
+      if (!plan) {
+        // fewer pixels need less room
+        if (shrink < 16) { shrink *= 1.5; continue; }
+        say("This view needs more memory than the page has planned for. Step back a little.");
+        return null;
+      }
+      const begin = performance.now(), rendered = await this.render(plan, camera);
+      const time = performance.now() - begin;
+      if (!rendered) continue;
+      say(null);
+      this.screen.show(rendered.frame, camera);
+      this.shown = { quality, camera, plan, time, counts: rendered.counts };
+      document.documentElement.dataset.quality = quality === "moving" ? "moving" : "refining";
+      this.tell();
+      return time;
+    }
+  }
+
+  // Renders with a plan; gives nothing where it was too small.
+  async render(plan, camera) {
+    const frame = this.frame(plan), [overflow, ...needed] = await frame.render(camera);
+    if (overflow) {
+      this.pace.tooSmall(plan);
+      return null;
+    }
+    this.pace.sufficed(plan, needed);
+    return { frame, counts: needed };
+  }
+
+  // The plan's memory.
+  frame(plan) {
+    let frame = this.frames.find((one) => one.plan === plan);
+    this.frames = this.frames.filter((one) => one !== frame);
+    if (!frame) {
+      while (this.frames.length >= OPEN) this.frames.shift().close();
+      frame = new Frame(this.player, plan);
+    }
+    this.frames.push(frame);
+    return frame;
+  }
+
+  // The pixels of an image, row by row, red, green and blue of each; and what it needed.
+  async pixels(camera, plan) {
+    const rendered = await this.render(plan, camera);
+    if (!rendered) return null;
+    const { frame, counts } = rendered, { side } = plan, { device } = this;
+    const staging = device.createBuffer({ size: frame.image.size, usage: GPUBufferUsage.MAP_READ | GPUBufferUsage.COPY_DST });
+    const encoder = device.createCommandEncoder();
+    encoder.copyBufferToBuffer(frame.image, 0, staging, 0, staging.size);
+    device.queue.submit([encoder.finish()]);
+    await staging.mapAsync(GPUMapMode.READ);
+    const values = new Float32Array(staging.getMappedRange()), { w, h } = camera, columns = Math.ceil(w / side);
+    const pixels = new Float32Array(3 * w * h);
+    for (let y = 0; y < h; y++) {
+      for (let x = 0; x < w; x++) {
+        const tile = Math.floor(y / side) * columns + Math.floor(x / side), at = (y % side) * side + (x % side);
+        for (let channel = 0; channel < 3; channel++) {
+          pixels[3 * (y * w + x) + channel] = values[(3 * tile + channel) * side * side + at];
+        }
+      }
+    }
+    staging.destroy();
+    return { pixels, counts };
+  }
+
+  tell() {
+    const { quality, camera, plan, time, counts } = this.shown;
+    $("quality").textContent = $("quality").dataset.is = quality === "moving" ? "moving" : "exact";
+    const facts = [`${camera.w} × ${camera.h}`, `${time.toFixed(0)} ms`, `${number.format(counts[0])} Gaussians in view`];
+    facts.push(`${number.format(counts[2])} samples${plan.steps > 1 ? `, steps × ${plan.steps}` : ""}`);
+    $("numbers").textContent = facts.join(" · ");
+  }
+
+  fail(error) {
+    this.errors.push(error.message);
+    say(`The GPU could not render this: ${error.message}`);
+  }
+}
+
+try {
+  const device = await openDevice();
+  const content = await unpack(ORGANZA_SCENE);
+  const viewer = new Viewer(device, await Player.open(device, content), content.header);
+  device.addEventListener("uncapturederror", ({ error }) => viewer.fail(error));
+  device.lost.then(({ reason, message }) => reason !== "destroyed" && say(`The GPU was lost (${message}). Load the page again.`));
+  viewer.controls = new Controls($("view"), viewer);
+  $("help").querySelector("h2").textContent = content.header.title;
+  $("help").querySelector("p").textContent = `${number.format(content.header.gaussians)} Gaussians, rendered on this device by organza ${content.header.version}`;
+  $("help-button").onclick = () => $("help").showModal();
+  new ResizeObserver(() => viewer.resize()).observe($("stage"));
+  window.organza = viewer;
+} catch (error) {
+  $("status").hidden = true;
+  say(error instanceof Missing ? error.message : `The page could not start: ${error.message}`);
+}
+document.documentElement.dataset.ready = "";

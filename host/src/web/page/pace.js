@@ -1,0 +1,70 @@
+// Which plan an image is rendered with: how small it is and how long the steps of T are while the camera moves, and how much memory it
+// needs.
+
+const FAST = 18, SLOW = 45; // milliseconds that an image takes while the camera moves
+const PATIENCE = 2500; // milliseconds that the image at rest may take
+
+export class Pace {
+  // `plans` are as the page has them: of one size and step, from small to large capacities.
+  constructor(plans) {
+    this.plans = plans;
+    this.steps = [...new Set(plans.map((plan) => plan.steps))].sort((a, b) => a - b);
+    this.coarse = this.steps.length - 1; // the index of the steps while moving
+    this.shrink = 4; // sides are divided by this while moving
+    this.level = new Map(); // of each size and step, the index of the capacity that sufficed last
+  }
+
+  key(tiles, steps) {
+    return `${tiles}/${steps}`;
+  }
+
+  // The plans with enough tiles of the smallest such size, from small to large capacities; none where no size is large enough.
+  ladder(tiles, steps) {
+    const enough = this.plans.filter((plan) => plan.tiles >= tiles && plan.steps === steps);
+    const fewest = Math.min(...enough.map((plan) => plan.tiles));
+    return enough.filter((plan) => plan.tiles === fewest);
+  }
+
+  // The plan for so many tiles; none where all that there are were too small.
+  plan(tiles, steps) {
+    const ladder = this.ladder(tiles, steps);
+    return ladder[this.level.get(this.key(ladder[0]?.tiles, steps)) ?? 0];
+  }
+
+  // A plan was too small: the next one is taken.
+  tooSmall(plan) {
+    const ladder = this.ladder(plan.tiles, plan.steps);
+    this.level.set(this.key(plan.tiles, plan.steps), ladder.indexOf(plan) + 1);
+  }
+
+  // A frame has needed this; the smallest plan that holds it is the next one.
+  sufficed(plan, needed) {
+    const ladder = this.ladder(plan.tiles, plan.steps);
+    const level = ladder.findIndex(({ capacity }) => capacity.every((most, at) => needed[at] <= most));
+    this.level.set(this.key(plan.tiles, plan.steps), level);
+  }
+
+  // Forgets that plans were too small: the camera is elsewhere.
+  forgive() {
+    for (const [key, level] of this.level) {
+      const [tiles, steps] = key.split("/").map(Number);
+      if (level >= this.ladder(tiles, steps).length) this.level.set(key, 0);
+    }
+  }
+
+  // After an image while moving, which took so many milliseconds; `least` is the smallest shrink that there are plans for.
+  learn(time, least) {
+    if (time > SLOW) {
+      if (this.coarse < this.steps.length - 1) this.coarse += 1;
+      else this.shrink = Math.min(12, this.shrink * Math.min(2, Math.sqrt(time / SLOW) + 0.05));
+    } else if (time < FAST) {
+      if (this.shrink > least) this.shrink = Math.max(least, this.shrink / 1.25);
+      else if (this.coarse > 0) this.coarse -= 1;
+    }
+  }
+
+  // The shrink at rest, after an image with all samples took so many milliseconds at another.
+  rest(time, shrink, least) {
+    return Math.max(least, shrink * Math.min(1, Math.sqrt(time / PATIENCE)));
+  }
+}

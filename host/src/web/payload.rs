@@ -1,0 +1,56 @@
+//! Everything that a page knows, packed: gzip in base64, so that it can be part of a script and needs no server.
+//!
+//! After unpacking: the length of the JSON in bytes (u32, little endian), the JSON, zeros up to a multiple of 4, and then the buffers
+//! of the scene. Bytes of a buffer are sorted by their place in a word of 32 bits: the high bytes of floats are alike.
+
+use std::io::Write;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use organza_device::PlannedBuffer;
+use serde::Serialize;
+
+use super::About;
+use super::plans::{Kernel, PlannedFrame};
+
+#[derive(Serialize)]
+struct Header<'a> {
+    #[serde(flatten)]
+    about: &'a About<'a>,
+    /// Bytes of each buffer of the scene.
+    buffers: Vec<u64>,
+    kernels: &'a [Kernel],
+    plans: &'a [PlannedFrame],
+}
+
+/// Packs a page's knowledge.
+pub fn pack(
+    about: &About<'_>,
+    buffers: &[PlannedBuffer],
+    plans: &[PlannedFrame],
+    kernels: &[Kernel],
+) -> String {
+    let sizes = buffers.iter().map(|buffer| buffer.bytes).collect();
+    let header = Header { about, buffers: sizes, kernels, plans };
+    let mut json = serde_json::to_vec(&header).expect("numbers and names");
+    let length = json.len() as u32;
+    json.resize(json.len().next_multiple_of(4), 0);
+    let mut packed = GzEncoder::new(Vec::new(), Compression::best());
+    let mut write = |bytes: &[u8]| packed.write_all(bytes).expect("memory can be written to");
+    write(&length.to_le_bytes());
+    write(&json);
+    for buffer in buffers {
+        match &buffer.contents {
+            Some(contents) => write(&by_place(contents)),
+            None => write(&vec![0; buffer.bytes as usize]),
+        }
+    }
+    STANDARD.encode(packed.finish().expect("memory can be written to"))
+}
+
+/// The first bytes of all words, then the second ones, and so on.
+fn by_place(bytes: &[u8]) -> Vec<u8> {
+    (0..4).flat_map(|place| bytes.iter().skip(place).step_by(4).copied()).collect()
+}

@@ -1,0 +1,34 @@
+//! Translates modules to WGSL, which browsers run.
+
+use anyhow::{Result, bail};
+
+/// A module in WGSL, if it needs no extension of WebGPU: 16-bit floats are one.
+#[cfg(feature = "wgsl")]
+pub fn translate(spirv: &[u8]) -> Result<Option<String>> {
+    use naga::back::wgsl::{WriterFlags, write_string};
+    use naga::front::spv;
+    use naga::valid::{Capabilities, ValidationFlags, Validator};
+
+    // The largest f32, as naga writes it: in decimal, rounded up, so that browsers refuse it
+    // (https://github.com/gfx-rs/wgpu/issues/10106).
+    const LARGEST: &str = "340282350000000000000000000000000000000f";
+    const LARGEST_IN_HEX: &str = "0x1.fffffep+127f";
+    let module = match spv::parse_u8_slice(spirv, &spv::Options::default()) {
+        Ok(module) => module,
+        Err(error) => bail!("naga cannot read the module: {error}"),
+    };
+    let validate = |offered| Validator::new(ValidationFlags::all(), offered).validate(&module);
+    let info = match validate(Capabilities::empty()) {
+        Ok(info) => info,
+        Err(_) if validate(Capabilities::SHADER_FLOAT16).is_ok() => return Ok(None),
+        Err(error) => bail!("the module is not for browsers: {:?}", error.into_inner()),
+    };
+    let text = write_string(&module, &info, WriterFlags::empty())?;
+    Ok(Some(text.replace(LARGEST, LARGEST_IN_HEX)))
+}
+
+/// Fails: the program was built without the feature `wgsl`.
+#[cfg(not(feature = "wgsl"))]
+pub fn translate(_: &[u8]) -> Result<Option<String>> {
+    bail!("this xtask was built without its feature `wgsl`; run it as `cargo xtask`")
+}

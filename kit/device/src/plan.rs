@@ -1,0 +1,255 @@
+//! A device that runs nothing: it writes down what it is asked for, so that something else can do it, such as a browser.
+
+use std::ops::Range;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use organza_kernel::KernelInfo;
+
+use crate::buffer::{Memory, RawBuffer};
+use crate::count::Count;
+use crate::device::{Device, Kind};
+use crate::error::{Error, Result};
+
+/// The largest buffer that every browser with WebGPU can bind: `maxStorageBufferBindingSize`.
+const MAX_BUFFER_BYTES: u64 = 128 << 20;
+
+/// What a device was asked for: buffers, and what is done with them.
+#[derive(Clone, Debug, Default)]
+pub struct Plan {
+    /// The number of the first buffer: those before it belong to earlier plans.
+    pub first_buffer: u32,
+    /// The buffers that were made, in the order of their numbers.
+    pub buffers: Vec<PlannedBuffer>,
+    /// In order.
+    pub steps: Vec<Step>,
+}
+
+/// A buffer of a [`Plan`].
+#[derive(Clone, Debug)]
+pub struct PlannedBuffer {
+    /// As for a debugger.
+    pub label: &'static str,
+    /// Its size, a multiple of 4.
+    pub bytes: u64,
+    /// What it holds at first; zeros if nothing is said.
+    pub contents: Option<Vec<u8>>,
+}
+
+/// A part of a buffer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// The buffer's number.
+    pub buffer: u32,
+    /// The first byte.
+    pub begin: u64,
+    /// Their number, a multiple of 4.
+    pub bytes: u64,
+}
+
+/// What is done with buffers.
+#[derive(Clone, Debug)]
+pub enum Step {
+    /// A kernel runs.
+    Dispatch {
+        /// The name of the kernel, and of its plain entry point.
+        kernel: &'static str,
+        /// Its parameters.
+        params: Vec<u8>,
+        /// Numbers among the parameters that only the device knows.
+        counts: Vec<PlannedCount>,
+        /// What its other bindings are, in their order.
+        buffers: Vec<Part>,
+        /// Workgroups along x, y and z.
+        workgroups: [u32; 3],
+    },
+    /// Bytes become zeros.
+    Clear(Part),
+    /// Bytes are copied.
+    Copy {
+        /// From here.
+        from: Part,
+        /// To this buffer.
+        to: u32,
+        /// From this byte on.
+        begin: u64,
+    },
+    /// Dispatches before have written the [counts](PlannedCount) that those after it use.
+    PublishCounts,
+}
+
+/// A number among the parameters of a kernel that `count_fill` writes: see [`organza_kernel::count`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PlannedCount {
+    /// Where it belongs: the byte of the parameters.
+    pub offset: usize,
+    /// The buffer of the counts.
+    pub counts: u32,
+    /// Which of them.
+    pub place: u32,
+    /// Items before this piece.
+    pub first: u32,
+    /// The most that there is room for.
+    pub at_most: u32,
+}
+
+/// The planning device.
+#[derive(Debug, Default)]
+pub(crate) struct Planner(Mutex<Plan>);
+
+impl Device {
+    /// A device that runs nothing and writes down what it is asked for: [`Device::take_plan`]. Reading a buffer of it is an error. It
+    /// has the limits that every browser with WebGPU has.
+    #[must_use]
+    pub fn planner() -> Self {
+        Self::new(Kind::Planner(Planner::default()), "a plan, to be run elsewhere".into())
+    }
+
+    /// What a [planner](Device::planner) was asked for since the last call; nothing on another device.
+    #[must_use]
+    pub fn take_plan(&self) -> Plan {
+        let Kind::Planner(planner) = &self.kind else { return Plan::default() };
+        let mut plan = planner.plan();
+        let first_buffer = plan.first_buffer + plan.buffers.len() as u32;
+        std::mem::replace(&mut *plan, Plan { first_buffer, ..Plan::default() })
+    }
+}
+
+impl Planner {
+    fn plan(&self) -> MutexGuard<'_, Plan> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    pub fn max_buffer_bytes(&self) -> u64 {
+        MAX_BUFFER_BYTES
+    }
+
+    /// A buffer's number.
+    pub fn allocate(&self, label: &'static str, bytes: u64) -> Result<u32> {
+        // as on a GPU
+        let size = bytes.max(16).next_multiple_of(4);
+        if size > MAX_BUFFER_BYTES {
+            return Err(Error::OutOfMemory {
+                needed: bytes,
+                available: Some(MAX_BUFFER_BYTES),
+                what: format!("the buffer `{label}` in a browser"),
+            });
+        }
+        let mut plan = self.plan();
+        let number = plan.first_buffer + plan.buffers.len() as u32;
+        plan.buffers.push(PlannedBuffer { label, bytes: size, contents: None });
+        Ok(number)
+    }
+
+    /// What a new buffer holds at first.
+    pub fn fill(&self, buffer: u32, contents: &[u8]) {
+        let mut plan = self.plan();
+        let at = (buffer - plan.first_buffer) as usize;
+        let mut contents = contents.to_vec();
+        contents.resize(plan.buffers[at].bytes as usize, 0);
+        plan.buffers[at].contents = Some(contents);
+    }
+
+    pub fn dispatch(
+        &self,
+        kernel: &'static KernelInfo,
+        uniform: &[u8],
+        counts: &[(usize, &Count)],
+        buffers: &[&RawBuffer],
+        workgroups: [u32; 3],
+    ) {
+        let count = |(offset, count): &(usize, &Count)| {
+            let total = count.total()?;
+            Some(PlannedCount {
+                offset: *offset,
+                counts: total.counts.raw().planned().0,
+                place: total.place,
+                first: total.first,
+                at_most: count.at_most(),
+            })
+        };
+        let step = Step::Dispatch {
+            kernel: kernel.name,
+            params: uniform.to_vec(),
+            counts: counts.iter().filter_map(count).collect(),
+            buffers: buffers.iter().map(|buffer| buffer.planned().1).collect(),
+            workgroups,
+        };
+        self.push(step);
+    }
+
+    pub fn clear(&self, buffer: u32, begin: u64, bytes: u64) {
+        self.push(Step::Clear(Part { buffer, begin, bytes: bytes.next_multiple_of(4) }));
+    }
+
+    pub fn copy(&self, from: u32, range: Range<u64>, to: u32, begin: u64) {
+        let bytes = (range.end - range.start).next_multiple_of(4);
+        self.push(Step::Copy { from: Part { buffer: from, begin: range.start, bytes }, to, begin });
+    }
+
+    pub fn publish_counts(&self) {
+        self.push(Step::PublishCounts);
+    }
+
+    fn push(&self, step: Step) {
+        self.plan().steps.push(step);
+    }
+}
+
+impl RawBuffer {
+    /// Its number and its part of it.
+    fn planned(&self) -> (u32, Part) {
+        let Memory::Planned(buffer) = self.memory else {
+            panic!("the buffer `{}` belongs to another device", self.label)
+        };
+        // what has no bytes has memory nevertheless
+        let bytes = self.bytes.max(4).next_multiple_of(4);
+        (buffer, Part { buffer, begin: self.begin, bytes })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use organza_kernel::count::CountFillKernel;
+
+    #[test]
+    fn what_was_asked_for_is_written_down() {
+        let device = Device::planner();
+        let numbers = device.upload("numbers", &[1_u32, 2, 3]).unwrap();
+        let scene = device.take_plan();
+        assert_eq!((scene.first_buffer, scene.buffers.len()), (0, 1));
+        let contents = scene.buffers[0].contents.as_deref().unwrap();
+        // at least 16 bytes, so that it can be bound
+        assert_eq!(bytemuck::cast_slice::<u8, u32>(contents), [1, 2, 3, 0]);
+
+        let counts = Arc::new(device.zeros::<u32>("counts", 4).unwrap());
+        let output = device.zeros::<u32>("output", 128).unwrap();
+        device.clear(&output.tail(64));
+        device.publish_counts();
+        let kernel = CountFillKernel { placement: &numbers, counts: &*counts, parameters: &output };
+        device.run(&kernel, 65, 1).unwrap();
+        let plan = device.take_plan();
+        assert_eq!((plan.first_buffer, plan.buffers.len()), (1, 2));
+        let [Step::Clear(part), Step::PublishCounts, Step::Dispatch { buffers, workgroups, .. }] =
+            &plan.steps[..]
+        else {
+            panic!("{:?}", plan.steps)
+        };
+        assert_eq!(*part, Part { buffer: 2, begin: 256, bytes: 256 });
+        let bound: Vec<_> = buffers.iter().map(|part| (part.buffer, part.bytes)).collect();
+        assert_eq!(bound, [(0, 12), (1, 16), (2, 512)]);
+        assert_eq!(*workgroups, [2, 1, 1]);
+        assert!(device.take_plan().steps.is_empty());
+    }
+
+    #[test]
+    fn a_planner_has_the_limits_of_browsers_and_nothing_to_read() {
+        let device = Device::planner();
+        let refused = device.zeros::<u8>("large", (MAX_BUFFER_BYTES + 1) as usize).unwrap_err();
+        assert!(matches!(refused, Error::OutOfMemory { .. }), "{refused}");
+        let buffer = device.zeros::<u32>("small", 1).unwrap();
+        assert!(matches!(device.read(&buffer), Err(Error::Argument { .. })));
+    }
+}

@@ -1,0 +1,194 @@
+//! `organza export-web`: the page in a browser, beside what the program renders.
+
+use std::fs;
+use std::path::Path;
+
+use organza::render::{EyeCache, EyeOptions};
+use organza::{Camera, MODULES, RenderedTiles, Renderer, Scene, TileBatch, UploadOptions, demo};
+use organza_tests::devices;
+use serde_json::{Value, json};
+
+use crate::sandbox::Sandbox;
+use crate::view::chromium::{Page, base64, program};
+
+/// Side of the page's tiles.
+const SIDE: u32 = 32;
+const SIZE: [u32; 2] = [160, 128];
+const WINDOW: [u32; 2] = [400, 320];
+const AT_REST: &str = "document.documentElement.dataset.quality === 'rest'";
+
+/// 1,000 Gaussians of the built-in scene, enlarged so that each lies in several tiles.
+fn thinned() -> Scene {
+    let mut scene = demo::scene();
+    let count = scene.gaussians.len();
+    let some: Vec<_> = (0..1000).map(|index| index * count / 1000).collect();
+    scene.gaussians = scene.gaussians.select(&some);
+    scene.gaussians.log_scale.as_flattened_mut().iter_mut().for_each(|scale| *scale += 2.2);
+    scene
+}
+
+/// A sandbox with that scene, cameras around it, and cameras that see it from far away.
+fn sandbox() -> (Sandbox, Scene, Vec<Camera>) {
+    let (sandbox, scene) = (Sandbox::new("tiny"), thinned());
+    scene.save(sandbox.path("thin.safetensors")).expect("a scene");
+    let near: Vec<_> =
+        demo::turntable(6, SIZE[1]).iter().map(|camera| camera.with_size(SIZE)).collect();
+    let mut far = near.clone();
+    for camera in &mut far {
+        (0..3).for_each(|row| camera.camera_to_world[row][3] *= 8.0);
+    }
+    Camera::save_all(sandbox.path("near.json"), &near).expect("cameras");
+    Camera::save_all(sandbox.path("far.json"), &far).expect("cameras");
+    (sandbox, scene, near)
+}
+
+fn url(path: &Path) -> String {
+    format!("file://{}", path.display())
+}
+
+/// A camera as a page has it.
+fn lens(camera: &Camera) -> Value {
+    json!({"camera_to_world": camera.camera_to_world, "fl_x": camera.fl_x, "fl_y": camera.fl_y,
+        "cx": camera.cx, "cy": camera.cy, "w": camera.width, "h": camera.height})
+}
+
+/// What a page renders: pixels, and the numbers of pairs, members and samples. Also the number of plans that were too small.
+fn played(page: &mut Page, camera: &Camera, steps: u16) -> (Vec<f32>, [u64; 3], u64) {
+    let script = include_str!("played.js");
+    let found = page.eval(&format!("({script})({}, {steps})", lens(camera)));
+    let bytes = base64(found["pixels"].as_str().expect("pixels"));
+    let counts = serde_json::from_value(found["counts"].clone()).expect("three numbers");
+    (bytemuck::pod_collect_to_vec(&bytes), counts, found["small"].as_u64().expect("a number"))
+}
+
+/// The page's image is that of the program on the CPU, with the same tiles and 16-bit grids. Returns how many plans were too small.
+fn assert_same(page: &mut Page, scene: &Scene, camera: &Camera, steps: u16) -> u64 {
+    let cpu = Renderer::new(devices::cpu(None));
+    let scene = cpu.upload_with(scene, UploadOptions::default().half_grids(true)).expect("memory");
+    let batch = TileBatch::cover(0, camera.width, camera.height, SIDE).expect("tiles");
+    let options = EyeOptions { channels: &[], steps, background: None, is_cancelled: &|| false };
+    let rendered: RenderedTiles = cpu
+        .render_from_eye(&scene, camera, &batch, &mut EyeCache::default(), &options)
+        .expect("an image")
+        .expect("nobody has cancelled it");
+    let (pixels, counts, small) = played(page, camera, steps);
+    let report = &rendered.report;
+    assert_eq!(counts, [report.pairs, report.members, report.samples], "steps x {steps}");
+    assert!(report.samples > 1000, "{report:?}");
+    let (side, [width, height]) = (SIDE as usize, [camera.width as usize, camera.height as usize]);
+    let mut apart = 0.0_f32;
+    for (tile, place) in batch.tiles.iter().enumerate() {
+        let [left, top] = place.origin.map(|at| at as usize);
+        for (x, y) in (0..side).flat_map(|y| (0..side).map(move |x| (x, y))) {
+            let (column, row) = (left + x, top + y);
+            if column < width && row < height {
+                let found = &pixels[3 * (row * width + column)..][..3];
+                for (expected, found) in rendered.rgb(tile, x, y).iter().zip(found) {
+                    assert!(found.is_finite(), "pixel {column}, {row}");
+                    apart = apart.max((expected - found).abs());
+                }
+            }
+        }
+    }
+    assert!(apart < 1e-4, "steps x {steps}: {apart}");
+    small
+}
+
+/// Every kernel compiles on a device with the limits that all have.
+fn assert_all_compile(page: &mut Page) {
+    let kernel = |kernel: organza_device::CompiledKernel| {
+        let access = kernel.entry().interface.bindings.iter().map(|binding| &*binding.access);
+        let access: Vec<_> = access.collect();
+        Some(json!({"name": kernel.entry().name, "access": access, "code": kernel.wgsl()?}))
+    };
+    let kernels: Vec<_> = MODULES.all().filter_map(kernel).collect();
+    // all but the one with 16-bit floats, and the variant
+    assert_eq!(kernels.len(), MODULES.all().count() - 2);
+    let script = format!("({})({})", include_str!("compile.js"), json!(kernels));
+    assert_eq!(page.eval(&script), json!([]));
+}
+
+#[test]
+fn a_page_renders_by_itself() {
+    let Some(program) = program() else { return };
+    let (sandbox, scene, cameras) = sandbox();
+    let words = "export-web thin.safetensors near.json -o page --size 160x128 --backend cpu";
+    let note = sandbox.run(words).assert_ok().stderr;
+    assert!(note.contains("open page/index.html in a browser"), "{note}");
+    let folder = url(&sandbox.path("page/index.html"));
+    let mut page = Page::open_with_webgpu(program, &folder, WINDOW);
+    page.wait(AT_REST);
+    page.screenshot("web");
+    for steps in [1, 4] {
+        assert_eq!(assert_same(&mut page, &scene, &cameras[0], steps), 0);
+    }
+    assert_same(&mut page, &scene, &cameras[2].with_size([150, 70]), 1);
+
+    // a drag turns the scene
+    let pose = |page: &mut Page| page.eval("organza.camera.camera_to_world");
+    let before = pose(&mut page);
+    page.drag([200.0, 160.0], [260.0, 170.0]);
+    assert_ne!(pose(&mut page), before);
+    page.wait(AT_REST);
+    assert_all_compile(&mut page);
+    assert_eq!(page.eval("organza.errors"), json!([]));
+
+    // plans that were measured from far away are too small from nearby: larger ones take their place
+    let words = "export-web thin.safetensors far.json -o far.html --single-file --size 160x128";
+    sandbox.run(&format!("{words} --title Far --backend cpu")).assert_ok();
+    page.go(&url(&sandbox.path("far.html")));
+    page.wait(AT_REST);
+    assert_eq!(page.eval("document.title"), "Far \u{b7} organza");
+    assert!(assert_same(&mut page, &scene, &cameras[0], 1) > 0, "no plan was too small");
+    // and the page itself takes them
+    let small = "(organza.too_small = 0, organza.pace.tooSmall = (before => function (plan) { \
+        organza.too_small += 1; organza.kept = organza.shown; return before.call(this, plan); } \
+        )(organza.pace.tooSmall), organza.pace.level.clear())";
+    page.eval(small);
+    page.eval("organza.before = organza.shown");
+    page.eval(&format!("organza.camera = {}; organza.moved()", lens(&cameras[0])));
+    page.wait("organza.too_small > 0");
+    page.wait(AT_REST);
+    // the last image stayed
+    assert_eq!(page.eval("organza.kept != null && organza.shown !== organza.before"), json!(true));
+    assert_eq!(page.eval("document.getElementById('message').hidden"), json!(true));
+    assert_eq!(page.eval("organza.errors"), json!([]));
+    assert!(page.errors.is_empty(), "{:?}", page.errors);
+}
+
+#[test]
+fn without_webgpu_a_page_says_so() {
+    let Some(program) = program() else { return };
+    let sandbox = Sandbox::new("tiny");
+    sandbox.run("export-web scene.safetensors -o page.html --single-file").assert_ok();
+    let mut page = Page::open(program, &url(&sandbox.path("page.html")), WINDOW);
+    let message = page.eval("document.getElementById('message').textContent");
+    let message = message.as_str().expect("a message");
+    assert!(message.contains("WebGPU") && message.contains("browser"), "{message}");
+    assert!(page.errors.is_empty(), "{:?}", page.errors);
+}
+
+#[test]
+fn a_page_replaces_no_other() {
+    let sandbox = Sandbox::new("tiny");
+    fs::create_dir(sandbox.path("site")).unwrap();
+    fs::write(sandbox.path("site/index.html"), "<h1>mine</h1>").unwrap();
+    sandbox
+        .run("export-web scene.safetensors -o site")
+        .assert_refused(&["site", "index.html", "choose another folder"]);
+    sandbox
+        .run("export-web scene.safetensors -o scene.safetensors --single-file")
+        .assert_refused(&["would replace the input"]);
+    // its own page is
+    for _ in 0..2 {
+        sandbox.run("export-web scene.safetensors -o page --size 64x48").assert_ok();
+    }
+    let names = fs::read_dir(sandbox.path("page")).unwrap().flatten();
+    let mut names: Vec<_> = names.map(|file| file.file_name()).collect();
+    names.sort();
+    assert_eq!(names, ["index.html", "page.js", "scene.js"]);
+    for words in ["--size 5x5", "--size 9000x10", "--size wide"] {
+        let words = format!("export-web scene.safetensors -o page {words}");
+        assert_eq!(sandbox.run(&words).code, Some(2), "{words}");
+    }
+}

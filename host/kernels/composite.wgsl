@@ -41,44 +41,44 @@ var<storage> global_7: type_6;
 var<storage, read_write> global_8: type_9;
 
 fn function_() {
-    var phi_115_: bool;
-    var phi_117_: bool;
-    var phi_118_: bool;
-    var phi_119_: bool;
-    var phi_120_: bool;
-    var phi_178_: u32;
-    var phi_187_: u32;
-    var phi_201_: f32;
+    var phi_111_: bool;
+    var phi_163_: f32;
+    var phi_164_: f32;
+    var phi_165_: f32;
+    var phi_166_: f32;
+    var phi_174_: u32;
+    var phi_183_: u32;
+    var phi_197_: f32;
+    var phi_200_: f32;
+    var phi_202_: f32;
     var phi_204_: f32;
-    var phi_206_: f32;
-    var phi_208_: f32;
-    var phi_210_: u32;
-    var phi_220_: u32;
+    var phi_206_: u32;
+    var phi_216_: u32;
+    var phi_219_: f32;
+    var phi_221_: f32;
     var phi_223_: f32;
     var phi_225_: f32;
-    var phi_227_: f32;
-    var phi_229_: f32;
-    var phi_268_: f32;
-    var phi_271_: bool;
-    var phi_272_: bool;
-    var phi_273_: bool;
+    var phi_264_: f32;
+    var phi_267_: bool;
+    var phi_268_: bool;
+    var phi_269_: bool;
+    var phi_295_: f32;
+    var phi_296_: f32;
+    var phi_297_: f32;
+    var phi_298_: f32;
     var phi_299_: f32;
     var phi_300_: f32;
     var phi_301_: f32;
     var phi_302_: f32;
-    var phi_303_: f32;
-    var phi_304_: f32;
-    var phi_305_: f32;
-    var phi_306_: f32;
-    var phi_221_: u32;
+    var phi_217_: u32;
+    var phi_220_: f32;
+    var phi_222_: f32;
     var phi_224_: f32;
     var phi_226_: f32;
-    var phi_228_: f32;
-    var phi_230_: f32;
-    var phi_202_: f32;
+    var phi_198_: f32;
+    var phi_201_: f32;
+    var phi_203_: f32;
     var phi_205_: f32;
-    var phi_207_: f32;
-    var phi_209_: f32;
     var local: f32;
     var local_1: f32;
     var local_2: f32;
@@ -96,231 +96,230 @@ fn function_() {
             let _e42 = ((_e31.y * 4u) + _e30.y);
             let _e45 = global_5.member.member;
             if (_e40 < _e45) {
-                let _e47 = (_e42 < _e45);
-                if _e47 {
-                    phi_115_ = select(true, false, _e47);
-                } else {
-                    phi_115_ = false;
-                }
-                let _e50 = phi_115_;
-                phi_117_ = _e47;
-                phi_118_ = _e47;
-                phi_119_ = _e50;
-                phi_120_ = select(false, _e47, _e47);
+                phi_111_ = (_e42 < _e45);
             } else {
-                phi_117_ = bool();
-                phi_118_ = false;
-                phi_119_ = false;
-                phi_120_ = false;
+                phi_111_ = false;
             }
-            let _e53 = phi_117_;
-            let _e55 = phi_118_;
-            let _e57 = phi_119_;
-            let _e59 = phi_120_;
-            let _e60 = select(_e42, 0u, _e57);
-            let _e61 = select(_e40, 0u, _e57);
-            if select(_e59, true, _e57) {
-                let _e65 = (_e31.z * 4u);
-                let _e69 = global_2.member[(_e65 + 1u)];
-                let _e73 = global_2.member[(_e65 + 2u)];
-                let _e77 = (f32((_e69 + bitcast<i32>(_e61))) + 0.5f);
-                let _e81 = (f32((_e73 + bitcast<i32>(_e60))) + 0.5f);
-                let _e84 = global_3.member[_e31.z];
-                let _e87 = global_5.member.member_1;
-                let _e88 = (_e84 + _e87);
-                let _e92 = global_3.member[(_e31.z + 1u)];
-                let _e93 = (_e88 + 16384u);
-                let _e95 = select(_e93, _e92, (_e92 < _e93));
-                let _e96 = (_e45 * _e45);
-                let _e100 = (((_e65 * _e96) + (_e60 * _e45)) + _e61);
-                let _e103 = global_8.member[_e100];
-                let _e107 = global_8.member[(_e100 + _e96)];
-                let _e112 = global_8.member[(_e100 + (2u * _e96))];
-                let _e117 = global_8.member[(_e100 + (3u * _e96))];
-                let _e118 = (_e45 / 64u);
+            let _e49 = phi_111_;
+            if _e49 {
+                let _e50 = select(0u, _e42, _e49);
+                let _e51 = select(0u, _e40, _e49);
+                let _e53 = (_e31.z * 4u);
+                let _e57 = global_2.member[(_e53 + 1u)];
+                let _e61 = global_2.member[(_e53 + 2u)];
+                let _e65 = (f32((_e57 + bitcast<i32>(_e51))) + 0.5f);
+                let _e69 = (f32((_e61 + bitcast<i32>(_e50))) + 0.5f);
+                let _e72 = global_3.member[_e31.z];
+                let _e75 = global_5.member.member_1;
+                let _e76 = (_e72 + _e75);
+                let _e80 = global_3.member[(_e31.z + 1u)];
+                let _e81 = (_e76 + 16384u);
+                let _e83 = select(_e81, _e80, (_e80 < _e81));
+                let _e84 = (_e45 * _e45);
+                let _e88 = (((_e53 * _e84) + (_e50 * _e45)) + _e51);
+                if _e49 {
+                    let _e91 = global_8.member[_e88];
+                    let _e95 = global_8.member[(_e88 + _e84)];
+                    let _e100 = global_8.member[(_e88 + (2u * _e84))];
+                    let _e105 = global_8.member[(_e88 + (3u * _e84))];
+                    phi_163_ = _e105;
+                    phi_164_ = _e100;
+                    phi_165_ = _e95;
+                    phi_166_ = _e91;
+                } else {
+                    phi_163_ = 0f;
+                    phi_164_ = 0f;
+                    phi_165_ = 0f;
+                    phi_166_ = 0f;
+                }
+                let _e107 = phi_163_;
+                let _e109 = phi_164_;
+                let _e111 = phi_165_;
+                let _e113 = phi_166_;
+                let _e114 = (_e45 / 64u);
                 if ((_e45 % 64u) > 0u) {
-                    phi_178_ = (_e118 + 1u);
+                    phi_174_ = (_e114 + 1u);
                 } else {
-                    phi_178_ = _e118;
+                    phi_174_ = _e114;
                 }
-                let _e123 = phi_178_;
-                let _e124 = (_e123 * 16u);
-                let _e125 = (_e45 / 8u);
+                let _e119 = phi_174_;
+                let _e120 = (_e119 * 16u);
+                let _e121 = (_e45 / 8u);
                 if ((_e45 % 8u) > 0u) {
-                    phi_187_ = (_e125 + 1u);
+                    phi_183_ = (_e121 + 1u);
                 } else {
-                    phi_187_ = _e125;
+                    phi_183_ = _e121;
                 }
-                let _e130 = phi_187_;
-                if (_e130 == 0u) {
+                let _e126 = phi_183_;
+                if (_e126 == 0u) {
                     break;
                 }
-                if (_e124 == 0u) {
+                if (_e120 == 0u) {
                     break;
                 }
-                phi_201_ = _e117;
-                phi_204_ = _e112;
-                phi_206_ = _e107;
-                phi_208_ = _e103;
-                phi_210_ = _e88;
+                phi_197_ = _e107;
+                phi_200_ = _e109;
+                phi_202_ = _e111;
+                phi_204_ = _e113;
+                phi_206_ = _e76;
                 loop {
-                    let _e141 = phi_201_;
+                    let _e137 = phi_197_;
+                    let _e139 = phi_200_;
+                    let _e141 = phi_202_;
                     let _e143 = phi_204_;
                     let _e145 = phi_206_;
-                    let _e147 = phi_208_;
-                    let _e149 = phi_210_;
-                    local = _e147;
-                    local_1 = _e145;
-                    local_2 = _e143;
-                    local_3 = _e141;
-                    let _e150 = (_e149 < _e95);
-                    if _e150 {
-                        phi_220_ = 0u;
+                    local = _e143;
+                    local_1 = _e141;
+                    local_2 = _e139;
+                    local_3 = _e137;
+                    let _e146 = (_e145 < _e83);
+                    if _e146 {
+                        phi_216_ = 0u;
+                        phi_219_ = _e137;
+                        phi_221_ = _e139;
                         phi_223_ = _e141;
                         phi_225_ = _e143;
-                        phi_227_ = _e145;
-                        phi_229_ = _e147;
                         loop {
-                            let _e153 = phi_220_;
+                            let _e149 = phi_216_;
+                            let _e151 = phi_219_;
+                            let _e153 = phi_221_;
                             let _e155 = phi_223_;
                             let _e157 = phi_225_;
-                            let _e159 = phi_227_;
-                            let _e161 = phi_229_;
-                            local_4 = _e155;
-                            local_5 = _e157;
-                            local_6 = _e159;
-                            local_7 = _e161;
-                            let _e162 = (_e153 < (_e95 - _e149));
-                            if _e162 {
-                                let _e163 = (_e149 + _e153);
-                                let _e165 = global_6.member[_e163];
-                                if ((_e165 & (1u << bitcast<u32>(((((_e60 / _e130) * 4u) + (_e61 / _e124)) & 31u)))) == 0u) {
-                                    phi_303_ = _e155;
-                                    phi_304_ = _e157;
-                                    phi_305_ = _e159;
-                                    phi_306_ = _e161;
+                            local_4 = _e151;
+                            local_5 = _e153;
+                            local_6 = _e155;
+                            local_7 = _e157;
+                            let _e158 = (_e149 < (_e83 - _e145));
+                            if _e158 {
+                                let _e159 = (_e145 + _e149);
+                                let _e161 = global_6.member[_e159];
+                                if ((_e161 & (1u << bitcast<u32>(((((_e50 / _e126) * 4u) + (_e51 / _e120)) & 31u)))) == 0u) {
+                                    phi_299_ = _e151;
+                                    phi_300_ = _e153;
+                                    phi_301_ = _e155;
+                                    phi_302_ = _e157;
                                 } else {
-                                    let _e169 = global_4.member[_e163];
-                                    let _e170 = (_e169 * 3u);
-                                    let _e172 = global_7.member[_e170];
-                                    let _e175 = global_7.member[(_e170 + 1u)];
-                                    let _e177 = (_e77 - _e172.x);
-                                    if (_e177 > _e172.w) {
-                                        phi_272_ = bool();
-                                        phi_273_ = true;
+                                    let _e165 = global_4.member[_e159];
+                                    let _e166 = (_e165 * 3u);
+                                    let _e168 = global_7.member[_e166];
+                                    let _e171 = global_7.member[(_e166 + 1u)];
+                                    let _e173 = (_e65 - _e168.x);
+                                    if (_e173 > _e168.w) {
+                                        phi_268_ = bool();
+                                        phi_269_ = true;
                                     } else {
-                                        let _e181 = ((_e172.x - _e77) > _e172.w);
-                                        if _e181 {
-                                            phi_271_ = bool();
+                                        let _e177 = ((_e168.x - _e65) > _e168.w);
+                                        if _e177 {
+                                            phi_267_ = bool();
                                         } else {
-                                            let _e183 = (_e81 - _e172.y);
-                                            if (_e183 < 0f) {
-                                                phi_268_ = -(_e183);
+                                            let _e179 = (_e69 - _e168.y);
+                                            if (_e179 < 0f) {
+                                                phi_264_ = -(_e179);
                                             } else {
-                                                phi_268_ = _e183;
+                                                phi_264_ = _e179;
                                             }
-                                            let _e187 = phi_268_;
-                                            phi_271_ = (_e187 > _e175.w);
+                                            let _e183 = phi_264_;
+                                            phi_267_ = (_e183 > _e171.w);
                                         }
-                                        let _e191 = phi_271_;
-                                        phi_272_ = _e191;
-                                        phi_273_ = _e181;
+                                        let _e187 = phi_267_;
+                                        phi_268_ = _e187;
+                                        phi_269_ = _e177;
                                     }
-                                    let _e193 = phi_272_;
-                                    let _e195 = phi_273_;
-                                    if !(select(_e193, true, _e195)) {
-                                        let _e199 = (_e81 - _e172.y);
-                                        let _e211 = ((((_e175.x * _e177) * _e177) + (((2f * _e175.y) * _e177) * _e199)) + ((_e175.z * _e199) * _e199));
-                                        let _e217 = (_e211 <= 11.082527f);
-                                        let _e219 = (_e172.z * select(0f, exp((-0.5f * select(0f, _e211, (_e211 > 0f)))), _e217));
-                                        let _e222 = global_7.member[(_e170 + 2u)];
-                                        phi_299_ = (_e155 + select(0f, _e219, _e217));
-                                        phi_300_ = (_e157 + select(0f, (_e219 * _e222.z), _e217));
-                                        phi_301_ = (_e159 + select(0f, (_e219 * _e222.y), _e217));
-                                        phi_302_ = (_e161 + select(0f, (_e219 * _e222.x), _e217));
+                                    let _e189 = phi_268_;
+                                    let _e191 = phi_269_;
+                                    if !(select(_e189, true, _e191)) {
+                                        let _e195 = (_e69 - _e168.y);
+                                        let _e207 = ((((_e171.x * _e173) * _e173) + (((2f * _e171.y) * _e173) * _e195)) + ((_e171.z * _e195) * _e195));
+                                        let _e213 = (_e207 <= 11.082527f);
+                                        let _e215 = (_e168.z * select(0f, exp((-0.5f * select(0f, _e207, (_e207 > 0f)))), _e213));
+                                        let _e218 = global_7.member[(_e166 + 2u)];
+                                        phi_295_ = (_e151 + select(0f, _e215, _e213));
+                                        phi_296_ = (_e153 + select(0f, (_e215 * _e218.z), _e213));
+                                        phi_297_ = (_e155 + select(0f, (_e215 * _e218.y), _e213));
+                                        phi_298_ = (_e157 + select(0f, (_e215 * _e218.x), _e213));
                                     } else {
-                                        phi_299_ = _e155;
-                                        phi_300_ = _e157;
-                                        phi_301_ = _e159;
-                                        phi_302_ = _e161;
+                                        phi_295_ = _e151;
+                                        phi_296_ = _e153;
+                                        phi_297_ = _e155;
+                                        phi_298_ = _e157;
                                     }
-                                    let _e238 = phi_299_;
-                                    let _e240 = phi_300_;
-                                    let _e242 = phi_301_;
-                                    let _e244 = phi_302_;
-                                    phi_303_ = _e238;
-                                    phi_304_ = _e240;
-                                    phi_305_ = _e242;
-                                    phi_306_ = _e244;
+                                    let _e234 = phi_295_;
+                                    let _e236 = phi_296_;
+                                    let _e238 = phi_297_;
+                                    let _e240 = phi_298_;
+                                    phi_299_ = _e234;
+                                    phi_300_ = _e236;
+                                    phi_301_ = _e238;
+                                    phi_302_ = _e240;
                                 }
-                                let _e246 = phi_303_;
-                                let _e248 = phi_304_;
-                                let _e250 = phi_305_;
-                                let _e252 = phi_306_;
-                                phi_221_ = (_e153 + 1u);
+                                let _e242 = phi_299_;
+                                let _e244 = phi_300_;
+                                let _e246 = phi_301_;
+                                let _e248 = phi_302_;
+                                phi_217_ = (_e149 + 1u);
+                                phi_220_ = _e242;
+                                phi_222_ = _e244;
                                 phi_224_ = _e246;
                                 phi_226_ = _e248;
-                                phi_228_ = _e250;
-                                phi_230_ = _e252;
                             } else {
-                                phi_221_ = u32();
+                                phi_217_ = u32();
+                                phi_220_ = f32();
+                                phi_222_ = f32();
                                 phi_224_ = f32();
                                 phi_226_ = f32();
-                                phi_228_ = f32();
-                                phi_230_ = f32();
                             }
-                            let _e255 = phi_221_;
+                            let _e251 = phi_217_;
+                            let _e253 = phi_220_;
+                            let _e255 = phi_222_;
                             let _e257 = phi_224_;
                             let _e259 = phi_226_;
-                            let _e261 = phi_228_;
-                            let _e263 = phi_230_;
                             continue;
                             continuing {
-                                phi_220_ = _e255;
+                                phi_216_ = _e251;
+                                phi_219_ = _e253;
+                                phi_221_ = _e255;
                                 phi_223_ = _e257;
                                 phi_225_ = _e259;
-                                phi_227_ = _e261;
-                                phi_229_ = _e263;
-                                break if !(_e162);
+                                break if !(_e158);
                             }
                         }
-                        let _e319 = local_4;
-                        phi_202_ = _e319;
-                        let _e322 = local_5;
-                        phi_205_ = _e322;
-                        let _e325 = local_6;
-                        phi_207_ = _e325;
-                        let _e328 = local_7;
-                        phi_209_ = _e328;
+                        let _e328 = local_4;
+                        phi_198_ = _e328;
+                        let _e331 = local_5;
+                        phi_201_ = _e331;
+                        let _e334 = local_6;
+                        phi_203_ = _e334;
+                        let _e337 = local_7;
+                        phi_205_ = _e337;
                     } else {
-                        phi_202_ = f32();
+                        phi_198_ = f32();
+                        phi_201_ = f32();
+                        phi_203_ = f32();
                         phi_205_ = f32();
-                        phi_207_ = f32();
-                        phi_209_ = f32();
                     }
-                    let _e266 = phi_202_;
+                    let _e262 = phi_198_;
+                    let _e264 = phi_201_;
+                    let _e266 = phi_203_;
                     let _e268 = phi_205_;
-                    let _e270 = phi_207_;
-                    let _e272 = phi_209_;
                     continue;
                     continuing {
-                        phi_201_ = _e266;
+                        phi_197_ = _e262;
+                        phi_200_ = _e264;
+                        phi_202_ = _e266;
                         phi_204_ = _e268;
-                        phi_206_ = _e270;
-                        phi_208_ = _e272;
-                        phi_210_ = select(u32(), _e95, _e150);
-                        break if !(_e150);
+                        phi_206_ = select(u32(), _e83, _e146);
+                        break if !(_e146);
                     }
                 }
-                if select(_e53, _e55, _e57) {
-                    let _e276 = local;
-                    global_8.member[_e100] = _e276;
-                    let _e278 = local_1;
-                    global_8.member[(_e100 + _e96)] = _e278;
-                    let _e280 = local_2;
-                    global_8.member[(_e100 + (2u * _e96))] = _e280;
-                    let _e282 = local_3;
-                    global_8.member[(_e100 + (3u * _e96))] = _e282;
+                if _e49 {
+                    let _e274 = local;
+                    global_8.member[_e88] = _e274;
+                    let _e279 = local_1;
+                    global_8.member[(_e88 + _e84)] = _e279;
+                    let _e285 = local_2;
+                    global_8.member[(_e88 + (2u * _e84))] = _e285;
+                    let _e291 = local_3;
+                    global_8.member[(_e88 + (3u * _e84))] = _e291;
                 }
             }
             break;

@@ -67,7 +67,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         true => Cameras::load(&source, args.cameras.as_deref(), &args.data, USAGE, console)?.list,
         false => Vec::new(),
     };
-    let inputs: Vec<_> = [Some(source.file()), args.cameras.as_deref()].into_iter().flatten().collect();
+    let inputs: Vec<_> =
+        [Some(source.file()), args.cameras.as_deref()].into_iter().flatten().collect();
     // looked at before anything is computed
     let folder = match args.single_file {
         true => {

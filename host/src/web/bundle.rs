@@ -19,7 +19,10 @@ const ICON: &str = include_str!("../view/page/icon.svg");
 pub fn script() -> String {
     let own = MODULES.map(|module| {
         let lines = module.lines().filter(|line| !line.starts_with("import "));
-        lines.map(|line| line.strip_prefix("export ").unwrap_or(line)).collect::<Vec<_>>().join("\n")
+        lines
+            .map(|line| line.strip_prefix("export ").unwrap_or(line))
+            .collect::<Vec<_>>()
+            .join("\n")
     });
     format!("\"use strict\";\n(async () => {{\n{}\n}})();\n", own.join("\n"))
 }

@@ -103,12 +103,7 @@ pub fn build(
     paths.into_iter().map(read).collect()
 }
 
-fn entry(
-    kernel: &KernelInfo,
-    point: &EntryPoint,
-    spirv: &[u8],
-    wgsl: Option<&str>,
-) -> KernelEntry {
+fn entry(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8], wgsl: Option<&str>) -> KernelEntry {
     let translation = |text: &str| Translation {
         file: format!("{}.wgsl", point.name),
         sha256: manifest::sha256(text.as_bytes()),

@@ -47,16 +47,12 @@
 //! let device = Device::open(&DeviceOptions::default(), &MODULES)?;
 //! ```
 //!
-<<<<<<< HEAD
 //! Where a module is missing or older than its kernel's declaration, the device refuses that kernel and says so.
-=======
+//!
 //! # Elsewhere
 //!
 //! [`Device::planner`] runs nothing. It writes down buffers and dispatches as a [`Plan`], which something else can run, such as a
 //! browser with WebGPU.
-//!
-//! # Tests
->>>>>>> 2c4ac4f (A page that renders a scene by itself, in any browser with WebGPU)
 //!
 //! # The device for tests
 //!

@@ -93,10 +93,7 @@ impl Modules {
     /// Modules by entry point, and the text of their manifest.
     #[doc(hidden)]
     #[must_use]
-    pub const fn new(
-        json: &'static str,
-        table: &'static [Module],
-    ) -> Self {
+    pub const fn new(json: &'static str, table: &'static [Module]) -> Self {
         Self { json, table, manifest: OnceLock::new() }
     }
 
@@ -113,10 +110,7 @@ impl Modules {
         self.table.iter().map(|module| self.compiled(module))
     }
 
-    fn compiled(
-        &'static self,
-        (name, spirv, wgsl): &'static Module,
-    ) -> CompiledKernel {
+    fn compiled(&'static self, (name, spirv, wgsl): &'static Module) -> CompiledKernel {
         let entry = self.manifest().find(name).expect("the manifest names what is embedded");
         CompiledKernel { entry, spirv: &spirv.0, wgsl: *wgsl }
     }

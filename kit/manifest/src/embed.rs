@@ -31,7 +31,6 @@ pub fn embed(kernels: &Path, workspace: &Path) {
     fs::write(out.join("kernels.rs"), table(kernels, &manifest)).expect("OUT_DIR is writable");
 }
 
-<<<<<<< HEAD
 /// As [`embed`], for a package at the root of its workspace whose modules are in `compiled`: the whole build script of a project
 /// that `cargo xtask new` makes.
 ///
@@ -42,10 +41,7 @@ pub fn embed_compiled() {
     embed(&folder.join("compiled"), &folder);
 }
 
-/// Rust source: an array of the modules that are there, each with its kernel's name.
-=======
 /// Rust source: an array of the modules that are there, each with its kernel's name, and in WGSL if there is that.
->>>>>>> 2c4ac4f (A page that renders a scene by itself, in any browser with WebGPU)
 fn table(kernels: &Path, manifest: &Manifest) -> String {
     let mut table = String::from("[\n");
     for kernel in &manifest.kernels {

@@ -102,6 +102,7 @@ impl Device {
                 format!("cpu, {}, {}", std::env::consts::ARCH, cpu.instruction_set().as_str())
             }
             Kind::Gpu(gpu) => format!("gpu, {}, {}", gpu.description(), gpu.driver()),
+            Kind::Planner(_) => self.choice.clone(),
         }
     }
 

@@ -84,8 +84,7 @@ impl WebPage {
         let every = cameras.len().div_ceil(VIEWS).max(1);
         let measured: Vec<_> = around.iter().chain(cameras.iter().step_by(every)).collect();
         let home = cameras.first().or(around.first()).cloned();
-        let home =
-            home.map_or_else(|| crate::demo::turntable(1, options.size[1]).remove(0), |at| at);
+        let home = home.unwrap_or_else(|| crate::demo::turntable(1, options.size[1]).remove(0));
 
         let upload = UploadOptions::default().half_grids(options.half_grids);
         let planner = Renderer::new(Device::planner());

@@ -120,7 +120,7 @@ fn no_file_of_the_users_is_lost() {
     fs::create_dir(sandbox.path("frames")).unwrap();
     fs::write(sandbox.path("frames/00001.png"), "mine").unwrap();
     let words = format!("{FILM} -o frames --frames 2");
-    sandbox.assert_refuses(&words, &["00001.png is not a frame that the program wrote"]);
+    sandbox.assert_refuses(&words, &["00001.png is not an image that the program wrote"]);
     fs::remove_file(sandbox.path("frames/00001.png")).unwrap();
     sandbox.run(&words).assert_ok();
     fs::write(sandbox.path("frames/00001.png"), "painted over").unwrap();

@@ -124,26 +124,33 @@ fn full_disks() {
     let tiles = "tiles scene.safetensors cameras.json tiles.json --backend cpu";
     sandbox.assert_refuses(&format!("{tiles} -o /dev/full"), &["/dev/full", "disk is full"]);
 
-    // A file system of one page, where the user may make one.
+    // A file system of some pages, where the user may make one.
     fs::create_dir(sandbox.path("small")).unwrap();
-    let mount = "mount -t tmpfs -o size=4k none small";
-    if sandbox.shell(&format!("unshare -rm {mount}")).code != Some(0) {
+    let mount = |pages: u32| format!("mount -t tmpfs -o size={}k none small", 4 * pages);
+    if sandbox.shell(&format!("unshare -rm {}", mount(1))).code != Some(0) {
         skip("a full disk of a page", "no file system can be mounted here");
         return;
     }
-    let run = |words: &str| {
+    let run = |pages: u32, words: &str| {
         let script = format!(
-            "{mount} && echo old >small/out && \"$ORGANZA\" {words}; code=$?
-             cat small/out >&2; ls -A small >&2; exit $code"
+            "{} && echo old >small/out && \"$ORGANZA\" {words}; code=$?
+             cat small/out >&2; ls -A small >&2; exit $code",
+            mount(pages)
         );
         sandbox.shell(&format!("unshare -rm sh -c '{script}'"))
     };
-    let outcome = run(&format!("{tiles} -o small/out"));
+    let outcome = run(1, &format!("{tiles} -o small/out"));
     outcome.assert_refused(&["small/out", "disk is full", "free some space"]);
     assert!(outcome.stderr.ends_with("\nold\nout\n"), "{outcome:?}");
-    let outcome = run("render scene.safetensors cameras.json -o small --backend cpu");
-    outcome.assert_refused(&["small/0000.png", "disk is full"]);
-    assert!(outcome.stderr.ends_with("\nold\nout\n"), "{outcome:?}");
+    // The list of images comes first.
+    for (pages, full, left) in [
+        (1, "small/.organza-files.json", "\nold\nout\n"),
+        (2, "small/0000.png", "\nold\n.organza-files.json\nout\n"),
+    ] {
+        let outcome = run(pages, "render scene.safetensors cameras.json -o small --backend cpu");
+        outcome.assert_refused(&[full, "disk is full"]);
+        assert!(outcome.stderr.ends_with(left), "{outcome:?}");
+    }
 }
 
 #[test]

@@ -98,7 +98,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
             for (name, text) in &files {
                 write(&folder.join(name), text)?;
             }
-            (folder.join(INDEX), files.iter().map(|(_, text)| text.len()).sum())
+            (folder.join(WebPage::FILES[0]), files.iter().map(|(_, text)| text.len()).sum())
         }
     };
     let facts = page.facts;
@@ -114,17 +114,15 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     Ok(())
 }
 
-const INDEX: &str = "index.html";
-
 /// The page's folder. One that holds somebody's page is no place for another.
 fn folder(path: &Path) -> Result<Folder> {
     let folder = Folder::make(path)?;
     let has = |name: &&str| folder.join(name).exists();
-    let Some(name) = [INDEX, "page.js", "scene.js"].iter().find(|name| has(name)) else {
+    let Some(name) = WebPage::FILES.iter().find(|name| has(name)) else {
         return Ok(folder);
     };
     let is_own = |text: &str| text.contains("<meta name=\"generator\" content=\"organza ");
-    match fs::read_to_string(folder.join(INDEX)) {
+    match fs::read_to_string(folder.join(WebPage::FILES[0])) {
         Ok(text) if is_own(&text) => Ok(folder),
         _ => refuse(format!(
             "{} holds a {name} that organza did not write; choose another folder",
@@ -138,7 +136,5 @@ fn write(path: &Path, text: &str) -> Result<()> {
 }
 
 fn size(text: &str) -> Result<[u32; 2], String> {
-    let side = |text: &str| text.trim().parse().ok().filter(|side| (16..=MAX_SIDE).contains(side));
-    let size = text.split_once('x').and_then(|(w, h)| Some([side(w)?, side(h)?]));
-    size.ok_or_else(|| format!("expected pixels such as 1280x720, each side 16 to {MAX_SIDE}"))
+    super::size(text, 16..=MAX_SIDE)
 }

@@ -32,6 +32,7 @@ mod view;
 mod views;
 mod written;
 
+use std::ops::RangeInclusive;
 use std::panic;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -173,6 +174,14 @@ fn remember_panics() {
             *last = panic.to_string().replace('\n', " ");
         }
     }));
+}
+
+/// Width and height in pixels, such as `1280x720`.
+fn size(text: &str, sides: RangeInclusive<u32>) -> Result<[u32; 2], String> {
+    let side = |text: &str| text.trim().parse().ok().filter(|side| sides.contains(side));
+    let size = text.split_once('x').and_then(|(w, h)| Some([side(w)?, side(h)?]));
+    let (least, most) = (sides.start(), sides.end());
+    size.ok_or_else(|| format!("expected pixels such as 1280x720, each side {least} to {most}"))
 }
 
 /// An error about what the command line asks for.

@@ -257,11 +257,21 @@ impl Written {
         Ok([removed, changed])
     }
 
+    /// Whether something else has the list's name: a link, or a folder.
+    fn is_taken(path: &Path) -> bool {
+        fs::symlink_metadata(path).is_ok_and(|found| !found.is_file())
+    }
+
+    fn remove_list(&self) {
+        let path = self.folder.join(&self.list);
+        if !Self::is_taken(&path) {
+            let _ = fs::remove_file(path);
+        }
+    }
+
     fn save(&self) -> Result<()> {
         let path = self.folder.join(&self.list);
-        // Not through a link, nor to what somebody put there.
-        if self.files.is_empty() || fs::symlink_metadata(&path).is_ok_and(|found| !found.is_file())
-        {
+        if self.files.is_empty() || Self::is_taken(&path) {
             return Ok(());
         }
         write_atomic(path, |writer| {
@@ -272,9 +282,15 @@ impl Written {
 }
 
 impl Drop for Written {
-    /// A call that failed has written some files: the list knows them.
+    /// A call that failed has written some files: the list knows them. It forgets those that were announced and never written.
+    /// An empty list is removed.
     fn drop(&mut self) {
-        if !self.now.is_empty() {
+        let announced = self.files.len();
+        let folder = &self.folder;
+        self.files.retain(|name, entry| !entry.content.is_empty() || folder.join(name).exists());
+        if self.files.is_empty() && announced > 0 {
+            self.remove_list();
+        } else if self.files.len() < announced || !self.now.is_empty() {
             let _ = self.save();
         }
     }

@@ -63,6 +63,9 @@ const ORBIT: usize = 12;
 const VIEWS: usize = 24;
 
 impl WebPage {
+    /// The names of [`Self::files`]; the first is what a browser opens.
+    pub const FILES: [&str; 3] = ["index.html", "page.js", "scene.js"];
+
     /// Makes the page of a scene. `cameras` are those that it was trained on, or none; `measuring` is what measures how much
     /// memory their images need.
     ///
@@ -123,10 +126,11 @@ impl WebPage {
     #[must_use]
     pub fn files(&self) -> [(&'static str, String); 3] {
         let scripts = "<script src=\"scene.js\"></script>\n<script src=\"page.js\"></script>";
+        let [index, page, scene] = Self::FILES;
         [
-            ("index.html", bundle::html(&self.title, scripts)),
-            ("page.js", bundle::script()),
-            ("scene.js", self.scene_script()),
+            (index, bundle::html(&self.title, scripts)),
+            (page, bundle::script()),
+            (scene, self.scene_script()),
         ]
     }
 

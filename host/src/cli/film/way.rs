@@ -193,10 +193,7 @@ fn within(text: &str, low: f64, high: f64) -> Option<f64> {
 }
 
 fn size(text: &str) -> Result<[u32; 2], String> {
-    let side =
-        |text: &str| text.trim().parse().ok().filter(|side| (1..=MAX_IMAGE_SIDE).contains(side));
-    let size = text.split_once('x').and_then(|(w, h)| Some([side(w)?, side(h)?]));
-    size.ok_or_else(|| format!("expected pixels such as 1280x720, each side 1 to {MAX_IMAGE_SIDE}"))
+    super::super::size(text, 1..=MAX_IMAGE_SIDE)
 }
 
 #[cfg(test)]

@@ -293,7 +293,7 @@ mod gaussians {
     use glam::{Vec2, Vec3, Vec4};
     use organza::InstructionSet;
     use organza_shaders::camera::Camera;
-    use organza_shaders::project::{ProjectKernel, ProjectParams};
+    use organza_shaders::project::{EVERYWHERE, ProjectKernel, ProjectParams};
 
     use crate::common::{Bench, sets};
 
@@ -312,6 +312,7 @@ mod gaussians {
         let kernel = ProjectKernel {
             params: ProjectParams { gaussians: GAUSSIANS, blur: 0.3 },
             camera: &bench.upload(&camera.pack()),
+            window: &bench.upload(&EVERYWHERE),
             position: &bench.numbers(3 * GAUSSIANS, [-1.0, 1.0]),
             rotation: &bench.numbers(4 * GAUSSIANS, [0.1, 1.0]),
             log_scale: &bench.numbers(3 * GAUSSIANS, [-5.0, -2.0]),

@@ -5,7 +5,7 @@ use glam::{Vec2, Vec3, Vec4};
 use crate::camera::{Camera, read3};
 use crate::lens::Lens;
 use organza_kernel::atomic;
-use organza_kernel::math::{abs, cross, dot, exp, is_finite, sqrt};
+use organza_kernel::math::{abs, clamp, cross, dot, exp, is_finite, max, sqrt};
 use organza_kernel::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
 use organza_kernel::work::{NUMBER, Shape, VECTOR, Work};
@@ -18,6 +18,9 @@ pub const BEHIND: f32 = -1.0;
 
 /// [`Projection::radius`] of a Gaussian whose projection is not finite or has no inverse.
 pub const DEGENERATE: f32 = -2.0;
+
+/// [`Projection::radius`] of a Gaussian that reaches no tile of the camera, as [`is_elsewhere`] finds. It has no projection.
+pub const ELSEWHERE: f32 = -3.0;
 
 /// A Gaussian on the image plane; all zeros but the radius where it is culled.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -121,6 +124,28 @@ pub fn project_gaussian(
     }
 }
 
+/// Floats of a camera's window: the least x and y of its tiles, then the greatest, in pixels.
+pub const WINDOW: usize = 4;
+
+/// The window that leaves nothing out.
+pub const EVERYWHERE: [f32; WINDOW] = [f32::MIN, f32::MIN, f32::MAX, f32::MAX];
+
+/// Whether a Gaussian in front of the camera ends before a window of the image, for certain. It costs less than
+/// [`project_gaussian`].
+///
+/// The longest axis of `J W Sigma W^T J^T` is at most that of Sigma times the Frobenius norm of `J W`. The margin is wider
+/// than the one of [`reaches`](crate::tile::reaches).
+#[inline(always)]
+pub fn is_elsewhere(camera: &Camera, t: Vec3, blur: f32, log_scale: Vec3, window: Vec4) -> bool {
+    let lens = Lens::new(camera, t);
+    let scale = exp(max(log_scale.x, max(log_scale.y, log_scale.z)));
+    let stretch = dot(lens.row_x, lens.row_x) + dot(lens.row_y, lens.row_y);
+    let longest = FALLOFF_CUTOFF * (stretch * scale * scale + blur);
+    let dx = lens.pixel.x - clamp(lens.pixel.x, window.x, window.z);
+    let dy = lens.pixel.y - clamp(lens.pixel.y, window.y, window.w);
+    dx * dx + dy * dy > 1.02 * longest + 0.02
+}
+
 /// Squared Mahalanobis distance `q = d^T cov2d^-1 d`.
 #[inline(always)]
 pub fn mahalanobis<L: Lane>(conic: Vec3, dx: L, dy: L) -> L {
@@ -163,13 +188,15 @@ fn project_work(params: &ProjectParams, shape: Shape<'_>) -> Work {
 
 /// Every Gaussian in every camera: Gaussians along x and y, cameras along z.
 ///
-/// `projection [cameras, gaussians, 2]` is `(mean2d, radius, extent x), (conic, extent y)`; `degenerate [1]` counts the
-/// Gaussians that were culled because they cannot be projected.
+/// `window [cameras, 4]` holds a camera's tiles, see [`WINDOW`]. `projection [cameras, gaussians, 2]` is `(mean2d, radius,
+/// extent x), (conic, extent y)`: all zeros but the negative radius where a Gaussian is culled. `degenerate [1]` counts
+/// those that may reach a window and cannot be projected.
 #[kernel(threads(64), work(project_work))]
 pub fn project(
     id: Invocation,
     params: &ProjectParams,
     camera: Read<f32>,
+    window: Read<f32>,
     position: Read<f32>,
     rotation: Read<f32>,
     log_scale: Read<f32>,
@@ -178,19 +205,31 @@ pub fn project(
 ) {
     let gaussian = id.index();
     if gaussian < params.gaussians {
-        let projected = project_gaussian(
-            &Camera::read(camera, id.workgroup.z),
-            params.blur,
-            read3(position, gaussian * 3),
-            read_quaternion(rotation, gaussian),
-            read3(log_scale, gaussian * 3),
-        );
-        let slot = 2 * (id.workgroup.z * params.gaussians + gaussian);
-        let (mean2d, extent) = (projected.mean2d, projected.extent);
-        projection.write(slot, Vec4::new(mean2d.x, mean2d.y, projected.radius, extent.x));
-        projection.write(slot + 1, projected.conic.extend(extent.y));
-        if projected.radius == DEGENERATE {
-            atomic::add(degenerate, 0, 1);
+        let z = id.workgroup.z;
+        let view = Camera::read(camera, z);
+        let first = z * WINDOW as u32;
+        let low = Vec2::new(window.read(first), window.read(first + 1));
+        let high = Vec2::new(window.read(first + 2), window.read(first + 3));
+        let window = Vec4::new(low.x, low.y, high.x, high.y);
+        let center = read3(position, gaussian * 3);
+        let log_axes = read3(log_scale, gaussian * 3);
+        let t = view.to_camera(center);
+        let is_behind = is_finite(t.z) && !Lens::sees(t);
+        let is_elsewhere = Lens::sees(t) && is_elsewhere(&view, t, params.blur, log_axes, window);
+        let slot = 2 * (z * params.gaussians + gaussian);
+        if is_behind || is_elsewhere {
+            let radius = if is_behind { BEHIND } else { ELSEWHERE };
+            projection.write(slot, Vec4::new(0.0, 0.0, radius, 0.0));
+            projection.write(slot + 1, Vec4::ZERO);
+        } else {
+            let turn = read_quaternion(rotation, gaussian);
+            let projected = project_gaussian(&view, params.blur, center, turn, log_axes);
+            let (mean2d, extent) = (projected.mean2d, projected.extent);
+            projection.write(slot, Vec4::new(mean2d.x, mean2d.y, projected.radius, extent.x));
+            projection.write(slot + 1, projected.conic.extend(extent.y));
+            if projected.radius == DEGENERATE {
+                atomic::add(degenerate, 0, 1);
+            }
         }
     }
 }

@@ -162,13 +162,6 @@ impl SceneBox {
         let rest = offset * self.scale_rest + rest * (self.scale + self.scale_rest);
         [Split::new(main.x, rest.x), Split::new(main.y, rest.y), Split::new(main.z, rest.z)]
     }
-
-    /// A position in the unit cube's space.
-    #[inline(always)]
-    pub fn normalize(&self, position: Vec3) -> Vec3 {
-        let [x, y, z] = self.split(position);
-        Vec3::new(x.coarse + x.fine, y.coarse + y.fine, z.coarse + z.fine)
-    }
 }
 
 /// The first bits of a positive number.

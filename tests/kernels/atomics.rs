@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3};
 use organza_shaders::camera::Camera;
-use organza_shaders::project::{ProjectKernel, ProjectParams};
+use organza_shaders::project::{EVERYWHERE, ProjectKernel, ProjectParams};
 use organza_tests::devices;
 
 #[test]
@@ -28,6 +28,7 @@ fn every_invocation_counts_once() {
         let kernel = ProjectKernel {
             params: ProjectParams { gaussians: GAUSSIANS, blur: 0.3 },
             camera: &device.upload("camera", &cameras).unwrap(),
+            window: &device.upload("window", &EVERYWHERE.repeat(CAMERAS as usize)).unwrap(),
             position: &device.zeros("position", 3 * GAUSSIANS as usize).unwrap(),
             rotation: &device.upload("rotation", &rotation).unwrap(),
             log_scale: &device.upload("log_scale", &log_scale).unwrap(),

@@ -1,7 +1,7 @@
 //! What changes of one character in the kernels showed that no other test looks at: `docs/mutations.md`.
 
 use glam::Vec2;
-use organza::{Renderer, Scene};
+use organza::{Renderer, Scene, Tile, TileBatch};
 use organza_shaders::tile::reaches;
 use organza_shaders::unit_cube::Split;
 use organza_tests::cases::Case;
@@ -75,6 +75,25 @@ fn only_what_cannot_be_projected_is_counted() {
         let found = degenerate(&scene);
         let most = 2 * cameras.len() as u64;
         assert!(found > 0 && found <= most, "{found} of at most {most} on {backend}");
+    }
+}
+
+/// A tile alone has a small window; many have one that leaves nearly nothing out.
+#[test]
+fn what_ends_before_a_window_reaches_no_tile() {
+    let case = Case::load(&cases::folder().join("basic"));
+    let corner = |at: i32| [8 * (at % 8) - 8, 8 * (at / 8) - 8];
+    let tiles: Vec<_> = (0..64).map(|at| Tile { camera: 0, origin: corner(at) }).collect();
+    for (backend, device) in devices::all() {
+        let renderer = Renderer::new(device);
+        let scene = renderer.upload(&case.scene).expect("the scene fits");
+        let members = |tiles: &[Tile]| {
+            let batch = TileBatch { side: 8, tiles: tiles.to_vec() };
+            renderer.render(&scene, &case.cameras, &batch).expect("it renders").report.members
+        };
+        let together = members(&tiles);
+        let alone: u64 = tiles.iter().map(|&tile| members(&[tile])).sum();
+        assert!(together > 0 && together == alone, "{together}, {alone} on {backend}");
     }
 }
 

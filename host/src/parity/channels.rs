@@ -47,7 +47,7 @@ impl Parity for PairChannels {
         no normal that is across the ray to within 1e-5, where rounding decides its side";
 
     fn sets() -> Vec<(String, Self)> {
-        let sets = Project::sets().into_iter();
+        let sets = Project::everywhere().into_iter();
         sets.map(|(name, scene)| (name, Self::new(scene))).collect()
     }
 

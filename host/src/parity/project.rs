@@ -8,7 +8,8 @@ use organza_check::{
 use organza_shaders::camera::Camera;
 use organza_shaders::lens::NEAR_PLANE;
 use organza_shaders::project::{
-    BEHIND, DEGENERATE, FALLOFF_CUTOFF, ProjectKernel, ProjectParams, rotation_columns,
+    BEHIND, DEGENERATE, ELSEWHERE, EVERYWHERE, FALLOFF_CUTOFF, ProjectKernel, ProjectParams,
+    WINDOW, rotation_columns,
 };
 
 use super::exact::project::{Gaussian, Projected, View, project};
@@ -39,6 +40,8 @@ pub struct Project {
     pub blur: f32,
     /// The cameras.
     pub cameras: Vec<Camera>,
+    /// The part of their images that is needed.
+    pub window: [f32; WINDOW],
     /// `[gaussians, 3]`
     pub position: Vec<f32>,
     /// `[gaussians, 4]`
@@ -60,6 +63,7 @@ impl Project {
             gaussians,
             blur,
             cameras: cameras(random),
+            window: EVERYWHERE,
             position: fill.values(random, 3 * len, [-2.0, 2.0], 1e30),
             rotation: fill.values(random, 4 * len, [-1.0, 1.0], 1e15),
             log_scale: fill.values(random, 3 * len, log_scale, 1e30),
@@ -76,6 +80,32 @@ impl Project {
                 set.log_scale[3 * gaussian..][..3].copy_from_slice(&random.values(3, -5.0, 0.0));
             }
         }
+        set
+    }
+
+    /// The sets that need all of their images.
+    pub(super) fn everywhere() -> Vec<(String, Self)> {
+        let usual = [-5.0, 0.0];
+        let mut sets = inputs::sets(|n, fill, random| Self::new(n, fill, 0.3, usual, random));
+        for (name, blur, log_scale) in [
+            ("no blur", 0.0, usual),
+            ("much blur", 100.0, usual),
+            ("needles", 0.3, [-14.0, 1.0]),
+            ("tiny", 0.3, [-110.0, -30.0]),
+            ("large", 0.3, [0.0, 90.0]),
+        ] {
+            let set = Self::new(ITEMS, Fill::Random, blur, log_scale, &mut Random::new(41));
+            sets.push((name.into(), set));
+        }
+        sets.push(("on the near plane".into(), Self::on_near_plane()));
+        sets
+    }
+
+    /// Most Gaussians end before the window.
+    fn in_a_window() -> Self {
+        let random = &mut Random::new(43);
+        let mut set = Self::new(20 * ITEMS, Fill::Random, 0.3, [-7.0, -2.0], random);
+        set.window = [260.0, 180.0, 300.0, 240.0];
         set
     }
 
@@ -130,8 +160,29 @@ impl Project {
         if !numbers.iter().all(is_f32) || found.determinant <= 0.0 {
             return Some(Fate::Degenerate);
         }
+        if self.window != EVERYWHERE {
+            let [far, near] = self.distance_to_window(gaussian, &found);
+            // rounding decides
+            if (far - near).abs() < 1e-4 * (far + near) {
+                return None;
+            }
+            if far > near {
+                return Some(Fate::Elsewhere);
+            }
+        }
         // the determinant has squares of these
         (xx.max(yy) < 1e15).then_some(Fate::Projected(found))
+    }
+
+    /// The squared distance of a Gaussian's center to the window, in pixels, and the one above which it is left out.
+    fn distance_to_window(&self, gaussian: usize, found: &Projected<f64>) -> [f64; 2] {
+        let [left, top, right, bottom] = self.window.map(f64::from);
+        let [x, y] = found.mean;
+        let [dx, dy] = [x - x.clamp(left, right), y - y.clamp(top, bottom)];
+        let jacobian = found.jacobian.map(|row| DVec3::from(row).length_squared());
+        let longest = self.log_axes(gaussian).max_element().exp();
+        let most = (jacobian[0] + jacobian[1]) * longest * longest + f64::from(self.blur);
+        [dx * dx + dy * dy, 1.02 * f64::from(FALLOFF_CUTOFF) * most + 0.02]
     }
 
     pub(super) fn sensitivity(&self, camera: usize, gaussian: usize) -> Sensitivity {
@@ -154,30 +205,21 @@ impl Parity for Project {
         of the near plane, none whose products overflow on some devices only (1e35 to 1e42)";
 
     fn sets() -> Vec<(String, Self)> {
-        let usual = [-5.0, 0.0];
-        let mut sets = inputs::sets(|n, fill, random| Self::new(n, fill, 0.3, usual, random));
-        for (name, blur, log_scale) in [
-            ("no blur", 0.0, usual),
-            ("much blur", 100.0, usual),
-            ("needles", 0.3, [-14.0, 1.0]),
-            ("tiny", 0.3, [-110.0, -30.0]),
-            ("large", 0.3, [0.0, 90.0]),
-        ] {
-            let set = Self::new(ITEMS, Fill::Random, blur, log_scale, &mut Random::new(41));
-            sets.push((name.into(), set));
-        }
-        sets.push(("on the near plane".into(), Self::on_near_plane()));
+        let mut sets = Self::everywhere();
+        sets.push(("in a window".into(), Self::in_a_window()));
         sets
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let packed: Vec<_> = self.cameras.iter().flat_map(Camera::pack).collect();
+        let windows = self.window.repeat(self.cameras.len());
         let slots = self.cameras.len() * self.gaussians as usize;
         let projection = runner.output::<Vec4>(2 * slots)?;
         let degenerate = runner.output_of(&[0_u32])?;
         let kernel = ProjectKernel {
             params: ProjectParams { gaussians: self.gaussians, blur: self.blur },
             camera: &runner.upload(&packed)?,
+            window: &runner.upload(&windows)?,
             position: &runner.upload(&self.position)?,
             rotation: &runner.upload(&self.rotation)?,
             log_scale: &runner.upload(&self.log_scale)?,
@@ -189,8 +231,9 @@ impl Parity for Project {
         let class = |p: &[Vec4; 2]| match p[0].z {
             BEHIND => 1,
             DEGENERATE => 2,
+            ELSEWHERE => 3,
             radius if radius >= 0.0 => 0,
-            _ => 3,
+            _ => 4,
         };
         let (places, behind) = projection.split_at(2 * slots);
         let places = places.as_chunks::<2>().0;
@@ -218,7 +261,10 @@ impl Parity for Project {
             (_, None) => vec![None; width(output)],
             ("class", Some(Fate::Behind)) => vec![Some(1.0)],
             ("class", Some(Fate::Degenerate)) => vec![Some(2.0)],
-            (_, Some(Fate::Behind | Fate::Degenerate)) => vec![Some(0.0); width(output)],
+            ("class", Some(Fate::Elsewhere)) => vec![Some(3.0)],
+            (_, Some(Fate::Behind | Fate::Degenerate | Fate::Elsewhere)) => {
+                vec![Some(0.0); width(output)]
+            }
             (_, Some(Fate::Projected(found))) => {
                 let values = match output {
                     "class" => vec![0.0],
@@ -265,6 +311,8 @@ pub(super) enum Fate {
     Behind,
     /// It has no place, no finite covariance or no inverse of it.
     Degenerate,
+    /// It ends before the window.
+    Elsewhere,
     /// It lies there.
     Projected(Projected<f64>),
 }

@@ -192,7 +192,7 @@ impl Parity for ProjectBackward {
         scaled by how the f64 projection is conditioned; no ratio within 1e-5 of being clamped";
 
     fn sets() -> Vec<(String, Self)> {
-        Project::sets().into_iter().map(|(name, set)| (name, Self::new(set))).collect()
+        Project::everywhere().into_iter().map(|(name, set)| (name, Self::new(set))).collect()
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {

@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3, Vec4};
 use organza_shaders::camera::Camera as KernelCamera;
 use organza_shaders::count::{MEMBERS, PAIRS, SAMPLES};
 use organza_shaders::pair::{PairFillKernel, PairFillParams, PairMaskKernel, PairMaskParams};
-use organza_shaders::project::{ProjectKernel, ProjectParams};
+use organza_shaders::project::{ProjectKernel, ProjectParams, WINDOW};
 use organza_shaders::tile::{
     TileFillKernel, TileFillParams, TileMaskKernel, TileMaskParams, TileRangeKernel,
     TileRangeParams,
@@ -75,19 +75,23 @@ pub fn kernel_camera(camera: &Camera) -> KernelCamera {
     }
 }
 
-/// Projects every Gaussian into every camera: packed cameras, projections, and the count of degenerate ones.
+/// Projects every Gaussian into every camera, and leaves out those that certainly end before the camera's window: packed
+/// cameras, projections, and the count of degenerate ones.
 pub fn project(
     device: &Device,
     scene: &DeviceScene,
     cameras: &[&Camera],
+    windows: &[[f32; WINDOW]],
 ) -> Result<(Buffer<f32>, Buffer<Vec4>, Buffer<u32>)> {
     let packed: Vec<_> = cameras.iter().flat_map(|camera| kernel_camera(camera).pack()).collect();
     let camera = device.upload("cameras", &packed)?;
+    let window = device.upload("windows", windows.as_flattened())?;
     let projection = device.zeros("projection", cameras.len() * scene.len() * 2)?;
     let degenerate = device.zeros("degenerate", 1)?;
     let kernel = ProjectKernel {
         params: ProjectParams { gaussians: scene.gaussians, blur: scene.config.blur as f32 },
         camera: &camera,
+        window: &window,
         position: &scene.tensors.gaussians.position,
         rotation: &scene.tensors.gaussians.rotation,
         log_scale: &scene.tensors.gaussians.log_scale,
@@ -186,7 +190,7 @@ impl Bins {
         capacity: Option<Capacity>,
     ) -> Result<Self> {
         let used: Vec<_> = plan.cameras().iter().map(|&index| &cameras[index]).collect();
-        let (camera, projection, degenerate) = project(device, scene, &used)?;
+        let (camera, projection, degenerate) = project(device, scene, &used, &plan.windows())?;
         let (packed, first_tile) = plan.pack();
         let tile = device.upload("tiles", &packed)?;
         let first_tile = device.upload("first tiles", &first_tile)?;

@@ -5,7 +5,7 @@
 use std::time::Instant;
 
 use organza_shaders::composite::splat_distance;
-use organza_shaders::project::in_support;
+use organza_shaders::project::{EVERYWHERE, in_support};
 use rayon::prelude::*;
 
 use super::bin::{Bins, Pairs, kernel_camera, project};
@@ -207,7 +207,7 @@ impl Renderer {
     /// As [`Renderer::render`].
     pub fn count_members(&self, scene: &DeviceScene, camera: &Camera) -> Result<Vec<u32>> {
         let device = self.device();
-        let (_, projection, _) = project(device, scene, &[camera])?;
+        let (_, projection, _) = project(device, scene, &[camera], &[EVERYWHERE])?;
         let projection = device.read(&projection)?;
         let width = camera.width as usize;
         let mut count = memory::zeros(width * camera.height as usize, "members of pixels")?;

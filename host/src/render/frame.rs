@@ -8,7 +8,7 @@ use super::plan::{Plan, PlannedTile};
 use super::renderer::Renderer;
 use super::scene::DeviceScene;
 use super::transmittance::{Transmittance, segments};
-use crate::camera::Camera;
+use crate::camera::{Camera, MAX_IMAGE_SIDE};
 use crate::error::Result;
 use crate::tile::{Tile, TileBatch};
 
@@ -79,7 +79,9 @@ impl Renderer {
         let device = self.device();
         // of what a mistake before may have left
         drop(device.take_plan());
-        let tile = |place| PlannedTile { tile: Tile { camera: 0, origin: [0, 0] }, place };
+        // Whoever runs it puts the others anywhere to the right and below: no Gaussian of those is to be left out.
+        let origin = |place| if place == 0 { [0, 0] } else { [MAX_IMAGE_SIDE as i32; 2] };
+        let tile = |place| PlannedTile { tile: Tile { camera: 0, origin: origin(place) }, place };
         let plan = Plan { side: shape.side, tiles: (0..shape.tiles as usize).map(tile).collect() };
         let eye = [0.0, -1.0, 0.0];
         let camera = Camera::look_at(eye, [0.0; 3], [0.0, 0.0, 1.0], 1.0, [shape.side; 2])?;

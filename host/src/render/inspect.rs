@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec4};
 use organza_shaders::composite::{alpha, pixel_center, splat_distance};
-use organza_shaders::project::{falloff, in_support};
+use organza_shaders::project::{EVERYWHERE, falloff, in_support};
 use organza_shaders::splat::VECTORS;
 use organza_shaders::tile::Tile as KernelTile;
 use serde::Serialize;
@@ -108,7 +108,7 @@ impl Renderer {
     #[doc(hidden)]
     pub fn stages(&self, scene: &DeviceScene, camera: &Camera) -> Result<Stages> {
         let device = self.device();
-        let (camera, projection, _) = project(device, scene, &[camera])?;
+        let (camera, projection, _) = project(device, scene, &[camera], &[EVERYWHERE])?;
         let every: Vec<u32> = (0..scene.gaussians).collect();
         let pairs = Pairs {
             count: Count::known(scene.gaussians),

@@ -1,6 +1,7 @@
 //! Cuts a batch into parts that fit the device.
 
 use organza_shaders::limits::{MAX_CAMERAS, MAX_TILES};
+use organza_shaders::project::WINDOW;
 use organza_shaders::tile::Tile as KernelTile;
 
 use super::scene::DeviceScene;
@@ -71,6 +72,17 @@ impl Plan {
         let mut cameras: Vec<_> = self.tiles.iter().map(|tile| tile.tile.camera).collect();
         cameras.dedup();
         cameras
+    }
+
+    /// The smallest part of each camera's image that holds its tiles.
+    pub fn windows(&self) -> Vec<[f32; WINDOW]> {
+        let of_camera = |tiles: &[PlannedTile]| {
+            let origins = |axis: usize| tiles.iter().map(move |tile| tile.tile.origin[axis]);
+            let low = |axis| origins(axis).min().unwrap_or(0) as f32;
+            let high = |axis| origins(axis).max().unwrap_or(0) as f32 + self.side as f32;
+            [low(0), low(1), high(0), high(1)]
+        };
+        self.tiles.chunk_by(|a, b| a.tile.camera == b.tile.camera).map(of_camera).collect()
     }
 
     /// The tiles as kernels see them, and where each camera's begin.

@@ -78,8 +78,8 @@ pub use organza_device::{
 #[doc(hidden)]
 pub use render::Stages;
 pub use render::{
-    Channel, DeviceScene, Inspection, Recording, RenderReport, RenderedTiles, Renderer,
-    UploadOptions,
+    Channel, DeviceScene, DeviceShare, Inspection, Recording, RenderReport, RenderedTiles,
+    Renderer, ShareRecording, UploadOptions,
 };
 pub use scene::{Gradient, Scene};
 pub use tile::{Tile, TileBatch};

@@ -9,6 +9,7 @@ mod loss;
 mod properties;
 mod reference_cases;
 mod reproducible;
+mod shares;
 #[path = "../support/snapshot/mod.rs"]
 mod snapshot;
 mod snapshots;

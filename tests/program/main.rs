@@ -21,6 +21,7 @@ mod parity;
 mod results;
 mod sandbox;
 mod shards;
+mod shares;
 mod stale;
 mod train;
 mod view;

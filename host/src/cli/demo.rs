@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::console::{Console, print_json};
 use super::device::DeviceArgs;
 use super::output::Folder;
-use super::picture::{Picture, Pictures, warn_not_finite};
+use super::picture::{Picture, Pictures, Shown, warn_not_finite};
 use super::refuse;
 use super::summary::{Cost, Summary, count};
 use super::views::names;
@@ -112,7 +112,8 @@ fn render(
     console: Console,
 ) -> Result<(Vec<Picture>, Cost)> {
     let scene = renderer.upload(scene)?;
-    let pictures = Pictures { renderer, scene: &scene, cameras, tile_size: TILE_SIZE };
+    let shown = Shown::Scene(&scene);
+    let pictures = Pictures { renderer, shown, cameras, tile_size: TILE_SIZE };
     let views: Vec<_> = (0..cameras.len()).collect();
     let names = names(cameras);
     let mut sheet = Sheet::new(cameras)?;

@@ -29,9 +29,12 @@ pub struct SceneArgs {
 impl SceneArgs {
     /// Copies the scene to the renderer's device.
     pub fn upload(&self, renderer: &Renderer, scene: &Scene) -> Result<DeviceScene> {
+        renderer.upload_with(scene, self.options())
+    }
+
+    pub fn options(&self) -> UploadOptions {
         let Self { half_grids, half_networks } = *self;
-        let options = UploadOptions::default().half_grids(half_grids).half_networks(half_networks);
-        renderer.upload_with(scene, options)
+        UploadOptions::default().half_grids(half_grids).half_networks(half_networks)
     }
 }
 

@@ -4,17 +4,26 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use organza::image::{self, ChannelImage};
-use organza::{Camera, Channel, DeviceScene, Image, Renderer, Result};
+use organza::ranks::Ranks;
+use organza::{Camera, Channel, DeviceScene, DeviceShare, Image, Renderer, Result};
 use serde::Serialize;
 
 use super::console::{Console, Progress};
 use super::summary::{Summary, grouped};
 
+/// The Gaussians that views show.
+#[derive(Clone, Copy, Debug)]
+pub enum Shown<'a> {
+    Scene(&'a DeviceScene),
+    /// Those of many ranks: all of them render the same views.
+    Share(&'a DeviceShare, &'a dyn Ranks),
+}
+
 /// What views are rendered from, and how.
 #[derive(Debug)]
 pub struct Pictures<'a> {
     pub renderer: &'a Renderer,
-    pub scene: &'a DeviceScene,
+    pub shown: Shown<'a>,
     pub cameras: &'a [Camera],
     pub tile_size: u32,
 }
@@ -48,9 +57,18 @@ impl Pictures<'_> {
         let mut beside = beside.collect::<Result<Vec<_>>>()?;
         for batch in image::bands(view, [width, height], self.tile_size) {
             let batch = batch?;
-            let (renderer, scene, cameras) = (self.renderer, self.scene, self.cameras);
+            let (renderer, cameras) = (self.renderer, self.cameras);
             let advance = &mut progress.part();
-            let tiles = renderer.render_channels(scene, cameras, &batch, channels, advance)?;
+            let tiles = match self.shown {
+                Shown::Scene(scene) => {
+                    renderer.render_channels(scene, cameras, &batch, channels, advance)?
+                }
+                Shown::Share(share, ranks) => {
+                    let tiles = renderer.render_share(share, cameras, &batch, ranks)?;
+                    advance(tiles.count, tiles.count);
+                    tiles
+                }
+            };
             summary.add(&tiles.report);
             picture.paste(&batch, &tiles)?;
             beside.iter_mut().try_for_each(|image| image.paste(&batch, &tiles))?;

@@ -3,18 +3,22 @@
 use std::path::{Path, PathBuf};
 
 use organza::image::{ChannelFormat, ChannelImage};
+use organza::ranks::{Ranks, meet};
+use organza::scene::SceneShare;
 use organza::tile::MAX_TILE_SIDE;
-use organza::{Channel, Image, Result};
+use organza::{Channel, DeviceShare, Image, Renderer, Result};
 use serde::Serialize;
 
 use super::channels::{ChannelArgs, FormatArgs};
 use super::console::{Console, print_json};
 use super::device::{DeviceArgs, SceneArgs};
-use super::inputs::{Cameras, DataArgs, SceneSource};
+use super::inputs::{Cameras, DataArgs, Expected, SceneSource, told_apart};
 use super::output::{self, Folder};
-use super::picture::{Picture, Pictures, sizes, warn_not_finite};
+use super::picture::{Picture, Pictures, Shown, sizes, warn_not_finite};
+use super::ranks::{Places, SharesArgs};
 use super::refuse;
 use super::summary::{Cost, Summary, count, grouped};
+use super::verbosity::Level;
 use super::views::{Shard, ViewList, names, warn_distorted};
 use super::written::Written;
 
@@ -28,6 +32,7 @@ Examples:
   organza render scene.safetensors data/fox -o images --split all --downscale 2
   organza render scene.safetensors transforms.json -o images --shard 0/4   the first of four machines
   organza render scene.safetensors transforms.json -o images --missing     what is not there yet
+  mpirun -n 8 organza render scene.safetensors transforms.json -o images --ranks mpi
 
 A folder is a data set: its cameras are as training has them, undistorted and downscaled, and a \
 run's folder says which frames are held out. Views count within the split.
@@ -67,6 +72,8 @@ pub struct Args {
     /// Render only images that are not there yet
     #[arg(long)]
     missing: bool,
+    #[command(flatten)]
+    ranks: SharesArgs,
     /// Side of the tiles that an image is cut into, in pixels
     #[arg(long, value_name = "S", default_value_t = 64)]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_TILE_SIDE)))]
@@ -86,39 +93,110 @@ pub struct Args {
     device: DeviceArgs,
 }
 
+/// What to render, as every rank finds it out.
+struct Job {
+    source: SceneSource,
+    cameras: Cameras,
+    views: Vec<usize>,
+}
+
+impl Job {
+    fn find(args: &Args, console: Console) -> Result<Self> {
+        let source = SceneSource::find(&args.scene)?;
+        let usage = "organza render SCENE CAMERAS -o DIR";
+        let cameras = Cameras::load(&source, args.cameras.as_deref(), &args.data, usage, console)?;
+        let views = match &args.views {
+            Some(chosen) => chosen.resolve(cameras.list.len(), &cameras.origin)?,
+            None => (0..cameras.list.len()).collect(),
+        };
+        let views = args.shard.map_or(views.clone(), |shard| shard.of(views));
+        Ok(Self { source, cameras, views })
+    }
+
+    /// A rank's share of the scene, on its device.
+    fn share(
+        &self,
+        args: &Args,
+        ranks: &dyn Ranks,
+        mixed: bool,
+        renderer: &Renderer,
+    ) -> Result<DeviceShare> {
+        let file = self.source.file();
+        let share = SceneShare::load(file, ranks.rank(), ranks.size())
+            .map_err(|error| told_apart(error, file, Expected::Scene))?;
+        let (all, config) = (share.gaussians, &share.scene.config);
+        let input = format!("{all} {config:?} {:?} {:?}", self.views, self.cameras.list);
+        meet(ranks, renderer.device(), ("scene or other cameras", &input), mixed)?;
+        renderer.upload_share(&share, args.scene_args.options())
+    }
+}
+
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let source = SceneSource::find(&args.scene)?;
-    let usage = "organza render SCENE CAMERAS -o DIR";
-    let cameras = Cameras::load(&source, args.cameras.as_deref(), &args.data, usage, console)?;
+    let Some(team) = args.ranks.start()? else {
+        return render(args, Job::find(args, console)?, None, console);
+    };
+    if !args.channels.list().is_empty() {
+        return refuse("`--channels` needs the whole scene on one device: leave out `--ranks`");
+    }
+    let (places, mixed) = (team.places(), team.mixed);
+    let follow = |ranks: &dyn Ranks| {
+        let console = Console::new(Level::Quiet);
+        let job = Job::find(args, console)?;
+        let options = places.device(args.device.options()?, ranks.rank());
+        let renderer = &args.device.open_as(&options, console)?;
+        let share = job.share(args, ranks, mixed, renderer)?;
+        let todo: Vec<u64> = bytemuck::pod_collect_to_vec(&ranks.broadcast(Vec::new())?);
+        let (shown, cameras) = (Shown::Share(&share, ranks), &job.cameras.list[..]);
+        let pictures = Pictures { renderer, shown, cameras, tile_size: args.tile_size };
+        todo.into_iter().try_for_each(|view| {
+            pictures.render(view as usize, &mut Summary::start(), &console.hidden()).map(drop)
+        })
+    };
+    let lead = |ranks: &dyn Ranks| {
+        render(args, Job::find(args, console)?, Some((ranks, places, mixed)), console)
+    };
+    team.run(lead, follow)
+}
+
+/// Renders, alone or as rank 0.
+fn render(
+    args: &Args,
+    job: Job,
+    ranks: Option<(&dyn Ranks, Places, bool)>,
+    console: Console,
+) -> Result<()> {
+    let Job { source, cameras, views } = &job;
     let list = &cameras.list[..];
-    let views = match &args.views {
-        Some(chosen) => chosen.resolve(list.len(), &cameras.origin)?,
-        None => (0..list.len()).collect(),
-    };
-    let views = match args.shard {
-        Some(shard) => shard.of(views),
-        None => views,
-    };
-    warn_distorted(console, list, &views);
+    warn_distorted(console, list, views);
     let (channels, format) = (args.channels.list(), args.format.format());
-    for &view in &views {
+    for &view in views {
         Image::check_memory(list[view].width, list[view].height)?;
         ChannelImage::check_memory(&channels, list[view].width, list[view].height)?;
     }
-    let scene = source.load(console)?;
+    let scene = if ranks.is_none() { Some(source.load(console)?) } else { None };
     let folder = Folder::make(&args.output)?;
     let beside = |channel: &Channel| format!("{}.{}", channel.name(), format.extension());
     let endings: Vec<_> =
         std::iter::once("png".to_owned()).chain(channels.iter().map(beside)).collect();
-    let files = files(&folder, &source, &cameras, &views, &endings)?;
+    let files = files(&folder, source, cameras, views, &endings)?;
 
-    let renderer = args.device.open(console)?;
-    let scene = args.scene_args.upload(&renderer, &scene)?;
-    let (renderer, tile_size) = (&renderer, args.tile_size);
-    let pictures = Pictures { renderer, scene: &scene, cameras: list, tile_size };
+    let mut options = args.device.options()?;
+    if let Some((ranks, places, _)) = ranks {
+        options = places.device(options, ranks.rank());
+    }
+    let renderer = &args.device.open_as(&options, console)?;
+    let scene = scene.map(|scene| args.scene_args.upload(renderer, &scene)).transpose()?;
+    let share =
+        ranks.map(|(ranks, _, mixed)| job.share(args, ranks, mixed, renderer)).transpose()?;
+    let shown = match (&scene, &share, ranks) {
+        (_, Some(share), Some((ranks, ..))) => Shown::Share(share, ranks),
+        (scene, ..) => Shown::Scene(scene.as_ref().expect("it was read")),
+    };
+    let pictures = Pictures { renderer, shown, cameras: list, tile_size: args.tile_size };
     let shard = args.shard.map(|shard| [shard.index, shard.count]);
+    let of_ranks = ranks.is_some().then_some("added up by ranks");
     let mut written = Written::open_shard(&folder, source.file(), &cameras.all, shard)?
-        .with_options(&(&args.scene_args, format));
+        .with_options(&(&args.scene_args, format, of_ranks));
     let todo = match args.missing {
         true => written.missing(files.iter().map(Vec::as_slice))?,
         false => (0..views.len()).collect(),
@@ -130,6 +208,10 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let rendered: Vec<_> = todo.iter().map(|&place| (views[place], &files[place])).collect();
     written
         .announce(&rendered.iter().flat_map(|(_, files)| *files).cloned().collect::<Vec<_>>())?;
+    if let Some((ranks, ..)) = ranks {
+        let todo: Vec<_> = rendered.iter().map(|(view, _)| *view as u64).collect();
+        ranks.broadcast(bytemuck::cast_slice(&todo).to_vec())?;
+    }
     let output = (&channels[..], format);
     let cost = write_all(&pictures, &rendered, output, &mut written, console)?;
     let removed = written.finish(console)?;

@@ -36,7 +36,8 @@ Examples:
   organza train data/fox -o small --set scene.color_mlp.hidden=16,16 --set growth.method=none
   organza train -o run --tensorboard                   then: tensorboard --logdir run
   organza train data/fox -o run --view                 look at it while it trains
-  organza train data/fox -o run --ranks 2              on two GPUs of one machine
+  organza train data/fox -o run --ranks 2              on two GPUs
+  mpirun -n 8 organza train data/fox -o run --ranks mpi
   organza train --preset best --print-config > mine.toml
   organza eval run
 
@@ -171,7 +172,21 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     if !args.view && args.server.is_given() {
         return refuse("`--port`, `--bind` and `--open` are for the page of `--view`");
     }
-    let team = args.ranks.start();
+    let Some(team) = args.ranks.start()? else { return lead(args, None, console) };
+    if team.mine.rank() > 0 {
+        return team.follow_process(&args.device);
+    }
+    // threads end when rank 0 is gone; processes must be told
+    let processes = team.is_mpi.then(|| team.mine.clone());
+    lead(args, Some(team), console).inspect_err(|error| {
+        if let Some(processes) = processes {
+            processes.fail(&error::chain(error));
+        }
+    })
+}
+
+/// Trains as the first rank, or alone.
+fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
     let signals = Signals::listen()?;
     let (folder, config) = prepare(args)?;
     let (planned, time_limit) = (args.settings.planned(), args.time_limit.map(f64::from));
@@ -269,6 +284,9 @@ impl Job<'_> {
         let mut config = self.config.clone();
         config.check_memory()?;
         let team = self.team.take();
+        if let Some(team) = &team {
+            team.tell(&config)?;
+        }
         let data = DataSet::open(config.data.clone(), console)?;
         let server = self.view.map(|(server, _)| server.listen()).transpose()?;
         // until there is something in it
@@ -277,7 +295,7 @@ impl Job<'_> {
         let folder = RunFolder::lock(self.folder, self.resume)?;
         let options = device.options()?;
         let of_rank = |rank| match &team {
-            Some(team) => team.device(options.clone(), rank),
+            Some(team) => team.places().device(options.clone(), rank),
             None => options.clone(),
         };
         let renderer = device.open_as(&of_rank(0), console)?;
@@ -289,16 +307,16 @@ impl Job<'_> {
         }
         let of_others: Vec<_> =
             team.iter().flat_map(|team| 1..=team.others.len()).map(of_rank).collect();
-        let (mine, others) = match team {
-            Some(Team { mine, others }) => (Some(mine), others),
-            None => (None, Vec::new()),
+        let (mine, others, mixed) = match team {
+            Some(Team { mine, others, mixed, .. }) => (Some(mine), others, mixed),
+            None => (None, Vec::new(), false),
         };
         let session = Session::new(&renderer, &config, &dataset, &folder)
             .with_time_limit(self.time_limit)
             .with_planned(self.planned)
             .with_command(command_line())
             .with_stop(signals.stop())
-            .with_ranks(mine, false);
+            .with_ranks(mine, mixed);
         let mut view = self.view.zip(server).map(|((args, share), server)| {
             args.announce(&server.url(), console);
             let (stop, title) = (signals.stop(), title(self.folder));
@@ -322,7 +340,7 @@ impl Job<'_> {
             let session = session;
             for (ranks, options) in others.into_iter().zip(&of_others) {
                 let dataset = &dataset;
-                scope.spawn(move || follow_thread(ranks, options, dataset));
+                scope.spawn(move || follow_thread(ranks, options, dataset, mixed));
             }
             let outcome = session.run(self.resume, &mut see);
             if let (Some(ranks), Ok(_)) = (&session.ranks, &outcome) {

@@ -1,14 +1,23 @@
-//! Ranks: threads of one process that train one scene together.
+//! Ranks: processes, or threads of one process, that train or render one scene together.
 //!
-//! A rank is one of them, numbered from 0. Each holds the whole scene, and computes its share of every step. What they
-//! tell each other are the calls of [`Ranks`]. All ranks make the same calls in the same order.
+//! A rank is one of them, numbered from 0. In a training, each holds the whole scene and computes its share of every step.
+//! For rendering, each can hold [a share](crate::scene::SceneShare) of the Gaussians. What they tell each other are the
+//! calls of [`Ranks`]. All ranks make the same calls in the same order.
 
+mod meet;
+#[cfg(feature = "mpi")]
+mod mpi;
+#[cfg(any(test, feature = "mpi"))]
+mod rounds;
 mod threads;
 
 use std::fmt::Debug;
 
 use crate::error::{Error, Result};
 
+pub use meet::meet;
+#[cfg(feature = "mpi")]
+pub use mpi::MpiRanks;
 pub use threads::ThreadRanks;
 
 /// What ranks tell each other. Every call waits for all ranks.

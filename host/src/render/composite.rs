@@ -10,6 +10,7 @@ use organza_shaders::resolve::{ResolveBackwardKernel, ResolveKernel, ResolvePara
 use organza_shaders::splat::{
     SplatBackwardKernel, SplatBackwardParams, SplatKernel, SplatParams, VECTORS,
 };
+use organza_shaders::tile::Tile;
 use organza_shaders::tile_cells::{TileCellsKernel, TileCellsParams};
 
 use super::bin::Bins;
@@ -39,15 +40,7 @@ impl Composite {
         color: &Buffer<f32>,
     ) -> Result<Self> {
         let (sum, splat) = weighted_sum(device, scene, side, bins, transmittance, color)?;
-        let tiles = bins.tiles;
-        let image = device.zeros("tiles", tiles as usize * (3 * side * side) as usize)?;
-        let kernel = ResolveKernel {
-            params: resolve_params(scene, background, side),
-            tile: &bins.tile,
-            sum: &sum,
-            image: &image,
-        };
-        device.run_over(&kernel, [side, side, tiles])?;
+        let image = resolve(device, background, scene.divide_above, side, &bins.tile, &sum)?;
         Ok(Self { sum, image, splat })
     }
 
@@ -65,7 +58,7 @@ impl Composite {
         let tiles = bins.tiles;
         let sum_gradient = device.zeros("gradient of the sums", self.sum.len())?;
         let kernel = ResolveBackwardKernel {
-            params: resolve_params(scene, scene.config.background, side),
+            params: resolve_params(scene.config.background, scene.divide_above, side),
             tile: &bins.tile,
             sum: &self.sum,
             image_gradient,
@@ -189,13 +182,23 @@ pub fn weighted_sum(
     Ok((sum, splat))
 }
 
-fn resolve_params(scene: &DeviceScene, background: [f64; 3], side: u32) -> ResolveParams {
+/// Eq. 13: `[tiles, 3, S, S]` of the sums of some tiles.
+pub fn resolve(
+    device: &Device,
+    background: [f64; 3],
+    divide_above: f32,
+    side: u32,
+    tile: &Buffer<i32>,
+    sum: &Buffer<f32>,
+) -> Result<Buffer<f32>> {
+    let tiles = (tile.len() / Tile::INTEGERS) as u32;
+    let image = device.zeros("tiles", tiles as usize * (3 * side * side) as usize)?;
+    let params = resolve_params(background, divide_above, side);
+    device.run_over(&ResolveKernel { params, tile, sum, image: &image }, [side, side, tiles])?;
+    Ok(image)
+}
+
+fn resolve_params(background: [f64; 3], divide_above: f32, side: u32) -> ResolveParams {
     let [background_r, background_g, background_b] = background.map(|channel| channel as f32);
-    ResolveParams {
-        side,
-        background_r,
-        background_g,
-        background_b,
-        divide_above: scene.divide_above,
-    }
+    ResolveParams { side, background_r, background_g, background_b, divide_above }
 }

@@ -59,8 +59,24 @@ impl SceneGradient {
     /// # Errors
     /// [`Error::Argument`] where the scene's grids or networks are halves; as [`Device::zeros`].
     pub fn new(device: &Device, scene: &DeviceScene) -> Result<Self> {
-        const LABEL: &str = "gradient of the Gaussians";
         scene.require_gradients()?;
+        let color = FieldGradient::new(device, &scene.color)?;
+        let transmittance = FieldGradient::new(device, &scene.transmittance)?;
+        Self::of_fields(device, scene, color, transmittance)
+    }
+
+    /// Zeros, for other Gaussians of the same fields, whose gradients are those of this.
+    pub(super) fn of_slice(&self, device: &Device, slice: &DeviceScene) -> Result<Self> {
+        Self::of_fields(device, slice, self.color.view(), self.transmittance.view())
+    }
+
+    fn of_fields(
+        device: &Device,
+        scene: &DeviceScene,
+        color: FieldGradient,
+        transmittance: FieldGradient,
+    ) -> Result<Self> {
+        const LABEL: &str = "gradient of the Gaussians";
         let of_scene = || scene.tensors.iter().filter(|(name, _)| GEOMETRY.contains(name));
         let geometry = device.zeros(LABEL, of_scene().map(|(_, values)| values.len()).sum())?;
         let mut end = 0;
@@ -73,8 +89,6 @@ impl SceneGradient {
             end += len;
             Ok::<_, Error>(TensorGradient { buffer: geometry.view(), range, touched: None })
         })?;
-        let color = FieldGradient::new(device, &scene.color)?;
-        let transmittance = FieldGradient::new(device, &scene.transmittance)?;
         Ok(Self {
             tensors: Tensors {
                 gaussians,
@@ -204,6 +218,11 @@ impl FieldGradient {
             parameters: device.zeros("gradient of a network", field.parameters.len())?,
             table: HashGridGradient::new(device, field)?,
         })
+    }
+
+    /// The same gradient, on the same memory.
+    fn view(&self) -> Self {
+        Self { parameters: self.parameters.view(), table: self.table.view() }
     }
 
     fn tensors(&self) -> FieldTensors<TensorGradient> {

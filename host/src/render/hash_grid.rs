@@ -58,6 +58,18 @@ impl HashGridGradient {
         })
     }
 
+    /// The same gradient, on the same memory.
+    pub(super) fn view(&self) -> Self {
+        Self {
+            gradient: self.gradient.view(),
+            touched: self.touched.view(),
+            status: self.status.view(),
+            sum: self.sum.view(),
+            bound: self.bound.view(),
+            scale: self.scale.view(),
+        }
+    }
+
     /// Raises the bound of what is added until the next [`finish`](Self::finish).
     ///
     /// `pair_gradient [pairs, 3]`; `transmittance [pairs]` for the transmittance field, none for the color field.

@@ -101,11 +101,7 @@ pub fn render(
     buffers.extend(sums.buffers());
     let (mut values, needed) = part.read(device, buffers)?;
     let sums = sums.resolve(&values.split_off(2), plan.side, channels);
-    let mut report =
-        RenderReport { parts: 1, degenerate: u64::from(values[1][0]), ..RenderReport::default() };
-    if let Needed::Capacity(Capacity { pairs, members, samples }) = needed {
-        [report.pairs, report.members, report.samples] = [pairs, members, samples].map(u64::from);
-    }
+    let report = RenderReport::of_part(values[1][0], needed);
     let pixels = bytemuck::pod_collect_to_vec(&values[0]);
     Ok(((part, RenderedPart { pixels, channels: sums, report }), needed))
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::channels::Channel;
 use super::part::RenderedPart;
+use super::part_counts::{Capacity, Needed};
 use super::plan::Plan;
 use crate::error::Result;
 use crate::tile::TileBatch;
@@ -83,7 +84,29 @@ impl RenderedTiles {
 }
 
 impl RenderReport {
-    fn add(&mut self, part: &Self) {
+    /// How many numbers it has.
+    pub(super) const NUMBERS: usize = 5;
+
+    pub(super) fn to_numbers(self) -> [u64; Self::NUMBERS] {
+        [self.parts as u64, self.pairs, self.members, self.samples, self.degenerate]
+    }
+
+    pub(super) fn of_numbers(numbers: [u64; Self::NUMBERS]) -> Self {
+        let [parts, pairs, members, samples, degenerate] = numbers;
+        Self { parts: parts as usize, pairs, members, samples, degenerate }
+    }
+
+    /// That of a part, of the capacity that it needed.
+    pub(super) fn of_part(degenerate: u32, needed: Needed) -> Self {
+        let mut report = Self { parts: 1, degenerate: u64::from(degenerate), ..Self::default() };
+        if let Needed::Capacity(Capacity { pairs, members, samples }) = needed {
+            [report.pairs, report.members, report.samples] =
+                [pairs, members, samples].map(u64::from);
+        }
+        report
+    }
+
+    pub(super) fn add(&mut self, part: &Self) {
         self.parts += part.parts;
         self.pairs += part.pairs;
         self.members += part.members;

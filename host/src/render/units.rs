@@ -13,11 +13,10 @@
 use std::ops::Range;
 
 use glam::Vec4;
-use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 
 use super::backward::{LossTarget, of_tiles};
+use super::field_sums::{add_grids, set_scales, take_networks, write_networks};
 use super::gradient::{SceneGradient, TensorGradient};
-use super::hash_grid::HashGridGradient;
 use super::loss::{Loss, LossInputs, TileLoss};
 use super::part::Part;
 use super::part_counts::{Capacity, Needed};
@@ -25,10 +24,10 @@ use super::plan::Plan;
 use super::renderer::Renderer;
 use super::scene::DeviceScene;
 use crate::camera::Camera;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::ranks::Ranks;
 use crate::tile::TileBatch;
-use organza_device::{Buffer, Count, Device};
+use organza_device::{Buffer, Device};
 
 /// The most samples of units that are kept between both passes: about 2 GiB of tables. Other units are rendered twice.
 const KEPT_SAMPLES: u64 = 1 << 24;
@@ -117,7 +116,8 @@ impl Step<'_> {
             let is_kept = keeps && samples.iter().sum::<i64>() as u64 <= KEPT_SAMPLES;
             kept.push(is_kept.then_some(unit));
         }
-        self.set_scales(samples)?;
+        let (device, ranks, gradient) = (self.device(), self.ranks, self.gradient);
+        set_scales(device, ranks, self.scene, gradient, samples)?;
         let mut networks = Vec::new();
         let mut rows = Rows::new(self)?;
         for (index, unit) in self.units_of(self.ranks.rank()).zip(kept) {
@@ -125,16 +125,15 @@ impl Step<'_> {
                 Some(unit) => unit,
                 None => self.unit(index, loss)?.0,
             };
-            let (device, gradient) = (self.device(), self.gradient);
             device.run_in_pool(|| {
                 unit.part.spread(device, self.scene, &unit.pair_gradient, gradient)
             })?;
-            networks.push(self.take_networks()?);
+            networks.push(take_networks(device, gradient)?);
             rows.take(self)?;
         }
         self.add_networks(networks)?;
         rows.add(self)?;
-        self.add_grids()?;
+        add_grids(device, ranks, gradient)?;
         self.all_losses(&losses)
     }
 
@@ -166,54 +165,11 @@ impl Step<'_> {
         Ok((Unit { part, pair_gradient, capacity }, losses))
     }
 
-    fn tables(&self) -> [&HashGridGradient; 2] {
-        [&self.gradient.color.table, &self.gradient.transmittance.table]
-    }
-
-    /// One scale for all units; `samples` are those of the color and of the transmittance field, of this rank.
-    fn set_scales(&self, mut samples: [i64; 2]) -> Result<()> {
-        let (device, ranks) = (self.device(), self.ranks);
-        ranks.sum(&mut samples)?;
-        if ranks.size() > 1 {
-            let [color, transmittance] = self.tables().map(|table| device.read(&table.bound));
-            let (color, transmittance) = (color?, transmittance?);
-            let mut bounds = [&color[..], &transmittance[..]].concat();
-            ranks.max(&mut bounds)?;
-            let (first, second) = bounds.split_at(color.len());
-            for (table, bound) in self.tables().into_iter().zip([first, second]) {
-                device.write(&table.bound, 0, bound)?;
-            }
-        }
-        let fields = [&self.scene.color, &self.scene.transmittance];
-        for ((table, field), samples) in self.tables().into_iter().zip(fields).zip(samples) {
-            let Ok(samples) = u32::try_from(samples) else {
-                let reason = format!(
-                    "the step has {samples} samples, and their gradients are counted in 32 bits: use fewer tiles in a step"
-                );
-                return Err(Error::Argument { reason });
-            };
-            table.set_scale(device, field, &Count::known(samples))?;
-        }
-        Ok(())
-    }
-
-    /// The gradients of both networks that a unit has left.
-    fn take_networks(&self) -> Result<Vec<f32>> {
-        let device = self.device();
-        let mut values = Vec::new();
-        for field in [&self.gradient.color, &self.gradient.transmittance] {
-            values.extend(device.read(&field.parameters)?.iter().flat_map(|v| v.to_array()));
-            device.clear(&field.parameters);
-        }
-        Ok(values)
-    }
-
     /// Adds the networks' gradients of all units, in their order.
     fn add_networks(&self, mine: Vec<Vec<f32>>) -> Result<()> {
         let all = self.ranks.gather(bytemuck::cast_slice(&mine.concat()).to_vec())?;
         let fields = [&self.gradient.color, &self.gradient.transmittance];
-        let lens = fields.map(|field| 4 * field.parameters.len());
-        let len: usize = lens.iter().sum();
+        let len: usize = fields.map(|field| 4 * field.parameters.len()).iter().sum();
         let mut sum = vec![0.0_f32; len];
         let mut places = vec![0; self.ranks.size()];
         for index in 0..self.units.len() {
@@ -223,60 +179,7 @@ impl Step<'_> {
             let values: Vec<f32> = bytemuck::pod_collect_to_vec(&all[rank][begin..begin + len * 4]);
             sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
         }
-        let (first, second) = sum.split_at(lens[0]);
-        for (field, values) in fields.into_iter().zip([first, second]) {
-            let values: Vec<Vec4> = bytemuck::pod_collect_to_vec(values);
-            self.device().write(&field.parameters, 0, &values)?;
-        }
-        Ok(())
-    }
-
-    /// Adds the sums of the hash grids of all ranks.
-    fn add_grids(&self) -> Result<()> {
-        if self.ranks.size() > 1 {
-            self.sum_grids()?;
-        }
-        self.tables().into_iter().try_for_each(|table| Ok(table.finish(self.device())?))
-    }
-
-    fn sum_grids(&self) -> Result<()> {
-        const BLOCK: usize = VALUES_PER_FLAG as usize;
-        let (device, ranks) = (self.device(), self.ranks);
-        let mut flags = Vec::new();
-        for table in self.tables() {
-            flags.extend(device.read(&table.touched)?);
-            flags.extend(device.read(&table.status)?);
-        }
-        ranks.or(&mut flags)?;
-        let mut sums: Vec<Vec<i64>> = Vec::new();
-        let (mut touched, mut packed) = (Vec::new(), Vec::new());
-        let mut rest = &flags[..];
-        for table in self.tables() {
-            let (flags, after) = rest.split_at(table.touched.len());
-            let (status, after) = after.split_at(1);
-            rest = after;
-            device.write(&table.touched, 0, flags)?;
-            device.write(&table.status, 0, status)?;
-            let sum: Vec<i64> = bytemuck::pod_collect_to_vec(&device.read(&table.sum)?);
-            let blocks: Vec<_> = (0..flags.len()).filter(|&block| flags[block] != 0).collect();
-            let range = |block: &usize| block * BLOCK..sum.len().min((block + 1) * BLOCK);
-            packed.extend(blocks.iter().flat_map(|block| &sum[range(block)]));
-            sums.push(sum);
-            touched.push(blocks);
-        }
-        ranks.sum(&mut packed)?;
-        let mut rest = &packed[..];
-        for ((table, mut sum), blocks) in self.tables().into_iter().zip(sums).zip(touched) {
-            for block in blocks {
-                let end = sum.len().min((block + 1) * BLOCK);
-                let target = &mut sum[block * BLOCK..end];
-                let (values, after) = rest.split_at(target.len());
-                target.copy_from_slice(values);
-                rest = after;
-            }
-            device.write(&table.sum, 0, bytemuck::cast_slice::<i64, u32>(&sum))?;
-        }
-        Ok(())
+        write_networks(self.device(), self.gradient, &sum)
     }
 
     /// The losses of all tiles, by camera.

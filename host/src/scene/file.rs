@@ -131,7 +131,7 @@ pub(crate) fn read_scene(reader: &mut impl Read, length: u64, origin: &Path) -> 
 }
 
 /// Format, version and configuration, in that order: a later version's configuration may differ.
-fn read_config(header: &Header, origin: &Path) -> Result<SceneConfig> {
+pub(super) fn read_config(header: &Header, origin: &Path) -> Result<SceneConfig> {
     let quoted =
         |found: Option<&str>| found.map_or("missing".to_owned(), |text| format!("{text:?}"));
     let format = header.metadata("format");
@@ -151,7 +151,11 @@ fn read_config(header: &Header, origin: &Path) -> Result<SceneConfig> {
 }
 
 /// N, the one size that no configuration tells.
-fn count_gaussians(header: &Header, config: &SceneConfig, origin: &Path) -> Result<usize> {
+pub(super) fn count_gaussians(
+    header: &Header,
+    config: &SceneConfig,
+    origin: &Path,
+) -> Result<usize> {
     let first = |gaussians| config.tensors(gaussians).swap_remove(0);
     match header.shape(&first(1).name) {
         Some([0, ..]) => Err(Error::EmptyScene { origin: origin.to_owned() }),
@@ -165,7 +169,7 @@ fn count_gaussians(header: &Header, config: &SceneConfig, origin: &Path) -> Resu
 }
 
 /// Checks one tensor's presence, type and shape in the header.
-fn check_declared(header: &Header, spec: &TensorSpec, origin: &Path) -> Result<()> {
+pub(super) fn check_declared(header: &Header, spec: &TensorSpec, origin: &Path) -> Result<()> {
     let (tensor, why) = (&spec.name, spec.why);
     match header.shape(tensor) {
         // A vector of no length need not be there.

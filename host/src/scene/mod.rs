@@ -6,6 +6,7 @@ mod gaussians;
 mod gradient;
 mod grid;
 mod network;
+mod share;
 mod spec;
 mod tensor_file;
 mod tensors;
@@ -28,6 +29,7 @@ pub use grid::{
     MAX_RESOLUTION,
 };
 pub use network::{Field, Layer, Network};
+pub use share::{SLICE, SceneShare};
 pub use spec::TensorSpec;
 pub use tensor_file::{Tensor, TensorRef, read_tensors, write_tensors};
 pub(crate) use tensor_file::{read_metadata, read_tensors_from};

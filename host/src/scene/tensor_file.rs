@@ -1,7 +1,7 @@
 //! Safetensors files of F32 tensors, whatever the tensors mean.
 
 use std::collections::{BTreeMap, HashMap};
-use std::io::{self, BufReader, Read, Write};
+use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
 use safetensors::tensor::{Dtype, Metadata, TensorInfo};
@@ -186,6 +186,29 @@ impl Header {
                 Some(slice) => read_values(reader, slice, origin)?,
                 None => self.skip(reader, name).map_err(|source| Error::read(origin, source))?,
             }
+        }
+        Ok(())
+    }
+
+    /// As [`Header::read_into`], for ranges of the tensors: each slice comes with the tensor's values before it.
+    pub fn read_ranges(
+        &self,
+        reader: &mut (impl Read + Seek),
+        mut slices: HashMap<String, (usize, &mut [f32])>,
+        origin: &Path,
+    ) -> Result<()> {
+        for name in &self.names {
+            let (start, end) = self.header.info(name).map_or((0, 0), |info| info.data_offsets);
+            let (first, values) = slices.remove(name).unwrap_or((0, &mut []));
+            let before = first * size_of::<f32>();
+            let after = end - start - before - size_of_val(values);
+            let seek = |reader: &mut dyn Seek, bytes: usize| {
+                let found = reader.seek(SeekFrom::Current(bytes as i64));
+                found.map(drop).map_err(|source| Error::read(origin, source))
+            };
+            seek(reader, before)?;
+            read_values(reader, values, origin)?;
+            seek(reader, after)?;
         }
         Ok(())
     }

@@ -6,10 +6,10 @@ use super::checkpoint::Checkpoint;
 use super::config::TrainConfig;
 use super::trainer::Trainer;
 use crate::data::{Dataset, Frame};
-use crate::error::{Error, IN_MEMORY, Result};
+use crate::error::{IN_MEMORY, Result};
 use crate::evaluate::{Evaluation, Event, Score, ViewScore, evaluate_with};
 use crate::image::Image;
-use crate::ranks::Ranks;
+use crate::ranks::{self, Ranks};
 use crate::render::{DeviceScene, Renderer};
 
 /// What rank 0 has all ranks do next.
@@ -51,41 +51,10 @@ impl Order {
     }
 }
 
-/// Makes sure that all ranks compute the same bits from the same data. `mixed` allows other programs and devices.
-///
-/// # Errors
-/// [`Error::Argument`], on every rank, with the first that differs from rank 0.
+/// [Meets](crate::ranks::meet) the other ranks, which must have read the same photographs.
 fn meet(ranks: &dyn Ranks, renderer: &Renderer, dataset: &Dataset, mixed: bool) -> Result<()> {
-    let program = concat!("organza ", env!("CARGO_PKG_VERSION"));
-    let mine = [
-        program.to_owned(),
-        renderer.device().arithmetic(),
-        serde_json::to_string(&dataset.fingerprint).unwrap_or_default(),
-    ];
-    let all = ranks.gather(mine.join("\n").into_bytes())?;
-    let parts = |bytes: &[u8]| -> Vec<String> {
-        String::from_utf8_lossy(bytes).lines().map(str::to_owned).collect()
-    };
-    let first = parts(&all[0]);
-    for (rank, bytes) in all.iter().enumerate() {
-        let found = parts(bytes);
-        let differs = |part: usize| found.get(part) != first.get(part);
-        let reason = if differs(2) {
-            format!(
-                "rank {rank} has read other photographs than rank 0: give all of them the same data set"
-            )
-        } else if !mixed && (differs(0) || differs(1)) {
-            format!(
-                "rank {rank} is {} on {}, but rank 0 is {} on {}: the scene would depend on which of them computes what; \
-                 use the same program, device and instruction set everywhere",
-                found[0], found[1], first[0], first[1]
-            )
-        } else {
-            continue;
-        };
-        return Err(Error::Argument { reason });
-    }
-    Ok(())
+    let photographs = serde_json::to_string(&dataset.fingerprint).unwrap_or_default();
+    ranks::meet(ranks, renderer.device(), ("photographs", &photographs), mixed)
 }
 
 /// Tells the other ranks what rank 0 begins with.

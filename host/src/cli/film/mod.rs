@@ -17,7 +17,7 @@ use super::console::{Console, Progress, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{DataArgs, SceneSource};
 use super::output::{self, Folder};
-use super::picture::{Pictures, warn_not_finite};
+use super::picture::{Pictures, Shown, warn_not_finite};
 use super::refuse;
 use super::signals::Signals;
 use super::summary::{Cost, Summary, count};
@@ -262,7 +262,8 @@ impl Film<'_> {
 impl Film<'_> {
     fn frame(&self, frame: usize, summary: &mut Summary, progress: &Progress) -> Result<Image> {
         let Self { renderer, scene, cameras, look } = *self;
-        let pictures = Pictures { renderer, scene, cameras, tile_size: TILE_SIZE };
+        let shown = Shown::Scene(scene);
+        let pictures = Pictures { renderer, shown, cameras, tile_size: TILE_SIZE };
         let channels: Vec<_> = look.iter().map(|(channel, _)| *channel).collect();
         let (image, beside) = pictures.render_channels(frame, &channels, summary, progress)?;
         Ok(look.map_or(image, |(_, range)| beside[0].picture(range)))
@@ -274,8 +275,8 @@ impl Film<'_> {
         let probes: BTreeSet<_> = (0..PROBES).map(|probe| probe * last / (PROBES - 1)).collect();
         let small = |&frame: &usize| self.cameras[frame].shrunk(PROBE_SHRINK);
         let cameras: Vec<_> = probes.iter().map(small).collect();
-        let (renderer, scene) = (self.renderer, self.scene);
-        let pictures = Pictures { renderer, scene, cameras: &cameras, tile_size: TILE_SIZE };
+        let (renderer, shown) = (self.renderer, Shown::Scene(self.scene));
+        let pictures = Pictures { renderer, shown, cameras: &cameras, tile_size: TILE_SIZE };
         let mut depths = Vec::new();
         console.during("looking at depths", || {
             for view in 0..cameras.len() {

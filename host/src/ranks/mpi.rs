@@ -1,0 +1,216 @@
+//! Ranks that are MPI's processes.
+
+use std::fmt;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use mpi::collective::SystemOperation;
+use mpi::datatype::{Partition, PartitionMut};
+use mpi::environment::Universe;
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::{Communicator, CommunicatorCollectives, Equivalence, Root};
+use mpi::{Count, Threading};
+
+use super::Ranks;
+use super::rounds::{part, receive};
+use crate::error::{Error, Result};
+
+/// Bytes of one call of MPI's, which counts in 31 bits.
+const AT_ONCE: usize = 1 << 28;
+
+/// A rank that is a process started by `mpirun`, `srun` or the like.
+pub struct MpiRanks {
+    rank: usize,
+    size: usize,
+    calls: Mutex<Calls>,
+    sent: AtomicU64,
+}
+
+/// What calls of MPI's need. The communicator goes before MPI ends.
+struct Calls {
+    world: SimpleCommunicator,
+    _universe: Universe,
+}
+
+// SAFETY: MPI was started so that any thread may call it while no other does, and calls are made under a lock
+unsafe impl Send for Calls {}
+
+impl fmt::Debug for MpiRanks {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "rank {} of {} MPI processes", self.rank, self.size)
+    }
+}
+
+impl MpiRanks {
+    /// Starts MPI; a process can do so once. A process that MPI has not started is the only rank.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] where MPI was started before, or where it does not let threads take turns.
+    pub fn start() -> Result<Self> {
+        let refuse = |reason: &str| Err(Error::Argument { reason: reason.to_owned() });
+        let Some((universe, threading)) = mpi::initialize_with_threading(Threading::Serialized)
+        else {
+            return refuse("MPI was started before in this process");
+        };
+        if threading < Threading::Serialized {
+            return refuse(
+                "this MPI allows calls from one thread only; use one that was built with threads",
+            );
+        }
+        let world = universe.world().duplicate();
+        let [rank, size] = [world.rank(), world.size()].map(|number| number as usize);
+        let calls = Mutex::new(Calls { world, _universe: universe });
+        Ok(Self { rank, size, calls, sent: 0.into() })
+    }
+
+    fn calls(&self) -> MutexGuard<'_, Calls> {
+        self.calls.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn count(&self, bytes: usize) {
+        self.sent.fetch_add(bytes as u64, Ordering::Relaxed);
+    }
+
+    /// Bytes of a round for each rank.
+    fn most(&self) -> usize {
+        (AT_ONCE / self.size).max(1)
+    }
+
+    fn reduce<T: Equivalence + Copy>(
+        &self,
+        values: &mut [T],
+        operation: impl Fn() -> SystemOperation,
+    ) {
+        self.count(size_of_val(values));
+        let calls = self.calls();
+        for values in values.chunks_mut(AT_ONCE / size_of::<T>()) {
+            let mine = values.to_vec();
+            calls.world.all_reduce_into(&mine[..], values, operation());
+        }
+    }
+}
+
+/// The same bytes at an address that is one. An empty vector has the address 1, which Open MPI takes for `MPI_IN_PLACE`.
+fn addressed(bytes: &[u8]) -> &[u8] {
+    static NOTHING: [u8; 1] = [0];
+    if bytes.is_empty() { &NOTHING[..0] } else { bytes }
+}
+
+/// How many bytes there are of each part, and where each begins.
+fn layout(counts: &[usize]) -> (Vec<Count>, Vec<Count>) {
+    let counts: Vec<_> = counts.iter().map(|&count| count as Count).collect();
+    let begin = |end: &mut Count, count: &Count| Some(std::mem::replace(end, *end + count));
+    let begins = counts.iter().scan(0, begin).collect();
+    (counts, begins)
+}
+
+/// Room for all parts, and not for nothing: see [`addressed`].
+fn room(counts: &[usize]) -> Vec<u8> {
+    vec![0; counts.iter().sum::<usize>().max(1)]
+}
+
+impl Ranks for MpiRanks {
+    fn rank(&self) -> usize {
+        self.rank
+    }
+
+    fn size(&self) -> usize {
+        self.size
+    }
+
+    fn max(&self, values: &mut [u32]) -> Result<()> {
+        self.reduce(values, SystemOperation::max);
+        Ok(())
+    }
+
+    fn or(&self, values: &mut [u32]) -> Result<()> {
+        self.reduce(values, SystemOperation::bitwise_or);
+        Ok(())
+    }
+
+    fn sum(&self, values: &mut [i64]) -> Result<()> {
+        self.reduce(values, SystemOperation::sum);
+        Ok(())
+    }
+
+    fn gather(&self, mine: Vec<u8>) -> Result<Vec<Vec<u8>>> {
+        self.count(mine.len());
+        let (calls, most) = (self.calls(), self.most());
+        let mut lengths = vec![0_u64; self.size];
+        calls.world.all_gather_into(&(mine.len() as u64), &mut lengths[..]);
+        let lengths: Vec<_> = lengths.iter().map(|&length| length as usize).collect();
+        let longest = lengths.iter().copied().max().unwrap_or(0);
+        receive(&lengths, longest, most, |begin, counts| {
+            let mine = addressed(part(&mine, begin, most));
+            let mut all = room(counts);
+            let (counts, begins) = layout(counts);
+            let mut parts = PartitionMut::new(&mut all[..], &counts[..], &begins[..]);
+            calls.world.all_gather_varcount_into(mine, &mut parts);
+            Ok(all)
+        })
+    }
+
+    fn exchange(&self, for_each: Vec<Vec<u8>>) -> Result<Vec<Vec<u8>>> {
+        self.count(for_each.iter().map(Vec::len).sum());
+        let (calls, most) = (self.calls(), self.most());
+        let sent: Vec<_> = for_each.iter().map(|bytes| bytes.len() as u64).collect();
+        let mut lengths = vec![0_u64; self.size];
+        calls.world.all_to_all_into(&sent[..], &mut lengths[..]);
+        let mut longest = 0_u64;
+        let mine = lengths.iter().copied().max().unwrap_or(0);
+        calls.world.all_reduce_into(&mine, &mut longest, SystemOperation::max());
+        let lengths: Vec<_> = lengths.iter().map(|&length| length as usize).collect();
+        receive(&lengths, longest as usize, most, |begin, counts| {
+            let parts: Vec<_> = for_each.iter().map(|bytes| part(bytes, begin, most)).collect();
+            let mine = parts.concat();
+            let (sent, sent_begins) =
+                layout(&parts.iter().map(|part| part.len()).collect::<Vec<_>>());
+            let mine = Partition::new(addressed(&mine), &sent[..], &sent_begins[..]);
+            let mut all = room(counts);
+            let (counts, begins) = layout(counts);
+            let mut others = PartitionMut::new(&mut all[..], &counts[..], &begins[..]);
+            calls.world.all_to_all_varcount_into(&mine, &mut others);
+            Ok(all)
+        })
+    }
+
+    fn broadcast(&self, mine: Vec<u8>) -> Result<Vec<u8>> {
+        let mut bytes = if self.rank == 0 { mine } else { Vec::new() };
+        self.count(bytes.len());
+        let calls = self.calls();
+        let root = calls.world.process_at_rank(0);
+        let mut length = bytes.len() as u64;
+        root.broadcast_into(&mut length);
+        bytes.resize(length as usize, 0);
+        for bytes in bytes.chunks_mut(AT_ONCE) {
+            root.broadcast_into(bytes);
+        }
+        Ok(bytes)
+    }
+
+    /// Says why, and ends all processes: the others may be waiting for this one.
+    fn fail(&self, message: &str) {
+        match message.starts_with("rank ") {
+            true => eprintln!("error: {message}"),
+            false => eprintln!("error: rank {}: {message}", self.rank),
+        }
+        match self.calls.try_lock() {
+            Ok(calls) => calls.world.abort(2),
+            // another thread waits in a call; what started the processes ends them
+            Err(_) => std::process::exit(2),
+        }
+    }
+
+    fn sent(&self) -> u64 {
+        self.sent.load(Ordering::Relaxed)
+    }
+}
+
+/// The other processes would wait for one that has panicked.
+impl Drop for MpiRanks {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            self.fail("it has panicked");
+        }
+    }
+}

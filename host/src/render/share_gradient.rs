@@ -1,0 +1,227 @@
+//! Gradients with Gaussians that are dealt to ranks.
+//!
+//! Every rank knows C and S of all Gaussians, so it has dL/dC and dL/dS of Eq. 13 without another message, and from them
+//! the gradients of its own Gaussians. The gradients of the fields are added up. Their bits do not depend on the number of
+//! ranks, either:
+//!
+//! - **hash grids** are 64-bit integers of one scale for all ranks, as in [a step over views](super::units).
+//! - **networks** are added up slice by slice, each slice in f32 and slices as 64-bit integers. Their unit follows
+//!   from the largest value of all slices.
+
+use glam::Vec4;
+
+use super::backward::of_tiles;
+use super::field_sums::{add_grids, set_scales, take_networks, write_networks};
+use super::gradient::SceneGradient;
+use super::part::Part;
+use super::part_counts::Capacity;
+use super::renderer::Renderer;
+use super::results::RenderedTiles;
+use super::scene::DeviceScene;
+use super::share::{DeviceShare, PLANES, ShareForward, SharePart};
+use crate::camera::Camera;
+use crate::error::{Error, Result};
+use crate::ranks::Ranks;
+use crate::scene::{Gradient, Scene};
+use crate::tile::TileBatch;
+use organza_device::Buffer;
+
+/// A batch that ranks have rendered together, each with its [share](DeviceShare), and that keeps what its gradient needs.
+#[derive(Debug)]
+pub struct ShareRecording<'a> {
+    renderer: &'a Renderer,
+    share: &'a DeviceShare,
+    cameras: &'a [Camera],
+    ranks: &'a dyn Ranks,
+    forward: ShareForward,
+}
+
+impl Renderer {
+    /// As [`Renderer::render_share`], and keeps what the gradient needs.
+    ///
+    /// # Errors
+    /// As [`Renderer::render_share`]; [`Error::Argument`] where the scene's grids or networks are halves.
+    pub fn record_share<'a>(
+        &'a self,
+        share: &'a DeviceShare,
+        cameras: &'a [Camera],
+        batch: &TileBatch,
+        ranks: &'a dyn Ranks,
+    ) -> Result<ShareRecording<'a>> {
+        share.fields.require_gradients()?;
+        let forward = self.share_forward(share, cameras, batch, ranks, true)?;
+        Ok(ShareRecording { renderer: self, share, cameras, ranks, forward })
+    }
+}
+
+impl ShareRecording<'_> {
+    /// Y `[K, 3, S, S]`, which all ranks have.
+    #[must_use]
+    pub fn tiles(&self) -> &RenderedTiles {
+        &self.forward.tiles
+    }
+
+    /// dLoss/dtensor for every tensor of the share, given `grad_output [K, 3, S, S]`, dLoss/dY, the same on all ranks.
+    /// Those of the fields are of all Gaussians, and all ranks have them.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] where `grad_output` has another length; [`Error::Diverged`] where a gradient of the fields is
+    /// not finite; as [`Renderer::render_share`].
+    pub fn backward(self, grad_output: &[f32]) -> Result<Gradient> {
+        let expected = self.forward.tiles.data.len();
+        if grad_output.len() != expected {
+            let found = grad_output.len();
+            let reason = format!("found {found} values of dLoss/dY, expected {expected}");
+            return Err(Error::Argument { reason });
+        }
+        let device = self.renderer.device();
+        let fields = SceneGradient::new(device, &self.share.fields)?;
+        let slices = self.share.slices.iter().map(|slice| fields.of_slice(device, slice));
+        let slices: Vec<_> = slices.collect::<Result<_>>()?;
+        self.add(grad_output, &fields, &slices)?;
+        fields.check(device)?;
+        self.download(&fields, &slices)
+    }
+
+    fn add(
+        &self,
+        grad_output: &[f32],
+        fields: &SceneGradient,
+        slices: &[SceneGradient],
+    ) -> Result<()> {
+        let (device, ranks) = (self.renderer.device(), self.ranks);
+        let mut samples = [0; 2];
+        let mut kept = Vec::new();
+        for ((scene, parts), gradient) in self.parts().zip(slices) {
+            for part in parts {
+                let rendered = self.part(scene, part)?;
+                let pairs = device.run_in_pool(|| {
+                    let pairs = self.pair_gradient(scene, part, rendered.get(), grad_output)?;
+                    rendered.get().raise_bounds(device, &pairs, gradient)?;
+                    Ok::<_, Error>(pairs)
+                })?;
+                kept.push(part.part.is_some().then_some(pairs));
+                samples = std::array::from_fn(|field| samples[field] + part.samples[field]);
+            }
+        }
+        set_scales(device, ranks, &self.share.fields, fields, samples)?;
+        let mut networks = Vec::new();
+        let mut kept = kept.into_iter();
+        for ((scene, parts), gradient) in self.parts().zip(slices) {
+            for part in parts {
+                let rendered = self.part(scene, part)?;
+                let pairs = kept.next().expect("one for each part");
+                device.run_in_pool(|| {
+                    let pairs = match pairs {
+                        Some(pairs) => pairs,
+                        None => self.pair_gradient(scene, part, rendered.get(), grad_output)?,
+                    };
+                    rendered.get().spread(device, scene, &pairs, gradient)
+                })?;
+            }
+            networks.push(take_networks(device, fields)?);
+        }
+        let len = 4 * (fields.color.parameters.len() + fields.transmittance.parameters.len());
+        let networks = sum_in_fixed_point(ranks, &networks, len, self.share.slices_of_all)?;
+        write_networks(device, fields, &networks)?;
+        add_grids(device, ranks, fields)
+    }
+
+    fn parts(&self) -> impl Iterator<Item = (&DeviceScene, &[SharePart])> {
+        self.share.slices.iter().zip(self.forward.parts.iter().map(Vec::as_slice))
+    }
+
+    /// A part that was kept, or rendered again.
+    fn part<'p>(&self, slice: &DeviceScene, kept: &'p SharePart) -> Result<Rendered<'p>> {
+        if let Some(part) = &kept.part {
+            return Ok(Rendered::Kept(part));
+        }
+        let (renderer, device) = (self.renderer, self.renderer.device());
+        let render = |capacity: Option<Capacity>| {
+            let part = Part::evaluate(device, slice, self.cameras, &kept.plan, true, capacity)?;
+            let (_, needed) = part.read(device, Vec::new())?;
+            Ok((part, needed))
+        };
+        let work = || renderer.with_predicted_capacity(slice, &kept.plan, render);
+        Ok(Rendered::Again(Box::new(device.run_in_pool(work)?)))
+    }
+
+    /// `[pairs, 3]`, of dL/dC and dL/dS at the sums of all Gaussians.
+    fn pair_gradient(
+        &self,
+        slice: &DeviceScene,
+        planned: &SharePart,
+        part: &Part,
+        grad_output: &[f32],
+    ) -> Result<Buffer<Vec4>> {
+        let (device, plan) = (self.renderer.device(), &planned.plan);
+        let area = (plan.side * plan.side) as usize;
+        let sums = of_tiles(&self.forward.sums, &plan.tiles, PLANES * area);
+        device.write(&part.composite.sum, 0, &sums)?;
+        let pixels = of_tiles(grad_output, &plan.tiles, 3 * area);
+        let pixels = device.upload("gradient of the tiles", &pixels)?;
+        part.pair_gradient(device, slice, plan.side, &pixels)
+    }
+
+    fn download(&self, fields: &SceneGradient, slices: &[SceneGradient]) -> Result<Gradient> {
+        let (device, config) = (self.renderer.device(), self.share.config());
+        let mut values = Scene::zeros(config.clone(), self.share.len())?;
+        let of_fields = fields.download(device, config, 1)?.into_values();
+        (values.color, values.transmittance) = (of_fields.color, of_fields.transmittance);
+        let mut begin = 0;
+        for (slice, gradient) in self.share.slices.iter().zip(slices) {
+            let targets = values.gaussians.tensors_mut().zip(gradient.tensors.gaussians.as_ref());
+            for (target, source) in targets.into_vec() {
+                let source = source.read(device)?;
+                let width = source.len() / slice.len();
+                target[begin * width..][..source.len()].copy_from_slice(&source);
+            }
+            begin += slice.len();
+        }
+        Ok(Gradient::of(values))
+    }
+}
+
+/// A part to go back through.
+enum Rendered<'a> {
+    Kept(&'a Part),
+    Again(Box<Part>),
+}
+
+impl Rendered<'_> {
+    fn get(&self) -> &Part {
+        match self {
+            Self::Kept(part) => part,
+            Self::Again(part) => part,
+        }
+    }
+}
+
+/// The sum of the vectors of all ranks, at most `count` of them. Its unit is 2^-60 of the largest value, times `count`: for
+/// 1,024 slices, it is exact for values down to 2^-26 of the largest.
+fn sum_in_fixed_point(
+    ranks: &dyn Ranks,
+    mine: &[Vec<f32>],
+    len: usize,
+    count: usize,
+) -> Result<Vec<f32>> {
+    let largest = mine.iter().flatten().map(|value| value.abs().to_bits()).max().unwrap_or(0);
+    let mut largest = [largest];
+    ranks.max(&mut largest)?;
+    if !f32::from_bits(largest[0]).is_finite() {
+        let reason = "a gradient of a network is NaN or infinite".to_owned();
+        return Err(Error::Diverged { reason });
+    }
+    // every value is less than 2^exponent, and all of them less than 2^61 units
+    let exponent = (largest[0] >> 23) as i32 - 126;
+    let bits = 60 - count.next_power_of_two().trailing_zeros() as i32;
+    let unit = 2.0_f64.powi(exponent - bits);
+    let mut sums = vec![0_i64; len];
+    for values in mine {
+        for (sum, &value) in sums.iter_mut().zip(values) {
+            *sum += (f64::from(value) / unit).round_ties_even() as i64;
+        }
+    }
+    ranks.sum(&mut sums)?;
+    Ok(sums.iter().map(|&sum| (sum as f64 * unit) as f32).collect())
+}

@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Builds the program with MPI, and tests ranks that are its processes. Needs Debian's packages
+# libopenmpi-dev, openmpi-bin and libclang-dev.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+target=${CARGO_TARGET_DIR:-$PWD/target}
+cargo build --workspace --bin organza --features organza/mpi
+# the other tests build the program without MPI in the same place
+cp "$target/debug/organza" "$target/organza-mpi"
+ORGANZA_MPI=$target/organza-mpi cargo test --workspace --test program -- --ignored train::mpi

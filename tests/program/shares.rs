@@ -1,0 +1,54 @@
+//! `render --ranks`: Gaussians that are dealt to ranks.
+
+use std::fs;
+
+use serde_json::Value;
+
+use crate::sandbox::Sandbox;
+
+const RENDER: &str = "render scene.safetensors cameras.json --backend cpu --views 0";
+
+/// The only image of a folder: its bytes, and its pixels.
+fn image(sandbox: &Sandbox, folder: &str) -> (Vec<u8>, Vec<u8>) {
+    let entries = fs::read_dir(sandbox.path(folder)).unwrap().map(|entry| entry.unwrap().path());
+    let images: Vec<_> =
+        entries.filter(|path| path.extension().is_some_and(|e| e == "png")).collect();
+    let [path] = &images[..] else { panic!("{images:?}") };
+    let pixels = image::open(path).expect("an image").to_rgb8().into_raw();
+    (fs::read(path).unwrap(), pixels)
+}
+
+#[test]
+fn any_number_of_ranks_renders_the_same_image() {
+    let sandbox = Sandbox::new("basic");
+    sandbox.run(&format!("{RENDER} -o whole")).assert_ok();
+    sandbox.run(&format!("{RENDER} -o one --ranks 1")).assert_ok();
+    let outcome = sandbox.run(&format!("{RENDER} -o three --ranks 3 --json")).assert_ok();
+    let json: Value = serde_json::from_str(&outcome.stdout).expect("only JSON");
+    assert!(json["rendered"] == 1 && json["pairs"].as_u64() > Some(0), "{json}");
+    let (one, pixels) = image(&sandbox, "one");
+    assert!(image(&sandbox, "three").0 == one);
+    // sums are rounded otherwise
+    let (_, whole) = image(&sandbox, "whole");
+    let differ = pixels.iter().zip(&whole).filter(|(a, b)| a != b).count();
+    assert!(pixels.iter().any(|&value| value > 50) && differ < pixels.len() / 100, "{differ}");
+    assert!(pixels.iter().zip(&whole).all(|(a, b)| a.abs_diff(*b) <= 1));
+    // what is there stays, whatever the number of ranks
+    let outcome = sandbox.run(&format!("{RENDER} -o three --ranks 2 --missing")).assert_ok();
+    assert!(outcome.stderr.contains("nothing to render"), "{}", outcome.stderr);
+}
+
+#[test]
+fn what_ranks_cannot_do_is_refused() {
+    let sandbox = Sandbox::new("basic");
+    let refuses = |words: &str, facts: &[&str]| {
+        sandbox.assert_refuses(&format!("{RENDER} -o out {words}"), facts);
+    };
+    refuses("--ranks 2 --channels depth", &["`--channels`", "leave out `--ranks`"]);
+    refuses("--ranks 0", &["1 to 64, or `mpi`"]);
+    refuses("--ranks mpi", &["built without MPI", "--features mpi"]);
+    refuses("--mixed", &["--ranks"]);
+    // a rank that fails ends all, with what is wrong
+    fs::write(sandbox.path("scene.safetensors"), "not a scene").unwrap();
+    sandbox.assert_refuses(&format!("{RENDER} -o out --ranks 3"), &["scene.safetensors"]);
+}

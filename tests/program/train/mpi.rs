@@ -1,0 +1,150 @@
+//! Trainings whose ranks are MPI processes. They need a program that was built with the feature `mpi`, whose path is in
+//! `ORGANZA_MPI`: `scripts/mpi.sh` builds it and runs these tests.
+
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+use std::{fs, thread};
+
+use super::runs::{TINY, assert_same, bits, photographs, records, sandbox, without_times};
+use crate::sandbox::Sandbox;
+
+/// So many processes for each of the command lines. CI is root, and has fewer cores than there are ranks.
+fn mpirun(sandbox: &Sandbox, parts: &[(usize, &str)]) -> Command {
+    let program = std::env::var_os("ORGANZA_MPI").expect("scripts/mpi.sh sets it");
+    let mut command = Command::new("mpirun");
+    command.args(["--allow-run-as-root", "--oversubscribe"]);
+    for (index, (ranks, words)) in parts.iter().enumerate() {
+        command.args(if index > 0 { &[":"][..] } else { &[] });
+        command.args(["-n", &ranks.to_string()]).arg(&program).args(words.split(' '));
+        command.args(["--ranks", "mpi"]);
+    }
+    // a container may forbid reading another process's memory, which Open MPI would complain about
+    command.env("OMPI_MCA_btl_vader_single_copy_mechanism", "none");
+    command.current_dir(sandbox.path("."));
+    command
+}
+
+/// Ends well.
+#[track_caller]
+fn assert_ok(mut command: Command) {
+    let output = command.output().expect("mpirun");
+    assert!(output.status.success(), "{output:?}");
+}
+
+/// Ends with a message of these words.
+#[track_caller]
+fn assert_fails(mut command: Command, words: &[&str]) {
+    let output = command.output().expect("mpirun");
+    let told = String::from_utf8_lossy(&output.stderr);
+    let has_all = words.iter().all(|word| told.contains(word));
+    assert!(!output.status.success() && has_all, "{words:?}: {told}");
+}
+
+#[test]
+#[ignore = "scripts/mpi.sh runs it"]
+fn any_number_of_processes_gives_the_same_bits() {
+    let sandbox = sandbox();
+    let words = |run: &str| format!("{TINY} {run} --threads 1 --steps 24");
+    sandbox.run(&format!("{} --ranks 2", words("threads"))).assert_ok();
+    let threads = bits(&sandbox, "threads");
+    assert!(threads["gaussians.opacity"].1.len() > 200, "the scene has grown");
+    let told = |run: &str| without_times(&records(&sandbox.path(run)));
+    for ranks in 1..=4 {
+        let run = format!("of-{ranks}");
+        assert_ok(mpirun(&sandbox, &[(ranks, &words(&run))]));
+        assert_same(&run, &bits(&sandbox, &run), &threads);
+        assert_eq!(told(&run), told("threads"));
+    }
+}
+
+/// All end with the rank that is killed; another number of ranks goes on from the checkpoint.
+#[test]
+#[ignore = "scripts/mpi.sh runs it"]
+fn a_killed_rank_ends_all_and_another_number_goes_on() {
+    let sandbox = sandbox();
+    let words = format!("{TINY} run --threads 1 --steps 60 --evaluate-every 0");
+    let mut child = mpirun(&sandbox, &[(3, &words)])
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("mpirun");
+    let begin = Instant::now();
+    while !sandbox.path("run/checkpoint.safetensors").exists() {
+        assert!(begin.elapsed() < Duration::from_secs(60), "no checkpoint");
+        thread::sleep(Duration::from_millis(20));
+    }
+    let mut processes = children(child.id());
+    processes.sort_unstable();
+    assert!(processes.len() >= 3, "{processes:?}");
+    // the last one that was started is not the first rank
+    let last = processes.pop().expect("a process").to_string();
+    assert!(Command::new("kill").args(["-KILL", &last]).status().expect("kill").success());
+    assert!(!child.wait().expect("mpirun").success());
+    assert!(begin.elapsed() < Duration::from_secs(60), "the others went on");
+
+    let resume = "train --resume run --backend cpu --threads 1";
+    assert_ok(mpirun(&sandbox, &[(2, resume)]));
+    sandbox
+        .run(&format!("{TINY} whole --threads 1 --steps 60 --evaluate-every 0 --ranks 1"))
+        .assert_ok();
+    assert_same("resumed", &bits(&sandbox, "run"), &bits(&sandbox, "whole"));
+}
+
+#[test]
+#[ignore = "scripts/mpi.sh runs it"]
+fn a_rank_that_fails_says_why() {
+    let sandbox = sandbox();
+    fs::create_dir(sandbox.path("run")).unwrap();
+    fs::write(sandbox.path("run/config.toml"), "mine").unwrap();
+    let command = mpirun(&sandbox, &[(2, &format!("{TINY} run"))]);
+    assert_fails(command, &["rank 0: ", "the folder already holds a run"]);
+}
+
+#[test]
+#[ignore = "scripts/mpi.sh runs it"]
+fn processes_that_round_differently_must_be_allowed() {
+    let sandbox = sandbox();
+    photographs(&sandbox);
+    let words = |set: &str| {
+        format!(
+            "train data --config tiny.toml --backend cpu --steps 2 -o run --instruction-set {set}"
+        )
+    };
+    let (plain, scalar) = (words("plain"), words("scalar"));
+    let command = mpirun(&sandbox, &[(1, &plain), (1, &scalar)]);
+    assert_fails(command, &["rank 1: it is", "scalar", "`--instruction-set`", "`--mixed`"]);
+    let mixed = [plain, scalar].map(|words| words.replace(" run ", " mixed ") + " --mixed");
+    assert_ok(mpirun(&sandbox, &[(1, &mixed[0]), (1, &mixed[1])]));
+}
+
+/// The scene is one slice: two of three processes hold nothing.
+#[test]
+#[ignore = "scripts/mpi.sh runs it"]
+fn processes_render_what_threads_render() {
+    let sandbox = Sandbox::new("basic");
+    let words = "render scene.safetensors cameras.json --backend cpu --threads 1 --views 0 -o";
+    sandbox.run(&format!("{words} threads --ranks 2")).assert_ok();
+    assert_ok(mpirun(&sandbox, &[(3, &format!("{words} processes"))]));
+    let images = |folder: &str| -> Vec<_> {
+        let entries = fs::read_dir(sandbox.path(folder)).unwrap().map(|entry| entry.unwrap());
+        let images = entries.filter(|entry| entry.path().extension().is_some_and(|e| e == "png"));
+        images.map(|entry| (entry.file_name(), fs::read(entry.path()).unwrap())).collect()
+    };
+    assert_eq!(images("threads").len(), 1);
+    assert!(images("processes") == images("threads"));
+    let command = mpirun(&sandbox, &[(2, &format!("{words} no --channels depth"))]);
+    assert_fails(command, &["leave out `--ranks`"]);
+}
+
+/// The processes that a process has started.
+fn children(parent: u32) -> Vec<u32> {
+    let processes = fs::read_dir("/proc").expect("Linux").flatten();
+    let numbers = processes.filter_map(|entry| entry.file_name().to_str()?.parse().ok());
+    let is_child = |process: &u32| {
+        let stat = fs::read_to_string(format!("/proc/{process}/stat")).unwrap_or_default();
+        // after the program's name: the state, and the parent
+        let after = stat.rsplit(") ").next().unwrap_or_default();
+        after.split(' ').nth(1) == Some(&parent.to_string())
+    };
+    numbers.filter(is_child).collect()
+}

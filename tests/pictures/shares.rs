@@ -39,10 +39,9 @@ fn bits(values: &[f32]) -> Vec<u32> {
 }
 
 /// The loss is half the sum of squares, so dL/dY is Y.
-fn found(name: &str, scene: &Scene, cameras: &[Camera], size: usize) -> Found {
+fn found(scene: &Scene, cameras: &[Camera], size: usize) -> Found {
     let work = |ranks: ThreadRanks| {
-        let (_, device) = devices::all().into_iter().find(|(other, _)| *other == name).unwrap();
-        let renderer = Renderer::new(device);
+        let renderer = Renderer::new(devices::cpu(Some(1)));
         let share = SceneShare::of(scene, ranks.rank(), ranks.size());
         let share = renderer.upload_share(&share, UploadOptions::default()).expect("a share");
         let recording = renderer.record_share(&share, cameras, &batch(cameras), &ranks);
@@ -80,10 +79,10 @@ fn found(name: &str, scene: &Scene, cameras: &[Camera], size: usize) -> Found {
 #[test]
 fn any_number_of_ranks_gives_the_same_image_and_gradient() {
     let (scene, cameras) = (scene(), demo::turntable(1, 16));
-    let one = found("cpu", &scene, &cameras, 1);
+    let one = found(&scene, &cameras, 1);
     assert_eq!(one.held, [scene.gaussians.len()]);
     for size in [2, 3, 4] {
-        let of_many = found("cpu", &scene, &cameras, size);
+        let of_many = found(&scene, &cameras, size);
         assert!(of_many.image == one.image, "the image of {size} ranks");
         for ((name, found), (_, expected)) in of_many.gradient.iter().zip(&one.gradient) {
             assert!(found == expected, "`{name}` of {size} ranks");

@@ -1,7 +1,9 @@
-//! `render --ranks`: Gaussians that are dealt to ranks.
+//! `render --ranks` and `tiles --ranks`: Gaussians that are dealt to ranks.
 
+use std::collections::BTreeMap;
 use std::fs;
 
+use organza::scene::{Tensor, TensorRef, read_tensors, write_tensors};
 use serde_json::Value;
 
 use crate::sandbox::Sandbox;
@@ -36,6 +38,41 @@ fn any_number_of_ranks_renders_the_same_image() {
     // what is there stays, whatever the number of ranks
     let outcome = sandbox.run(&format!("{RENDER} -o three --ranks 2 --missing")).assert_ok();
     assert!(outcome.stderr.contains("nothing to render"), "{}", outcome.stderr);
+}
+
+/// The basic case has 48 Gaussians, which are one slice: most ranks hold nothing.
+#[test]
+fn any_number_of_ranks_gives_the_same_tiles_and_gradients() {
+    let sandbox = Sandbox::new("basic");
+    let tiles = "tiles scene.safetensors cameras.json tiles.json --backend cpu";
+    sandbox.run(&format!("{tiles} -o whole.safetensors")).assert_ok();
+    let read = |name: &str| read_tensors(sandbox.path(name)).expect("tensors");
+    let whole = read("whole.safetensors").remove("tiles").expect("tiles");
+    let (shape, data) = (&whole.shape[..], &whole.data[..]);
+    let output = TensorRef { name: "grad_output", shape, data };
+    write_tensors(sandbox.path("output.safetensors"), &[output], &[]).expect("a file");
+    let gradient = "--grad-output output.safetensors --grad";
+    sandbox.run(&format!("{tiles} {gradient} whole-grad.safetensors")).assert_ok();
+    for ranks in [1, 3] {
+        let files = format!("-o tiles-{ranks}.safetensors {gradient} grad-{ranks}.safetensors");
+        sandbox.run(&format!("{tiles} {files} --ranks {ranks}")).assert_ok();
+    }
+    for [name, whole] in [["tiles", "whole"], ["grad", "whole-grad"]] {
+        let found = [1, 3].map(|ranks| read(&format!("{name}-{ranks}.safetensors")));
+        let bits = |tensors: &BTreeMap<String, Tensor>| -> Vec<u32> {
+            tensors.values().flat_map(|tensor| &tensor.data).map(|value| value.to_bits()).collect()
+        };
+        assert!(bits(&found[0]) == bits(&found[1]), "{name}");
+        let whole = read(&format!("{whole}.safetensors"));
+        assert_eq!(found[0].keys().collect::<Vec<_>>(), whole.keys().collect::<Vec<_>>());
+        for (name, whole) in whole {
+            let found = &found[0][&name];
+            assert_eq!(found.shape, whole.shape, "{name}");
+            let largest = whole.data.iter().fold(0.0_f32, |most, value| most.max(value.abs()));
+            let far = |(a, b): (&f32, &f32)| (a - b).abs() > 1e-4 * largest;
+            assert!(!found.data.iter().zip(&whole.data).any(far), "{name}");
+        }
+    }
 }
 
 #[test]

@@ -1,16 +1,18 @@
 //! The options of commands that ranks share, and what ranks other than the first do.
 
+use std::path::Path;
 use std::str::FromStr;
 use std::sync::Arc;
 use std::thread;
 
-use organza::ranks::{Ranks, ThreadRanks};
+use organza::ranks::{Ranks, ThreadRanks, meet};
+use organza::scene::SceneShare;
 use organza::train::{self, TrainConfig};
-use organza::{Dataset, DeviceOptions, Renderer, Result, error};
+use organza::{Dataset, DeviceOptions, DeviceShare, Renderer, Result, UploadOptions, error};
 
 use super::console::Console;
 use super::device::DeviceArgs;
-use super::inputs::DataSet;
+use super::inputs::{DataSet, Expected, told_apart};
 use super::signals::Signals;
 use super::verbosity::Level;
 
@@ -114,18 +116,20 @@ impl Team {
     /// Does `lead` on rank 0 and `follow` on the others. Who fails ends all.
     pub fn run(
         self,
-        lead: impl FnOnce(&dyn Ranks) -> Result<()>,
-        follow: impl Fn(&dyn Ranks) -> Result<()> + Sync,
+        lead: impl FnOnce(Member<'_>) -> Result<()>,
+        follow: impl Fn(Member<'_>) -> Result<()> + Sync,
     ) -> Result<()> {
-        let Self { mine, others, is_mpi, .. } = self;
+        let (places, Self { mine, others, mixed, is_mpi }) = (self.places(), self);
         thread::scope(|scope| {
             for ranks in others {
                 let follow = &follow;
                 scope.spawn(move || {
-                    let _ = follow(&ranks).inspect_err(|error| ranks.fail(&error::chain(error)));
+                    let result = follow(Member { ranks: &ranks, places, mixed });
+                    let _ = result.inspect_err(|error| ranks.fail(&error::chain(error)));
                 });
             }
-            let result = if mine.rank() == 0 { lead(&*mine) } else { follow(&*mine) };
+            let member = Member { ranks: &*mine, places, mixed };
+            let result = if mine.rank() == 0 { lead(member) } else { follow(member) };
             if is_mpi && let Err(error) = &result {
                 mine.fail(&error::chain(error));
             }
@@ -184,6 +188,37 @@ impl Places {
         let cores = thread::available_parallelism().map_or(1, usize::from);
         let threads = options.threads.unwrap_or((cores / self.size).max(1));
         options.threads(threads).place(rank)
+    }
+}
+
+/// A rank of those that hold shares of a scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Member<'a> {
+    pub ranks: &'a dyn Ranks,
+    places: Places,
+    mixed: bool,
+}
+
+impl Member<'_> {
+    /// Opens its device.
+    pub fn open(&self, device: &DeviceArgs, console: Console) -> Result<Renderer> {
+        let options = self.places.device(device.options()?, self.ranks.rank());
+        device.open_as(&options, console)
+    }
+
+    /// Its share of the scene in a file, on its device. `input` identifies what else all ranks have read.
+    pub fn share(
+        &self,
+        renderer: &Renderer,
+        file: &Path,
+        input: &str,
+        options: UploadOptions,
+    ) -> Result<DeviceShare> {
+        let share = SceneShare::load(file, self.ranks.rank(), self.ranks.size())
+            .map_err(|error| told_apart(error, file, Expected::Scene))?;
+        let input = format!("{} {:?} {input}", share.gaussians, share.scene.config);
+        meet(self.ranks, renderer.device(), ("input", &input), self.mixed)?;
+        renderer.upload_share(&share, options)
     }
 }
 

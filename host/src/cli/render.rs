@@ -3,8 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use organza::image::{ChannelFormat, ChannelImage};
-use organza::ranks::{Ranks, meet};
-use organza::scene::SceneShare;
 use organza::tile::MAX_TILE_SIDE;
 use organza::{Channel, DeviceShare, Image, Renderer, Result};
 use serde::Serialize;
@@ -12,10 +10,10 @@ use serde::Serialize;
 use super::channels::{ChannelArgs, FormatArgs};
 use super::console::{Console, print_json};
 use super::device::{DeviceArgs, SceneArgs};
-use super::inputs::{Cameras, DataArgs, Expected, SceneSource, told_apart};
+use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::output::{self, Folder};
 use super::picture::{Picture, Pictures, Shown, sizes, warn_not_finite};
-use super::ranks::{Places, SharesArgs};
+use super::ranks::{Member, SharesArgs};
 use super::refuse;
 use super::summary::{Cost, Summary, count, grouped};
 use super::verbosity::Level;
@@ -114,20 +112,9 @@ impl Job {
     }
 
     /// A rank's share of the scene, on its device.
-    fn share(
-        &self,
-        args: &Args,
-        ranks: &dyn Ranks,
-        mixed: bool,
-        renderer: &Renderer,
-    ) -> Result<DeviceShare> {
-        let file = self.source.file();
-        let share = SceneShare::load(file, ranks.rank(), ranks.size())
-            .map_err(|error| told_apart(error, file, Expected::Scene))?;
-        let (all, config) = (share.gaussians, &share.scene.config);
-        let input = format!("{all} {config:?} {:?} {:?}", self.views, self.cameras.list);
-        meet(ranks, renderer.device(), ("scene or other cameras", &input), mixed)?;
-        renderer.upload_share(&share, args.scene_args.options())
+    fn share(&self, args: &Args, rank: Member<'_>, renderer: &Renderer) -> Result<DeviceShare> {
+        let input = format!("{:?} {:?}", self.views, self.cameras.list);
+        rank.share(renderer, self.source.file(), &input, args.scene_args.options())
     }
 }
 
@@ -138,33 +125,23 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     if !args.channels.list().is_empty() {
         return refuse("`--channels` needs the whole scene on one device: leave out `--ranks`");
     }
-    let (places, mixed) = (team.places(), team.mixed);
-    let follow = |ranks: &dyn Ranks| {
+    let follow = |rank: Member<'_>| {
         let console = Console::new(Level::Quiet);
         let job = Job::find(args, console)?;
-        let options = places.device(args.device.options()?, ranks.rank());
-        let renderer = &args.device.open_as(&options, console)?;
-        let share = job.share(args, ranks, mixed, renderer)?;
-        let todo: Vec<u64> = bytemuck::pod_collect_to_vec(&ranks.broadcast(Vec::new())?);
-        let (shown, cameras) = (Shown::Share(&share, ranks), &job.cameras.list[..]);
+        let renderer = &rank.open(&args.device, console)?;
+        let share = job.share(args, rank, renderer)?;
+        let todo: Vec<u64> = bytemuck::pod_collect_to_vec(&rank.ranks.broadcast(Vec::new())?);
+        let (shown, cameras) = (Shown::Share(&share, rank.ranks), &job.cameras.list[..]);
         let pictures = Pictures { renderer, shown, cameras, tile_size: args.tile_size };
         todo.into_iter().try_for_each(|view| {
             pictures.render(view as usize, &mut Summary::start(), &console.hidden()).map(drop)
         })
     };
-    let lead = |ranks: &dyn Ranks| {
-        render(args, Job::find(args, console)?, Some((ranks, places, mixed)), console)
-    };
-    team.run(lead, follow)
+    team.run(|rank| render(args, Job::find(args, console)?, Some(rank), console), follow)
 }
 
 /// Renders, alone or as rank 0.
-fn render(
-    args: &Args,
-    job: Job,
-    ranks: Option<(&dyn Ranks, Places, bool)>,
-    console: Console,
-) -> Result<()> {
+fn render(args: &Args, job: Job, rank: Option<Member<'_>>, console: Console) -> Result<()> {
     let Job { source, cameras, views } = &job;
     let list = &cameras.list[..];
     warn_distorted(console, list, views);
@@ -173,28 +150,26 @@ fn render(
         Image::check_memory(list[view].width, list[view].height)?;
         ChannelImage::check_memory(&channels, list[view].width, list[view].height)?;
     }
-    let scene = if ranks.is_none() { Some(source.load(console)?) } else { None };
+    let scene = if rank.is_none() { Some(source.load(console)?) } else { None };
     let folder = Folder::make(&args.output)?;
     let beside = |channel: &Channel| format!("{}.{}", channel.name(), format.extension());
     let endings: Vec<_> =
         std::iter::once("png".to_owned()).chain(channels.iter().map(beside)).collect();
     let files = files(&folder, source, cameras, views, &endings)?;
 
-    let mut options = args.device.options()?;
-    if let Some((ranks, places, _)) = ranks {
-        options = places.device(options, ranks.rank());
-    }
-    let renderer = &args.device.open_as(&options, console)?;
+    let renderer = &match rank {
+        Some(rank) => rank.open(&args.device, console)?,
+        None => args.device.open(console)?,
+    };
     let scene = scene.map(|scene| args.scene_args.upload(renderer, &scene)).transpose()?;
-    let share =
-        ranks.map(|(ranks, _, mixed)| job.share(args, ranks, mixed, renderer)).transpose()?;
-    let shown = match (&scene, &share, ranks) {
-        (_, Some(share), Some((ranks, ..))) => Shown::Share(share, ranks),
+    let share = rank.map(|rank| job.share(args, rank, renderer)).transpose()?;
+    let shown = match (&scene, &share, rank) {
+        (_, Some(share), Some(rank)) => Shown::Share(share, rank.ranks),
         (scene, ..) => Shown::Scene(scene.as_ref().expect("it was read")),
     };
     let pictures = Pictures { renderer, shown, cameras: list, tile_size: args.tile_size };
     let shard = args.shard.map(|shard| [shard.index, shard.count]);
-    let of_ranks = ranks.is_some().then_some("added up by ranks");
+    let of_ranks = rank.is_some().then_some("added up by ranks");
     let mut written = Written::open_shard(&folder, source.file(), &cameras.all, shard)?
         .with_options(&(&args.scene_args, format, of_ranks));
     let todo = match args.missing {
@@ -208,9 +183,9 @@ fn render(
     let rendered: Vec<_> = todo.iter().map(|&place| (views[place], &files[place])).collect();
     written
         .announce(&rendered.iter().flat_map(|(_, files)| *files).cloned().collect::<Vec<_>>())?;
-    if let Some((ranks, ..)) = ranks {
+    if let Some(rank) = rank {
         let todo: Vec<_> = rendered.iter().map(|(view, _)| *view as u64).collect();
-        ranks.broadcast(bytemuck::cast_slice(&todo).to_vec())?;
+        rank.ranks.broadcast(bytemuck::cast_slice(&todo).to_vec())?;
     }
     let output = (&channels[..], format);
     let cost = write_all(&pictures, &rendered, output, &mut written, console)?;

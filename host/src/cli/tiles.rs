@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use organza::scene::{TensorRef, read_tensors, write_tensors};
-use organza::{Camera, Channel, DeviceScene, Error, Renderer, Result, TileBatch};
+use organza::{Camera, Error, Gradient, RenderedTiles, Renderer, Result, TileBatch};
 use organza_device::memory;
 use serde::Serialize;
 
@@ -11,7 +11,9 @@ use super::channels::ChannelArgs;
 use super::console::{Console, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, Expected, SceneSource, told_apart};
+use super::ranks::{Member, SharesArgs};
 use super::summary::{Cost, Summary, count, grouped};
+use super::verbosity::Level;
 use super::views::warn_distorted;
 use super::{output, refuse};
 
@@ -22,6 +24,7 @@ Examples:
   organza tiles run tiles.json -o rendered.safetensors     cameras of what the run was trained on
   organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors --channels depth,alpha
   organza tiles scene.safetensors cameras.json tiles.json --grad-output G.safetensors --grad gradient.safetensors
+  organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors --ranks 2
 
 A data set in the place of CAMERAS gives its cameras as training has them; a tile's camera counts \
 within `--split`.
@@ -60,53 +63,127 @@ pub struct Args {
     #[command(flatten)]
     channels: ChannelArgs,
     #[command(flatten)]
+    ranks: SharesArgs,
+    #[command(flatten)]
     scene_args: SceneArgs,
     #[command(flatten)]
     device: DeviceArgs,
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let source = SceneSource::find(&args.scene)?;
-    let mut inputs = vec![source.file(), &args.tiles];
-    inputs.extend(args.cameras.as_deref());
-    inputs.extend(args.grad_output.as_deref());
-    for output in args.output.iter().chain(&args.grad) {
-        output::check_file(output, &inputs)?;
-    }
-    if args.output.is_some() && args.output == args.grad {
-        return refuse("`--output` and `--grad` name the same file");
-    }
-    let channels = args.channels.list();
-    if args.output.is_none() && !channels.is_empty() {
-        return refuse("`--channels` are written to the output; name one with `-o OUT`");
-    }
-    // The large file comes last: most mistakes are in the small ones.
-    let batch = load_batch(&args.tiles)?;
-    let usage = "organza tiles SCENE CAMERAS TILES";
-    let cameras = Cameras::load(&source, args.cameras.as_deref(), &args.data, usage, console)?.list;
-    batch.validate(&cameras).map_err(|error| with_origin(error, &args.tiles))?;
-    let mut views: Vec<_> = batch.tiles.iter().map(|tile| tile.camera).collect();
-    views.sort_unstable();
-    views.dedup();
-    warn_distorted(console, &cameras, &views);
-    let grad_output = args.grad_output.as_deref().map(|path| read_grad_output(path, &batch));
-    let grad_output = grad_output.transpose()?;
-    let planes = 3 + channels.iter().map(|c| c.planes()).sum::<usize>();
-    let [tiles, _, side, _] = batch.output_shape().map(|n| n as u64);
-    memory::check(4 * tiles * planes as u64 * side * side, "the output")?;
-    let scene = source.load(console)?;
-
-    let renderer = args.device.open(console)?;
-    let scene = args.scene_args.upload(&renderer, &scene)?;
-    let cost = match &args.output {
-        Some(output) => {
-            Some(write_tiles(console, &renderer, &scene, &cameras, &batch, &channels, output)?)
-        }
-        None => None,
+    let Some(team) = args.ranks.start()? else {
+        return tiles(args, &Job::find(args, console)?, None, console);
     };
-    if let (Some(values), Some(output)) = (grad_output, &args.grad) {
-        let task = || renderer.gradient(&scene, &cameras, &batch, &values);
-        console.during("computing the gradient", task)?.save(output)?;
+    if !args.channels.list().is_empty() {
+        return refuse("`--channels` needs the whole scene on one device: leave out `--ranks`");
+    }
+    let follow = |rank: Member<'_>| {
+        let console = Console::new(Level::Quiet);
+        let job = Job::find(args, console)?;
+        let renderer = rank.open(&args.device, console)?;
+        job.of_ranks(args, rank, &renderer).map(drop)
+    };
+    team.run(|rank| tiles(args, &Job::find(args, console)?, Some(rank), console), follow)
+}
+
+/// What to render, as every rank finds it out.
+struct Job {
+    source: SceneSource,
+    batch: TileBatch,
+    cameras: Vec<Camera>,
+    grad_output: Option<Vec<f32>>,
+}
+
+impl Job {
+    fn find(args: &Args, console: Console) -> Result<Self> {
+        let source = SceneSource::find(&args.scene)?;
+        let mut inputs = vec![source.file(), &args.tiles];
+        inputs.extend(args.cameras.as_deref());
+        inputs.extend(args.grad_output.as_deref());
+        for output in args.output.iter().chain(&args.grad) {
+            output::check_file(output, &inputs)?;
+        }
+        if args.output.is_some() && args.output == args.grad {
+            return refuse("`--output` and `--grad` name the same file");
+        }
+        let channels = args.channels.list();
+        if args.output.is_none() && !channels.is_empty() {
+            return refuse("`--channels` are written to the output; name one with `-o OUT`");
+        }
+        // The large file comes last: most mistakes are in the small ones.
+        let batch = load_batch(&args.tiles)?;
+        let (named, usage) = (args.cameras.as_deref(), "organza tiles SCENE CAMERAS TILES");
+        let cameras = Cameras::load(&source, named, &args.data, usage, console)?.list;
+        batch.validate(&cameras).map_err(|error| with_origin(error, &args.tiles))?;
+        let mut views: Vec<_> = batch.tiles.iter().map(|tile| tile.camera).collect();
+        views.sort_unstable();
+        views.dedup();
+        warn_distorted(console, &cameras, &views);
+        let grad_output = args.grad_output.as_deref().map(|path| read_grad_output(path, &batch));
+        let grad_output = grad_output.transpose()?;
+        let planes = 3 + channels.iter().map(|c| c.planes()).sum::<usize>();
+        let [tiles, _, side, _] = batch.output_shape().map(|n| n as u64);
+        memory::check(4 * tiles * planes as u64 * side * side, "the output")?;
+        Ok(Self { source, batch, cameras, grad_output })
+    }
+
+    /// The tiles, and on rank 0 their gradient if it is asked for.
+    fn of_ranks(
+        &self,
+        args: &Args,
+        rank: Member<'_>,
+        renderer: &Renderer,
+    ) -> Result<(RenderedTiles, Option<Gradient>)> {
+        let Self { source, batch, cameras, grad_output } = self;
+        let values = grad_output.as_deref().unwrap_or_default();
+        let hash = crc32c::crc32c(bytemuck::cast_slice(values));
+        let input = format!("{batch:?} {cameras:?} {hash}");
+        let share = rank.share(renderer, source.file(), &input, args.scene_args.options())?;
+        if grad_output.is_none() {
+            let tiles = renderer.render_share(&share, cameras, batch, rank.ranks)?;
+            return Ok((tiles, None));
+        }
+        let recording = renderer.record_share(&share, cameras, batch, rank.ranks)?;
+        let tiles = recording.tiles().clone();
+        Ok((tiles, recording.backward(values)?.gather(rank.ranks)?))
+    }
+}
+
+/// Renders, alone or as rank 0.
+fn tiles(args: &Args, job: &Job, rank: Option<Member<'_>>, console: Console) -> Result<()> {
+    let Job { source, batch, cameras, grad_output } = job;
+    let (output, channels) = (args.output.as_deref(), args.channels.list());
+    let (mut cost, mut gradient) = (None, None);
+    if let Some(rank) = rank {
+        let renderer = &rank.open(&args.device, console)?;
+        let mut summary = Summary::start();
+        let found = console.during("rendering", || job.of_ranks(args, rank, renderer))?;
+        if let Some(output) = output {
+            let (summary, tiles) = (&mut summary, &found.0);
+            cost = Some(write_tiles(console, summary, renderer, tiles, batch, output)?);
+        }
+        gradient = found.1;
+    } else {
+        let scene = source.load(console)?;
+        let renderer = &args.device.open(console)?;
+        let scene = &args.scene_args.upload(renderer, &scene)?;
+        if let Some(output) = output {
+            let mut summary = Summary::start();
+            let tiles = {
+                let progress = console.progress(batch.tiles.len() as u64, "tiles");
+                progress.say("rendering");
+                let mut advance = |done, total| progress.set_of(done, total);
+                renderer.render_channels(scene, cameras, batch, &channels, &mut advance)?
+            };
+            cost = Some(write_tiles(console, &mut summary, renderer, &tiles, batch, output)?);
+        }
+        if let Some(values) = grad_output {
+            let task = || renderer.gradient(scene, cameras, batch, values);
+            gradient = Some(console.during("computing the gradient", task)?);
+        }
+    }
+    if let (Some(gradient), Some(output)) = (gradient, &args.grad) {
+        gradient.save(output)?;
         console.note(&format!("wrote {}: grad.<tensor>", output.display()));
     }
     if args.json {
@@ -148,20 +225,12 @@ fn read_grad_output(path: &Path, batch: &TileBatch) -> Result<Vec<f32>> {
 
 fn write_tiles(
     console: Console,
+    summary: &mut Summary,
     renderer: &Renderer,
-    scene: &DeviceScene,
-    cameras: &[Camera],
+    tiles: &RenderedTiles,
     batch: &TileBatch,
-    channels: &[Channel],
     output: &Path,
 ) -> Result<Cost> {
-    let mut summary = Summary::start();
-    let tiles = {
-        let progress = console.progress(batch.tiles.len() as u64, "tiles");
-        progress.say("rendering");
-        let mut advance = |done, total| progress.set_of(done, total);
-        renderer.render_channels(scene, cameras, batch, channels, &mut advance)?
-    };
     summary.add(&tiles.report);
     let (number, side) = (count(tiles.count as u64, "tile"), tiles.side);
     console.note(&summary.line(&format!("{number} of {side} x {side}")));

@@ -8,6 +8,7 @@ use crate::camera::parse;
 use crate::data::fuzz as data;
 use crate::input::parse_json;
 use crate::scene::{Scene, read_tensors_from};
+use crate::splats::read_from;
 use crate::tile::TileBatch;
 use crate::train::metrics;
 use crate::train::{Checkpoint, TrainConfig};
@@ -16,7 +17,7 @@ use crate::train::{Checkpoint, TrainConfig};
 pub type Target = fn(&[u8]);
 
 /// The targets by their names, which are those of the corpus's folders.
-pub const TARGETS: [(&str, Target); 11] = [
+pub const TARGETS: [(&str, Target); 12] = [
     ("scene", scene),
     ("cameras", cameras),
     ("tiles", tiles),
@@ -24,6 +25,7 @@ pub const TARGETS: [(&str, Target); 11] = [
     ("transforms", transforms),
     ("colmap", colmap),
     ("ply", ply),
+    ("splats", splats),
     ("photograph", photograph),
     ("config", config),
     ("checkpoint", checkpoint),
@@ -77,6 +79,11 @@ pub fn colmap(bytes: &[u8]) {
 /// A point cloud.
 pub fn ply(bytes: &[u8]) {
     data::ply(bytes, origin());
+}
+
+/// Gaussians of another program.
+pub fn splats(bytes: &[u8]) {
+    let _ = read_from(bytes, bytes.len() as u64, origin());
 }
 
 /// A photograph.

@@ -58,6 +58,8 @@ pub mod parity;
 pub mod ranks;
 pub mod render;
 pub mod scene;
+#[doc(hidden)]
+pub mod splats;
 pub mod tile;
 pub mod train;
 #[doc(hidden)]

@@ -22,6 +22,7 @@ mod results;
 mod sandbox;
 mod shards;
 mod shares;
+mod splats;
 mod stale;
 mod train;
 mod view;

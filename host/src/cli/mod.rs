@@ -10,8 +10,10 @@ mod demo;
 mod device;
 mod eval;
 mod explain;
+mod export;
 mod export_web;
 mod film;
+mod import;
 mod info;
 mod inputs;
 mod kernels;
@@ -80,6 +82,8 @@ enum Command {
     Info(info::Args),
     View(view::Args),
     ExportWeb(export_web::Args),
+    Export(export::Args),
+    Import(import::Args),
     Explain(explain::Args),
     Eval(eval::Args),
     Compare(compare::Args),
@@ -108,6 +112,8 @@ pub fn main() -> ExitCode {
         Command::Info(args) => info::run(args, console).map(done),
         Command::View(args) => view::run(args, console).map(done),
         Command::ExportWeb(args) => export_web::run(args, console).map(done),
+        Command::Export(args) => export::run(args, console).map(done),
+        Command::Import(args) => import::run(args, console).map(done),
         Command::Explain(args) => explain::run(args, console).map(done),
         Command::Eval(args) => eval::run(args, console).map(done),
         Command::Compare(args) => compare::run(args, console).map(done),

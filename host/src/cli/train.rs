@@ -36,6 +36,7 @@ Examples:
   organza train data/fox -o small --set scene.color_mlp.hidden=16,16 --set growth.method=none
   organza train -o run --tensorboard                   then: tensorboard --logdir run
   organza train data/fox -o run --view                 look at it while it trains
+  organza train data/fox -o run --start scene.ply      from Gaussians that another program has made
   organza train data/fox -o run --ranks 2              on two GPUs
   mpirun -n 8 organza train data/fox -o run --ranks mpi
   organza train --preset best --print-config > mine.toml
@@ -71,7 +72,7 @@ pub struct Args {
     /// --evaluate-every, --checkpoint-every and --set run.log_every change what is written
     #[arg(long, value_name = "RUN", conflicts_with_all = ["output", "data", "preset", "config", "seed",
         "tiles_per_step", "tile_size", "downscale", "hold_out_every", "allow_outside", "sh_degree", "background",
-        "minutes"])]
+        "minutes", "start"])]
     resume: Option<PathBuf>,
     #[command(flatten)]
     settings: SettingsArgs,
@@ -123,6 +124,9 @@ pub struct SettingsArgs {
     /// Side of a tile, in pixels
     #[arg(long, value_name = "S")]
     tile_size: Option<u32>,
+    /// Start with the Gaussians of a .ply or .spz file of 3D Gaussian Splatting
+    #[arg(long, value_name = "FILE")]
+    start: Option<PathBuf>,
     /// Largest number of Gaussians, also at the start
     #[arg(long, value_name = "N")]
     max_gaussians: Option<u32>,
@@ -397,6 +401,10 @@ impl SettingsArgs {
                 // a run is resumed from anywhere
                 let path = std::path::absolute(data).unwrap_or_else(|_| data.to_owned());
                 config.data.path = Some(path);
+            }
+            if let Some(start) = &self.start {
+                let path = std::path::absolute(start).unwrap_or_else(|_| start.clone());
+                config.start.path = Some(path);
             }
             if let Some(most) = self.max_gaussians {
                 config.start.gaussians = config.start.gaussians.min(most);

@@ -14,7 +14,7 @@ pub(crate) mod fuzz;
 mod lens;
 mod options;
 mod photograph;
-mod ply;
+pub(crate) mod ply;
 mod poses;
 mod reach;
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Point clouds from PLY files, as nerfstudio writes them: text, and binary of either byte order.
+//! Vertices of PLY files: text, and binary of either byte order. And point clouds, as nerfstudio writes them.
 
 use std::cell::Cell;
 use std::io::{self, BufReader, Read};
@@ -33,21 +33,36 @@ pub(super) fn read(path: &Path) -> Result<Vec<Point>> {
 
 /// [`read`] from what is `length` bytes long; `path` is what errors name.
 pub(super) fn read_from(source: impl Read, length: u64, path: &Path) -> Result<Vec<Point>> {
+    let (vertices, _) = vertices(source, length, path, &POSITION)?;
+    points(&vertices, path)
+}
+
+/// The vertices of a PLY file of `length` bytes, and the names of their properties, of which some are needed; `path` is what
+/// errors name.
+///
+/// # Errors
+/// As [`read`].
+pub(crate) fn vertices<V: PropertyAccess>(
+    source: impl Read,
+    length: u64,
+    path: &Path,
+    needed: &[&str],
+) -> Result<(Vec<V>, Vec<String>)> {
     let (limit, since) = (Cell::new(Some(Limit::Header)), Cell::new(0));
     let limited = Limited { source, limit: &limit, since: &since };
     let mut reader = Reader::new(BufReader::new(limited));
-    let parser = Parser::<Vertex>::new();
+    let parser = Parser::<V>::new();
     let broken = |error: ParseError| broken(path, &error);
     let header = parser.read_header(&mut reader).map_err(broken)?;
     limit.set((header.encoding == Encoding::Ascii).then_some(Limit::Line));
     since.set(0);
-    check(&header, length, path)?;
+    check(&header, length, path, needed, size_of::<V>())?;
     for element in header.elements.values() {
         // Elements lie one after the other, so those in front must be read too.
         let vertices =
             parser.read_payload_for_element(&mut reader, element, &header).map_err(broken)?;
         if element.name == "vertex" {
-            return points(&vertices, path);
+            return Ok((vertices, element.properties.keys().cloned().collect()));
         }
     }
     invalid(path, "the PLY file has no `vertex` element; is it a point cloud?".to_owned())
@@ -90,7 +105,13 @@ impl<R: Read> Read for Limited<'_, R> {
 const TOO_LONG: &str = "a line is too long";
 
 /// Holds the header to the file: what it claims must be no more than what there is.
-fn check(header: &Header, length: u64, path: &Path) -> Result<()> {
+fn check(
+    header: &Header,
+    length: u64,
+    path: &Path,
+    needed: &[&str],
+    vertex_bytes: usize,
+) -> Result<()> {
     for element in header.elements.values() {
         let (count, name) = (element.count as u64, &element.name);
         if count > 0 && element.properties.is_empty() {
@@ -106,17 +127,19 @@ fn check(header: &Header, length: u64, path: &Path) -> Result<()> {
             );
             return invalid(path, reason);
         }
-        let bytes = count.saturating_mul((size_of::<Vertex>() + size_of::<Point>()) as u64);
-        memory::check(bytes, "the points")?;
+        // as they are read, and what is made of them
+        memory::check(count.saturating_mul(2 * vertex_bytes as u64), "the vertices")?;
     }
     let vertex = header.elements.get("vertex");
-    let missing = vertex
-        .and_then(|vertex| POSITION.iter().find(|key| !vertex.properties.contains_key(**key)));
+    let missing =
+        vertex.and_then(|vertex| needed.iter().find(|key| !vertex.properties.contains_key(**key)));
     if let Some(key) = missing {
-        return invalid(
-            path,
-            format!("vertices have no property `{key}`; a point needs x, y and z"),
-        );
+        let is_packed = vertex.is_some_and(|v| v.properties.contains_key("packed_position"));
+        let hint =
+            if is_packed { "; it is packed, as SuperSplat does: write it unpacked" } else { "" };
+        let needed = needed.join(", ");
+        let reason = format!("vertices have no property `{key}`, expected {needed}{hint}");
+        return invalid(path, reason);
     }
     Ok(())
 }
@@ -181,7 +204,8 @@ impl PropertyAccess for Vertex {
     }
 }
 
-fn number(property: &Property) -> Option<f64> {
+/// The value of a property that is one number.
+pub(crate) fn number(property: &Property) -> Option<f64> {
     Some(match *property {
         Property::Char(value) => value.into(),
         Property::UChar(value) => value.into(),

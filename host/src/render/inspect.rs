@@ -108,17 +108,7 @@ impl Renderer {
     #[doc(hidden)]
     pub fn stages(&self, scene: &DeviceScene, camera: &Camera) -> Result<Stages> {
         let device = self.device();
-        let (camera, projection, _) = project(device, scene, &[camera], &[EVERYWHERE])?;
-        let every: Vec<u32> = (0..scene.gaussians).collect();
-        let pairs = Pairs {
-            count: Count::known(scene.gaussians),
-            pair: device.upload("pairs", &every)?,
-            camera,
-            projection,
-        };
-        let transmittance = Transmittance::evaluate(device, scene, &pairs, false, |first| {
-            pairs.read_samples(device, first)
-        })?;
+        let (pairs, transmittance) = self.every_pair(scene, camera)?;
 
         let (sh_width, grid_width) = (scene.config.sh_width(), scene.config.color_grid.width());
         let (mut sh, mut color_encoding) = (Vec::new(), Vec::new());
@@ -144,6 +134,35 @@ impl Renderer {
             radius: projection.iter().step_by(2).map(|p| p.z).collect(),
             conic: projection.iter().skip(1).step_by(2).map(|c| [c.x, c.y, c.z]).collect(),
         })
+    }
+
+    /// What the networks say of every Gaussian in `camera`, needed by a tile or not: colors c (Eq. 3), and T (Eq. 11).
+    pub(crate) fn shades(
+        &self,
+        scene: &DeviceScene,
+        camera: &Camera,
+    ) -> Result<(Vec<[f32; 3]>, Vec<f32>)> {
+        let device = self.device();
+        let (pairs, transmittance) = self.every_pair(scene, camera)?;
+        let color = device.read(&Color::evaluate(device, scene, &pairs, false)?.color)?;
+        let color = color.as_chunks::<3>().0.to_vec();
+        Ok((color, device.read(&transmittance.transmittance)?))
+    }
+
+    fn every_pair(&self, scene: &DeviceScene, camera: &Camera) -> Result<(Pairs, Transmittance)> {
+        let device = self.device();
+        let (camera, projection, _) = project(device, scene, &[camera], &[EVERYWHERE])?;
+        let every: Vec<u32> = (0..scene.gaussians).collect();
+        let pairs = Pairs {
+            count: Count::known(scene.gaussians),
+            pair: device.upload("pairs", &every)?,
+            camera,
+            projection,
+        };
+        let transmittance = Transmittance::evaluate(device, scene, &pairs, false, |first| {
+            pairs.read_samples(device, first)
+        })?;
+        Ok((pairs, transmittance))
     }
 
     /// Renders one pixel of `cameras[camera]` and tells how it came about, Gaussian by Gaussian.

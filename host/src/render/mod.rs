@@ -44,6 +44,7 @@ mod units;
 mod upload;
 
 pub use backward::LossTarget;
+pub(crate) use bin::kernel_camera;
 pub use channels::Channel;
 pub(crate) use dense_half::half_vectors;
 pub use eye::{EyeCache, EyeOptions};

@@ -170,6 +170,9 @@ pub struct ShapeConfig {
 #[serde(deny_unknown_fields, default)]
 #[non_exhaustive]
 pub struct StartConfig {
+    /// A PLY or SPZ file of 3D Gaussian Splatting, whose Gaussians training starts with.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub path: Option<PathBuf>,
     /// Gaussians where the data set has no points; where it has, there is one at each, up to `growth.max_gaussians`.
     pub gaussians: u32,
     /// Opacity of each.
@@ -318,7 +321,14 @@ impl Default for ShapeConfig {
 
 impl Default for StartConfig {
     fn default() -> Self {
-        Self { gaussians: 12_000, opacity: 0.1, scale: 1.0, transmittance_bias: 5.0, spread: 0.1 }
+        Self {
+            path: None,
+            gaussians: 12_000,
+            opacity: 0.1,
+            scale: 1.0,
+            transmittance_bias: 5.0,
+            spread: 0.1,
+        }
     }
 }
 

@@ -33,5 +33,6 @@ pub use ranks::follow;
 pub use report::PICTURES;
 pub(crate) use report::{ERROR_FACTOR, error_levels};
 pub use session::{Event, Outcome, Session};
-pub(crate) use space::{Target, median};
+pub(crate) use space::{Target, depth as in_image, median};
+pub(crate) use start::of_splats;
 pub use trainer::{StepReport, Trainer};

@@ -163,7 +163,7 @@ fn after<'a>(mut points: impl Iterator<Item = &'a (DVec3, f64)>, left_out: f64) 
 }
 
 /// How deep a place lies in a camera's image, if it is in it.
-pub(super) fn depth(camera: &Camera, place: DVec3) -> Option<f64> {
+pub(crate) fn depth(camera: &Camera, place: DVec3) -> Option<f64> {
     let offset = place - DVec3::from(camera.eye());
     let [x, y, z] = camera.world_to_camera_opencv().map(|row| DVec3::from(row).dot(offset));
     let (column, row) = (camera.fl_x * x / z + camera.cx, camera.fl_y * y / z + camera.cy);

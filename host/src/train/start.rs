@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::num::NonZero;
+use std::path::Path;
 
 use glam::DVec3;
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
@@ -17,8 +18,9 @@ use super::space::{Target, depth, scene_box};
 use super::sweep;
 use crate::camera::Camera;
 use crate::data::{Frame, Point};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::scene::{Network, Scene};
+use crate::splats::{self, Splat};
 
 const PLACES: u64 = 2;
 const FIELDS: u64 = 3;
@@ -53,7 +55,63 @@ pub fn start(
     };
     let aabb = scene_box(cameras, &target, points, &places);
     let mut scene = Scene::zeros(config.scene_config(background, aabb), places.len())?;
-    place(config, &mut scene, &places, &colors, &mut random_places);
+    place(config, &mut scene, &places, &mut random_places);
+    fill_vectors(config, &mut scene, &colors, &mut random_places);
+    fill_fields(config, &mut scene);
+    Ok(scene)
+}
+
+/// A scene to begin with whose Gaussians are those of another program: their places, shapes and opacities, and as their
+/// materials the colors that they have from all sides.
+///
+/// # Errors
+/// As [`splats::load`]; [`Error::Invalid`] where there are more than a run may have; as [`Scene::zeros`].
+pub fn start_from(
+    path: &Path,
+    config: &TrainConfig,
+    background: [f64; 3],
+    cameras: &[Camera],
+) -> Result<Scene> {
+    let splats = splats::load(path)?;
+    let (count, most) = (splats.len(), config.growth.max_gaussians);
+    if count > most as usize {
+        let reason = format!(
+            "it has {count} Gaussians, more than the {most} of `growth.max_gaussians`: raise that with `--max-gaussians`"
+        );
+        return Err(Error::Invalid { origin: path.to_owned(), reason });
+    }
+    of_splats(&splats, config, background, cameras)
+}
+
+/// [`start_from`] of the Gaussians of a file.
+///
+/// # Errors
+/// As [`Scene::zeros`].
+pub fn of_splats(
+    splats: &[Splat],
+    config: &TrainConfig,
+    background: [f64; 3],
+    cameras: &[Camera],
+) -> Result<Scene> {
+    needs::check_scene(config, splats.len() as u64)?;
+    let point = |splat: &Splat| Point { position: splat.position.map(f64::from), color: None };
+    let points: Vec<_> = splats.iter().map(point).collect();
+    let aabb = scene_box(cameras, &Target::of(cameras), &points, &[]);
+    let mut scene = Scene::zeros(config.scene_config(background, aabb), splats.len())?;
+    let gaussians = &mut scene.gaussians;
+    for (i, splat) in splats.iter().enumerate() {
+        gaussians.position[i] = splat.position;
+        gaussians.rotation[i] = splat.rotation;
+        gaussians.log_scale[i] = splat.log_scale;
+        gaussians.opacity[i] = splat.opacity;
+        // a quaternion of no length has no direction
+        if splat.rotation == [0.0; 4] {
+            gaussians.rotation[i][0] = 1.0;
+        }
+    }
+    let color = |splat: &Splat| Some(splats::base_color(splat).map(|value| (255.0 * value) as u8));
+    let colors: Vec<_> = splats.iter().map(color).collect();
+    fill_vectors(config, &mut scene, &colors, &mut random(config.run.seed, PLACES, 0));
     fill_fields(config, &mut scene);
     Ok(scene)
 }
@@ -162,13 +220,7 @@ fn spacing(places: &[DVec3]) -> Vec<f64> {
         .collect()
 }
 
-fn place(
-    config: &TrainConfig,
-    scene: &mut Scene,
-    places: &[DVec3],
-    colors: &[Option<[u8; 3]>],
-    random: &mut Pcg64,
-) {
+fn place(config: &TrainConfig, scene: &mut Scene, places: &[DVec3], random: &mut Pcg64) {
     let start = &config.start;
     let logit = (start.opacity / (1.0 - start.opacity)).ln();
     let spacing = spacing(places);
@@ -180,7 +232,16 @@ fn place(
         gaussians.rotation[i] = std::array::from_fn(|_| StandardNormal.sample(random));
         gaussians.opacity[i] = logit;
     }
-    let spread = start.spread;
+}
+
+/// Random materials and extra vectors.
+fn fill_vectors(
+    config: &TrainConfig,
+    scene: &mut Scene,
+    colors: &[Option<[u8; 3]>],
+    random: &mut Pcg64,
+) {
+    let (spread, gaussians) = (config.start.spread, &mut scene.gaussians);
     let mut uniform = |values: &mut [f32]| {
         values.iter_mut().for_each(|value| *value = spread * (2.0 * random.random::<f32>() - 1.0));
     };

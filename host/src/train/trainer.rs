@@ -95,7 +95,7 @@ pub struct StepReport {
 }
 
 impl Trainer {
-    /// Starts training: Gaussians are placed at the data set's points, or where its cameras look.
+    /// Starts training: Gaussians are those of `start.path`, or lie at the data set's points, or where its cameras look.
     ///
     /// # Errors
     /// [`Error::Invalid`] where a setting is out of range or no frame is left to train on; as [`Renderer::upload`].
@@ -107,9 +107,14 @@ impl Trainer {
         let dataset = dataset.into();
         check(&config, &dataset)?;
         let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
-        let frames: Vec<_> = dataset.train_frames().collect();
-        let points = start::points(&config, &frames, &dataset.points)?;
-        let scene = start::start(&config, dataset.background, &cameras, &points)?;
+        let background = dataset.background;
+        let scene = if let Some(path) = &config.start.path {
+            start::start_from(path, &config, background, &cameras)?
+        } else {
+            let frames: Vec<_> = dataset.train_frames().collect();
+            let points = start::points(&config, &frames, &dataset.points)?;
+            start::start(&config, background, &cameras, &points)?
+        };
         let checkpoint = Checkpoint::begin(scene, &config)?;
         Self::resume(renderer, config, dataset, &checkpoint)
     }

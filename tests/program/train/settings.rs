@@ -33,8 +33,9 @@ fn defaults() -> BTreeMap<String, Vec<Value>> {
     let text = serde_json::to_string(&TrainConfig::default()).expect("plain values");
     let mut found = BTreeMap::new();
     walk("", &serde_json::from_str(&text).expect("JSON"), &mut found);
-    // it has no default, and no place where there is none
+    // they have no default, and no place where there is none
     found.insert("data.path".to_owned(), Vec::new());
+    found.insert("start.path".to_owned(), Vec::new());
     // it is written where it is true alone
     found.insert("data.allow_outside".to_owned(), vec![Value::Bool(false)]);
     found

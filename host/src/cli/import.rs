@@ -1,0 +1,88 @@
+//! `organza import`: Gaussians of other programs as a scene.
+
+use std::path::PathBuf;
+
+use organza::Result;
+use organza::data::Background;
+use organza::splats::{self, Import};
+
+use super::console::Console;
+use super::device::DeviceArgs;
+use super::export::{all_around, with_judges};
+use super::inputs::{Cameras, DataArgs, SceneSource};
+use super::output::check_file;
+use super::summary::count;
+
+const EXAMPLES: &str = "\
+Examples:
+  organza import scene.ply data/fox -o scene.safetensors    on the cameras that it was trained with
+  organza import scene.spz -o scene.safetensors             on cameras from all around it
+  organza view scene.safetensors
+
+The file is one of 3D Gaussian Splatting. A scene needs networks for color and visibility, which no such file has. So this \
+command renders the Gaussians as a viewer that sorts, and trains the scene on these images. It prints how close it came, in \
+views that training has not seen. If you have the photographs, `organza train --start scene.ply` trains on them instead.";
+
+/// Make a scene of a file of 3D Gaussian Splatting: .ply or .spz
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The Gaussians: a .ply or an .spz file
+    file: PathBuf,
+    /// The views to train on: nerfstudio's transforms.json, or a data set, whose photographs are not read [default: from all
+    /// around the Gaussians]
+    cameras: Option<PathBuf>,
+    /// The scene's file, safetensors
+    #[arg(short, long, value_name = "SCENE")]
+    output: PathBuf,
+    /// Steps of training
+    #[arg(long, value_name = "N", default_value_t = 1500)]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
+    steps: u32,
+    /// The longest side of an image to train on, in pixels
+    #[arg(long, value_name = "S", default_value_t = 480)]
+    #[arg(value_parser = clap::value_parser!(u32).range(16..=4096))]
+    side: u32,
+    /// Color behind the scene: a name such as white, or red, green and blue from 0 to 1 such as 1,1,1 [default: black]
+    #[arg(long, value_name = "COLOR")]
+    background: Option<Background>,
+    #[command(flatten)]
+    data: DataArgs,
+    #[command(flatten)]
+    device: DeviceArgs,
+}
+
+pub fn run(args: &Args, console: Console) -> Result<()> {
+    let source = SceneSource::find(&args.file)?;
+    let inputs: Vec<_> =
+        [Some(source.file()), args.cameras.as_deref()].into_iter().flatten().collect();
+    check_file(&args.output, &inputs)?;
+    let splats = console.during("reading the Gaussians", || splats::load(source.file()))?;
+    console.note(&format!("{} in {}", count(splats.len() as u64, "Gaussian"), args.file.display()));
+    let named = args.cameras.as_deref();
+    let cameras = if named.is_some() || args.data.is_given() {
+        let usage = "organza import FILE CAMERAS -o SCENE";
+        Cameras::load(&source, named, &args.data, usage, console)?.list
+    } else {
+        all_around(splats::bounds(&splats))?
+    };
+    let [fitted, judges] = with_judges(cameras);
+    let renderer = args.device.open(console)?;
+    let background = args.background.unwrap_or(Background::Auto).color();
+    let options = Import { steps: args.steps, side: args.side, background };
+    let imported = {
+        let progress = console.progress(u64::from(args.steps), "steps");
+        progress.say("training");
+        let cameras = [&fitted[..], &judges];
+        splats::import(&renderer, &splats, cameras, options, &mut |step| progress.set(step))?
+    };
+    imported.scene.save(&args.output)?;
+    if let Some(psnr) = imported.psnr {
+        console.note(&format!(
+            "in {} that training has not seen, the scene is {psnr:.2} dB from the file's own images",
+            count(judges.len() as u64, "view")
+        ));
+    }
+    console.note(&format!("wrote {}", args.output.display()));
+    Ok(())
+}

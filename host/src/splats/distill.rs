@@ -1,0 +1,270 @@
+//! From a scene to Gaussians for viewers that sort: first what the scene's networks say, then what its images show.
+
+use bytemuck::Zeroable;
+use glam::Vec3;
+use organza_device::memory;
+use organza_kernel::math::sigmoid;
+use rayon::prelude::*;
+
+use super::harmonics::{HARMONICS, Sample, fit, harmonics};
+use super::sorted::{View, render};
+use super::{Splat, VALUES};
+use crate::camera::Camera;
+use crate::error::{Error, Result};
+use crate::metrics::psnr;
+use crate::render::{DeviceScene, Renderer};
+use crate::scene::Scene;
+use crate::train::in_image;
+
+/// Pairs of a camera and a Gaussian whose color the harmonics are fitted to, at most; and cameras, at most and at least.
+const MOST_PAIRS: usize = 8_000_000;
+const CAMERAS: [usize; 2] = [8, 64];
+/// The least weight of a color: of one that nothing is seen of, and of one outside the image.
+const LEAST_WEIGHT: [f32; 2] = [0.02, 0.002];
+/// Opacities at the start, at least and at most: at 0 and 1, nothing would change them.
+const OPACITIES: [f32; 2] = [0.002, 0.98];
+/// Where an opacity's logit stays, at most.
+const LARGEST_LOGIT: f32 = 9.0;
+/// Adam's rates at the first step. A position moves by this part of the Gaussian's own size.
+const POSITION: f32 = 0.02;
+const ROTATION: f32 = 4e-3;
+const LOG_SCALE: f32 = 8e-3;
+const OPACITY: f32 = 0.05;
+const FIRST_COLOR: f32 = 0.015;
+const OTHER_COLORS: f32 = 0.003;
+/// What the rates have come down to at the last step.
+const LAST: f32 = 0.05;
+/// Adam's decays and epsilon.
+const DECAY: [f32; 2] = [0.9, 0.99];
+const EPSILON: f32 = 1e-12;
+/// What equal images have, in dB: they are of 8 bits.
+const BEST_PSNR: f64 = 60.0;
+
+/// How a scene is distilled.
+#[derive(Clone, Copy, Debug)]
+pub struct Fit {
+    /// Steps. Each compares one view.
+    pub steps: usize,
+    /// The longest side of a view, in pixels.
+    pub side: u32,
+}
+
+/// A scene, distilled.
+#[derive(Clone, Debug)]
+pub struct Distilled {
+    /// The Gaussians that a viewer can show: those of an opacity of less than 1/255 are left out.
+    pub splats: Vec<Splat>,
+    /// How close their images are to the scene's own, in dB: the mean PSNR over the views that were not fitted.
+    pub psnr: f64,
+    /// The same before the first step.
+    pub first_psnr: f64,
+}
+
+/// A camera, and the scene's image.
+struct Target {
+    camera: Camera,
+    truth: Vec<[f32; 3]>,
+}
+
+/// Fits Gaussians to what some cameras see of a scene. `judges` are cameras that are only measured; without any, those that were
+/// fitted are. `progress` is called with the steps that are done.
+///
+/// # Errors
+/// [`Error::Argument`] without cameras; as [`Renderer::render`].
+pub fn distill(
+    renderer: &Renderer,
+    scene: &Scene,
+    uploaded: &DeviceScene,
+    [cameras, judges]: [&[Camera]; 2],
+    options: Fit,
+    progress: &mut dyn FnMut(usize),
+) -> Result<Distilled> {
+    if cameras.is_empty() {
+        return Err(Error::Argument { reason: "distilling a scene needs a camera".to_owned() });
+    }
+    let background = scene.config.background.map(|x| x as f32);
+    let mut splats = first(renderer, scene, uploaded, cameras)?;
+    let target = |camera: &Camera| -> Result<Target> {
+        let camera = shrunk(camera, options.side);
+        let image = renderer.render_view(uploaded, &camera)?;
+        let pixels = image.pixels().iter();
+        Ok(Target {
+            camera,
+            truth: pixels.map(|pixel| pixel.map(|x| f32::from(x) / 255.0)).collect(),
+        })
+    };
+    let judges = if judges.is_empty() { cameras } else { judges };
+    let judges = judges.iter().map(target).collect::<Result<Vec<_>>>()?;
+    let mean = |splats: &[Splat]| {
+        let of = |Target { camera, truth }: &Target| {
+            let image = displayed(render(splats, camera, background));
+            psnr(&image, truth, None).unwrap_or(BEST_PSNR).min(BEST_PSNR)
+        };
+        judges.iter().map(of).sum::<f64>() / judges.len() as f64
+    };
+    let first_psnr = mean(&splats);
+    // those that no step will see need no image
+    let targets = cameras.iter().take(options.steps).map(target).collect::<Result<Vec<_>>>()?;
+    let mut adam = Adam::new(splats.len())?;
+    let stride = stride(targets.len());
+    for step in 0..options.steps {
+        let Target { camera, truth } = &targets[step * stride % targets.len()];
+        let (gradient, _) = View::new(&splats, camera).gradient(&splats, background, truth);
+        let rate = LAST.powf(step as f32 / options.steps as f32);
+        adam.step(&mut splats, &gradient, rate);
+        progress(step + 1);
+    }
+    splats.retain(|splat| sigmoid(splat.opacity) >= 1.0 / 255.0);
+    let psnr = mean(&splats);
+    Ok(Distilled { splats, psnr, first_psnr })
+}
+
+/// What a screen shows of colors.
+pub fn displayed(mut image: Vec<[f32; 3]>) -> Vec<[f32; 3]> {
+    image.as_flattened_mut().iter_mut().for_each(|value| *value = value.clamp(0.0, 1.0));
+    image
+}
+
+/// A number near 0.6 n whose multiples visit all of n views: neighbors are not compared one after another.
+fn stride(n: usize) -> usize {
+    let has_no_divisor = |&stride: &usize| {
+        let (mut a, mut b) = (n, stride);
+        while b > 0 {
+            (a, b) = (b, a % b);
+        }
+        a == 1
+    };
+    (1..=n * 6 / 10).rev().find(has_no_divisor).unwrap_or(1)
+}
+
+/// A camera whose longest side has at most so many pixels.
+pub(super) fn shrunk(camera: &Camera, side: u32) -> Camera {
+    let longest = camera.width.max(camera.height);
+    if longest <= side {
+        return camera.clone();
+    }
+    let scale = f64::from(side) / f64::from(longest);
+    let size = [camera.width, camera.height];
+    camera.with_size(size.map(|pixels| ((f64::from(pixels) * scale).round() as u32).max(1)))
+}
+
+/// What the scene's networks say: colors as the cameras see them, fitted by harmonics; and opacities times the largest T.
+fn first(
+    renderer: &Renderer,
+    scene: &Scene,
+    uploaded: &DeviceScene,
+    cameras: &[Camera],
+) -> Result<Vec<Splat>> {
+    let gaussians = &scene.gaussians;
+    let most = (MOST_PAIRS / gaussians.len().max(1)).clamp(CAMERAS[0], CAMERAS[1]);
+    let every = cameras.len().div_ceil(most).max(1);
+    let shades = |camera| Ok((camera, renderer.shades(uploaded, camera)?));
+    let cameras = cameras.iter().step_by(every).map(shades).collect::<Result<Vec<_>>>()?;
+    let splat = |gaussian: usize| {
+        let position = gaussians.position[gaussian];
+        let place = Vec3::from(position).as_dvec3();
+        let mut largest: f32 = 0.0;
+        let sample = |(camera, (colors, transmittance)): &(&Camera, (Vec<_>, Vec<f32>))| {
+            let eye = Vec3::from(camera.eye().map(|x| x as f32));
+            let is_seen = in_image(camera, place).is_some();
+            let through = if is_seen { transmittance[gaussian] } else { 0.0 };
+            largest = largest.max(through);
+            let weight = through + LEAST_WEIGHT[usize::from(!is_seen)];
+            Sample { basis: harmonics(eye, position), color: colors[gaussian], weight }
+        };
+        let samples: Vec<_> = cameras.iter().map(sample).collect();
+        let opacity = sigmoid(gaussians.opacity[gaussian]) * largest;
+        let opacity = opacity.clamp(OPACITIES[0], OPACITIES[1]);
+        Splat {
+            position,
+            rotation: gaussians.rotation[gaussian],
+            log_scale: gaussians.log_scale[gaussian],
+            opacity: (opacity / (1.0 - opacity)).ln(),
+            color: fit(&samples),
+        }
+    };
+    Ok((0..gaussians.len()).into_par_iter().map(splat).collect())
+}
+
+/// Adam (Kingma and Ba 2015). A Gaussian has a step where a view shows it.
+struct Adam {
+    moments: Vec<Moments>,
+}
+
+#[derive(Clone, Copy, Zeroable)]
+struct Moments {
+    first: [f32; VALUES],
+    second: [f32; VALUES],
+    steps: i32,
+    /// Index of its gradient in this step, plus 1.
+    slope: u32,
+}
+
+impl Adam {
+    fn new(len: usize) -> Result<Self> {
+        Ok(Self { moments: memory::zeros(len, "distilling the Gaussians")? })
+    }
+
+    fn step(&mut self, splats: &mut [Splat], gradient: &[(u32, Splat)], rate: f32) {
+        for (index, (gaussian, _)) in gradient.iter().enumerate() {
+            self.moments[*gaussian as usize].slope = index as u32 + 1;
+        }
+        splats.par_iter_mut().zip(&mut self.moments).for_each(|(splat, moments)| {
+            let slope = std::mem::take(&mut moments.slope);
+            if slope > 0 {
+                moments.step(splat, &gradient[slope as usize - 1].1, rate);
+            }
+        });
+    }
+}
+
+impl Moments {
+    fn step(&mut self, splat: &mut Splat, slope: &Splat, rate: f32) {
+        let slope: &[f32; VALUES] = bytemuck::cast_ref(slope);
+        if !slope.iter().all(|value| value.is_finite()) {
+            return;
+        }
+        self.steps += 1;
+        let corrections = DECAY.map(|decay| 1.0 - decay.powi(self.steps));
+        let rates = rates(splat);
+        let rates: &[f32; VALUES] = bytemuck::cast_ref(&rates);
+        let values: &mut [f32; VALUES] = bytemuck::cast_mut(splat);
+        for at in 0..VALUES {
+            let g = slope[at];
+            self.first[at] += (1.0 - DECAY[0]) * (g - self.first[at]);
+            self.second[at] += (1.0 - DECAY[1]) * (g * g - self.second[at]);
+            let size = (self.second[at] / corrections[1]).sqrt() + EPSILON;
+            values[at] -= rate * rates[at] * (self.first[at] / corrections[0]) / size;
+        }
+        splat.opacity = splat.opacity.clamp(-LARGEST_LOGIT, LARGEST_LOGIT);
+    }
+}
+
+/// The rate of each value.
+fn rates(splat: &Splat) -> Splat {
+    let size = (splat.log_scale.iter().sum::<f32>() / 3.0).exp();
+    let length = splat.rotation.iter().map(|x| x * x).sum::<f32>().sqrt();
+    let mut color = [[OTHER_COLORS; 3]; HARMONICS];
+    color[0] = [FIRST_COLOR; 3];
+    Splat {
+        position: [POSITION * size; 3],
+        rotation: [ROTATION * length; 4],
+        log_scale: [LOG_SCALE; 3],
+        opacity: OPACITY,
+        color,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_views_are_visited() {
+        for n in 1..100 {
+            let mut seen = vec![false; n];
+            (0..n).for_each(|step| seen[step * stride(n) % n] = true);
+            assert!(seen.iter().all(|&seen| seen), "{n}");
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! The harmonics of 3D Gaussian Splatting: those of Eq. 1, up to degree 3.
+
+use glam::Vec3;
+use organza_kernel::prelude::Write;
+use organza_shaders::spherical_harmonics::{spherical_harmonics, width};
+
+/// The degree that files of other programs have at most.
+pub const DEGREE: u32 = 3;
+
+/// Harmonics of a color.
+pub const HARMONICS: usize = width(DEGREE) as usize;
+
+/// What a color is where all coefficients are 0.
+pub const MIDDLE: f32 = 0.5;
+
+/// The first harmonic: it is the same in all directions, `sqrt(1 / 4 pi)`.
+pub const FIRST: f32 = 0.282_094_79;
+
+/// The weight of a coefficient's square in [`fit`], beside the colors' weights: of the first harmonic, and of the others. Where
+/// little is known of a color, its harmonics stay small.
+const RIDGE: [f64; 2] = [1e-6, 1e-2];
+
+/// The harmonics of the direction from an eye to a place; those of no direction are those of z.
+pub fn harmonics(eye: Vec3, place: [f32; 3]) -> [f32; HARMONICS] {
+    let direction = (Vec3::from(place) - eye).try_normalize().unwrap_or(Vec3::Z);
+    let mut values = [0.0; HARMONICS];
+    spherical_harmonics(direction, DEGREE, Write::from(values.as_mut_slice()), 0, 1);
+    values
+}
+
+/// The color of coefficients, before it is held above 0.
+pub fn color_of(coefficients: &[[f32; 3]; HARMONICS], basis: &[f32; HARMONICS]) -> [f32; 3] {
+    std::array::from_fn(|channel| {
+        let terms = coefficients.iter().zip(basis).map(|(value, basis)| value[channel] * basis);
+        MIDDLE + terms.sum::<f32>()
+    })
+}
+
+/// A color that was seen.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample {
+    /// Its harmonics.
+    pub basis: [f32; HARMONICS],
+    /// The color.
+    pub color: [f32; 3],
+    /// How much it counts.
+    pub weight: f32,
+}
+
+/// The coefficients whose colors are nearest to some samples: weighted least squares.
+#[allow(clippy::needless_range_loop, reason = "several arrays have one index")]
+pub fn fit(samples: &[Sample]) -> [[f32; 3]; HARMONICS] {
+    let mut matrix = [[0.0_f64; HARMONICS]; HARMONICS];
+    let mut right = [[0.0_f64; 3]; HARMONICS];
+    let total: f64 = samples.iter().map(|sample| f64::from(sample.weight)).sum();
+    for (index, row) in matrix.iter_mut().enumerate() {
+        row[index] = total * RIDGE[index.min(1)] + 1e-9;
+    }
+    for Sample { basis, color, weight } in samples {
+        for i in 0..HARMONICS {
+            let scaled = f64::from(*weight) * f64::from(basis[i]);
+            for j in 0..=i {
+                matrix[i][j] += scaled * f64::from(basis[j]);
+            }
+            for channel in 0..3 {
+                right[i][channel] += scaled * f64::from(color[channel] - MIDDLE);
+            }
+        }
+    }
+    solve(matrix, right).map(|row| row.map(|value| value as f32))
+}
+
+/// Solves a symmetric positive system, given by its lower triangle, with Cholesky's factors.
+#[allow(clippy::needless_range_loop, reason = "several arrays have one index")]
+fn solve(
+    mut l: [[f64; HARMONICS]; HARMONICS],
+    mut x: [[f64; 3]; HARMONICS],
+) -> [[f64; 3]; HARMONICS] {
+    for i in 0..HARMONICS {
+        for j in 0..=i {
+            let rest = l[i][j] - (0..j).map(|k| l[i][k] * l[j][k]).sum::<f64>();
+            l[i][j] = if i == j { rest.sqrt() } else { rest / l[j][j] };
+        }
+        for channel in 0..3 {
+            let sum: f64 = (0..i).map(|k| l[i][k] * x[k][channel]).sum();
+            x[i][channel] = (x[i][channel] - sum) / l[i][i];
+        }
+    }
+    for i in (0..HARMONICS).rev() {
+        for channel in 0..3 {
+            let sum: f64 = (i + 1..HARMONICS).map(|k| l[k][i] * x[k][channel]).sum();
+            x[i][channel] = (x[i][channel] - sum) / l[i][i];
+        }
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fit_finds_the_coefficients_that_colors_were_made_with() {
+        // 0.3 y^2 is in degree 0 and 2: of y^2 - 1/3, and of 1/3
+        let color = |[x, y, z]: [f32; 3]| [0.5 + 0.2 * x, 0.5 + 0.3 * y * y, 0.5 - 0.1 * z];
+        let samples: Vec<_> = (0..400)
+            .map(|index| {
+                let z = 1.0 - (2 * index + 1) as f32 / 400.0;
+                let (sin, cos) = (2.399_963_2 * index as f32).sin_cos();
+                let r = (1.0 - z * z).sqrt();
+                let direction = [r * cos, r * sin, z];
+                let basis = harmonics(Vec3::ZERO, direction);
+                Sample { basis, color: color(direction), weight: 1.0 }
+            })
+            .collect();
+        let found = fit(&samples);
+        // x is the harmonic of order 1, times -sqrt(3 / 4 pi)
+        assert!((found[3][0] + 0.2 / 0.488_602_5).abs() < 0.02, "{found:?}");
+        for Sample { basis, color, .. } in samples {
+            for (found, expected) in color_of(&found, &basis).into_iter().zip(color) {
+                assert!((found - expected).abs() < 0.02, "{found} {expected}");
+            }
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! From Gaussians of other programs to a scene: trained on their own images, as a viewer that sorts shows them.
+
+use super::Splat;
+use super::distill::{displayed, shrunk};
+use super::sorted::render;
+use crate::camera::Camera;
+use crate::data::{Dataset, Frame, Photograph};
+use crate::error::Result;
+use crate::image::to_8_bit;
+use crate::render::Renderer;
+use crate::scene::Scene;
+use crate::train::config::{GrowthMethod, Rate};
+use crate::train::{Checkpoint, TrainConfig, Trainer, of_splats};
+
+/// The part of the centers that [`bounds`] leaves out at each end of an axis.
+const LEFT_OUT: f64 = 0.01;
+
+/// How Gaussians become a scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Import {
+    /// Steps of training.
+    pub steps: u32,
+    /// The longest side of an image to train on, in pixels.
+    pub side: u32,
+    /// The color behind the Gaussians, 0 to 1: files do not have it.
+    pub background: [f32; 3],
+}
+
+/// A scene that was made of Gaussians.
+#[derive(Clone, Debug)]
+pub struct Imported {
+    /// The scene.
+    pub scene: Scene,
+    /// How close its images are to those of the file, in dB: the mean PSNR over the views that training has not seen. None without
+    /// such views.
+    pub psnr: Option<f64>,
+}
+
+/// Makes a scene whose images are those of Gaussians: the networks are trained for it, and all values of the Gaussians move a
+/// little. `judges` are cameras that are only measured. `progress` is called with the steps that are done.
+///
+/// # Errors
+/// As [`Trainer::start`].
+pub fn import(
+    renderer: &Renderer,
+    splats: &[Splat],
+    [cameras, judges]: [&[Camera]; 2],
+    options: Import,
+    progress: &mut dyn FnMut(usize),
+) -> Result<Imported> {
+    let frame = |(index, camera): (usize, &Camera)| {
+        let camera = shrunk(camera, options.side);
+        let colors = displayed(render(splats, &camera, options.background));
+        let pixels = colors.into_iter().map(|color| color.map(to_8_bit)).collect();
+        let image = Photograph::new([camera.width, camera.height], pixels, None)?;
+        Ok(Frame { name: format!("view-{index:03}"), camera, image })
+    };
+    let frames = cameras.iter().chain(judges).enumerate().map(frame).collect::<Result<Vec<_>>>()?;
+    let mut dataset = Dataset::from_frames(frames, 0);
+    dataset.held_out = dataset.train.split_off(cameras.len());
+    dataset.background = options.background.map(f64::from);
+    let config = config(splats.len(), options.steps);
+    let fitted: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
+    let scene = of_splats(splats, &config, dataset.background, &fitted)?;
+    let begin = Checkpoint::begin(scene, &config)?;
+    let mut trainer = Trainer::resume(renderer, config, dataset, &begin)?;
+    while !trainer.is_finished() {
+        trainer.step()?;
+        progress(trainer.steps() as usize);
+    }
+    let psnr = trainer.evaluate()?.mean.psnr;
+    Ok(Imported { scene: trainer.scene().download(renderer.device())?, psnr })
+}
+
+/// The settings of training: no Gaussian is added or removed, and their places and shapes move slowly.
+fn config(gaussians: usize, steps: u32) -> TrainConfig {
+    let mut config = TrainConfig::default();
+    config.run.steps = steps;
+    config.growth.method = GrowthMethod::None;
+    config.growth.max_gaussians = gaussians as u32;
+    config.start.gaussians = gaussians as u32;
+    config.optimizer.position = Rate { first: 1e-4, last: 1e-5 };
+    config.optimizer.log_scale = Rate { first: 3e-3, last: 1e-3 };
+    config
+}
+
+/// The box of the centers, but for the few that are farthest on each axis.
+#[must_use]
+pub fn bounds(splats: &[Splat]) -> [[f64; 3]; 2] {
+    let left_out = (LEFT_OUT * splats.len() as f64) as usize;
+    let ends: [[f64; 2]; 3] = std::array::from_fn(|axis| {
+        let mut places: Vec<_> = splats.iter().map(|splat| splat.position[axis]).collect();
+        places.sort_unstable_by(f32::total_cmp);
+        let end = |place: Option<&f32>| place.copied().unwrap_or_default().into();
+        let places = &places[left_out..places.len() - left_out];
+        [end(places.first()), end(places.last())]
+    });
+    [ends.map(|[low, _]| low), ends.map(|[_, high]| high)]
+}

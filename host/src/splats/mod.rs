@@ -1,0 +1,37 @@
+//! Gaussians as viewers that sort know them (Kerbl et al., 3D Gaussian Splatting, 2023): each has an opacity and the spherical
+//! harmonics of a color, and nothing but what is in front of it hides it.
+
+mod distill;
+mod files;
+mod harmonics;
+mod import;
+mod sorted;
+
+pub use distill::{Distilled, Fit, displayed, distill};
+pub use files::{Format, load, save};
+pub(crate) use files::{base_color, read_from};
+pub use import::{Import, Imported, bounds, import};
+pub use sorted::render;
+
+use bytemuck::{Pod, Zeroable};
+use harmonics::HARMONICS;
+
+/// One Gaussian, in world space. Every value is a parameter that [`distill`] fits.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct Splat {
+    /// Center, in world units.
+    pub position: [f32; 3],
+    /// Quaternion w x y z, of any length but 0.
+    pub rotation: [f32; 4],
+    /// Natural logarithms of the standard deviations along the rotated axes, in world units.
+    pub log_scale: [f32; 3],
+    /// Logit of the opacity.
+    pub opacity: f32,
+    /// Red, green and blue of each harmonic. The color is 0.5 plus the sum of these times the harmonics of the direction from
+    /// the eye to the center, and at least 0.
+    pub color: [[f32; 3]; HARMONICS],
+}
+
+/// Values of a [`Splat`].
+const VALUES: usize = size_of::<Splat>() / size_of::<f32>();

@@ -1,0 +1,134 @@
+//! `organza export` and `organza import`: files of viewers that sort.
+
+use std::fs;
+
+use organza::{Camera, Scene, demo};
+use serde_json::Value;
+
+use crate::sandbox::Sandbox;
+
+const SIDE: u32 = 40;
+
+/// A sandbox with some Gaussians of the built-in scene, enlarged so that they cover it, and cameras around them.
+fn sandbox() -> Sandbox {
+    let (sandbox, mut scene) = (Sandbox::new("tiny"), demo::scene());
+    let some: Vec<_> = (0..scene.gaussians.len()).step_by(80).collect();
+    scene.gaussians = scene.gaussians.select(&some);
+    scene.gaussians.log_scale.as_flattened_mut().iter_mut().for_each(|scale| *scale += 1.4);
+    scene.save(sandbox.path("thin.safetensors")).expect("a scene");
+    Camera::save_all(sandbox.path("around.json"), &demo::turntable(16, SIDE)).expect("cameras");
+    sandbox
+}
+
+/// The numbers before `dB`.
+fn decibels(text: &str) -> Vec<f64> {
+    let words: Vec<_> = text.split([' ', '(', ',']).collect();
+    let pairs = words.windows(2).filter(|pair| pair[1].starts_with("dB"));
+    pairs.map(|pair| pair[0].parse().unwrap_or_else(|_| panic!("{text}"))).collect()
+}
+
+#[test]
+fn a_scene_goes_out_and_comes_back() {
+    let sandbox = sandbox();
+    let words = "export thin.safetensors around.json -o thin.ply --steps 120 --backend cpu";
+    let outcome = sandbox.run(words).assert_ok();
+    let [after, before] = decibels(&outcome.stderr)[..] else { panic!("{outcome:?}") };
+    assert!(outcome.stderr.contains("2 views that the fit has not seen"), "{outcome:?}");
+    assert!(after > before + 2.0 && after > 26.0, "{outcome:?}");
+    // the same bits on any number of threads
+    sandbox.run(&format!("{words} --threads 1").replace("thin.ply", "again.ply")).assert_ok();
+    let read = |name: &str| fs::read(sandbox.path(name)).expect("a file");
+    assert!(read("thin.ply") == read("again.ply"));
+
+    let words = "import thin.ply around.json -o back.safetensors --steps 60 --backend cpu";
+    let outcome = sandbox.run(words).assert_ok();
+    let [close] = decibels(&outcome.stderr)[..] else { panic!("{outcome:?}") };
+    assert!(close > 20.0, "{outcome:?}");
+    let (scene, back) = ("thin.safetensors", "back.safetensors");
+    let [scene, back] = [scene, back].map(|name| Scene::load(sandbox.path(name)).expect("a scene"));
+    assert!(back.gaussians.len() <= scene.gaussians.len());
+    // without cameras, on those all around
+    let words =
+        "import thin.ply -o round.safetensors --steps 1 --side 24 --background white --backend cpu";
+    sandbox.run(words).assert_ok();
+    let round = Scene::load(sandbox.path("round.safetensors")).expect("a scene");
+    assert_eq!(round.config.background, [1.0; 3]);
+    assert_eq!(round.gaussians.len(), back.gaussians.len());
+    // and as the start of training
+    let words = "train -o run --start thin.ply --steps 1 --set data.built_in_views=3 --set data.built_in_side=32 \
+                 --set growth.method=none --backend cpu";
+    sandbox.run(words).assert_ok();
+    let run = Scene::load(sandbox.path("run/checkpoint.safetensors")).expect("a scene");
+    assert_eq!(run.gaussians.len(), back.gaussians.len());
+    let few = words.replace("-o run", "-o few") + " --max-gaussians 9";
+    sandbox.assert_refuses(&few, &["thin.ply", "more than the 9", "--max-gaussians"]);
+}
+
+/// glTF: the header, the JSON and what it says of the bytes behind it.
+#[test]
+fn a_glb_has_the_attributes_of_the_extension() {
+    let sandbox = sandbox();
+    sandbox
+        .run("export thin.safetensors -o thin.glb --steps 0 --side 16 --backend cpu")
+        .assert_ok();
+    let bytes = fs::read(sandbox.path("thin.glb")).expect("a file");
+    let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()) as usize;
+    assert_eq!((&bytes[..4], word(4), word(8)), (&b"glTF"[..], 2, bytes.len()));
+    let json = word(12);
+    assert_eq!((&bytes[16..20], json % 4), (&b"JSON"[..], 0));
+    let gltf: Value = serde_json::from_slice(&bytes[20..20 + json]).expect("JSON");
+    let binary = 20 + json + 8;
+    assert_eq!(
+        (&bytes[binary - 4..binary], word(binary - 8)),
+        (&b"BIN\0"[..], bytes.len() - binary)
+    );
+    assert_eq!(gltf["buffers"][0]["byteLength"], bytes.len() - binary);
+    let primitive = &gltf["meshes"][0]["primitives"][0];
+    assert_eq!(primitive["mode"], 0);
+    assert_eq!(primitive["extensions"]["KHR_gaussian_splatting"]["kernel"], "ellipse");
+    let attributes = primitive["attributes"].as_object().expect("attributes");
+    // POSITION, COLOR_0, ROTATION, SCALE, OPACITY and 16 harmonics
+    assert_eq!(attributes.len(), 21);
+    let mut end = 0;
+    for (accessor, view) in
+        gltf["accessors"].as_array().unwrap().iter().zip(gltf["bufferViews"].as_array().unwrap())
+    {
+        let kind = accessor["type"].as_str().unwrap();
+        let width = if kind == "SCALAR" { 1 } else { usize::from(kind.as_bytes()[3] - b'0') };
+        let size = if accessor["componentType"] == 5126 { 4 } else { 1 };
+        let length = accessor["count"].as_u64().unwrap() as usize * width * size;
+        assert_eq!((&view["byteOffset"], &view["byteLength"]), (&end.into(), &length.into()));
+        end += length;
+    }
+    assert_eq!(end, bytes.len() - binary);
+    // scales are not logarithms, and all are there
+    let scene = Scene::load(sandbox.path("thin.safetensors")).expect("a scene");
+    let scale = attributes["KHR_gaussian_splatting:SCALE"].as_u64().unwrap() as usize;
+    let at = binary + gltf["bufferViews"][scale]["byteOffset"].as_u64().unwrap() as usize;
+    let first = f32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+    assert!(scene.gaussians.log_scale.iter().any(|scale| scale[0].exp() == first));
+    // z of the scene is upward, y of glTF is
+    let turn = &gltf["nodes"][0]["rotation"];
+    assert!((turn[0].as_f64().unwrap() + 0.5_f64.sqrt()).abs() < 1e-3, "{turn}");
+}
+
+#[test]
+fn what_cannot_be_is_refused() {
+    let sandbox = sandbox();
+    let export = "export thin.safetensors around.json";
+    sandbox.assert_refuses(&format!("{export} -o thin.obj"), &["thin.obj", ".ply, .spz"]);
+    fs::rename(sandbox.path("thin.safetensors"), sandbox.path("thin.ply")).unwrap();
+    sandbox.assert_refuses("export thin.ply -o thin.ply", &["would replace the input"]);
+    sandbox.assert_refuses("import thin.ply -o new.safetensors", &["thin.ply", "neither a PLY"]);
+    sandbox.assert_refuses("import none.ply -o new.safetensors", &["none.ply", "no such file"]);
+    fs::write(
+        sandbox.path("points.ply"),
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty \
+        float y\nproperty float z\nend_header\n1 2 3\n",
+    )
+    .unwrap();
+    sandbox.assert_refuses("import points.ply -o new.safetensors", &["points.ply", "`f_dc_0`"]);
+    let train = "train -o run --start points.ply";
+    sandbox.assert_refuses(train, &["points.ply", "`f_dc_0`"]);
+    assert!(!sandbox.path("new.safetensors").exists());
+}

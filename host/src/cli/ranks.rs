@@ -60,14 +60,13 @@ impl RanksArgs {
 
 /// Options of rendering with Gaussians that are dealt to ranks.
 #[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Ranks")]
 pub struct SharesArgs {
     /// Deal the Gaussians to N threads, each with a device of its own; or `mpi`: to the processes that mpirun or srun has
     /// started. For scenes that do not fit on one device. Any number of ranks gives the same bits (docs/cluster.md)
-    #[arg(long, value_name = "N|mpi")]
+    #[arg(long, value_name = "N|mpi", help_heading = "Ranks")]
     ranks: Option<Kind>,
     /// Allow ranks with different programs or devices; the image's bits then depend on which of them computes what
-    #[arg(long, requires = "ranks")]
+    #[arg(long, requires = "ranks", help_heading = "Ranks")]
     mixed: bool,
 }
 

@@ -44,7 +44,7 @@ fn assert_fails(mut command: Command, words: &[&str]) {
 #[ignore = "scripts/mpi.sh runs it"]
 fn any_number_of_processes_gives_the_same_bits() {
     let sandbox = sandbox();
-    let words = |run: &str| format!("{TINY} {run} --threads 1 --steps 24");
+    let words = |run: &str| format!("{TINY} {run} --threads 1 --steps 14");
     sandbox.run(&format!("{} --ranks 2", words("threads"))).assert_ok();
     let threads = bits(&sandbox, "threads");
     assert!(threads["gaussians.opacity"].1.len() > 200, "the scene has grown");
@@ -62,7 +62,7 @@ fn any_number_of_processes_gives_the_same_bits() {
 #[ignore = "scripts/mpi.sh runs it"]
 fn a_killed_rank_ends_all_and_another_number_goes_on() {
     let sandbox = sandbox();
-    let words = format!("{TINY} run --threads 1 --steps 60 --evaluate-every 0");
+    let words = format!("{TINY} run --threads 1 --steps 40 --evaluate-every 0");
     let mut child = mpirun(&sandbox, &[(3, &words)])
         .stdout(Stdio::null())
         .stderr(Stdio::null())
@@ -85,7 +85,7 @@ fn a_killed_rank_ends_all_and_another_number_goes_on() {
     let resume = "train --resume run --backend cpu --threads 1";
     assert_ok(mpirun(&sandbox, &[(2, resume)]));
     sandbox
-        .run(&format!("{TINY} whole --threads 1 --steps 60 --evaluate-every 0 --ranks 1"))
+        .run(&format!("{TINY} whole --threads 1 --steps 40 --evaluate-every 0 --ranks 1"))
         .assert_ok();
     assert_same("resumed", &bits(&sandbox, "run"), &bits(&sandbox, "whole"));
 }

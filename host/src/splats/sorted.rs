@@ -339,7 +339,7 @@ mod tests {
         }
     }
 
-    /// Gaussians of all shapes that overlap in several tiles.
+    /// Gaussians of several shapes, each of which all pixels see: an alpha that passes 1/255 would be a step in the loss.
     fn many() -> Vec<Splat> {
         (0..14)
             .map(|i: usize| {
@@ -348,7 +348,7 @@ mod tests {
                 let mut splat = ball();
                 splat.position = std::array::from_fn(|_| 1.6 * value());
                 splat.rotation = std::array::from_fn(|_| value() + 0.1);
-                splat.log_scale = std::array::from_fn(|_| 1.2 * value() - 1.8);
+                splat.log_scale = std::array::from_fn(|_| 0.6 * value() + 0.6);
                 splat.opacity = 4.0 * value();
                 splat.color = std::array::from_fn(|_| std::array::from_fn(|_| 0.3 * value()));
                 splat
@@ -411,10 +411,9 @@ mod tests {
                 let step = 4e-3;
                 let expected = (moved(step) - moved(-step)) / f64::from(2.0 * step);
                 let found = f64::from(*found);
-                // alphas below 1/255 are left out, so the loss has small steps
                 let off = (found - expected).abs();
                 assert!(
-                    off < 0.03 * expected.abs() + 0.01 * f64::from(largest),
+                    off < 0.02 * expected.abs() + 0.002 * f64::from(largest),
                     "{gaussian}, {value}: {found} {expected}"
                 );
             }

@@ -167,7 +167,11 @@ mod tests {
         let with = |from: &str, to: &str| text.replace(from, to);
         assert_refused(with("opacity", "alpha").as_bytes(), &["no property `opacity`", "rot_3"]);
         assert_refused(with("f_rest_8", "other").as_bytes(), &["8 properties `f_rest_*`"]);
-        assert_refused(with("-1.5", "nan").as_bytes(), &["Gaussian 0", "not finite"]);
+        assert_refused(with("-1.5", "nan").as_bytes(), &["does not parse"]);
+        let (mut splats, mut bytes) = (splats(), Vec::new());
+        splats[3].opacity = f32::NAN;
+        write(&splats, &mut bytes).unwrap();
+        assert_refused(&bytes, &["Gaussian 3", "not finite"]);
         assert_refused(with(" -4 ", " 1e30 ").as_bytes(), &["Gaussian 0", "scale"]);
         assert_refused(with("1 2 3", "1 1e39 3").as_bytes(), &["Gaussian 0", "inf"]);
         assert_refused(with("vertex 1", "vertex 0").as_bytes(), &["no Gaussians"]);

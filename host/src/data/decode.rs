@@ -26,6 +26,7 @@ const DEFLATE_RATIO: u64 = 1032;
 pub(super) struct Decoded {
     width: u32,
     color: ColorType,
+    pixel_bytes: usize,
     /// Row by row, channels together.
     bytes: Vec<u8>,
 }
@@ -117,7 +118,7 @@ pub(super) fn decode(bytes: &[u8], expected: [u32; 2], path: &Path) -> Result<De
         return invalid(path, "the photograph's palette is damaged; copy it again".to_owned());
     }
     let color = decoder.color_type();
-    if sample_bytes(color).is_none() {
+    if !is_read(color) {
         let (hint, kind) = (ImageFormatHint::Unknown, UnsupportedErrorKind::Color(color.into()));
         let error = UnsupportedError::from_format_and_kind(hint, kind);
         return Err(broken(path, &ImageError::Unsupported(error)));
@@ -125,7 +126,8 @@ pub(super) fn decode(bytes: &[u8], expected: [u32; 2], path: &Path) -> Result<De
     let length = usize::try_from(decoder.total_bytes()).unwrap_or(usize::MAX);
     let mut pixels = memory::zeros::<u8>(length, "a photograph")?;
     decoder.read_image(&mut pixels).map_err(|error| broken(path, &error))?;
-    Ok(Decoded { width, color, bytes: pixels })
+    let pixel_bytes = usize::from(color.bytes_per_pixel());
+    Ok(Decoded { width, color, pixel_bytes, bytes: pixels })
 }
 
 impl Decoded {
@@ -135,33 +137,45 @@ impl Decoded {
     }
 
     /// Red, green, blue and alpha of column `x` and row `y`, of 0 to 1.
+    #[inline]
     pub fn rgba(&self, x: u32, y: u32) -> [f32; 4] {
-        let channels = usize::from(self.color.channel_count());
-        let first = (y as usize * self.width as usize + x as usize) * channels;
-        let sample = |channel: usize| match sample_bytes(self.color) {
-            Some(2) => {
-                let at = 2 * (first + channel);
-                f32::from(u16::from_ne_bytes([self.bytes[at], self.bytes[at + 1]])) / 65535.0
-            }
-            _ => f32::from(self.bytes[first + channel]) / 255.0,
-        };
-        match channels {
-            1 => [sample(0), sample(0), sample(0), 1.0],
-            2 => [sample(0), sample(0), sample(0), sample(1)],
-            3 => [sample(0), sample(1), sample(2), 1.0],
-            _ => [0, 1, 2, 3].map(sample),
+        let first = (y as usize * self.width as usize + x as usize) * self.pixel_bytes;
+        let bytes = &self.bytes[first..first + self.pixel_bytes];
+        if self.color.bytes_per_pixel() == self.color.channel_count() {
+            return rgba_of(bytes, |&byte| UNIT[usize::from(byte)]);
         }
+        let (wide, _) = bytes.as_chunks::<2>();
+        rgba_of(wide, |&bytes| f32::from(u16::from_ne_bytes(bytes)) / 65535.0)
     }
 }
 
-/// Bytes of a channel of a pixel, for the types that are read.
-fn sample_bytes(color: ColorType) -> Option<u8> {
-    use ColorType::{L8, L16, La8, La16, Rgb8, Rgb16, Rgba8, Rgba16};
-    match color {
-        L8 | La8 | Rgb8 | Rgba8 => Some(1),
-        L16 | La16 | Rgb16 | Rgba16 => Some(2),
-        _ => None,
+/// What 8 bits stand for.
+static UNIT: [f32; 256] = {
+    let mut unit = [0.0; 256];
+    let mut byte = 0;
+    while byte < 256 {
+        unit[byte] = byte as f32 / 255.0;
+        byte += 1;
     }
+    unit
+};
+
+/// A pixel of one to four channels: gray, gray and alpha, color, color and alpha.
+#[inline]
+fn rgba_of<T>(channels: &[T], value: impl Fn(&T) -> f32) -> [f32; 4] {
+    match channels {
+        [gray] => [value(gray), value(gray), value(gray), 1.0],
+        [gray, alpha] => [value(gray), value(gray), value(gray), value(alpha)],
+        [red, green, blue] => [value(red), value(green), value(blue), 1.0],
+        [red, green, blue, alpha] => [value(red), value(green), value(blue), value(alpha)],
+        _ => [0.0; 4],
+    }
+}
+
+/// Whether pixels of this type are read: 8 or 16 bits a channel.
+fn is_read(color: ColorType) -> bool {
+    use ColorType::{L8, L16, La8, La16, Rgb8, Rgb16, Rgba8, Rgba16};
+    matches!(color, L8 | La8 | Rgb8 | Rgba8 | L16 | La16 | Rgb16 | Rgba16)
 }
 
 fn broken(path: &Path, error: &ImageError) -> Error {

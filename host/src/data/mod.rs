@@ -11,6 +11,7 @@ mod develop;
 mod find;
 mod fingerprint;
 pub(crate) mod fuzz;
+mod keep;
 mod lens;
 mod options;
 mod photograph;
@@ -35,9 +36,9 @@ use budget::Budget;
 use develop::Shot;
 use find::Found;
 pub use fingerprint::Fingerprint;
+pub use keep::Keep;
 use lens::Lens;
 pub use options::DatasetOptions;
-use organza_device::memory;
 pub use photograph::Photograph;
 pub use poses::{Pose, Poses, kind_of};
 use reach::Reach;
@@ -126,6 +127,8 @@ pub struct Dataset {
     pub prepared: usize,
     /// Files that were read outside the data set's folder, as it names them.
     pub outside: Vec<PathBuf>,
+    /// The folder of the temporary file that holds the photographs, where they are not in memory.
+    pub kept_in: Option<PathBuf>,
     /// What it is known by.
     pub fingerprint: Fingerprint,
     /// What kind of data set it was.
@@ -208,26 +211,32 @@ impl Dataset {
 
     fn develop(poses: Poses, progress: &mut (dyn FnMut(usize, usize) + Send)) -> Result<Self> {
         let background = poses.background()?;
-        let Poses { missing, outside, kind, path, listing, options, .. } = poses;
+        let Poses { missing, outside, kind, path, listing, options, is_part, .. } = poses;
         let Listing { points, shots, prepared, .. } = listing;
         let options = DatasetOptions { background: Background::Color(background), ..options };
         let count = shots.len();
-        let budget = Budget::beside(check_memory(&shots)?);
+        let bytes = bytes_of(&shots);
+        // before hours of reading
+        let store = options.keep.store(bytes)?;
+        let budget = Budget::beside(if store.is_some() { 0 } else { bytes });
         progress(0, count);
         let progress = Mutex::new((0, progress));
         let develop = |shot: &Shot| {
-            let frame = shot.develop(&options, &budget)?;
+            let (mut frame, digest) = shot.develop(&options, &budget)?;
+            if let Some(store) = &store {
+                frame.image = frame.image.moved(store)?;
+            }
             let mut progress = progress.lock().unwrap_or_else(PoisonError::into_inner);
             progress.0 += 1;
             let done = progress.0;
             (progress.1)(done, count);
-            Ok(frame)
+            Ok((frame, digest))
         };
         let developed = shots.par_iter().map(develop).collect::<Result<Vec<_>>>()?;
         let (frames, digests): (Vec<_>, Vec<_>) = developed.into_iter().unzip();
         let (held_out, train): (Vec<_>, Vec<_>) =
             (0..count).partition(|&index| shots[index].held_out);
-        if train.is_empty() {
+        if train.is_empty() && !is_part {
             let reason = format!(
                 "all {count} photographs that are there are held out, so none is left to train on; \
                  add photographs, or hold none out"
@@ -248,6 +257,7 @@ impl Dataset {
             masked,
             prepared,
             outside,
+            kept_in: store.map(|store| store.folder().to_owned()),
             fingerprint,
             kind,
             path,
@@ -285,6 +295,7 @@ impl Dataset {
             masked: 0,
             prepared: 0,
             outside: Vec::new(),
+            kept_in: None,
             fingerprint,
             kind: DatasetKind::Generated,
             path: PathBuf::new(),
@@ -362,15 +373,13 @@ fn hint(path: &Path) -> Option<String> {
     Some(format!("; {} is a data set", nested.display()))
 }
 
-/// The bytes that the photographs will take; fails before hours of reading where they do not fit.
-fn check_memory(shots: &[Shot]) -> Result<u64> {
+/// The bytes that the photographs will take at most.
+fn bytes_of(shots: &[Shot]) -> u64 {
     let pixels = |shot: &Shot| {
         let side = |side: u32| u64::from(side / shot.factor);
         side(shot.camera.width) * side(shot.camera.height)
     };
-    let bytes = shots.iter().map(pixels).sum::<u64>() * size_of::<([u8; 3], bool, u8)>() as u64;
-    memory::check(bytes, "the photographs (a larger downscale makes them smaller)")?;
-    Ok(bytes)
+    shots.iter().map(pixels).sum::<u64>() * size_of::<([u8; 3], bool, u8)>() as u64
 }
 
 fn invalid<T>(origin: &Path, reason: String) -> Result<T> {

@@ -1,6 +1,7 @@
 //! How photographs are read.
 
 use super::background::{Alpha, Background};
+use super::keep::Keep;
 use crate::error::{Error, Result};
 
 /// How photographs are read, and which of them are kept from training.
@@ -27,12 +28,15 @@ pub struct DatasetOptions {
     pub alpha: Alpha,
     /// Whether the data set may name files outside its own folder, by their paths or by links.
     pub allow_outside: bool,
+    /// Where photographs are kept.
+    pub keep: Keep,
 }
 
 impl Default for DatasetOptions {
     fn default() -> Self {
         let (background, alpha) = (Background::Auto, Alpha::default());
-        Self { downscale: 1, hold_out_every: 8, background, alpha, allow_outside: false }
+        let (allow_outside, keep) = (false, Keep::default());
+        Self { downscale: 1, hold_out_every: 8, background, alpha, allow_outside, keep }
     }
 }
 
@@ -69,6 +73,13 @@ impl DatasetOptions {
     #[must_use]
     pub fn allow_outside(mut self, allow: bool) -> Self {
         self.allow_outside = allow;
+        self
+    }
+
+    /// Sets [`keep`](Self::keep).
+    #[must_use]
+    pub fn keep(mut self, keep: Keep) -> Self {
+        self.keep = keep;
         self
     }
 

@@ -1,5 +1,6 @@
 //! The pixels of a photograph, and which of them the lens has seen.
 
+use super::keep::{Kept, Store};
 use crate::error::{Error, Result};
 use crate::image::Image;
 
@@ -12,11 +13,11 @@ pub struct Photograph {
     width: u32,
     height: u32,
     /// Row by row.
-    pixels: Vec<[u8; 3]>,
+    pixels: Kept<[u8; 3]>,
     /// Row by row; none where all are valid.
-    valid: Option<Vec<bool>>,
+    valid: Option<Kept<bool>>,
     /// Row by row; none where all are opaque.
-    alpha: Option<Vec<u8>>,
+    alpha: Option<Kept<u8>>,
 }
 
 impl Photograph {
@@ -37,8 +38,8 @@ impl Photograph {
                 format!("a photograph of {width} x {height} has {count} pixels, not {length}");
             return Err(Error::Argument { reason });
         }
-        let valid = valid.filter(|valid| valid.contains(&false));
-        Ok(Self { width, height, pixels, valid, alpha: None })
+        let valid = valid.filter(|valid| valid.contains(&false)).map(Kept::from);
+        Ok(Self { width, height, pixels: pixels.into(), valid, alpha: None })
     }
 
     /// With the alpha of every pixel, row by row, of 0 to 255; the background is in its pixels already.
@@ -51,8 +52,20 @@ impl Photograph {
             let reason = format!("a photograph of {count} pixels has {} of alpha", alpha.len());
             return Err(Error::Argument { reason });
         }
-        self.alpha = alpha.iter().any(|&alpha| alpha < 255).then_some(alpha);
+        self.alpha = alpha.iter().any(|&alpha| alpha < 255).then_some(alpha.into());
         Ok(self)
+    }
+
+    /// The same photograph, kept in a store.
+    ///
+    /// # Errors
+    /// As [`Store::keep`].
+    pub(super) fn moved(self, store: &Store) -> Result<Self> {
+        let Self { width, height, pixels, valid, alpha } = self;
+        let pixels = pixels.moved(store)?;
+        let valid = valid.map(|valid| valid.moved(store)).transpose()?;
+        let alpha = alpha.map(|alpha| alpha.moved(store)).transpose()?;
+        Ok(Self { width, height, pixels, valid, alpha })
     }
 
     /// Width in pixels.
@@ -130,6 +143,6 @@ impl Photograph {
 impl From<&Image> for Photograph {
     fn from(image: &Image) -> Self {
         let [width, height] = image.size();
-        Self { width, height, pixels: image.pixels().to_vec(), valid: None, alpha: None }
+        Self { width, height, pixels: image.pixels().to_vec().into(), valid: None, alpha: None }
     }
 }

@@ -24,6 +24,8 @@ pub struct Poses {
     pub path: PathBuf,
     pub(super) listing: Listing,
     pub(super) options: DatasetOptions,
+    /// Whether frames were left out on purpose: there may be none to train on.
+    pub(super) is_part: bool,
     /// What photographs are put in front of, once it was decided.
     background: OnceLock<[f32; 3]>,
 }
@@ -60,7 +62,20 @@ impl Poses {
         }
         let (outside, path, options) = (reach.outside, path.to_owned(), options.clone());
         let (kind, background) = (listing.kind, OnceLock::new());
-        Ok(Self { missing, outside, kind, path, listing, options, background })
+        let is_part = false;
+        Ok(Self { missing, outside, kind, path, listing, options, is_part, background })
+    }
+
+    /// The same without the frames that are held out, or without those to train on: nothing else is read. Photographs
+    /// look as they do in the whole data set.
+    ///
+    /// # Errors
+    /// As [`Dataset::load`].
+    pub fn only(mut self, held_out: bool) -> Result<Self> {
+        self.background()?;
+        self.listing.shots.retain(|shot| shot.held_out == held_out);
+        self.is_part = true;
+        Ok(self)
     }
 
     /// Every camera, in the order of [`Dataset::frames`].

@@ -15,6 +15,7 @@ pub mod dense;
 pub mod dense_backward;
 pub mod dense_half;
 pub mod exact;
+pub mod exposure;
 pub mod hash_grid;
 pub mod hash_grid_backward;
 pub mod hash_grid_half;
@@ -67,12 +68,14 @@ pub fn cases() -> Vec<Case> {
         Case::of::<tile_cells::TileCells>(),
         Case::of::<composite::Composite>(),
         Case::of::<resolve::Resolve>(),
+        Case::of::<exposure::Expose>(),
         Case::of::<loss::LossTerms>(),
         Case::of::<ssim::SsimRows>(),
         Case::of::<ssim::SsimColumns>(),
         Case::of::<ssim::SsimRowsBackward>(),
         Case::of::<loss::LossRows>(),
         Case::of::<loss::LossGradient>(),
+        Case::of::<exposure::ExposeBackward>(),
         Case::of::<adam::Adam>(),
         Case::of::<hash_grid_scale::HashGridPeak>(),
         Case::of::<hash_grid_scale::HashGridNorm>(),

@@ -4,6 +4,7 @@ use std::sync::atomic::Ordering;
 
 use glam::Vec4;
 
+use super::exposure::{self, Exposed, ExposureGradient};
 use super::gradient::SceneGradient;
 use super::loss::{Loss, LossInputs, TileLoss};
 use super::part::Part;
@@ -124,6 +125,9 @@ pub struct LossTarget<'a> {
     pub valid_pixels: f64,
     /// w, the weight of `1 - SSIM` in the settings.
     pub ssim_weight: f32,
+    /// `[K, 3, 2]`: a gain and an offset for each channel, which the rendered tiles get before they are compared. Without
+    /// them they are compared as they are. A loss of your own never has them.
+    pub exposure: Option<&'a [f32]>,
 }
 
 impl Renderer {
@@ -210,7 +214,8 @@ impl Renderer {
         })
     }
 
-    /// Adds the gradients of a batch's loss to `gradient`; returns the losses of the tiles, by camera.
+    /// Adds the gradients of a batch's loss to `gradient`; returns the losses of the tiles, by camera, and the gradients
+    /// of the exposures, in the order of the batch, if the target has them.
     ///
     /// On a GPU a part is one submission and one wait, for the losses, after a first one that has found out what such
     /// batches need.  `gradient` is that of a step: but for the statistics, zero before.  `loss` is kept from
@@ -226,7 +231,7 @@ impl Renderer {
         loss: &mut Option<Loss>,
         target: &LossTarget<'_>,
         gradient: &SceneGradient,
-    ) -> Result<Vec<TileLoss>> {
+    ) -> Result<(Vec<TileLoss>, Vec<ExposureGradient>)> {
         let device = self.device();
         let area = (batch.side * batch.side) as usize;
         let add = |loss: &Loss, plan: &Plan, capacity: Option<Capacity>| {
@@ -234,29 +239,43 @@ impl Renderer {
             let image =
                 device.upload("photographs", &of_tiles(target.image, &plan.tiles, 3 * area))?;
             let valid = device.upload("masks", &of_tiles(target.valid, &plan.tiles, area))?;
+            let rendered = &part.composite.image;
+            let expose = |all: &[f32]| {
+                let exposure = of_tiles(all, &plan.tiles, exposure::VALUES);
+                Exposed::new(device, rendered, plan.side, &exposure)
+            };
+            let exposed = target.exposure.map(expose).transpose()?;
             let inputs = LossInputs {
-                image: &part.composite.image,
+                image: exposed.as_ref().map_or(rendered, |exposed| &exposed.image),
                 target: &image,
                 valid: &valid,
                 valid_pixels: target.valid_pixels,
                 ssim_weight: target.ssim_weight,
             };
             let output = loss.evaluate(device, &inputs)?;
+            let back = |exposed: &Exposed| exposed.backward(device, rendered, &output.grad_image);
+            let row_sum = exposed.as_ref().map(back).transpose()?;
             part.backward(device, scene, plan.side, &output.grad_image, gradient)?;
-            output.sums_and_needed(device, &part)
+            let (losses, rows, needed) = output.sums_and_needed(device, &part, row_sum.as_ref())?;
+            let exposures = exposure::gradients(&rows, plan.side, &plan.tiles);
+            Ok(((losses, exposures), needed))
         };
         gradient.begin(device);
         self.in_parts(scene, batch, |plans| {
             let mut losses = Vec::with_capacity(batch.tiles.len());
+            let mut exposures = Vec::new();
             for plan in plans {
                 let found =
                     Loss::of_tiles(loss, device, batch.side, plan.tiles.len()).and_then(|loss| {
                         let add = |capacity| add(loss, plan, capacity);
                         device.run_in_pool(|| self.with_predicted_capacity(scene, plan, add))
                     });
-                losses.extend(found.inspect_err(|_| gradient.restart(device))?);
+                let found = found.inspect_err(|_| gradient.restart(device))?;
+                losses.extend(found.0);
+                exposures.extend(found.1);
             }
-            Ok(losses)
+            exposures.sort_by_key(|exposure: &ExposureGradient| exposure.place);
+            Ok((losses, exposures))
         })
     }
 }

@@ -255,14 +255,19 @@ impl LossOutput {
         Ok(self.sums_of(&device.read(&self.row_sum)?))
     }
 
-    /// As [`LossOutput::sums`], and the capacity that a part needed. Waits once.
+    /// As [`LossOutput::sums`], the values of `more`, and the capacity that a part needed. Waits once.
     pub(crate) fn sums_and_needed(
         &self,
         device: &Device,
         part: &Part,
-    ) -> Result<(Vec<TileLoss>, Needed)> {
-        let (mut found, needed) = part.read(device, vec![self.row_sum.view()])?;
-        Ok((self.sums_of(&bytemuck::pod_collect_to_vec(&found.remove(0))), needed))
+        more: Option<&Buffer<f32>>,
+    ) -> Result<(Vec<TileLoss>, Vec<f32>, Needed)> {
+        let mut views = vec![self.row_sum.view()];
+        views.extend(more.map(Buffer::view));
+        let (mut found, needed) = part.read(device, views)?;
+        let more = more.and_then(|_| found.pop()).unwrap_or_default();
+        let sums = self.sums_of(&bytemuck::pod_collect_to_vec(&found.remove(0)));
+        Ok((sums, bytemuck::cast_vec(more), needed))
     }
 
     fn sums_of(&self, rows: &[Vec4]) -> Vec<TileLoss> {

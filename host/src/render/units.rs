@@ -156,7 +156,7 @@ impl Step<'_> {
             let output = loss.evaluate(device, &inputs)?;
             let pair_gradient =
                 part.pair_gradient(device, self.scene, plan.side, &output.grad_image)?;
-            let (losses, needed) = output.sums_and_needed(device, &part)?;
+            let (losses, _, needed) = output.sums_and_needed(device, &part, None)?;
             Ok(((part, pair_gradient, losses, needed), needed))
         };
         let work = || self.renderer.with_predicted_capacity(self.scene, plan, render);

@@ -17,8 +17,8 @@ use crate::scene::read_metadata;
 /// The key of a [`Binding`] in a checkpoint's metadata.
 pub(super) const BINDING: &str = "run";
 
-/// The setting that may differ: where the data is.
-const FREE: [&str; 1] = ["data.path"];
+/// The settings that may differ: where the data is.
+const FREE: [&str; 2] = ["data.path", "data.keep"];
 /// The settings that a plan sets, which a run goes on to make after its checkpoint.
 const PLANNED: [&str; 2] = ["run.plan", "run.steps"];
 /// The value of a setting that is not there.

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::binding::{BINDING, Binding};
 use super::config::TrainConfig;
+use super::exposure::Exposures;
 use crate::error::{Error, IN_MEMORY, Result};
 use crate::input::open_regular;
 use crate::scene::{Scene, Tensor, TensorRef, read_metadata, read_scene, read_tensors_from};
@@ -50,6 +51,8 @@ pub struct Checkpoint {
     pub moments: [Scene; 2],
     /// `[N]`: see [`SceneGradient::statistics`](crate::render::SceneGradient).
     pub statistics: Vec<[f32; 4]>,
+    /// The exposures of the photographs, where the run learns them; none is as before the first step.
+    pub exposures: Option<Exposures>,
     /// How far it has come.
     pub progress: Progress,
 }
@@ -102,7 +105,7 @@ impl Checkpoint {
         let zeros = Scene::zeros(scene.config.clone(), scene.gaussians.len())?;
         let statistics = vec![[0.0; 4]; scene.gaussians.len()];
         let progress = Progress::default();
-        Ok(Self { moments: [zeros.clone(), zeros], statistics, scene, progress })
+        Ok(Self { moments: [zeros.clone(), zeros], statistics, scene, exposures: None, progress })
     }
 
     /// Writes the file, beside and renamed. It is bound to a run's settings and data, if to any.
@@ -136,6 +139,12 @@ impl Checkpoint {
         let shape = [self.statistics.len(), 4];
         let data = self.statistics.as_flattened();
         tensors.push(TensorRef { name: STATISTICS, shape: &shape, data });
+        let exposures = self.exposures.as_ref().map(Exposures::tensors).unwrap_or_default();
+        tensors.extend(exposures.iter().map(|(name, tensor)| TensorRef {
+            name,
+            shape: &tensor.shape,
+            data: &tensor.data,
+        }));
         let no_json = |error: serde_json::Error| Error::Argument { reason: error.to_string() };
         let progress = serde_json::to_string(&self.progress).map_err(no_json)?;
         let binding = binding.map(serde_json::to_string).transpose().map_err(no_json)?;
@@ -186,9 +195,28 @@ impl Checkpoint {
         if statistics.len() != scene.gaussians.len() || !rest.is_empty() {
             return Err(lacks(STATISTICS));
         }
-        let checkpoint = Self { statistics: statistics.to_vec(), scene, moments, progress };
+        let statistics = statistics.to_vec();
+        let exposures = Exposures::of_tensors(&mut tensors, path)?;
+        let checkpoint = Self { statistics, scene, moments, exposures, progress };
         checkpoint.check(path)?;
         Ok(checkpoint)
+    }
+
+    /// The exposures of so many photographs: those that are here, or those before the first step.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] where they are those of another number.
+    pub(super) fn exposures_of(&self, photographs: usize) -> Result<Exposures> {
+        let exposures = self.exposures.clone().unwrap_or_else(|| Exposures::new(photographs));
+        let found = exposures.values.len();
+        if found == photographs {
+            return Ok(exposures);
+        }
+        let reason = format!(
+            "it has the exposures of {found} photographs, but the data set has {photographs} to train on: name the data \
+             set as it was"
+        );
+        Err(Error::Invalid { origin: Path::new(CHECKPOINT).to_owned(), reason })
     }
 
     /// Everything beside the scene is what training can have come to.
@@ -197,7 +225,9 @@ impl Checkpoint {
         let moments = moments.flat_map(|(moment, prefix)| moment.tensors_with_prefix(prefix));
         let moments = moments.map(|(spec, values)| (spec.name, values));
         let statistics = (STATISTICS.to_owned(), self.statistics.as_flattened());
-        for (tensor, values) in moments.chain([statistics]) {
+        let exposures = self.exposures.as_ref().map(Exposures::tensors).unwrap_or_default();
+        let exposures = exposures.iter().map(|(name, found)| ((*name).to_owned(), &found.data[..]));
+        for (tensor, values) in moments.chain([statistics]).chain(exposures) {
             if let Some(index) = values.iter().position(|value| !value.is_finite()) {
                 let (origin, value) = (origin.to_owned(), values[index]);
                 return Err(Error::NotFinite { origin, tensor, index, value });

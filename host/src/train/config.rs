@@ -3,6 +3,7 @@
 mod assignment;
 mod builder;
 mod check;
+mod exposure;
 mod optimizer;
 mod preset;
 #[cfg(test)]
@@ -12,12 +13,13 @@ use std::path::{Path, PathBuf};
 
 pub use assignment::defaults;
 pub use builder::ConfigBuilder;
+pub use exposure::{ExposureConfig, ExposureMethod};
 pub use optimizer::{OptimizerConfig, Rate};
 pub use preset::Preset;
 use serde::{Deserialize, Serialize};
 
 use crate::atomic_file::write_atomic;
-use crate::data::{Alpha, Background, DatasetOptions};
+use crate::data::{Alpha, Background, DatasetOptions, Keep};
 use crate::error::{Error, Result};
 use crate::input::read_text;
 use crate::scene::{GridConfig, Interpolation, MlpConfig, SceneConfig};
@@ -47,6 +49,8 @@ pub struct TrainConfig {
     pub run: RunConfig,
     /// The loss.
     pub loss: LossConfig,
+    /// The exposure of each photograph.
+    pub exposure: ExposureConfig,
     /// The shape of the scene.
     pub scene: ShapeConfig,
     /// Where training starts.
@@ -75,6 +79,8 @@ pub struct DataConfig {
     pub background: Background,
     /// What an alpha channel is for.
     pub alpha: Alpha,
+    /// Where photographs are kept.
+    pub keep: Keep,
     /// Views of the built-in scene, and the side of their images in pixels.
     pub built_in_views: u32,
     /// See `built_in_views`.
@@ -105,6 +111,8 @@ pub struct RunConfig {
     pub tiles_per_view: u32,
     /// Held-out views are measured every so many steps, and after the last; 0 measures after the last alone.
     pub evaluate_every: u32,
+    /// Held-out views that are measured before the end, evenly spaced; 0 measures all.  After the last step all are.
+    pub evaluate_views: u32,
     /// The checkpoint is written every so many steps, and at the end.
     pub checkpoint_every: u32,
     /// A line in `metrics.jsonl` every so many steps.
@@ -229,6 +237,7 @@ impl DataConfig {
             background: self.background,
             alpha: self.alpha,
             allow_outside: self.allow_outside,
+            keep: self.keep,
         }
     }
 }
@@ -241,6 +250,7 @@ impl Default for DataConfig {
             hold_out_every: 8,
             background: Background::Auto,
             alpha: Alpha::default(),
+            keep: Keep::default(),
             built_in_views: 48,
             built_in_side: 128,
             allow_outside: false,
@@ -258,6 +268,7 @@ impl Default for RunConfig {
             tile_size: 64,
             tiles_per_view: 1,
             evaluate_every: 500,
+            evaluate_views: 0,
             checkpoint_every: 250,
             log_every: 10,
             tensorboard: false,

@@ -1,6 +1,7 @@
 //! How many steps fit into the time of a run: `organza train --minutes`.
 
 use super::config::{GrowthMethod, TrainConfig};
+use super::held_out;
 
 /// The part of a step's time that grows with the number of Gaussians. Pixels, rays of what is seen and the fields
 /// take the rest.
@@ -34,20 +35,22 @@ pub(super) struct Now {
 pub(super) struct Planner {
     /// Seconds that the run is to take.
     seconds: f64,
-    /// Seconds that an evaluation takes.
-    evaluation: f64,
+    /// Held-out views, and the seconds that measuring one takes.
+    views: usize,
+    per_view: f64,
     /// When the last plan was made.
     last: Option<Now>,
 }
 
 impl Planner {
-    pub fn new(seconds: f64) -> Self {
-        Self { seconds, evaluation: 0.0, last: None }
+    /// For a run of so many seconds, with so many held-out views.
+    pub fn new(seconds: f64, views: usize) -> Self {
+        Self { seconds, views, per_view: 0.0, last: None }
     }
 
-    /// An evaluation took so long.
-    pub fn evaluated(&mut self, seconds: f64) {
-        self.evaluation = seconds;
+    /// An evaluation of so many views took so long.
+    pub fn evaluated(&mut self, seconds: f64, views: usize) {
+        self.per_view = seconds / views.max(1) as f64;
     }
 
     /// The number of all steps, where it is time for a new plan.
@@ -72,9 +75,14 @@ impl Planner {
         let growth = &config.growth;
         let per_evaluation = match config.run.evaluate_every {
             0 => 0.0,
-            every => self.evaluation / f64::from(every),
+            every => {
+                let views = held_out::chosen(self.views, config.run.evaluate_views).len();
+                self.per_view * views as f64 / f64::from(every)
+            }
         };
-        let time = (self.seconds - now.elapsed - self.evaluation).max(0.0);
+        // the last one measures all
+        let last = self.per_view * self.views as f64;
+        let time = (self.seconds - now.elapsed - last).max(0.0);
         let (mut used, mut steps, mut gaussians) = (0.0, 0_u32, now.gaussians as f64);
         loop {
             let grown = gaussians / now.gaussians.max(1) as f64;
@@ -102,19 +110,20 @@ mod tests {
     /// A run whose steps take `cost(share, gaussians)` seconds: the seconds it took, its steps, and its settings.
     fn run(seconds: f64, cost: impl Fn(f64, f64) -> f64) -> (f64, TrainConfig) {
         let mut config = TrainConfig::default();
+        config.run.evaluate_views = 5;
         let (start, evaluation) = (f64::from(config.start.gaussians), 4.0);
-        let mut planner = Planner::new(seconds);
+        let mut planner = Planner::new(seconds, 10);
         let mut now = Now { step: 0, gaussians: start as usize, training: 0.0, elapsed: 0.0 };
         loop {
             if let Some(steps) = planner.plan(&config, now) {
                 config.run.replan(now.step, steps);
             }
             if now.step >= config.run.steps {
-                return (now.elapsed + evaluation, config);
+                return (now.elapsed + 2.0 * evaluation, config);
             }
             if now.step > 0 && now.step.is_multiple_of(config.run.evaluate_every) {
                 now.elapsed += evaluation;
-                planner.evaluated(evaluation);
+                planner.evaluated(evaluation, 5);
             }
             let share = config.run.share(now.step);
             let took = cost(share, now.gaussians as f64);

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::checkpoint::Checkpoint;
 use super::config::TrainConfig;
+use super::held_out;
 use super::trainer::Trainer;
 use crate::data::{Dataset, Frame};
 use crate::error::{IN_MEMORY, Result};
@@ -17,8 +18,8 @@ use crate::render::{DeviceScene, Renderer};
 pub(super) enum Order {
     /// A step, of a run of so many.
     Step(u32),
-    /// Measure a held-out view each, from this one on.
-    Evaluate(usize),
+    /// Measure a held-out view each, from this one on: of all, or of those of intermediate evaluations.
+    Evaluate { first: usize, all: bool },
     /// Nothing more.
     End,
 }
@@ -27,15 +28,15 @@ impl Order {
     fn encode(self) -> [u64; 2] {
         match self {
             Self::Step(steps) => [0, u64::from(steps)],
-            Self::Evaluate(first) => [1, first as u64],
-            Self::End => [2, 0],
+            Self::Evaluate { first, all } => [1 + u64::from(all), first as u64],
+            Self::End => [3, 0],
         }
     }
 
     fn decode([kind, value]: [u64; 2]) -> Self {
         match kind {
             0 => Self::Step(value as u32),
-            1 => Self::Evaluate(value as usize),
+            1 | 2 => Self::Evaluate { first: value as usize, all: kind == 2 },
             _ => Self::End,
         }
     }
@@ -89,7 +90,6 @@ pub fn follow(
     let trainer = Trainer::resume(renderer, config, dataset.clone(), &checkpoint)?;
     drop(checkpoint);
     let mut trainer = trainer.with_ranks(ranks.clone());
-    let frames: Vec<_> = dataset.held_out_frames().collect();
     loop {
         match Order::receive(&**ranks)? {
             Order::Step(steps) => {
@@ -98,7 +98,8 @@ pub fn follow(
                 }
                 trainer.step()?;
             }
-            Order::Evaluate(first) => {
+            Order::Evaluate { first, all } => {
+                let frames = held_out::frames(dataset, trainer.config().run.evaluate_views, all);
                 measure(&**ranks, renderer, trainer.scene(), &frames, first)?;
             }
             Order::End => return Ok(()),

@@ -6,9 +6,19 @@ use super::binding::{Binding, Change};
 use super::checkpoint::Checkpoint;
 use super::config::TrainConfig;
 use super::folder::{CONFIG, METRICS};
+use super::held_out;
 use super::metrics::{MetricsLog, Record};
 use super::session::{Event, Session};
 use crate::error::{Error, Result};
+
+/// The log of a run that begins or goes on.
+pub(super) struct OpenLog {
+    pub log: MetricsLog,
+    /// The last evaluation: its step, and the number of views.
+    pub evaluated: Option<(u64, usize)>,
+    /// The PSNR of the best evaluation.
+    pub best: Option<f64>,
+}
 
 impl Session<'_> {
     /// Holds the settings and the data to what the checkpoint was trained with. Returns the settings that changed, in this
@@ -40,17 +50,13 @@ impl Session<'_> {
         Ok([binding.changes(), &changed].concat())
     }
 
-    /// The log, the step of its last evaluation, and the PSNR of its best. Writes down the settings, and those that `changed` in this resume.
-    pub(super) fn open_log(
-        &self,
-        resume: bool,
-        step: u64,
-        changed: &[&Change],
-    ) -> Result<(MetricsLog, Option<u64>, Option<f64>)> {
+    /// The log. Writes down the settings, and those that `changed` in this resume.
+    pub(super) fn open_log(&self, resume: bool, step: u64, changed: &[&Change]) -> Result<OpenLog> {
         let path = self.folder.path().join(METRICS);
         if !resume {
             self.config.save(self.folder.path().join(CONFIG))?;
-            return Ok((MetricsLog::create(path)?, None, None));
+            let log = MetricsLog::create(path)?;
+            return Ok(OpenLog { log, evaluated: None, best: None });
         }
         let mut log = MetricsLog::resume(&path, step)?;
         let config = self.folder.path().join(CONFIG);
@@ -60,14 +66,17 @@ impl Session<'_> {
         for change in changed {
             log.append(&Record::Change((*change).clone()))?;
         }
-        let is_evaluation = |record: &&Record| matches!(record, Record::Evaluation { .. });
         let records = MetricsLog::read(path)?;
         self.save_scores(&records)?;
-        let evaluated = records.iter().rfind(is_evaluation).map(Record::step);
-        let psnr = |record: &Record| match record {
-            Record::Evaluation { psnr, .. } => *psnr,
-            _ => None,
-        };
-        Ok((log, evaluated, records.iter().filter_map(psnr).reduce(f64::max)))
+        let (count, measured) = (self.dataset.held_out.len(), self.config.run.evaluate_views);
+        let (mut evaluated, mut best) = (None, None::<f64>);
+        for record in &records {
+            if let Record::Evaluation { step, views, .. } = record {
+                evaluated = Some((*step, views.len()));
+                let psnr = held_out::comparable(views, count, measured);
+                best = psnr.into_iter().chain(best).reduce(f64::max);
+            }
+        }
+        Ok(OpenLog { log, evaluated, best })
     }
 }

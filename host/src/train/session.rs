@@ -9,17 +9,18 @@ use std::time::Instant;
 
 use super::binding::Change;
 use super::checkpoint::{CHECKPOINT, Checkpoint, Progress};
-use super::config::TrainConfig;
+use super::config::{ExposureMethod, TrainConfig};
 use super::folder::{EVALUATIONS, RunFolder};
 use super::hooks::StepHooks;
 use super::metrics::Record;
 use super::plan::Planner;
 use super::ranks;
 use super::report::Pictures;
+use super::resume::OpenLog;
 use super::tensorboard::EventLog;
-use super::trainer::{StepReport, Trainer};
+use super::trainer::{NO_EXPOSURES, StepReport, Trainer};
 use crate::data::Dataset;
-use crate::error::{self, Result};
+use crate::error::{self, Error, Result};
 use crate::evaluate::Evaluation;
 use crate::evaluate::csv::save_csv;
 use crate::ranks::Ranks;
@@ -210,6 +211,9 @@ impl<'a> Session<'a> {
         watch: &mut dyn FnMut(Event<'_>),
         hooks: &mut StepHooks<'_>,
     ) -> Result<Outcome> {
+        if self.ranks.is_some() && self.config.exposure.method != ExposureMethod::None {
+            return Err(Error::Argument { reason: NO_EXPOSURES.to_owned() });
+        }
         let begin = Instant::now();
         let path = self.folder.path().join(CHECKPOINT);
         let (config, dataset) = (self.config.clone(), Arc::clone(self.dataset));
@@ -231,7 +235,8 @@ impl<'a> Session<'a> {
         let now = |change: &&Change| change.step == u64::from(progress.step);
         let changed: Vec<_> = changes.iter().filter(now).collect();
         changed.iter().for_each(|change| watch(Event::Changed(change)));
-        let (log, evaluated, best) = self.open_log(resume, u64::from(progress.step), &changed)?;
+        let OpenLog { log, evaluated, best } =
+            self.open_log(resume, u64::from(progress.step), &changed)?;
         let pictures = Pictures::of_run(self.folder.path());
         pictures.begin(u64::from(progress.step))?;
         let events = self.open_events(resume, u64::from(progress.step))?;
@@ -247,7 +252,7 @@ impl<'a> Session<'a> {
             evaluated,
             seconds: progress.seconds,
             begin,
-            planner: self.planned.map(Planner::new),
+            planner: self.planned.map(|seconds| Planner::new(seconds, self.dataset.held_out.len())),
             best,
             stages: BTreeMap::new(),
             since: (0, progress.seconds),

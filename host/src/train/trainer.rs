@@ -4,7 +4,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::checkpoint::{Checkpoint, Progress};
-use super::config::{GrowthMethod, TrainConfig};
+use super::config::{ExposureMethod, GrowthMethod, TrainConfig};
+use super::exposure::Exposures;
 use super::growth::{Grown, grow};
 use super::hooks::{StepGradient, StepHooks};
 use super::optimizer::Optimizer;
@@ -16,10 +17,16 @@ use crate::error::{Error, IN_MEMORY, Result};
 use crate::evaluate::{Evaluation, evaluate};
 use crate::metrics;
 use crate::ranks::Ranks;
-use crate::render::{DeviceScene, Loss, LossTarget, Renderer, SceneGradient, TileLoss};
+use crate::render::{
+    DeviceScene, ExposureGradient, Loss, LossTarget, Renderer, SceneGradient, TileLoss,
+};
 use crate::tile::TileBatch;
 
 const GROWTH: u64 = 4;
+
+/// Why ranks do not train so.
+pub(super) const NO_EXPOSURES: &str =
+    "ranks cannot learn exposures: set `exposure.method` to none, or train without ranks";
 
 /// Trains a scene, step by step. Everything that a step changes stays on the device.
 ///
@@ -62,6 +69,8 @@ pub struct Trainer {
     cameras: Vec<Camera>,
     sampler: Sampler,
     loss: Option<Loss>,
+    /// Of the photographs to train on, where they are learned.
+    exposures: Option<Exposures>,
     state: State,
     step: u32,
     /// See [`Trainer::with_ranks`].
@@ -135,10 +144,24 @@ impl Trainer {
         let sizes = cameras.iter().map(|camera| [camera.width, camera.height]).collect();
         let sampler = Sampler::new(sizes, &config.run);
         sampler.check_memory()?;
+        let exposures = match config.exposure.method {
+            ExposureMethod::None => None,
+            ExposureMethod::Affine => Some(checkpoint.exposures_of(cameras.len())?),
+        };
         let state = State::upload(renderer, &config, checkpoint)?;
         let (renderer, step) = (renderer.clone(), checkpoint.progress.step);
-        let (loss, ranks) = (None, None);
-        Ok(Self { renderer, config, dataset, cameras, sampler, loss, state, step, ranks })
+        Ok(Self {
+            renderer,
+            config,
+            dataset,
+            cameras,
+            sampler,
+            loss: None,
+            exposures,
+            state,
+            step,
+            ranks: None,
+        })
     }
 
     /// The same training, shared with other [ranks](crate::ranks). Each rank has a trainer of its own, with the same
@@ -206,6 +229,7 @@ impl Trainer {
             scene: state.scene.download(device)?,
             moments: state.optimizer.moments(device, &state.scene)?,
             statistics: statistics.iter().map(|v| v.to_array()).collect(),
+            exposures: self.exposures.clone(),
             progress: Progress { step: self.step, seconds },
         })
     }
@@ -226,7 +250,7 @@ impl Trainer {
     pub fn step_with(&mut self, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
         let batch = self.sampler.batch(self.step);
         let restart = |trainer: &Self| trainer.state.gradient.restart(trainer.renderer.device());
-        let report = self.add_gradient(&batch, hooks)?;
+        let (report, exposures) = self.add_gradient(&batch, hooks)?;
         if !report.loss.is_finite() {
             restart(self);
             let reason = format!("the loss of step {} is {}", self.step, report.loss);
@@ -240,6 +264,10 @@ impl Trainer {
         }
         let share = self.config.run.share(self.step);
         let (settings, now) = (&self.config.optimizer, (self.step, share));
+        if let Some(learned) = &mut self.exposures {
+            let moved = learned.step(&exposures, settings, settings.exposure.at(share));
+            moved.inspect_err(|_| gradient.restart(device))?;
+        }
         device.run_in_pool(|| optimizer.step(device, scene, gradient, settings, now))?;
         gradient.clear_touched(device);
         self.step += 1;
@@ -247,11 +275,18 @@ impl Trainer {
         Ok(StepReport { grown, ..report })
     }
 
-    /// Adds the gradient of a batch's loss; returns what it measured.
-    fn add_gradient(&mut self, batch: &TileBatch, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
+    /// Adds the gradient of a batch's loss; returns what it measured, and the gradients of the exposures.
+    fn add_gradient(
+        &mut self,
+        batch: &TileBatch,
+        hooks: &mut StepHooks<'_>,
+    ) -> Result<(StepReport, Vec<ExposureGradient>)> {
+        self.check_hooks(hooks)?;
         let frames: Vec<_> = self.dataset.train_frames().collect();
         let target = Target::of(batch, &frames)?;
+        let exposure = self.exposures.as_ref().map(|exposures| exposures.of_tiles(batch));
         let target = LossTarget {
+            exposure: exposure.as_deref(),
             image: &target.image,
             valid: &target.valid,
             valid_pixels: target.valid_pixels,
@@ -259,10 +294,7 @@ impl Trainer {
         };
         let State { scene, gradient, .. } = &self.state;
         let (renderer, cameras) = (&self.renderer, &self.cameras[..]);
-        if self.ranks.is_some() && (hooks.loss.is_some() || hooks.gradient.is_some()) {
-            let reason = "hooks see the whole batch, which ranks share: train without ranks, or without hooks";
-            return Err(Error::Argument { reason: reason.to_owned() });
-        }
+        let mut exposures = Vec::new();
         let (loss, [l1, ssim], squared) = match &mut hooks.loss {
             Some(own) => {
                 let (loss, squared) = renderer
@@ -274,8 +306,12 @@ impl Trainer {
                 let losses = match self.ranks.as_deref() {
                     Some(ranks) => renderer
                         .add_ranks_gradient(scene, cameras, batch, &target, gradient, ranks)?,
-                    None => renderer
-                        .add_loss_gradient(scene, cameras, batch, kept, &target, gradient)?,
+                    None => {
+                        let (losses, found) = renderer
+                            .add_loss_gradient(scene, cameras, batch, kept, &target, gradient)?;
+                        exposures = found;
+                        losses
+                    }
                 };
                 let total = TileLoss::total(&losses);
                 let pixels = (3.0 * total.valid).max(1.0);
@@ -285,7 +321,21 @@ impl Trainer {
             }
         };
         let (psnr, tiles) = (metrics::psnr_of(squared), batch.tiles.len());
-        Ok(StepReport { loss, l1, ssim, psnr, tiles, grown: None })
+        Ok((StepReport { loss, l1, ssim, psnr, tiles, grown: None }, exposures))
+    }
+
+    /// What hooks cannot be used with.
+    fn check_hooks(&self, hooks: &StepHooks<'_>) -> Result<()> {
+        let reason = if self.ranks.is_some() && (hooks.loss.is_some() || hooks.gradient.is_some()) {
+            "hooks see the whole batch, which ranks share: train without ranks, or without hooks"
+        } else if self.ranks.is_some() && self.exposures.is_some() {
+            NO_EXPOSURES
+        } else if self.exposures.is_some() && hooks.loss.is_some() {
+            "a loss of your own does not know the photographs' exposures: set `exposure.method` to none"
+        } else {
+            return Ok(());
+        };
+        Err(Error::Argument { reason: reason.to_owned() })
     }
 
     fn is_time_to_grow(&self) -> bool {

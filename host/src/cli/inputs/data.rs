@@ -168,6 +168,16 @@ impl DataSet {
         }
     }
 
+    /// The same without the photographs that are not used: they are not read.
+    pub fn only(mut self, split: Split) -> Result<Self> {
+        self.poses = match (self.poses, split) {
+            (Some(poses), Split::HeldOut) => Some(poses.only(true)?),
+            (Some(poses), Split::Train) => Some(poses.only(false)?),
+            (poses, _) => poses,
+        };
+        Ok(self)
+    }
+
     /// Reads the photographs, or renders those of the built-in scene.
     pub fn read(self, renderer: &Renderer, console: Console) -> Result<Dataset> {
         let Some(poses) = self.poses else {
@@ -191,6 +201,9 @@ impl DataSet {
         }
         if dataset.masked > 0 {
             note += &format!(", {} with a mask", dataset.masked);
+        }
+        if let Some(folder) = &dataset.kept_in {
+            note += &format!(", kept in {}", folder.display());
         }
         console.note(&note);
         if self.settings.background == Background::Auto && dataset.background == [1.0; 3] {

@@ -40,6 +40,8 @@ macro_rules! define {
             pub grids: Rate,
             /// Both networks.
             pub networks: Rate,
+            /// The exposures of photographs, where they are learned.
+            pub exposure: Rate,
         }
 
         impl OptimizerConfig {
@@ -54,7 +56,12 @@ macro_rules! define {
             /// Every rate and its name in the file.
             pub(in crate::train) fn named_rates(&self) -> impl Iterator<Item = (&'static str, Rate)> {
                 let of_gaussians = [$((stringify!($name), self.$name)),+];
-                of_gaussians.into_iter().chain([("grids", self.grids), ("networks", self.networks)])
+                let others = [
+                    ("grids", self.grids),
+                    ("networks", self.networks),
+                    ("exposure", self.exposure),
+                ];
+                of_gaussians.into_iter().chain(others)
             }
         }
     };
@@ -77,6 +84,7 @@ impl Default for OptimizerConfig {
             extra: falls(1e-2, 0.1),
             grids: falls(1e-2, 0.1),
             networks: falls(2e-3, 0.1),
+            exposure: falls(1e-2, 0.1),
         }
     }
 }

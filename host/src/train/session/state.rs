@@ -12,6 +12,7 @@ use crate::image::Image;
 use crate::train::binding::{Binding, Change};
 use crate::train::checkpoint::{BEST, CHECKPOINT};
 use crate::train::folder::{CONFIG, REPORT};
+use crate::train::held_out;
 use crate::train::hooks::StepHooks;
 use crate::train::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
 use crate::train::plan::{Now, Planner};
@@ -32,13 +33,13 @@ pub(super) struct State<'a, 'w, 'h> {
     pub has_begun: bool,
     /// The log for TensorBoard, if the settings ask for it.
     pub events: Option<EventLog>,
-    /// The step of the log's last evaluation.
-    pub evaluated: Option<u64>,
+    /// The log's last evaluation: its step, and the number of views.
+    pub evaluated: Option<(u64, usize)>,
     pub seconds: f64,
     /// When this session began.
     pub begin: Instant,
     pub planner: Option<Planner>,
-    /// The PSNR of the best checkpoint.
+    /// The PSNR of the best checkpoint, by the views that all evaluations measure.
     pub best: Option<f64>,
     /// Seconds of each kernel and of what surrounds them.
     pub stages: BTreeMap<&'static str, f64>,
@@ -67,8 +68,9 @@ impl State<'_, '_, '_> {
             }
             // here, so that whoever was ended between a checkpoint and this makes up for it
             let is_due = run.evaluate_every > 0 && step.is_multiple_of(run.evaluate_every);
-            let is_due = is_due && step > 0 && self.evaluated != Some(u64::from(step));
-            if is_due && !self.evaluate()? {
+            let evaluated = self.evaluated.is_some_and(|(at, _)| at == u64::from(step));
+            let is_due = is_due && step > 0 && !evaluated;
+            if is_due && !self.evaluate(false)? {
                 break Outcome::Stopped;
             }
             self.begin()?;
@@ -83,7 +85,7 @@ impl State<'_, '_, '_> {
         if saved != Some(self.trainer.steps()) {
             self.save(CHECKPOINT)?;
         }
-        if outcome == Outcome::Stopped || !self.evaluate()? {
+        if outcome == Outcome::Stopped || !self.evaluate(true)? {
             self.report()?;
             self.order(Order::End)?;
             return Ok(Outcome::Stopped);
@@ -194,9 +196,8 @@ impl State<'_, '_, '_> {
     /// Writes an evaluation for TensorBoard: scores, and pictures of the first views.
     fn log_evaluation_events(
         &mut self,
-        frames: &[&Frame],
         evaluation: &Evaluation,
-        images: &[Image],
+        images: &[(&Frame, Image)],
         is_first: bool,
     ) -> Result<()> {
         let Some(events) = &mut self.events else { return Ok(()) };
@@ -204,7 +205,7 @@ impl State<'_, '_, '_> {
         let mean = evaluation.mean;
         let scores = [("psnr", mean.psnr), ("ssim", mean.ssim)];
         events.scalars(step, scores.map(|(tag, score)| (format!("held_out/{tag}"), score)))?;
-        for (frame, rendered) in frames.iter().zip(images) {
+        for (frame, rendered) in images {
             events.picture(step, format!("{}/rendered", frame.name), rendered)?;
             if is_first {
                 let photograph = Image::of_pixels(rendered.size(), frame.image.pixels());
@@ -232,9 +233,16 @@ impl State<'_, '_, '_> {
         self.trainer.checkpoint(self.seconds)?.save(path, Some(&binding))
     }
 
-    /// Measures the held-out views; false where it was told to stop before the last.
-    fn evaluate(&mut self) -> Result<bool> {
-        let frames: Vec<_> = self.session.dataset.held_out_frames().collect();
+    /// Measures the held-out views, all of them or those of intermediate evaluations; false where it was told to stop
+    /// before the last.
+    fn evaluate(&mut self, all: bool) -> Result<bool> {
+        let views = self.trainer.config().run.evaluate_views;
+        let dataset = self.session.dataset;
+        let count = dataset.held_out.len();
+        let frames = held_out::frames(dataset, views, all);
+        // TensorBoard shows the same views in every evaluation
+        let places = held_out::chosen(count, if all { 0 } else { views });
+        let shown = held_out::chosen(count, views);
         if frames.is_empty() {
             return self.report().map(|()| true);
         }
@@ -250,36 +258,37 @@ impl State<'_, '_, '_> {
             }
             let found = match self.session.ranks.as_deref() {
                 Some(ranks) => {
-                    Order::Evaluate(first).give(ranks)?;
+                    Order::Evaluate { first, all }.give(ranks)?;
                     ranks::measure(ranks, renderer, scene, &frames, first)?
                 }
                 None => vec![ranks::measure_one(renderer, scene, frames[first])?],
             };
             for (index, (part, image)) in (first..).zip(found) {
                 self.pictures.write(index, step, &frames[index].image, &image)?;
-                if self.events.is_some() && index < MAX_VIEWS {
-                    images.push(image);
+                let is_shown = shown.iter().take(MAX_VIEWS).any(|&place| place == places[index]);
+                if self.events.is_some() && is_shown {
+                    images.push((frames[index], image));
                 }
                 parts.push(part);
             }
         }
         let evaluation = Evaluation::of_parts(parts);
         // before the log says so: who is killed in between makes up for both
-        if let Some(psnr) = evaluation.mean.psnr
+        if let Some(psnr) = held_out::comparable(&evaluation.views, count, views)
             && self.best.is_none_or(|best| psnr > best)
         {
             self.best = Some(psnr);
             self.save(BEST)?;
         }
-        let before = self.evaluated.replace(step);
-        if before != Some(step) {
+        let before = self.evaluated.replace((step, frames.len()));
+        if before.is_none_or(|(at, views)| at != step || views < frames.len()) {
             self.log.append(&Record::evaluation(step, self.seconds, &evaluation))?;
-            self.log_evaluation_events(&frames, &evaluation, &images, before.is_none())?;
+            self.log_evaluation_events(&evaluation, &images, before.is_none())?;
         }
         self.pictures.keep(step);
         (self.watch)(Event::Evaluated(&evaluation));
         if let Some(planner) = &mut self.planner {
-            planner.evaluated(begin.elapsed().as_secs_f64());
+            planner.evaluated(begin.elapsed().as_secs_f64(), frames.len());
         }
         // what evaluating took is no part of training
         let _ = renderer.device().take_timings();

@@ -136,6 +136,15 @@ impl Decoded {
         self.color.has_alpha()
     }
 
+    /// The colors of all pixels, row by row, if they have 8 bits and no alpha: they are 8-bit colors already.
+    pub fn colors(&self) -> Option<Vec<[u8; 3]>> {
+        match self.color {
+            ColorType::L8 => Some(self.bytes.iter().map(|&gray| [gray; 3]).collect()),
+            ColorType::Rgb8 => Some(self.bytes.as_chunks().0.to_vec()),
+            _ => None,
+        }
+    }
+
     /// Red, green, blue and alpha of column `x` and row `y`, of 0 to 1.
     #[inline]
     pub fn rgba(&self, x: u32, y: u32) -> [f32; 4] {
@@ -246,4 +255,19 @@ fn has_jpeg_end(bytes: &[u8]) -> bool {
         rest = rest.get(at + 2 + length..).unwrap_or_default();
     }
     false
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::image::to_8_bit;
+
+    /// So colors of 8 bits can be copied.
+    #[test]
+    fn eight_bits_stand_for_themselves() {
+        for byte in 0..=255 {
+            assert_eq!(to_8_bit(UNIT[usize::from(byte)]), byte);
+            assert_eq!(UNIT[usize::from(byte)].to_bits(), (f32::from(byte) / 255.0).to_bits());
+        }
+    }
 }

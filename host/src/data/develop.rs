@@ -64,7 +64,12 @@ impl Shot {
             })
         };
         let is_whole = self.lens.is_pinhole() && mask.is_none() && !alpha_hides;
-        let image = self.resample(is_whole, texel)?;
+        // what would be resampled to itself is copied
+        let copied = (is_whole && self.factor == 1).then(|| decoded.colors()).flatten();
+        let image = match copied {
+            Some(colors) => Photograph::new([width, height], colors, None)?,
+            None => self.resample(is_whole, texel)?,
+        };
         if image.valid().is_some_and(|valid| !valid.contains(&true)) {
             let reason = match &self.mask {
                 _ if alpha_hides => "nothing of the photograph is opaque".to_owned(),

@@ -4,12 +4,16 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use organza::Renderer;
 use organza::data::Dataset;
 use organza::scene::read_tensors;
 use organza::train::metrics::{MetricsLog, Record};
-use organza::train::{CHECKPOINT, Checkpoint, METRICS, TrainConfig, built_in};
+use organza::train::{
+    CHECKPOINT, CONFIG, Checkpoint, Event, METRICS, Outcome, RunFolder, Session, TrainConfig,
+    built_in,
+};
 use organza_tests::devices;
 
 use crate::sandbox::Sandbox;
@@ -34,6 +38,26 @@ pub fn begun() -> (TrainConfig, Checkpoint, Arc<Dataset>) {
     let (views, side) = (config.data.built_in_views, config.data.built_in_side);
     let dataset = built_in::dataset(&cpu, views, side, config.data.hold_out_every);
     (config, checkpoint, Arc::new(dataset.expect("views")))
+}
+
+/// Begins a run with the settings of another, and stops it after some steps.
+pub fn stopped(sandbox: &Sandbox, run: &str, settings_of: &str, steps: u32) {
+    let path = sandbox.path(run);
+    fs::create_dir(&path).expect("a folder");
+    let folder = RunFolder::lock(&path, false).expect("a folder of its own");
+    let config = sandbox.path(settings_of).join(CONFIG);
+    let config = TrainConfig::load(config).expect("settings");
+    let renderer = Renderer::new(devices::cpu(None));
+    let (views, side) = (config.data.built_in_views, config.data.built_in_side);
+    let dataset = built_in::dataset(&renderer, views, side, config.data.hold_out_every);
+    let (dataset, stop) = (Arc::new(dataset.expect("views")), AtomicBool::new(false));
+    let session = Session::new(&renderer, &config, &dataset, &folder).with_stop(&stop);
+    let outcome = session.run(false, &mut |event| {
+        if matches!(event, Event::Step { step, .. } if step == steps) {
+            stop.store(true, Ordering::Relaxed);
+        }
+    });
+    assert_eq!(outcome.expect("a run"), Outcome::Stopped);
 }
 
 /// All that a state has, as bits.

@@ -20,10 +20,11 @@ pub const SLICE: usize = 1 << 14;
 /// use organza::demo;
 /// use organza::scene::SceneShare;
 ///
-/// // this scene is one slice, so one of two ranks has nothing
 /// let scene = demo::scene();
-/// let shares = [0, 1].map(|rank| SceneShare::of(&scene, rank, 2));
-/// assert_eq!(shares.map(|share| share.scene.gaussians.len()), [0, scene.gaussians.len()]);
+/// let [first, second] = [0, 1].map(|rank| SceneShare::of(&scene, rank, 2));
+/// assert_eq!((first.range.start, first.range.end), (0, second.range.start));
+/// assert_eq!(second.range.end, scene.gaussians.len());
+/// assert_eq!(first.scene.gaussians.len() + second.scene.gaussians.len(), scene.gaussians.len());
 /// ```
 #[derive(Clone, Debug)]
 pub struct SceneShare {

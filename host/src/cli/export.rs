@@ -49,7 +49,7 @@ pub struct Args {
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     /// How often to compare a view and correct the Gaussians; 0 fits to the networks alone
-    #[arg(long, value_name = "N", default_value_t = 800)]
+    #[arg(long, value_name = "N", default_value_t = 500)]
     #[arg(value_parser = clap::value_parser!(u32).range(0..=1_000_000))]
     steps: u32,
     /// The longest side of a view that is compared, in pixels

@@ -13,6 +13,8 @@ const EXTENSION: &str = "KHR_gaussian_splatting";
 /// glTF's numbers of the types of components.
 const FLOAT: u32 = 5126;
 const BYTE: u32 = 5121;
+/// And of a buffer of vertices' attributes.
+const VERTICES: u32 = 34962;
 
 /// An attribute: the name, the type of a Gaussian's value, and the value's bytes.
 struct Attribute {
@@ -43,7 +45,9 @@ pub fn write(splats: &[Splat], up: Vec3, file: &mut dyn Write) -> io::Result<()>
     let mut views = Vec::new();
     let mut length = 0;
     for bytes in lengths {
-        views.push(json!({"buffer": 0, "byteOffset": length, "byteLength": bytes}));
+        views.push(
+            json!({"buffer": 0, "byteOffset": length, "byteLength": bytes, "target": VERTICES}),
+        );
         length += bytes;
     }
     let mut accessors: Vec<_> = attributes

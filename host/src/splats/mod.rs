@@ -16,7 +16,7 @@ pub use sorted::render;
 use bytemuck::{Pod, Zeroable};
 use harmonics::HARMONICS;
 
-/// One Gaussian, in world space. Every value is a parameter that [`distill`] fits.
+/// One Gaussian, in world space. Every value is a parameter that the fit moves.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 pub struct Splat {

@@ -75,7 +75,7 @@ pub(super) fn lead(
 /// must be those of the session; its settings and its scene come from there. `mixed` is that of the session.
 ///
 /// # Errors
-/// As [`Session::run`](super::Session::run); [`Error::Rank`] where another rank has failed. The caller then
+/// As [`Session::run`](super::Session::run); [`Error::Rank`](crate::Error::Rank) where another rank has failed. The caller then
 /// [tells](Ranks::fail) the others.
 pub fn follow(
     renderer: &Renderer,

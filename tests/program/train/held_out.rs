@@ -3,7 +3,7 @@
 use organza::train::metrics::Record;
 use organza::train::{BEST, Checkpoint};
 
-use super::runs::{TINY, assert_same, bits, records, sandbox, stopped, without_times};
+use super::runs::{TINY, assert_same, bits, records, sandbox, stopped};
 use crate::sandbox::Sandbox;
 
 /// Step, number of views, and PSNR of the first view of each evaluation of a run.
@@ -33,14 +33,9 @@ fn some_views_are_measured_before_the_end() {
     let expected = found.iter().max_by(|a, b| a.2.total_cmp(&b.2)).expect("three").0;
     assert_eq!(u64::from(best(&sandbox, "run")), expected);
 
-    // stopped once, and by ranks
+    // stopped once
     stopped(&sandbox, "cut", "run", 11);
     sandbox.run("train --resume cut --backend cpu").assert_ok();
     assert_same("resumed", &bits(&sandbox, "cut"), &bits(&sandbox, "run"));
     assert_eq!(u64::from(best(&sandbox, "cut")), expected);
-    for ranks in [1, 2] {
-        sandbox.run(&format!("{TINY} ranks-{ranks} {settings} --ranks {ranks}")).assert_ok();
-    }
-    let [one, two] = ["ranks-1", "ranks-2"].map(|run| without_times(&records(&sandbox.path(run))));
-    assert!(one == two && one.iter().any(|record| record.starts_with("evaluation 10")));
 }

@@ -208,7 +208,7 @@ fn an_image_that_nobody_waits_for_is_dropped() {
             let (viewer, camera) = (&viewer, &camera);
             let ask = move || viewer.frame(camera, "exact", &json!({ "sequence": sequence }));
             let asked = scope.spawn(ask);
-            thread::sleep(Duration::from_millis(120));
+            thread::sleep(Duration::from_millis(30));
             asked
         };
         let [_, second, third] = [1, 2, 3].map(ask);

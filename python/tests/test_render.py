@@ -216,7 +216,7 @@ except MemoryError as error:
 
 
 def test_other_threads_run_while_a_batch_is_rendered(renderer, scene):
-    cameras = organza.Cameras.turntable(6, 96)
+    cameras = organza.Cameras.turntable(24, 96)
     tiles = organza.Tiles.cover(cameras, 32)
     woken, done = [], threading.Event()
     thread = threading.Thread(target=lambda: [woken.append(1) for _ in iter(lambda: done.wait(0.002), True)])

@@ -202,6 +202,11 @@ fn select<E: Copy>(values: &[E], len: usize, indices: &[usize]) -> Vec<E> {
     indices.iter().flat_map(|&index| &values[index * width..][..width]).copied().collect()
 }
 
+/// The logit that a Gaussian has for an opacity of 0 to 1, both excluded.
+pub(crate) fn logit(opacity: f32) -> f32 {
+    (opacity / (1.0 - opacity)).ln()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -21,8 +21,8 @@ pub use config::{
     MlpConfig, SceneConfig, TRANSMITTANCE_OUTPUTS,
 };
 pub(crate) use file::read_scene;
-pub(crate) use gaussians::gaussian_tensors;
 pub use gaussians::{GaussianTensors, Gaussians};
+pub(crate) use gaussians::{gaussian_tensors, logit};
 pub use gradient::Gradient;
 pub use grid::{
     FEATURE_WIDTHS, GridConfig, GridLevelGeometry, Interpolation, MAX_LEVELS, MAX_LOG2_TABLE,

@@ -13,7 +13,7 @@ use crate::camera::Camera;
 use crate::error::{Error, Result};
 use crate::metrics::psnr;
 use crate::render::{DeviceScene, Renderer};
-use crate::scene::Scene;
+use crate::scene::{Scene, logit};
 use crate::train::in_image;
 
 /// Pairs of a camera and a Gaussian whose color the harmonics are fitted to, at most; and cameras, at most and at least.
@@ -179,7 +179,7 @@ fn first(
             position,
             rotation: gaussians.rotation[gaussian],
             log_scale: gaussians.log_scale[gaussian],
-            opacity: (opacity / (1.0 - opacity)).ln(),
+            opacity: logit(opacity),
             color: fit(&samples),
         }
     };

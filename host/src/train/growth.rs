@@ -6,7 +6,7 @@ use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64;
 
 use super::config::{GrowthConfig, GrowthMethod};
-use crate::scene::{Gaussians, Scene};
+use crate::scene::{Gaussians, Scene, logit};
 
 /// A split Gaussian's halves lie so many standard deviations from it, along its longest axis;
 const SPLIT_OFFSET: f32 = 0.6;
@@ -179,7 +179,7 @@ impl Change {
             gaussians.log_scale[i][axis] += SPLIT_SCALE.ln();
         }
         let opacity = sigmoid(gaussians.opacity[i]) * self.opacity;
-        let logit = (opacity / (1.0 - opacity)).ln();
+        let logit = logit(opacity);
         // what has vanished has no logit; it stays what it was
         if logit.is_finite() {
             gaussians.opacity[i] = logit;

@@ -19,7 +19,7 @@ use super::sweep;
 use crate::camera::Camera;
 use crate::data::{Frame, Point};
 use crate::error::{Error, Result};
-use crate::scene::{Network, Scene};
+use crate::scene::{Network, Scene, logit};
 use crate::splats::{self, Splat};
 
 const PLACES: u64 = 2;
@@ -222,7 +222,7 @@ fn spacing(places: &[DVec3]) -> Vec<f64> {
 
 fn place(config: &TrainConfig, scene: &mut Scene, places: &[DVec3], random: &mut Pcg64) {
     let start = &config.start;
-    let logit = (start.opacity / (1.0 - start.opacity)).ln();
+    let logit = logit(start.opacity);
     let spacing = spacing(places);
     let gaussians = &mut scene.gaussians;
     for (i, place) in places.iter().enumerate() {

@@ -86,15 +86,16 @@ pub fn write(splats: &[Splat], up: Vec3, file: &mut dyn Write) -> io::Result<()>
     let Ok(whole) = u32::try_from(whole) else {
         return Err(io::Error::other("a glTF file has at most 4 GiB; write a .ply"));
     };
-    let mut words =
-        |words: &[u32]| words.iter().try_for_each(|word| file.write_all(&word.to_le_bytes()));
-    words(&[u32::from_le_bytes(*b"glTF"), 2, whole])?;
-    words(&[json.len() as u32, u32::from_le_bytes(*b"JSON")])?;
+    write_words(file, &[u32::from_le_bytes(*b"glTF"), 2, whole])?;
+    write_words(file, &[json.len() as u32, u32::from_le_bytes(*b"JSON")])?;
     file.write_all(&json)?;
-    let chunk = [length as u32, u32::from_le_bytes(*b"BIN\0")];
-    chunk.iter().try_for_each(|word| file.write_all(&word.to_le_bytes()))?;
+    write_words(file, &[length as u32, u32::from_le_bytes(*b"BIN\0")])?;
     // each attribute is freed when it is written
     attributes.drain(..).try_for_each(|attribute| file.write_all(&attribute.bytes))
+}
+
+fn write_words(file: &mut dyn Write, words: &[u32]) -> io::Result<()> {
+    words.iter().try_for_each(|word| file.write_all(&word.to_le_bytes()))
 }
 
 /// The attributes; lengths are multiples of 4.

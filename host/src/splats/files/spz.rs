@@ -12,6 +12,7 @@ use organza_kernel::math::sigmoid;
 
 use super::{Splat, byte, invalid, turned};
 use crate::error::Result;
+use crate::scene::logit;
 use crate::splats::harmonics::{DEGREE, HARMONICS};
 
 const MAGIC: u32 = 0x5053_474e;
@@ -121,7 +122,7 @@ pub fn read(source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
     for (splat, byte) in splats.iter_mut().zip(array(1)?) {
         // opacities of 0 and 1 have no logit
         let opacity = f32::from(byte).clamp(0.25, 254.75) / 255.0;
-        splat.opacity = (opacity / (1.0 - opacity)).ln();
+        splat.opacity = logit(opacity);
     }
     let number = |byte: u8, [factor, offset]: [f32; 2]| (f32::from(byte) - offset) / factor;
     for (value, byte) in values(&mut splats, |splat| &mut splat.color[0]).zip(array(3)?) {

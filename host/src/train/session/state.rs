@@ -1,6 +1,7 @@
 //! The loop of a run: steps, and what is logged, saved and measured between them.
 
 use std::collections::BTreeMap;
+use std::ptr;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
@@ -241,8 +242,8 @@ impl State<'_, '_, '_> {
         let count = dataset.held_out.len();
         let frames = held_out::frames(dataset, views, all);
         // TensorBoard shows the same views in every evaluation
-        let places = held_out::chosen(count, if all { 0 } else { views });
-        let shown = held_out::chosen(count, views);
+        let mut shown = held_out::frames(dataset, views, false);
+        shown.truncate(MAX_VIEWS);
         if frames.is_empty() {
             return self.report().map(|()| true);
         }
@@ -265,9 +266,9 @@ impl State<'_, '_, '_> {
             };
             for (index, (part, image)) in (first..).zip(found) {
                 self.pictures.write(index, step, &frames[index].image, &image)?;
-                let is_shown = shown.iter().take(MAX_VIEWS).any(|&place| place == places[index]);
-                if self.events.is_some() && is_shown {
-                    images.push((frames[index], image));
+                let frame = frames[index];
+                if self.events.is_some() && shown.iter().any(|shown| ptr::eq(*shown, frame)) {
+                    images.push((frame, image));
                 }
                 parts.push(part);
             }

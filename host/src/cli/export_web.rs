@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use organza::error::format_bytes;
 use organza::web::{PageOptions, WebPage};
-use organza::{Result, write_atomic};
+use organza::{Camera, Renderer, Result, Scene, write_atomic};
 
 use super::console::Console;
 use super::device::DeviceArgs;
@@ -61,12 +61,7 @@ pub struct Args {
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = SceneSource::find(&args.scene)?;
-    let has_cameras =
-        args.cameras.is_some() || args.data.is_given() || source.settings()?.is_some();
-    let cameras = match has_cameras {
-        true => Cameras::load(&source, args.cameras.as_deref(), &args.data, USAGE, console)?.list,
-        false => Vec::new(),
-    };
+    let cameras = cameras(&source, args.cameras.as_deref(), &args.data, USAGE, console)?;
     let inputs: Vec<_> =
         [Some(source.file()), args.cameras.as_deref()].into_iter().flatten().collect();
     // looked at before anything is computed
@@ -84,9 +79,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         size: args.size,
         half_grids: !args.full_grids,
     };
-    let page = console.during("measuring what images need", || {
-        WebPage::new(&scene, &cameras, &renderer, &options)
-    })?;
+    let page = make(&scene, &cameras, &renderer, &options, console)?;
     let (file, bytes) = match &folder {
         None => {
             let text = page.single_file();
@@ -101,17 +94,44 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
             (folder.join(WebPage::FILES[0]), files.iter().map(|(_, text)| text.len()).sum())
         }
     };
-    let facts = page.facts;
-    console.detail(&format!(
-        "{} kernels, {} plans, room measured on {} cameras",
-        facts.kernels, facts.plans, facts.measured
-    ));
     console.note(&format!(
         "wrote a page of {}: open {} in a browser with WebGPU",
         format_bytes(bytes as u64),
         file.display()
     ));
     Ok(())
+}
+
+/// Makes a page, and says what it has.
+pub fn make(
+    scene: &Scene,
+    cameras: &[Camera],
+    renderer: &Renderer,
+    options: &PageOptions,
+    console: Console,
+) -> Result<WebPage> {
+    let page = console
+        .during("measuring what images need", || WebPage::new(scene, cameras, renderer, options))?;
+    let facts = page.facts;
+    console.detail(&format!(
+        "{} kernels, {} plans, room measured on {} cameras",
+        facts.kernels, facts.plans, facts.measured
+    ));
+    Ok(page)
+}
+
+/// Where a page is looked at from: cameras that were named, or the run's. A scene's file alone has none.
+pub fn cameras(
+    source: &SceneSource,
+    named: Option<&Path>,
+    data: &DataArgs,
+    usage: &str,
+    console: Console,
+) -> Result<Vec<Camera>> {
+    if named.is_none() && !data.is_given() && source.settings()?.is_none() {
+        return Ok(Vec::new());
+    }
+    Ok(Cameras::load(source, named, data, usage, console)?.list)
 }
 
 /// The page's folder. One that holds somebody's page is no place for another.

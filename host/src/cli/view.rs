@@ -4,16 +4,18 @@ use std::net::IpAddr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Arc;
+use std::sync::mpsc::channel;
 use std::time::Duration;
 
 use organza::data::{Point, Pose};
 use organza::view::{About, Address, Desk, Painter, Photographs, Server, Stage};
+use organza::web::PageOptions;
 use organza::{Camera, Result};
 
 use super::console::Console;
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, DataSet, SceneSource};
-use super::refuse;
+use super::{export_web, refuse};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -23,9 +25,13 @@ Examples:
   organza view scene.safetensors             without cameras
   ssh -L 4747:localhost:4747 machine         then `organza view run` there, and the same address here
   organza view run --bind 0.0.0.0            for other machines; the address has a token
+  organza view run --client                  the browser's GPU renders
 
 The page shows the scene while you move through it, coarsely at first. When the camera rests, the image becomes that \
 of `organza render`, to the bit. Press ? on the page for its keys. Ctrl-C ends the program.";
+
+/// The most pixels of a page that renders by itself.
+const CLIENT_SIZE: [u32; 2] = [1920, 1080];
 
 /// Look at a scene in a browser
 #[derive(Debug, clap::Args)]
@@ -35,6 +41,10 @@ pub struct Args {
     scene: PathBuf,
     /// A data set, or a transforms.json, with or without photographs [default: what the run was trained on]
     data: Option<PathBuf>,
+    /// Let the browser render, with its own GPU: serve the page of `organza export-web`. It needs WebGPU, which browsers have
+    /// for pages of this machine, and for those that `ssh -L` brings here. The page has no photographs, and explains no pixels
+    #[arg(long, conflicts_with = "half_networks", help_heading = "Page")]
+    client: bool,
     #[command(flatten)]
     server: ServerArgs,
     #[command(flatten)]
@@ -97,6 +107,9 @@ fn open(url: &str) -> bool {
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = SceneSource::find(&args.scene)?;
+    if args.client {
+        return serve_client(args, &source, console);
+    }
     let Surroundings { poses, photographs, points } = surroundings(args, &source, console)?;
     let scene = source.load(console)?;
     let server = args.server.listen()?;
@@ -106,7 +119,15 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let has_photographs = !photographs.is_empty();
     let about = About::new(&title, &renderer, &scene, &poses, has_photographs, &points, false);
     let desk = Arc::new(Desk::default());
-    stop_at_signals(&desk)?;
+    let handler = {
+        let desk = Arc::clone(&desk);
+        // the first signal ends the program after the image that is being painted, the second at once
+        move || match desk.is_stopped() {
+            true => std::process::exit(0),
+            false => desk.stop(),
+        }
+    };
+    at_signals(handler)?;
     let mut painter = Painter::new(Arc::clone(&desk), photographs);
     let url = server.url();
     server.start(Arc::clone(&desk), about, None)?;
@@ -115,6 +136,33 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     while !desk.is_stopped() {
         painter.serve(stage, Duration::from_secs(1));
     }
+    Ok(())
+}
+
+/// Serves a page that renders by itself, until a signal.
+fn serve_client(args: &Args, source: &SceneSource, console: Console) -> Result<()> {
+    let usage = "organza view SCENE DATA --client";
+    let cameras =
+        export_web::cameras(source, args.data.as_deref(), &args.data_args, usage, console)?;
+    let scene = source.load(console)?;
+    let server = args.server.listen()?;
+    let renderer = args.device.open(console)?;
+    let options = PageOptions {
+        title: title(source.named()),
+        size: CLIENT_SIZE,
+        half_grids: args.scene_args.half_grids,
+    };
+    let page = export_web::make(&scene, &cameras, &renderer, &options, console)?;
+    let (stop, stopped) = channel();
+    let handler = move || {
+        // it has ended already where nobody receives
+        let _ = stop.send(());
+    };
+    at_signals(handler)?;
+    let url = server.url();
+    server.start_page(&page)?;
+    args.server.announce(&format!("{url} (Ctrl-C ends it)"), console);
+    let _ = stopped.recv();
     Ok(())
 }
 
@@ -160,15 +208,7 @@ pub fn title(path: &Path) -> String {
         .map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
 }
 
-/// The first signal ends the program after the image that is being painted, the second at once.
-fn stop_at_signals(desk: &Arc<Desk>) -> Result<()> {
-    let desk = Arc::clone(desk);
-    let handler = move || {
-        if desk.is_stopped() {
-            std::process::exit(0);
-        }
-        desk.stop();
-    };
+fn at_signals(handler: impl FnMut() + Send + 'static) -> Result<()> {
     match ctrlc::set_handler(handler) {
         Ok(()) => Ok(()),
         Err(error) => refuse(format!("cannot listen to signals: {error}")),

@@ -3,12 +3,13 @@
 /// A file of the page: its address, what it is, and its content.
 type Asset = (&'static str, &'static str, &'static str);
 
-const SCRIPT: &str = "text/javascript; charset=utf-8";
+pub const PAGE: &str = "text/html; charset=utf-8";
+pub const SCRIPT: &str = "text/javascript; charset=utf-8";
 const STYLE: &str = "text/css; charset=utf-8";
 
 /// Every file of the page.
 const ASSETS: [Asset; 15] = [
-    ("/", "text/html; charset=utf-8", include_str!("page/index.html")),
+    ("/", PAGE, include_str!("page/index.html")),
     ("/icon.svg", "image/svg+xml", include_str!("page/icon.svg")),
     ("/page.css", STYLE, include_str!("page/page.css")),
     ("/main.js", SCRIPT, include_str!("page/main.js")),

@@ -27,6 +27,7 @@ use super::guard::{Guard, Verdict};
 use super::keyframes::{self, PathRequest};
 use super::message::{FrameRequest, Lens, PixelRequest, checked};
 use crate::error::{self, Error, Result};
+use crate::web::WebPage;
 
 /// The port where nobody asks for another.
 const PORT: u16 = 4747;
@@ -78,6 +79,18 @@ pub struct Server {
 
 struct Shared {
     guard: Guard,
+    site: Site,
+}
+
+/// What is served.
+enum Site {
+    /// The page that asks this program for images.
+    Viewer(Viewer),
+    /// A page that renders by itself: each file's address, what it is, and its content.
+    Client(Vec<(String, &'static str, Bytes)>),
+}
+
+struct Viewer {
     desk: Arc<Desk>,
     about: About,
     board: Option<Arc<Board>>,
@@ -110,12 +123,29 @@ impl Server {
     /// # Errors
     /// [`Error::Invalid`] where the system gives no thread.
     pub fn start(self, desk: Arc<Desk>, about: About, board: Option<Arc<Board>>) -> Result<()> {
+        let films = Arc::new(Semaphore::new(MAX_FILMS));
+        self.serve(Site::Viewer(Viewer { desk, about, board, films }))
+    }
+
+    /// Gives out a page that renders by itself, from now on.
+    ///
+    /// # Errors
+    /// As [`Server::start`].
+    pub fn start_page(self, page: &WebPage) -> Result<()> {
+        let [index, ..] = WebPage::FILES;
+        let file = |(name, text): (&str, String)| match name == index {
+            true => ("/".to_owned(), assets::PAGE, text.into()),
+            false => (format!("/{name}"), assets::SCRIPT, text.into()),
+        };
+        self.serve(Site::Client(page.files().into_iter().map(file).collect()))
+    }
+
+    fn serve(self, site: Site) -> Result<()> {
         let Self { listener, guard } = self;
         listener.set_nonblocking(true).map_err(broken)?;
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
         let runtime = runtime.map_err(broken)?;
-        let films = Arc::new(Semaphore::new(MAX_FILMS));
-        let shared = Arc::new(Shared { guard, desk, about, board, films });
+        let shared = Arc::new(Shared { guard, site });
         let serve = move || runtime.block_on(accept(listener, shared));
         thread::Builder::new().name("viewer".to_owned()).spawn(serve).map_err(broken)?;
         Ok(())
@@ -168,7 +198,11 @@ async fn answer(shared: &Shared, request: Request<Incoming>) -> Reply {
             return text(StatusCode::FORBIDDEN, "text/plain; charset=utf-8", reason.as_bytes());
         }
     };
-    let mut reply = route(shared, request).await.unwrap_or_else(|Refusal(status, reason)| {
+    let reply = match &shared.site {
+        Site::Viewer(viewer) => route(viewer, request).await,
+        Site::Client(files) => file(files, &request),
+    };
+    let mut reply = reply.unwrap_or_else(|Refusal(status, reason)| {
         let reason = serde_json::json!({ "error": reason }).to_string();
         text(status, "application/json", reason.as_bytes())
     });
@@ -178,21 +212,44 @@ async fn answer(shared: &Shared, request: Request<Incoming>) -> Reply {
     reply
 }
 
-async fn route(shared: &Shared, request: Request<Incoming>) -> Result<Reply, Refusal> {
+/// A file of a page that renders by itself.
+fn file(
+    files: &[(String, &'static str, Bytes)],
+    request: &Request<Incoming>,
+) -> Result<Reply, Refusal> {
+    let (method, path) = (request.method(), request.uri().path());
+    match files.iter().find(|(address, ..)| address == path) {
+        Some((_, kind, content)) if method == Method::GET => {
+            Ok(whole(StatusCode::OK, kind, content.clone()))
+        }
+        Some(_) => Err(not_for(method, path)),
+        None => Err(not_there(path)),
+    }
+}
+
+fn not_there(path: &str) -> Refusal {
+    Refusal(StatusCode::NOT_FOUND, format!("there is no {path}"))
+}
+
+fn not_for(method: &Method, path: &str) -> Refusal {
+    Refusal(StatusCode::METHOD_NOT_ALLOWED, format!("{method} is not for {path}"))
+}
+
+async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Refusal> {
     let (method, path) = (request.method().clone(), request.uri().path().to_owned());
     let json = |bytes: &[u8]| Ok(text(StatusCode::OK, "application/json", bytes));
     match (&method, path.as_str()) {
-        (&Method::GET, "/scene.json") => json(shared.about.json().as_bytes()),
+        (&Method::GET, "/scene.json") => json(viewer.about.json().as_bytes()),
         (&Method::GET, "/points") => {
-            Ok(text(StatusCode::OK, "application/octet-stream", shared.about.points()))
+            Ok(text(StatusCode::OK, "application/octet-stream", viewer.about.points()))
         }
-        (&Method::GET, "/training.json") => match &shared.board {
+        (&Method::GET, "/training.json") => match &viewer.board {
             Some(board) => json(board.to_json().as_bytes()),
             None => Err(Refusal(StatusCode::NOT_FOUND, "nothing is being trained".to_owned())),
         },
         (&Method::POST, "/training") => {
             let command: Command = parsed(&body(request).await?)?;
-            if let Some(board) = &shared.board {
+            if let Some(board) = &viewer.board {
                 board.command(command);
             }
             json(b"{}")
@@ -201,13 +258,13 @@ async fn route(shared: &Shared, request: Request<Incoming>) -> Result<Reply, Ref
             let request: FrameRequest = parsed(&body(request).await?)?;
             let camera = request.check().map_err(refused)?;
             let (reply, answer) = oneshot::channel();
-            shared.desk.post(Box::new(FrameJob { request, camera, reply }));
+            viewer.desk.post(Box::new(FrameJob { request, camera, reply }));
             painted(answer).await
         }
         (&Method::POST, "/explain") => {
             let request: PixelRequest = parsed(&body(request).await?)?;
             let camera = checked(&request.camera).map_err(refused)?;
-            ask(shared, Question::Pixel(request.pixel, Box::new(camera))).await
+            ask(viewer, Question::Pixel(request.pixel, Box::new(camera))).await
         }
         (&Method::POST, "/cameras.json") => {
             let keyframes: Vec<Lens> = parsed(&body(request).await?)?;
@@ -225,12 +282,12 @@ async fn route(shared: &Shared, request: Request<Incoming>) -> Result<Reply, Ref
         (&Method::POST, "/film") => {
             let request: FilmRequest = parsed(&body(request).await?)?;
             let cameras = request.check().map_err(refused)?;
-            let Ok(place) = Arc::clone(&shared.films).try_acquire_owned() else {
+            let Ok(place) = Arc::clone(&viewer.films).try_acquire_owned() else {
                 let reason = format!("{MAX_FILMS} films are being made; wait for one of them");
                 return Err(Refusal(StatusCode::SERVICE_UNAVAILABLE, reason));
             };
             let (sender, body) = Channel::new(1);
-            let desk = Arc::clone(&shared.desk);
+            let desk = Arc::clone(&viewer.desk);
             tokio::spawn(async move {
                 film::make(&desk, &request, cameras, sender).await;
                 drop(place);
@@ -242,17 +299,17 @@ async fn route(shared: &Shared, request: Request<Incoming>) -> Result<Reply, Ref
                 return Ok(text(StatusCode::OK, kind, content.as_bytes()));
             }
             match path.strip_prefix("/photograph/").and_then(|view| view.parse().ok()) {
-                Some(view) => ask(shared, Question::Photograph(view)).await,
-                None => Err(Refusal(StatusCode::NOT_FOUND, format!("there is no {path}"))),
+                Some(view) => ask(viewer, Question::Photograph(view)).await,
+                None => Err(not_there(path)),
             }
         }
-        _ => Err(Refusal(StatusCode::METHOD_NOT_ALLOWED, format!("{method} is not for {path}"))),
+        _ => Err(not_for(&method, &path)),
     }
 }
 
-async fn ask(shared: &Shared, question: Question) -> Result<Reply, Refusal> {
+async fn ask(viewer: &Viewer, question: Question) -> Result<Reply, Refusal> {
     let (reply, answer) = oneshot::channel();
-    shared.desk.ask(question, reply);
+    viewer.desk.ask(question, reply);
     painted(answer).await
 }
 

@@ -182,6 +182,31 @@ impl Page {
         }
     }
 
+    /// Presses a letter's key, or lets it go.
+    pub fn letter(&mut self, kind: &str, letter: char) {
+        let code = format!("Key{}", letter.to_ascii_uppercase());
+        let event = json!({"type": kind, "code": code, "key": letter, "text": letter});
+        self.call("Input.dispatchKeyEvent", event);
+    }
+
+    /// Fingers that touch the page, move on it by the same steps, and leave it: where each begins and ends.
+    pub fn fingers(&mut self, ways: &[[[f64; 2]; 2]]) {
+        let places = |part: f64| -> Vec<Value> {
+            let way = |(id, [from, to]): (usize, &[[f64; 2]; 2])| {
+                let [x, y] = [0, 1].map(|axis| from[axis] + part * (to[axis] - from[axis]));
+                json!({"x": x, "y": y, "id": id})
+            };
+            ways.iter().enumerate().map(way).collect()
+        };
+        let events = (0..=8).map(|step| {
+            let kind = if step == 0 { "touchStart" } else { "touchMove" };
+            json!({"type": kind, "touchPoints": places(f64::from(step) / 8.0)})
+        });
+        for event in events.chain([json!({"type": "touchEnd", "touchPoints": []})]) {
+            self.call("Input.dispatchTouchEvent", event);
+        }
+    }
+
     /// A picture of the page, to be looked at: in the folder that `ORGANZA_SCREENSHOTS` names, if it does.
     pub fn screenshot(&mut self, name: &str) {
         let Some(folder) = std::env::var_os("ORGANZA_SCREENSHOTS") else { return };

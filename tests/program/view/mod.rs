@@ -3,7 +3,7 @@
 
 mod browser;
 pub mod chromium;
-mod client;
+pub mod client;
 mod film;
 mod images;
 mod protocol;

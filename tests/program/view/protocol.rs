@@ -1,5 +1,6 @@
 //! Clients that are foreign, broken, slow, many or gone; ports that are taken; signals.
 
+use std::fs;
 use std::io::{Read, Write};
 use std::net::TcpListener;
 use std::thread;
@@ -39,6 +40,36 @@ fn pages_of_others_are_refused() {
     assert!(!text.contains("http://") && !text.contains("https://"), "nothing from elsewhere");
     assert_eq!(viewer.get("/../scene.safetensors").status, 404);
     assert_eq!(viewer.get("/training.json").status, 404);
+}
+
+#[test]
+fn a_page_that_renders_by_itself_is_given_out() {
+    let sandbox = Sandbox::new("tiny");
+    let mut viewer = Viewer::start(&sandbox, &format!("{VIEW} --client"));
+    sandbox.run("export-web scene.safetensors cameras.json -o page --full-grids").assert_ok();
+    let page = fs::read_to_string(sandbox.path("page/index.html")).expect("a page");
+    assert_eq!(String::from_utf8(viewer.get("/").ok().body).expect("text"), page);
+    let script = viewer.get("/page.js").ok();
+    assert_eq!(script.body, fs::read(sandbox.path("page/page.js")).expect("a script"));
+    assert!(script.headers.contains("content-type: text/javascript"), "{}", script.headers);
+    assert!(viewer.get("/scene.js").ok().body.starts_with(b"const ORGANZA_SCENE = "));
+    // and nothing else, to nobody else
+    for (head, status) in [
+        ("GET /scene.json", 404),
+        ("GET /main.js", 404),
+        ("GET /points", 404),
+        ("POST /frame", 404),
+        ("POST /", 405),
+    ] {
+        let head = format!("{head} HTTP/1.1\r\nHost: {}\r\n", viewer.host);
+        assert_eq!(viewer.ask(&head, b"{}").status, status, "{head}");
+    }
+    assert_eq!(viewer.ask("GET / HTTP/1.1\r\nHost: evil.example\r\n", b"").status, 403);
+    signal(&viewer.child, "INT");
+    wait_for_end(&mut viewer.child);
+    assert_eq!(viewer.child.wait().expect("it has ended").code(), Some(0));
+    let words = "view scene.safetensors cameras.json --client --half-networks";
+    sandbox.run(words).assert_refused(&["--client", "--half-networks"]);
 }
 
 #[test]

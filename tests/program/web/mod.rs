@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use glam::DVec3;
 use organza::render::{EyeCache, EyeOptions};
 use organza::{Camera, MODULES, RenderedTiles, Renderer, Scene, TileBatch, UploadOptions, demo};
 use organza_tests::devices;
@@ -10,6 +11,7 @@ use serde_json::{Value, json};
 
 use crate::sandbox::Sandbox;
 use crate::view::chromium::{Page, base64, program};
+use crate::view::client::Viewer;
 
 /// Side of the page's tiles.
 const SIDE: u32 = 32;
@@ -94,6 +96,69 @@ fn assert_same(page: &mut Page, scene: &Scene, camera: &Camera, steps: u16) -> u
     small
 }
 
+/// Where a page's camera is.
+#[derive(Debug)]
+struct Place {
+    eye: DVec3,
+    forward: DVec3,
+    /// What is orbited.
+    center: DVec3,
+}
+
+impl Place {
+    fn of(page: &mut Page) -> Self {
+        let found = page.eval("[organza.camera.camera_to_world, organza.center]");
+        let (pose, center): (Vec<[f64; 4]>, [f64; 3]) =
+            serde_json::from_value(found).expect("a pose and a place");
+        let column = |at: usize| DVec3::new(pose[0][at], pose[1][at], pose[2][at]);
+        Self { eye: column(3), forward: -column(2), center: center.into() }
+    }
+
+    fn distance(&self) -> f64 {
+        self.eye.distance(self.center)
+    }
+}
+
+/// The mouse, fingers and keys move the camera as the page's help says.
+fn assert_controls(page: &mut Page) {
+    let [middle, right] = [[200.0, 160.0], [260.0, 170.0]];
+    // each turns the scene: the distance stays, the direction does not
+    let orbits: [&dyn Fn(&mut Page); 2] =
+        [&|page| page.drag(middle, right), &|page| page.fingers(&[[middle, right]])];
+    for (orbit, what) in orbits.iter().zip(["the mouse", "a finger"]) {
+        let before = Place::of(page);
+        orbit(page);
+        let after = Place::of(page);
+        assert!(after.forward.dot(before.forward) < 0.97, "{what}: {before:?} {after:?}");
+        assert_eq!(after.center, before.center, "{what}");
+        assert!((after.distance() / before.distance() - 1.0).abs() < 1e-6, "{what}");
+    }
+
+    // two fingers that part bring the scene nearer: as much as they part
+    let before = Place::of(page);
+    page.fingers(&[[[180.0, 160.0], [150.0, 160.0]], [[220.0, 160.0], [250.0, 160.0]]]);
+    let after = Place::of(page);
+    let nearer = after.distance() / before.distance();
+    assert!((nearer - 0.4).abs() < 0.01, "{nearer}: {before:?} {after:?}");
+    assert!(after.forward.distance(before.forward) < 1e-6, "{before:?} {after:?}");
+    // two that move side by side move it
+    page.fingers(&[[[180.0, 160.0], [180.0, 200.0]], [[220.0, 160.0], [220.0, 200.0]]]);
+    let (moved, by) = (Place::of(page), Place::of(page).center - after.center);
+    assert!((moved.distance() / after.distance() - 1.0).abs() < 1e-6);
+    assert!(by.length() > 0.05 * after.distance(), "{by}");
+    assert!(by.dot(after.forward).abs() < 1e-6 * by.length(), "{by} {after:?}");
+
+    // a key flies along the axis of sight, as long as it is held
+    page.letter("keyDown", 'w');
+    page.wait(&format!("organza.center[0] !== {:?}", moved.center.x));
+    page.letter("keyUp", 'w');
+    let stopped = Place::of(page);
+    let by = stopped.eye - moved.eye;
+    assert!(by.normalize().dot(moved.forward) > 1.0 - 1e-6, "{by} {moved:?}");
+    page.wait(AT_REST);
+    assert_eq!(Place::of(page).eye, stopped.eye);
+}
+
 /// Every kernel compiles on a device with the limits that all have.
 fn assert_all_compile(page: &mut Page) {
     let kernel = |kernel: organza_device::CompiledKernel| {
@@ -124,13 +189,20 @@ fn a_page_renders_by_itself() {
     }
     assert_same(&mut page, &scene, &cameras[2].with_size([150, 70]), 1);
 
-    // a drag turns the scene
-    let pose = |page: &mut Page| page.eval("organza.camera.camera_to_world");
-    let before = pose(&mut page);
-    page.drag([200.0, 160.0], [260.0, 170.0]);
-    assert_ne!(pose(&mut page), before);
+    assert_controls(&mut page);
     page.wait(AT_REST);
     assert_all_compile(&mut page);
+    assert_eq!(page.eval("organza.errors"), json!([]));
+
+    // the program serves the same page
+    let viewer = Viewer::start(
+        &sandbox,
+        "view thin.safetensors near.json --client --half-grids --port 0 --backend cpu",
+    );
+    page.go(&format!("http://{}/", viewer.host));
+    page.wait(AT_REST);
+    assert_eq!(page.eval("document.title"), "thin.safetensors \u{b7} organza");
+    assert_same(&mut page, &scene, &cameras[0], 1);
     assert_eq!(page.eval("organza.errors"), json!([]));
 
     // plans that were measured from far away are too small from nearby: larger ones take their place

@@ -136,8 +136,10 @@ export class Controls {
     if (FLY[event.code] && !this.view.isHelp()) {
       event.preventDefault();
       if (this.keys.size === 0) {
-        this.last = performance.now();
-        requestAnimationFrame((now) => this.fly(now));
+        requestAnimationFrame((now) => {
+          this.last = now; // of the frame: what the clock says is later, and the first step would go backward
+          this.fly(now);
+        });
       }
       this.keys.add(event.code);
       this.fast = event.shiftKey;

@@ -224,6 +224,7 @@ mod samples {
             gaussians: pairs,
             extra: 2,
             extra_row: 32,
+            contracted: 0,
         };
         let kernel = TransmittanceInputsKernel {
             params,

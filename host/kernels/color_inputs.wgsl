@@ -14,10 +14,16 @@ struct type_14 {
     member_4: u32,
     member_5: u32,
     member_6: u32,
+    member_7: u32,
 }
 
 struct type_15 {
     member: type_14,
+}
+
+struct type_17 {
+    member: f32,
+    member_1: f32,
 }
 
 var<private> global: vec3<u32>;
@@ -41,213 +47,240 @@ var<storage, read_write> global_9: type_5;
 var<storage, read_write> global_10: type_5;
 
 fn function_() {
-    var phi_271_: f32;
-    var phi_274_: u32;
-    var phi_276_: f32;
-    var phi_278_: f32;
-    var phi_292_: f32;
-    var phi_293_: f32;
-    var phi_294_: f32;
-    var phi_297_: f32;
-    var phi_300_: u32;
-    var phi_302_: f32;
-    var phi_317_: f32;
-    var phi_298_: f32;
-    var phi_301_: u32;
-    var phi_303_: f32;
-    var phi_272_: f32;
-    var phi_275_: u32;
-    var phi_277_: f32;
-    var phi_279_: f32;
-    var phi_335_: u32;
-    var phi_336_: u32;
+    var phi_316_: array<type_17, 3>;
+    var phi_344_: f32;
+    var phi_347_: u32;
+    var phi_349_: f32;
+    var phi_351_: f32;
+    var phi_365_: f32;
+    var phi_366_: f32;
+    var phi_367_: f32;
+    var phi_370_: f32;
+    var phi_373_: u32;
+    var phi_375_: f32;
+    var phi_390_: f32;
+    var phi_371_: f32;
+    var phi_374_: u32;
+    var phi_376_: f32;
+    var phi_345_: f32;
+    var phi_348_: u32;
+    var phi_350_: f32;
+    var phi_352_: f32;
+    var phi_408_: u32;
+    var phi_409_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e43 = global;
-            let _e44 = global_1;
-            let _e45 = global_2;
-            let _e53 = (((_e44.x + (_e44.y * _e45.x)) * 64u) + _e43.x);
-            let _e56 = global_3.member.member;
-            if (_e53 < _e56) {
-                let _e60 = global_3.member.member_1;
-                let _e64 = global_4.member[(_e60 + _e53)];
-                let _e67 = global_3.member.member_3;
-                let _e68 = (_e67 == 0u);
-                if _e68 {
+            let _e46 = global;
+            let _e47 = global_1;
+            let _e48 = global_2;
+            let _e56 = (((_e47.x + (_e47.y * _e48.x)) * 64u) + _e46.x);
+            let _e59 = global_3.member.member;
+            if (_e56 < _e59) {
+                let _e63 = global_3.member.member_1;
+                let _e67 = global_4.member[(_e63 + _e56)];
+                let _e70 = global_3.member.member_3;
+                let _e71 = (_e70 == 0u);
+                if _e71 {
                     break;
                 }
-                let _e69 = (_e64 % _e67);
-                if _e68 {
+                let _e72 = (_e67 % _e70);
+                if _e71 {
                     break;
                 }
-                let _e71 = ((_e64 / _e67) * 18u);
-                let _e75 = global_5.member[(_e71 + 9u)];
-                let _e79 = global_5.member[(_e71 + 10u)];
-                let _e83 = global_5.member[(_e71 + 11u)];
-                let _e84 = (_e69 * 3u);
-                let _e87 = global_7.member[_e84];
-                let _e91 = global_7.member[(_e84 + 1u)];
-                let _e95 = global_7.member[(_e84 + 2u)];
-                let _e98 = global_3.member.member_2;
-                let _e101 = global_6.member[0u];
-                let _e104 = global_6.member[1u];
-                let _e107 = global_6.member[2u];
-                let _e110 = global_6.member[3u];
-                let _e113 = global_6.member[4u];
-                let _e116 = global_6.member[5u];
-                let _e119 = global_6.member[6u];
-                let _e122 = global_6.member[7u];
-                let _e125 = global_6.member[8u];
-                let _e128 = global_6.member[9u];
-                let _e131 = global_6.member[10u];
-                let _e134 = global_6.member[11u];
-                let _e137 = global_6.member[12u];
-                let _e140 = global_6.member[13u];
-                let _e143 = global_6.member[14u];
-                let _e146 = global_6.member[15u];
-                let _e149 = global_6.member[16u];
-                let _e152 = global_6.member[17u];
-                let _e159 = (trunc((_e87 * _e110)) * _e101);
-                let _e160 = (trunc((_e91 * _e113)) * _e104);
-                let _e161 = (trunc((_e95 * _e116)) * _e107);
-                let _e162 = (_e159 - _e119);
-                let _e163 = (_e160 - _e122);
-                let _e164 = (_e161 - _e125);
-                let _e171 = (_e162 * _e137);
-                let _e172 = (_e163 * _e140);
-                let _e173 = (_e164 * _e143);
-                let _e183 = ((_e162 * _e146) + (((_e87 - _e159) - _e128) * (_e137 + _e146)));
-                let _e184 = ((_e163 * _e149) + (((_e91 - _e160) - _e131) * (_e140 + _e149)));
-                let _e185 = ((_e164 * _e152) + (((_e95 - _e161) - _e134) * (_e143 + _e152)));
-                let _e189 = (trunc(((_e171 + _e183) * 4096f)) * 0.00024414063f);
-                let _e195 = (trunc(((_e172 + _e184) * 4096f)) * 0.00024414063f);
-                let _e201 = (trunc(((_e173 + _e185) * 4096f)) * 0.00024414063f);
-                global_9.member[_e53] = _e189;
-                global_9.member[(_e98 + _e53)] = _e195;
-                global_9.member[((2u * _e98) + _e53)] = _e201;
-                global_9.member[((3u * _e98) + _e53)] = ((_e171 - _e189) + _e183);
-                global_9.member[((4u * _e98) + _e53)] = ((_e172 - _e195) + _e184);
-                global_9.member[((5u * _e98) + _e53)] = ((_e173 - _e201) + _e185);
-                let _e225 = (_e87 - _e75);
-                let _e226 = (_e91 - _e79);
-                let _e227 = (_e95 - _e83);
-                let _e233 = sqrt((((_e225 * _e225) + (_e226 * _e226)) + (_e227 * _e227)));
-                let _e236 = (1f / select(0.000000000000000000000000000000000000011754944f, _e233, (_e233 > 0.000000000000000000000000000000000000011754944f)));
-                let _e237 = (_e225 * _e236);
-                let _e238 = (_e226 * _e236);
-                let _e242 = global_3.member.member_4;
-                phi_271_ = 0f;
-                phi_274_ = 0u;
-                phi_276_ = 0.28209478f;
-                phi_278_ = 1f;
+                let _e74 = ((_e67 / _e70) * 18u);
+                let _e78 = global_5.member[(_e74 + 9u)];
+                let _e82 = global_5.member[(_e74 + 10u)];
+                let _e86 = global_5.member[(_e74 + 11u)];
+                let _e87 = (_e72 * 3u);
+                let _e90 = global_7.member[_e87];
+                let _e94 = global_7.member[(_e87 + 1u)];
+                let _e98 = global_7.member[(_e87 + 2u)];
+                let _e101 = global_3.member.member_2;
+                let _e104 = global_6.member[0u];
+                let _e107 = global_6.member[1u];
+                let _e110 = global_6.member[2u];
+                let _e113 = global_6.member[3u];
+                let _e116 = global_6.member[4u];
+                let _e119 = global_6.member[5u];
+                let _e122 = global_6.member[6u];
+                let _e125 = global_6.member[7u];
+                let _e128 = global_6.member[8u];
+                let _e131 = global_6.member[9u];
+                let _e134 = global_6.member[10u];
+                let _e137 = global_6.member[11u];
+                let _e140 = global_6.member[12u];
+                let _e143 = global_6.member[13u];
+                let _e146 = global_6.member[14u];
+                let _e149 = global_6.member[15u];
+                let _e152 = global_6.member[16u];
+                let _e155 = global_6.member[17u];
+                let _e162 = (trunc((_e90 * _e113)) * _e104);
+                let _e163 = (trunc((_e94 * _e116)) * _e107);
+                let _e164 = (trunc((_e98 * _e119)) * _e110);
+                let _e165 = (_e162 - _e122);
+                let _e166 = (_e163 - _e125);
+                let _e167 = (_e164 - _e128);
+                let _e174 = (_e165 * _e140);
+                let _e175 = (_e166 * _e143);
+                let _e176 = (_e167 * _e146);
+                let _e186 = ((_e165 * _e149) + (((_e90 - _e162) - _e131) * (_e140 + _e149)));
+                let _e187 = ((_e166 * _e152) + (((_e94 - _e163) - _e134) * (_e143 + _e152)));
+                let _e188 = ((_e167 * _e155) + (((_e98 - _e164) - _e137) * (_e146 + _e155)));
+                let _e192 = (trunc(((_e174 + _e186) * 4096f)) * 0.00024414063f);
+                let _e194 = ((_e174 - _e192) + _e186);
+                let _e198 = (trunc(((_e175 + _e187) * 4096f)) * 0.00024414063f);
+                let _e200 = ((_e175 - _e198) + _e187);
+                let _e204 = (trunc(((_e176 + _e188) * 4096f)) * 0.00024414063f);
+                let _e206 = ((_e176 - _e204) + _e188);
+                let _e212 = ((_e192 - 0.5f) + _e194);
+                let _e214 = ((_e198 - 0.5f) + _e200);
+                let _e216 = ((_e204 - 0.5f) + _e206);
+                let _e219 = global_3.member.member_7;
+                if (_e219 == 0u) {
+                    phi_316_ = array<type_17, 3>(type_17(_e192, _e194), type_17(_e198, _e200), type_17(_e204, _e206));
+                } else {
+                    let _e223 = select(_e212, -(_e212), (_e212 < 0f));
+                    let _e226 = select(_e214, -(_e214), (_e214 < 0f));
+                    let _e228 = select(_e226, _e223, (_e223 > _e226));
+                    let _e231 = select(_e216, -(_e216), (_e216 < 0f));
+                    let _e233 = select(_e231, _e228, (_e228 > _e231));
+                    let _e235 = select(0.25f, _e233, (_e233 > 0.25f));
+                    let _e240 = select(1f, ((0.5f - (0.0625f / _e235)) / _e235), (0.25f < _e235));
+                    let _e241 = (_e212 * _e240);
+                    let _e245 = (trunc(((0.5f + _e241) * 4096f)) * 0.00024414063f);
+                    let _e248 = (_e214 * _e240);
+                    let _e252 = (trunc(((0.5f + _e248) * 4096f)) * 0.00024414063f);
+                    let _e255 = (_e216 * _e240);
+                    let _e259 = (trunc(((0.5f + _e255) * 4096f)) * 0.00024414063f);
+                    phi_316_ = array<type_17, 3>(type_17(_e245, ((0.5f - _e245) + _e241)), type_17(_e252, ((0.5f - _e252) + _e248)), type_17(_e259, ((0.5f - _e259) + _e255)));
+                }
+                let _e267 = phi_316_;
+                global_9.member[_e56] = _e267[0].member;
+                global_9.member[(_e101 + _e56)] = _e267[1].member;
+                global_9.member[((2u * _e101) + _e56)] = _e267[2].member;
+                global_9.member[((3u * _e101) + _e56)] = _e267[0].member_1;
+                global_9.member[((4u * _e101) + _e56)] = _e267[1].member_1;
+                global_9.member[((5u * _e101) + _e56)] = _e267[2].member_1;
+                let _e301 = (_e90 - _e78);
+                let _e302 = (_e94 - _e82);
+                let _e303 = (_e98 - _e86);
+                let _e309 = sqrt((((_e301 * _e301) + (_e302 * _e302)) + (_e303 * _e303)));
+                let _e312 = (1f / select(0.000000000000000000000000000000000000011754944f, _e309, (_e309 > 0.000000000000000000000000000000000000011754944f)));
+                let _e313 = (_e301 * _e312);
+                let _e314 = (_e302 * _e312);
+                let _e318 = global_3.member.member_4;
+                phi_344_ = 0f;
+                phi_347_ = 0u;
+                phi_349_ = 0.28209478f;
+                phi_351_ = 1f;
                 loop {
-                    let _e244 = phi_271_;
-                    let _e246 = phi_274_;
-                    let _e248 = phi_276_;
-                    let _e250 = phi_278_;
-                    let _e251 = (_e246 <= _e242);
-                    if _e251 {
-                        let _e252 = f32(_e246);
-                        let _e253 = (_e246 > 0u);
-                        if _e253 {
-                            let _e254 = (2f * _e252);
-                            phi_292_ = ((_e237 * _e244) + (_e238 * _e250));
-                            phi_293_ = (_e248 * -(sqrt(((_e254 + 1f) / _e254))));
-                            phi_294_ = ((_e237 * _e250) - (_e238 * _e244));
+                    let _e320 = phi_344_;
+                    let _e322 = phi_347_;
+                    let _e324 = phi_349_;
+                    let _e326 = phi_351_;
+                    let _e327 = (_e322 <= _e318);
+                    if _e327 {
+                        let _e328 = f32(_e322);
+                        let _e329 = (_e322 > 0u);
+                        if _e329 {
+                            let _e330 = (2f * _e328);
+                            phi_365_ = ((_e313 * _e320) + (_e314 * _e326));
+                            phi_366_ = (_e324 * -(sqrt(((_e330 + 1f) / _e330))));
+                            phi_367_ = ((_e313 * _e326) - (_e314 * _e320));
                         } else {
-                            phi_292_ = _e244;
-                            phi_293_ = _e248;
-                            phi_294_ = _e250;
+                            phi_365_ = _e320;
+                            phi_366_ = _e324;
+                            phi_367_ = _e326;
                         }
-                        let _e267 = phi_292_;
-                        let _e269 = phi_293_;
-                        let _e271 = phi_294_;
-                        phi_297_ = _e269;
-                        phi_300_ = _e246;
-                        phi_302_ = 0f;
+                        let _e343 = phi_365_;
+                        let _e345 = phi_366_;
+                        let _e347 = phi_367_;
+                        phi_370_ = _e345;
+                        phi_373_ = _e322;
+                        phi_375_ = 0f;
                         loop {
-                            let _e274 = phi_297_;
-                            let _e276 = phi_300_;
-                            let _e278 = phi_302_;
-                            let _e279 = (_e276 <= _e242);
-                            if _e279 {
-                                let _e280 = (_e276 > _e246);
-                                if _e280 {
-                                    let _e281 = f32(_e276);
-                                    let _e282 = (_e281 - 1f);
-                                    let _e287 = (_e252 * _e252);
-                                    phi_317_ = (sqrt(((((4f * _e281) * _e281) - 1f) / ((_e281 * _e281) - _e287))) * (((_e227 * _e236) * _e274) - (sqrt((((_e282 * _e282) - _e287) / (((4f * _e282) * _e282) - 1f))) * _e278)));
+                            let _e350 = phi_370_;
+                            let _e352 = phi_373_;
+                            let _e354 = phi_375_;
+                            let _e355 = (_e352 <= _e318);
+                            if _e355 {
+                                let _e356 = (_e352 > _e322);
+                                if _e356 {
+                                    let _e357 = f32(_e352);
+                                    let _e358 = (_e357 - 1f);
+                                    let _e363 = (_e328 * _e328);
+                                    phi_390_ = (sqrt(((((4f * _e357) * _e357) - 1f) / ((_e357 * _e357) - _e363))) * (((_e303 * _e312) * _e350) - (sqrt((((_e358 * _e358) - _e363) / (((4f * _e358) * _e358) - 1f))) * _e354)));
                                 } else {
-                                    phi_317_ = _e274;
+                                    phi_390_ = _e350;
                                 }
-                                let _e303 = phi_317_;
-                                let _e306 = ((_e276 * _e276) + _e276);
-                                let _e310 = (select(1f, 1.4142135f, _e253) * _e303);
-                                global_10.member[(_e53 + ((_e306 + _e246) * _e98))] = (_e310 * _e271);
-                                if _e253 {
-                                    global_10.member[(_e53 + ((_e306 - _e246) * _e98))] = (_e310 * _e267);
+                                let _e379 = phi_390_;
+                                let _e382 = ((_e352 * _e352) + _e352);
+                                let _e386 = (select(1f, 1.4142135f, _e329) * _e379);
+                                global_10.member[(_e56 + ((_e382 + _e322) * _e101))] = (_e386 * _e347);
+                                if _e329 {
+                                    global_10.member[(_e56 + ((_e382 - _e322) * _e101))] = (_e386 * _e343);
                                 }
-                                phi_298_ = _e303;
-                                phi_301_ = (_e276 + 1u);
-                                phi_303_ = select(_e278, _e274, _e280);
+                                phi_371_ = _e379;
+                                phi_374_ = (_e352 + 1u);
+                                phi_376_ = select(_e354, _e350, _e356);
                             } else {
-                                phi_298_ = f32();
-                                phi_301_ = u32();
-                                phi_303_ = f32();
+                                phi_371_ = f32();
+                                phi_374_ = u32();
+                                phi_376_ = f32();
                             }
-                            let _e322 = phi_298_;
-                            let _e324 = phi_301_;
-                            let _e326 = phi_303_;
+                            let _e398 = phi_371_;
+                            let _e400 = phi_374_;
+                            let _e402 = phi_376_;
                             continue;
                             continuing {
-                                phi_297_ = _e322;
-                                phi_300_ = _e324;
-                                phi_302_ = _e326;
-                                break if !(_e279);
+                                phi_370_ = _e398;
+                                phi_373_ = _e400;
+                                phi_375_ = _e402;
+                                break if !(_e355);
                             }
                         }
-                        phi_272_ = _e267;
-                        phi_275_ = (_e246 + 1u);
-                        phi_277_ = _e269;
-                        phi_279_ = _e271;
+                        phi_345_ = _e343;
+                        phi_348_ = (_e322 + 1u);
+                        phi_350_ = _e345;
+                        phi_352_ = _e347;
                     } else {
-                        phi_272_ = f32();
-                        phi_275_ = u32();
-                        phi_277_ = f32();
-                        phi_279_ = f32();
+                        phi_345_ = f32();
+                        phi_348_ = u32();
+                        phi_350_ = f32();
+                        phi_352_ = f32();
                     }
-                    let _e330 = phi_272_;
-                    let _e332 = phi_275_;
-                    let _e334 = phi_277_;
-                    let _e336 = phi_279_;
+                    let _e406 = phi_345_;
+                    let _e408 = phi_348_;
+                    let _e410 = phi_350_;
+                    let _e412 = phi_352_;
                     continue;
                     continuing {
-                        phi_271_ = _e330;
-                        phi_274_ = _e332;
-                        phi_276_ = _e334;
-                        phi_278_ = _e336;
-                        break if !(_e251);
+                        phi_344_ = _e406;
+                        phi_347_ = _e408;
+                        phi_349_ = _e410;
+                        phi_351_ = _e412;
+                        break if !(_e327);
                     }
                 }
-                phi_335_ = 0u;
+                phi_408_ = 0u;
                 loop {
-                    let _e339 = phi_335_;
-                    let _e342 = global_3.member.member_5;
-                    let _e343 = (_e339 < _e342);
-                    if _e343 {
-                        let _e348 = global_8.member[((_e69 * _e342) + _e339)];
-                        let _e351 = global_3.member.member_6;
-                        global_10.member[(((_e351 + _e339) * _e98) + _e53)] = _e348;
-                        phi_336_ = (_e339 + 1u);
+                    let _e415 = phi_408_;
+                    let _e418 = global_3.member.member_5;
+                    let _e419 = (_e415 < _e418);
+                    if _e419 {
+                        let _e424 = global_8.member[((_e72 * _e418) + _e415)];
+                        let _e427 = global_3.member.member_6;
+                        global_10.member[(((_e427 + _e415) * _e101) + _e56)] = _e424;
+                        phi_409_ = (_e415 + 1u);
                     } else {
-                        phi_336_ = u32();
+                        phi_409_ = u32();
                     }
-                    let _e359 = phi_336_;
+                    let _e435 = phi_409_;
                     continue;
                     continuing {
-                        phi_335_ = _e359;
-                        break if !(_e343);
+                        phi_408_ = _e435;
+                        break if !(_e419);
                     }
                 }
             }

@@ -19,6 +19,7 @@ struct type_21 {
     member: u32,
     member_1: u32,
     member_2: f32,
+    member_3: u32,
 }
 
 struct type_22 {
@@ -49,16 +50,6 @@ var<storage, read_write> global_8: type_6;
 var<storage, read_write> global_9: type_16;
 
 fn function_() {
-    var phi_443_: f32;
-    var phi_448_: type_20;
-    var phi_477_: type_20;
-    var phi_479_: type_20;
-    var phi_480_: bool;
-    var phi_484_: type_20;
-    var phi_485_: type_20;
-    var phi_496_: type_20;
-    var phi_503_: type_20;
-    var phi_505_: type_24;
     var phi_515_: f32;
     var phi_520_: type_20;
     var phi_549_: type_20;
@@ -79,404 +70,537 @@ fn function_() {
     var phi_640_: type_20;
     var phi_647_: type_20;
     var phi_649_: type_24;
-    var phi_660_: type_20;
-    var phi_668_: type_20;
-    var phi_677_: type_20;
-    var phi_685_: type_20;
+    var phi_659_: f32;
+    var phi_664_: type_20;
     var phi_693_: type_20;
-    var phi_717_: u32;
-    var phi_721_: f32;
+    var phi_695_: type_20;
+    var phi_696_: bool;
+    var phi_700_: type_20;
+    var phi_701_: type_20;
+    var phi_712_: type_20;
+    var phi_719_: type_20;
+    var phi_721_: type_24;
+    var phi_732_: type_20;
+    var phi_740_: type_20;
+    var phi_749_: type_20;
+    var phi_757_: type_20;
+    var phi_765_: type_20;
+    var phi_789_: u32;
+    var phi_793_: f32;
+    var phi_842_: f32;
+    var phi_848_: f32;
+    var phi_856_: f32;
+    var phi_857_: f32;
+    var phi_862_: f32;
+    var phi_868_: f32;
+    var phi_876_: f32;
+    var phi_877_: f32;
+    var phi_892_: u32;
+    var phi_896_: f32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e47 = global;
-            let _e48 = global_1;
-            let _e49 = global_2;
-            let _e57 = (((_e48.x + (_e48.y * _e49.x)) * 64u) + _e47.x);
-            let _e60 = global_7.member.member;
-            if (_e57 < _e60) {
-                let _e64 = global_3.member[_e57];
-                let _e67 = global_5.member[0u];
-                let _e70 = global_5.member[1u];
-                let _e73 = global_5.member[2u];
-                let _e76 = global_5.member[3u];
-                let _e79 = global_5.member[4u];
-                let _e82 = global_5.member[5u];
-                let _e85 = global_5.member[6u];
-                let _e88 = global_5.member[7u];
-                let _e91 = global_5.member[8u];
-                let _e94 = global_5.member[9u];
-                let _e97 = global_5.member[10u];
-                let _e100 = global_5.member[11u];
-                let _e103 = global_5.member[12u];
-                let _e106 = global_5.member[13u];
-                let _e109 = global_5.member[14u];
-                let _e112 = global_5.member[15u];
-                let _e115 = global_5.member[16u];
-                let _e118 = global_5.member[17u];
-                let _e121 = global_7.member.member_1;
-                let _e122 = (_e121 == 0u);
-                if _e122 {
+            let _e53 = global;
+            let _e54 = global_1;
+            let _e55 = global_2;
+            let _e63 = (((_e54.x + (_e54.y * _e55.x)) * 64u) + _e53.x);
+            let _e66 = global_7.member.member;
+            if (_e63 < _e66) {
+                let _e70 = global_3.member[_e63];
+                let _e73 = global_5.member[0u];
+                let _e76 = global_5.member[1u];
+                let _e79 = global_5.member[2u];
+                let _e82 = global_5.member[3u];
+                let _e85 = global_5.member[4u];
+                let _e88 = global_5.member[5u];
+                let _e91 = global_5.member[6u];
+                let _e94 = global_5.member[7u];
+                let _e97 = global_5.member[8u];
+                let _e100 = global_5.member[9u];
+                let _e103 = global_5.member[10u];
+                let _e106 = global_5.member[11u];
+                let _e109 = global_5.member[12u];
+                let _e112 = global_5.member[13u];
+                let _e115 = global_5.member[14u];
+                let _e118 = global_5.member[15u];
+                let _e121 = global_5.member[16u];
+                let _e124 = global_5.member[17u];
+                let _e127 = global_7.member.member_1;
+                let _e128 = (_e127 == 0u);
+                if _e128 {
                     break;
                 }
-                let _e124 = ((_e64 / _e121) * 18u);
-                let _e128 = global_4.member[(_e124 + 9u)];
-                let _e132 = global_4.member[(_e124 + 10u)];
-                let _e136 = global_4.member[(_e124 + 11u)];
-                let _e143 = (trunc((_e128 * _e76)) * _e67);
-                let _e144 = (trunc((_e132 * _e79)) * _e70);
-                let _e145 = (trunc((_e136 * _e82)) * _e73);
-                let _e146 = (_e143 - _e85);
-                let _e147 = (_e144 - _e88);
-                let _e148 = (_e145 - _e91);
-                let _e155 = (_e146 * _e103);
-                let _e156 = (_e147 * _e106);
-                let _e157 = (_e148 * _e109);
-                let _e161 = (_e103 + _e112);
-                let _e162 = (_e106 + _e115);
-                let _e163 = (_e109 + _e118);
-                let _e167 = ((_e146 * _e112) + (((_e128 - _e143) - _e94) * _e161));
-                let _e168 = ((_e147 * _e115) + (((_e132 - _e144) - _e97) * _e162));
-                let _e169 = ((_e148 * _e118) + (((_e136 - _e145) - _e100) * _e163));
-                let _e173 = (trunc(((_e155 + _e167) * 4096f)) * 0.00024414063f);
-                let _e179 = (trunc(((_e156 + _e168) * 4096f)) * 0.00024414063f);
-                let _e185 = (trunc(((_e157 + _e169) * 4096f)) * 0.00024414063f);
-                if _e122 {
+                let _e130 = ((_e70 / _e127) * 18u);
+                let _e134 = global_4.member[(_e130 + 9u)];
+                let _e138 = global_4.member[(_e130 + 10u)];
+                let _e142 = global_4.member[(_e130 + 11u)];
+                let _e149 = (trunc((_e134 * _e82)) * _e73);
+                let _e150 = (trunc((_e138 * _e85)) * _e76);
+                let _e151 = (trunc((_e142 * _e88)) * _e79);
+                let _e152 = (_e149 - _e91);
+                let _e153 = (_e150 - _e94);
+                let _e154 = (_e151 - _e97);
+                let _e161 = (_e152 * _e109);
+                let _e162 = (_e153 * _e112);
+                let _e163 = (_e154 * _e115);
+                let _e167 = (_e109 + _e118);
+                let _e168 = (_e112 + _e121);
+                let _e169 = (_e115 + _e124);
+                let _e173 = ((_e152 * _e118) + (((_e134 - _e149) - _e100) * _e167));
+                let _e174 = ((_e153 * _e121) + (((_e138 - _e150) - _e103) * _e168));
+                let _e175 = ((_e154 * _e124) + (((_e142 - _e151) - _e106) * _e169));
+                let _e179 = (trunc(((_e161 + _e173) * 4096f)) * 0.00024414063f);
+                let _e181 = ((_e161 - _e179) + _e173);
+                let _e185 = (trunc(((_e162 + _e174) * 4096f)) * 0.00024414063f);
+                let _e187 = ((_e162 - _e185) + _e174);
+                let _e191 = (trunc(((_e163 + _e175) * 4096f)) * 0.00024414063f);
+                let _e193 = ((_e163 - _e191) + _e175);
+                if _e128 {
                     break;
                 }
-                let _e189 = ((_e64 % _e121) * 3u);
-                let _e192 = global_6.member[_e189];
-                let _e196 = global_6.member[(_e189 + 1u)];
-                let _e200 = global_6.member[(_e189 + 2u)];
-                let _e207 = (trunc((_e192 * _e76)) * _e67);
-                let _e208 = (trunc((_e196 * _e79)) * _e70);
-                let _e209 = (trunc((_e200 * _e82)) * _e73);
-                let _e210 = (_e207 - _e85);
-                let _e211 = (_e208 - _e88);
-                let _e212 = (_e209 - _e91);
-                let _e219 = (_e210 * _e103);
-                let _e220 = (_e211 * _e106);
-                let _e221 = (_e212 * _e109);
-                let _e228 = ((_e210 * _e112) + (((_e192 - _e207) - _e94) * _e161));
-                let _e229 = ((_e211 * _e115) + (((_e196 - _e208) - _e97) * _e162));
-                let _e230 = ((_e212 * _e118) + (((_e200 - _e209) - _e100) * _e163));
-                let _e233 = trunc(((_e219 + _e228) * 4096f));
-                let _e234 = (_e233 * 0.00024414063f);
-                let _e236 = ((_e219 - _e234) + _e228);
-                let _e239 = trunc(((_e220 + _e229) * 4096f));
+                let _e195 = ((_e70 % _e127) * 3u);
+                let _e198 = global_6.member[_e195];
+                let _e202 = global_6.member[(_e195 + 1u)];
+                let _e206 = global_6.member[(_e195 + 2u)];
+                let _e213 = (trunc((_e198 * _e82)) * _e73);
+                let _e214 = (trunc((_e202 * _e85)) * _e76);
+                let _e215 = (trunc((_e206 * _e88)) * _e79);
+                let _e216 = (_e213 - _e91);
+                let _e217 = (_e214 - _e94);
+                let _e218 = (_e215 - _e97);
+                let _e225 = (_e216 * _e109);
+                let _e226 = (_e217 * _e112);
+                let _e227 = (_e218 * _e115);
+                let _e234 = ((_e216 * _e118) + (((_e198 - _e213) - _e100) * _e167));
+                let _e235 = ((_e217 * _e121) + (((_e202 - _e214) - _e103) * _e168));
+                let _e236 = ((_e218 * _e124) + (((_e206 - _e215) - _e106) * _e169));
+                let _e239 = trunc(((_e225 + _e234) * 4096f));
                 let _e240 = (_e239 * 0.00024414063f);
-                let _e242 = ((_e220 - _e240) + _e229);
-                let _e245 = trunc(((_e221 + _e230) * 4096f));
+                let _e242 = ((_e225 - _e240) + _e234);
+                let _e245 = trunc(((_e226 + _e235) * 4096f));
                 let _e246 = (_e245 * 0.00024414063f);
-                let _e248 = ((_e221 - _e246) + _e230);
-                let _e249 = (_e173 - _e234);
-                let _e250 = (((_e155 - _e173) + _e167) - _e236);
-                let _e251 = (_e179 - _e240);
-                let _e252 = (((_e156 - _e179) + _e168) - _e242);
-                let _e253 = (_e185 - _e246);
-                let _e254 = (((_e157 - _e185) + _e169) - _e248);
-                let _e257 = global_7.member.member_2;
-                let _e259 = (_e249 + _e250);
-                if (_e259 < 0f) {
-                    phi_443_ = -(_e259);
-                } else {
-                    phi_443_ = _e259;
-                }
-                let _e263 = phi_443_;
-                let _e264 = (_e263 < 0.000000000000000000000000000000000000011754944f);
-                if _e264 {
-                    phi_448_ = type_20(1f, 0f);
-                } else {
-                    phi_448_ = type_20(_e249, _e250);
-                }
-                let _e266 = phi_448_;
-                let _e267 = (_e233 * -0.00024414063f);
-                let _e268 = -(_e236);
-                let _e271 = (_e266.member + _e266.member_1);
-                let _e273 = ((_e267 + _e268) / _e271);
-                let _e275 = select(0f, _e273, (_e273 > 0f));
-                let _e277 = select(1f, _e275, (_e275 < 1f));
-                let _e280 = (trunc((_e277 * 1024f)) * 0.0009765625f);
-                let _e290 = select(0f, (((_e267 - (_e280 * _e266.member)) + (_e268 - (_e280 * _e266.member_1))) / _e271), select(false, (_e277 < 1f), (0f < _e277)));
-                let _e291 = (1f - _e234);
-                let _e293 = ((_e291 + _e268) / _e271);
-                let _e295 = select(0f, _e293, (_e293 > 0f));
-                let _e297 = select(1f, _e295, (_e295 < 1f));
-                let _e300 = (trunc((_e297 * 1024f)) * 0.0009765625f);
-                let _e310 = select(0f, (((_e291 - (_e300 * _e266.member)) + (_e268 - (_e300 * _e266.member_1))) / _e271), select(false, (_e297 < 1f), (0f < _e297)));
-                let _e311 = (_e234 + _e236);
-                if (_e311 >= 0f) {
-                    let _e313 = (_e311 <= 1f);
-                    if _e313 {
-                        phi_477_ = type_20(0f, 0f);
+                let _e248 = ((_e226 - _e246) + _e235);
+                let _e251 = trunc(((_e227 + _e236) * 4096f));
+                let _e252 = (_e251 * 0.00024414063f);
+                let _e254 = ((_e227 - _e252) + _e236);
+                let _e255 = (_e63 * 4u);
+                let _e258 = global_7.member.member_3;
+                if (_e258 == 0u) {
+                    let _e260 = (_e179 - _e240);
+                    let _e261 = (_e181 - _e242);
+                    let _e262 = (_e185 - _e246);
+                    let _e263 = (_e187 - _e248);
+                    let _e264 = (_e191 - _e252);
+                    let _e265 = (_e193 - _e254);
+                    let _e268 = global_7.member.member_2;
+                    let _e270 = (_e260 + _e261);
+                    if (_e270 < 0f) {
+                        phi_515_ = -(_e270);
                     } else {
-                        phi_477_ = type_20();
+                        phi_515_ = _e270;
                     }
-                    let _e315 = phi_477_;
-                    phi_479_ = _e315;
-                    phi_480_ = select(true, false, _e313);
-                } else {
-                    phi_479_ = type_20();
-                    phi_480_ = true;
-                }
-                let _e318 = phi_479_;
-                let _e320 = phi_480_;
-                if _e320 {
-                    phi_484_ = type_20(1f, 0f);
-                    phi_485_ = type_20(0f, 0f);
-                } else {
-                    phi_484_ = _e318;
-                    phi_485_ = type_20(1f, 0f);
-                }
-                let _e322 = phi_484_;
-                let _e324 = phi_485_;
-                if _e264 {
-                    phi_505_ = type_24(_e322, _e324);
-                } else {
-                    let _e326 = (_e280 + _e290);
-                    let _e327 = (_e300 + _e310);
-                    if (_e326 < _e327) {
-                        phi_496_ = type_20(_e280, _e290);
+                    let _e274 = phi_515_;
+                    let _e275 = (_e274 < 0.000000000000000000000000000000000000011754944f);
+                    if _e275 {
+                        phi_520_ = type_20(1f, 0f);
                     } else {
-                        phi_496_ = type_20(_e300, _e310);
+                        phi_520_ = type_20(_e260, _e261);
                     }
-                    let _e332 = phi_496_;
-                    if (_e326 > _e327) {
-                        phi_503_ = type_20(_e280, _e290);
+                    let _e277 = phi_520_;
+                    let _e278 = (_e239 * -0.00024414063f);
+                    let _e279 = -(_e242);
+                    let _e282 = (_e277.member + _e277.member_1);
+                    let _e284 = ((_e278 + _e279) / _e282);
+                    let _e286 = select(0f, _e284, (_e284 > 0f));
+                    let _e288 = select(1f, _e286, (_e286 < 1f));
+                    let _e291 = (trunc((_e288 * 1024f)) * 0.0009765625f);
+                    let _e301 = select(0f, (((_e278 - (_e291 * _e277.member)) + (_e279 - (_e291 * _e277.member_1))) / _e282), select(false, (_e288 < 1f), (0f < _e288)));
+                    let _e302 = (1f - _e240);
+                    let _e304 = ((_e302 + _e279) / _e282);
+                    let _e306 = select(0f, _e304, (_e304 > 0f));
+                    let _e308 = select(1f, _e306, (_e306 < 1f));
+                    let _e311 = (trunc((_e308 * 1024f)) * 0.0009765625f);
+                    let _e321 = select(0f, (((_e302 - (_e311 * _e277.member)) + (_e279 - (_e311 * _e277.member_1))) / _e282), select(false, (_e308 < 1f), (0f < _e308)));
+                    let _e322 = (_e240 + _e242);
+                    if (_e322 >= 0f) {
+                        let _e324 = (_e322 <= 1f);
+                        if _e324 {
+                            phi_549_ = type_20(0f, 0f);
+                        } else {
+                            phi_549_ = type_20();
+                        }
+                        let _e326 = phi_549_;
+                        phi_551_ = _e326;
+                        phi_552_ = select(true, false, _e324);
                     } else {
-                        phi_503_ = type_20(_e300, _e310);
+                        phi_551_ = type_20();
+                        phi_552_ = true;
                     }
-                    let _e337 = phi_503_;
-                    phi_505_ = type_24(_e332, _e337);
-                }
-                let _e340 = phi_505_;
-                let _e350 = (_e251 + _e252);
-                if (_e350 < 0f) {
-                    phi_515_ = -(_e350);
-                } else {
-                    phi_515_ = _e350;
-                }
-                let _e354 = phi_515_;
-                let _e355 = (_e354 < 0.000000000000000000000000000000000000011754944f);
-                if _e355 {
-                    phi_520_ = type_20(1f, 0f);
-                } else {
-                    phi_520_ = type_20(_e251, _e252);
-                }
-                let _e357 = phi_520_;
-                let _e358 = (_e239 * -0.00024414063f);
-                let _e359 = -(_e242);
-                let _e362 = (_e357.member + _e357.member_1);
-                let _e364 = ((_e358 + _e359) / _e362);
-                let _e366 = select(0f, _e364, (_e364 > 0f));
-                let _e368 = select(1f, _e366, (_e366 < 1f));
-                let _e371 = (trunc((_e368 * 1024f)) * 0.0009765625f);
-                let _e381 = select(0f, (((_e358 - (_e371 * _e357.member)) + (_e359 - (_e371 * _e357.member_1))) / _e362), select(false, (_e368 < 1f), (0f < _e368)));
-                let _e382 = (1f - _e240);
-                let _e384 = ((_e382 + _e359) / _e362);
-                let _e386 = select(0f, _e384, (_e384 > 0f));
-                let _e388 = select(1f, _e386, (_e386 < 1f));
-                let _e391 = (trunc((_e388 * 1024f)) * 0.0009765625f);
-                let _e401 = select(0f, (((_e382 - (_e391 * _e357.member)) + (_e359 - (_e391 * _e357.member_1))) / _e362), select(false, (_e388 < 1f), (0f < _e388)));
-                let _e402 = (_e240 + _e242);
-                if (_e402 >= 0f) {
-                    let _e404 = (_e402 <= 1f);
-                    if _e404 {
-                        phi_549_ = type_20(0f, 0f);
+                    let _e329 = phi_551_;
+                    let _e331 = phi_552_;
+                    if _e331 {
+                        phi_556_ = type_20(1f, 0f);
+                        phi_557_ = type_20(0f, 0f);
                     } else {
-                        phi_549_ = type_20();
+                        phi_556_ = _e329;
+                        phi_557_ = type_20(1f, 0f);
                     }
-                    let _e406 = phi_549_;
-                    phi_551_ = _e406;
-                    phi_552_ = select(true, false, _e404);
-                } else {
-                    phi_551_ = type_20();
-                    phi_552_ = true;
-                }
-                let _e409 = phi_551_;
-                let _e411 = phi_552_;
-                if _e411 {
-                    phi_556_ = type_20(1f, 0f);
-                    phi_557_ = type_20(0f, 0f);
-                } else {
-                    phi_556_ = _e409;
-                    phi_557_ = type_20(1f, 0f);
-                }
-                let _e413 = phi_556_;
-                let _e415 = phi_557_;
-                if _e355 {
-                    phi_577_ = type_24(_e413, _e415);
-                } else {
-                    let _e417 = (_e371 + _e381);
-                    let _e418 = (_e391 + _e401);
-                    if (_e417 < _e418) {
-                        phi_568_ = type_20(_e371, _e381);
+                    let _e333 = phi_556_;
+                    let _e335 = phi_557_;
+                    if _e275 {
+                        phi_577_ = type_24(_e333, _e335);
                     } else {
-                        phi_568_ = type_20(_e391, _e401);
+                        let _e337 = (_e291 + _e301);
+                        let _e338 = (_e311 + _e321);
+                        if (_e337 < _e338) {
+                            phi_568_ = type_20(_e291, _e301);
+                        } else {
+                            phi_568_ = type_20(_e311, _e321);
+                        }
+                        let _e343 = phi_568_;
+                        if (_e337 > _e338) {
+                            phi_575_ = type_20(_e291, _e301);
+                        } else {
+                            phi_575_ = type_20(_e311, _e321);
+                        }
+                        let _e348 = phi_575_;
+                        phi_577_ = type_24(_e343, _e348);
                     }
-                    let _e423 = phi_568_;
-                    if (_e417 > _e418) {
-                        phi_575_ = type_20(_e371, _e381);
+                    let _e351 = phi_577_;
+                    let _e361 = (_e262 + _e263);
+                    if (_e361 < 0f) {
+                        phi_587_ = -(_e361);
                     } else {
-                        phi_575_ = type_20(_e391, _e401);
+                        phi_587_ = _e361;
                     }
-                    let _e428 = phi_575_;
-                    phi_577_ = type_24(_e423, _e428);
-                }
-                let _e431 = phi_577_;
-                let _e441 = (_e253 + _e254);
-                if (_e441 < 0f) {
-                    phi_587_ = -(_e441);
-                } else {
-                    phi_587_ = _e441;
-                }
-                let _e445 = phi_587_;
-                let _e446 = (_e445 < 0.000000000000000000000000000000000000011754944f);
-                if _e446 {
-                    phi_592_ = type_20(1f, 0f);
-                } else {
-                    phi_592_ = type_20(_e253, _e254);
-                }
-                let _e448 = phi_592_;
-                let _e449 = (_e245 * -0.00024414063f);
-                let _e450 = -(_e248);
-                let _e453 = (_e448.member + _e448.member_1);
-                let _e455 = ((_e449 + _e450) / _e453);
-                let _e457 = select(0f, _e455, (_e455 > 0f));
-                let _e459 = select(1f, _e457, (_e457 < 1f));
-                let _e462 = (trunc((_e459 * 1024f)) * 0.0009765625f);
-                let _e472 = select(0f, (((_e449 - (_e462 * _e448.member)) + (_e450 - (_e462 * _e448.member_1))) / _e453), select(false, (_e459 < 1f), (0f < _e459)));
-                let _e473 = (1f - _e246);
-                let _e475 = ((_e473 + _e450) / _e453);
-                let _e477 = select(0f, _e475, (_e475 > 0f));
-                let _e479 = select(1f, _e477, (_e477 < 1f));
-                let _e482 = (trunc((_e479 * 1024f)) * 0.0009765625f);
-                let _e492 = select(0f, (((_e473 - (_e482 * _e448.member)) + (_e450 - (_e482 * _e448.member_1))) / _e453), select(false, (_e479 < 1f), (0f < _e479)));
-                let _e493 = (_e246 + _e248);
-                if (_e493 >= 0f) {
-                    let _e495 = (_e493 <= 1f);
-                    if _e495 {
-                        phi_621_ = type_20(0f, 0f);
+                    let _e365 = phi_587_;
+                    let _e366 = (_e365 < 0.000000000000000000000000000000000000011754944f);
+                    if _e366 {
+                        phi_592_ = type_20(1f, 0f);
                     } else {
-                        phi_621_ = type_20();
+                        phi_592_ = type_20(_e262, _e263);
                     }
-                    let _e497 = phi_621_;
-                    phi_623_ = _e497;
-                    phi_624_ = select(true, false, _e495);
-                } else {
-                    phi_623_ = type_20();
-                    phi_624_ = true;
-                }
-                let _e500 = phi_623_;
-                let _e502 = phi_624_;
-                if _e502 {
-                    phi_628_ = type_20(1f, 0f);
-                    phi_629_ = type_20(0f, 0f);
-                } else {
-                    phi_628_ = _e500;
-                    phi_629_ = type_20(1f, 0f);
-                }
-                let _e504 = phi_628_;
-                let _e506 = phi_629_;
-                if _e446 {
-                    phi_649_ = type_24(_e504, _e506);
-                } else {
-                    let _e508 = (_e462 + _e472);
-                    let _e509 = (_e482 + _e492);
-                    if (_e508 < _e509) {
-                        phi_640_ = type_20(_e462, _e472);
+                    let _e368 = phi_592_;
+                    let _e369 = (_e245 * -0.00024414063f);
+                    let _e370 = -(_e248);
+                    let _e373 = (_e368.member + _e368.member_1);
+                    let _e375 = ((_e369 + _e370) / _e373);
+                    let _e377 = select(0f, _e375, (_e375 > 0f));
+                    let _e379 = select(1f, _e377, (_e377 < 1f));
+                    let _e382 = (trunc((_e379 * 1024f)) * 0.0009765625f);
+                    let _e392 = select(0f, (((_e369 - (_e382 * _e368.member)) + (_e370 - (_e382 * _e368.member_1))) / _e373), select(false, (_e379 < 1f), (0f < _e379)));
+                    let _e393 = (1f - _e246);
+                    let _e395 = ((_e393 + _e370) / _e373);
+                    let _e397 = select(0f, _e395, (_e395 > 0f));
+                    let _e399 = select(1f, _e397, (_e397 < 1f));
+                    let _e402 = (trunc((_e399 * 1024f)) * 0.0009765625f);
+                    let _e412 = select(0f, (((_e393 - (_e402 * _e368.member)) + (_e370 - (_e402 * _e368.member_1))) / _e373), select(false, (_e399 < 1f), (0f < _e399)));
+                    let _e413 = (_e246 + _e248);
+                    if (_e413 >= 0f) {
+                        let _e415 = (_e413 <= 1f);
+                        if _e415 {
+                            phi_621_ = type_20(0f, 0f);
+                        } else {
+                            phi_621_ = type_20();
+                        }
+                        let _e417 = phi_621_;
+                        phi_623_ = _e417;
+                        phi_624_ = select(true, false, _e415);
                     } else {
-                        phi_640_ = type_20(_e482, _e492);
+                        phi_623_ = type_20();
+                        phi_624_ = true;
                     }
-                    let _e514 = phi_640_;
-                    if (_e508 > _e509) {
-                        phi_647_ = type_20(_e462, _e472);
+                    let _e420 = phi_623_;
+                    let _e422 = phi_624_;
+                    if _e422 {
+                        phi_628_ = type_20(1f, 0f);
+                        phi_629_ = type_20(0f, 0f);
                     } else {
-                        phi_647_ = type_20(_e482, _e492);
+                        phi_628_ = _e420;
+                        phi_629_ = type_20(1f, 0f);
                     }
-                    let _e519 = phi_647_;
-                    phi_649_ = type_24(_e514, _e519);
-                }
-                let _e522 = phi_649_;
-                if ((_e340.member.member + _e340.member.member_1) > (_e431.member.member + _e431.member.member_1)) {
-                    phi_660_ = _e340.member;
+                    let _e424 = phi_628_;
+                    let _e426 = phi_629_;
+                    if _e366 {
+                        phi_649_ = type_24(_e424, _e426);
+                    } else {
+                        let _e428 = (_e382 + _e392);
+                        let _e429 = (_e402 + _e412);
+                        if (_e428 < _e429) {
+                            phi_640_ = type_20(_e382, _e392);
+                        } else {
+                            phi_640_ = type_20(_e402, _e412);
+                        }
+                        let _e434 = phi_640_;
+                        if (_e428 > _e429) {
+                            phi_647_ = type_20(_e382, _e392);
+                        } else {
+                            phi_647_ = type_20(_e402, _e412);
+                        }
+                        let _e439 = phi_647_;
+                        phi_649_ = type_24(_e434, _e439);
+                    }
+                    let _e442 = phi_649_;
+                    let _e452 = (_e264 + _e265);
+                    if (_e452 < 0f) {
+                        phi_659_ = -(_e452);
+                    } else {
+                        phi_659_ = _e452;
+                    }
+                    let _e456 = phi_659_;
+                    let _e457 = (_e456 < 0.000000000000000000000000000000000000011754944f);
+                    if _e457 {
+                        phi_664_ = type_20(1f, 0f);
+                    } else {
+                        phi_664_ = type_20(_e264, _e265);
+                    }
+                    let _e459 = phi_664_;
+                    let _e460 = (_e251 * -0.00024414063f);
+                    let _e461 = -(_e254);
+                    let _e464 = (_e459.member + _e459.member_1);
+                    let _e466 = ((_e460 + _e461) / _e464);
+                    let _e468 = select(0f, _e466, (_e466 > 0f));
+                    let _e470 = select(1f, _e468, (_e468 < 1f));
+                    let _e473 = (trunc((_e470 * 1024f)) * 0.0009765625f);
+                    let _e483 = select(0f, (((_e460 - (_e473 * _e459.member)) + (_e461 - (_e473 * _e459.member_1))) / _e464), select(false, (_e470 < 1f), (0f < _e470)));
+                    let _e484 = (1f - _e252);
+                    let _e486 = ((_e484 + _e461) / _e464);
+                    let _e488 = select(0f, _e486, (_e486 > 0f));
+                    let _e490 = select(1f, _e488, (_e488 < 1f));
+                    let _e493 = (trunc((_e490 * 1024f)) * 0.0009765625f);
+                    let _e503 = select(0f, (((_e484 - (_e493 * _e459.member)) + (_e461 - (_e493 * _e459.member_1))) / _e464), select(false, (_e490 < 1f), (0f < _e490)));
+                    let _e504 = (_e252 + _e254);
+                    if (_e504 >= 0f) {
+                        let _e506 = (_e504 <= 1f);
+                        if _e506 {
+                            phi_693_ = type_20(0f, 0f);
+                        } else {
+                            phi_693_ = type_20();
+                        }
+                        let _e508 = phi_693_;
+                        phi_695_ = _e508;
+                        phi_696_ = select(true, false, _e506);
+                    } else {
+                        phi_695_ = type_20();
+                        phi_696_ = true;
+                    }
+                    let _e511 = phi_695_;
+                    let _e513 = phi_696_;
+                    if _e513 {
+                        phi_700_ = type_20(1f, 0f);
+                        phi_701_ = type_20(0f, 0f);
+                    } else {
+                        phi_700_ = _e511;
+                        phi_701_ = type_20(1f, 0f);
+                    }
+                    let _e515 = phi_700_;
+                    let _e517 = phi_701_;
+                    if _e457 {
+                        phi_721_ = type_24(_e515, _e517);
+                    } else {
+                        let _e519 = (_e473 + _e483);
+                        let _e520 = (_e493 + _e503);
+                        if (_e519 < _e520) {
+                            phi_712_ = type_20(_e473, _e483);
+                        } else {
+                            phi_712_ = type_20(_e493, _e503);
+                        }
+                        let _e525 = phi_712_;
+                        if (_e519 > _e520) {
+                            phi_719_ = type_20(_e473, _e483);
+                        } else {
+                            phi_719_ = type_20(_e493, _e503);
+                        }
+                        let _e530 = phi_719_;
+                        phi_721_ = type_24(_e525, _e530);
+                    }
+                    let _e533 = phi_721_;
+                    if ((_e351.member.member + _e351.member.member_1) > (_e442.member.member + _e442.member.member_1)) {
+                        phi_732_ = _e351.member;
+                    } else {
+                        phi_732_ = _e442.member;
+                    }
+                    let _e548 = phi_732_;
+                    if ((_e548.member + _e548.member_1) > (_e533.member.member + _e533.member.member_1)) {
+                        phi_740_ = _e548;
+                    } else {
+                        phi_740_ = _e533.member;
+                    }
+                    let _e556 = phi_740_;
+                    if ((_e351.member_1.member + _e351.member_1.member_1) < (_e442.member_1.member + _e442.member_1.member_1)) {
+                        phi_749_ = _e351.member_1;
+                    } else {
+                        phi_749_ = _e442.member_1;
+                    }
+                    let _e565 = phi_749_;
+                    if ((_e565.member + _e565.member_1) < (_e533.member_1.member + _e533.member_1.member_1)) {
+                        phi_757_ = _e565;
+                    } else {
+                        phi_757_ = _e533.member_1;
+                    }
+                    let _e573 = phi_757_;
+                    let _e576 = (_e573.member - _e556.member);
+                    let _e577 = (_e573.member_1 - _e556.member_1);
+                    if ((_e576 + _e577) > 0f) {
+                        phi_765_ = type_20(_e576, _e577);
+                    } else {
+                        phi_765_ = type_20(0f, 0f);
+                    }
+                    let _e582 = phi_765_;
+                    let _e587 = ((_e582.member * _e261) + (_e582.member_1 * _e270));
+                    let _e588 = (_e582.member * _e260);
+                    let _e592 = (trunc(((_e588 + _e587) * 4096f)) * 0.00024414063f);
+                    let _e594 = ((_e588 - _e592) + _e587);
+                    let _e597 = ((_e582.member * _e263) + (_e582.member_1 * _e361));
+                    let _e598 = (_e582.member * _e262);
+                    let _e602 = (trunc(((_e598 + _e597) * 4096f)) * 0.00024414063f);
+                    let _e604 = ((_e598 - _e602) + _e597);
+                    let _e607 = ((_e582.member * _e265) + (_e582.member_1 * _e452));
+                    let _e608 = (_e582.member * _e264);
+                    let _e612 = (trunc(((_e608 + _e607) * 4096f)) * 0.00024414063f);
+                    let _e614 = ((_e608 - _e612) + _e607);
+                    let _e615 = (_e592 + _e594);
+                    let _e616 = (_e602 + _e604);
+                    let _e617 = (_e612 + _e614);
+                    let _e623 = sqrt((((_e615 * _e615) + (_e616 * _e616)) + (_e617 * _e617)));
+                    let _e624 = (_e623 > 0f);
+                    let _e626 = ceil((_e623 / _e268));
+                    let _e628 = select(1f, _e626, (_e626 > 1f));
+                    let _e630 = select(16384f, _e628, (_e628 < 16384f));
+                    let _e634 = (_e242 + ((_e556.member * _e261) + (_e556.member_1 * _e270)));
+                    let _e636 = (_e240 + (_e556.member * _e260));
+                    let _e640 = (trunc(((_e636 + _e634) * 4096f)) * 0.00024414063f);
+                    let _e646 = (_e248 + ((_e556.member * _e263) + (_e556.member_1 * _e361)));
+                    let _e648 = (_e246 + (_e556.member * _e262));
+                    let _e652 = (trunc(((_e648 + _e646) * 4096f)) * 0.00024414063f);
+                    let _e658 = (_e254 + ((_e556.member * _e265) + (_e556.member_1 * _e452)));
+                    let _e660 = (_e252 + (_e556.member * _e264));
+                    let _e664 = (trunc(((_e660 + _e658) * 4096f)) * 0.00024414063f);
+                    if _e624 {
+                        phi_789_ = select(select(u32(_e630), 0u, (_e630 < 0f)), 4294967295u, (_e630 > 4294967000f));
+                    } else {
+                        phi_789_ = 0u;
+                    }
+                    let _e673 = phi_789_;
+                    if _e624 {
+                        phi_793_ = ((_e623 / _e630) / _e268);
+                    } else {
+                        phi_793_ = 0f;
+                    }
+                    let _e677 = phi_793_;
+                    global_8.member[_e255] = vec4<f32>(_e640, _e652, _e664, _e677);
+                    global_8.member[(_e255 + 1u)] = vec4<f32>(_e592, _e602, _e612, 0f);
+                    global_8.member[(_e255 + 2u)] = vec4<f32>(((_e636 - _e640) + _e634), ((_e648 - _e652) + _e646), ((_e660 - _e664) + _e658), 0f);
+                    global_8.member[(_e255 + 3u)] = vec4<f32>(_e594, _e604, _e614, 0f);
+                    global_9.member[_e63] = _e673;
                 } else {
-                    phi_660_ = _e431.member;
+                    let _e696 = ((_e240 - 0.5f) + _e242);
+                    let _e698 = ((_e246 - 0.5f) + _e248);
+                    let _e700 = ((_e252 - 0.5f) + _e254);
+                    let _e702 = ((_e179 - 0.5f) + _e181);
+                    let _e704 = ((_e185 - 0.5f) + _e187);
+                    let _e706 = ((_e191 - 0.5f) + _e193);
+                    let _e709 = global_7.member.member_2;
+                    let _e711 = select(-1000000000000000f, _e696, (_e696 > -1000000000000000f));
+                    let _e715 = select(-1000000000000000f, _e698, (_e698 > -1000000000000000f));
+                    let _e719 = select(-1000000000000000f, _e700, (_e700 > -1000000000000000f));
+                    let _e723 = select(-1000000000000000f, _e702, (_e702 > -1000000000000000f));
+                    let _e725 = select(1000000000000000f, _e723, (_e723 < 1000000000000000f));
+                    let _e727 = select(-1000000000000000f, _e704, (_e704 > -1000000000000000f));
+                    let _e729 = select(1000000000000000f, _e727, (_e727 < 1000000000000000f));
+                    let _e731 = select(-1000000000000000f, _e706, (_e706 > -1000000000000000f));
+                    let _e733 = select(1000000000000000f, _e731, (_e731 < 1000000000000000f));
+                    let _e734 = (_e725 - select(1000000000000000f, _e711, (_e711 < 1000000000000000f)));
+                    let _e735 = (_e729 - select(1000000000000000f, _e715, (_e715 < 1000000000000000f)));
+                    let _e736 = (_e733 - select(1000000000000000f, _e719, (_e719 < 1000000000000000f)));
+                    let _e742 = sqrt((((_e734 * _e734) + (_e735 * _e735)) + (_e736 * _e736)));
+                    let _e745 = (1f / select(0.000000000000000000000000000000000000011754944f, _e742, (_e742 > 0.000000000000000000000000000000000000011754944f)));
+                    let _e746 = (_e734 * _e745);
+                    let _e747 = (_e735 * _e745);
+                    let _e748 = (_e736 * _e745);
+                    let _e753 = (((_e725 * _e746) + (_e729 * _e747)) + (_e733 * _e748));
+                    let _e757 = (_e725 - (_e746 * _e753));
+                    let _e758 = (_e729 - (_e747 * _e753));
+                    let _e759 = (_e733 - (_e748 * _e753));
+                    let _e765 = sqrt((((_e757 * _e757) + (_e758 * _e758)) + (_e759 * _e759)));
+                    let _e767 = select(0.4330127f, _e765, (_e765 > 0.4330127f));
+                    let _e768 = (_e753 - _e742);
+                    let _e769 = (_e768 < 0f);
+                    if _e769 {
+                        phi_842_ = -(_e768);
+                    } else {
+                        phi_842_ = _e768;
+                    }
+                    let _e772 = phi_842_;
+                    let _e777 = (_e767 * (2f - (_e767 / select(_e767, _e772, (_e772 > _e767)))));
+                    if _e769 {
+                        phi_848_ = -(_e768);
+                    } else {
+                        phi_848_ = _e768;
+                    }
+                    let _e780 = phi_848_;
+                    if (_e780 <= _e767) {
+                        phi_857_ = _e768;
+                    } else {
+                        if _e769 {
+                            phi_856_ = -(_e777);
+                        } else {
+                            phi_856_ = _e777;
+                        }
+                        let _e784 = phi_856_;
+                        phi_857_ = _e784;
+                    }
+                    let _e786 = phi_857_;
+                    let _e787 = (_e753 < 0f);
+                    if _e787 {
+                        phi_862_ = -(_e753);
+                    } else {
+                        phi_862_ = _e753;
+                    }
+                    let _e790 = phi_862_;
+                    let _e795 = (_e767 * (2f - (_e767 / select(_e767, _e790, (_e790 > _e767)))));
+                    if _e787 {
+                        phi_868_ = -(_e753);
+                    } else {
+                        phi_868_ = _e753;
+                    }
+                    let _e798 = phi_868_;
+                    if (_e798 <= _e767) {
+                        phi_877_ = _e753;
+                    } else {
+                        if _e787 {
+                            phi_876_ = -(_e795);
+                        } else {
+                            phi_876_ = _e795;
+                        }
+                        let _e802 = phi_876_;
+                        phi_877_ = _e802;
+                    }
+                    let _e804 = phi_877_;
+                    let _e805 = (_e804 - _e786);
+                    let _e807 = ((0.4330127f / _e767) * _e805);
+                    let _e808 = (_e807 > 0f);
+                    let _e810 = ceil((_e807 / _e709));
+                    let _e812 = select(1f, _e810, (_e810 > 1f));
+                    let _e814 = select(16384f, _e812, (_e812 < 16384f));
+                    if _e808 {
+                        phi_892_ = select(select(u32(_e814), 0u, (_e814 < 0f)), 4294967295u, (_e814 > 4294967000f));
+                    } else {
+                        phi_892_ = 0u;
+                    }
+                    let _e821 = phi_892_;
+                    if _e808 {
+                        phi_896_ = ((_e807 / _e814) / _e709);
+                    } else {
+                        phi_896_ = 0f;
+                    }
+                    let _e825 = phi_896_;
+                    global_8.member[_e255] = vec4<f32>(_e757, _e758, _e759, _e825);
+                    global_8.member[(_e255 + 1u)] = vec4<f32>(_e746, _e747, _e748, _e767);
+                    global_8.member[(_e255 + 2u)] = vec4<f32>(_e786, _e805, 0f, 0f);
+                    global_8.member[(_e255 + 3u)] = vec4<f32>(0f, 0f, 0f, 0f);
+                    global_9.member[_e63] = _e821;
                 }
-                let _e537 = phi_660_;
-                if ((_e537.member + _e537.member_1) > (_e522.member.member + _e522.member.member_1)) {
-                    phi_668_ = _e537;
-                } else {
-                    phi_668_ = _e522.member;
-                }
-                let _e545 = phi_668_;
-                if ((_e340.member_1.member + _e340.member_1.member_1) < (_e431.member_1.member + _e431.member_1.member_1)) {
-                    phi_677_ = _e340.member_1;
-                } else {
-                    phi_677_ = _e431.member_1;
-                }
-                let _e554 = phi_677_;
-                if ((_e554.member + _e554.member_1) < (_e522.member_1.member + _e522.member_1.member_1)) {
-                    phi_685_ = _e554;
-                } else {
-                    phi_685_ = _e522.member_1;
-                }
-                let _e562 = phi_685_;
-                let _e565 = (_e562.member - _e545.member);
-                let _e566 = (_e562.member_1 - _e545.member_1);
-                if ((_e565 + _e566) > 0f) {
-                    phi_693_ = type_20(_e565, _e566);
-                } else {
-                    phi_693_ = type_20(0f, 0f);
-                }
-                let _e571 = phi_693_;
-                let _e576 = ((_e571.member * _e250) + (_e571.member_1 * _e259));
-                let _e577 = (_e571.member * _e249);
-                let _e581 = (trunc(((_e577 + _e576) * 4096f)) * 0.00024414063f);
-                let _e583 = ((_e577 - _e581) + _e576);
-                let _e586 = ((_e571.member * _e252) + (_e571.member_1 * _e350));
-                let _e587 = (_e571.member * _e251);
-                let _e591 = (trunc(((_e587 + _e586) * 4096f)) * 0.00024414063f);
-                let _e593 = ((_e587 - _e591) + _e586);
-                let _e596 = ((_e571.member * _e254) + (_e571.member_1 * _e441));
-                let _e597 = (_e571.member * _e253);
-                let _e601 = (trunc(((_e597 + _e596) * 4096f)) * 0.00024414063f);
-                let _e603 = ((_e597 - _e601) + _e596);
-                let _e604 = (_e581 + _e583);
-                let _e605 = (_e591 + _e593);
-                let _e606 = (_e601 + _e603);
-                let _e612 = sqrt((((_e604 * _e604) + (_e605 * _e605)) + (_e606 * _e606)));
-                let _e613 = (_e612 > 0f);
-                let _e615 = ceil((_e612 / _e257));
-                let _e617 = select(1f, _e615, (_e615 > 1f));
-                let _e619 = select(16384f, _e617, (_e617 < 16384f));
-                let _e623 = (_e236 + ((_e545.member * _e250) + (_e545.member_1 * _e259)));
-                let _e625 = (_e234 + (_e545.member * _e249));
-                let _e629 = (trunc(((_e625 + _e623) * 4096f)) * 0.00024414063f);
-                let _e635 = (_e242 + ((_e545.member * _e252) + (_e545.member_1 * _e350)));
-                let _e637 = (_e240 + (_e545.member * _e251));
-                let _e641 = (trunc(((_e637 + _e635) * 4096f)) * 0.00024414063f);
-                let _e647 = (_e248 + ((_e545.member * _e254) + (_e545.member_1 * _e441)));
-                let _e649 = (_e246 + (_e545.member * _e253));
-                let _e653 = (trunc(((_e649 + _e647) * 4096f)) * 0.00024414063f);
-                if _e613 {
-                    phi_717_ = select(select(u32(_e619), 0u, (_e619 < 0f)), 4294967295u, (_e619 > 4294967000f));
-                } else {
-                    phi_717_ = 0u;
-                }
-                let _e662 = phi_717_;
-                if _e613 {
-                    phi_721_ = ((_e612 / _e619) / _e257);
-                } else {
-                    phi_721_ = 0f;
-                }
-                let _e666 = phi_721_;
-                let _e667 = (_e57 * 4u);
-                global_8.member[_e667] = vec4<f32>(_e629, _e641, _e653, _e666);
-                global_8.member[(_e667 + 1u)] = vec4<f32>(_e581, _e591, _e601, 0f);
-                global_8.member[(_e667 + 2u)] = vec4<f32>(((_e625 - _e629) + _e623), ((_e637 - _e641) + _e635), ((_e649 - _e653) + _e647), 0f);
-                global_8.member[(_e667 + 3u)] = vec4<f32>(_e583, _e593, _e603, 0f);
-                global_9.member[_e57] = _e662;
             }
             break;
         }

@@ -23,7 +23,9 @@ use std::f64::consts::TAU;
 use glam::Vec3;
 
 use crate::camera::Camera;
-use crate::scene::{Gaussians, GridConfig, Interpolation, MlpConfig, Scene, SceneConfig};
+use crate::scene::{
+    Contraction, Gaussians, GridConfig, Interpolation, MlpConfig, Scene, SceneConfig,
+};
 use lattice::Splats;
 use light::Surroundings;
 
@@ -106,6 +108,7 @@ fn config() -> SceneConfig {
         blur: 0.3,
         background: BACKGROUND,
         aabb: [[-half; 3], [half; 3]],
+        contraction: Contraction::None,
     }
 }
 

@@ -11,7 +11,7 @@ use crate::hash_grid::POINT;
 use crate::hash_grid::write_point;
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_VECTOR};
 use crate::spherical_harmonics::{ITERATIONS as SH_ITERATIONS, spherical_harmonics};
-use crate::unit_cube::SceneBox;
+use crate::unit_cube::{SceneBox, contract, from_center};
 use organza_kernel::math::{normalize, sigmoid};
 use organza_kernel::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
@@ -35,6 +35,8 @@ pub struct ColorInputsParams {
     pub material: u32,
     /// Row of the material in `input`.
     pub material_row: u32,
+    /// 1 where what lies outside the scene's box is contracted.
+    pub contracted: u32,
 }
 
 /// What [`color_inputs`] computes and moves.
@@ -68,7 +70,10 @@ pub fn color_inputs(
         let center = read3(position, gaussian * 3);
         let stride = params.stride;
 
-        write_point(point, stride, index, SceneBox::read(scene_box).split(center));
+        let place = SceneBox::read(scene_box).split(center);
+        let q = from_center(place);
+        let place = if params.contracted != 0 { contract([q.x, q.y, q.z]) } else { place };
+        write_point(point, stride, index, place);
 
         // v points from the camera to the Gaussian
         spherical_harmonics(normalize(center - eye), params.sh_degree, input, index, stride);

@@ -1,11 +1,11 @@
-//! B1. The ray of a (Gaussian, camera) pair, clipped to the unit cube (Eq. 4-8).
+//! B1. The ray of a (Gaussian, camera) pair, clipped to the unit cube (Eq. 4-8), or contracted.
 
 use glam::{Vec3, Vec4};
 
 use crate::camera::{Camera, read3};
 use crate::limits::MAX_SAMPLES;
-use crate::unit_cube::{SceneBox, Split};
-use organza_kernel::math::{TINY, abs, ceil, clamp, length};
+use crate::unit_cube::{SceneBox, Split, contract, from_center};
+use organza_kernel::math::{self, TINY, abs, ceil, clamp, dot, length};
 use organza_kernel::prelude::*;
 
 /// The part of a ray in the unit cube.
@@ -32,7 +32,114 @@ pub struct Segment {
     pub factor: f32,
 }
 
-/// Vectors that a segment takes in a buffer: `(s, s_factor), (w, 0)`, the coarse parts, then the fine ones of both.
+/// A whole ray in steps whose lengths grow with the distance from the box, as the contraction's cells do.
+///
+/// A place on it is u, its distance from the ray's point that is nearest to the cube's center. Steps are even in r: `r = u`
+/// up to the radius, and `2 radius - radius^2 / u` beyond.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContractedRay {
+    /// The point nearest to the cube's center, from there.
+    pub foot: Vec3,
+    /// From the Gaussian to the camera, a unit vector.
+    pub direction: Vec3,
+    /// The foot's distance from the center, or the radius of the ball around the box if that is larger.
+    pub radius: f32,
+    /// r of the Gaussian.
+    pub begin: f32,
+    /// r of the camera, less that of the Gaussian.
+    pub way: f32,
+    /// K; 0 without a ray.
+    pub count: u32,
+    /// `L / K / sigma`; 0 without a ray.
+    pub factor: f32,
+}
+
+/// Radius of the ball around the box, which takes half of the cube's side: `sqrt(3) / 4`.
+const BALL: f32 = 0.433_012_7;
+
+/// How far a ray's end may be from the cube's center on each axis: its square is a number.
+const FARTHEST: f32 = 1e15;
+
+/// A ray's end, not too far for an f32.
+#[inline(always)]
+fn limited(x: Vec3) -> Vec3 {
+    let limited = |x| clamp(x, -FARTHEST, FARTHEST);
+    Vec3::new(limited(x.x), limited(x.y), limited(x.z))
+}
+
+/// r of a place u on a ray.
+#[inline(always)]
+fn squeeze(u: f32, radius: f32) -> f32 {
+    let beyond = radius * (2.0 - radius / math::max(abs(u), radius));
+    if abs(u) <= radius {
+        u
+    } else if u < 0.0 {
+        -beyond
+    } else {
+        beyond
+    }
+}
+
+/// The place u on a ray of an r.
+#[inline(always)]
+fn stretch<L: Lane>(r: L, radius: f32) -> L {
+    let (zero, number) = (L::splat(0.0), L::splat);
+    let size = L::select(r.less(zero), -r, r);
+    let beyond = number(radius) / (number(2.0) - size.max(number(radius)) / number(radius));
+    let signed = L::select(r.less(zero), -beyond, beyond);
+    L::select(size.at_most(number(radius)), r, signed)
+}
+
+/// The ray between a Gaussian and a camera, both from the cube's center, in steps of about `step` (sigma).
+///
+/// Its length L is that of r, which is the contracted ray's own where it is near the box; farther away the contraction is a
+/// division by the distance.
+#[inline(always)]
+pub fn contracted_ray(p: Vec3, eye: Vec3, step: f32) -> ContractedRay {
+    let (p, eye) = (limited(p), limited(eye));
+    let v = eye - p;
+    let whole = length(v);
+    let direction = v * (1.0 / math::max(whole, TINY));
+    let end = dot(eye, direction);
+    let foot = eye - direction * end;
+    let radius = math::max(length(foot), BALL);
+    let begin = squeeze(end - whole, radius);
+    let way = squeeze(end, radius) - begin;
+    let l = BALL / radius * way;
+    let hit = l > 0.0;
+    let count = clamp(ceil(l / step), 1.0, MAX_SAMPLES as f32);
+    ContractedRay {
+        foot,
+        direction,
+        radius,
+        begin,
+        way,
+        count: if hit { count as u32 } else { 0 },
+        factor: if hit { l / count / step } else { 0.0 },
+    }
+}
+
+/// The contracted ray of a pair, of what [`segment`] wrote.
+#[inline(always)]
+pub fn read_contracted(segment: Read<Vec4>, pair: u32) -> [Vec4; 3] {
+    let first = pair * SEGMENT_VECTORS;
+    [segment.read(first), segment.read(first + 1), segment.read(first + 2)]
+}
+
+/// The place t on a contracted ray, 0 at the Gaussian and 1 at the camera, in the unit cube.
+#[inline(always)]
+pub fn contracted_place<L: Lane>([foot, direction, places]: [Vec4; 3], t: L) -> [Split<L>; 3] {
+    let number = L::splat;
+    let u = stretch(number(places.x) + t * number(places.y), direction.w);
+    contract([
+        number(foot.x) + u * number(direction.x),
+        number(foot.y) + u * number(direction.y),
+        number(foot.z) + u * number(direction.z),
+    ])
+}
+
+/// Vectors that a segment takes in a buffer: `(s, s_factor), (w, 0)`, the coarse parts, then the fine ones of both. Of a
+/// contracted ray they are `(foot, s_factor), (direction, radius), (begin, way, 0, 0)` and zeros.
 pub const SEGMENT_VECTORS: u32 = 4;
 
 /// The earlier of two places on a ray.
@@ -138,6 +245,8 @@ pub struct SegmentParams {
     pub gaussians: u32,
     /// sigma
     pub step: f32,
+    /// 1 where what lies outside the scene's box is contracted.
+    pub contracted: u32,
 }
 
 /// The segment of every pair: `segment [pairs, 4]`, see [`SEGMENT_VECTORS`]; `count [pairs]` is K.
@@ -158,13 +267,22 @@ pub fn segment(
         let scene_box = SceneBox::read(scene_box);
         let eye = scene_box.split(Camera::read(camera, slot / params.gaussians).eye);
         let p = scene_box.split(read3(position, (slot % params.gaussians) * 3));
-        let v = [eye[0].minus(p[0]), eye[1].minus(p[1]), eye[2].minus(p[2])];
-        let clipped = clipped_segment(p, v, params.step);
         let first = index * SEGMENT_VECTORS;
-        segment.write(first, coarse(clipped.start).extend(clipped.factor));
-        segment.write(first + 1, coarse(clipped.w).extend(0.0));
-        segment.write(first + 2, fine(clipped.start).extend(0.0));
-        segment.write(first + 3, fine(clipped.w).extend(0.0));
-        count.write(index, clipped.count);
+        if params.contracted != 0 {
+            let ray = contracted_ray(from_center(p), from_center(eye), params.step);
+            segment.write(first, ray.foot.extend(ray.factor));
+            segment.write(first + 1, ray.direction.extend(ray.radius));
+            segment.write(first + 2, Vec4::new(ray.begin, ray.way, 0.0, 0.0));
+            segment.write(first + 3, Vec4::ZERO);
+            count.write(index, ray.count);
+        } else {
+            let v = [eye[0].minus(p[0]), eye[1].minus(p[1]), eye[2].minus(p[2])];
+            let clipped = clipped_segment(p, v, params.step);
+            segment.write(first, coarse(clipped.start).extend(clipped.factor));
+            segment.write(first + 1, coarse(clipped.w).extend(0.0));
+            segment.write(first + 2, fine(clipped.start).extend(0.0));
+            segment.write(first + 3, fine(clipped.w).extend(0.0));
+            count.write(index, clipped.count);
+        }
     }
 }

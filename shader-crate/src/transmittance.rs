@@ -9,7 +9,7 @@ use crate::dense::{DenseParams, column};
 use crate::hash_grid::POINT;
 use crate::hash_grid::{POINT_ROWS, write_point};
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_VECTOR};
-use crate::segment::read_segment;
+use crate::segment::{contracted_place, read_contracted, read_segment};
 use crate::unit_cube::Split;
 use organza_kernel::math::{exp, log_sigmoid};
 use organza_kernel::prelude::*;
@@ -34,6 +34,8 @@ pub struct TransmittanceInputsParams {
     pub extra: u32,
     /// Row of the extra vector in `input`.
     pub extra_row: u32,
+    /// 1 where what lies outside the scene's box is contracted.
+    pub contracted: u32,
 }
 
 /// The pair that owns a sample: the last one whose samples do not begin after it.
@@ -136,15 +138,21 @@ fn write_inputs<L: Lane>(
 ) {
     let begin = first_sample.read(owner);
     let count = first_sample.read(owner + 1) - begin;
-    let ([x, y, z], [w_x, w_y, w_z], factor) = read_segment(segment, owner);
     let k = L::splat((params.first_sample + index - begin) as f32) + L::ramp();
     let t = Split::whole(k + L::splat(0.5)).divide(Split::whole(L::splat(count as f32)));
-    let x = Split::splat(x).along(t, Split::splat(w_x));
-    let y = Split::splat(y).along(t, Split::splat(w_y));
-    let z = Split::splat(z).along(t, Split::splat(w_z));
     let stride = params.stride;
-    write_point(point, stride, index, [x, y, z]);
-    L::splat(factor).write(point, POINT_ROWS * stride + index);
+    if params.contracted != 0 {
+        let ray = read_contracted(segment, owner);
+        write_point(point, stride, index, contracted_place(ray, t.value()));
+        L::splat(ray[0].w).write(point, POINT_ROWS * stride + index);
+    } else {
+        let ([x, y, z], [w_x, w_y, w_z], factor) = read_segment(segment, owner);
+        let x = Split::splat(x).along(t, Split::splat(w_x));
+        let y = Split::splat(y).along(t, Split::splat(w_y));
+        let z = Split::splat(z).along(t, Split::splat(w_z));
+        write_point(point, stride, index, [x, y, z]);
+        L::splat(factor).write(point, POINT_ROWS * stride + index);
+    }
 
     let gaussian = pair.read(owner) % params.gaussians;
     let mut u = 0;

@@ -93,18 +93,20 @@ impl<L: Lane> Split<L> {
     }
 }
 
-/// World space -> the unit cube's space: `x' = 0.05 + 0.9 (x - lo) / (hi - lo)`, per axis, as `scale (x - low)`.
+/// World space -> the unit cube's space: `x' = m + (1 - 2m) (x - lo) / (hi - lo)`, per axis, as `scale (x - low)`.
+///
+/// The [margin](SceneBox::new) m is 0.05, and 0.25 where what lies outside the box is [contracted](contract).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SceneBox {
     /// A power of two, about the 4,096th part of the box: world space's coarse coordinates are its multiples.
     pub part: Vec3,
     /// `1 / part`: a GPU's division is not exact.
     pub parts: Vec3,
-    /// `lo - 0.05 (hi - lo) / 0.9`, the multiple of `part` below it.
+    /// `lo - m (hi - lo) / (1 - 2m)`, the multiple of `part` below it.
     pub low: Vec3,
     /// The rest of it.
     pub low_rest: Vec3,
-    /// `0.9 / (hi - lo)`, its first 11 bits.
+    /// `(1 - 2m) / (hi - lo)`, its first 11 bits.
     pub scale: Vec3,
     /// The rest of it.
     pub scale_rest: Vec3,
@@ -114,13 +116,14 @@ impl SceneBox {
     /// Floats that a box takes in a buffer.
     pub const FLOATS: usize = 18;
 
-    /// The box of a scene's `aabb`.
+    /// The box of a scene's `aabb`, and whether what lies outside is contracted.
     #[cfg(not(target_arch = "spirv"))]
-    pub fn new([low, high]: [[f64; 3]; 2]) -> Self {
+    pub fn new([low, high]: [[f64; 3]; 2], is_contracted: bool) -> Self {
+        let (margin, inside) = if is_contracted { (0.25, 0.5) } else { (0.05, 0.9) };
         let [mut part, mut coarse, mut low_rest, mut scale, mut scale_rest] = [Vec3::ZERO; 5];
         for axis in 0..3 {
-            let extent = (high[axis] - low[axis]) / 0.9;
-            let begin = low[axis] - 0.05 * extent;
+            let extent = (high[axis] - low[axis]) / inside;
+            let begin = low[axis] - margin * extent;
             let unit = libm::exp2(libm::ceil(libm::log2(extent))) / f64::from(PARTS);
             part[axis] = unit as f32;
             coarse[axis] = (libm::floor(begin / unit) * unit) as f32;
@@ -164,6 +167,34 @@ impl SceneBox {
     }
 }
 
+/// A point of the unit cube's space, seen from the cube's center.
+#[inline(always)]
+pub fn from_center([x, y, z]: [Split; 3]) -> Vec3 {
+    let half = Split::whole(0.5);
+    Vec3::new(x.minus(half).value(), y.minus(half).value(), z.minus(half).value())
+}
+
+/// Mip-NeRF 360's contraction with the maximum norm: all of space to the unit cube, the scene's box to itself.
+///
+/// Of the offset q from the cube's center it makes `1/2 + q (1/2 - 1/(16 n)) / n`, with `n = max(|q|, 1/4)`. The result is
+/// known as well as one f32 knows q.
+#[inline(always)]
+pub fn contract<L: Lane>([x, y, z]: [L; 3]) -> [Split<L>; 3] {
+    let number = L::splat;
+    let n = size(x).max(size(y)).max(size(z)).max(number(0.25));
+    let factor = (number(0.5) - number(0.0625) / n) / n;
+    // 1 within the box: nothing is lost there
+    let factor = L::select(number(0.25).less(n), factor, number(1.0));
+    let half = number(0.5);
+    [Split::new(half, x * factor), Split::new(half, y * factor), Split::new(half, z * factor)]
+}
+
+/// |x|
+#[inline(always)]
+fn size<L: Lane>(x: L) -> L {
+    L::select(x.less(L::splat(0.0)), -x, x)
+}
+
 /// The first bits of a positive number.
 #[cfg(not(target_arch = "spirv"))]
 pub fn leading_bits(x: f64, bits: u32) -> f32 {
@@ -185,7 +216,7 @@ mod tests {
             (10.0, 10.3),
             (-1e-3, 2e-3),
         ] {
-            let scene_box = SceneBox::new([[low; 3], [high; 3]]);
+            let scene_box = SceneBox::new([[low; 3], [high; 3]], false);
             for step in 0..=1000 {
                 let x = (low + (high - low) * f64::from(step) / 1000.0) as f32;
                 let exact = 0.05 + 0.9 * (f64::from(x) - low) / (high - low);
@@ -200,10 +231,29 @@ mod tests {
 
     #[test]
     fn what_lies_outside_is_clamped() {
-        let scene_box = SceneBox::new([[-1.0; 3], [1.0; 3]]);
+        let scene_box = SceneBox::new([[-1.0; 3], [1.0; 3]], false);
         let [low, middle, high] = scene_box.split(Vec3::new(-3.0, 0.0, 1e30)).map(Split::clamped);
         assert_eq!((low.coarse, low.fine), (0.0, 0.0));
         assert!((middle.coarse + middle.fine - 0.5).abs() < 1e-7);
         assert_eq!((high.coarse, high.fine), (1.0, 0.0));
+    }
+
+    #[test]
+    fn all_of_space_is_contracted_to_the_cube() {
+        let scene_box = SceneBox::new([[-1.0; 3], [1.0; 3]], true);
+        let contracted = |point| {
+            let q = from_center(scene_box.split(point));
+            Vec3::from_array(contract([q.x, q.y, q.z]).map(Split::value))
+        };
+        // the box keeps its place; at twice its size a half of the margin is left, at four times a quarter
+        for (point, expected) in [
+            (Vec3::new(1.0, -0.5, 0.0), Vec3::new(0.75, 0.375, 0.5)),
+            (Vec3::new(2.0, -1.0, 0.0), Vec3::new(0.875, 0.3125, 0.5)),
+            (Vec3::new(0.0, 0.0, -4.0), Vec3::new(0.5, 0.5, 0.0625)),
+            (Vec3::new(1e30, 1e30, -1e30), Vec3::new(1.0, 1.0, 0.0)),
+        ] {
+            let found = contracted(point);
+            assert!((found - expected).length() < 2e-7, "{point} to {found}, not {expected}");
+        }
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use glam::{Vec3, Vec4};
-use organza::scene::Field;
+use organza::scene::{Contraction, Field};
 use organza::{Camera, Device, Renderer, Scene};
 use organza_shaders::composite_backward::{CompositeBackwardKernel, CompositeBackwardParams};
 use organza_shaders::project::{FALLOFF_CUTOFF, mahalanobis};
@@ -141,6 +141,17 @@ fn finite() -> Vec<Extreme> {
                 scene.gaussians.position[index] = position.map(|x| x as f32);
                 scene.gaussians.log_scale[index] = [10f32.powi(index as i32 % 7 - 3).ln(); 3];
             }
+        }),
+        Extreme::new("contracted, from the eye to 1e12 away", |scene, camera| {
+            scene.config.contraction = Contraction::Cube;
+            let gaussians = &mut scene.gaussians;
+            let count = gaussians.position.len() as f32;
+            for (index, position) in gaussians.position.iter_mut().enumerate() {
+                let far = 10f32.powf(12.0 * index as f32 / count);
+                *position = position.map(|x| far * x);
+                gaussians.log_scale[index] = gaussians.log_scale[index].map(|x| x + far.ln());
+            }
+            gaussians.position[0] = camera.eye().map(|x| x as f32);
         }),
         Extreme::with_focal("a focal length of 1e-3", 1e-3),
         Extreme::with_focal("a focal length of 1", 1.0),

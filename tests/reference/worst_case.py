@@ -44,9 +44,7 @@ def main():
     params, config = reference.load_scene(out / "scene.safetensors")
     cameras = reference.load_cameras(out / "cameras.json")
     tiles, side = reference.load_tiles(out / "tiles.json")
-    lo, hi = (jnp.array(v) for v in config["aabb"])
-    normalise = lambda x: 0.05 + 0.9 * (x - lo) / (hi - lo)
-    x = normalise(params["gaussians.position"])
+    x = reference.to_cube(config, params["gaussians.position"])
     y, vjp = jax.vjp(lambda p: reference.render_tiles(p, config, cameras, tiles, side), params)
     grad_output = np.random.default_rng(13).normal(0.0, 1.0, y.shape).astype(np.float32)
     (gradient,) = vjp(jnp.array(grad_output, dtype=jnp.float64))
@@ -56,7 +54,7 @@ def main():
         eye = camera[0][:3, 3]
         direction = params["gaussians.position"] - eye
         direction = direction / jnp.linalg.norm(direction, axis=-1, keepdims=True)
-        v = normalise(eye) - x
+        v = reference.to_cube(config, eye) - x
         mean, conic, radius, visible = reference.project(params, config, camera)
         expected |= {
             f"stage.{c}.sh": reference.spherical_harmonics(direction, config["sh_degree"]),

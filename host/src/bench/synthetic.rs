@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::scene::{
-    Field, Gaussians, GridConfig, Interpolation, Layer, MlpConfig, Scene, SceneConfig,
+    Contraction, Field, Gaussians, GridConfig, Interpolation, Layer, MlpConfig, Scene, SceneConfig,
 };
 use crate::tile::{Tile, TileBatch};
 use organza_check::inputs::Random;
@@ -96,6 +96,7 @@ fn config() -> SceneConfig {
         blur: 0.3,
         background: [0.1, 0.2, 0.3],
         aabb: [[-1.5; 3], [1.5; 3]],
+        contraction: Contraction::None,
     }
 }
 

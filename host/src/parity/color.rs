@@ -15,7 +15,7 @@ use organza_shaders::unit_cube::SceneBox;
 use super::dense::Layer;
 use super::exact::numeric::sigmoid;
 use super::exact::spherical_harmonics::{direction, harmonics};
-use super::exact::unit_cube::unit;
+use super::exact::unit_cube::{contract, unit};
 use super::project;
 use organza_device::Result;
 
@@ -52,6 +52,8 @@ pub struct ColorInputs {
     pub cameras: Vec<Camera>,
     /// The scene's box.
     pub aabb: [[f64; 3]; 2],
+    /// Whether what lies outside is contracted.
+    pub is_contracted: bool,
     /// `[gaussians, 3]`
     pub position: Vec<f32>,
     /// `[gaussians, 3]`
@@ -78,6 +80,7 @@ impl ColorInputs {
             gaussians,
             cameras,
             aabb,
+            is_contracted: false,
             position: fill.values(random, 3 * gaussians as usize, [low - 0.2, high + 0.2], 1e30),
             material: fill.values(random, 3 * gaussians as usize, [-1.0, 1.0], 3e38),
             degree,
@@ -105,7 +108,7 @@ impl Parity for ColorInputs {
     const KERNEL: &'static str = "color_inputs";
     const TOLERANCE: f64 = 1e-6;
     const WHY: &'static str = "harmonics: a recurrence of `degree` steps with square roots and \
-        divisions of 3 ulp; points: two f32 know 1e-9, one where drivers regroup";
+        divisions of 3 ulp; points: two f32 know 1e-9, one where drivers regroup or space is contracted";
 
     fn sets() -> Vec<(String, Self)> {
         let mut sets = inputs::sets(|n, fill, random| Self::new(n, fill, 3, BOXES[0], random));
@@ -115,6 +118,16 @@ impl Parity for ColorInputs {
                 let set = Self::new(ITEMS, Fill::Random, degree, aabb, &mut random);
                 sets.push((format!("degree {degree}, box {index}"), set));
             }
+        }
+        for (index, aabb) in BOXES.into_iter().enumerate() {
+            let mut set = Self::new(ITEMS, Fill::Random, 1, aabb, &mut Random::new(10));
+            set.is_contracted = true;
+            // up to 1e6 boxes away
+            let far = [1.0, 1.0, 1.0, 3.0, 1e2, 1e6].into_iter().cycle();
+            set.position.chunks_mut(3).zip(far).for_each(|(position, far)| {
+                position.iter_mut().for_each(|x| *x *= far);
+            });
+            sets.push((format!("contracted, box {index}"), set));
         }
         let mut set = Self::new(ITEMS, Fill::Random, 7, BOXES[0], &mut Random::new(9));
         // the camera within a Gaussian has no direction
@@ -139,10 +152,11 @@ impl Parity for ColorInputs {
                 material: 3,
                 // a row between them belongs to the grid
                 material_row: self.sh_rows() as u32 + 1,
+                contracted: u32::from(self.is_contracted),
             },
             pair: &runner.upload(&self.pair)?,
             camera: &runner.upload(&cameras)?,
-            scene_box: &runner.upload(&SceneBox::new(self.aabb).pack())?,
+            scene_box: &runner.upload(&SceneBox::new(self.aabb, self.is_contracted).pack())?,
             position: &runner.upload(&self.position)?,
             material: &runner.upload(&self.material)?,
             point: &point,
@@ -173,6 +187,17 @@ impl Parity for ColorInputs {
         }
         let x = cpu.floats()[index].abs();
         let (_, center, _) = self.of(column);
+        if self.is_contracted {
+            // of the farthest axis, which decides how near all come
+            let apart = |axis: usize| {
+                let world = f64::from(center[axis].abs()) + self.aabb[0][axis].abs();
+                world / (self.aabb[1][axis] - self.aabb[0][axis])
+            };
+            return Bound::of(match rounding {
+                Rounding::AsWritten => 0.5,
+                Rounding::Regrouped => 0.5 + (0..3).map(apart).fold(0.0, f64::max),
+            });
+        }
         let extent = (self.aabb[1][row] - self.aabb[0][row]) / 0.9;
         let world = f64::from(center[row].abs()) + self.aabb[0][row].abs();
         let scale = match rounding {
@@ -196,7 +221,8 @@ impl Parity for ColorInputs {
             let mut give = |row: usize, value| exact[row * stride + column] = Some(value);
             match output {
                 "point" => {
-                    let point = unit(center, self.aabb);
+                    let point = unit(center, self.aabb, self.is_contracted);
+                    let point = if self.is_contracted { contract(point) } else { point };
                     point.into_iter().enumerate().for_each(|(row, x)| give(row, x));
                 }
                 "input" => {

@@ -35,6 +35,8 @@ pub struct Segment {
     pub cameras: Vec<Camera>,
     /// The scene's box.
     pub aabb: [[f64; 3]; 2],
+    /// Whether what lies outside is contracted.
+    pub is_contracted: bool,
     /// `[gaussians, 3]`
     pub position: Vec<f32>,
 }
@@ -90,6 +92,17 @@ impl Ray {
 
 impl Segment {
     fn new(pairs: u32, fill: Fill, step: f32, aabb: [[f64; 3]; 2], random: &mut Random) -> Self {
+        Self::with(pairs, fill, step, aabb, false, random)
+    }
+
+    fn with(
+        pairs: u32,
+        fill: Fill,
+        step: f32,
+        aabb: [[f64; 3]; 2],
+        is_contracted: bool,
+        random: &mut Random,
+    ) -> Self {
         let gaussians = 60;
         let mut cameras = project::cameras(random);
         let middle = [0, 1, 2].map(|axis| ((aabb[0][axis] + aabb[1][axis]) / 2.0) as f32);
@@ -98,14 +111,16 @@ impl Segment {
         let position = (0..3 * gaussians).map(|at| {
             let axis = at as usize % 3;
             let (low, high) = (aabb[0][axis] as f32, aabb[1][axis] as f32);
-            let margin = 0.3 * (high - low);
+            // far behind the box, and beside it
+            let far = [0.0, 0.0, 3.0, 100.0][at as usize / 3 % 4];
+            let margin = if is_contracted { far } else { 0.3 } * (high - low);
             fill.values(random, 1, [low - margin, high + margin], 1e30)[0]
         });
         let position = position.collect();
-        let mut set = Self { pair: Vec::new(), gaussians, step, cameras, aabb, position };
+        let mut set =
+            Self { pair: Vec::new(), gaussians, step, cameras, aabb, is_contracted, position };
         let slots = gaussians * set.cameras.len() as u32;
-        let decided: Vec<u32> =
-            (0..slots).filter(|&slot| !set.ray(slot).is_undecided(f64::from(step))).collect();
+        let decided: Vec<u32> = (0..slots).filter(|&slot| !set.is_undecided(slot)).collect();
         set.pair = match decided.len() as u32 {
             0 => Vec::new(),
             len => (0..pairs).map(|_| decided[random.below(len) as usize]).collect(),
@@ -117,7 +132,38 @@ impl Segment {
     fn ends(&self, slot: u32) -> [[f64; 3]; 2] {
         let position = &self.position[3 * (slot % self.gaussians) as usize..];
         let eye = self.cameras[(slot / self.gaussians) as usize].eye;
-        [Vec3::from_slice(position), eye].map(|point| unit(point.as_dvec3().to_array(), self.aabb))
+        [Vec3::from_slice(position), eye]
+            .map(|point| unit(point.as_dvec3().to_array(), self.aabb, self.is_contracted))
+    }
+
+    /// Whether rounding decides on the steps of a pair.
+    fn is_undecided(&self, slot: u32) -> bool {
+        let step = f64::from(self.step);
+        if !self.is_contracted {
+            return self.ray(slot).is_undecided(step);
+        }
+        let [p, eye] = self.ends(slot);
+        let steps = exact::contracted_ray(p, eye, step).length / step;
+        let slack = AWAY * self.contracted_size(slot) / step + AWAY * steps;
+        let is_capped = steps - slack > f64::from(MAX_SAMPLES);
+        !is_capped && (slack > 0.3 || (steps - steps.round()).abs() <= slack)
+    }
+
+    /// How large what a contracted ray is computed from is; the shorter it is, the less its direction is known.
+    fn contracted_size(&self, slot: u32) -> f64 {
+        let ray = self.ray(slot);
+        let size = 1.0 + ray.p.length() + (ray.p + ray.v).length();
+        size * (1.0 + size / ray.v.length())
+    }
+
+    /// What drivers that regroup lose of a coordinate in the box: they know it to 6e-8 of world space alone.
+    fn world(&self, slot: u32) -> f64 {
+        let position = &self.position[3 * (slot % self.gaussians) as usize..][..3];
+        let world = (0..3).map(|axis| {
+            let extent = self.aabb[1][axis] - self.aabb[0][axis];
+            (f64::from(position[axis].abs()) + self.aabb[0][axis].abs()) / extent
+        });
+        world.fold(0.0, f64::max)
     }
 
     /// The ray of a pair.
@@ -141,7 +187,8 @@ impl Parity for Segment {
     const KERNEL: &'static str = "segment";
     const TOLERANCE: f64 = 5e-7;
     const WHY: &'static str = "divisions of 3 ulp: of the ray's size, and of 1/250 of it up to a size of 8, where \
-        places on it have two parts; no ray within 2e-5 of its size of a whole number of steps, or of missing the cube";
+        places on it have two parts; no ray within 2e-5 of its size of a whole number of steps, or of missing the cube; \
+        a contracted ray is one f32 of its ends' sizes, and known the less the shorter it is";
 
     fn sets() -> Vec<(String, Self)> {
         let mut sets = inputs::sets(|n, fill, random| Self::new(n, fill, 0.013, BOXES[0], random));
@@ -149,6 +196,13 @@ impl Parity for Segment {
             for step in [1.7, 0.1, 0.004] {
                 let set = Self::new(ITEMS, Fill::Random, step, aabb, &mut Random::new(31));
                 sets.push((format!("step {step}, box {index}"), set));
+            }
+        }
+        for (index, aabb) in BOXES.into_iter().enumerate() {
+            for step in [0.3, 0.03] {
+                let random = &mut Random::new(34);
+                let set = Self::with(ITEMS, Fill::Random, step, aabb, true, random);
+                sets.push((format!("contracted, step {step}, box {index}"), set));
             }
         }
         // steps are capped
@@ -167,18 +221,28 @@ impl Parity for Segment {
         let segment = runner.output::<Vec4>((SEGMENT_VECTORS * pairs) as usize)?;
         let count = runner.output(pairs as usize)?;
         let kernel = SegmentKernel {
-            params: SegmentParams { pairs, gaussians: self.gaussians, step: self.step },
+            params: SegmentParams {
+                pairs,
+                gaussians: self.gaussians,
+                step: self.step,
+                contracted: u32::from(self.is_contracted),
+            },
             pair: &runner.upload(&self.pair)?,
             camera: &runner.upload(&cameras)?,
-            scene_box: &runner.upload(&SceneBox::new(self.aabb).pack())?,
+            scene_box: &runner.upload(&SceneBox::new(self.aabb, self.is_contracted).pack())?,
             position: &runner.upload(&self.position)?,
             segment: &segment,
             count: &count,
         };
         runner.items(&kernel, pairs, 1)?;
         let segment = runner.read(&segment)?;
+        let values = if self.is_contracted {
+            segment.iter().flat_map(|vector| vector.as_dvec4().to_array()).collect()
+        } else {
+            joined(&segment)
+        };
         Ok(vec![
-            Output { name: "segment", values: Values::Float(joined(&segment)) },
+            Output { name: "segment", values: Values::Float(values) },
             Output::exact("count", runner.read(&count)?),
         ])
     }
@@ -186,6 +250,16 @@ impl Parity for Segment {
     fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
         let of = |&slot: &u32| {
             let [p, eye] = self.ends(slot);
+            if self.is_contracted {
+                let ray = exact::contracted_ray(p, eye, f64::from(self.step));
+                if output == "count" {
+                    return vec![Some(ray.count)];
+                }
+                let [begin, end] = ray.ends;
+                let values = ray.foot.into_iter().chain([ray.factor]).chain(ray.direction);
+                let values = values.chain([ray.radius, begin, end - begin]).chain([0.0; 6]);
+                return values.map(Some).collect();
+            }
             let found = exact::segment(p, eye, f64::from(self.step));
             if output == "count" {
                 return vec![Some(found.count)];
@@ -198,18 +272,20 @@ impl Parity for Segment {
     }
 
     fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {
-        let Some(&slot) = self.pair.get(index / 8) else {
+        let values = if self.is_contracted { 16 } else { 8 };
+        let Some(&slot) = self.pair.get(index / values) else {
             return Bound { scale: 0.0, floor: 0.0 };
         };
+        if self.is_contracted {
+            let scale = self.contracted_size(slot) + self.world(slot);
+            let [p, eye] = self.ends(slot);
+            let ray = exact::contracted_ray(p, eye, f64::from(self.step));
+            let steps = f64::from(self.step) * ray.count.max(1.0);
+            return Bound::of(if index % 16 == 3 { scale / steps } else { scale });
+        }
         let ray = self.ray(slot);
         let size = 1.0 + ray.p.length() + ray.v.length();
-        // drivers that regroup know a coordinate in the box to 6e-8 of world space alone
-        let position = &self.position[3 * (slot % self.gaussians) as usize..][..3];
-        let world = (0..3).map(|axis| {
-            let extent = self.aabb[1][axis] - self.aabb[0][axis];
-            (f64::from(position[axis].abs()) + self.aabb[0][axis].abs()) / extent
-        });
-        let scale = size + world.fold(0.0, f64::max);
+        let scale = size + self.world(slot);
         Bound::of(match rounding {
             // s_factor is L / K / sigma
             _ if index % 8 == 3 => {

@@ -1,12 +1,13 @@
 //! Cases of `transmittance_inputs`, `transmittance_head` and `segment_product`.
 
-use glam::Vec4;
+use glam::{DVec3, Vec4};
 use organza_check::{
     Bound, KernelRunner, Output, Parity, Rounding, Values,
     inputs::{self, Fill, Random},
 };
 use organza_kernel::math::TINY;
 use organza_shaders::hash_grid::POINT_ROWS;
+use organza_shaders::segment::SEGMENT_VECTORS;
 use organza_shaders::transmittance::{
     SegmentProductKernel, SegmentProductParams, TransmittanceHeadKernel, TransmittanceHeadParams,
     TransmittanceInputsKernel, TransmittanceInputsParams,
@@ -15,6 +16,7 @@ use organza_shaders::unit_cube::Split;
 
 use super::color::{joined, layer_of_size};
 use super::dense::Layer;
+use super::exact::segment::{ContractedRay, contracted_ray};
 use super::exact::transmittance::{log_rho, midpoint, transmittance};
 use organza_device::Result;
 
@@ -59,6 +61,8 @@ pub struct TransmittanceInputs {
     pub first_sample: Vec<u32>,
     /// `[pairs, 4]`
     pub segment: Vec<Vec4>,
+    /// Whether these are contracted rays.
+    pub is_contracted: bool,
     /// `[gaussians, 2]`
     pub extra: Vec<f32>,
 }
@@ -89,10 +93,50 @@ impl TransmittanceInputs {
             stride: samples + 5,
             gaussians,
             segment,
+            is_contracted: false,
             pair: (0..pairs).map(|_| random.below(3 * gaussians)).collect(),
             first_sample: prefix(counts),
             extra: fill.values(random, 2 * gaussians as usize, [-1.0, 1.0], 3e38),
         }
+    }
+
+    /// The same samples on contracted rays, whose ends are up to 300 cubes away.
+    fn contracted(mut self, random: &mut Random) -> Self {
+        self.is_contracted = true;
+        for (pair, vectors) in self.segment.chunks_mut(SEGMENT_VECTORS as usize).enumerate() {
+            let far = [1.0, 1.0, 3.0, 300.0][pair % 4];
+            let mut end = |far: f32| [0; 3].map(|_| f64::from(random.between(-far, far)));
+            let ray = contracted_ray(end(far), end(1.0), 0.01);
+            let [foot, direction] = [ray.foot, ray.direction].map(|x| DVec3::from(x).as_vec3());
+            let [begin, end] = ray.ends.map(|r| r as f32);
+            vectors.copy_from_slice(&[
+                foot.extend(vectors[0].w),
+                direction.extend(ray.radius as f32),
+                Vec4::new(begin, end - begin, 0.0, 0.0),
+                Vec4::ZERO,
+            ]);
+        }
+        self
+    }
+
+    /// The midpoint of a pair's step.
+    fn midpoint(&self, pair: usize, k: u32, count: u32) -> [f64; 3] {
+        let vector = |part: usize| self.segment[4 * pair + part].as_dvec4();
+        if !self.is_contracted {
+            let (s, w) = (vector(0) + vector(2), vector(1) + vector(3));
+            return midpoint(s.truncate().to_array(), w.truncate().to_array(), k, count);
+        }
+        let [foot, direction, ends] = [0, 1, 2].map(vector);
+        let ray = ContractedRay {
+            foot: foot.truncate().to_array(),
+            direction: direction.truncate().to_array(),
+            radius: direction.w,
+            ends: [ends.x, ends.x + ends.y],
+            length: 0.0,
+            count: f64::from(count),
+            factor: 0.0,
+        };
+        ray.midpoint(k, count)
     }
 
     /// The pair of a column of the output, and the sample's place in it.
@@ -108,7 +152,7 @@ impl Parity for TransmittanceInputs {
     const KERNEL: &'static str = "transmittance_inputs";
     const TOLERANCE: f64 = 1e-9;
     const WHY: &'static str = "a place on the ray and a point in two parts: roundings, and a \
-        division of 3 ulp, of the second, below 1/1024";
+        division of 3 ulp, of the second, below 1/1024; 1e3 times as much where it is contracted, in one f32";
 
     fn sets() -> Vec<(String, Self)> {
         let mut sets = inputs::sets(|n, fill, random| {
@@ -116,6 +160,11 @@ impl Parity for TransmittanceInputs {
             Self::new(n, &counts, fill, random)
         });
         let mut random = Random::new(21);
+        for samples in [3 * inputs::ITEMS, 5] {
+            let counts = counts(samples + FIRST_SAMPLE, &mut random);
+            let set = Self::new(samples, &counts, Fill::Random, &mut random);
+            sets.push((format!("{samples} samples, contracted"), set.contracted(&mut random)));
+        }
         for (name, counts) in [
             ("one pair has all", vec![16_384]),
             ("the last has all", vec![0, 0, 0, 0, 5000]),
@@ -142,6 +191,7 @@ impl Parity for TransmittanceInputs {
                 gaussians: self.gaussians,
                 extra: 2,
                 extra_row: 1,
+                contracted: u32::from(self.is_contracted),
             },
             pair: &runner.upload(&self.pair)?,
             first_sample: &runner.upload(&self.first_sample)?,
@@ -167,8 +217,9 @@ impl Parity for TransmittanceInputs {
         if column >= self.samples as usize || !is_written {
             return Bound { scale: 0.0, floor: 0.0 };
         }
-        // all but the points are copies
-        Bound::of(if cpu.name == "point" { 1.0 } else { 0.0 })
+        // all but the points are copies; contracted ones are known as one f32 knows them
+        let point = if self.is_contracted { 1e3 } else { 1.0 };
+        Bound::of(if cpu.name == "point" { point } else { 0.0 })
     }
 
     fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
@@ -177,16 +228,13 @@ impl Parity for TransmittanceInputs {
         for column in 0..self.samples as usize {
             let (pair, k) = self.owner(column);
             let count = self.first_sample[pair + 1] - self.first_sample[pair];
-            let vector = |part: usize| self.segment[4 * pair + part].as_dvec4();
-            let (s, w) = (vector(0) + vector(2), vector(1) + vector(3));
             let mut give = |row: usize, value| exact[row * stride + column] = Some(value);
             match output {
                 "point" => {
-                    let [s, w] = [s, w].map(|vector| vector.truncate().to_array());
-                    let point = midpoint(s, w, k, count);
+                    let point = self.midpoint(pair, k, count);
                     point.into_iter().enumerate().for_each(|(row, x)| give(row, x));
                 }
-                "s_factor" => give(0, s.w),
+                "s_factor" => give(0, f64::from(self.segment[4 * pair].w)),
                 _ => {
                     let gaussian = (self.pair[pair] % self.gaussians) as usize;
                     for (row, &value) in self.extra[2 * gaussian..][..2].iter().enumerate() {

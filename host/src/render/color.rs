@@ -97,6 +97,7 @@ fn inputs(device: &Device, scene: &DeviceScene, pairs: &Pairs, chunk: &Chunk) ->
             sh_degree: config.sh_degree,
             material: config.material,
             material_row: (config.sh_width() + config.color_grid.width()) as u32,
+            contracted: config.contraction.for_kernels(),
         },
         pair: &pairs.pair,
         camera: &pairs.camera,

@@ -4,7 +4,7 @@ use std::sync::Mutex;
 
 use glam::Vec4;
 use organza_shaders::limits::MAX_SAMPLES;
-use organza_shaders::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
+use organza_shaders::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams, contracted_place};
 use organza_shaders::transmittance::{
     SegmentProductKernel, SegmentProductParams, TransmittanceHeadKernel, TransmittanceHeadParams,
     TransmittanceInputsKernel, TransmittanceInputsParams,
@@ -13,6 +13,7 @@ use organza_shaders::transmittance_backward::{
     ExtraBackwardKernel, ExtraBackwardParams, SegmentProductBackwardKernel,
     SegmentProductBackwardParams, TransmittanceHeadBackwardKernel,
 };
+use organza_shaders::unit_cube::Split;
 
 use super::bin::{Bins, Pairs};
 use super::block::{BlockOf, Blocks, Chunk, Layout};
@@ -22,6 +23,7 @@ use super::gradient::SceneGradient;
 use super::pair::sum_pairs;
 use super::scan::exclusive_scan;
 use super::scene::DeviceScene;
+use crate::scene::Contraction;
 use organza_device::{Buffer, Count, Device, Error, Result};
 
 /// Transmittance of every pair.
@@ -83,10 +85,9 @@ impl Transmittance {
 /// The part of a pair's ray in the unit cube, and what its samples let through.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ray {
-    /// s of Eq. 7, in the unit cube's space: the end at the Gaussian.
-    pub start: [f32; 3],
-    /// s + w: the end at the eye.
-    pub end: [f32; 3],
+    /// Places of the unit cube, evenly spaced in the samples' order, from the Gaussian to the eye. Two where the ray is straight,
+    /// s and s + w of Eq. 7; if it is [contracted](crate::scene::Contraction), where each of its steps begins, and the end.
+    pub places: Vec<[f32; 3]>,
     /// The logarithm of each sample's rho, Eq. 11.
     pub log_rho: Vec<f32>,
 }
@@ -98,15 +99,21 @@ impl Transmittance {
         let log_rho = log_rho(device, scene, pairs, segment, first, &self.blocks)?;
         let (segment, first) = (device.read(segment)?, device.read(first)?);
         let log_rho = device.read(&log_rho)?;
+        let is_contracted = scene.config.contraction != Contraction::None;
         let ray = |(pair, vectors): (usize, &[Vec4; SEGMENT_VECTORS as usize])| {
             let [start, w, start_rest, w_rest] = *vectors;
-            let begin = start + start_rest;
-            let end = begin + w + w_rest;
-            Ray {
-                start: begin.truncate().to_array(),
-                end: end.truncate().to_array(),
-                log_rho: log_rho[first[pair] as usize..first[pair + 1] as usize].to_vec(),
-            }
+            let log_rho = &log_rho[first[pair] as usize..first[pair + 1] as usize];
+            let places = if is_contracted {
+                let count = log_rho.len().max(1);
+                let place =
+                    |step| contracted_place([start, w, start_rest], step as f32 / count as f32);
+                (0..=count).map(|step| place(step).map(Split::value)).collect()
+            } else {
+                let begin = start + start_rest;
+                let end = begin + w + w_rest;
+                vec![begin.truncate().to_array(), end.truncate().to_array()]
+            };
+            Ray { places, log_rho: log_rho.to_vec() }
         };
         Ok(segment.as_chunks().0.iter().enumerate().map(ray).collect())
     }
@@ -129,6 +136,7 @@ pub fn segments(
             pairs: capacity,
             gaussians: scene.gaussians,
             step: (scene.config.step * f64::from(steps)) as f32,
+            contracted: scene.config.contraction.for_kernels(),
         },
         pair: &pairs.pair,
         camera: &pairs.camera,
@@ -230,6 +238,7 @@ fn inputs(
             gaussians: scene.gaussians,
             extra: config.extra,
             extra_row: config.transmittance_grid.width() as u32,
+            contracted: config.contraction.for_kernels(),
         },
         pair: &pairs.pair,
         first_sample,

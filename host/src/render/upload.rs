@@ -12,7 +12,7 @@ use super::packed::{pack, upload};
 use super::renderer::Renderer;
 use super::scene::DeviceScene;
 use crate::error::{Error, IN_MEMORY, Result};
-use crate::scene::Scene;
+use crate::scene::{Contraction, Scene};
 
 impl Renderer {
     /// Copies a scene to the device, as it is; [`Renderer::upload_with`] has choices.
@@ -45,10 +45,12 @@ impl Renderer {
             DeviceField::new(device, name, grid, field, tensors, options)
         };
         let (color, transmittance) = (&scene.color, &scene.transmittance);
+        let is_contracted = config.contraction != Contraction::None;
+        let scene_box = SceneBox::new(config.aabb, is_contracted).pack();
         Ok(DeviceScene {
             gaussians: scene.gaussians.len() as u32,
             divide_above: DIVIDE_ABOVE,
-            scene_box: device.upload("scene box", &SceneBox::new(config.aabb).pack())?,
+            scene_box: device.upload("scene box", &scene_box)?,
             color: field("color", &config.color_grid, color, &tensors.color)?,
             transmittance: field(
                 "transmittance",

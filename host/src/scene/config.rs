@@ -43,6 +43,33 @@ pub struct SceneConfig {
     pub background: [f64; 3],
     /// The scene's box in world space, `[lo, hi]`.
     pub aabb: [[f64; 3]; 2],
+    /// What becomes of space outside this box. A file without this field has [`Contraction::None`].
+    #[serde(default, skip_serializing_if = "Contraction::is_none")]
+    pub contraction: Contraction,
+}
+
+/// What becomes of space outside the scene's box; `docs/conventions.md` has the equations.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Contraction {
+    /// Rays end at the unit cube, and the grids repeat its border.
+    #[default]
+    None,
+    /// All of space is contracted to the unit cube, as in Mip-NeRF 360. Rays are sampled from end to end, more coarsely the
+    /// farther they are from the box.
+    Cube,
+}
+
+impl Contraction {
+    fn is_none(&self) -> bool {
+        *self == Self::None
+    }
+
+    /// As kernels read it: 0 or 1.
+    #[must_use]
+    pub fn for_kernels(self) -> u32 {
+        u32::from(!self.is_none())
+    }
 }
 
 /// The shape of a network: ReLU hidden layers and a linear output.
@@ -116,14 +143,6 @@ impl SceneConfig {
     #[must_use]
     pub fn transmittance_widths(&self) -> Vec<usize> {
         self.transmittance_mlp.widths(self.transmittance_inputs(), TRANSMITTANCE_OUTPUTS)
-    }
-
-    /// Maps a world position to the space of the networks and the rays, where the scene's box is
-    /// `[0.05, 0.95]` per axis.
-    #[must_use]
-    pub fn normalize(&self, position: [f64; 3]) -> [f64; 3] {
-        let [lo, hi] = self.aabb;
-        std::array::from_fn(|axis| 0.05 + 0.9 * (position[axis] - lo[axis]) / (hi[axis] - lo[axis]))
     }
 
     /// Checks that every field is in range.
@@ -262,12 +281,13 @@ mod tests {
     }
 
     #[test]
-    fn normalizes_the_box_to_its_margin() {
-        let config = basic();
-        let close = |a: [f64; 3], b: f64| a.iter().all(|value| (value - b).abs() < 1e-15);
-        assert!(close(config.normalize(config.aabb[0]), 0.05));
-        assert!(close(config.normalize(config.aabb[1]), 0.95));
-        assert!(close(config.normalize([0.0, 0.0, 0.2]), 0.5));
+    fn a_scene_without_a_contraction_has_none() {
+        assert_eq!(basic().contraction, Contraction::None);
+        assert!(!serde_json::to_string(&basic()).unwrap().contains("contraction"));
+        let cube = SceneConfig { contraction: Contraction::Cube, ..basic() };
+        let text = serde_json::to_string(&cube).unwrap();
+        assert!(text.contains(r#""contraction":"cube""#), "{text}");
+        assert_eq!(SceneConfig::from_json(&text, "b").unwrap(), cube);
     }
 
     #[test]
@@ -318,6 +338,7 @@ mod tests {
             (BASIC.replace("\"step\": 0.06,", ""), "missing field `step`"),
             (BASIC.replace("0.06", "\"small\""), "\"step\": \"small\""),
             (BASIC.replace("smoothstep", "cubic"), "`cubic`"),
+            (BASIC.replace("\"blur\"", "\"contraction\": \"sphere\", \"blur\""), "`sphere`"),
             (BASIC.replace("\"material\": 8", "\"material\": -8"), "\"material\": -8"),
             (BASIC.replace("0.06", "NaN"), "\"step\": N"),
             (BASIC.replace("0.06", "1e999"), "out of range"),

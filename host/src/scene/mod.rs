@@ -17,8 +17,8 @@ mod warnings;
 mod tests;
 
 pub use config::{
-    COLOR_OUTPUTS, MAX_HIDDEN_LAYERS, MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE, MAX_VECTOR,
-    MlpConfig, SceneConfig, TRANSMITTANCE_OUTPUTS,
+    COLOR_OUTPUTS, Contraction, MAX_HIDDEN_LAYERS, MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE,
+    MAX_VECTOR, MlpConfig, SceneConfig, TRANSMITTANCE_OUTPUTS,
 };
 pub(crate) use file::read_scene;
 pub use gaussians::{GaussianTensors, Gaussians};

@@ -1,6 +1,6 @@
 //! What is legal in a scene but probably not meant.
 
-use super::Scene;
+use super::{Contraction, Scene};
 
 /// From here on an f32 position keeps fewer than 11 bits of its fraction inside a cell.
 const FINE_RESOLUTION: u32 = 8192;
@@ -41,8 +41,17 @@ impl Scene {
         };
         let extents = lo.iter().zip(hi).map(|(lo, hi)| hi - lo);
         let diagonal = extents.map(|extent| extent * extent).sum::<f64>().sqrt();
-        let huge = |log_scale: &&[f32; 3]| {
-            log_scale.iter().any(|&value| f64::from(value).exp() > diagonal)
+        let is_contracted = self.config.contraction != Contraction::None;
+        // cells are larger where space is contracted: what is far away may be as large as it is far
+        let far = |position: &[f32; 3]| {
+            let axes = position.iter().zip(lo).zip(hi);
+            axes.map(|((&at, lo), hi)| (f64::from(at) - (lo + hi) / 2.0).powi(2))
+                .sum::<f64>()
+                .sqrt()
+        };
+        let huge = |(position, log_scale): &(&[f32; 3], &[f32; 3])| {
+            let most = if is_contracted { diagonal.max(far(position)) } else { diagonal };
+            log_scale.iter().any(|&value| f64::from(value).exp() > most)
         };
         // In f32, as the kernels do it: small components may square to zero.
         let no_rotation = |rotation: &&[f32; 4]| {
@@ -51,7 +60,7 @@ impl Scene {
         };
         let counts = [
             (
-                gaussians.position.iter().filter(outside).count(),
+                gaussians.position.iter().filter(|at| !is_contracted && outside(at)).count(),
                 "have their center outside the scene's aabb, where the grids repeat the border",
             ),
             (
@@ -59,8 +68,12 @@ impl Scene {
                 "have a rotation of zero or overflowing norm and are culled",
             ),
             (
-                gaussians.log_scale.iter().filter(huge).count(),
-                "have a scale larger than the diagonal of the scene's aabb",
+                gaussians.position.iter().zip(&gaussians.log_scale).filter(huge).count(),
+                if is_contracted {
+                    "have a scale larger than the diagonal of the scene's aabb and their distance from it"
+                } else {
+                    "have a scale larger than the diagonal of the scene's aabb"
+                },
             ),
         ];
         let total = gaussians.len();

@@ -22,7 +22,7 @@ use crate::atomic_file::write_atomic;
 use crate::data::{Alpha, Background, DatasetOptions, Keep};
 use crate::error::{Error, Result};
 use crate::input::read_text;
-use crate::scene::{GridConfig, Interpolation, MlpConfig, SceneConfig};
+use crate::scene::{Contraction, GridConfig, Interpolation, MlpConfig, SceneConfig};
 
 /// Far more than all settings need; what is larger was named by mistake.
 const MAX_BYTES: u64 = 1 << 20;
@@ -161,6 +161,8 @@ pub struct ShapeConfig {
     pub extra: u32,
     /// sigma, length of a transmittance step in the unit cube.
     pub step: f64,
+    /// What becomes of space outside the scene's box.
+    pub contraction: Contraction,
     /// What is added to the diagonal of every covariance, in square pixels.
     pub blur: f64,
     /// Hidden layers of the color network.
@@ -321,6 +323,7 @@ impl Default for ShapeConfig {
             material: 8,
             extra: 2,
             step: 0.05,
+            contraction: Contraction::None,
             blur: 0.3,
             color_mlp: MlpConfig { hidden: vec![32, 32] },
             transmittance_mlp: MlpConfig { hidden: vec![32, 32] },
@@ -395,6 +398,7 @@ impl TrainConfig {
             blur: shape.blur,
             background,
             aabb,
+            contraction: shape.contraction,
         }
     }
 

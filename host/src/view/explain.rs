@@ -38,8 +38,7 @@ struct Row {
     depth: f64,
     conic: [f32; 3],
     /// Its ray in the unit cube, and T from the Gaussian up to the end of each step.
-    start: [f32; 3],
-    end: [f32; 3],
+    places: Vec<[f32; 3]>,
     transmittances: Vec<f32>,
 }
 
@@ -52,7 +51,7 @@ impl Row {
             sum.exp()
         };
         let transmittances = ray.log_rho.iter().map(&mut up_to).collect();
-        Self { contribution, mean2d, depth, conic, start: ray.start, end: ray.end, transmittances }
+        Self { contribution, mean2d, depth, conic, places: ray.places, transmittances }
     }
 }
 

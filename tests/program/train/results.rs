@@ -28,6 +28,27 @@ fn held_out_views_come_closer() {
     assert!(last.1 > first.1 + 2.5, "{first:?} {last:?}");
 }
 
+/// With a box of what is in focus, and all of space around it.
+#[test]
+fn a_contracted_scene_learns_and_says_what_it_is() {
+    let sandbox = sandbox();
+    sandbox.run(&format!("{TINY} run --set scene.contraction=cube")).assert_ok();
+    let psnr = records(&sandbox.path("run")).into_iter().filter_map(|record| match record {
+        Record::Evaluation { psnr, .. } => psnr,
+        _ => None,
+    });
+    let psnr: Vec<_> = psnr.collect();
+    // measured: 11.6 and 12.4 dB
+    assert!(psnr.len() == 2 && psnr[1] > psnr[0] + 0.5, "{psnr:?}");
+    let info = sandbox.run("info run").assert_ok().stdout;
+    assert!(info.contains("outside the box        contracted to the unit cube"), "{info}");
+    sandbox.run(&format!("{TINY} other --set scene.contraction=sphere")).assert_refused(&[
+        "scene.contraction",
+        "sphere",
+        "`none` or `cube`",
+    ]);
+}
+
 /// What the page is made of is tested where it is made.
 #[test]
 fn the_report_shows_the_run() {

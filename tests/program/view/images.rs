@@ -2,7 +2,8 @@
 
 use std::fs;
 
-use organza::Camera;
+use organza::scene::{Contraction, SceneConfig};
+use organza::{Camera, Scene};
 use serde_json::{Value, json};
 
 use super::client::Viewer;
@@ -51,7 +52,31 @@ fn images_at_rest_are_the_bytes_of_render() {
 /// As a colleague would: numbers of the page, then those of the command.
 #[test]
 fn a_pixel_is_explained_with_the_numbers_of_explain() {
-    let sandbox = Sandbox::new("basic");
+    assert_explained("basic");
+}
+
+/// Where rays are not straight.
+#[test]
+fn a_pixel_of_a_contracted_scene_is_explained() {
+    assert_explained("contracted");
+}
+
+/// The equations of docs/conventions.md: a place of the world in the unit cube.
+fn in_the_cube(config: &SceneConfig, place: [f64; 3]) -> [f64; 3] {
+    let [low, high] = config.aabb;
+    let part = |axis: usize| (place[axis] - low[axis]) / (high[axis] - low[axis]);
+    if config.contraction == Contraction::None {
+        return [0, 1, 2].map(|axis| 0.05 + 0.9 * part(axis));
+    }
+    let q = [0, 1, 2].map(|axis| 0.5 * part(axis) - 0.25);
+    let n = q.iter().fold(0.25, |n: f64, q| n.max(q.abs()));
+    q.map(|q| 0.5 + q * (0.5 - 1.0 / (16.0 * n)) / n)
+}
+
+fn assert_explained(case: &str) {
+    let sandbox = Sandbox::new(case);
+    let scene = Scene::load(sandbox.path("scene.safetensors")).unwrap();
+    let cameras = Camera::load_all(sandbox.path("cameras.json")).unwrap();
     let viewer = Viewer::start(&sandbox, VIEW);
     let camera = viewer.scene()["views"][0]["camera"].clone();
     for pixel in ["20,17", "30,30", "24,24"] {
@@ -79,6 +104,21 @@ fn a_pixel_is_explained_with_the_numbers_of_explain() {
             let last = ray.last().map_or(1.0, |value| value.as_f64().unwrap());
             let t = row["transmittance"].as_f64().unwrap();
             assert!((last - t).abs() <= 1e-5 * t, "{pixel}: {last} and {t}");
+            // and goes from the Gaussian to the eye, or to where it leaves the cube
+            let places: Vec<[f64; 3]> = serde_json::from_value(other["places"].clone()).unwrap();
+            let gaussian = row["gaussian"].as_u64().unwrap() as usize;
+            let position = scene.gaussians.position[gaussian].map(f64::from);
+            let is_contracted = scene.config.contraction != Contraction::None;
+            assert_eq!(places.len(), if is_contracted { ray.len() + 1 } else { 2 });
+            let ends = [(places[0], position), (places[places.len() - 1], cameras[0].eye())];
+            for (found, end) in ends {
+                let expected = in_the_cube(&scene.config, end);
+                let is_inside = expected.iter().all(|x| (0.0..=1.0).contains(x));
+                let is_on_a_face = found.iter().any(|x| x.abs() < 1e-5 || (x - 1.0).abs() < 1e-5);
+                let is_near = found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-5);
+                let is_right = if is_inside { is_near } else { is_on_a_face };
+                assert!(is_right, "{pixel}: {found:?} and {expected:?}");
+            }
         }
     }
     let outside = viewer.post("/explain", &json!({"camera": camera, "pixel": [4000, 1]}));

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use glam::DVec3;
 use organza::render::{EyeCache, EyeOptions};
+use organza::scene::Contraction;
 use organza::{Camera, MODULES, RenderedTiles, Renderer, Scene, TileBatch, UploadOptions, demo};
 use organza_tests::devices;
 use serde_json::{Value, json};
@@ -29,10 +30,15 @@ fn thinned() -> Scene {
     scene
 }
 
-/// A sandbox with that scene, cameras around it, and cameras that see it from far away.
-fn sandbox() -> (Sandbox, Scene, Vec<Camera>) {
+/// A sandbox with that scene, cameras around it, and cameras that see it from far away. `outside` is the same scene, with a box
+/// that half of it lies outside of.
+fn sandbox() -> (Sandbox, [Scene; 2], Vec<Camera>) {
     let (sandbox, scene) = (Sandbox::new("tiny"), thinned());
+    let mut outside = scene.clone();
+    outside.config.contraction = Contraction::Cube;
+    outside.config.aabb = scene.config.aabb.map(|corner| corner.map(|x| 0.4 * x));
     scene.save(sandbox.path("thin.safetensors")).expect("a scene");
+    outside.save(sandbox.path("outside.safetensors")).expect("a scene");
     let near: Vec<_> =
         demo::turntable(6, SIZE[1]).iter().map(|camera| camera.with_size(SIZE)).collect();
     let mut far = near.clone();
@@ -41,7 +47,7 @@ fn sandbox() -> (Sandbox, Scene, Vec<Camera>) {
     }
     Camera::save_all(sandbox.path("near.json"), &near).expect("cameras");
     Camera::save_all(sandbox.path("far.json"), &far).expect("cameras");
-    (sandbox, scene, near)
+    (sandbox, [scene, outside], near)
 }
 
 fn url(path: &Path) -> String {
@@ -176,7 +182,7 @@ fn assert_all_compile(page: &mut Page) {
 #[test]
 fn a_page_renders_by_itself() {
     let Some(program) = program() else { return };
-    let (sandbox, scene, cameras) = sandbox();
+    let (sandbox, [scene, outside], cameras) = sandbox();
     let words = "export-web thin.safetensors near.json -o page --size 160x128 --backend cpu";
     let note = sandbox.run(words).assert_ok().stderr;
     assert!(note.contains("open page/index.html in a browser"), "{note}");
@@ -206,12 +212,12 @@ fn a_page_renders_by_itself() {
     assert_eq!(page.eval("organza.errors"), json!([]));
 
     // plans that were measured from far away are too small from nearby: larger ones take their place
-    let words = "export-web thin.safetensors far.json -o far.html --single-file --size 160x128";
+    let words = "export-web outside.safetensors far.json -o far.html --single-file --size 160x128";
     sandbox.run(&format!("{words} --title Far --backend cpu")).assert_ok();
     page.go(&url(&sandbox.path("far.html")));
     page.wait(AT_REST);
     assert_eq!(page.eval("document.title"), "Far \u{b7} organza");
-    assert!(assert_same(&mut page, &scene, &cameras[0], 1) > 0, "no plan was too small");
+    assert!(assert_same(&mut page, &outside, &cameras[0], 1) > 0, "no plan was too small");
     // and the page itself takes them: it shows the image of a larger plan, and none of those that came out empty
     let script = include_str!("grown.js");
     let grown = page.eval(&format!("({script})({})", lens(&cameras[0])));

@@ -23,7 +23,7 @@ pub fn harmonics(scene: &Scene, camera: &Camera, gaussian: usize) -> Vec<f64> {
 
 /// A Gaussian's features in the color grid.
 pub fn color_features(scene: &Scene, gaussian: usize) -> Vec<f64> {
-    let point = unit(wide(scene.gaussians.position[gaussian]), scene.config.aabb);
+    let point = unit(wide(scene.gaussians.position[gaussian]), scene.config.aabb, false);
     encode(&scene.config.color_grid, &scene.color.grid, point)
 }
 
@@ -39,7 +39,8 @@ pub fn color(scene: &Scene, sh: &[f32], features: &[f32], gaussian: usize) -> Ve
 pub fn transmittance(scene: &Scene, camera: &Camera, gaussian: usize) -> (u32, f64) {
     let config = &scene.config;
     let [p, eye] = [wide(scene.gaussians.position[gaussian]), camera.eye()];
-    let segment = segment::segment(unit(p, config.aabb), unit(eye, config.aabb), config.step);
+    let [p, eye] = [p, eye].map(|point| unit(point, config.aabb, false));
+    let segment = segment::segment(p, eye, config.step);
     let steps = dot(segment.way, segment.way).sqrt() / config.step;
     if steps == 0.0 {
         return (0, 1.0);

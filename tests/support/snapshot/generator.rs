@@ -1,6 +1,6 @@
 //! Scenes from a recipe: small, built in code, the same on every system.
 
-use organza::scene::{GridConfig, Interpolation, MlpConfig, Network, SceneConfig};
+use organza::scene::{Contraction, GridConfig, Interpolation, MlpConfig, Network, SceneConfig};
 use organza::{Camera, Scene};
 
 /// Numbers without a pattern, in [0, 1).
@@ -111,6 +111,7 @@ impl Recipe {
             blur: 0.3,
             background: [0.129, 0.499, 0.601],
             aabb: [[-1.5, -1.2, -1.0], [1.5, 1.2, 1.4]],
+            contraction: Contraction::None,
         };
         for grid in [&config.color_grid, &config.transmittance_grid] {
             let hashed = grid.levels_geometry().iter().filter(|level| level.hashed).count();

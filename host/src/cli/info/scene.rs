@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::Path;
 
 use organza::error::format_bytes;
-use organza::scene::{GridConfig, Interpolation, SceneConfig, TensorSpec};
+use organza::scene::{Contraction, GridConfig, Interpolation, SceneConfig, TensorSpec};
 use organza::{DeviceScene, Result, Scene};
 use serde::Serialize;
 
@@ -107,6 +107,10 @@ impl SceneInfo {
         // Scenes are made in f32: its digits are what was meant.
         let [lo, hi] = config.aabb.map(|corner| corner.map(|value| value as f32));
         let [r, g, b] = config.background;
+        let outside = match config.contraction {
+            Contraction::None => "rays end at the unit cube",
+            Contraction::Cube => "contracted to the unit cube",
+        };
         let lines = [
             ("Gaussians", grouped(self.gaussians as u64)),
             ("values", grouped(self.values as u64)),
@@ -134,6 +138,7 @@ impl SceneInfo {
             ("blur", format!("{} px^2", config.blur)),
             ("background", format!("{r} {g} {b}")),
             ("box", format!("{lo:?} to {hi:?}")),
+            ("outside the box", outside.to_owned()),
         ];
         for (label, value) in lines {
             writeln!(f, "{label:<21}  {value}")?;

@@ -50,6 +50,7 @@ fn load(bytes: &[u8]) -> Result<Scene> {
 fn cases_load() {
     for (case, gaussians, entries) in [
         ("basic", 48, 10752),
+        ("contracted", 48, 5632),
         ("crowded", 120, 10752),
         ("smooth", 48, 3072),
         ("tiny", 1, 512),
@@ -162,6 +163,15 @@ fn suspicious_scenes_are_warned_about() {
     for (warning, fact) in warnings.iter().zip(facts) {
         assert!(warning.contains(fact), "{warning}");
     }
+    // 1.6 away from a box of 3 x 2.4 x 2.4, a scale of 7.4 is too large all the same
+    scene.config.contraction = Contraction::Cube;
+    let outside = |scene: &Scene| {
+        let about = |fact: &str| scene.warnings().iter().any(|warning| warning.contains(fact));
+        [about("have their center"), about("scale larger")]
+    };
+    assert_eq!(outside(&scene), [false, true]);
+    scene.gaussians.position[0][0] = 8.0;
+    assert_eq!(outside(&scene), [false, false]);
 }
 
 #[test]

@@ -163,8 +163,13 @@ export class Explain {
   }
 
   drawWay(context, turn, one, front) {
-    const { start, end, transmittances } = one, count = Math.max(1, transmittances.length);
-    const place = (t) => turn(start.map((x, axis) => x + (end[axis] - x) * t));
+    const { places, transmittances } = one, count = Math.max(1, transmittances.length);
+    // places are evenly spaced; between two of them the way is straight
+    const place = (t) => {
+      const at = t * (places.length - 1), first = Math.min(Math.floor(at), places.length - 2);
+      const [a, b] = [places[first], places[first + 1]];
+      return turn(a.map((x, axis) => x + (b[axis] - x) * (at - first)));
+    };
     context.globalAlpha = front ? 1 : 0.25;
     context.lineWidth = front ? 3 : 1.25;
     transmittances.forEach((t, at) => {

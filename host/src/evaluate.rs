@@ -12,12 +12,14 @@ mod tests;
 
 use serde::{Deserialize, Serialize};
 
+use crate::camera::Camera;
 use crate::data::Frame;
 use crate::error::{Error, Result};
 use crate::image::{Image, TILE_SIDE, bands};
 use crate::metrics::lpips::Lpips;
 use crate::metrics::{psnr, ssim};
-use crate::render::{DeviceScene, RenderedTiles, Renderer};
+use crate::ranks::Ranks;
+use crate::render::{DeviceScene, DeviceShare, RenderedTiles, Renderer};
 use crate::tile::TileBatch;
 use organza_device::memory;
 
@@ -151,13 +153,33 @@ pub fn evaluate_measures(
             done += tiles;
             watch(Event::Tiles { done, total });
         };
-        let rendered = Rendered::new(renderer, scene, frame, &mut advance)?;
+        let rendered = Rendered::new(frame, &mut |cameras, batch| {
+            let mut before = 0;
+            let mut progress = |done, _| advance(done - std::mem::replace(&mut before, done));
+            renderer.render_with_progress(scene, cameras, batch, &mut progress)
+        })?;
         let score = ViewScore { name: frame.name.clone(), score: rendered.score(frame, measures)? };
         not_finite += rendered.image.not_finite();
         watch(Event::View { index, score: &score, image: &rendered.image });
         views.push(score);
     }
     Ok(Evaluation { mean: mean(&views), views, not_finite })
+}
+
+/// As [`evaluate`], of one frame, with a scene whose Gaussians are dealt to ranks: all of them call this.
+pub(crate) fn evaluate_share(
+    renderer: &Renderer,
+    share: &DeviceShare,
+    frame: &Frame,
+    ranks: &dyn Ranks,
+) -> Result<(Evaluation, Image)> {
+    let render =
+        &mut |cameras: &[_], batch: &_| renderer.render_share(share, cameras, batch, ranks);
+    let rendered = Rendered::new(frame, render)?;
+    let score = rendered.score(frame, Measures::default())?;
+    let views = vec![ViewScore { name: frame.name.clone(), score }];
+    let not_finite = rendered.image.not_finite();
+    Ok((Evaluation { mean: mean(&views), views, not_finite }, rendered.image))
 }
 
 impl Evaluation {
@@ -201,10 +223,8 @@ struct Rendered {
 
 impl Rendered {
     fn new(
-        renderer: &Renderer,
-        scene: &DeviceScene,
         frame: &Frame,
-        advance: &mut dyn FnMut(usize),
+        render: &mut dyn FnMut(&[Camera], &TileBatch) -> Result<RenderedTiles>,
     ) -> Result<Self> {
         let camera = &frame.camera;
         let size = [camera.width, camera.height];
@@ -220,10 +240,7 @@ impl Rendered {
             Self { image: Image::new(size[0], size[1])?, colors: colors(frame, "an image")? };
         for batch in bands(0, size, TILE_SIDE) {
             let batch = batch?;
-            let mut before = 0;
-            let mut progress = |done, _| advance(done - std::mem::replace(&mut before, done));
-            let cameras = std::slice::from_ref(camera);
-            let tiles = renderer.render_with_progress(scene, cameras, &batch, &mut progress)?;
+            let tiles = render(std::slice::from_ref(camera), &batch)?;
             rendered.image.paste(&batch, &tiles)?;
             rendered.paste(&batch, &tiles);
         }

@@ -95,7 +95,7 @@ impl Run {
                 self.send(Message::Begin(step));
             }
             Event::Warning(text) => self.send(Message::Warning(text.to_owned())),
-            Event::Step { step, seconds, report, scene } => {
+            Event::Step { step, seconds, report, scene: Some(scene), .. } => {
                 now = step;
                 let (loss, psnr) = (report.loss, report.psnr);
                 let (gaussians, grown) = (scene.len(), report.grown.is_some());

@@ -53,9 +53,9 @@ impl TrainingProgress {
                 self.steps = *steps;
                 self.bar.set_length(*steps as usize);
             }
-            Event::Step { step, seconds, report, scene } => {
+            Event::Step { step, seconds, report, gaussians, .. } => {
                 (self.step, self.seconds) = (*step, *seconds);
-                self.gaussians = Some(scene.len());
+                self.gaussians = Some(*gaussians);
                 self.pace.add(*step, *seconds);
                 self.step(report);
             }

@@ -7,7 +7,7 @@ use std::thread;
 
 use organza::ranks::{Ranks, ThreadRanks, meet};
 use organza::scene::SceneShare;
-use organza::train::{self, TrainConfig};
+use organza::train::{self, Split, TrainConfig};
 use organza::{Dataset, DeviceOptions, DeviceShare, Renderer, Result, UploadOptions, error};
 
 use super::console::Console;
@@ -25,9 +25,19 @@ pub struct RanksArgs {
     /// (docs/cluster.md)
     #[arg(long, value_name = "N|mpi")]
     ranks: Option<Kind>,
+    /// What ranks share. `views`: each holds the whole scene. `gaussians`: each holds some of the Gaussians, for scenes that do
+    /// not fit on one device. The scene's bits depend on this [default: views]
+    #[arg(long, value_name = "WHAT", requires = "ranks")]
+    split: Option<SplitName>,
     /// Allow ranks with different programs or devices; the scene's bits then depend on which of them computes what
     #[arg(long, requires = "ranks")]
     mixed: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum SplitName {
+    Views,
+    Gaussians,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,7 +64,12 @@ impl FromStr for Kind {
 impl RanksArgs {
     /// The ranks, if there are to be any.
     pub fn start(&self) -> Result<Option<Team>> {
-        self.ranks.map(|kind| Team::start(kind, self.mixed)).transpose()
+        let split = match self.split {
+            Some(SplitName::Gaussians) => Split::Gaussians,
+            _ => Split::Views,
+        };
+        let team = self.ranks.map(|kind| Team::start(kind, self.mixed)).transpose()?;
+        Ok(team.map(|team| Team { split, ..team }))
     }
 }
 
@@ -97,6 +112,8 @@ pub struct Team {
     /// Those of other threads.
     pub others: Vec<ThreadRanks>,
     pub mixed: bool,
+    /// What they share of a training.
+    pub split: Split,
     pub is_mpi: bool,
 }
 
@@ -106,9 +123,13 @@ impl Team {
             Kind::Threads(size) => {
                 let mut ranks = ThreadRanks::new(size).into_iter();
                 let mine = Arc::new(ranks.next().expect("one at least"));
-                Ok(Self { mine, others: ranks.collect(), mixed, is_mpi: false })
+                let (others, split) = (ranks.collect(), Split::default());
+                Ok(Self { mine, others, mixed, split, is_mpi: false })
             }
-            Kind::Mpi => Ok(Self { mine: start_mpi()?, others: Vec::new(), mixed, is_mpi: true }),
+            Kind::Mpi => {
+                let (mine, others, split) = (start_mpi()?, Vec::new(), Split::default());
+                Ok(Self { mine, others, mixed, split, is_mpi: true })
+            }
         }
     }
 
@@ -118,7 +139,7 @@ impl Team {
         lead: impl FnOnce(Member<'_>) -> Result<()>,
         follow: impl Fn(Member<'_>) -> Result<()> + Sync,
     ) -> Result<()> {
-        let (places, Self { mine, others, mixed, is_mpi }) = (self.places(), self);
+        let (places, Self { mine, others, mixed, is_mpi, .. }) = (self.places(), self);
         thread::scope(|scope| {
             for ranks in others {
                 let follow = &follow;

@@ -9,7 +9,7 @@ use organza::Result;
 use organza::data::Background;
 use organza::error::{self, format_bytes};
 use organza::train::{
-    self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, RunFolder, Session,
+    self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, RunFolder, Session, Split,
     TrainConfig,
 };
 use organza::view::TrainingView;
@@ -39,6 +39,7 @@ Examples:
   organza train data/fox -o run --start scene.ply      from Gaussians that another program has made
   organza train data/fox -o run --ranks 2              on two GPUs
   mpirun -n 8 organza train data/fox -o run --ranks mpi
+  mpirun -n 8 organza train data/city -o run --ranks mpi --split gaussians   more than one GPU holds
   organza train --preset best --print-config > mine.toml
   organza eval run
 
@@ -191,6 +192,11 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 
 /// Trains as the first rank, or alone.
 fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
+    if args.view && team.as_ref().is_some_and(|team| team.split == Split::Gaussians) {
+        return refuse(
+            "`--view` needs the whole scene on one device: leave out `--split gaussians`",
+        );
+    }
     let signals = Signals::listen()?;
     let (folder, config) = prepare(args)?;
     let (planned, time_limit) = (args.settings.planned(), args.time_limit.map(f64::from));
@@ -234,10 +240,10 @@ impl Ended {
     fn see(&mut self, event: &Event<'_>) {
         match event {
             Event::Begin(step) => self.step = *step,
-            Event::Step { step, seconds, scene, .. } => {
+            Event::Step { step, seconds, gaussians, .. } => {
                 self.step = *step;
                 self.seconds = Some(*seconds);
-                self.gaussians = Some(scene.len());
+                self.gaussians = Some(*gaussians);
             }
             Event::Evaluated(evaluation) => {
                 (self.psnr, self.ssim) = (evaluation.mean.psnr, evaluation.mean.ssim);
@@ -311,16 +317,17 @@ impl Job<'_> {
         }
         let of_others: Vec<_> =
             team.iter().flat_map(|team| 1..=team.others.len()).map(of_rank).collect();
-        let (mine, others, mixed) = match team {
-            Some(Team { mine, others, mixed, .. }) => (Some(mine), others, mixed),
-            None => (None, Vec::new(), false),
+        let (mine, others, mixed, split) = match team {
+            Some(Team { mine, others, mixed, split, .. }) => (Some(mine), others, mixed, split),
+            None => (None, Vec::new(), false, Split::default()),
         };
         let session = Session::new(&renderer, &config, &dataset, &folder)
             .with_time_limit(self.time_limit)
             .with_planned(self.planned)
             .with_command(command_line())
             .with_stop(signals.stop())
-            .with_ranks(mine, mixed);
+            .with_ranks(mine, mixed)
+            .with_split(split);
         let mut view = self.view.zip(server).map(|((args, share), server)| {
             args.announce(&server.url(), console);
             let (stop, title) = (signals.stop(), title(self.folder));

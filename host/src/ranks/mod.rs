@@ -1,7 +1,7 @@
 //! Ranks: processes, or threads of one process, that train or render one scene together.
 //!
-//! A rank is one of them, numbered from 0. In a training, each holds the whole scene and computes its share of every step.
-//! For rendering, each can hold [a share](crate::scene::SceneShare) of the Gaussians. What they tell each other are the
+//! A rank is one of them, numbered from 0. In a training, each holds the whole scene and computes its share of every step,
+//! or each holds [a share](crate::scene::SceneShare) of the Gaussians, as for rendering. What they tell each other are the
 //! calls of [`Ranks`]. All ranks make the same calls in the same order.
 
 mod meet;

@@ -5,10 +5,8 @@
 //! [slices](crate::scene::SLICE) by index. Each slice is added up in f32, by the rank that holds it. The sums of slices are
 //! rounded to multiples of 2^-32 and added as 64-bit integers, which is exact in any order.
 
-use std::sync::Arc;
-
 use super::composite::resolve;
-use super::options::UploadOptions;
+use super::device_share::DeviceShare;
 use super::part::Part;
 use super::part_counts::Capacity;
 use super::plan::{Plan, PlannedTile};
@@ -18,9 +16,9 @@ use super::scene::DeviceScene;
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::ranks::Ranks;
-use crate::scene::{Gaussians, SLICE, Scene, SceneConfig, SceneShare};
+use crate::scene::SLICE;
 use crate::tile::TileBatch;
-use organza_device::{Device, memory};
+use organza_device::memory;
 
 /// Planes of a tile's sums: C and S.
 pub(super) const PLANES: usize = 4;
@@ -33,68 +31,7 @@ const KEPT_SAMPLES: u64 = 1 << 24;
 /// Pixels that are resolved at once.
 const RESOLVED_PIXELS: usize = 1 << 22;
 
-/// A [share](SceneShare) of a scene on a device: slices of Gaussians, which have the fields in common.
-#[derive(Debug)]
-pub struct DeviceShare {
-    /// The fields, and a Gaussian that is never rendered: a share may have none.
-    pub(super) fields: DeviceScene,
-    pub(super) slices: Vec<DeviceScene>,
-    /// Slices of the whole scene.
-    pub(super) slices_of_all: usize,
-}
-
-impl DeviceShare {
-    /// The configuration of the scene.
-    #[must_use]
-    pub fn config(&self) -> &SceneConfig {
-        &self.fields.config
-    }
-
-    /// Gaussians of the share.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.slices.iter().map(DeviceScene::len).sum()
-    }
-
-    /// Whether the share has no Gaussians.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.slices.is_empty()
-    }
-}
-
-impl DeviceScene {
-    /// Other Gaussians, with the same fields on the same memory.
-    fn with_gaussians(&self, device: &Device, gaussians: &Gaussians) -> Result<Self> {
-        let mut scene = self.view();
-        scene.gaussians = gaussians.len() as u32;
-        let tensors = gaussians.tensors();
-        scene.tensors.gaussians = tensors.try_map(|name, values| device.upload(name, values))?;
-        scene.version = Arc::default();
-        Ok(scene)
-    }
-}
-
 impl Renderer {
-    /// Copies a share to the device.
-    ///
-    /// # Errors
-    /// As [`Renderer::upload_with`].
-    pub fn upload_share(&self, share: &SceneShare, options: UploadOptions) -> Result<DeviceShare> {
-        let Scene { config, gaussians, color, transmittance } = &share.scene;
-        if !gaussians.is_empty() {
-            share.scene.validate()?;
-        }
-        let mut fields = Scene::zeros(config.clone(), 1)?;
-        (fields.color, fields.transmittance) = (color.clone(), transmittance.clone());
-        let fields = self.upload_with(&fields, options)?;
-        let indices: Vec<_> = (0..gaussians.len()).collect();
-        let slice =
-            |indices: &[usize]| fields.with_gaussians(self.device(), &gaussians.select(indices));
-        let slices = indices.chunks(SLICE).map(slice).collect::<Result<_>>()?;
-        Ok(DeviceShare { fields, slices, slices_of_all: share.gaussians.div_ceil(SLICE) })
-    }
-
     /// Renders a batch of tiles together with other ranks: each has its share of the same scene, and the same batch, and
     /// gets all tiles. The report counts what all ranks did.
     ///

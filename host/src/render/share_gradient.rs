@@ -11,6 +11,7 @@
 use glam::Vec4;
 
 use super::backward::of_tiles;
+use super::device_share::DeviceShare;
 use super::field_sums::{add_grids, set_scales, take_networks, write_networks};
 use super::gradient::SceneGradient;
 use super::part::Part;
@@ -18,13 +19,13 @@ use super::part_counts::Capacity;
 use super::renderer::Renderer;
 use super::results::RenderedTiles;
 use super::scene::DeviceScene;
-use super::share::{DeviceShare, PLANES, ShareForward, SharePart};
+use super::share::{PLANES, ShareForward, SharePart};
 use crate::camera::Camera;
 use crate::error::{Error, Result};
 use crate::ranks::Ranks;
 use crate::scene::{Gradient, Scene};
 use crate::tile::TileBatch;
-use organza_device::Buffer;
+use organza_device::{Buffer, Device};
 
 /// A batch that ranks have rendered together, each with its [share](DeviceShare), and that keeps what its gradient needs.
 #[derive(Debug)]
@@ -75,20 +76,15 @@ impl ShareRecording<'_> {
             return Err(Error::Argument { reason });
         }
         let device = self.renderer.device();
-        let fields = SceneGradient::new(device, &self.share.fields)?;
-        let slices = self.share.slices.iter().map(|slice| fields.of_slice(device, slice));
-        let slices: Vec<_> = slices.collect::<Result<_>>()?;
-        self.add(grad_output, &fields, &slices)?;
-        fields.check(device)?;
-        self.download(&fields, &slices)
+        let gradient = ShareGradient::new(device, self.share, true)?;
+        self.add(grad_output, &gradient)?;
+        gradient.check(device)?;
+        self.download(&gradient)
     }
 
-    fn add(
-        &self,
-        grad_output: &[f32],
-        fields: &SceneGradient,
-        slices: &[SceneGradient],
-    ) -> Result<()> {
+    /// Adds dLoss/dtensor to `gradient`, that of a step: zero before but for the statistics.
+    pub(super) fn add(&self, grad_output: &[f32], gradient: &ShareGradient) -> Result<()> {
+        let ShareGradient { fields, slices } = gradient;
         let (device, ranks) = (self.renderer.device(), self.ranks);
         let mut samples = [0; 2];
         let mut kept = Vec::new();
@@ -163,7 +159,8 @@ impl ShareRecording<'_> {
         part.pair_gradient(device, slice, plan.side, &pixels)
     }
 
-    fn download(&self, fields: &SceneGradient, slices: &[SceneGradient]) -> Result<Gradient> {
+    fn download(&self, gradient: &ShareGradient) -> Result<Gradient> {
+        let ShareGradient { fields, slices } = gradient;
         let (device, config) = (self.renderer.device(), self.share.config());
         let mut values = Scene::zeros(config.clone(), self.share.len())?;
         let of_fields = fields.download(device, config, 1)?.into_values();
@@ -179,6 +176,57 @@ impl ShareRecording<'_> {
             begin += slice.len();
         }
         Ok(Gradient::of(values))
+    }
+}
+
+/// Gradients of the tensors of a share; kernels add to them.
+#[derive(Debug)]
+pub(crate) struct ShareGradient {
+    /// Those of the fields.
+    pub fields: SceneGradient,
+    /// Those of each slice's Gaussians; those of the fields are the same.
+    pub slices: Vec<SceneGradient>,
+}
+
+impl ShareGradient {
+    /// Zeros. `has_transmittance` says whether the transmittance field and the extra vectors are wanted at all.
+    pub fn new(device: &Device, share: &DeviceShare, has_transmittance: bool) -> Result<Self> {
+        let mut fields = SceneGradient::new(device, &share.fields)?;
+        fields.has_transmittance = has_transmittance;
+        let mut gradient = Self { fields, slices: Vec::new() };
+        gradient.replace_slices(device, share)?;
+        Ok(gradient)
+    }
+
+    /// Zeros for the Gaussians that a share has now.
+    pub fn replace_slices(&mut self, device: &Device, share: &DeviceShare) -> Result<()> {
+        self.slices.clear();
+        for slice in &share.slices {
+            let mut gradient = self.fields.of_slice(device, slice)?;
+            gradient.has_transmittance = self.fields.has_transmittance;
+            self.slices.push(gradient);
+        }
+        Ok(())
+    }
+
+    /// As [`SceneGradient::check`].
+    pub fn check(&self, device: &Device) -> Result<()> {
+        self.fields.check(device)
+    }
+
+    /// A step begins.
+    pub fn begin(&self, device: &Device) {
+        self.slices.iter().for_each(|slice| slice.begin(device));
+    }
+
+    /// As it was when the step began.
+    pub fn restart(&self, device: &Device) {
+        self.slices.iter().chain([&self.fields]).for_each(|gradient| gradient.restart(device));
+    }
+
+    /// As [`SceneGradient::clear_touched`].
+    pub fn clear_touched(&self, device: &Device) {
+        self.fields.clear_touched(device);
     }
 }
 

@@ -113,6 +113,11 @@ impl SceneConfig {
         Ok(config)
     }
 
+    /// The text that [`SceneConfig::from_json`] parses.
+    pub(crate) fn to_json(&self) -> Result<String> {
+        serde_json::to_string(self).map_err(|error| Error::Argument { reason: error.to_string() })
+    }
+
     /// Number of spherical harmonics, `(sh_degree + 1)^2`.
     #[must_use]
     pub fn sh_width(&self) -> usize {

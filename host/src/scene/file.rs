@@ -104,10 +104,14 @@ impl Scene {
         self.validate()?;
         let tensors = self.tensors();
         let tensors: Vec<_> = tensors.iter().map(|(spec, data)| spec.of(data)).collect();
-        let config = serde_json::to_string(&self.config)
-            .map_err(|error| Error::Argument { reason: error.to_string() })?;
-        write(&tensors, &[("format", FORMAT), ("version", VERSION), ("config", &config)])
+        let config = self.config.to_json()?;
+        write(&tensors, &scene_metadata(&config))
     }
+}
+
+/// What the metadata of a scene file says; `config` is [`SceneConfig::to_json`].
+pub(crate) fn scene_metadata(config: &str) -> [(&'static str, &str); 3] {
+    [("format", FORMAT), ("version", VERSION), ("config", config)]
 }
 
 /// [`Scene::load`] from what is `length` bytes long; `origin` is what errors name.

@@ -91,7 +91,7 @@ macro_rules! define {
 
         impl Gaussians {
             /// `len` Gaussians of zeros.
-            pub(super) fn zeros(config: &SceneConfig, len: usize) -> Result<Self> {
+            pub(crate) fn zeros(config: &SceneConfig, len: usize) -> Result<Self> {
                 Ok(Self {
                     $($name: memory::zeros(elements!(config, len, $row), file_name!($name))?,)+
                 })
@@ -107,6 +107,11 @@ macro_rules! define {
             #[must_use]
             pub fn tensors_mut(&mut self) -> GaussianTensors<&mut [f32]> {
                 GaussianTensors { $($name: bytemuck::cast_slice_mut(&mut self.$name),)+ }
+            }
+
+            /// Puts other Gaussians behind these; their vectors must have the same lengths.
+            pub fn append(&mut self, other: &Self) {
+                $(self.$name.extend_from_slice(&other.$name);)+
             }
 
             /// The Gaussians with these indices, in this order. An index can occur more than once.

@@ -20,7 +20,7 @@ pub use config::{
     COLOR_OUTPUTS, Contraction, MAX_HIDDEN_LAYERS, MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE,
     MAX_VECTOR, MlpConfig, SceneConfig, TRANSMITTANCE_OUTPUTS,
 };
-pub(crate) use file::read_scene;
+pub(crate) use file::{read_scene, scene_metadata};
 pub use gaussians::{GaussianTensors, Gaussians};
 pub(crate) use gaussians::{gaussian_tensors, logit};
 pub use gradient::Gradient;
@@ -29,10 +29,11 @@ pub use grid::{
     MAX_RESOLUTION,
 };
 pub use network::{Field, Layer, Network};
+pub(crate) use share::range_of;
 pub use share::{SLICE, SceneShare};
 pub use spec::TensorSpec;
 pub use tensor_file::{Tensor, TensorRef, read_tensors, write_tensors};
-pub(crate) use tensor_file::{read_metadata, read_tensors_from};
+pub(crate) use tensor_file::{read_metadata, read_tensors_from, write_streamed};
 pub use tensors::{FieldTensors, Tensors};
 
 use crate::error::Result;

@@ -1,14 +1,17 @@
 //! A share of a scene: some of its Gaussians, and all of its fields.
 
+use std::collections::HashMap;
 use std::io::BufReader;
 use std::ops::Range;
 use std::path::Path;
 
 use super::Scene;
 use super::file::{check_declared, count_gaussians, read_config};
+use super::spec::TensorSpec;
 use super::tensor_file::Header;
 use crate::error::Result;
 use crate::input::open_regular;
+use organza_device::memory;
 
 /// Gaussians of a slice. A scene is cut into slices by index, and each rank has whole slices: so what is rounded does not
 /// depend on the number of ranks.
@@ -41,7 +44,7 @@ impl SceneShare {
     #[must_use]
     pub fn of(scene: &Scene, rank: usize, ranks: usize) -> Self {
         let gaussians = scene.gaussians.len();
-        let range = range(gaussians, rank, ranks);
+        let range = range_of(gaussians, rank, ranks);
         let indices: Vec<_> = range.clone().collect();
         let scene = Scene {
             config: scene.config.clone(),
@@ -58,32 +61,56 @@ impl SceneShare {
     /// # Errors
     /// As [`Scene::load`], for the share.
     pub fn load(path: impl AsRef<Path>, rank: usize, ranks: usize) -> Result<Self> {
+        Self::load_more(path, rank, ranks, [], None).map(|(share, ..)| share)
+    }
+
+    /// As [`SceneShare::load`], with what else the file has of the same Gaussians: scenes of the same shape, with these
+    /// prefixes before their tensors' names, and the rows of another tensor, of a name and a width.
+    pub(crate) fn load_more<const P: usize>(
+        path: impl AsRef<Path>,
+        rank: usize,
+        ranks: usize,
+        prefixes: [&str; P],
+        other: Option<(&str, usize)>,
+    ) -> Result<(Self, [Scene; P], Vec<f32>)> {
         let path = path.as_ref();
         let (file, length) = open_regular(path)?;
         let mut reader = BufReader::new(file);
         let header = Header::read(&mut reader, length, path)?;
         let config = read_config(&header, path)?;
         let gaussians = count_gaussians(&header, &config, path)?;
-        for spec in &config.tensors(gaussians) {
-            check_declared(&header, spec, path)?;
-        }
-        let range = range(gaussians, rank, ranks);
+        let range = range_of(gaussians, rank, ranks);
         let mut scene = Scene::zeros(config, range.len())?;
-        let tensors = scene.tensors_mut().into_iter().map(|(spec, values)| {
-            let is_row = spec.name.starts_with("gaussians.");
-            let row = if is_row { values.len() / range.len().max(1) } else { 0 };
-            (spec.name, (row * range.start, values))
-        });
-        header.read_ranges(&mut reader, tensors.collect(), path)?;
+        let mut more = prefixes.map(|_| scene.clone());
+        let width = other.map_or(0, |(_, width)| width);
+        let mut rows = memory::zeros(range.len() * width, "rows of a share")?;
+        let mut targets = HashMap::new();
+        let scenes = std::iter::once(("", &mut scene)).chain(prefixes.into_iter().zip(&mut more));
+        for (prefix, scene) in scenes {
+            let specs = scene.config.tensors(gaussians);
+            for (whole, (spec, values)) in specs.into_iter().zip(scene.tensors_mut()) {
+                let is_row = spec.name.starts_with("gaussians.");
+                let row = if is_row { values.len() / range.len().max(1) } else { 0 };
+                let name = format!("{prefix}{}", spec.name);
+                check_declared(&header, &TensorSpec { name: name.clone(), ..whole }, path)?;
+                targets.insert(name, (row * range.start, values));
+            }
+        }
+        if let Some((name, width)) = other {
+            let (shape, why) = (vec![gaussians, width], "a row for each Gaussian");
+            check_declared(&header, &TensorSpec { name: name.to_owned(), shape, why }, path)?;
+            targets.insert(name.to_owned(), (width * range.start, &mut rows));
+        }
+        header.read_ranges(&mut reader, targets, path)?;
         if !range.is_empty() {
             scene.validate_at(path)?;
         }
-        Ok(Self { scene, range, gaussians })
+        Ok((Self { scene, range, gaussians }, more, rows))
     }
 }
 
 /// The Gaussians of a rank: whole slices, as many for each as can be.
-fn range(gaussians: usize, rank: usize, ranks: usize) -> Range<usize> {
+pub(crate) fn range_of(gaussians: usize, rank: usize, ranks: usize) -> Range<usize> {
     let slices = gaussians.div_ceil(SLICE);
     let begin = |rank: usize| (slices * rank / ranks * SLICE).min(gaussians);
     begin(rank)..begin(rank + 1)
@@ -98,7 +125,7 @@ mod tests {
         for (gaussians, ranks) in
             [(1, 1), (1, 3), (SLICE, 2), (10 * SLICE + 5, 4), (100_000_000, 64)]
         {
-            let ranges: Vec<_> = (0..ranks).map(|rank| range(gaussians, rank, ranks)).collect();
+            let ranges: Vec<_> = (0..ranks).map(|rank| range_of(gaussians, rank, ranks)).collect();
             assert_eq!((ranges[0].start, ranges[ranks - 1].end), (0, gaussians));
             assert!(ranges.windows(2).all(|pair| pair[0].end == pair[1].start));
             assert!(ranges.iter().all(|range| range.is_empty() || range.start % SLICE == 0));

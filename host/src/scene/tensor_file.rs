@@ -89,13 +89,40 @@ pub fn write_tensors(
     tensors: &[TensorRef<'_>],
     metadata: &[(&str, &str)],
 ) -> Result<()> {
-    let (header, tensors) = encode_header(tensors, metadata)?;
+    let (header, tensors) = encode_tensors(tensors, metadata)?;
     write_atomic(path, |writer| write_all(writer, &header, &tensors))
+}
+
+/// As [`write_tensors`], for tensors that are not in memory: they are names and shapes, and `write` writes the values of
+/// each, in the order of the names.
+///
+/// # Errors
+/// As [`write_tensors`]; those of `write`.
+pub(crate) fn write_streamed(
+    path: impl AsRef<Path>,
+    tensors: &[(&str, &[usize])],
+    metadata: &[(&str, &str)],
+    write: impl FnOnce(&mut dyn FnMut(&[f32]) -> Result<()>) -> Result<()>,
+) -> Result<()> {
+    let path = path.as_ref();
+    let header = encode_header(tensors, metadata)?;
+    let mut failed = None;
+    let written = write_atomic(path, |writer| {
+        writer.write_all(&header)?;
+        let values = &mut |values: &[f32]| {
+            write_values(writer, values).map_err(|source| Error::write(path, source))
+        };
+        write(values).map_err(|error| {
+            failed = Some(error);
+            io::Error::other("the values were not there")
+        })
+    });
+    failed.map_or(written, Err)
 }
 
 /// [`write_tensors`] to memory.
 pub(super) fn encode(tensors: &[TensorRef<'_>], metadata: &[(&str, &str)]) -> Result<Vec<u8>> {
-    let (header, tensors) = encode_header(tensors, metadata)?;
+    let (header, tensors) = encode_tensors(tensors, metadata)?;
     let mut bytes = Vec::new();
     write_all(&mut bytes, &header, &tensors)
         .map_err(|error| Error::Argument { reason: error.to_string() })?;
@@ -233,15 +260,33 @@ fn read_values(reader: &mut impl Read, values: &mut [f32], origin: &Path) -> Res
 }
 
 /// Returns the header's bytes, length included, and the tensors in the order of their data.
-///
-/// The safetensors crate would do, but it writes metadata in an order that changes from run to run.
-fn encode_header<'a>(
+fn encode_tensors<'a>(
     tensors: &[TensorRef<'a>],
     metadata: &[(&str, &str)],
 ) -> Result<(Vec<u8>, Vec<TensorRef<'a>>)> {
-    let argument = |reason| Err(Error::Argument { reason });
     let mut tensors = tensors.to_vec();
     tensors.sort_by_key(|tensor| tensor.name);
+    for TensorRef { name, shape, data } in &tensors {
+        if count(shape) != Some(data.len()) {
+            let length = data.len();
+            let reason = format!("tensor `{name}` of shape {shape:?} has {length} values");
+            return Err(Error::Argument { reason });
+        }
+    }
+    let shapes: Vec<_> = tensors.iter().map(|tensor| (tensor.name, tensor.shape)).collect();
+    Ok((encode_header(&shapes, metadata)?, tensors))
+}
+
+/// The number of values of a shape.
+fn count(shape: &[usize]) -> Option<usize> {
+    shape.iter().try_fold(1_usize, |values, &size| values.checked_mul(size))
+}
+
+/// Returns the header's bytes, length included, for tensors in the order of their names.
+///
+/// The safetensors crate would do, but it writes metadata in an order that changes from run to run.
+fn encode_header(tensors: &[(&str, &[usize])], metadata: &[(&str, &str)]) -> Result<Vec<u8>> {
+    let argument = |reason| Err(Error::Argument { reason });
     let mut header = Map::new();
     let metadata: Map<_, _> =
         metadata.iter().map(|&(key, value)| (key.to_owned(), Value::from(value))).collect();
@@ -249,13 +294,11 @@ fn encode_header<'a>(
         header.insert("__metadata__".to_owned(), Value::Object(metadata));
     }
     let mut start = 0;
-    for TensorRef { name, shape, data } in &tensors {
-        let values = shape.iter().try_fold(1_usize, |values, &size| values.checked_mul(size));
-        if values != Some(data.len()) {
-            let length = data.len();
-            return argument(format!("tensor `{name}` of shape {shape:?} has {length} values"));
-        }
-        let end = start + size_of_val(*data);
+    for (name, shape) in tensors {
+        let bytes = count(shape).and_then(|values| values.checked_mul(size_of::<f32>()));
+        let Some(end) = bytes.and_then(|bytes| bytes.checked_add(start)) else {
+            return argument(format!("tensor `{name}` of shape {shape:?} is too large"));
+        };
         let info = json!({"dtype": "F32", "shape": shape, "data_offsets": [start, end]});
         if name.is_empty()
             || *name == "__metadata__"
@@ -269,17 +312,17 @@ fn encode_header<'a>(
     text.resize(text.len().next_multiple_of(WORD), b' ');
     let mut bytes = (text.len() as u64).to_le_bytes().to_vec();
     bytes.append(&mut text);
-    Ok((bytes, tensors))
+    Ok(bytes)
 }
 
 fn write_all(writer: &mut dyn Write, header: &[u8], tensors: &[TensorRef<'_>]) -> io::Result<()> {
     writer.write_all(header)?;
-    for tensor in tensors {
-        if cfg!(target_endian = "little") {
-            writer.write_all(bytemuck::cast_slice(tensor.data))?;
-        } else {
-            tensor.data.iter().try_for_each(|value| writer.write_all(&value.to_le_bytes()))?;
-        }
+    tensors.iter().try_for_each(|tensor| write_values(writer, tensor.data))
+}
+
+fn write_values(writer: &mut dyn Write, values: &[f32]) -> io::Result<()> {
+    if cfg!(target_endian = "little") {
+        return writer.write_all(bytemuck::cast_slice(values));
     }
-    Ok(())
+    values.iter().try_for_each(|value| writer.write_all(&value.to_le_bytes()))
 }

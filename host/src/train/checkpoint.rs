@@ -20,11 +20,11 @@ pub const CHECKPOINT: &str = "checkpoint.safetensors";
 pub const BEST: &str = "checkpoint.best.safetensors";
 
 /// Prefixes of the names of Adam's moments.
-const MOMENTS: [&str; 2] = ["adam.first.", "adam.second."];
+pub(super) const MOMENTS: [&str; 2] = ["adam.first.", "adam.second."];
 /// `[N, 4]`: what growth goes by, gathered since the last time.
-const STATISTICS: &str = "train.statistics";
+pub(super) const STATISTICS: &str = "train.statistics";
 /// The key of [`Progress`] in the metadata.
-const PROGRESS: &str = "train";
+pub(super) const PROGRESS: &str = "train";
 
 /// Where training stands, to the bit.
 ///
@@ -220,7 +220,7 @@ impl Checkpoint {
     }
 
     /// Everything beside the scene is what training can have come to.
-    fn check(&self, origin: &Path) -> Result<()> {
+    pub(super) fn check(&self, origin: &Path) -> Result<()> {
         let moments = self.moments.iter().zip(MOMENTS);
         let moments = moments.flat_map(|(moment, prefix)| moment.tensors_with_prefix(prefix));
         let moments = moments.map(|(spec, values)| (spec.name, values));

@@ -30,47 +30,116 @@ pub struct Grown {
 
 /// Where a Gaussian of the new scene comes from.
 #[derive(Clone, Copy, Debug)]
-struct Child {
-    parent: usize,
-    /// What becomes of the parent's weight, and the offset in standard deviations along each axis; none keeps all.
+pub struct Child {
+    pub parent: usize,
+    /// What becomes of the parent; none keeps all.
     change: Option<Change>,
 }
 
+impl Child {
+    /// The same, where its parent has another index.
+    pub fn with_parent(self, parent: usize) -> Self {
+        Self { parent, ..self }
+    }
+}
+
 #[derive(Clone, Copy, Debug)]
-struct Change {
-    opacity: f32,
-    offset: Vec3,
-    /// The axis that becomes shorter.
-    shorter: Option<usize>,
+enum Change {
+    /// One of two halves along the longest axis: on this side, 1 or -1.
+    Half(f32),
+    /// One of so many copies, and its offset in standard deviations along each axis.
+    Copy(u32, Vec3),
+}
+
+/// What becomes of each Gaussian. It follows from few numbers of each, so that ranks that hold shares of a scene can find
+/// the same plan.
+#[derive(Debug)]
+pub struct Plan {
+    method: GrowthMethod,
+    /// `[N]`: how many each becomes.
+    counts: Vec<u32>,
+    /// For the places of copies.
+    random: Pcg64,
+    pub grown: Grown,
+}
+
+/// How much a Gaussian is in need of a split: how strong a gradient its center felt, on average over the views that saw it.
+pub fn strength([sum, views, ..]: [f32; 4]) -> f32 {
+    if views > 0.0 { sum / views } else { 0.0 }
+}
+
+impl Plan {
+    /// Of the opacities' logits `[N]` and the [strengths](strength) `[N]`.
+    pub fn new(
+        config: &GrowthConfig,
+        opacity: &[f32],
+        strength: &[f32],
+        mut random: Pcg64,
+    ) -> Self {
+        let method = config.method;
+        let (counts, grown) = match method {
+            GrowthMethod::None => (vec![1; opacity.len()], Grown::default()),
+            GrowthMethod::Split => split(config, opacity, strength),
+            GrowthMethod::Relocate => relocate(config, opacity, &mut random),
+        };
+        Self { method, counts, random, grown }
+    }
+
+    /// Gaussians of the new scene.
+    pub fn len(&self) -> usize {
+        self.counts.iter().map(|&count| count as usize).sum()
+    }
+
+    /// The new scene's Gaussians in their order, which is that of their parents.
+    pub fn children(&self) -> impl Iterator<Item = Child> {
+        let mut random = self.random.clone();
+        let of_parent = move |(parent, &count): (usize, &u32)| {
+            let change = |copy: u32| match self.method {
+                GrowthMethod::Relocate => {
+                    let offset = std::array::from_fn(|_| StandardNormal.sample(&mut random));
+                    let offset = Vec3::from_array(offset) * COPY_OFFSET;
+                    Change::Copy(count, if copy == 0 { Vec3::ZERO } else { offset })
+                }
+                _ => Change::Half(if copy == 0 { 1.0 } else { -1.0 }),
+            };
+            let changes: Vec<_> = (0..count).map(change).collect();
+            let child = move |change| Child { parent, change: (count > 1).then_some(change) };
+            changes.into_iter().map(child)
+        };
+        self.counts.iter().enumerate().flat_map(of_parent)
+    }
 }
 
 /// Changes a scene and both of Adam's moments; `statistics [N]` is that of the steps since the last time.
 pub fn grow(
     config: &GrowthConfig,
     scene: &mut Scene,
-    moments: [&mut Scene; 2],
+    [first, second]: [&mut Scene; 2],
     statistics: &[[f32; 4]],
-    random: &mut Pcg64,
+    random: Pcg64,
 ) -> Grown {
-    let (children, grown) = match config.method {
-        GrowthMethod::None => return Grown::default(),
-        GrowthMethod::Split => split(config, scene, statistics),
-        GrowthMethod::Relocate => relocate(config, scene, random),
-    };
+    let strength: Vec<_> = statistics.iter().copied().map(strength).collect();
+    let plan = Plan::new(config, &scene.gaussians.opacity, &strength, random);
+    let children: Vec<_> = plan.children().collect();
+    let moments = [&mut first.gaussians, &mut second.gaussians];
+    apply(&children, &mut scene.gaussians, moments);
+    plan.grown
+}
+
+/// Puts children in the place of their parents; `moments` are Adam's.
+pub fn apply(children: &[Child], gaussians: &mut Gaussians, moments: [&mut Gaussians; 2]) {
     let parents: Vec<_> = children.iter().map(|child| child.parent).collect();
     let is_new: Vec<_> = children.iter().map(|child| child.change.is_some()).collect();
     for moment in moments {
-        moment.gaussians = moment.gaussians.select(&parents);
-        clear(&mut moment.gaussians, &is_new);
+        *moment = moment.select(&parents);
+        clear(moment, &is_new);
     }
-    let mut gaussians = scene.gaussians.select(&parents);
+    *gaussians = gaussians.select(&parents);
     for (i, child) in children.iter().enumerate() {
         if let Some(change) = child.change {
-            change.apply(&mut gaussians, i);
+            change.apply(gaussians, i);
         }
     }
-    scene.gaussians = gaussians;
-    grown
 }
 
 fn sigmoid(x: f32) -> f32 {
@@ -88,58 +157,38 @@ fn room(config: &GrowthConfig, kept: usize) -> usize {
     wanted.min((config.max_gaussians as usize).saturating_sub(kept))
 }
 
-/// Those whose center feels the strongest gradient, on average over the views that saw them, become two.
-fn split(config: &GrowthConfig, scene: &Scene, statistics: &[[f32; 4]]) -> (Vec<Child>, Grown) {
-    let opacity = &scene.gaussians.opacity;
+/// How many each Gaussian becomes: those whose center feels the strongest gradient become two.
+fn split(config: &GrowthConfig, opacity: &[f32], strength: &[f32]) -> (Vec<u32>, Grown) {
     let mut kept: Vec<_> = (0..opacity.len()).filter(|&i| is_kept(config, opacity[i])).collect();
     if kept.is_empty() {
         // nothing is left to grow from
         kept = (0..opacity.len()).collect();
     }
-    let strength = |i: usize| {
-        let [sum, views, ..] = statistics[i];
-        if views > 0.0 { sum / views } else { 0.0 }
-    };
-    let mut by_strength = kept.clone();
-    by_strength.sort_by(|&a, &b| strength(b).total_cmp(&strength(a)).then(a.cmp(&b)));
-    by_strength.truncate(room(config, kept.len()));
-    by_strength.retain(|&i| strength(i) > 0.0);
-    let mut is_split = vec![false; opacity.len()];
-    by_strength.iter().for_each(|&i| is_split[i] = true);
-    let mut children = Vec::with_capacity(kept.len() + by_strength.len());
-    for &parent in &kept {
-        if is_split[parent] {
-            let scales = scene.gaussians.log_scale[parent];
-            let axis = (0..3).max_by(|&a, &b| scales[a].total_cmp(&scales[b])).unwrap_or(0);
-            let half = |side: f32| {
-                let mut offset = Vec3::ZERO;
-                offset[axis] = side * SPLIT_OFFSET;
-                let change = Change { opacity: SPLIT_OPACITY, offset, shorter: Some(axis) };
-                Child { parent, change: Some(change) }
-            };
-            children.extend([half(1.0), half(-1.0)]);
-        } else {
-            children.push(Child { parent, change: None });
-        }
-    }
-    let grown = Grown {
-        split: by_strength.len() as u32,
-        cloned: 0,
-        pruned: (opacity.len() - kept.len()) as u32,
-    };
-    (children, grown)
+    let mut counts = vec![0; opacity.len()];
+    kept.iter().for_each(|&i| counts[i] = 1);
+    let pruned = (opacity.len() - kept.len()) as u32;
+    let room = room(config, kept.len());
+    let mut by_strength = kept;
+    by_strength.sort_by(|&a, &b| strength[b].total_cmp(&strength[a]).then(a.cmp(&b)));
+    by_strength.truncate(room);
+    by_strength.retain(|&i| strength[i] > 0.0);
+    by_strength.iter().for_each(|&i| counts[i] = 2);
+    (counts, Grown { split: by_strength.len() as u32, cloned: 0, pruned })
 }
 
-/// Transparent ones move to opaque ones, and new ones are added there; n at one place share its opacity, so that the
-/// sum of Eq. 12 stays what it was.
-fn relocate(config: &GrowthConfig, scene: &Scene, random: &mut Pcg64) -> (Vec<Child>, Grown) {
-    let opacity = &scene.gaussians.opacity;
+/// How many each Gaussian becomes: transparent ones move to opaque ones, and new ones are added there; n at one place share
+/// its opacity, so that the sum of Eq. 12 stays what it was.
+fn relocate(config: &GrowthConfig, opacity: &[f32], random: &mut Pcg64) -> (Vec<u32>, Grown) {
     let kept: Vec<_> = (0..opacity.len()).filter(|&i| is_kept(config, opacity[i])).collect();
     let dead = opacity.len() - kept.len();
-    let mut copies = vec![1_u32; opacity.len()];
+    if kept.is_empty() {
+        return (vec![1; opacity.len()], Grown { split: 0, cloned: 0, pruned: dead as u32 });
+    }
+    let mut counts = vec![0_u32; opacity.len()];
     let mut sums = Vec::with_capacity(kept.len());
     let mut sum = 0.0_f64;
     for &i in &kept {
+        counts[i] = 1;
         sum += f64::from(sigmoid(opacity[i]));
         sums.push(sum);
     }
@@ -147,39 +196,36 @@ fn relocate(config: &GrowthConfig, scene: &Scene, random: &mut Pcg64) -> (Vec<Ch
     let new = if sum > 0.0 { dead + room(config, opacity.len()) } else { 0 };
     for _ in 0..new {
         let at = random.random_range(0.0..sum);
-        copies[kept[sums.partition_point(|&sum| sum <= at).min(kept.len() - 1)]] += 1;
+        counts[kept[sums.partition_point(|&sum| sum <= at).min(kept.len() - 1)]] += 1;
     }
-    let mut children = Vec::with_capacity(opacity.len() + new);
-    for &parent in if kept.is_empty() { &[] } else { &kept[..] } {
-        let count = copies[parent];
-        for copy in 0..count {
-            let offset = Vec3::from_array(std::array::from_fn(|_| StandardNormal.sample(random)));
-            let offset = if copy == 0 { Vec3::ZERO } else { offset * COPY_OFFSET };
-            let change = Change { opacity: 1.0 / count as f32, offset, shorter: None };
-            children.push(Child { parent, change: (count > 1).then_some(change) });
-        }
-    }
-    if kept.is_empty() {
-        children = (0..opacity.len()).map(|parent| Child { parent, change: None }).collect();
-    }
-    (children, Grown { split: 0, cloned: new as u32, pruned: dead as u32 })
+    (counts, Grown { split: 0, cloned: new as u32, pruned: dead as u32 })
 }
 
 impl Change {
-    fn apply(&self, gaussians: &mut Gaussians, i: usize) {
+    fn apply(self, gaussians: &mut Gaussians, i: usize) {
+        let (mut offset, mut part, mut shorter) = (Vec3::ZERO, SPLIT_OPACITY, None);
+        match self {
+            Self::Half(side) => {
+                let scales = gaussians.log_scale[i];
+                let axis =
+                    (0..3).max_by(|&a, &b| scales[a].total_cmp(&scales[b])).unwrap_or_default();
+                offset[axis] = side * SPLIT_OFFSET;
+                shorter = Some(axis);
+            }
+            Self::Copy(count, place) => (offset, part) = (place, 1.0 / count as f32),
+        }
         let [w, x, y, z] = gaussians.rotation[i];
         let scale = Vec3::from(gaussians.log_scale[i]).exp();
-        let offset = Quat::from_xyzw(x, y, z, w).normalize() * (self.offset * scale);
+        let offset = Quat::from_xyzw(x, y, z, w).normalize() * (offset * scale);
         let position = Vec3::from(gaussians.position[i]) + offset;
         // a scale that overflows, or a rotation of no length, leads nowhere
         if position.is_finite() {
             gaussians.position[i] = position.to_array();
         }
-        if let Some(axis) = self.shorter {
+        if let Some(axis) = shorter {
             gaussians.log_scale[i][axis] += SPLIT_SCALE.ln();
         }
-        let opacity = sigmoid(gaussians.opacity[i]) * self.opacity;
-        let logit = logit(opacity);
+        let logit = logit(sigmoid(gaussians.opacity[i]) * part);
         // what has vanished has no logit; it stays what it was
         if logit.is_finite() {
             gaussians.opacity[i] = logit;
@@ -225,9 +271,9 @@ mod tests {
         let (mut grown_scene, mut first, mut second) = (scene(), scene(), scene());
         let statistics =
             [[1.0, 2.0, 5.0, 0.0], [9.0, 1.0, 5.0, 0.0], [1.0, 1.0, 5.0, 0.0], [0.0; 4]];
-        let mut random = Pcg64::seed_from_u64(5);
+        let random = Pcg64::seed_from_u64(5);
         let moments = [&mut first, &mut second];
-        let counts = grow(&config(method), &mut grown_scene, moments, &statistics, &mut random);
+        let counts = grow(&config(method), &mut grown_scene, moments, &statistics, random);
         assert_eq!(first.gaussians, second.gaussians);
         (grown_scene, first, counts)
     }
@@ -271,8 +317,8 @@ mod tests {
             let config = GrowthConfig { min_opacity: 0.0, rate: 1.0, ..config(method) };
             let moments = [&mut first, &mut second];
             let statistics = [[1.0, 1.0, 5.0, 0.0]; 4];
-            let mut random = Pcg64::seed_from_u64(5);
-            grow(&config, &mut grown_scene, moments, &statistics, &mut random);
+            let random = Pcg64::seed_from_u64(5);
+            grow(&config, &mut grown_scene, moments, &statistics, random);
             grown_scene.validate().unwrap();
             assert!(grown_scene.gaussians.opacity.iter().all(|&opacity| opacity == -200.0));
         }

@@ -4,7 +4,11 @@ use std::sync::Arc;
 
 use super::checkpoint::Checkpoint;
 use super::config::TrainConfig;
+use super::either::EitherTrainer;
 use super::held_out;
+use super::hooks::StepHooks;
+use super::share::ShareTrainer;
+use super::share_checkpoint::CheckpointShare;
 use super::trainer::Trainer;
 use crate::data::{Dataset, Frame};
 use crate::error::{IN_MEMORY, Result};
@@ -13,6 +17,17 @@ use crate::image::Image;
 use crate::ranks::{self, Ranks};
 use crate::render::{DeviceScene, Renderer};
 
+/// What ranks share of a training.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Split {
+    /// Each rank has the whole scene, and computes some of a step's views.
+    #[default]
+    Views,
+    /// Each rank has some of the Gaussians, and computes their part of all of a step's views: see
+    /// [`ShareTrainer`].
+    Gaussians,
+}
+
 /// What rank 0 has all ranks do next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Order {
@@ -20,6 +35,8 @@ pub(super) enum Order {
     Step(u32),
     /// Measure a held-out view each, from this one on: of all, or of those of intermediate evaluations.
     Evaluate { first: usize, all: bool },
+    /// Hand over the share for a checkpoint.
+    Save,
     /// Nothing more.
     End,
 }
@@ -29,7 +46,8 @@ impl Order {
         match self {
             Self::Step(steps) => [0, u64::from(steps)],
             Self::Evaluate { first, all } => [1 + u64::from(all), first as u64],
-            Self::End => [3, 0],
+            Self::Save => [3, 0],
+            Self::End => [4, 0],
         }
     }
 
@@ -37,6 +55,7 @@ impl Order {
         match kind {
             0 => Self::Step(value as u32),
             1 | 2 => Self::Evaluate { first: value as usize, all: kind == 2 },
+            3 => Self::Save,
             _ => Self::End,
         }
     }
@@ -66,9 +85,30 @@ pub(super) fn lead(
     mixed: bool,
 ) -> Result<Trainer> {
     meet(&**ranks, renderer, trainer.dataset(), mixed)?;
-    ranks.broadcast(trainer.config().to_toml().into_bytes())?;
+    tell(&**ranks, Split::Views, trainer.config())?;
     ranks.broadcast(trainer.checkpoint(0.0)?.to_bytes()?)?;
     Ok(trainer.with_ranks(ranks.clone()))
+}
+
+/// As [`lead`], where each rank has a share: `mine` is that of rank 0, and `share` makes or reads that of another.
+pub(super) fn lead_shares(
+    ranks: &Arc<dyn Ranks>,
+    renderer: &Renderer,
+    (config, dataset): (&TrainConfig, &Arc<Dataset>),
+    mine: &CheckpointShare,
+    share: impl Fn(usize) -> Result<CheckpointShare>,
+    mixed: bool,
+) -> Result<ShareTrainer> {
+    meet(&**ranks, renderer, dataset, mixed)?;
+    tell(&**ranks, Split::Gaussians, config)?;
+    mine.deal(&**ranks, share)?;
+    ShareTrainer::resume(renderer, config.clone(), dataset.clone(), mine, ranks.clone())
+}
+
+/// Tells the other ranks how to train.
+fn tell(ranks: &dyn Ranks, split: Split, config: &TrainConfig) -> Result<()> {
+    ranks.broadcast(vec![split as u8])?;
+    ranks.broadcast(config.to_toml().into_bytes()).map(drop)
 }
 
 /// Takes part in the run of a [`Session`](super::Session) of rank 0 that has these ranks, to its end. The photographs
@@ -84,23 +124,35 @@ pub fn follow(
     mixed: bool,
 ) -> Result<()> {
     meet(&**ranks, renderer, dataset, mixed)?;
+    let split = ranks.broadcast(Vec::new())?;
     let text = String::from_utf8_lossy(&ranks.broadcast(Vec::new())?).into_owned();
     let config = TrainConfig::parse(&text, IN_MEMORY.as_ref())?;
-    let checkpoint = Checkpoint::from_bytes(&ranks.broadcast(Vec::new())?, IN_MEMORY)?;
-    let trainer = Trainer::resume(renderer, config, dataset.clone(), &checkpoint)?;
-    drop(checkpoint);
-    let mut trainer = trainer.with_ranks(ranks.clone());
+    let data = dataset.clone();
+    let mut trainer = if split == [Split::Gaussians as u8] {
+        let share = CheckpointShare::receive(&**ranks)?;
+        let trainer = ShareTrainer::resume(renderer, config, data, &share, ranks.clone())?;
+        EitherTrainer::Share(Box::new(trainer))
+    } else {
+        let checkpoint = Checkpoint::from_bytes(&ranks.broadcast(Vec::new())?, IN_MEMORY)?;
+        let trainer = Trainer::resume(renderer, config, data, &checkpoint)?;
+        EitherTrainer::Whole(Box::new(trainer.with_ranks(ranks.clone())))
+    };
     loop {
         match Order::receive(&**ranks)? {
             Order::Step(steps) => {
                 if steps != trainer.config().run.steps {
                     trainer.replan(steps);
                 }
-                trainer.step()?;
+                trainer.step_with(&mut StepHooks::new())?;
             }
             Order::Evaluate { first, all } => {
                 let frames = held_out::frames(dataset, trainer.config().run.evaluate_views, all);
-                measure(&**ranks, renderer, trainer.scene(), &frames, first)?;
+                trainer.measure(Some(&**ranks), renderer, &frames, first)?;
+            }
+            Order::Save => {
+                if let EitherTrainer::Share(trainer) = &trainer {
+                    trainer.checkpoint(0.0)?.hand_over(&**ranks)?;
+                }
             }
             Order::End => return Ok(()),
         }

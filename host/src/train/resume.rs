@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use super::binding::{Binding, Change};
-use super::checkpoint::Checkpoint;
 use super::config::TrainConfig;
 use super::folder::{CONFIG, METRICS};
 use super::held_out;
@@ -21,16 +20,15 @@ pub(super) struct OpenLog {
 }
 
 impl Session<'_> {
-    /// Holds the settings and the data to what the checkpoint was trained with. Returns the settings that changed, in this
-    /// resume and in earlier ones.
+    /// Holds the settings and the data to what the checkpoint was trained with, which has so many Gaussians and steps. Returns
+    /// the settings that changed, in this resume and in earlier ones.
     pub(super) fn check_binding(
         &self,
         path: &Path,
-        checkpoint: &Checkpoint,
+        (gaussians, step): (usize, u32),
         watch: &mut dyn FnMut(Event<'_>),
     ) -> Result<Vec<Change>> {
-        let (gaussians, most) =
-            (checkpoint.scene.gaussians.len(), self.config.growth.max_gaussians);
+        let most = self.config.growth.max_gaussians;
         if gaussians as u64 > u64::from(most) {
             let reason = format!(
                 "`growth.max_gaussians` is {most}, but the scene already has {gaussians} Gaussians"
@@ -44,7 +42,6 @@ impl Session<'_> {
             ));
             return Ok(Vec::new());
         };
-        let step = checkpoint.progress.step;
         let changed = binding.check_settings(self.config, step, self.folder.path())?;
         binding.check_data(&self.dataset.fingerprint, &self.dataset.path)?;
         Ok([binding.changes(), &changed].concat())

@@ -10,13 +10,16 @@ use std::time::Instant;
 use super::binding::Change;
 use super::checkpoint::{CHECKPOINT, Checkpoint, Progress};
 use super::config::{ExposureMethod, TrainConfig};
+use super::either::EitherTrainer;
 use super::folder::{EVALUATIONS, RunFolder};
 use super::hooks::StepHooks;
 use super::metrics::Record;
 use super::plan::Planner;
-use super::ranks;
+use super::ranks::{self, Split};
 use super::report::Pictures;
 use super::resume::OpenLog;
+use super::share_checkpoint::CheckpointShare;
+use super::start::first_scene;
 use super::tensorboard::EventLog;
 use super::trainer::{NO_EXPOSURES, StepReport, Trainer};
 use crate::data::Dataset;
@@ -73,6 +76,8 @@ pub struct Session<'a> {
     pub ranks: Option<Arc<dyn Ranks>>,
     /// Whether ranks may differ in program and device: the scene's bits then depend on who computes what.
     pub mixed: bool,
+    /// What ranks share.
+    pub split: Split,
 }
 
 /// What happens during a run.
@@ -95,8 +100,10 @@ pub enum Event<'a> {
         seconds: f64,
         /// What it measured.
         report: &'a StepReport,
-        /// The scene, on the device.
-        scene: &'a DeviceScene,
+        /// Gaussians of the scene.
+        gaussians: usize,
+        /// The scene, on the device; none where its Gaussians are dealt to ranks.
+        scene: Option<&'a DeviceScene>,
     },
     /// Held-out views are being measured.
     Evaluating,
@@ -115,6 +122,9 @@ pub enum Outcome {
     /// Because it was told to.
     Stopped,
 }
+
+/// A trainer, how far its run has come, and which settings have changed.
+type Begun = (EitherTrainer, Progress, Vec<Change>);
 
 /// Nothing sets it.
 static NEVER: AtomicBool = AtomicBool::new(false);
@@ -139,6 +149,7 @@ impl<'a> Session<'a> {
             stop: &NEVER,
             ranks: None,
             mixed: false,
+            split: Split::Views,
         }
     }
 
@@ -179,6 +190,13 @@ impl<'a> Session<'a> {
         self
     }
 
+    /// The same run, whose ranks share what this says. The scene's bits depend on it. Without ranks, it means nothing.
+    #[must_use]
+    pub fn with_split(mut self, split: Split) -> Self {
+        self.split = split;
+        self
+    }
+
     /// Trains to the end; goes on from the folder's checkpoint where `resume`, and from the first step where there is
     /// none yet.
     ///
@@ -215,20 +233,9 @@ impl<'a> Session<'a> {
             return Err(Error::Argument { reason: NO_EXPOSURES.to_owned() });
         }
         let begin = Instant::now();
-        let path = self.folder.path().join(CHECKPOINT);
-        let (config, dataset) = (self.config.clone(), Arc::clone(self.dataset));
-        let mut changes = Vec::new();
-        let (trainer, progress) = if resume && path.exists() {
-            let checkpoint = Checkpoint::load(&path)?;
-            changes = self.check_binding(&path, &checkpoint, watch)?;
-            let trainer = Trainer::resume(self.renderer, config, dataset, &checkpoint)?;
-            (trainer, checkpoint.progress)
-        } else {
-            (Trainer::start(self.renderer, config, dataset)?, Progress::default())
-        };
-        let trainer = match &self.ranks {
-            Some(ranks) => ranks::lead(ranks, self.renderer, trainer, self.mixed)?,
-            None => trainer,
+        let (trainer, progress, changes) = match (&self.ranks, self.split) {
+            (Some(ranks), Split::Gaussians) => self.begin_shares(ranks, resume, watch)?,
+            _ => self.begin_whole(resume, watch)?,
         };
         // only what can begin leaves anything
         watch(Event::Begin(progress.step));
@@ -260,6 +267,54 @@ impl<'a> Session<'a> {
             hooks,
         }
         .run()
+    }
+
+    /// The trainer of the whole scene, how far its run has come, and which settings have changed.
+    fn begin_whole(&self, resume: bool, watch: &mut dyn FnMut(Event<'_>)) -> Result<Begun> {
+        let path = self.folder.path().join(CHECKPOINT);
+        let (config, dataset) = (self.config.clone(), Arc::clone(self.dataset));
+        let mut changes = Vec::new();
+        let (trainer, progress) = if resume && path.exists() {
+            let checkpoint = Checkpoint::load(&path)?;
+            let (gaussians, progress) = (checkpoint.scene.gaussians.len(), checkpoint.progress);
+            changes = self.check_binding(&path, (gaussians, progress.step), watch)?;
+            let trainer = Trainer::resume(self.renderer, config, dataset, &checkpoint)?;
+            (trainer, progress)
+        } else {
+            (Trainer::start(self.renderer, config, dataset)?, Progress::default())
+        };
+        let trainer = match &self.ranks {
+            Some(ranks) => ranks::lead(ranks, self.renderer, trainer, self.mixed)?,
+            None => trainer,
+        };
+        Ok((EitherTrainer::Whole(Box::new(trainer)), progress, changes))
+    }
+
+    /// As [`Session::begin_whole`], where each rank has a share of the Gaussians.
+    fn begin_shares(
+        &self,
+        ranks: &Arc<dyn Ranks>,
+        resume: bool,
+        watch: &mut dyn FnMut(Event<'_>),
+    ) -> Result<Begun> {
+        let path = self.folder.path().join(CHECKPOINT);
+        let resumes = resume && path.exists();
+        let scene = match resumes {
+            true => None,
+            false => Some(first_scene(self.config, self.dataset)?),
+        };
+        let share = |rank: usize| match &scene {
+            Some(scene) => CheckpointShare::begin(scene, self.config, rank, ranks.size()),
+            None => CheckpointShare::load(&path, rank, ranks.size()),
+        };
+        let mine = share(0)?;
+        let (progress, mut changes) = (mine.state.progress, Vec::new());
+        if resumes {
+            changes = self.check_binding(&path, (mine.gaussians, progress.step), watch)?;
+        }
+        let run = (self.config, self.dataset);
+        let trainer = ranks::lead_shares(ranks, self.renderer, run, &mine, share, self.mixed)?;
+        Ok((EitherTrainer::Share(Box::new(trainer)), progress, changes))
     }
 
     fn open_events(&self, resume: bool, step: u64) -> Result<Option<EventLog>> {

@@ -16,8 +16,9 @@ use super::needs;
 use super::sampler::random;
 use super::space::{Target, depth, scene_box};
 use super::sweep;
+use super::trainer::check;
 use crate::camera::Camera;
-use crate::data::{Frame, Point};
+use crate::data::{Dataset, Frame, Point};
 use crate::error::{Error, Result};
 use crate::scene::{Network, Scene, logit};
 use crate::splats::{self, Splat};
@@ -27,6 +28,22 @@ const FIELDS: u64 = 3;
 
 /// The part of the Gaussians that is spread along rays, behind what the cameras look at; the others fill a ball.
 const BEHIND: f64 = 0.25;
+
+/// The scene before the first step of a run.
+///
+/// # Errors
+/// [`Error::Invalid`] where a setting is out of range or no frame is left to train on; as [`start`] and [`start_from`].
+pub fn first_scene(config: &TrainConfig, dataset: &Dataset) -> Result<Scene> {
+    check(config, dataset)?;
+    let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
+    let background = dataset.background;
+    if let Some(path) = &config.start.path {
+        return start_from(path, config, background, &cameras);
+    }
+    let frames: Vec<_> = dataset.train_frames().collect();
+    let found = points(config, &frames, &dataset.points)?;
+    start(config, background, &cameras, &found)
+}
 
 /// A scene to begin with.
 ///

@@ -3,6 +3,8 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use rand_pcg::Pcg64;
+
 use super::checkpoint::{Checkpoint, Progress};
 use super::config::{ExposureMethod, GrowthMethod, TrainConfig};
 use super::exposure::Exposures;
@@ -24,6 +26,9 @@ use crate::tile::TileBatch;
 
 const GROWTH: u64 = 4;
 
+/// Why ranks do not train so.
+pub(super) const NO_HOOKS: &str =
+    "hooks see the whole batch, which ranks share: train without ranks, or without hooks";
 /// Why ranks do not train so.
 pub(super) const NO_EXPOSURES: &str =
     "ranks cannot learn exposures: set `exposure.method` to none, or train without ranks";
@@ -114,17 +119,7 @@ impl Trainer {
         dataset: impl Into<Arc<Dataset>>,
     ) -> Result<Self> {
         let dataset = dataset.into();
-        check(&config, &dataset)?;
-        let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
-        let background = dataset.background;
-        let scene = if let Some(path) = &config.start.path {
-            start::start_from(path, &config, background, &cameras)?
-        } else {
-            let frames: Vec<_> = dataset.train_frames().collect();
-            let points = start::points(&config, &frames, &dataset.points)?;
-            start::start(&config, background, &cameras, &points)?
-        };
-        let checkpoint = Checkpoint::begin(scene, &config)?;
+        let checkpoint = Checkpoint::begin(start::first_scene(&config, &dataset)?, &config)?;
         Self::resume(renderer, config, dataset, &checkpoint)
     }
 
@@ -271,7 +266,8 @@ impl Trainer {
         device.run_in_pool(|| optimizer.step(device, scene, gradient, settings, now))?;
         gradient.clear_touched(device);
         self.step += 1;
-        let grown = self.is_time_to_grow().then(|| self.grow()).transpose()?;
+        let grows = is_time_to_grow(&self.config, self.step);
+        let grown = grows.then(|| self.grow()).transpose()?;
         Ok(StepReport { grown, ..report })
     }
 
@@ -294,40 +290,31 @@ impl Trainer {
         };
         let State { scene, gradient, .. } = &self.state;
         let (renderer, cameras) = (&self.renderer, &self.cameras[..]);
-        let mut exposures = Vec::new();
-        let (loss, [l1, ssim], squared) = match &mut hooks.loss {
-            Some(own) => {
-                let (loss, squared) = renderer
-                    .add_own_loss_gradient(scene, cameras, batch, own, &target, gradient)?;
-                (loss, [f64::NAN; 2], squared)
+        if let Some(own) = &mut hooks.loss {
+            let (loss, squared) =
+                renderer.add_own_loss_gradient(scene, cameras, batch, own, &target, gradient)?;
+            let (psnr, tiles, none) = (metrics::psnr_of(squared), batch.tiles.len(), f64::NAN);
+            let report = StepReport { loss, l1: none, ssim: none, psnr, tiles, grown: None };
+            return Ok((report, Vec::new()));
+        }
+        let (losses, exposures) = match self.ranks.as_deref() {
+            Some(ranks) => {
+                let losses =
+                    renderer.add_ranks_gradient(scene, cameras, batch, &target, gradient, ranks)?;
+                (losses, Vec::new())
             }
             None => {
                 let kept = &mut self.loss;
-                let losses = match self.ranks.as_deref() {
-                    Some(ranks) => renderer
-                        .add_ranks_gradient(scene, cameras, batch, &target, gradient, ranks)?,
-                    None => {
-                        let (losses, found) = renderer
-                            .add_loss_gradient(scene, cameras, batch, kept, &target, gradient)?;
-                        exposures = found;
-                        losses
-                    }
-                };
-                let total = TileLoss::total(&losses);
-                let pixels = (3.0 * total.valid).max(1.0);
-                // each part of the loss alone
-                let parts = [total.value(0.0), 1.0 - total.value(1.0)];
-                (total.value(target.ssim_weight), parts, total.squared / pixels)
+                renderer.add_loss_gradient(scene, cameras, batch, kept, &target, gradient)?
             }
         };
-        let (psnr, tiles) = (metrics::psnr_of(squared), batch.tiles.len());
-        Ok((StepReport { loss, l1, ssim, psnr, tiles, grown: None }, exposures))
+        Ok((StepReport::of(&losses, target.ssim_weight), exposures))
     }
 
     /// What hooks cannot be used with.
     fn check_hooks(&self, hooks: &StepHooks<'_>) -> Result<()> {
         let reason = if self.ranks.is_some() && (hooks.loss.is_some() || hooks.gradient.is_some()) {
-            "hooks see the whole batch, which ranks share: train without ranks, or without hooks"
+            NO_HOOKS
         } else if self.ranks.is_some() && self.exposures.is_some() {
             NO_EXPOSURES
         } else if self.exposures.is_some() && hooks.loss.is_some() {
@@ -338,22 +325,14 @@ impl Trainer {
         Err(Error::Argument { reason: reason.to_owned() })
     }
 
-    fn is_time_to_grow(&self) -> bool {
-        let growth = &self.config.growth;
-        let share = self.config.run.share(self.step);
-        growth.method != GrowthMethod::None
-            && self.step.is_multiple_of(growth.every)
-            && (growth.begin..=growth.end).contains(&share)
-    }
-
     /// On the host: once in many steps.
     fn grow(&mut self) -> Result<Grown> {
         let mut state = self.checkpoint(0.0)?;
-        let mut random = random(self.config.run.seed, GROWTH, u64::from(self.step));
+        let random = growth_random(&self.config, self.step);
         let [first, second] = &mut state.moments;
         let statistics = std::mem::take(&mut state.statistics);
         let growth = &self.config.growth;
-        let grown = grow(growth, &mut state.scene, [first, second], &statistics, &mut random);
+        let grown = grow(growth, &mut state.scene, [first, second], &statistics, random);
         state.statistics = vec![[0.0; 4]; state.scene.gaussians.len()];
         self.state = State::upload(&self.renderer, &self.config, &state)?;
         Ok(grown)
@@ -376,8 +355,38 @@ impl State {
     }
 }
 
+impl StepReport {
+    /// That of a batch's losses.
+    pub(super) fn of(losses: &[TileLoss], ssim_weight: f32) -> Self {
+        let total = TileLoss::total(losses);
+        let pixels = (3.0 * total.valid).max(1.0);
+        Self {
+            loss: total.value(ssim_weight),
+            // each part of the loss alone
+            l1: total.value(0.0),
+            ssim: 1.0 - total.value(1.0),
+            psnr: metrics::psnr_of(total.squared / pixels),
+            tiles: losses.len(),
+            grown: None,
+        }
+    }
+}
+
+/// Whether the number of Gaussians changes after so many steps.
+pub(super) fn is_time_to_grow(config: &TrainConfig, step: u32) -> bool {
+    let (growth, share) = (&config.growth, config.run.share(step));
+    growth.method != GrowthMethod::None
+        && step.is_multiple_of(growth.every)
+        && (growth.begin..=growth.end).contains(&share)
+}
+
+/// What growth after so many steps draws from.
+pub(super) fn growth_random(config: &TrainConfig, step: u32) -> Pcg64 {
+    random(config.run.seed, GROWTH, u64::from(step))
+}
+
 /// Settings that were made in code are held to what files are held to.
-fn check(config: &TrainConfig, dataset: &Dataset) -> Result<()> {
+pub(super) fn check(config: &TrainConfig, dataset: &Dataset) -> Result<()> {
     let invalid = |reason| Error::Invalid { origin: Path::new(IN_MEMORY).to_owned(), reason };
     config.check().map_err(invalid)?;
     if dataset.train.is_empty() {

@@ -80,7 +80,7 @@ impl<'a> TrainingView<'a> {
             Event::Begin(step) => self.board.begin(u64::from(*step), u64::from(steps)),
             Event::Planned(steps) => self.board.planned(u64::from(*steps)),
             Event::Evaluated(evaluation) => self.board.evaluated(evaluation.mean.psnr),
-            Event::Step { step, seconds, report, scene } => {
+            Event::Step { step, seconds, report, scene: Some(scene), .. } => {
                 let share = self.clock.share();
                 let losses = [report.loss, report.psnr];
                 self.board.step(u64::from(*step), *seconds, losses, scene.len(), share);

@@ -106,7 +106,7 @@ fn a_run_calls_its_hook_every_step_and_lends_the_scene() {
     let session = Session::new(&renderer, &config, &dataset, &folder);
     let (mut hooked, mut scenes) = (Vec::new(), Vec::new());
     let mut watch = |event: Event<'_>| {
-        if let Event::Step { scene, .. } = event {
+        if let Event::Step { scene: Some(scene), .. } = event {
             scenes.push(scene.download(renderer.device()).expect("a scene"));
         }
     };

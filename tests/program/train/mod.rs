@@ -23,6 +23,7 @@ mod results;
 pub mod runs;
 mod settings;
 mod signals;
+mod split;
 mod tables;
 mod volume;
 mod waits;

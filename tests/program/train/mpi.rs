@@ -57,6 +57,21 @@ fn any_number_of_processes_gives_the_same_bits() {
     }
 }
 
+/// The scene is one slice: two of three processes hold nothing.
+#[test]
+#[ignore = "scripts/mpi.sh runs it"]
+fn processes_with_shares_train_what_threads_train() {
+    let sandbox = sandbox();
+    let words = |run: &str| format!("{TINY} {run} --threads 1 --steps 14 --split gaussians");
+    sandbox.run(&format!("{} --ranks 1", words("threads"))).assert_ok();
+    let threads = bits(&sandbox, "threads");
+    assert!(threads["gaussians.opacity"].1.len() > 200, "the scene has grown");
+    assert_ok(mpirun(&sandbox, &[(3, &words("processes"))]));
+    assert_same("processes", &bits(&sandbox, "processes"), &threads);
+    let told = |run: &str| without_times(&records(&sandbox.path(run)));
+    assert_eq!(told("processes"), told("threads"));
+}
+
 /// All end with the rank that is killed; another number of ranks goes on from the checkpoint.
 #[test]
 #[ignore = "scripts/mpi.sh runs it"]

@@ -8,7 +8,7 @@ use organza::Result;
 use organza::ranks::{Ranks, ThreadRanks};
 use organza::render::share_bytes;
 use organza::scene::{MlpConfig, SLICE};
-use organza::train::{TrainConfig, Trainer};
+use organza::train::{CheckpointShare, ShareTrainer, TrainConfig, Trainer};
 use organza::{Renderer, image};
 use organza_tests::devices;
 
@@ -113,6 +113,61 @@ impl Ranks for Counted {
     }
 }
 
+/// What each of so many ranks hands over, call by call.
+fn counted(
+    size: u64,
+    work: impl Fn(&Renderer, Arc<Counted>) + Sync,
+) -> Vec<Vec<(&'static str, u64)>> {
+    let work = |ranks: ThreadRanks| {
+        let ranks = Arc::new(Counted { ranks, calls: Mutex::default() });
+        work(&Renderer::new(devices::cpu(Some(1))), ranks.clone());
+        let calls = std::mem::take(&mut *ranks.calls.lock().unwrap());
+        assert_eq!(ranks.sent(), calls.iter().map(|(_, bytes)| bytes).sum::<u64>());
+        calls
+    };
+    std::thread::scope(|scope| {
+        let ranks = ThreadRanks::new(size as usize).into_iter();
+        let threads: Vec<_> = ranks.map(|ranks| scope.spawn(|| work(ranks))).collect();
+        threads.into_iter().map(|thread| thread.join().expect("a rank")).collect()
+    })
+}
+
+/// As the test below, of a step with `--split gaussians`, and of growth after it.
+#[test]
+fn a_step_of_shares_hands_over_what_the_formulas_say() {
+    const RANKS: u64 = 2;
+    let (mut config, mut checkpoint, dataset) = begun();
+    (config.run.steps, checkpoint.progress.step) = (40, 9);
+    let sizes = Sizes::of(&config);
+    let gaussians = checkpoint.scene.gaussians.len() as u64;
+    let all = counted(RANKS, |renderer, ranks| {
+        let share = CheckpointShare::of(&checkpoint, ranks.rank(), RANKS as usize);
+        let (config, dataset) = (config.clone(), dataset.clone());
+        let trainer = ShareTrainer::resume(renderer, config, dataset, &share, ranks);
+        let report = trainer.expect("a trainer").step().expect("a step");
+        assert!(report.grown.is_some());
+    });
+    let (tiles, side) = (u64::from(config.run.tiles_per_step), u64::from(config.run.tile_size));
+    // the scene is one slice, which the second rank has
+    for (calls, held) in all.iter().zip([0, gaussians]) {
+        let names: Vec<_> = calls.iter().map(|(name, _)| *name).collect();
+        let expected = ["sum", "or", "sum", "max", "max", "sum", "or", "sum", "gather", "exchange"];
+        assert_eq!(names, expected);
+        let bytes: Vec<_> = calls.iter().map(|(_, bytes)| *bytes).collect();
+        let pixels = tiles * side * side;
+        assert_eq!(bytes[..2], [8 * (4 * pixels + 5), 4 * pixels.div_ceil(8)]);
+        assert_eq!(bytes[0] + bytes[1], share_bytes(tiles as usize, side as u32));
+        assert_eq!(bytes[2..6], [16, 4 * (2 + sizes.layers), 4, 8 * sizes.p]);
+        assert_eq!(bytes[6], 4 * sizes.flags());
+        assert!(bytes[7] > 0 && bytes[7] <= 8 * sizes.grids.iter().sum::<u64>(), "{bytes:?}");
+        assert_eq!(bytes[8], 8 * held);
+        assert_eq!(bytes[9] % (12 * sizes.d), 0, "rows: {}", bytes[9]);
+        let rows = bytes[9] / (12 * sizes.d);
+        assert!(rows <= held && rows * 2 >= held, "{rows} of {held}");
+    }
+    assert_eq!(all[0][7], all[1][7], "all ranks add the same blocks");
+}
+
 /// The bytes of one step, call by call, are those of the table "What a step hands over".
 #[test]
 fn a_step_hands_over_what_the_formulas_say() {
@@ -120,20 +175,10 @@ fn a_step_hands_over_what_the_formulas_say() {
     let (config, checkpoint, dataset) = begun();
     let sizes = Sizes::of(&config);
     let gaussians = checkpoint.scene.gaussians.len() as u64;
-    let step = |ranks: ThreadRanks| {
-        let ranks = Arc::new(Counted { ranks, calls: Mutex::default() });
-        let renderer = Renderer::new(devices::cpu(Some(1)));
-        let trainer = Trainer::resume(&renderer, config.clone(), dataset.clone(), &checkpoint);
-        let mut trainer = trainer.expect("a trainer").with_ranks(ranks.clone());
+    let all = counted(RANKS, |renderer, ranks| {
+        let trainer = Trainer::resume(renderer, config.clone(), dataset.clone(), &checkpoint);
+        let mut trainer = trainer.expect("a trainer").with_ranks(ranks);
         trainer.step().expect("a step");
-        let calls = std::mem::take(&mut *ranks.calls.lock().unwrap());
-        assert_eq!(ranks.sent(), calls.iter().map(|(_, bytes)| bytes).sum::<u64>());
-        calls
-    };
-    let all: Vec<_> = std::thread::scope(|scope| {
-        let ranks = ThreadRanks::new(RANKS as usize).into_iter();
-        let threads: Vec<_> = ranks.map(|ranks| scope.spawn(|| step(ranks))).collect();
-        threads.into_iter().map(|thread| thread.join().expect("a rank")).collect()
     });
     let (mut units, mut tiles) = (0, 0);
     for calls in &all {
@@ -211,16 +256,33 @@ fn step_over_views(gaussians: f64, ranks: u64, gigabits: f64) -> [f64; 2] {
     [computed, sent]
 }
 
+/// Seconds of the same step with Gaussians that are dealt to ranks. Each rank takes the part of the time that it has of the
+/// Gaussians.
+fn step_over_gaussians(gaussians: f64, ranks: u64, gigabits: f64) -> [f64; 2] {
+    let (sizes, network) = (Sizes::of(&TrainConfig::default()), Network::new(ranks, gigabits));
+    let units = 64;
+    let part = of_one_rank(gaussians, ranks) / gaussians;
+    let [alone, _] = step_over_views(gaussians, 1, gigabits);
+    let grids = 8.0 * sizes.grids.iter().sum::<u64>() as f64 + 4.0 * sizes.flags() as f64;
+    let pixels = share_bytes(units, 64) as f64;
+    let sent = network.added(pixels + 8.0 * sizes.p as f64 + grids) + network.calls(8.0);
+    [part * alone, sent]
+}
+
+/// The most Gaussians that a rank has, in whole slices.
+fn of_one_rank(gaussians: f64, ranks: u64) -> f64 {
+    let slices = (gaussians / SLICE as f64).ceil();
+    ((slices / ranks as f64).ceil() * SLICE as f64).min(gaussians)
+}
+
 /// Seconds of an image of 1920 x 1080 pixels whose Gaussians are dealt to ranks. A Gaussian takes 10 ns, which counts all of
 /// a rank's slices.
 fn image_of_shares(gaussians: f64, ranks: u64, gigabits: f64) -> [f64; 2] {
     let network = Network::new(ranks, gigabits);
-    let slices = (gaussians / SLICE as f64).ceil();
-    let own = (slices / ranks as f64).ceil() * SLICE as f64;
     let batches: Vec<_> = image::bands(0, [1920, 1080], 64).map(|batch| batch.unwrap()).collect();
     let bytes = |tiles: usize| network.added(share_bytes(tiles, 64) as f64) + network.calls(2.0);
     let sent = batches.iter().map(|batch| bytes(batch.tiles.len())).sum();
-    [own.min(gaussians) * 10e-9, sent]
+    [of_one_rank(gaussians, ranks) * 10e-9, sent]
 }
 
 fn milliseconds([computed, sent]: [f64; 2]) -> String {
@@ -238,7 +300,7 @@ fn the_page_has_the_times_of_the_model() {
     let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/cluster.md");
     let page = fs::read_to_string(page).expect("the page");
     let mut missing = Vec::new();
-    for model in [step_over_views, image_of_shares] {
+    for model in [step_over_views, step_over_gaussians, image_of_shares] {
         for (gaussians, name) in [(20e3, "20 k"), (1e6, "1 M"), (100e6, "100 M")] {
             for ranks in [1, 8, 64] {
                 let times = [10.0, 100.0, 400.0].map(|speed| model(gaussians, ranks, speed));

@@ -8,24 +8,25 @@ use std::time::Instant;
 use super::{Event, Outcome, Session};
 use crate::data::Frame;
 use crate::error::Result;
-use crate::evaluate::{self, Evaluation, evaluate_with};
+use crate::evaluate::Evaluation;
 use crate::image::Image;
 use crate::train::binding::{Binding, Change};
 use crate::train::checkpoint::{BEST, CHECKPOINT};
+use crate::train::either::EitherTrainer;
 use crate::train::folder::{CONFIG, REPORT};
 use crate::train::held_out;
 use crate::train::hooks::StepHooks;
 use crate::train::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
 use crate::train::plan::{Now, Planner};
-use crate::train::ranks::{self, Order};
+use crate::train::ranks::Order;
 use crate::train::report::{Pictures, Run, write_report};
 use crate::train::tensorboard::{EventLog, MAX_VIEWS};
-use crate::train::trainer::{StepReport, Trainer};
+use crate::train::trainer::StepReport;
 
 /// What changes while a run goes on.
 pub(super) struct State<'a, 'w, 'h> {
     pub session: &'a Session<'a>,
-    pub trainer: Trainer,
+    pub trainer: EitherTrainer,
     pub log: MetricsLog,
     /// How the settings changed, in this resume and in earlier ones.
     pub changes: Vec<Change>,
@@ -103,7 +104,7 @@ impl State<'_, '_, '_> {
     /// Where the run has a time and not a number of steps: chooses the number once more, and writes it down.
     fn plan(&mut self) -> Result<()> {
         let Some(planner) = &mut self.planner else { return Ok(()) };
-        let (step, gaussians) = (self.trainer.steps(), self.trainer.scene().len());
+        let (step, gaussians) = (self.trainer.steps(), self.trainer.gaussians());
         let elapsed = self.begin.elapsed().as_secs_f64();
         let now = Now { step, gaussians, training: self.seconds, elapsed };
         if let Some(steps) = planner.plan(self.trainer.config(), now) {
@@ -131,14 +132,16 @@ impl State<'_, '_, '_> {
             return Ok(());
         }
         // one view, so that a report shows where training began
-        if let Some(first) = self.session.dataset.held_out_frames().next() {
-            let mut written = Ok(());
-            evaluate_with(renderer, self.trainer.scene(), &[first], &mut |event| {
-                if let evaluate::Event::View { image, .. } = event {
-                    written = self.pictures.write_first(image);
-                }
-            })?;
-            written?;
+        let frames: Vec<_> = self.session.dataset.held_out_frames().take(1).collect();
+        if !frames.is_empty() {
+            // where ranks have the whole scene, one is enough
+            let ranks = self.session.ranks.as_deref().filter(|_| self.trainer.scene().is_none());
+            if let Some(ranks) = ranks {
+                Order::Evaluate { first: 0, all: true }.give(ranks)?;
+            }
+            for (_, image) in self.trainer.measure(ranks, renderer, &frames, 0)? {
+                self.pictures.write_first(&image)?;
+            }
             let _ = renderer.device().take_timings();
         }
         Ok(())
@@ -159,9 +162,9 @@ impl State<'_, '_, '_> {
         let seconds = begin.elapsed().as_secs_f64();
         self.seconds += seconds;
         self.add_times(seconds);
-        let (step, scene) = (self.trainer.steps(), self.trainer.scene());
+        let (step, gaussians) = (self.trainer.steps(), self.trainer.gaussians());
         self.since.0 += report.tiles;
-        let numbers = (u64::from(step), scene.len() as u64);
+        let numbers = (u64::from(step), gaussians as u64);
         if let Some(grown) = report.grown {
             self.log.append(&Record::Growth {
                 step: numbers.0,
@@ -186,11 +189,11 @@ impl State<'_, '_, '_> {
                 rates: rates.clone(),
             })?;
             if let Some(events) = &mut self.events {
-                log_step(events, step, &report, scene.len(), &rates)?;
+                log_step(events, step, &report, gaussians, &rates)?;
             }
         }
-        let seconds = self.seconds;
-        (self.watch)(Event::Step { step, seconds, report: &report, scene });
+        let (seconds, scene, report) = (self.seconds, self.trainer.scene(), &report);
+        (self.watch)(Event::Step { step, seconds, report, gaussians, scene });
         Ok(())
     }
 
@@ -231,7 +234,7 @@ impl State<'_, '_, '_> {
         let config = self.trainer.config();
         let binding = Binding::new(config, &dataset.fingerprint, self.changes.clone());
         let path = folder.path().join(name);
-        self.trainer.checkpoint(self.seconds)?.save(path, Some(&binding))
+        self.trainer.save(&path, self.seconds, &binding)
     }
 
     /// Measures the held-out views, all of them or those of intermediate evaluations; false where it was told to stop
@@ -250,20 +253,14 @@ impl State<'_, '_, '_> {
         (self.watch)(Event::Evaluating);
         let begin = Instant::now();
         let step = u64::from(self.trainer.steps());
-        let (renderer, scene) = (self.session.renderer, self.trainer.scene());
+        let (renderer, ranks) = (self.session.renderer, self.session.ranks.as_deref());
         let (mut parts, mut images) = (Vec::with_capacity(frames.len()), Vec::new());
-        let at_once = self.session.ranks.as_ref().map_or(1, |ranks| ranks.size());
-        for first in (0..frames.len()).step_by(at_once) {
+        for first in (0..frames.len()).step_by(self.trainer.views_at_once(ranks)) {
             if self.session.stop.load(Ordering::Relaxed) {
                 return Ok(false);
             }
-            let found = match self.session.ranks.as_deref() {
-                Some(ranks) => {
-                    Order::Evaluate { first, all }.give(ranks)?;
-                    ranks::measure(ranks, renderer, scene, &frames, first)?
-                }
-                None => vec![ranks::measure_one(renderer, scene, frames[first])?],
-            };
+            self.order(Order::Evaluate { first, all })?;
+            let found = self.trainer.measure(ranks, renderer, &frames, first)?;
             for (index, (part, image)) in (first..).zip(found) {
                 self.pictures.write(index, step, &frames[index].image, &image)?;
                 let frame = frames[index];

@@ -1,0 +1,144 @@
+//! A share of a scene on a device.
+
+use std::sync::Arc;
+
+use super::options::UploadOptions;
+use super::renderer::Renderer;
+use super::scene::DeviceScene;
+use crate::error::{Error, Result};
+use crate::scene::{GaussianTensors, Gaussians, SLICE, Scene, SceneConfig, SceneShare};
+use organza_device::{Buffer, Device};
+
+/// A [share](SceneShare) of a scene on a device: slices of Gaussians, which have the fields in common.
+#[derive(Debug)]
+pub struct DeviceShare {
+    /// The fields, and a Gaussian that is never rendered: a share may have none.
+    pub(super) fields: DeviceScene,
+    pub(super) slices: Vec<DeviceScene>,
+    /// Slices of the whole scene.
+    pub(super) slices_of_all: usize,
+}
+
+impl DeviceShare {
+    /// The configuration of the scene.
+    #[must_use]
+    pub fn config(&self) -> &SceneConfig {
+        &self.fields.config
+    }
+
+    /// Gaussians of the share.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.slices.iter().map(DeviceScene::len).sum()
+    }
+
+    /// Whether the share has no Gaussians.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.slices.is_empty()
+    }
+
+    /// The share has these Gaussians from now on, of so many of the whole scene.
+    ///
+    /// # Errors
+    /// As [`Device::upload`]. Some Gaussians are missing then.
+    pub(crate) fn replace_gaussians(
+        &mut self,
+        device: &Device,
+        gaussians: &Gaussians,
+        of_all: usize,
+    ) -> Result<()> {
+        // not both at once
+        self.slices.clear();
+        self.slices_of_all = of_all.div_ceil(SLICE);
+        for slice in in_slices(gaussians) {
+            self.slices.push(self.fields.with_gaussians(device, &slice)?);
+        }
+        Ok(())
+    }
+
+    /// Eq. 13 divides no sum.
+    pub(crate) fn never_divide(&mut self) {
+        let scenes = self.slices.iter_mut().chain([&mut self.fields]);
+        scenes.for_each(|scene| scene.divide_above = f32::MAX);
+    }
+
+    /// The fields and the share's Gaussians as they are now.
+    ///
+    /// # Errors
+    /// As [`DeviceScene::download`].
+    pub fn download(&self, device: &Device) -> Result<Scene> {
+        let mut scene = self.fields.download(device)?;
+        scene.gaussians = Gaussians::zeros(self.config(), self.len())?;
+        let slices = self.slices.iter().map(|slice| slice.tensors.gaussians.as_ref());
+        read_slices(device, slices, &mut scene.gaussians)?;
+        Ok(scene)
+    }
+
+    /// The fields, with a Gaussian that is never rendered.
+    pub(crate) fn fields(&self) -> &DeviceScene {
+        &self.fields
+    }
+
+    /// The slices, each of which is a scene with the same fields.
+    pub(crate) fn slices(&self) -> &[DeviceScene] {
+        &self.slices
+    }
+}
+
+/// The slices of a share's Gaussians.
+pub(crate) fn in_slices(gaussians: &Gaussians) -> impl Iterator<Item = Gaussians> {
+    let first = (0..gaussians.len()).step_by(SLICE);
+    first.map(|first| {
+        let indices = first..gaussians.len().min(first + SLICE);
+        gaussians.select(&indices.collect::<Vec<_>>())
+    })
+}
+
+/// Reads the tensors of slices, one after the other.
+pub(crate) fn read_slices<'a>(
+    device: &Device,
+    slices: impl Iterator<Item = GaussianTensors<&'a Buffer<f32>>>,
+    gaussians: &mut Gaussians,
+) -> Result<()> {
+    let mut rest = gaussians.tensors_mut();
+    for slice in slices {
+        rest = rest.zip(slice).try_map(|_, (values, buffer)| {
+            let (values, after) = values.split_at_mut(buffer.len());
+            device.read_into(buffer, 0, values)?;
+            Ok::<_, Error>(after)
+        })?;
+    }
+    Ok(())
+}
+
+impl DeviceScene {
+    /// Other Gaussians, with the same fields on the same memory.
+    fn with_gaussians(&self, device: &Device, gaussians: &Gaussians) -> Result<Self> {
+        let mut scene = self.view();
+        scene.gaussians = gaussians.len() as u32;
+        let tensors = gaussians.tensors();
+        scene.tensors.gaussians = tensors.try_map(|name, values| device.upload(name, values))?;
+        scene.version = Arc::default();
+        Ok(scene)
+    }
+}
+
+impl Renderer {
+    /// Copies a share to the device.
+    ///
+    /// # Errors
+    /// As [`Renderer::upload_with`].
+    pub fn upload_share(&self, share: &SceneShare, options: UploadOptions) -> Result<DeviceShare> {
+        let Scene { config, gaussians, color, transmittance } = &share.scene;
+        if !gaussians.is_empty() {
+            share.scene.validate()?;
+        }
+        let mut fields = Scene::zeros(config.clone(), 1)?;
+        (fields.color, fields.transmittance) = (color.clone(), transmittance.clone());
+        let fields = self.upload_with(&fields, options)?;
+        let mut uploaded = DeviceShare { fields, slices: Vec::new(), slices_of_all: 0 };
+        uploaded.replace_gaussians(self.device(), gaussians, share.gaussians)?;
+        Ok(uploaded)
+    }
+}

@@ -1,0 +1,245 @@
+//! Training with Gaussians that are dealt to ranks: scenes that one machine does not hold.
+
+use std::sync::Arc;
+
+use super::checkpoint::{Checkpoint, Progress};
+use super::config::{ExposureMethod, TrainConfig};
+use super::optimizer::ShareOptimizer;
+use super::sampler::{Sampler, Target};
+use super::share_checkpoint::CheckpointShare;
+use super::share_growth::grow;
+use super::trainer::{NO_EXPOSURES, StepReport, check, growth_random, is_time_to_grow};
+use crate::camera::Camera;
+use crate::data::Dataset;
+use crate::error::{Error, Result};
+use crate::ranks::Ranks;
+use crate::render::{DeviceShare, Loss, LossTarget, Renderer, ShareGradient, UploadOptions};
+use crate::scene::SceneShare;
+
+/// A [`Trainer`](super::Trainer) for one of many [ranks](crate::ranks) that hold a share of the Gaussians each, and all of
+/// the fields. All ranks take the same steps. The scene's bits do not depend on the number of ranks. They are others than
+/// those of a [`Trainer`](super::Trainer), which adds the same terms in another order.
+///
+/// ```
+/// use std::sync::Arc;
+///
+/// use organza::ranks::{Ranks, ThreadRanks};
+/// use organza::train::{Checkpoint, CheckpointShare, ShareTrainer, TrainConfig, built_in};
+/// use organza::{DeviceOptions, Renderer, demo};
+///
+/// let threads = ThreadRanks::new(2).into_iter().map(|ranks| {
+///     std::thread::spawn(move || {
+///         let renderer = Renderer::new(organza::open_device(&DeviceOptions::cpu(Some(1)))?);
+///         let dataset = built_in::dataset(&renderer, 2, 16, 0)?;
+///         let mut config = TrainConfig::default();
+///         (config.run.tiles_per_step, config.run.tile_size) = (1, 16);
+///         let begin = Checkpoint::begin(demo::scene(), &config)?;
+///         let share = CheckpointShare::of(&begin, ranks.rank(), ranks.size());
+///         let mut trainer =
+///             ShareTrainer::resume(&renderer, config, dataset, &share, Arc::new(ranks))?;
+///         Ok::<_, organza::Error>(trainer.step()?.loss)
+///     })
+/// });
+/// let losses: Vec<_> = threads.collect::<Vec<_>>().into_iter().map(|thread| thread.join()).collect();
+/// let losses: Result<Vec<_>, _> = losses.into_iter().map(|loss| loss.expect("a rank")).collect();
+/// assert_eq!(losses.as_ref().unwrap()[0], losses.as_ref().unwrap()[1]);
+/// # Ok::<(), organza::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct ShareTrainer {
+    renderer: Renderer,
+    config: TrainConfig,
+    dataset: Arc<Dataset>,
+    /// Of the frames to train on.
+    cameras: Vec<Camera>,
+    sampler: Sampler,
+    loss: Option<Loss>,
+    state: State,
+    step: u32,
+    ranks: Arc<dyn Ranks>,
+}
+
+/// What a step changes.
+#[derive(Debug)]
+struct State {
+    share: DeviceShare,
+    optimizer: ShareOptimizer,
+    gradient: ShareGradient,
+    /// Gaussians of the whole scene.
+    gaussians: usize,
+}
+
+impl ShareTrainer {
+    /// Continues from a checkpoint, of which each rank has its share.
+    ///
+    /// # Errors
+    /// As [`Trainer::resume`](super::Trainer::resume); [`Error::Argument`] where the settings learn exposures.
+    pub fn resume(
+        renderer: &Renderer,
+        config: TrainConfig,
+        dataset: impl Into<Arc<Dataset>>,
+        checkpoint: &CheckpointShare,
+        ranks: Arc<dyn Ranks>,
+    ) -> Result<Self> {
+        let dataset = dataset.into();
+        check(&config, &dataset)?;
+        if config.exposure.method != ExposureMethod::None {
+            return Err(Error::Argument { reason: NO_EXPOSURES.to_owned() });
+        }
+        let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
+        let sizes = cameras.iter().map(|camera| [camera.width, camera.height]).collect();
+        let sampler = Sampler::new(sizes, &config.run);
+        sampler.check_memory()?;
+        let state = State::upload(renderer, &config, checkpoint)?;
+        let (renderer, step, loss) = (renderer.clone(), checkpoint.state.progress.step, None);
+        Ok(Self { renderer, config, dataset, cameras, sampler, loss, state, step, ranks })
+    }
+
+    /// Steps that are done.
+    #[must_use]
+    pub fn steps(&self) -> u32 {
+        self.step
+    }
+
+    /// The settings.
+    #[must_use]
+    pub fn config(&self) -> &TrainConfig {
+        &self.config
+    }
+
+    /// As [`Trainer::replan`](super::Trainer).
+    pub(super) fn replan(&mut self, steps: u32) {
+        self.config.run.replan(self.step, steps);
+    }
+
+    /// This rank's share as it is now.
+    #[must_use]
+    pub fn share(&self) -> &DeviceShare {
+        &self.state.share
+    }
+
+    /// The ranks.
+    pub(super) fn ranks(&self) -> &dyn Ranks {
+        &*self.ranks
+    }
+
+    /// Gaussians of the whole scene.
+    #[must_use]
+    pub fn gaussians(&self) -> usize {
+        self.state.gaussians
+    }
+
+    /// This rank's part of everything that training needs to go on. `seconds` is the time of training to write down.
+    ///
+    /// # Errors
+    /// As [`Trainer::checkpoint`](super::Trainer::checkpoint).
+    pub fn checkpoint(&self, seconds: f64) -> Result<CheckpointShare> {
+        let (device, state) = (self.renderer.device(), &self.state);
+        state.gradient.check(device)?;
+        let mut statistics = Vec::with_capacity(state.share.len());
+        for slice in &state.gradient.slices {
+            statistics.extend(device.read(&slice.statistics)?.iter().map(|v| v.to_array()));
+        }
+        let checkpoint = Checkpoint {
+            scene: state.share.download(device)?,
+            moments: state.optimizer.moments(device, &state.share)?,
+            statistics,
+            exposures: None,
+            progress: Progress { step: self.step, seconds },
+        };
+        let (rank, size) = (self.ranks.rank(), self.ranks.size());
+        Ok(CheckpointShare::of_state(checkpoint, state.gaussians, rank, size))
+    }
+
+    /// One step, with all other ranks.
+    ///
+    /// # Errors
+    /// As [`Trainer::step`](super::Trainer::step), and [`Error::Rank`] where another rank has failed. The trainer is then as
+    /// before the step, unless it was growing.
+    pub fn step(&mut self) -> Result<StepReport> {
+        let batch = self.sampler.batch(self.step);
+        let frames: Vec<_> = self.dataset.train_frames().collect();
+        let target = Target::of(&batch, &frames)?;
+        let target = LossTarget {
+            exposure: None,
+            image: &target.image,
+            valid: &target.valid,
+            valid_pixels: target.valid_pixels,
+            ssim_weight: self.config.loss.ssim_weight,
+        };
+        let State { share, optimizer, gradient, .. } = &self.state;
+        let (shared, cameras, kept) = ((share, &*self.ranks), &self.cameras, &mut self.loss);
+        let losses =
+            self.renderer.add_share_gradient(shared, cameras, &batch, kept, &target, gradient)?;
+        let report = StepReport::of(&losses, target.ssim_weight);
+        let device = self.renderer.device();
+        if !report.loss.is_finite() {
+            gradient.restart(device);
+            let reason = format!("the loss of step {} is {}", self.step, report.loss);
+            return Err(Error::Diverged { reason });
+        }
+        let now = (self.step, self.config.run.share(self.step));
+        let settings = &self.config.optimizer;
+        device.run_in_pool(|| optimizer.step(device, share, gradient, settings, now))?;
+        gradient.clear_touched(device);
+        self.step += 1;
+        let grows = is_time_to_grow(&self.config, self.step);
+        let grown = grows.then(|| self.grow()).transpose()?;
+        Ok(StepReport { grown, ..report })
+    }
+
+    fn grow(&mut self) -> Result<super::Grown> {
+        let mut checkpoint = self.checkpoint(0.0)?;
+        let random = growth_random(&self.config, self.step);
+        let grown = grow(&self.config.growth, &mut checkpoint, random, &*self.ranks)?;
+        self.state.replace_gaussians(&self.renderer, &checkpoint)?;
+        Ok(grown)
+    }
+}
+
+impl State {
+    fn upload(
+        renderer: &Renderer,
+        config: &TrainConfig,
+        checkpoint: &CheckpointShare,
+    ) -> Result<Self> {
+        let device = renderer.device();
+        let CheckpointShare { state, range, gaussians } = checkpoint;
+        let (range, gaussians) = (range.clone(), *gaussians);
+        let share = SceneShare { scene: state.scene.clone(), range, gaussians };
+        let mut share = renderer.upload_share(&share, UploadOptions::default())?;
+        if !config.ablation.divide {
+            share.never_divide();
+        }
+        let optimizer = ShareOptimizer::new(device, &state.moments)?;
+        let gradient = ShareGradient::new(device, &share, config.ablation.learn_transmittance)?;
+        let state = Self { share, optimizer, gradient, gaussians };
+        state.write_statistics(renderer, &checkpoint.state.statistics)?;
+        Ok(state)
+    }
+
+    /// The Gaussians are those of a checkpoint from now on; the fields stay.
+    fn replace_gaussians(
+        &mut self,
+        renderer: &Renderer,
+        checkpoint: &CheckpointShare,
+    ) -> Result<()> {
+        let (device, state) = (renderer.device(), &checkpoint.state);
+        self.gaussians = checkpoint.gaussians;
+        self.share.replace_gaussians(device, &state.scene.gaussians, self.gaussians)?;
+        self.optimizer.replace_slices(device, &state.moments)?;
+        self.gradient.replace_slices(device, &self.share)?;
+        self.write_statistics(renderer, &state.statistics)
+    }
+
+    fn write_statistics(&self, renderer: &Renderer, statistics: &[[f32; 4]]) -> Result<()> {
+        let mut rest = statistics;
+        for slice in &self.gradient.slices {
+            let (mine, after) = rest.split_at(slice.statistics.len());
+            let mine: Vec<_> = mine.iter().map(|&v| glam::Vec4::from_array(v)).collect();
+            renderer.device().write(&slice.statistics, 0, &mine)?;
+            rest = after;
+        }
+        Ok(())
+    }
+}

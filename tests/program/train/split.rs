@@ -1,0 +1,215 @@
+//! Trainings whose Gaussians are dealt to ranks: the same bits for any number of ranks.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use organza::data::Dataset;
+use organza::ranks::{Ranks, ThreadRanks};
+use organza::scene::SLICE;
+use organza::train::metrics::Record;
+use organza::train::{Checkpoint, CheckpointShare, ShareTrainer, TrainConfig, Trainer};
+use organza::{Error, Renderer};
+use organza_tests::devices;
+
+use super::runs::{TINY, assert_same, begun, bits, records, sandbox, state_bits, without_times};
+
+type Begun = (TrainConfig, Checkpoint, Arc<Dataset>);
+
+/// One of so many Gaussians is rendered.
+const VISIBLE: usize = 64;
+
+/// A run with just two slices of Gaussians, which grows to three after two more steps. Most Gaussians have no rotation, so they
+/// are not rendered: that would take its time.
+fn begun_of_slices() -> Begun {
+    let (mut config, mut checkpoint, dataset) = begun();
+    config.run.steps = 40;
+    config.growth.max_gaussians = 2 * SLICE as u32 + 200;
+    let mut scene = checkpoint.scene;
+    let len = scene.gaussians.len();
+    let indices: Vec<_> = (0..2 * SLICE - 10).map(|index| index / VISIBLE % len).collect();
+    scene.gaussians = scene.gaussians.select(&indices);
+    for (index, position) in scene.gaussians.position.iter_mut().enumerate() {
+        position[index % 3] += 1e-3 * (index / VISIBLE / len) as f32;
+    }
+    for (index, rotation) in scene.gaussians.rotation.iter_mut().enumerate() {
+        if index % VISIBLE > 0 {
+            *rotation = [0.0; 4];
+        }
+    }
+    checkpoint = Checkpoint::begin(scene, &config).expect("a state");
+    checkpoint.progress.step = 8;
+    (config, checkpoint, dataset)
+}
+
+/// Does `work` on each of so many ranks.
+fn on_ranks<R: Send>(size: usize, work: impl Fn(Arc<dyn Ranks>) -> R + Sync) -> Vec<R> {
+    let work = &work;
+    std::thread::scope(|scope| {
+        let ranks = ThreadRanks::new(size).into_iter();
+        let threads: Vec<_> =
+            ranks.map(|ranks| scope.spawn(move || work(Arc::new(ranks)))).collect();
+        threads.into_iter().map(|thread| thread.join().expect("a rank")).collect()
+    })
+}
+
+/// The trainer of a rank.
+fn trainer(begun: &Begun, name: &str, ranks: Arc<dyn Ranks>) -> ShareTrainer {
+    let (config, checkpoint, dataset) = begun;
+    let device = match name {
+        "cpu" => devices::cpu(Some(1)),
+        _ => devices::all().into_iter().find(|(other, _)| *other == name).expect("a device").1,
+    };
+    let share = CheckpointShare::of(checkpoint, ranks.rank(), ranks.size());
+    let (config, dataset) = (config.clone(), dataset.clone());
+    let renderer = Renderer::new(device);
+    ShareTrainer::resume(&renderer, config, dataset, &share, ranks).expect("a trainer")
+}
+
+/// Trains so many steps on so many ranks, and joins their shares; a file of the state if there is a path for it.
+fn train(begun: &Begun, name: &str, size: usize, steps: u32, file: Option<&Path>) -> Checkpoint {
+    let shares = on_ranks(size, |ranks| {
+        let mut trainer = trainer(begun, name, ranks.clone());
+        for _ in 0..steps {
+            trainer.step().expect("a step");
+        }
+        let share = trainer.checkpoint(0.0).expect("a state");
+        match file {
+            Some(path) if ranks.rank() == 0 => share.save(path, None, &*ranks).expect("a file"),
+            Some(_) => share.hand_over(&*ranks).expect("a file"),
+            None => {}
+        }
+        share
+    });
+    join(shares)
+}
+
+fn join(shares: Vec<CheckpointShare>) -> Checkpoint {
+    let (all, mut rest) = (shares[0].gaussians, shares.into_iter());
+    let mut whole = rest.next().expect("a rank").state;
+    for CheckpointShare { state, range, gaussians } in rest {
+        assert_eq!((whole.scene.gaussians.len(), gaussians), (range.start, all));
+        let mine = [&mut whole.scene].into_iter().chain(&mut whole.moments);
+        for (mine, other) in mine.zip([&state.scene].into_iter().chain(&state.moments)) {
+            assert!(mine.color == other.color && mine.transmittance == other.transmittance);
+            mine.gaussians.append(&other.gaussians);
+        }
+        whole.statistics.extend(state.statistics);
+    }
+    assert_eq!(whole.scene.gaussians.len(), all);
+    whole
+}
+
+/// With four ranks, one holds nothing.
+#[test]
+fn any_number_of_ranks_gives_the_same_bits_on_every_device() {
+    let begun = begun_of_slices();
+    for (name, _) in devices::all() {
+        let one = train(&begun, name, 1, 3, None);
+        assert_eq!(one.progress.step, 11);
+        assert_eq!(one.scene.gaussians.len(), 2 * SLICE + 200, "{name}: the scene has grown");
+        assert!(one.statistics.iter().any(|[_, views, ..]| *views > 0.0), "{name}");
+        // a software GPU takes its time
+        let sizes = if name == "cpu" { &[2, 3, 4][..] } else { &[2] };
+        for &size in sizes {
+            let many = train(&begun, name, size, 3, None);
+            assert!(state_bits(&many) == state_bits(&one), "{name}: {size} ranks");
+        }
+    }
+}
+
+/// One file, as any run writes it; and each rank reads its share of it.
+#[test]
+fn ranks_write_one_checkpoint_and_read_their_shares() {
+    let begun = begun_of_slices();
+    let sandbox = sandbox();
+    let path = sandbox.path("state.safetensors");
+    let joined = train(&begun, "cpu", 3, 1, Some(&path));
+    assert!(Checkpoint::load(&path).expect("a checkpoint") == joined);
+    let again = sandbox.path("again.safetensors");
+    joined.save(&again, None).expect("a file");
+    assert!(std::fs::read(&path).unwrap() == std::fs::read(&again).unwrap());
+    for size in [1, 2, 4] {
+        for rank in 0..size {
+            let share = CheckpointShare::load(&path, rank, size).expect("a share");
+            assert!(share == CheckpointShare::of(&joined, rank, size), "rank {rank} of {size}");
+        }
+    }
+    // what one rank has lost is not written
+    let failed = on_ranks(2, |ranks| {
+        let mut share = CheckpointShare::of(&joined, ranks.rank(), 2);
+        if ranks.rank() == 0 {
+            return share.save(&path, None, &*ranks);
+        }
+        share.state.moments[0].gaussians.opacity[3] = f32::NAN;
+        share.hand_over(&*ranks).inspect_err(|error| ranks.fail(&error.to_string()))
+    });
+    let [Err(Error::Rank { rank: 1, .. }), Err(Error::NotFinite { .. })] = &failed[..] else {
+        panic!("{failed:?}")
+    };
+    assert!(std::fs::read(&path).unwrap() == std::fs::read(&again).unwrap());
+}
+
+/// Both sum the same terms, and round differently.
+#[test]
+fn ranks_train_what_a_trainer_alone_trains() {
+    let begun = begun_of_slices();
+    let (config, checkpoint, dataset) = begun.clone();
+    let renderer = Renderer::new(devices::cpu(None));
+    let mut alone = Trainer::resume(&renderer, config, dataset, &checkpoint).expect("a trainer");
+    let expected = alone.step().expect("a step");
+    let reports = on_ranks(2, |ranks| trainer(&begun, "cpu", ranks).step().expect("a step"));
+    for report in reports {
+        assert!((report.loss - expected.loss).abs() < 1e-6 * expected.loss);
+        assert!((report.psnr - expected.psnr).abs() < 1e-4 && report.tiles == expected.tiles);
+    }
+    let alone = alone.checkpoint(0.0).expect("a state");
+    let shared = train(&begun, "cpu", 2, 1, None);
+    for (moment, (alone, shared)) in alone.moments.iter().zip(&shared.moments).enumerate() {
+        for ((spec, alone), (_, shared)) in alone.tensors().into_iter().zip(shared.tensors()) {
+            let largest = alone.iter().fold(0.0_f32, |most, value| most.max(value.abs()));
+            assert!(largest > 0.0 || spec.values() == 0, "{}", spec.name);
+            // the second moments are of squares
+            let most = if moment == 0 { 1e-4 } else { 2e-4 } * largest;
+            for (a, b) in alone.iter().zip(shared) {
+                assert!((a - b).abs() <= most, "{} {moment}: {a} {b}", spec.name);
+            }
+        }
+    }
+    for (a, b) in alone.statistics.iter().zip(&shared.statistics) {
+        let near = |a: f32, b: f32| (a - b).abs() <= 1e-3 * a.abs() + 1e-9;
+        assert!(a.iter().zip(b).all(|(a, b)| near(*a, *b)), "{a:?} {b:?}");
+    }
+}
+
+/// All Gaussians are one slice: the other ranks hold nothing.
+#[test]
+fn a_run_of_shares_is_one_run() {
+    let sandbox = sandbox();
+    let run = |name: &str, words: &str| {
+        let words = format!("{TINY} {name} --steps 24 --split gaussians {words}");
+        sandbox.run(&words).assert_ok();
+    };
+    let told = |run: &str| without_times(&records(&sandbox.path(run)));
+    run("one", "--ranks 1");
+    let one = bits(&sandbox, "one");
+    assert!(one["gaussians.opacity"].1.len() > 200, "the scene has grown");
+    let loss = |record: &Record| match record {
+        Record::Step { loss, .. } => Some(*loss),
+        _ => None,
+    };
+    let losses: Vec<_> = records(&sandbox.path("one")).iter().filter_map(loss).collect();
+    let mean = |losses: &[f64]| losses.iter().sum::<f64>() / losses.len() as f64;
+    assert!(mean(&losses[16..]) < 0.9 * mean(&losses[..8]), "{losses:?}");
+    // stopped, and continued by another number
+    run("other", "--ranks 3 --threads 1 --time-limit 1");
+    sandbox.run("train --resume other --ranks 2 --split gaussians --backend cpu").assert_ok();
+    assert_same("resumed", &bits(&sandbox, "other"), &one);
+    assert_eq!(told("other"), told("one"));
+    let refuses = |words: &str, facts: &[&str]| {
+        sandbox.assert_refuses(&format!("{TINY} no {words}"), facts);
+    };
+    refuses("--split gaussians", &["--ranks"]);
+    refuses("--ranks 2 --split pixels", &["views, gaussians"]);
+    refuses("--ranks 2 --split gaussians --view", &["`--view`", "leave out"]);
+    refuses("--ranks 2 --split gaussians --set exposure.method=affine", &["exposure.method"]);
+}

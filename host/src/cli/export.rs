@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use organza::camera::Orbit;
 use organza::data::{Dataset, Frame};
 use organza::error::format_bytes;
-use organza::metrics::psnr;
 use organza::splats::{self, Distilled, Fit, Format, Splat};
 use organza::{Camera, DeviceScene, Renderer, Result, Scene, evaluate};
 
@@ -32,8 +31,9 @@ Examples:
   organza export run -o scene.ply --steps 2000
 
 Other viewers sort Gaussians by depth and know no networks. So this command fits spherical harmonics to the colors, and \
-opacities to the visibility. Then it renders as those viewers do, compares with the scene's own images, and corrects all \
-values of the Gaussians, step by step. It prints how close it came, in views that the fit has not seen.";
+opacities to the visibility. Then it renders as those viewers do, from the cameras and from between them, \
+compares with the scene's own images, and corrects all values of the Gaussians, step by step. It prints how close it came, \
+in views that the fit has not seen.";
 
 /// Write a scene as Gaussians for viewers that sort: .ply, .spz, .glb or .splat
 #[derive(Debug, clap::Args)]
@@ -180,10 +180,8 @@ impl Views {
         let Some(own) = evaluate(renderer, uploaded, &frames)?.mean.psnr else { return Ok(()) };
         let background = scene.config.background.map(|x| x as f32);
         let of = |frame: &&Frame| {
-            let image = splats::displayed(splats::render(splats, &frame.camera, background));
-            let pixels = frame.image.pixels().iter();
-            let truth: Vec<_> = pixels.map(|pixel| pixel.map(|x| f32::from(x) / 255.0)).collect();
-            psnr(&image, &truth, frame.image.valid())
+            let Frame { camera, image, .. } = frame;
+            splats::psnr(splats, camera, background, image.pixels(), image.valid())
         };
         let found: Vec<_> = frames.iter().filter_map(of).collect();
         let sorted = found.iter().sum::<f64>() / found.len() as f64;

@@ -6,12 +6,15 @@ use organza_device::memory;
 use organza_kernel::math::sigmoid;
 use rayon::prelude::*;
 
+use super::between::between;
 use super::harmonics::{HARMONICS, Sample, fit, harmonics};
-use super::sorted::{View, render};
+use super::sorted::render;
+use super::sorted_backward::gradient;
 use super::{Splat, VALUES};
 use crate::camera::Camera;
 use crate::error::{Error, Result};
-use crate::metrics::psnr;
+use crate::image::Image;
+use crate::metrics;
 use crate::render::{DeviceScene, Renderer};
 use crate::scene::{Scene, logit};
 use crate::train::in_image;
@@ -19,6 +22,9 @@ use crate::train::in_image;
 /// Pairs of a camera and a Gaussian whose color the harmonics are fitted to, at most; and cameras, at most and at least.
 const MOST_PAIRS: usize = 8_000_000;
 const CAMERAS: [usize; 2] = [8, 64];
+/// Views that are compared, at least. Where there are fewer cameras, others between them are added: with few, harmonics and
+/// opacities come to show these alone.
+const VIEWS: usize = 160;
 /// The least weight of a color: of one that nothing is seen of, and of one outside the image.
 const LEAST_WEIGHT: [f32; 2] = [0.02, 0.002];
 /// Opacities at the start, at least and at most: at 0 and 1, nothing would change them.
@@ -63,10 +69,10 @@ pub struct Distilled {
 /// A camera, and the scene's image.
 struct Target {
     camera: Camera,
-    truth: Vec<[f32; 3]>,
+    image: Image,
 }
 
-/// Fits Gaussians to what some cameras see of a scene. `judges` are cameras that are only measured; without any, those that were
+/// Fits Gaussians to what some cameras see of a scene, and others between them. `judges` are cameras that are only measured; without any, those that were
 /// fitted are. `progress` is called with the steps that are done.
 ///
 /// # Errors
@@ -87,29 +93,32 @@ pub fn distill(
     let target = |camera: &Camera| -> Result<Target> {
         let camera = shrunk(camera, options.side);
         let image = renderer.render_view(uploaded, &camera)?;
-        let pixels = image.pixels().iter();
-        Ok(Target {
-            camera,
-            truth: pixels.map(|pixel| pixel.map(|x| f32::from(x) / 255.0)).collect(),
-        })
+        Ok(Target { camera, image })
     };
     let judges = if judges.is_empty() { cameras } else { judges };
     let judges = judges.iter().map(target).collect::<Result<Vec<_>>>()?;
     let mean = |splats: &[Splat]| {
-        let of = |Target { camera, truth }: &Target| {
-            let image = displayed(render(splats, camera, background));
-            psnr(&image, truth, None).unwrap_or(BEST_PSNR).min(BEST_PSNR)
+        let of = |Target { camera, image }: &Target| {
+            let psnr = psnr(splats, camera, background, image.pixels(), None);
+            psnr.unwrap_or(BEST_PSNR).min(BEST_PSNR)
         };
         judges.iter().map(of).sum::<f64>() / judges.len() as f64
     };
     let first_psnr = mean(&splats);
+    let others = between(cameras, VIEWS.saturating_sub(cameras.len()))?;
     // those that no step will see need no image
-    let targets = cameras.iter().take(options.steps).map(target).collect::<Result<Vec<_>>>()?;
+    let targets: Vec<_> = cameras.iter().chain(&others).take(options.steps).collect();
+    let pixels = |camera: &&Camera| {
+        let Camera { width, height, .. } = shrunk(camera, options.side);
+        u64::from(width) * u64::from(height)
+    };
+    memory::check(3 * targets.iter().map(pixels).sum::<u64>(), "the images to compare")?;
+    let targets = targets.into_iter().map(target).collect::<Result<Vec<_>>>()?;
     let mut adam = Adam::new(splats.len())?;
     let stride = stride(targets.len());
     for step in 0..options.steps {
-        let Target { camera, truth } = &targets[step * stride % targets.len()];
-        let (gradient, _) = View::new(&splats, camera).gradient(&splats, background, truth);
+        let Target { camera, image } = &targets[step * stride % targets.len()];
+        let gradient = gradient(&splats, camera, background, &colors(image.pixels()));
         let rate = LAST.powf(step as f32 / options.steps as f32);
         adam.step(&mut splats, &gradient, rate);
         progress(step + 1);
@@ -119,8 +128,24 @@ pub fn distill(
     Ok(Distilled { splats, psnr, first_psnr })
 }
 
+/// The PSNR of the image that a viewer shows, beside one of 8 bits: of those pixels that are valid. As [`metrics::psnr`].
+pub fn psnr(
+    splats: &[Splat],
+    camera: &Camera,
+    background: [f32; 3],
+    pixels: &[[u8; 3]],
+    valid: Option<&[bool]>,
+) -> Option<f64> {
+    let image = displayed(render(splats, camera, background));
+    metrics::psnr(&image, &colors(pixels), valid)
+}
+
+fn colors(pixels: &[[u8; 3]]) -> Vec<[f32; 3]> {
+    pixels.iter().map(|pixel| pixel.map(|x| f32::from(x) / 255.0)).collect()
+}
+
 /// What a screen shows of colors.
-pub fn displayed(mut image: Vec<[f32; 3]>) -> Vec<[f32; 3]> {
+pub(super) fn displayed(mut image: Vec<[f32; 3]>) -> Vec<[f32; 3]> {
     image.as_flattened_mut().iter_mut().for_each(|value| *value = value.clamp(0.0, 1.0));
     image
 }

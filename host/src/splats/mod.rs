@@ -1,13 +1,15 @@
 //! Gaussians as viewers that sort know them (Kerbl et al., 3D Gaussian Splatting, 2023): each has an opacity and the spherical
 //! harmonics of a color, and nothing but what is in front of it hides it.
 
+mod between;
 mod distill;
 mod files;
 mod harmonics;
 mod import;
 mod sorted;
+mod sorted_backward;
 
-pub use distill::{Distilled, Fit, displayed, distill};
+pub use distill::{Distilled, Fit, distill, psnr};
 pub use files::{Format, load, save};
 pub(crate) use files::{base_color, read_from};
 pub use import::{Import, Imported, bounds, import};

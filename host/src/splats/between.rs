@@ -16,6 +16,9 @@ const GOLDEN: f64 = 0.618_033_988_749_895;
 /// # Errors
 /// [`Error::Camera`](crate::Error::Camera) for a camera that is not valid.
 pub fn between(cameras: &[Camera], count: usize) -> Result<Vec<Camera>> {
+    if count == 0 {
+        return Ok(Vec::new());
+    }
     let ways: Vec<Vec<usize>> = (0..cameras.len()).map(|from| nearest(cameras, from)).collect();
     let starts: Vec<_> = (0..cameras.len()).filter(|&from| !ways[from].is_empty()).collect();
     if starts.is_empty() {

@@ -72,8 +72,8 @@ struct Target {
     image: Image,
 }
 
-/// Fits Gaussians to what some cameras see of a scene, and others between them. `judges` are cameras that are only measured; without any, those that were
-/// fitted are. `progress` is called with the steps that are done.
+/// Fits Gaussians to what some cameras see of a scene, and others between them. `judges` are cameras that are only measured;
+/// without any, those that were fitted are. `progress` is called with the steps that are done.
 ///
 /// # Errors
 /// [`Error::Argument`] without cameras; as [`Renderer::render`].
@@ -105,8 +105,8 @@ pub fn distill(
         judges.iter().map(of).sum::<f64>() / judges.len() as f64
     };
     let first_psnr = mean(&splats);
-    let others = between(cameras, VIEWS.saturating_sub(cameras.len()))?;
-    // those that no step will see need no image
+    // views that no step will see need no image
+    let others = between(cameras, VIEWS.min(options.steps).saturating_sub(cameras.len()))?;
     let targets: Vec<_> = cameras.iter().chain(&others).take(options.steps).collect();
     let pixels = |camera: &&Camera| {
         let Camera { width, height, .. } = shrunk(camera, options.side);

@@ -21,11 +21,6 @@ struct type_15 {
     member: type_14,
 }
 
-struct type_17 {
-    member: f32,
-    member_1: f32,
-}
-
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
@@ -47,27 +42,26 @@ var<storage, read_write> global_9: type_5;
 var<storage, read_write> global_10: type_5;
 
 fn function_() {
-    var phi_316_: array<type_17, 3>;
-    var phi_344_: f32;
-    var phi_347_: u32;
+    var phi_342_: f32;
+    var phi_345_: u32;
+    var phi_347_: f32;
     var phi_349_: f32;
-    var phi_351_: f32;
+    var phi_363_: f32;
+    var phi_364_: f32;
     var phi_365_: f32;
-    var phi_366_: f32;
-    var phi_367_: f32;
-    var phi_370_: f32;
-    var phi_373_: u32;
-    var phi_375_: f32;
-    var phi_390_: f32;
-    var phi_371_: f32;
-    var phi_374_: u32;
-    var phi_376_: f32;
-    var phi_345_: f32;
-    var phi_348_: u32;
+    var phi_368_: f32;
+    var phi_371_: u32;
+    var phi_373_: f32;
+    var phi_388_: f32;
+    var phi_369_: f32;
+    var phi_372_: u32;
+    var phi_374_: f32;
+    var phi_343_: f32;
+    var phi_346_: u32;
+    var phi_348_: f32;
     var phi_350_: f32;
-    var phi_352_: f32;
-    var phi_408_: u32;
-    var phi_409_: u32;
+    var phi_406_: u32;
+    var phi_407_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -133,154 +127,157 @@ fn function_() {
                 let _e200 = ((_e175 - _e198) + _e187);
                 let _e204 = (trunc(((_e176 + _e188) * 4096f)) * 0.00024414063f);
                 let _e206 = ((_e176 - _e204) + _e188);
-                let _e212 = ((_e192 - 0.5f) + _e194);
-                let _e214 = ((_e198 - 0.5f) + _e200);
-                let _e216 = ((_e204 - 0.5f) + _e206);
-                let _e219 = global_3.member.member_7;
-                if (_e219 == 0u) {
-                    phi_316_ = array<type_17, 3>(type_17(_e192, _e194), type_17(_e198, _e200), type_17(_e204, _e206));
+                let _e209 = global_3.member.member_7;
+                if (_e209 == 0u) {
+                    global_9.member[_e56] = _e192;
+                    global_9.member[(_e101 + _e56)] = _e198;
+                    global_9.member[((2u * _e101) + _e56)] = _e204;
+                    global_9.member[((3u * _e101) + _e56)] = _e194;
+                    global_9.member[((4u * _e101) + _e56)] = _e200;
+                    global_9.member[((5u * _e101) + _e56)] = _e206;
                 } else {
-                    let _e223 = select(_e212, -(_e212), (_e212 < 0f));
-                    let _e226 = select(_e214, -(_e214), (_e214 < 0f));
-                    let _e228 = select(_e226, _e223, (_e223 > _e226));
-                    let _e231 = select(_e216, -(_e216), (_e216 < 0f));
-                    let _e233 = select(_e231, _e228, (_e228 > _e231));
-                    let _e235 = select(0.25f, _e233, (_e233 > 0.25f));
-                    let _e240 = select(1f, ((0.5f - (0.0625f / _e235)) / _e235), (0.25f < _e235));
-                    let _e241 = (_e212 * _e240);
-                    let _e245 = (trunc(((0.5f + _e241) * 4096f)) * 0.00024414063f);
-                    let _e248 = (_e214 * _e240);
-                    let _e252 = (trunc(((0.5f + _e248) * 4096f)) * 0.00024414063f);
-                    let _e255 = (_e216 * _e240);
-                    let _e259 = (trunc(((0.5f + _e255) * 4096f)) * 0.00024414063f);
-                    phi_316_ = array<type_17, 3>(type_17(_e245, ((0.5f - _e245) + _e241)), type_17(_e252, ((0.5f - _e252) + _e248)), type_17(_e259, ((0.5f - _e259) + _e255)));
+                    let _e233 = ((_e192 - 0.5f) + _e194);
+                    let _e235 = ((_e198 - 0.5f) + _e200);
+                    let _e237 = ((_e204 - 0.5f) + _e206);
+                    let _e240 = select(_e233, -(_e233), (_e233 < 0f));
+                    let _e243 = select(_e235, -(_e235), (_e235 < 0f));
+                    let _e245 = select(_e243, _e240, (_e240 > _e243));
+                    let _e248 = select(_e237, -(_e237), (_e237 < 0f));
+                    let _e250 = select(_e248, _e245, (_e245 > _e248));
+                    let _e252 = select(0.25f, _e250, (_e250 > 0.25f));
+                    let _e257 = select(1f, ((0.5f - (0.0625f / _e252)) / _e252), (0.25f < _e252));
+                    let _e258 = (_e233 * _e257);
+                    let _e262 = (trunc(((0.5f + _e258) * 4096f)) * 0.00024414063f);
+                    let _e265 = (_e235 * _e257);
+                    let _e269 = (trunc(((0.5f + _e265) * 4096f)) * 0.00024414063f);
+                    let _e272 = (_e237 * _e257);
+                    let _e276 = (trunc(((0.5f + _e272) * 4096f)) * 0.00024414063f);
+                    global_9.member[_e56] = _e262;
+                    global_9.member[(_e101 + _e56)] = _e269;
+                    global_9.member[((2u * _e101) + _e56)] = _e276;
+                    global_9.member[((3u * _e101) + _e56)] = ((0.5f - _e262) + _e258);
+                    global_9.member[((4u * _e101) + _e56)] = ((0.5f - _e269) + _e265);
+                    global_9.member[((5u * _e101) + _e56)] = ((0.5f - _e276) + _e272);
                 }
-                let _e267 = phi_316_;
-                global_9.member[_e56] = _e267[0].member;
-                global_9.member[(_e101 + _e56)] = _e267[1].member;
-                global_9.member[((2u * _e101) + _e56)] = _e267[2].member;
-                global_9.member[((3u * _e101) + _e56)] = _e267[0].member_1;
-                global_9.member[((4u * _e101) + _e56)] = _e267[1].member_1;
-                global_9.member[((5u * _e101) + _e56)] = _e267[2].member_1;
-                let _e301 = (_e90 - _e78);
-                let _e302 = (_e94 - _e82);
-                let _e303 = (_e98 - _e86);
-                let _e309 = sqrt((((_e301 * _e301) + (_e302 * _e302)) + (_e303 * _e303)));
-                let _e312 = (1f / select(0.000000000000000000000000000000000000011754944f, _e309, (_e309 > 0.000000000000000000000000000000000000011754944f)));
-                let _e313 = (_e301 * _e312);
-                let _e314 = (_e302 * _e312);
-                let _e318 = global_3.member.member_4;
-                phi_344_ = 0f;
-                phi_347_ = 0u;
-                phi_349_ = 0.28209478f;
-                phi_351_ = 1f;
+                let _e300 = (_e90 - _e78);
+                let _e301 = (_e94 - _e82);
+                let _e302 = (_e98 - _e86);
+                let _e308 = sqrt((((_e300 * _e300) + (_e301 * _e301)) + (_e302 * _e302)));
+                let _e311 = (1f / select(0.000000000000000000000000000000000000011754944f, _e308, (_e308 > 0.000000000000000000000000000000000000011754944f)));
+                let _e312 = (_e300 * _e311);
+                let _e313 = (_e301 * _e311);
+                let _e317 = global_3.member.member_4;
+                phi_342_ = 0f;
+                phi_345_ = 0u;
+                phi_347_ = 0.28209478f;
+                phi_349_ = 1f;
                 loop {
-                    let _e320 = phi_344_;
-                    let _e322 = phi_347_;
-                    let _e324 = phi_349_;
-                    let _e326 = phi_351_;
-                    let _e327 = (_e322 <= _e318);
-                    if _e327 {
-                        let _e328 = f32(_e322);
-                        let _e329 = (_e322 > 0u);
-                        if _e329 {
-                            let _e330 = (2f * _e328);
-                            phi_365_ = ((_e313 * _e320) + (_e314 * _e326));
-                            phi_366_ = (_e324 * -(sqrt(((_e330 + 1f) / _e330))));
-                            phi_367_ = ((_e313 * _e326) - (_e314 * _e320));
+                    let _e319 = phi_342_;
+                    let _e321 = phi_345_;
+                    let _e323 = phi_347_;
+                    let _e325 = phi_349_;
+                    let _e326 = (_e321 <= _e317);
+                    if _e326 {
+                        let _e327 = f32(_e321);
+                        let _e328 = (_e321 > 0u);
+                        if _e328 {
+                            let _e329 = (2f * _e327);
+                            phi_363_ = ((_e312 * _e319) + (_e313 * _e325));
+                            phi_364_ = (_e323 * -(sqrt(((_e329 + 1f) / _e329))));
+                            phi_365_ = ((_e312 * _e325) - (_e313 * _e319));
                         } else {
-                            phi_365_ = _e320;
-                            phi_366_ = _e324;
-                            phi_367_ = _e326;
+                            phi_363_ = _e319;
+                            phi_364_ = _e323;
+                            phi_365_ = _e325;
                         }
-                        let _e343 = phi_365_;
-                        let _e345 = phi_366_;
-                        let _e347 = phi_367_;
-                        phi_370_ = _e345;
-                        phi_373_ = _e322;
-                        phi_375_ = 0f;
+                        let _e342 = phi_363_;
+                        let _e344 = phi_364_;
+                        let _e346 = phi_365_;
+                        phi_368_ = _e344;
+                        phi_371_ = _e321;
+                        phi_373_ = 0f;
                         loop {
-                            let _e350 = phi_370_;
-                            let _e352 = phi_373_;
-                            let _e354 = phi_375_;
-                            let _e355 = (_e352 <= _e318);
-                            if _e355 {
-                                let _e356 = (_e352 > _e322);
-                                if _e356 {
-                                    let _e357 = f32(_e352);
-                                    let _e358 = (_e357 - 1f);
-                                    let _e363 = (_e328 * _e328);
-                                    phi_390_ = (sqrt(((((4f * _e357) * _e357) - 1f) / ((_e357 * _e357) - _e363))) * (((_e303 * _e312) * _e350) - (sqrt((((_e358 * _e358) - _e363) / (((4f * _e358) * _e358) - 1f))) * _e354)));
+                            let _e349 = phi_368_;
+                            let _e351 = phi_371_;
+                            let _e353 = phi_373_;
+                            let _e354 = (_e351 <= _e317);
+                            if _e354 {
+                                let _e355 = (_e351 > _e321);
+                                if _e355 {
+                                    let _e356 = f32(_e351);
+                                    let _e357 = (_e356 - 1f);
+                                    let _e362 = (_e327 * _e327);
+                                    phi_388_ = (sqrt(((((4f * _e356) * _e356) - 1f) / ((_e356 * _e356) - _e362))) * (((_e302 * _e311) * _e349) - (sqrt((((_e357 * _e357) - _e362) / (((4f * _e357) * _e357) - 1f))) * _e353)));
                                 } else {
-                                    phi_390_ = _e350;
+                                    phi_388_ = _e349;
                                 }
-                                let _e379 = phi_390_;
-                                let _e382 = ((_e352 * _e352) + _e352);
-                                let _e386 = (select(1f, 1.4142135f, _e329) * _e379);
-                                global_10.member[(_e56 + ((_e382 + _e322) * _e101))] = (_e386 * _e347);
-                                if _e329 {
-                                    global_10.member[(_e56 + ((_e382 - _e322) * _e101))] = (_e386 * _e343);
+                                let _e378 = phi_388_;
+                                let _e381 = ((_e351 * _e351) + _e351);
+                                let _e385 = (select(1f, 1.4142135f, _e328) * _e378);
+                                global_10.member[(_e56 + ((_e381 + _e321) * _e101))] = (_e385 * _e346);
+                                if _e328 {
+                                    global_10.member[(_e56 + ((_e381 - _e321) * _e101))] = (_e385 * _e342);
                                 }
-                                phi_371_ = _e379;
-                                phi_374_ = (_e352 + 1u);
-                                phi_376_ = select(_e354, _e350, _e356);
+                                phi_369_ = _e378;
+                                phi_372_ = (_e351 + 1u);
+                                phi_374_ = select(_e353, _e349, _e355);
                             } else {
-                                phi_371_ = f32();
-                                phi_374_ = u32();
-                                phi_376_ = f32();
+                                phi_369_ = f32();
+                                phi_372_ = u32();
+                                phi_374_ = f32();
                             }
-                            let _e398 = phi_371_;
-                            let _e400 = phi_374_;
-                            let _e402 = phi_376_;
+                            let _e397 = phi_369_;
+                            let _e399 = phi_372_;
+                            let _e401 = phi_374_;
                             continue;
                             continuing {
-                                phi_370_ = _e398;
-                                phi_373_ = _e400;
-                                phi_375_ = _e402;
-                                break if !(_e355);
+                                phi_368_ = _e397;
+                                phi_371_ = _e399;
+                                phi_373_ = _e401;
+                                break if !(_e354);
                             }
                         }
-                        phi_345_ = _e343;
-                        phi_348_ = (_e322 + 1u);
-                        phi_350_ = _e345;
-                        phi_352_ = _e347;
+                        phi_343_ = _e342;
+                        phi_346_ = (_e321 + 1u);
+                        phi_348_ = _e344;
+                        phi_350_ = _e346;
                     } else {
-                        phi_345_ = f32();
-                        phi_348_ = u32();
+                        phi_343_ = f32();
+                        phi_346_ = u32();
+                        phi_348_ = f32();
                         phi_350_ = f32();
-                        phi_352_ = f32();
                     }
-                    let _e406 = phi_345_;
-                    let _e408 = phi_348_;
-                    let _e410 = phi_350_;
-                    let _e412 = phi_352_;
+                    let _e405 = phi_343_;
+                    let _e407 = phi_346_;
+                    let _e409 = phi_348_;
+                    let _e411 = phi_350_;
                     continue;
                     continuing {
-                        phi_344_ = _e406;
-                        phi_347_ = _e408;
-                        phi_349_ = _e410;
-                        phi_351_ = _e412;
-                        break if !(_e327);
+                        phi_342_ = _e405;
+                        phi_345_ = _e407;
+                        phi_347_ = _e409;
+                        phi_349_ = _e411;
+                        break if !(_e326);
                     }
                 }
-                phi_408_ = 0u;
+                phi_406_ = 0u;
                 loop {
-                    let _e415 = phi_408_;
-                    let _e418 = global_3.member.member_5;
-                    let _e419 = (_e415 < _e418);
-                    if _e419 {
-                        let _e424 = global_8.member[((_e72 * _e418) + _e415)];
-                        let _e427 = global_3.member.member_6;
-                        global_10.member[(((_e427 + _e415) * _e101) + _e56)] = _e424;
-                        phi_409_ = (_e415 + 1u);
+                    let _e414 = phi_406_;
+                    let _e417 = global_3.member.member_5;
+                    let _e418 = (_e414 < _e417);
+                    if _e418 {
+                        let _e423 = global_8.member[((_e72 * _e417) + _e414)];
+                        let _e426 = global_3.member.member_6;
+                        global_10.member[(((_e426 + _e414) * _e101) + _e56)] = _e423;
+                        phi_407_ = (_e414 + 1u);
                     } else {
-                        phi_409_ = u32();
+                        phi_407_ = u32();
                     }
-                    let _e435 = phi_409_;
+                    let _e434 = phi_407_;
                     continue;
                     continuing {
-                        phi_408_ = _e435;
-                        break if !(_e419);
+                        phi_406_ = _e434;
+                        break if !(_e418);
                     }
                 }
             }

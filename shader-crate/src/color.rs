@@ -71,9 +71,12 @@ pub fn color_inputs(
         let stride = params.stride;
 
         let place = SceneBox::read(scene_box).split(center);
-        let q = from_center(place);
-        let place = if params.contracted != 0 { contract([q.x, q.y, q.z]) } else { place };
-        write_point(point, stride, index, place);
+        if params.contracted != 0 {
+            let q = from_center(place);
+            write_point(point, stride, index, contract([q.x, q.y, q.z]));
+        } else {
+            write_point(point, stride, index, place);
+        }
 
         // v points from the camera to the Gaussian
         spherical_harmonics(normalize(center - eye), params.sh_degree, input, index, stride);

@@ -51,297 +51,291 @@ var<storage, read_write> global_9: type_6;
 var<storage, read_write> global_10: type_28;
 
 fn function_() {
-    var phi_466_: f32;
-    var phi_473_: bool;
-    var phi_507_: bool;
+    var phi_474_: u32;
+    var phi_541_: f32;
+    var phi_546_: f32;
+    var phi_551_: f32;
     var phi_556_: f32;
     var phi_561_: f32;
     var phi_566_: f32;
-    var phi_571_: f32;
-    var phi_576_: f32;
-    var phi_580_: f32;
+    var phi_575_: f32;
+    var phi_581_: bool;
+    var phi_583_: bool;
+    var phi_584_: bool;
     var phi_589_: f32;
-    var phi_595_: bool;
-    var phi_597_: bool;
-    var phi_598_: bool;
-    var phi_603_: f32;
-    var phi_616_: type_25;
-    var phi_618_: type_25;
-    var phi_619_: bool;
-    var phi_624_: type_25;
+    var phi_602_: type_25;
+    var phi_604_: type_25;
+    var phi_605_: bool;
+    var phi_610_: type_25;
+    var phi_475_: u32;
 
-    let _e52 = global;
-    let _e53 = global_1;
-    let _e54 = global_2;
-    let _e62 = (((_e53.x + (_e53.y * _e54.x)) * 64u) + _e52.x);
-    let _e65 = global_3.member.member;
-    if (_e62 < _e65) {
-        let _e68 = (_e53.z * 18u);
-        let _e71 = global_5.member[_e68];
-        let _e75 = global_5.member[(_e68 + 1u)];
-        let _e79 = global_5.member[(_e68 + 2u)];
-        let _e83 = global_5.member[(_e68 + 3u)];
-        let _e87 = global_5.member[(_e68 + 4u)];
-        let _e91 = global_5.member[(_e68 + 5u)];
-        let _e95 = global_5.member[(_e68 + 6u)];
-        let _e99 = global_5.member[(_e68 + 7u)];
-        let _e103 = global_5.member[(_e68 + 8u)];
-        let _e107 = global_5.member[(_e68 + 9u)];
-        let _e111 = global_5.member[(_e68 + 10u)];
-        let _e115 = global_5.member[(_e68 + 11u)];
-        let _e119 = global_5.member[(_e68 + 12u)];
-        let _e123 = global_5.member[(_e68 + 13u)];
-        let _e127 = global_5.member[(_e68 + 14u)];
-        let _e131 = global_5.member[(_e68 + 15u)];
-        let _e135 = global_5.member[(_e68 + 16u)];
-        let _e139 = global_5.member[(_e68 + 17u)];
-        let _e140 = (_e53.z * 4u);
-        let _e143 = global_6.member[_e140];
-        let _e147 = global_6.member[(_e140 + 1u)];
-        let _e151 = global_6.member[(_e140 + 2u)];
-        let _e155 = global_6.member[(_e140 + 3u)];
-        let _e156 = (_e62 * 3u);
-        let _e159 = global_4.member[_e156];
-        let _e160 = (_e156 + 1u);
-        let _e163 = global_4.member[_e160];
-        let _e164 = (_e156 + 2u);
-        let _e167 = global_4.member[_e164];
-        let _e170 = global_8.member[_e156];
-        let _e173 = global_8.member[_e160];
-        let _e176 = global_8.member[_e164];
-        let _e177 = (_e159 - _e107);
-        let _e178 = (_e163 - _e111);
-        let _e179 = (_e167 - _e115);
-        let _e184 = (((_e71 * _e177) + (_e75 * _e178)) + (_e79 * _e179));
-        let _e189 = (((_e83 * _e177) + (_e87 * _e178)) + (_e91 * _e179));
-        let _e194 = (((_e95 * _e177) + (_e99 * _e178)) + (_e103 * _e179));
-        let _e195 = (_e194 < 0f);
-        if _e195 {
-            phi_466_ = -(_e194);
-        } else {
-            phi_466_ = _e194;
-        }
-        let _e198 = phi_466_;
-        if (_e198 <= 0x1.fffffep+127f) {
-            phi_473_ = !((_e194 > 0.01f));
-        } else {
-            phi_473_ = false;
-        }
-        let _e203 = phi_473_;
-        let _e204 = (_e194 > 0.01f);
-        let _e207 = (2u * ((_e53.z * _e65) + _e62));
-        if _e204 {
-            let _e210 = global_3.member.member_1;
-            let _e211 = select(1f, _e194, _e204);
-            let _e214 = (((_e119 * _e184) / _e211) + _e127);
-            let _e217 = (((_e123 * _e189) / _e211) + _e131);
-            let _e218 = (1f / _e119);
-            let _e219 = (1f / _e123);
-            let _e222 = ((_e135 * _e218) * 0.15f);
-            let _e223 = ((_e139 * _e219) * 0.15f);
-            let _e228 = (((_e127 * _e218) * -1f) - _e222);
-            let _e229 = (((_e131 * _e219) * -1f) - _e223);
-            let _e234 = (((_e135 - _e127) * _e218) + _e222);
-            let _e235 = (((_e139 - _e131) * _e219) + _e223);
-            let _e236 = (_e184 / _e211);
-            let _e238 = select(_e228, _e236, (_e236 > _e228));
-            let _e240 = select(_e234, _e238, (_e238 < _e234));
-            let _e241 = (_e189 / _e211);
-            let _e243 = select(_e229, _e241, (_e241 > _e229));
-            let _e245 = select(_e235, _e243, (_e243 < _e235));
-            let _e246 = (_e119 / _e211);
-            let _e247 = (_e123 / _e211);
-            let _e254 = ((_e71 - (_e95 * _e240)) * _e246);
-            let _e255 = ((_e75 - (_e99 * _e240)) * _e246);
-            let _e256 = ((_e79 - (_e103 * _e240)) * _e246);
-            let _e263 = ((_e83 - (_e95 * _e245)) * _e247);
-            let _e264 = ((_e87 - (_e99 * _e245)) * _e247);
-            let _e265 = ((_e91 - (_e103 * _e245)) * _e247);
-            let _e267 = select(_e176, _e173, (_e173 > _e176));
-            let _e270 = exp(select(_e267, _e170, (_e170 > _e267)));
-            let _e286 = select(_e143, _e214, (_e214 > _e143));
-            let _e289 = (_e214 - select(_e151, _e286, (_e286 < _e151)));
-            let _e291 = select(_e147, _e217, (_e217 > _e147));
-            let _e294 = (_e217 - select(_e155, _e291, (_e291 < _e155)));
-            phi_507_ = select((((_e289 * _e289) + (_e294 * _e294)) > (((((((((_e254 * _e254) + (_e255 * _e255)) + (_e256 * _e256)) + (((_e263 * _e263) + (_e264 * _e264)) + (_e265 * _e265))) * _e270) * _e270) + _e210) * 11.304177f) + 0.02f)), true, _e203);
-        } else {
-            phi_507_ = _e203;
-        }
-        let _e303 = phi_507_;
-        if _e303 {
-            global_9.member[_e207] = vec4<f32>(0f, 0f, select(-3f, -1f, _e203), 0f);
-            global_9.member[(_e207 + 1u)] = vec4<f32>(0f, 0f, 0f, 0f);
-        }
-        if select(true, false, _e303) {
-            let _e312 = (_e62 * 4u);
-            let _e315 = global_7.member[_e312];
-            let _e319 = global_7.member[(_e312 + 1u)];
-            let _e323 = global_7.member[(_e312 + 2u)];
-            let _e327 = global_7.member[(_e312 + 3u)];
-            let _e330 = global_3.member.member_1;
-            let _e331 = select(1f, _e194, _e204);
-            let _e334 = (((_e119 * _e184) / _e331) + _e127);
-            let _e337 = (((_e123 * _e189) / _e331) + _e131);
-            let _e338 = (1f / _e119);
-            let _e339 = (1f / _e123);
-            let _e342 = ((_e135 * _e338) * 0.15f);
-            let _e343 = ((_e139 * _e339) * 0.15f);
-            let _e348 = (((_e127 * _e338) * -1f) - _e342);
-            let _e349 = (((_e131 * _e339) * -1f) - _e343);
-            let _e354 = (((_e135 - _e127) * _e338) + _e342);
-            let _e355 = (((_e139 - _e131) * _e339) + _e343);
-            let _e356 = (_e184 / _e331);
-            let _e358 = select(_e348, _e356, (_e356 > _e348));
-            let _e360 = select(_e354, _e358, (_e358 < _e354));
-            let _e361 = (_e189 / _e331);
-            let _e363 = select(_e349, _e361, (_e361 > _e349));
-            let _e365 = select(_e355, _e363, (_e363 < _e355));
-            let _e366 = (_e119 / _e331);
-            let _e367 = (_e123 / _e331);
-            let _e374 = ((_e71 - (_e95 * _e360)) * _e366);
-            let _e375 = ((_e75 - (_e99 * _e360)) * _e366);
-            let _e376 = ((_e79 - (_e103 * _e360)) * _e366);
-            let _e383 = ((_e83 - (_e95 * _e365)) * _e367);
-            let _e384 = ((_e87 - (_e99 * _e365)) * _e367);
-            let _e385 = ((_e91 - (_e103 * _e365)) * _e367);
-            let _e394 = (1f / sqrt(((((_e315 * _e315) + (_e319 * _e319)) + (_e323 * _e323)) + (_e327 * _e327))));
-            let _e395 = (_e315 * _e394);
-            let _e396 = (_e319 * _e394);
-            let _e397 = (_e323 * _e394);
-            let _e398 = (_e327 * _e394);
-            let _e399 = (_e397 * _e397);
-            let _e400 = (_e398 * _e398);
-            let _e403 = (1f - (2f * (_e399 + _e400)));
-            let _e404 = (_e396 * _e397);
-            let _e405 = (_e395 * _e398);
-            let _e407 = (2f * (_e404 + _e405));
-            let _e408 = (_e396 * _e398);
-            let _e409 = (_e395 * _e397);
-            let _e411 = (2f * (_e408 - _e409));
-            let _e413 = (2f * (_e404 - _e405));
-            let _e414 = (_e396 * _e396);
-            let _e417 = (1f - (2f * (_e414 + _e400)));
-            let _e418 = (_e397 * _e398);
-            let _e419 = (_e395 * _e396);
-            let _e421 = (2f * (_e418 + _e419));
-            let _e423 = (2f * (_e408 + _e409));
-            let _e425 = (2f * (_e418 - _e419));
-            let _e428 = (1f - (2f * (_e414 + _e399)));
-            let _e429 = exp(_e170);
-            let _e430 = exp(_e173);
-            let _e431 = exp(_e176);
-            let _e447 = ((((_e374 * _e403) + (_e375 * _e407)) + (_e376 * _e411)) * _e429);
-            let _e448 = ((((_e374 * _e413) + (_e375 * _e417)) + (_e376 * _e421)) * _e430);
-            let _e449 = ((((_e374 * _e423) + (_e375 * _e425)) + (_e376 * _e428)) * _e431);
-            let _e465 = ((((_e383 * _e403) + (_e384 * _e407)) + (_e385 * _e411)) * _e429);
-            let _e466 = ((((_e383 * _e413) + (_e384 * _e417)) + (_e385 * _e421)) * _e430);
-            let _e467 = ((((_e383 * _e423) + (_e384 * _e425)) + (_e385 * _e428)) * _e431);
-            let _e472 = (((_e447 * _e447) + (_e448 * _e448)) + (_e449 * _e449));
-            let _e477 = (((_e447 * _e465) + (_e448 * _e466)) + (_e449 * _e467));
-            let _e482 = (((_e465 * _e465) + (_e466 * _e466)) + (_e467 * _e467));
-            let _e483 = (_e472 + _e330);
-            let _e484 = (_e482 + _e330);
-            let _e487 = ((_e448 * _e467) - (_e449 * _e466));
-            let _e490 = ((_e449 * _e465) - (_e447 * _e467));
-            let _e493 = ((_e447 * _e466) - (_e448 * _e465));
-            let _e503 = (((((_e487 * _e487) + (_e490 * _e490)) + (_e493 * _e493)) + (_e330 * (_e472 + _e482))) + (_e330 * _e330));
-            let _e505 = (1f / _e503);
-            let _e506 = (_e484 * _e505);
-            let _e507 = (-(_e477) * _e505);
-            let _e508 = (_e483 * _e505);
-            let _e511 = (0.5f * (_e483 - _e484));
-            let _e520 = sqrt((11.082527f * ((0.5f * (_e483 + _e484)) + sqrt(((_e511 * _e511) + (_e477 * _e477))))));
-            if (_e506 < 0f) {
-                phi_556_ = -(_e506);
-            } else {
-                phi_556_ = _e506;
-            }
-            let _e532 = phi_556_;
-            if (_e507 < 0f) {
-                phi_561_ = -(_e507);
-            } else {
-                phi_561_ = _e507;
-            }
-            let _e536 = phi_561_;
-            if (_e508 < 0f) {
-                phi_566_ = -(_e508);
-            } else {
-                phi_566_ = _e508;
-            }
-            let _e541 = phi_566_;
-            if (_e334 < 0f) {
-                phi_571_ = -(_e334);
-            } else {
-                phi_571_ = _e334;
-            }
-            let _e546 = phi_571_;
-            if (_e337 < 0f) {
-                phi_576_ = -(_e337);
-            } else {
-                phi_576_ = _e337;
-            }
-            let _e551 = phi_576_;
-            let _e553 = (((((_e532 + _e536) + _e541) + _e546) + _e551) + _e520);
-            if _e195 {
-                phi_580_ = -(_e194);
-            } else {
-                phi_580_ = _e194;
-            }
-            let _e556 = phi_580_;
-            if (_e556 <= 0x1.fffffep+127f) {
-                if (_e553 < 0f) {
-                    phi_589_ = -(_e553);
+    let _e53 = global;
+    let _e54 = global_1;
+    let _e55 = global_2;
+    let _e63 = (((_e54.x + (_e54.y * _e55.x)) * 64u) + _e53.x);
+    let _e66 = global_3.member.member;
+    if (_e63 < _e66) {
+        let _e69 = (_e54.z * 18u);
+        let _e72 = global_5.member[_e69];
+        let _e76 = global_5.member[(_e69 + 1u)];
+        let _e80 = global_5.member[(_e69 + 2u)];
+        let _e84 = global_5.member[(_e69 + 3u)];
+        let _e88 = global_5.member[(_e69 + 4u)];
+        let _e92 = global_5.member[(_e69 + 5u)];
+        let _e96 = global_5.member[(_e69 + 6u)];
+        let _e100 = global_5.member[(_e69 + 7u)];
+        let _e104 = global_5.member[(_e69 + 8u)];
+        let _e108 = global_5.member[(_e69 + 9u)];
+        let _e112 = global_5.member[(_e69 + 10u)];
+        let _e116 = global_5.member[(_e69 + 11u)];
+        let _e120 = global_5.member[(_e69 + 12u)];
+        let _e124 = global_5.member[(_e69 + 13u)];
+        let _e128 = global_5.member[(_e69 + 14u)];
+        let _e132 = global_5.member[(_e69 + 15u)];
+        let _e136 = global_5.member[(_e69 + 16u)];
+        let _e140 = global_5.member[(_e69 + 17u)];
+        let _e141 = (_e54.z * 4u);
+        let _e144 = global_6.member[_e141];
+        let _e148 = global_6.member[(_e141 + 1u)];
+        let _e152 = global_6.member[(_e141 + 2u)];
+        let _e156 = global_6.member[(_e141 + 3u)];
+        let _e159 = global_3.member.member_1;
+        let _e160 = (_e63 * 3u);
+        let _e161 = (_e160 + 1u);
+        let _e162 = (_e160 + 2u);
+        let _e165 = global_4.member[_e160];
+        let _e168 = global_4.member[_e161];
+        let _e171 = global_4.member[_e162];
+        let _e172 = (_e165 - _e108);
+        let _e173 = (_e168 - _e112);
+        let _e174 = (_e171 - _e116);
+        let _e189 = (((_e96 * _e172) + (_e100 * _e173)) + (_e104 * _e174));
+        let _e192 = global_8.member[_e160];
+        let _e195 = global_8.member[_e161];
+        let _e198 = global_8.member[_e162];
+        let _e199 = (1f / _e189);
+        let _e200 = ((((_e72 * _e172) + (_e76 * _e173)) + (_e80 * _e174)) * _e199);
+        let _e201 = ((((_e84 * _e172) + (_e88 * _e173)) + (_e92 * _e174)) * _e199);
+        let _e203 = ((_e120 * _e200) + _e128);
+        let _e205 = ((_e124 * _e201) + _e132);
+        let _e206 = (1f / _e120);
+        let _e207 = (1f / _e124);
+        let _e210 = ((_e136 * _e206) * 0.15f);
+        let _e211 = ((_e140 * _e207) * 0.15f);
+        let _e216 = (((_e128 * _e206) * -1f) - _e210);
+        let _e217 = (((_e132 * _e207) * -1f) - _e211);
+        let _e222 = (((_e136 - _e128) * _e206) + _e210);
+        let _e223 = (((_e140 - _e132) * _e207) + _e211);
+        let _e225 = select(_e216, _e200, (_e200 > _e216));
+        let _e227 = select(_e222, _e225, (_e225 < _e222));
+        let _e229 = select(_e217, _e201, (_e201 > _e217));
+        let _e231 = select(_e223, _e229, (_e229 < _e223));
+        let _e244 = select(_e198, _e195, (_e195 > _e198));
+        let _e247 = exp(select(_e244, _e192, (_e192 > _e244)));
+        let _e252 = select(_e144, _e203, (_e203 > _e144));
+        let _e255 = (_e203 - select(_e152, _e252, (_e252 < _e152)));
+        let _e257 = select(_e148, _e205, (_e205 > _e148));
+        let _e260 = (_e205 - select(_e156, _e257, (_e257 < _e156)));
+        let _e273 = select(select(0u, 1u, select(false, (-0x1.fffffep+127f <= _e189), (_e189 <= 0x1.fffffep+127f))), select(0u, 3u, (((((((((((_e120 * _e120) * (1f + (_e227 * _e227))) + ((_e124 * _e124) * (1f + (_e231 * _e231)))) * _e199) * _e199) * _e247) * _e247) + _e159) * 11.304177f) + 0.02f) < ((_e255 * _e255) + (_e260 * _e260)))), (0.01f < _e189));
+        phi_474_ = 0u;
+        loop {
+            let _e275 = phi_474_;
+            let _e276 = (_e275 < 1u);
+            if _e276 {
+                let _e277 = (_e63 + _e275);
+                let _e280 = (2u * ((_e54.z * _e66) + _e277));
+                if (_e273 == 0u) {
+                    let _e282 = (_e277 * 3u);
+                    let _e285 = global_4.member[_e282];
+                    let _e286 = (_e282 + 1u);
+                    let _e289 = global_4.member[_e286];
+                    let _e290 = (_e282 + 2u);
+                    let _e293 = global_4.member[_e290];
+                    let _e294 = (_e277 * 4u);
+                    let _e297 = global_7.member[_e294];
+                    let _e301 = global_7.member[(_e294 + 1u)];
+                    let _e305 = global_7.member[(_e294 + 2u)];
+                    let _e309 = global_7.member[(_e294 + 3u)];
+                    let _e312 = global_8.member[_e282];
+                    let _e315 = global_8.member[_e286];
+                    let _e318 = global_8.member[_e290];
+                    let _e319 = (_e285 - _e108);
+                    let _e320 = (_e289 - _e112);
+                    let _e321 = (_e293 - _e116);
+                    let _e326 = (((_e72 * _e319) + (_e76 * _e320)) + (_e80 * _e321));
+                    let _e331 = (((_e84 * _e319) + (_e88 * _e320)) + (_e92 * _e321));
+                    let _e336 = (((_e96 * _e319) + (_e100 * _e320)) + (_e104 * _e321));
+                    let _e337 = (0.01f < _e336);
+                    let _e338 = select(1f, _e336, _e337);
+                    let _e341 = (((_e120 * _e326) / _e338) + _e128);
+                    let _e344 = (((_e124 * _e331) / _e338) + _e132);
+                    let _e345 = (_e326 / _e338);
+                    let _e347 = select(_e216, _e345, (_e345 > _e216));
+                    let _e349 = select(_e222, _e347, (_e347 < _e222));
+                    let _e350 = (_e331 / _e338);
+                    let _e352 = select(_e217, _e350, (_e350 > _e217));
+                    let _e354 = select(_e223, _e352, (_e352 < _e223));
+                    let _e355 = (_e120 / _e338);
+                    let _e356 = (_e124 / _e338);
+                    let _e363 = ((_e72 - (_e96 * _e349)) * _e355);
+                    let _e364 = ((_e76 - (_e100 * _e349)) * _e355);
+                    let _e365 = ((_e80 - (_e104 * _e349)) * _e355);
+                    let _e372 = ((_e84 - (_e96 * _e354)) * _e356);
+                    let _e373 = ((_e88 - (_e100 * _e354)) * _e356);
+                    let _e374 = ((_e92 - (_e104 * _e354)) * _e356);
+                    let _e383 = (1f / sqrt(((((_e297 * _e297) + (_e301 * _e301)) + (_e305 * _e305)) + (_e309 * _e309))));
+                    let _e384 = (_e297 * _e383);
+                    let _e385 = (_e301 * _e383);
+                    let _e386 = (_e305 * _e383);
+                    let _e387 = (_e309 * _e383);
+                    let _e388 = (_e386 * _e386);
+                    let _e389 = (_e387 * _e387);
+                    let _e392 = (1f - (2f * (_e388 + _e389)));
+                    let _e393 = (_e385 * _e386);
+                    let _e394 = (_e384 * _e387);
+                    let _e396 = (2f * (_e393 + _e394));
+                    let _e397 = (_e385 * _e387);
+                    let _e398 = (_e384 * _e386);
+                    let _e400 = (2f * (_e397 - _e398));
+                    let _e402 = (2f * (_e393 - _e394));
+                    let _e403 = (_e385 * _e385);
+                    let _e406 = (1f - (2f * (_e403 + _e389)));
+                    let _e407 = (_e386 * _e387);
+                    let _e408 = (_e384 * _e385);
+                    let _e410 = (2f * (_e407 + _e408));
+                    let _e412 = (2f * (_e397 + _e398));
+                    let _e414 = (2f * (_e407 - _e408));
+                    let _e417 = (1f - (2f * (_e403 + _e388)));
+                    let _e418 = exp(_e312);
+                    let _e419 = exp(_e315);
+                    let _e420 = exp(_e318);
+                    let _e436 = ((((_e363 * _e392) + (_e364 * _e396)) + (_e365 * _e400)) * _e418);
+                    let _e437 = ((((_e363 * _e402) + (_e364 * _e406)) + (_e365 * _e410)) * _e419);
+                    let _e438 = ((((_e363 * _e412) + (_e364 * _e414)) + (_e365 * _e417)) * _e420);
+                    let _e454 = ((((_e372 * _e392) + (_e373 * _e396)) + (_e374 * _e400)) * _e418);
+                    let _e455 = ((((_e372 * _e402) + (_e373 * _e406)) + (_e374 * _e410)) * _e419);
+                    let _e456 = ((((_e372 * _e412) + (_e373 * _e414)) + (_e374 * _e417)) * _e420);
+                    let _e461 = (((_e436 * _e436) + (_e437 * _e437)) + (_e438 * _e438));
+                    let _e466 = (((_e436 * _e454) + (_e437 * _e455)) + (_e438 * _e456));
+                    let _e471 = (((_e454 * _e454) + (_e455 * _e455)) + (_e456 * _e456));
+                    let _e472 = (_e461 + _e159);
+                    let _e473 = (_e471 + _e159);
+                    let _e476 = ((_e437 * _e456) - (_e438 * _e455));
+                    let _e479 = ((_e438 * _e454) - (_e436 * _e456));
+                    let _e482 = ((_e436 * _e455) - (_e437 * _e454));
+                    let _e492 = (((((_e476 * _e476) + (_e479 * _e479)) + (_e482 * _e482)) + (_e159 * (_e461 + _e471))) + (_e159 * _e159));
+                    let _e494 = (1f / _e492);
+                    let _e495 = (_e473 * _e494);
+                    let _e496 = (-(_e466) * _e494);
+                    let _e497 = (_e472 * _e494);
+                    let _e500 = (0.5f * (_e472 - _e473));
+                    let _e509 = sqrt((11.082527f * ((0.5f * (_e472 + _e473)) + sqrt(((_e500 * _e500) + (_e466 * _e466))))));
+                    if (_e495 < 0f) {
+                        phi_541_ = -(_e495);
+                    } else {
+                        phi_541_ = _e495;
+                    }
+                    let _e521 = phi_541_;
+                    if (_e496 < 0f) {
+                        phi_546_ = -(_e496);
+                    } else {
+                        phi_546_ = _e496;
+                    }
+                    let _e525 = phi_546_;
+                    if (_e497 < 0f) {
+                        phi_551_ = -(_e497);
+                    } else {
+                        phi_551_ = _e497;
+                    }
+                    let _e530 = phi_551_;
+                    if (_e341 < 0f) {
+                        phi_556_ = -(_e341);
+                    } else {
+                        phi_556_ = _e341;
+                    }
+                    let _e535 = phi_556_;
+                    if (_e344 < 0f) {
+                        phi_561_ = -(_e344);
+                    } else {
+                        phi_561_ = _e344;
+                    }
+                    let _e540 = phi_561_;
+                    let _e542 = (((((_e521 + _e525) + _e530) + _e535) + _e540) + _e509);
+                    let _e543 = (_e336 < 0f);
+                    if _e543 {
+                        phi_566_ = -(_e336);
+                    } else {
+                        phi_566_ = _e336;
+                    }
+                    let _e546 = phi_566_;
+                    if (_e546 <= 0x1.fffffep+127f) {
+                        if (_e542 < 0f) {
+                            phi_575_ = -(_e542);
+                        } else {
+                            phi_575_ = _e542;
+                        }
+                        let _e551 = phi_575_;
+                        let _e552 = (_e551 <= 0x1.fffffep+127f);
+                        if _e552 {
+                            phi_581_ = (_e492 > 0f);
+                        } else {
+                            phi_581_ = bool();
+                        }
+                        let _e555 = phi_581_;
+                        phi_583_ = _e555;
+                        phi_584_ = select(true, false, _e552);
+                    } else {
+                        phi_583_ = bool();
+                        phi_584_ = true;
+                    }
+                    let _e558 = phi_583_;
+                    let _e560 = phi_584_;
+                    let _e561 = select(_e558, false, _e560);
+                    if _e543 {
+                        phi_589_ = -(_e336);
+                    } else {
+                        phi_589_ = _e336;
+                    }
+                    let _e564 = phi_589_;
+                    if _e337 {
+                        if _e561 {
+                            phi_602_ = type_25(vec2<f32>(_e341, _e344), vec2<f32>(((sqrt((11.082527f * _e472)) * 1.001f) + 0.01f), ((sqrt((11.082527f * _e473)) * 1.001f) + 0.01f)), vec3<f32>(_e495, _e496, _e497), _e509);
+                        } else {
+                            phi_602_ = type_25();
+                        }
+                        let _e572 = phi_602_;
+                        phi_604_ = _e572;
+                        phi_605_ = select(true, false, _e561);
+                    } else {
+                        phi_604_ = type_25();
+                        phi_605_ = true;
+                    }
+                    let _e575 = phi_604_;
+                    let _e577 = phi_605_;
+                    if _e577 {
+                        phi_610_ = type_25(vec2<f32>(0f, 0f), vec2<f32>(0f, 0f), vec3<f32>(0f, 0f, 0f), select(-1f, -2f, select(true, _e337, (_e564 <= 0x1.fffffep+127f))));
+                    } else {
+                        phi_610_ = _e575;
+                    }
+                    let _e580 = phi_610_;
+                    global_9.member[_e280] = vec4<f32>(_e580.member.x, _e580.member.y, _e580.member_3, _e580.member_1.x);
+                    global_9.member[(_e280 + 1u)] = vec4<f32>(_e580.member_2.x, _e580.member_2.y, _e580.member_2.z, _e580.member_1.y);
+                    if (_e580.member_3 == -2f) {
+                        let _e604 = atomicAdd((&global_10.member[0u]), 1u);
+                    }
                 } else {
-                    phi_589_ = _e553;
+                    global_9.member[_e280] = vec4<f32>(0f, 0f, -(f32(_e273)), 0f);
+                    global_9.member[(_e280 + 1u)] = vec4<f32>(0f, 0f, 0f, 0f);
                 }
-                let _e561 = phi_589_;
-                let _e562 = (_e561 <= 0x1.fffffep+127f);
-                if _e562 {
-                    phi_595_ = (_e503 > 0f);
-                } else {
-                    phi_595_ = bool();
-                }
-                let _e565 = phi_595_;
-                phi_597_ = _e565;
-                phi_598_ = select(true, false, _e562);
+                phi_475_ = (_e275 + 1u);
             } else {
-                phi_597_ = bool();
-                phi_598_ = true;
+                phi_475_ = u32();
             }
-            let _e568 = phi_597_;
-            let _e570 = phi_598_;
-            let _e571 = select(_e568, false, _e570);
-            if _e195 {
-                phi_603_ = -(_e194);
-            } else {
-                phi_603_ = _e194;
-            }
-            let _e574 = phi_603_;
-            if _e204 {
-                if _e571 {
-                    phi_616_ = type_25(vec2<f32>(_e334, _e337), vec2<f32>(((sqrt((11.082527f * _e483)) * 1.001f) + 0.01f), ((sqrt((11.082527f * _e484)) * 1.001f) + 0.01f)), vec3<f32>(_e506, _e507, _e508), _e520);
-                } else {
-                    phi_616_ = type_25();
-                }
-                let _e582 = phi_616_;
-                phi_618_ = _e582;
-                phi_619_ = select(true, false, _e571);
-            } else {
-                phi_618_ = type_25();
-                phi_619_ = true;
-            }
-            let _e585 = phi_618_;
-            let _e587 = phi_619_;
-            if _e587 {
-                phi_624_ = type_25(vec2<f32>(0f, 0f), vec2<f32>(0f, 0f), vec3<f32>(0f, 0f, 0f), select(-1f, -2f, select(true, _e204, (_e574 <= 0x1.fffffep+127f))));
-            } else {
-                phi_624_ = _e585;
-            }
-            let _e590 = phi_624_;
-            global_9.member[_e207] = vec4<f32>(_e590.member.x, _e590.member.y, _e590.member_3, _e590.member_1.x);
-            global_9.member[(_e207 + 1u)] = vec4<f32>(_e590.member_2.x, _e590.member_2.y, _e590.member_2.z, _e590.member_1.y);
-            if (_e590.member_3 == -2f) {
-                let _e614 = atomicAdd((&global_10.member[0u]), 1u);
+            let _e615 = phi_475_;
+            continue;
+            continuing {
+                phi_474_ = _e615;
+                break if !(_e276);
             }
         }
     }

@@ -29,6 +29,16 @@ impl Camera {
         Vec3::new(dot(right, offset), dot(down, offset), dot(forward, offset))
     }
 
+    /// As [`Camera::to_camera`], of several positions.
+    #[inline(always)]
+    pub fn all_to_camera<L: Lane>(&self, [x, y, z]: [L; 3]) -> [L; 3] {
+        let number = L::splat;
+        let (x, y, z) = (x - number(self.eye.x), y - number(self.eye.y), z - number(self.eye.z));
+        let [right, down, forward] = self.rotation;
+        let along = |axis: Vec3| number(axis.x) * x + number(axis.y) * y + number(axis.z) * z;
+        [along(right), along(down), along(forward)]
+    }
+
     /// A direction in the camera's space, in world space.
     #[inline(always)]
     pub fn turn_to_world(&self, direction: Vec3) -> Vec3 {
@@ -82,4 +92,14 @@ impl Camera {
 #[inline(always)]
 pub fn read3(buffer: Read<f32>, first: u32) -> Vec3 {
     Vec3::new(buffer.read(first), buffer.read(first + 1), buffer.read(first + 2))
+}
+
+/// Three values each, of `L::WIDTH` items from `first` on.
+#[inline(always)]
+pub fn gather3<L: Lane>(buffer: Read<f32>, first: u32) -> [L; 3] {
+    let at = L::Index::splat(first).wrapping_add(L::ramp().index());
+    let at = at.wrapping_mul(L::Index::splat(3));
+    let next = at.wrapping_add(L::Index::splat(1));
+    let last = at.wrapping_add(L::Index::splat(2));
+    [L::gather(buffer, at), L::gather(buffer, next), L::gather(buffer, last)]
 }

@@ -3,7 +3,10 @@
 //! Each lens is a file in `lens/`, with the projection, its Jacobian J and the derivatives of both.  Kernels are compiled
 //! for the lens that this file names [`Lens`].  A lens is a struct with
 //!
-//! - `fn sees(t: Vec3) -> bool`: whether a point t of the camera's space can be projected.  Gaussians elsewhere are culled;
+//! - `fn sees<L: Lane>(t: [L; 3]) -> L::Mask`: whether points t of the camera's space can be projected.  Gaussians elsewhere are
+//!   culled;
+//! - `fn place<L: Lane>(camera: &Camera, t: [L; 3]) -> ([L; 2], L)`: `pixel` of points that the lens sees, and the sum of the squares of
+//!   J, or more. It shows which Gaussians end before the tiles;
 //! - `fn new(camera: &Camera, t: Vec3) -> Self`: the projection of t.  If the lens does not see t, the result is any finite
 //!   value;
 //! - `pixel`: the projected point, in pixels;

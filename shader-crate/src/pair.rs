@@ -1,5 +1,7 @@
 //! The (Gaussian, camera) pairs that some tile needs: color and transmittance are evaluated only for these.
 
+use glam::Vec4;
+
 use crate::limits::{MAX_CAMERAS, MAX_TILES};
 use organza_kernel::prelude::*;
 
@@ -86,10 +88,15 @@ pub struct PairSumParams {
     pub width: u32,
 }
 
+/// Values that an invocation of [`pair_sum`] sums.
+pub const SUMMED: u32 = 4;
+
 /// Adds the vectors of a Gaussian's pairs to its own, by camera ascending: the gradient of what all cameras share, the
 /// material of Eq. 1 and the extra vector of Eq. 9.
 ///
 /// `mask` and `first_pair [cameras, words]`, `pair_vector [pairs, width]`, `vector [gaussians, width]`.
+///
+/// An invocation sums [`SUMMED`] values of a Gaussian.
 #[kernel(threads(64), iterations = MAX_CAMERAS)]
 pub fn pair_sum(
     id: Invocation,
@@ -100,21 +107,44 @@ pub fn pair_sum(
     vector: Write<f32>,
 ) {
     let index = id.index();
-    if index < params.gaussians * params.width {
-        let (gaussian, value) = (index / params.width, index % params.width);
+    let width = params.width;
+    let groups = (width + SUMMED - 1) / SUMMED;
+    if index < params.gaussians * groups {
+        let (gaussian, value) = (index / groups, index % groups * SUMMED);
+        let [second, third, fourth] = [value + 1 < width, value + 2 < width, value + 3 < width];
         let bit = gaussian % 32;
         let mut at = gaussian / 32;
-        let mut sum = 0.0;
+        let mut sum = Vec4::ZERO;
         let mut camera = 0;
         while camera < params.cameras {
             let bits = mask.read(at);
             if (bits >> bit) & 1 != 0 {
                 let pair = first_pair.read(at) + (bits & ((1 << bit) - 1)).count_ones();
-                sum += pair_vector.read(pair * params.width + value);
+                let from = pair * width + value;
+                sum.x += pair_vector.read(from);
+                if second {
+                    sum.y += pair_vector.read(from + 1);
+                }
+                if third {
+                    sum.z += pair_vector.read(from + 2);
+                }
+                if fourth {
+                    sum.w += pair_vector.read(from + 3);
+                }
             }
             at += params.words;
             camera += 1;
         }
-        vector.write(index, vector.read(index) + sum);
+        let to = gaussian * width + value;
+        vector.write(to, vector.read(to) + sum.x);
+        if second {
+            vector.write(to + 1, vector.read(to + 1) + sum.y);
+        }
+        if third {
+            vector.write(to + 2, vector.read(to + 2) + sum.z);
+        }
+        if fourth {
+            vector.write(to + 3, vector.read(to + 3) + sum.w);
+        }
     }
 }

@@ -2,10 +2,10 @@
 
 use glam::{Vec2, Vec3, Vec4};
 
-use crate::camera::{Camera, read3};
+use crate::camera::{Camera, gather3, read3};
 use crate::lens::Lens;
 use organza_kernel::atomic;
-use organza_kernel::math::{abs, clamp, cross, dot, exp, is_finite, max, sqrt};
+use organza_kernel::math::{HUGE, abs, cross, dot, exp, is_finite, sqrt};
 use organza_kernel::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
 use organza_kernel::work::{NUMBER, Shape, VECTOR, Work};
@@ -115,7 +115,7 @@ pub fn project_gaussian(
     let magnitude =
         abs(conic.x) + abs(conic.y) + abs(conic.z) + abs(mean2d.x) + abs(mean2d.y) + radius;
     let usable = is_finite(t.z) && is_finite(magnitude) && determinant > 0.0;
-    let is_seen = Lens::sees(t);
+    let is_seen = Lens::sees(t.to_array());
     let culled = if is_finite(t.z) && !is_seen { BEHIND } else { DEGENERATE };
     if is_seen && usable {
         Projection { mean2d, conic, extent, radius }
@@ -130,20 +130,27 @@ pub const WINDOW: usize = 4;
 /// The window that leaves nothing out.
 pub const EVERYWHERE: [f32; WINDOW] = [f32::MIN, f32::MIN, f32::MAX, f32::MAX];
 
-/// Whether a Gaussian in front of the camera ends before a window of the image, for certain. It costs less than
+/// Whether Gaussians that the camera sees end before a window of the image, for certain. It costs less than
 /// [`project_gaussian`].
 ///
-/// The longest axis of `J W Sigma W^T J^T` is at most that of Sigma times the Frobenius norm of `J W`. The margin is wider
+/// The longest axis of `J W Sigma W^T J^T` is at most that of Sigma times the Frobenius norm of J: W turns. The margin is wider
 /// than the one of [`reaches`](crate::tile::reaches).
 #[inline(always)]
-pub fn is_elsewhere(camera: &Camera, t: Vec3, blur: f32, log_scale: Vec3, window: Vec4) -> bool {
-    let lens = Lens::new(camera, t);
-    let scale = exp(max(log_scale.x, max(log_scale.y, log_scale.z)));
-    let stretch = dot(lens.row_x, lens.row_x) + dot(lens.row_y, lens.row_y);
-    let longest = FALLOFF_CUTOFF * (stretch * scale * scale + blur);
-    let dx = lens.pixel.x - clamp(lens.pixel.x, window.x, window.z);
-    let dy = lens.pixel.y - clamp(lens.pixel.y, window.y, window.w);
-    dx * dx + dy * dy > 1.02 * longest + 0.02
+pub fn is_elsewhere<L: Lane>(
+    camera: &Camera,
+    t: [L; 3],
+    blur: f32,
+    log_scale: [L; 3],
+    window: Vec4,
+) -> L::Mask {
+    let number = L::splat;
+    let (pixel, stretch) = Lens::place(camera, t);
+    let [x, y, z] = log_scale;
+    let scale = x.max(y.max(z)).exp();
+    let longest = number(FALLOFF_CUTOFF) * (stretch * scale * scale + number(blur));
+    let dx = pixel[0] - pixel[0].max(number(window.x)).min(number(window.z));
+    let dy = pixel[1] - pixel[1].max(number(window.y)).min(number(window.w));
+    (number(1.02) * longest + number(0.02)).less(dx * dx + dy * dy)
 }
 
 /// Squared Mahalanobis distance `q = d^T cov2d^-1 d`.
@@ -191,8 +198,8 @@ fn project_work(params: &ProjectParams, shape: Shape<'_>) -> Work {
 /// `window [cameras, 4]` holds a camera's tiles, see [`WINDOW`]. `projection [cameras, gaussians, 2]` is `(mean2d, radius,
 /// extent x), (conic, extent y)`: all zeros but the negative radius where a Gaussian is culled. `degenerate [1]` counts
 /// those that may reach a window and cannot be projected.
-#[kernel(threads(64), work(project_work))]
-pub fn project(
+#[kernel(threads(64), iterations = 1, lanes(gaussians), work(project_work))]
+pub fn project<L: Lane>(
     id: Invocation,
     params: &ProjectParams,
     camera: Read<f32>,
@@ -203,33 +210,57 @@ pub fn project(
     projection: Write<Vec4>,
     degenerate: Write<u32>,
 ) {
-    let gaussian = id.index();
-    if gaussian < params.gaussians {
+    let first = id.index();
+    if first < params.gaussians {
         let z = id.workgroup.z;
         let view = Camera::read(camera, z);
-        let first = z * WINDOW as u32;
-        let low = Vec2::new(window.read(first), window.read(first + 1));
-        let high = Vec2::new(window.read(first + 2), window.read(first + 3));
+        let at = z * WINDOW as u32;
+        let low = Vec2::new(window.read(at), window.read(at + 1));
+        let high = Vec2::new(window.read(at + 2), window.read(at + 3));
         let window = Vec4::new(low.x, low.y, high.x, high.y);
-        let center = read3(position, gaussian * 3);
-        let log_axes = read3(log_scale, gaussian * 3);
-        let t = view.to_camera(center);
-        let is_behind = is_finite(t.z) && !Lens::sees(t);
-        let is_elsewhere = Lens::sees(t) && is_elsewhere(&view, t, params.blur, log_axes, window);
-        let slot = 2 * (z * params.gaussians + gaussian);
-        if is_behind || is_elsewhere {
-            let radius = if is_behind { BEHIND } else { ELSEWHERE };
-            projection.write(slot, Vec4::new(0.0, 0.0, radius, 0.0));
-            projection.write(slot + 1, Vec4::ZERO);
-        } else {
-            let turn = read_quaternion(rotation, gaussian);
-            let projected = project_gaussian(&view, params.blur, center, turn, log_axes);
-            let (mean2d, extent) = (projected.mean2d, projected.extent);
-            projection.write(slot, Vec4::new(mean2d.x, mean2d.y, projected.radius, extent.x));
-            projection.write(slot + 1, projected.conic.extend(extent.y));
-            if projected.radius == DEGENERATE {
-                atomic::add(degenerate, 0, 1);
+        let culled = cull::<L>(&view, params.blur, position, log_scale, first, window);
+        let mut lane = 0;
+        while lane < L::WIDTH {
+            let gaussian = first + lane;
+            let slot = 2 * (z * params.gaussians + gaussian);
+            let cause = culled.lane(lane);
+            if cause == 0 {
+                let center = read3(position, gaussian * 3);
+                let turn = read_quaternion(rotation, gaussian);
+                let log_axes = read3(log_scale, gaussian * 3);
+                let projected = project_gaussian(&view, params.blur, center, turn, log_axes);
+                let (mean2d, extent) = (projected.mean2d, projected.extent);
+                projection.write(slot, Vec4::new(mean2d.x, mean2d.y, projected.radius, extent.x));
+                projection.write(slot + 1, projected.conic.extend(extent.y));
+                if projected.radius == DEGENERATE {
+                    atomic::add(degenerate, 0, 1);
+                }
+            } else {
+                projection.write(slot, Vec4::new(0.0, 0.0, -(cause as f32), 0.0));
+                projection.write(slot + 1, Vec4::ZERO);
             }
+            lane += 1;
         }
     }
+}
+
+/// Which of `L::WIDTH` Gaussians from `first` on are culled before they are projected: the negative [`BEHIND`] or [`ELSEWHERE`],
+/// and 0 of others.
+#[inline(always)]
+fn cull<L: Lane>(
+    camera: &Camera,
+    blur: f32,
+    position: Read<f32>,
+    log_scale: Read<f32>,
+    first: u32,
+    window: Vec4,
+) -> L::Index {
+    let t = camera.all_to_camera(gather3::<L>(position, first));
+    let zero = L::Index::splat(0);
+    let elsewhere = is_elsewhere(camera, t, blur, gather3(log_scale, first), window);
+    let in_front = L::Index::select(elsewhere, L::Index::splat(-ELSEWHERE as u32), zero);
+    let [_, _, z] = t;
+    let is_number = L::both(z.at_most(L::splat(HUGE)), L::splat(-HUGE).at_most(z));
+    let behind = L::Index::select(is_number, L::Index::splat(-BEHIND as u32), zero);
+    L::Index::select(Lens::sees(t), in_front, behind)
 }

@@ -7,6 +7,7 @@ use organza_check::{
 use organza_kernel::math::TINY;
 use organza_shaders::pair::{
     PairFillKernel, PairFillParams, PairMaskKernel, PairMaskParams, PairSumKernel, PairSumParams,
+    SUMMED,
 };
 
 use super::exact::{bits, listed};
@@ -230,7 +231,7 @@ impl Parity for PairSum {
             pair_vector: &runner.upload(&self.pair_vector)?,
             vector: &vector,
         };
-        runner.items(&kernel, self.gaussians() * self.width, 1)?;
+        runner.items(&kernel, self.gaussians() * self.width.div_ceil(SUMMED), 1)?;
         Ok(vec![Output::float("vector", runner.read(&vector)?)])
     }
 

@@ -86,7 +86,7 @@ pub fn project(
     let packed: Vec<_> = cameras.iter().flat_map(|camera| kernel_camera(camera).pack()).collect();
     let camera = device.upload("cameras", &packed)?;
     let window = device.upload("windows", windows.as_flattened())?;
-    let projection = device.zeros("projection", cameras.len() * scene.len() * 2)?;
+    let projection = device.unwritten("projection", cameras.len() * scene.len() * 2)?;
     let degenerate = device.zeros("degenerate", 1)?;
     let kernel = ProjectKernel {
         params: ProjectParams { gaussians: scene.gaussians, blur: scene.config.blur as f32 },
@@ -111,7 +111,8 @@ fn tile_mask(
     projection: &Buffer<Vec4>,
 ) -> Result<Mask> {
     let len = (tiles * params.words) as usize;
-    let (mask, count) = (device.zeros("tile masks", len)?, device.zeros("member counts", len)?);
+    let (mask, count) =
+        (device.unwritten("tile masks", len)?, device.unwritten("member counts", len)?);
     let kernel = TileMaskKernel { params, tile, projection, mask: &mask, count: &count };
     device.run(&kernel, params.words, tiles)?;
     Mask::new(device, mask, &count)
@@ -126,7 +127,8 @@ fn pair_mask(
     tile_mask: &Mask,
 ) -> Result<Mask> {
     let len = (cameras * words) as usize;
-    let (mask, count) = (device.zeros("pair masks", len)?, device.zeros("pair counts", len)?);
+    let (mask, count) =
+        (device.unwritten("pair masks", len)?, device.unwritten("pair counts", len)?);
     let kernel = PairMaskKernel {
         params: PairMaskParams { words },
         first_tile,
@@ -201,7 +203,7 @@ impl Bins {
         let tile_mask = tile_mask(device, params, &tile, tiles, &projection)?;
         let pair_mask = pair_mask(device, words, slots, &first_tile, &tile_mask)?;
 
-        let tile_first = device.zeros("tile members", tiles as usize + 1)?;
+        let tile_first = device.unwritten("tile members", tiles as usize + 1)?;
         let params = TileRangeParams { tiles, words };
         let kernel =
             TileRangeKernel { params, first_member: &tile_mask.first, tile_first: &tile_first };
@@ -214,7 +216,7 @@ impl Bins {
         };
         let Numbers { pairs: count, members, largest, tally } = numbers;
 
-        let pair = device.zeros("pairs", count.at_most() as usize)?;
+        let pair = device.unwritten("pairs", count.at_most() as usize)?;
         let kernel = PairFillKernel {
             params: PairFillParams { words, gaussians },
             mask: &pair_mask.bits,
@@ -222,7 +224,7 @@ impl Bins {
             pair: &pair,
         };
         device.run(&kernel, words, slots)?;
-        let member = device.zeros("members", members.at_most() as usize)?;
+        let member = device.unwritten("members", members.at_most() as usize)?;
         let kernel = TileFillKernel {
             params: TileFillParams { words },
             tile: &tile,

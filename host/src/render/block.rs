@@ -51,19 +51,19 @@ impl Layout {
         Self { chunk, stride, chunks, group: group.clamp(1, chunks.max(1)) }
     }
 
-    /// Zeros for a block: `[chunks, rows, stride]`.
-    fn zeros(&self, device: &Device, label: &'static str, rows: u32) -> Result<Buffer<f32>> {
-        device.zeros(label, self.first(self.chunks, rows))
+    /// Room for a block: `[chunks, rows, stride]`.
+    fn room(&self, device: &Device, label: &'static str, rows: u32) -> Result<Buffer<f32>> {
+        device.unwritten(label, self.first(self.chunks, rows))
     }
 
-    /// Zeros for a group: `[chunks, rows, stride]`.
-    pub fn zeros_for_group(
+    /// Room for a group: `[chunks, rows, stride]`.
+    pub fn room_for_group(
         &self,
         device: &Device,
         label: &'static str,
         rows: u32,
     ) -> Result<Buffer<f32>> {
-        device.zeros(label, self.first(self.group, rows))
+        device.unwritten(label, self.first(self.group, rows))
     }
 
     /// A chunk's part of a buffer `[chunks, rows, stride]`.
@@ -96,8 +96,8 @@ pub struct Block {
 impl Block {
     fn new(device: &Device, layout: Layout, rows: u32) -> Result<Self> {
         Ok(Self {
-            point: layout.zeros(device, "points", ROWS_OF_POINT)?,
-            input: layout.zeros(device, "network input", rows)?,
+            point: layout.room(device, "points", ROWS_OF_POINT)?,
+            input: layout.room(device, "network input", rows)?,
             rows,
             layout,
         })

@@ -50,7 +50,7 @@ impl Color {
         visit: &mut dyn FnMut(&Chunk) -> Result<()>,
     ) -> Result<Self> {
         let (config, field) = (&scene.config, &scene.color);
-        let color = device.zeros("color", pairs.count.at_most() as usize * 3)?;
+        let color = device.unwritten("color", pairs.count.at_most() as usize * 3)?;
         let blocks = Blocks::new(device, config.color_inputs(), pairs.count.clone(), keep)?;
         let scratches = Mutex::default();
         let head = field.head();
@@ -132,7 +132,7 @@ impl Color {
         let group_scratch = GroupScratch::new(device, field, layout)?;
         let scratches = Mutex::default();
         let pair_material =
-            device.zeros("gradient of the pairs' material", (capacity * material) as usize)?;
+            device.unwritten("gradient of the pairs' material", (capacity * material) as usize)?;
         for block in self.blocks.iter() {
             if !block.is_kept {
                 encode(device, scene, pairs, block)?;

@@ -56,7 +56,7 @@ impl Composite {
         image_gradient: &Buffer<f32>,
     ) -> Result<Buffer<Vec4>> {
         let tiles = bins.tiles;
-        let sum_gradient = device.zeros("gradient of the sums", self.sum.len())?;
+        let sum_gradient = device.unwritten("gradient of the sums", self.sum.len())?;
         let kernel = ResolveBackwardKernel {
             params: resolve_params(scene.config.background, scene.divide_above, side),
             tile: &bins.tile,
@@ -69,7 +69,8 @@ impl Composite {
 
         let pairs = &bins.pairs;
         let capacity = pairs.count.at_most();
-        let pair_gradient = device.zeros("gradient of the pairs", (capacity * VECTORS) as usize)?;
+        let pair_gradient =
+            device.unwritten("gradient of the pairs", (capacity * VECTORS) as usize)?;
         let kernel = SplatBackwardKernel {
             params: SplatBackwardParams {
                 pairs: capacity,
@@ -141,7 +142,7 @@ pub fn weighted_sum(
 ) -> Result<(Buffer<f32>, Buffer<Vec4>)> {
     let pairs = &bins.pairs;
     let capacity = pairs.count.at_most();
-    let splat = device.zeros("splats", (capacity * VECTORS) as usize)?;
+    let splat = device.unwritten("splats", (capacity * VECTORS) as usize)?;
     let kernel = SplatKernel {
         params: SplatParams { pairs: capacity, gaussians: scene.gaussians },
         pair: &pairs.pair,
@@ -154,7 +155,7 @@ pub fn weighted_sum(
     device.run(&kernel.counted(&pairs.count), capacity, 1)?;
 
     let (tiles, members) = (bins.tiles, bins.members.at_most());
-    let cells = device.zeros("cells", members as usize)?;
+    let cells = device.unwritten("cells", members as usize)?;
     let kernel = TileCellsKernel {
         params: TileCellsParams { members, tiles, side },
         tile: &bins.tile,
@@ -192,7 +193,7 @@ pub fn resolve(
     sum: &Buffer<f32>,
 ) -> Result<Buffer<f32>> {
     let tiles = (tile.len() / Tile::INTEGERS) as u32;
-    let image = device.zeros("tiles", tiles as usize * (3 * side * side) as usize)?;
+    let image = device.unwritten("tiles", tiles as usize * (3 * side * side) as usize)?;
     let params = resolve_params(background, divide_above, side);
     device.run_over(&ResolveKernel { params, tile, sum, image: &image }, [side, side, tiles])?;
     Ok(image)

@@ -184,7 +184,10 @@ impl Scratch {
     pub fn new(device: &Device, field: &DeviceField, layout: Layout) -> Result<Self> {
         let len = field.widest() as usize * layout.stride as usize;
         Ok(Self {
-            activation: [device.zeros("activations", len)?, device.zeros("activations", len)?],
+            activation: [
+                device.unwritten("activations", len)?,
+                device.unwritten("activations", len)?,
+            ],
         })
     }
 }

@@ -38,7 +38,7 @@ impl GroupScratch {
         let (label, rows) = ("gradient of inputs", field.layers[0].inputs);
         let partial = slices as usize * field.parameters.len();
         Ok(Self {
-            input_gradient: layout.zeros_for_group(device, label, rows)?,
+            input_gradient: layout.room_for_group(device, label, rows)?,
             partial: device.zeros("gradients of slices", partial)?,
             layout,
             slice,
@@ -65,13 +65,14 @@ pub struct ChunkScratch {
 impl ChunkScratch {
     /// For chunks of this layout.
     pub fn new(device: &Device, field: &DeviceField, layout: Layout) -> Result<Self> {
-        let rows = |label, rows: u32| device.zeros(label, (rows * layout.stride) as usize);
+        let rows = |label, rows: u32| device.unwritten(label, (rows * layout.stride) as usize);
         let hidden = &field.layers[..field.layers.len() - 1];
         let activation = hidden.iter().map(|layer| rows("activations", layer.columns * 4));
         let label = "gradient of activations";
         Ok(Self {
             activation: activation.collect::<Result<_>>()?,
-            logit_gradient: rows("gradient of logits", 4)?,
+            // rows that no head writes stay 0
+            logit_gradient: device.zeros("gradient of logits", 4 * layout.stride as usize)?,
             hidden_gradient: [rows(label, field.widest())?, rows(label, field.widest())?],
         })
     }

@@ -125,12 +125,12 @@ impl Loss {
             side,
             tiles,
             window: device.upload("window", &window)?,
-            difference: device.zeros("differences", pixels)?,
-            sum: device.zeros("sums", pixels)?,
-            moments: device.zeros("moments", pixels * MOMENTS as usize)?,
-            dissimilarity: device.zeros("dissimilarities", pixels)?,
-            slopes: device.zeros("slopes", pixels * SLOPES as usize)?,
-            row_slopes: device.zeros("slopes of rows", pixels * SLOPES as usize)?,
+            difference: device.unwritten("differences", pixels)?,
+            sum: device.unwritten("sums", pixels)?,
+            moments: device.unwritten("moments", pixels * MOMENTS as usize)?,
+            dissimilarity: device.unwritten("dissimilarities", pixels)?,
+            slopes: device.unwritten("slopes", pixels * SLOPES as usize)?,
+            row_slopes: device.unwritten("slopes of rows", pixels * SLOPES as usize)?,
         })
     }
 
@@ -177,7 +177,7 @@ impl Loss {
         device.run_over(&terms, size)?;
         self.run_windows(device, size)?;
 
-        let row_sum = device.zeros("row sums", (tiles * side) as usize)?;
+        let row_sum = device.unwritten("row sums", (tiles * side) as usize)?;
         let rows = LossRowsKernel {
             params: LossParams { side, tiles },
             difference: &self.difference,
@@ -186,7 +186,7 @@ impl Loss {
         };
         device.run(&rows, tiles * side, 1)?;
 
-        let grad_image = device.zeros("gradient of the image", inputs.image.len())?;
+        let grad_image = device.unwritten("gradient of the image", inputs.image.len())?;
         let [absolute_scale, ssim_scale] =
             scales(inputs.valid_pixels, inputs.ssim_weight).map(|scale| scale as f32);
         let gradient = LossGradientKernel {

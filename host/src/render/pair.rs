@@ -1,6 +1,6 @@
 //! Sums over the pairs of a Gaussian.
 
-use organza_shaders::pair::{PairSumKernel, PairSumParams};
+use organza_shaders::pair::{PairSumKernel, PairSumParams, SUMMED};
 
 use super::mask::Mask;
 use super::plan::words;
@@ -29,5 +29,5 @@ pub fn sum_pairs(
         pair_vector,
         vector,
     };
-    device.run(&kernel, scene.gaussians * width, 1)
+    device.run(&kernel, scene.gaussians * width.div_ceil(SUMMED), 1)
 }

@@ -6,9 +6,9 @@ use organza_device::{Buffer, Device, Result};
 
 /// The exclusive sums of the first `count` values, and the total behind them: `[count + 1]`.
 pub fn exclusive_scan(device: &Device, value: &Buffer<u32>, count: u32) -> Result<Buffer<u32>> {
-    let prefix = device.zeros("prefix sums", count as usize + 1)?;
+    let prefix = device.unwritten("prefix sums", count as usize + 1)?;
     let blocks = (count + 1).div_ceil(BLOCK);
-    let block_sum = device.zeros("block sums", blocks as usize)?;
+    let block_sum = device.unwritten("block sums", blocks as usize)?;
     let params = ScanParams { count };
     device.run(
         &ScanBlockKernel { params, value, prefix: &prefix, block_sum: &block_sum },

@@ -70,7 +70,7 @@ impl Transmittance {
         let inputs = scene.config.transmittance_inputs();
         let blocks = Blocks::new(device, inputs, samples.clone(), keep)?;
         let log_rho = log_rho(device, scene, pairs, &segment, &first_sample, &blocks)?;
-        let transmittance = device.zeros("transmittance", capacity as usize)?;
+        let transmittance = device.unwritten("transmittance", capacity as usize)?;
         let kernel = SegmentProductKernel {
             params: SegmentProductParams { pairs: capacity, power: f32::from(steps) },
             first_sample: &first_sample,
@@ -129,7 +129,7 @@ pub fn segments(
 ) -> Result<(Buffer<Vec4>, Buffer<u32>)> {
     check_samples(scene, pairs)?;
     let capacity = pairs.count.at_most();
-    let segment = device.zeros("segments", capacity as usize * SEGMENT_VECTORS as usize)?;
+    let segment = device.unwritten("segments", capacity as usize * SEGMENT_VECTORS as usize)?;
     let count = device.zeros("sample counts", capacity as usize)?;
     let kernel = SegmentKernel {
         params: SegmentParams {
@@ -172,7 +172,7 @@ fn log_rho(
     blocks: &Blocks,
 ) -> Result<Buffer<f32>> {
     let field = &scene.transmittance;
-    let log_rho = device.zeros("log rho", blocks.samples() as usize)?;
+    let log_rho = device.unwritten("log rho", blocks.samples() as usize)?;
     let scratches = Mutex::default();
     for block in blocks.iter() {
         encode(device, scene, pairs, segment, first_sample, block)?;
@@ -383,7 +383,7 @@ struct TransmittanceScratch {
 impl TransmittanceScratch {
     fn new(device: &Device, field: &DeviceField, layout: Layout) -> Result<Self> {
         let network = ChunkScratch::new(device, field, layout)?;
-        let log_rho_gradient = device.zeros("gradient of log rho", layout.chunk as usize)?;
+        let log_rho_gradient = device.unwritten("gradient of log rho", layout.chunk as usize)?;
         Ok(Self { network, log_rho_gradient })
     }
 }

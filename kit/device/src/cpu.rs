@@ -45,6 +45,9 @@ impl Drop for SingleThread {
 /// Workgroups that a thread runs one after the other: what it takes to hand them over counts less.
 const AT_ONCE: u64 = 8;
 
+/// A byte of an `f32` that is no number, and of an index that is out of range.
+const NOT_A_NUMBER: u8 = 0xff;
+
 /// The CPU as a device.
 #[derive(Debug)]
 pub struct Cpu {
@@ -108,10 +111,22 @@ impl Cpu {
         self.pool.current_num_threads()
     }
 
-    pub fn allocate(&self, label: &'static str, bytes: u64) -> Result<CpuMemory> {
-        if let Some(memory) = self.pool_memory.take(bytes) {
-            return Ok(memory);
+    /// Memory for a buffer. Without `zeros` it holds anything; in debug builds, what hardly goes unnoticed.
+    pub fn allocate(&self, label: &'static str, bytes: u64, zeros: bool) -> Result<CpuMemory> {
+        let (mut memory, is_new) = match self.pool_memory.take(bytes) {
+            Some(memory) => (memory, false),
+            None => (self.allocate_new(label, bytes)?, true),
+        };
+        let unwritten = if cfg!(debug_assertions) { Some(NOT_A_NUMBER) } else { None };
+        let fill = if zeros { (!is_new).then_some(0) } else { unwritten };
+        if let Some(fill) = fill {
+            memory.bytes_mut()[..bytes as usize].fill(fill);
         }
+        Ok(memory)
+    }
+
+    /// Zeros.
+    fn allocate_new(&self, label: &'static str, bytes: u64) -> Result<CpuMemory> {
         let what = format!("the buffer `{label}`");
         // unused memory counts too
         memory::check(bytes, &what).or_else(|_| {

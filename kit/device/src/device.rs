@@ -381,6 +381,14 @@ mod tests {
     use super::*;
 
     #[test]
+    fn zeros_are_zeros_where_other_values_lay() {
+        let device = Device::open(&DeviceOptions::cpu(Some(1)), Modules::none()).unwrap();
+        drop(device.upload("values", &[7_u32; 250]).unwrap());
+        let again = device.zeros::<u32>("zeros", 250).unwrap();
+        assert_eq!(device.read(&again).unwrap(), [0; 250]);
+    }
+
+    #[test]
     fn workgroups_hold_all_items() {
         let info = organza_kernel::kernels().find(|k| k.name == "count_fill").expect("a kernel");
         for items in [0, 1, 63, 64, 65, 65_535 * 64, 65_535 * 64 + 1, 1 << 31, u32::MAX] {

@@ -15,25 +15,28 @@ impl Device {
     /// # Errors
     /// [`Error::OutOfMemory`], with what was needed.
     pub fn zeros<T: Pod>(&self, label: &'static str, len: usize) -> Result<Buffer<T>> {
+        self.buffer(label, len, true)
+    }
+
+    fn buffer<T: Pod>(&self, label: &'static str, len: usize, zeros: bool) -> Result<Buffer<T>> {
         let bytes = len as u64 * size_of::<T>() as u64;
         self.refuse(label, bytes)?;
         let memory = match &self.kind {
-            Kind::Cpu(cpu) => Memory::Cpu(Arc::new(cpu.allocate(label, bytes)?)),
+            Kind::Cpu(cpu) => Memory::Cpu(Arc::new(cpu.allocate(label, bytes, zeros)?)),
             Kind::Gpu(gpu) => Memory::Gpu(gpu.allocate(label, bytes)?),
             Kind::Planner(planner) => Memory::Planned(planner.allocate(label, bytes)?),
         };
         Ok(Buffer::new(RawBuffer { memory, label, begin: 0, bytes }))
     }
 
-    /// A buffer of `len` elements that kernels write before anything reads them.
+    /// A buffer of `len` elements that kernels write before anything reads them. Until then they can be anything.
     ///
     /// A device that [checks](crate::DeviceOptions::check_races) fails where a kernel reads an element that nothing has written.
-    /// Others fill the buffer with zeros: use [`zeros`](Device::zeros) where a kernel needs them.
     ///
     /// # Errors
     /// As [`Device::zeros`].
     pub fn unwritten<T: Pod>(&self, label: &'static str, len: usize) -> Result<Buffer<T>> {
-        let buffer = self.zeros(label, len)?;
+        let buffer = self.buffer(label, len, false)?;
         self.forget(&buffer);
         Ok(buffer)
     }
@@ -71,7 +74,7 @@ impl Device {
     /// # Errors
     /// As [`Device::zeros`].
     pub fn upload<T: Pod>(&self, label: &'static str, values: &[T]) -> Result<Buffer<T>> {
-        let mut buffer = self.zeros(label, values.len())?;
+        let mut buffer = self.buffer(label, values.len(), false)?;
         match (&self.kind, &mut buffer.raw_mut().memory) {
             (Kind::Cpu(_), Memory::Cpu(memory)) => {
                 let memory = Arc::get_mut(memory).expect("nobody else has it yet");

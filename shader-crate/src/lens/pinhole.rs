@@ -5,6 +5,7 @@ use glam::{Vec2, Vec3};
 use super::NEAR_PLANE;
 use crate::camera::Camera;
 use organza_kernel::math::{clamp, dot};
+use organza_kernel::prelude::*;
 
 /// A point projected by a pinhole camera: see [`lens`](crate::lens).
 #[derive(Clone, Copy, Debug)]
@@ -23,27 +24,49 @@ pub struct Pinhole {
     ratio: Vec2,
 }
 
+/// The least and the greatest ratios x/z and y/z in J: those of the image's border, and 0.3 of its half width more.
+#[inline(always)]
+fn ratio_limits(camera: &Camera) -> [Vec2; 2] {
+    let inverse_focal = Vec2::new(1.0 / camera.focal.x, 1.0 / camera.focal.y);
+    let margin = camera.size * inverse_focal * 0.15;
+    let low = camera.center * inverse_focal * -1.0 - margin;
+    let high = (camera.size - camera.center) * inverse_focal + margin;
+    [low, high]
+}
+
 impl Pinhole {
     /// Whether a point of the camera's space is in front of the near plane.
     #[inline(always)]
-    pub fn sees(t: Vec3) -> bool {
-        t.z > NEAR_PLANE
+    pub fn sees<L: Lane>([_, _, z]: [L; 3]) -> L::Mask {
+        L::splat(NEAR_PLANE).less(z)
+    }
+
+    /// The projected points, in pixels, and the sum of the squares of J, of points that the lens sees.
+    #[inline(always)]
+    pub fn place<L: Lane>(camera: &Camera, [x, y, z]: [L; 3]) -> ([L; 2], L) {
+        let (number, one) = (L::splat, L::splat(1.0));
+        let inverse = one / z;
+        let (x, y) = (x * inverse, y * inverse);
+        let (fx, fy) = (number(camera.focal.x), number(camera.focal.y));
+        let pixel = [fx * x + number(camera.center.x), fy * y + number(camera.center.y)];
+        let [low, high] = ratio_limits(camera);
+        let x = x.max(number(low.x)).min(number(high.x));
+        let y = y.max(number(low.y)).min(number(high.y));
+        let stretch = fx * fx * (one + x * x) + fy * fy * (one + y * y);
+        (pixel, stretch * inverse * inverse)
     }
 
     /// The projection of a point of the camera's space.
     #[inline(always)]
     pub fn new(camera: &Camera, t: Vec3) -> Self {
-        let z = if Self::sees(t) { t.z } else { 1.0 };
+        let z = if Self::sees(t.to_array()) { t.z } else { 1.0 };
         let pixel = Vec2::new(
             camera.focal.x * t.x / z + camera.center.x,
             camera.focal.y * t.y / z + camera.center.y,
         );
 
         // the ratios x/z and y/z are clamped only in J
-        let inverse_focal = Vec2::new(1.0 / camera.focal.x, 1.0 / camera.focal.y);
-        let margin = camera.size * inverse_focal * 0.15;
-        let low = camera.center * inverse_focal * -1.0 - margin;
-        let high = (camera.size - camera.center) * inverse_focal + margin;
+        let [low, high] = ratio_limits(camera);
         let ratio = Vec2::new(clamp(t.x / z, low.x, high.x), clamp(t.y / z, low.y, high.y));
 
         let [right, down, forward] = camera.rotation;

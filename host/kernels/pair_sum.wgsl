@@ -32,25 +32,26 @@ var<storage> global_6: type_5;
 var<storage, read_write> global_7: type_5;
 
 fn function_() {
-    var phi_90_: f32;
-    var phi_93_: f32;
-    var phi_95_: f32;
-    var phi_97_: f32;
-    var phi_99_: u32;
-    var phi_101_: u32;
-    var phi_137_: f32;
-    var phi_144_: f32;
-    var phi_151_: f32;
-    var phi_152_: f32;
-    var phi_153_: f32;
-    var phi_154_: f32;
-    var phi_155_: f32;
-    var phi_91_: f32;
-    var phi_94_: f32;
+    var phi_71_: u32;
     var phi_96_: f32;
-    var phi_98_: f32;
-    var phi_100_: u32;
-    var phi_102_: u32;
+    var phi_99_: f32;
+    var phi_101_: f32;
+    var phi_103_: f32;
+    var phi_105_: u32;
+    var phi_107_: u32;
+    var phi_143_: f32;
+    var phi_150_: f32;
+    var phi_157_: f32;
+    var phi_158_: f32;
+    var phi_159_: f32;
+    var phi_160_: f32;
+    var phi_161_: f32;
+    var phi_97_: f32;
+    var phi_100_: f32;
+    var phi_102_: f32;
+    var phi_104_: f32;
+    var phi_106_: u32;
+    var phi_108_: u32;
     var local: f32;
     var local_1: f32;
     var local_2: f32;
@@ -63,132 +64,138 @@ fn function_() {
             let _e22 = global_2;
             let _e30 = (((_e21.x + (_e21.y * _e22.x)) * 64u) + _e20.x);
             let _e33 = global_3.member.member_3;
-            let _e35 = ((_e33 + 3u) / 4u);
-            let _e38 = global_3.member.member_2;
-            if (_e30 < (_e38 * _e35)) {
-                let _e41 = (_e35 == 0u);
-                if _e41 {
+            let _e34 = (_e33 / 4u);
+            if ((_e33 % 4u) > 0u) {
+                phi_71_ = (_e34 + 1u);
+            } else {
+                phi_71_ = _e34;
+            }
+            let _e39 = phi_71_;
+            let _e42 = global_3.member.member_2;
+            if (_e30 < (_e42 * _e39)) {
+                let _e45 = (_e39 == 0u);
+                if _e45 {
                     break;
                 }
-                let _e42 = (_e30 / _e35);
-                if _e41 {
+                let _e46 = (_e30 / _e39);
+                if _e45 {
                     break;
                 }
-                let _e44 = ((_e30 % _e35) * 4u);
-                let _e46 = ((_e44 + 1u) < _e33);
-                let _e48 = ((_e44 + 2u) < _e33);
-                let _e50 = ((_e44 + 3u) < _e33);
-                phi_90_ = 0f;
-                phi_93_ = 0f;
-                phi_95_ = 0f;
-                phi_97_ = 0f;
-                phi_99_ = 0u;
-                phi_101_ = (_e42 / 32u);
+                let _e48 = ((_e30 % _e39) * 4u);
+                let _e50 = ((_e48 + 1u) < _e33);
+                let _e52 = ((_e48 + 2u) < _e33);
+                let _e54 = ((_e48 + 3u) < _e33);
+                phi_96_ = 0f;
+                phi_99_ = 0f;
+                phi_101_ = 0f;
+                phi_103_ = 0f;
+                phi_105_ = 0u;
+                phi_107_ = (_e46 / 32u);
                 loop {
-                    let _e54 = phi_90_;
-                    let _e56 = phi_93_;
-                    let _e58 = phi_95_;
-                    let _e60 = phi_97_;
-                    let _e62 = phi_99_;
-                    let _e64 = phi_101_;
-                    local = _e60;
-                    local_1 = _e58;
-                    local_2 = _e56;
-                    local_3 = _e54;
-                    let _e67 = global_3.member.member_1;
-                    let _e68 = (_e62 < _e67);
-                    if _e68 {
-                        let _e71 = global_4.member[_e64];
-                        let _e72 = ((_e42 % 32u) & 31u);
-                        if (((_e71 >> bitcast<u32>(_e72)) & 1u) == 0u) {
-                            phi_152_ = _e54;
-                            phi_153_ = _e56;
-                            phi_154_ = _e58;
-                            phi_155_ = _e60;
+                    let _e58 = phi_96_;
+                    let _e60 = phi_99_;
+                    let _e62 = phi_101_;
+                    let _e64 = phi_103_;
+                    let _e66 = phi_105_;
+                    let _e68 = phi_107_;
+                    local = _e64;
+                    local_1 = _e62;
+                    local_2 = _e60;
+                    local_3 = _e58;
+                    let _e71 = global_3.member.member_1;
+                    let _e72 = (_e66 < _e71);
+                    if _e72 {
+                        let _e75 = global_4.member[_e68];
+                        let _e76 = ((_e46 % 32u) & 31u);
+                        if (((_e75 >> bitcast<u32>(_e76)) & 1u) == 0u) {
+                            phi_158_ = _e58;
+                            phi_159_ = _e60;
+                            phi_160_ = _e62;
+                            phi_161_ = _e64;
                         } else {
-                            let _e79 = global_5.member[_e64];
-                            let _e87 = (((_e79 + countOneBits((_e71 & ((1u << bitcast<u32>(_e72)) - 1u)))) * _e33) + _e44);
-                            let _e90 = global_6.member[_e87];
-                            if _e46 {
-                                let _e95 = global_6.member[(_e87 + 1u)];
-                                phi_137_ = (_e58 + _e95);
-                            } else {
-                                phi_137_ = _e58;
-                            }
-                            let _e98 = phi_137_;
-                            if _e48 {
-                                let _e102 = global_6.member[(_e87 + 2u)];
-                                phi_144_ = (_e56 + _e102);
-                            } else {
-                                phi_144_ = _e56;
-                            }
-                            let _e105 = phi_144_;
+                            let _e83 = global_5.member[_e68];
+                            let _e91 = (((_e83 + countOneBits((_e75 & ((1u << bitcast<u32>(_e76)) - 1u)))) * _e33) + _e48);
+                            let _e94 = global_6.member[_e91];
                             if _e50 {
-                                let _e109 = global_6.member[(_e87 + 3u)];
-                                phi_151_ = (_e54 + _e109);
+                                let _e99 = global_6.member[(_e91 + 1u)];
+                                phi_143_ = (_e62 + _e99);
                             } else {
-                                phi_151_ = _e54;
+                                phi_143_ = _e62;
                             }
-                            let _e112 = phi_151_;
-                            phi_152_ = _e112;
-                            phi_153_ = _e105;
-                            phi_154_ = _e98;
-                            phi_155_ = (_e60 + _e90);
+                            let _e102 = phi_143_;
+                            if _e52 {
+                                let _e106 = global_6.member[(_e91 + 2u)];
+                                phi_150_ = (_e60 + _e106);
+                            } else {
+                                phi_150_ = _e60;
+                            }
+                            let _e109 = phi_150_;
+                            if _e54 {
+                                let _e113 = global_6.member[(_e91 + 3u)];
+                                phi_157_ = (_e58 + _e113);
+                            } else {
+                                phi_157_ = _e58;
+                            }
+                            let _e116 = phi_157_;
+                            phi_158_ = _e116;
+                            phi_159_ = _e109;
+                            phi_160_ = _e102;
+                            phi_161_ = (_e64 + _e94);
                         }
-                        let _e114 = phi_152_;
-                        let _e116 = phi_153_;
-                        let _e118 = phi_154_;
-                        let _e120 = phi_155_;
-                        let _e123 = global_3.member.member;
-                        phi_91_ = _e114;
-                        phi_94_ = _e116;
-                        phi_96_ = _e118;
-                        phi_98_ = _e120;
-                        phi_100_ = (_e62 + 1u);
-                        phi_102_ = (_e64 + _e123);
+                        let _e118 = phi_158_;
+                        let _e120 = phi_159_;
+                        let _e122 = phi_160_;
+                        let _e124 = phi_161_;
+                        let _e127 = global_3.member.member;
+                        phi_97_ = _e118;
+                        phi_100_ = _e120;
+                        phi_102_ = _e122;
+                        phi_104_ = _e124;
+                        phi_106_ = (_e66 + 1u);
+                        phi_108_ = (_e68 + _e127);
                     } else {
-                        phi_91_ = f32();
-                        phi_94_ = f32();
-                        phi_96_ = f32();
-                        phi_98_ = f32();
-                        phi_100_ = u32();
-                        phi_102_ = u32();
+                        phi_97_ = f32();
+                        phi_100_ = f32();
+                        phi_102_ = f32();
+                        phi_104_ = f32();
+                        phi_106_ = u32();
+                        phi_108_ = u32();
                     }
-                    let _e127 = phi_91_;
-                    let _e129 = phi_94_;
-                    let _e131 = phi_96_;
-                    let _e133 = phi_98_;
-                    let _e135 = phi_100_;
-                    let _e137 = phi_102_;
+                    let _e131 = phi_97_;
+                    let _e133 = phi_100_;
+                    let _e135 = phi_102_;
+                    let _e137 = phi_104_;
+                    let _e139 = phi_106_;
+                    let _e141 = phi_108_;
                     continue;
                     continuing {
-                        phi_90_ = _e127;
-                        phi_93_ = _e129;
-                        phi_95_ = _e131;
-                        phi_97_ = _e133;
-                        phi_99_ = _e135;
-                        phi_101_ = _e137;
-                        break if !(_e68);
+                        phi_96_ = _e131;
+                        phi_99_ = _e133;
+                        phi_101_ = _e135;
+                        phi_103_ = _e137;
+                        phi_105_ = _e139;
+                        phi_107_ = _e141;
+                        break if !(_e72);
                     }
                 }
-                let _e140 = ((_e42 * _e33) + _e44);
-                let _e143 = global_7.member[_e140];
-                let _e145 = local;
-                global_7.member[_e140] = (_e143 + _e145);
-                if _e46 {
-                    let _e150 = global_7.member[(_e140 + 1u)];
-                    let _e152 = local_1;
-                    global_7.member[(_e140 + 1u)] = (_e150 + _e152);
-                }
-                if _e48 {
-                    let _e157 = global_7.member[(_e140 + 2u)];
-                    let _e159 = local_2;
-                    global_7.member[(_e140 + 2u)] = (_e157 + _e159);
-                }
+                let _e144 = ((_e46 * _e33) + _e48);
+                let _e147 = global_7.member[_e144];
+                let _e149 = local;
+                global_7.member[_e144] = (_e147 + _e149);
                 if _e50 {
-                    let _e164 = global_7.member[(_e140 + 3u)];
-                    let _e166 = local_3;
-                    global_7.member[(_e140 + 3u)] = (_e164 + _e166);
+                    let _e154 = global_7.member[(_e144 + 1u)];
+                    let _e156 = local_1;
+                    global_7.member[(_e144 + 1u)] = (_e154 + _e156);
+                }
+                if _e52 {
+                    let _e161 = global_7.member[(_e144 + 2u)];
+                    let _e163 = local_2;
+                    global_7.member[(_e144 + 2u)] = (_e161 + _e163);
+                }
+                if _e54 {
+                    let _e168 = global_7.member[(_e144 + 3u)];
+                    let _e170 = local_3;
+                    global_7.member[(_e144 + 3u)] = (_e168 + _e170);
                 }
             }
             break;

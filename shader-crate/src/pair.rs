@@ -108,7 +108,7 @@ pub fn pair_sum(
 ) {
     let index = id.index();
     let width = params.width;
-    let groups = (width + SUMMED - 1) / SUMMED;
+    let groups = width.div_ceil(SUMMED);
     if index < params.gaussians * groups {
         let (gaussian, value) = (index / groups, index % groups * SUMMED);
         let [second, third, fourth] = [value + 1 < width, value + 2 < width, value + 3 < width];

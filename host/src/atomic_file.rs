@@ -59,6 +59,31 @@ fn write_direct(
     writer.flush()
 }
 
+/// Looks whether [`write_atomic`] could write a file, before hours are spent on what is to be in it.
+///
+/// # Errors
+/// [`Error::WriteFile`] where it could not.
+pub fn check_writable(path: impl AsRef<Path>) -> Result<()> {
+    let path = path.as_ref();
+    let check = || {
+        match fs::metadata(path) {
+            Ok(old) if old.is_dir() => {
+                return Err(io::Error::other("it is a folder, expected a file"));
+            }
+            // A device or a pipe is written to as it is.
+            Ok(old) if !old.is_file() => return Ok(()),
+            _ => {}
+        }
+        let folder = parent(&fs::canonicalize(path).unwrap_or_else(|_| path.to_owned()));
+        if !fs::metadata(&folder)?.is_dir() {
+            let reason = format!("{} is a file, not a folder", folder.display());
+            return Err(io::Error::other(reason));
+        }
+        new_file_in(&folder).map(drop)
+    };
+    check().map_err(|source| Error::write(path, source))
+}
+
 fn parent(path: &Path) -> PathBuf {
     match path.parent() {
         Some(folder) if folder != Path::new("") => folder.to_owned(),

@@ -68,7 +68,7 @@ pub mod view;
 pub mod web;
 
 #[doc(hidden)]
-pub use atomic_file::{remove_leftovers, write_atomic};
+pub use atomic_file::{check_writable, remove_leftovers, write_atomic};
 pub use camera::Camera;
 pub use data::{Dataset, DatasetOptions};
 pub use error::{Error, Result};

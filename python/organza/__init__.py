@@ -15,6 +15,7 @@ from ._cameras import Cameras, Tiles
 from ._data import Dataset, load_dataset
 from ._images import Images
 from ._renderer import Renderer, parity
+from ._splats import Exported, Imported, export, import_splats
 from ._training import Evaluation, Step, TrainConfig, Training, train
 
 __all__ = [
@@ -23,7 +24,9 @@ __all__ = [
     "DeviceScene",
     "Error",
     "Evaluation",
+    "Exported",
     "Images",
+    "Imported",
     "Recording",
     "Renderer",
     "Scene",
@@ -32,6 +35,8 @@ __all__ = [
     "TrainConfig",
     "Training",
     "__version__",
+    "export",
+    "import_splats",
     "load_dataset",
     "parity",
     "train",

@@ -151,3 +151,21 @@ class Training:
     def close(self) -> None: ...
 
 def parity(backend: str) -> list[dict[str, Any]]: ...
+def export(
+    renderer: Renderer,
+    scene: Scene,
+    uploaded: DeviceScene,
+    path: _Path,
+    cameras: Cameras | None,
+    dataset: Dataset | None,
+    steps: int,
+    side: int,
+) -> dict[str, Any]: ...
+def import_splats(
+    renderer: Renderer,
+    path: _Path,
+    cameras: Cameras | None,
+    steps: int,
+    side: int,
+    background: str,
+) -> tuple[Scene, float | None]: ...

@@ -1,6 +1,7 @@
 //! Long calls: other threads of Python run meanwhile, and Ctrl-C ends the wait.
 
 use std::panic::resume_unwind;
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
@@ -18,10 +19,25 @@ pub fn run<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce() -> organza::Result<T> + Send + 'static,
 ) -> PyResult<T> {
+    run_while_awaited(py, |_| work())
+}
+
+/// As [`run`], for work that takes minutes or leaves something behind. It calls what it is given now and then, and ends with the
+/// error of that after Ctrl-C.
+pub fn run_while_awaited<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce(&dyn Fn() -> organza::Result<()>) -> organza::Result<T> + Send + 'static,
+) -> PyResult<T> {
     let (sender, mut receiver) = channel();
+    let waits = Arc::new(());
+    let wait = Arc::downgrade(&waits);
     let thread = spawn(move || {
+        let awaited = || match wait.strong_count() {
+            0 => Err(organza::Error::Argument { reason: "interrupted".to_owned() }),
+            _ => Ok(()),
+        };
         // nobody waits anymore
-        let _ = sender.send(work());
+        let _ = sender.send(work(&awaited));
     })?;
     match receive(py, &mut receiver)? {
         Some(result) => result.map_err(raise),

@@ -8,6 +8,7 @@ mod job;
 mod renderer;
 mod run;
 mod scene;
+mod splats;
 mod training;
 
 use pyo3::prelude::*;
@@ -25,5 +26,7 @@ fn _organza(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<data::Dataset>()?;
     module.add_class::<training::TrainConfig>()?;
     module.add_class::<training::Training>()?;
-    module.add_function(wrap_pyfunction!(renderer::parity, module)?)
+    module.add_function(wrap_pyfunction!(renderer::parity, module)?)?;
+    module.add_function(wrap_pyfunction!(splats::export, module)?)?;
+    module.add_function(wrap_pyfunction!(splats::import_splats, module)?)
 }

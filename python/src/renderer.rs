@@ -25,7 +25,7 @@ pub struct Renderer(pub organza::Renderer);
 
 /// A scene on a device, and what is kept beside it.
 pub struct Held {
-    scene: organza::DeviceScene,
+    pub scene: organza::DeviceScene,
     /// Made by the first backward pass.
     gradient: Option<SceneGradient>,
 }
@@ -47,7 +47,7 @@ pub struct Recording {
     shape: [usize; 4],
 }
 
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+pub fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
@@ -187,7 +187,7 @@ impl Renderer {
 
 impl Renderer {
     /// The scene, which must be on this device.
-    fn own(&self, scene: &DeviceScene) -> PyResult<Arc<Mutex<Held>>> {
+    pub fn own(&self, scene: &DeviceScene) -> PyResult<Arc<Mutex<Held>>> {
         if !std::ptr::eq(self.0.device(), scene.renderer.device()) {
             return Err(invalid("the scene is on another renderer's device: upload it here"));
         }

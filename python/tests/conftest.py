@@ -1,5 +1,8 @@
 """What several tests share: a small scene, cameras and tiles, on the CPU."""
 
+import os
+import shutil
+
 import numpy as np
 import pytest
 
@@ -9,6 +12,15 @@ import organza
 @pytest.fixture(scope="session")
 def renderer():
     return organza.Renderer("cpu", threads=2)
+
+
+@pytest.fixture(scope="session")
+def program():
+    """The program of the same sources, where it is built."""
+    named = os.environ.get("ORGANZA_PROGRAM") or shutil.which("organza")
+    if named is None:
+        pytest.skip("there is no program `organza` to compare with: set ORGANZA_PROGRAM")
+    return named
 
 
 @pytest.fixture(scope="session")

@@ -1,8 +1,6 @@
 """Training from Python."""
 
 import json
-import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -47,14 +45,6 @@ def assert_same(found, expected):
     assert all(np.array_equal(found[name], expected[name]) for name in found)
 
 
-def program():
-    """The program of the same sources, where it is built."""
-    named = os.environ.get("ORGANZA_PROGRAM") or shutil.which("organza")
-    if named is None:
-        pytest.skip("there is no program `organza` to compare with: set ORGANZA_PROGRAM")
-    return named
-
-
 def test_a_run_is_iterated_over(renderer, dataset, tmp_path):
     seen = []
     run = organza.train(dataset, small(), output=tmp_path / "run", renderer=renderer, on_evaluation=seen.append)
@@ -74,9 +64,9 @@ def test_a_run_is_iterated_over(renderer, dataset, tmp_path):
         organza.train(dataset, small(), output=tmp_path / "run", renderer=renderer)
 
 
-def test_a_run_has_the_bits_of_the_program(renderer, tmp_path):
+def test_a_run_has_the_bits_of_the_program(renderer, program, tmp_path):
     settings = [f"--set={key}={value}" for key, value in SMALL.items()]
-    command = [program(), "train", "-o", tmp_path / "native", "--backend", "cpu", *settings]
+    command = [program, "train", "-o", tmp_path / "native", "--backend", "cpu", *settings]
     subprocess.run(command, check=True, capture_output=True)
     organza.train(config=small(), output=tmp_path / "python", renderer=renderer).run()
     native, python = tmp_path / "native", tmp_path / "python"
@@ -84,7 +74,7 @@ def test_a_run_has_the_bits_of_the_program(renderer, tmp_path):
     assert_same(tensors_of(python / "checkpoint.safetensors"), tensors_of(native / "checkpoint.safetensors"))
     assert sorted(p.name for p in native.iterdir()) == sorted(p.name for p in python.iterdir())
     # and one goes on with the other's
-    command = [program(), "train", "--resume", python, "--steps", "6", "--backend", "cpu"]
+    command = [program, "train", "--resume", python, "--steps", "6", "--backend", "cpu"]
     subprocess.run(command, check=True, capture_output=True)
 
 

@@ -5,22 +5,16 @@ use std::path::PathBuf;
 use organza::camera::Orbit;
 use organza::data::{Dataset, Frame};
 use organza::error::format_bytes;
-use organza::splats::{self, Distilled, Fit, Format, Splat};
-use organza::{Camera, DeviceScene, Renderer, Result, Scene, evaluate};
+use organza::splats::{self, Beside, Distilled, Fit, Format, Views};
+use organza::{Renderer, Result, Scene};
 
 use super::console::Console;
 use super::device::DeviceArgs;
 use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Split};
 use super::output::check_file;
-use super::refuse;
 use super::summary::count;
 
 const USAGE: &str = "organza export SCENE CAMERAS -o FILE";
-/// Cameras around a scene that has none: on each circle, and the circles' elevations in degrees.
-const AROUND: usize = 16;
-const ELEVATIONS: [f64; 3] = [-15.0, 17.0, 45.0];
-/// Of cameras without photographs, every Nth is not fitted.
-const JUDGES: usize = 8;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -49,12 +43,12 @@ pub struct Args {
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     /// How often to compare a view and correct the Gaussians; 0 fits to the networks alone
-    #[arg(long, value_name = "N", default_value_t = 500)]
-    #[arg(value_parser = clap::value_parser!(u32).range(0..=1_000_000))]
+    #[arg(long, value_name = "N", default_value_t = Fit::default().steps)]
+    #[arg(value_parser = clap::value_parser!(u32).range(Fit::STEPS))]
     steps: u32,
     /// The longest side of a view that is compared, in pixels
-    #[arg(long, value_name = "S", default_value_t = 480)]
-    #[arg(value_parser = clap::value_parser!(u32).range(16..=4096))]
+    #[arg(long, value_name = "S", default_value_t = Fit::default().side)]
+    #[arg(value_parser = clap::value_parser!(u32).range(Fit::SIDES))]
     side: u32,
     #[command(flatten)]
     data: DataArgs,
@@ -62,40 +56,35 @@ pub struct Args {
     device: DeviceArgs,
 }
 
-/// The views to compare.
-struct Views {
-    fitted: Vec<Camera>,
-    judges: Vec<Camera>,
-    /// With the photographs of the judges.
-    data: Option<Dataset>,
-}
-
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let Some(format) = Format::of(&args.output) else {
-        let output = args.output.display();
-        return refuse(format!(
-            "{output}: the ending of the file says how it is written: .ply, .spz, .glb or .splat"
-        ));
-    };
+    let format = Format::of(&args.output)?;
     let source = SceneSource::find(&args.scene)?;
     let inputs: Vec<_> =
         [Some(source.file()), args.cameras.as_deref()].into_iter().flatten().collect();
     check_file(&args.output, &inputs)?;
     let scene = source.load(console)?;
     let renderer = args.device.open(console)?;
-    let views = Views::load(args, &source, &scene, &renderer, console)?;
+    let (views, data) = load_views(args, &source, &scene, &renderer, console)?;
     let uploaded = renderer.upload(&scene)?;
-    let fit = Fit { steps: args.steps as usize, side: args.side };
+    let fit = Fit { steps: args.steps, side: args.side };
     let distilled = {
         let progress = console.progress(u64::from(args.steps), "steps");
         progress.say("fitting");
-        let cameras = [&views.fitted[..], &views.judges];
-        splats::distill(&renderer, &scene, &uploaded, cameras, fit, &mut |step| progress.set(step))?
+        let mut progress = |step| {
+            progress.set(step);
+            Ok(())
+        };
+        splats::distill(&renderer, &scene, &uploaded, &views, fit, &mut progress)?
     };
     let up = Orbit::around(&views.fitted)?.up;
     splats::save(&distilled.splats, &args.output, format, up)?;
-    views.say_psnr(&distilled, args.steps, console);
-    views.say_photographs(&renderer, &scene, &uploaded, &distilled.splats, console)?;
+    say_psnr(&views, &distilled, args.steps, console);
+    if let Some(data) = data {
+        let frames: Vec<_> = data.held_out_frames().collect();
+        if let Some(found) = splats::beside(&renderer, &uploaded, &distilled.splats, &frames)? {
+            say_photographs(found, console);
+        }
+    }
     if format == Format::Splat {
         console
             .note("a .splat file has one color for all directions, so its images are less close");
@@ -110,108 +99,62 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     Ok(())
 }
 
-impl Views {
-    fn load(
-        args: &Args,
-        source: &SceneSource,
-        scene: &Scene,
-        renderer: &Renderer,
-        console: Console,
-    ) -> Result<Self> {
-        let named = args.cameras.as_deref();
-        let has_photographs = match named {
-            Some(named) => named.is_dir() || args.data.is_given(),
-            None => args.data.is_given() || source.settings()?.is_some(),
-        };
-        if has_photographs {
-            let settings = args.data.settings(source, named, USAGE)?;
-            let data = DataSet::open(settings, console)?.read(renderer, console)?;
-            return Self::of_data_set(data, args);
-        }
-        let cameras = match named {
-            Some(_) => Cameras::load(source, named, &args.data, USAGE, console)?.list,
-            None => all_around(scene.config.aabb)?,
-        };
-        let [fitted, judges] = with_judges(cameras);
-        Ok(Self { fitted, judges, data: None })
-    }
-
-    /// Fits the frames that training saw, and judges by those that were held out.
-    fn of_data_set(data: Dataset, args: &Args) -> Result<Self> {
-        let split = args.data.split(Split::All);
-        let [fitted, judges] = [false, true].map(|is_held_out| {
-            let frames: Vec<&Frame> = match is_held_out {
-                true => data.held_out_frames().collect(),
-                false => data.train_frames().collect(),
-            };
-            let frames = frames.into_iter().filter(|_| split.takes(is_held_out));
-            frames.map(|frame| frame.camera.clone()).collect::<Vec<_>>()
-        });
-        // with `--split held-out`, those are what there is
-        let (fitted, judges) = if fitted.is_empty() { (judges, fitted) } else { (fitted, judges) };
-        Ok(Self { fitted, judges, data: Some(data) })
-    }
-
-    fn say_psnr(&self, distilled: &Distilled, steps: u32, console: Console) {
-        let (views, which) = match self.judges.len() {
-            0 => (self.fitted.len(), ""),
-            judges => (judges, " that the fit has not seen"),
-        };
-        console.note(&format!(
-            "in {}{which}, images of the file are {:.2} dB from the scene's own ({:.2} dB before {})",
-            count(views as u64, "view"),
-            distilled.psnr,
-            distilled.first_psnr,
-            count(u64::from(steps), "step")
-        ));
-    }
-
-    /// What the file loses beside photographs that training has not seen.
-    fn say_photographs(
-        &self,
-        renderer: &Renderer,
-        scene: &Scene,
-        uploaded: &DeviceScene,
-        splats: &[Splat],
-        console: Console,
-    ) -> Result<()> {
-        let Some(data) = &self.data else { return Ok(()) };
-        let frames: Vec<&Frame> = data.held_out_frames().collect();
-        let Some(own) = evaluate(renderer, uploaded, &frames)?.mean.psnr else { return Ok(()) };
-        let background = scene.config.background.map(|x| x as f32);
-        let of = |frame: &&Frame| {
-            let Frame { camera, image, .. } = frame;
-            splats::psnr(splats, camera, background, image.pixels(), image.valid())
-        };
-        let found: Vec<_> = frames.iter().filter_map(of).collect();
-        let sorted = found.iter().sum::<f64>() / found.len() as f64;
-        console.note(&format!(
-            "beside {}: {sorted:.2} dB, the scene itself {own:.2} dB, so the file loses {:.2} dB",
-            count(found.len() as u64, "held-out photograph"),
-            own - sorted
-        ));
-        Ok(())
-    }
-}
-
-/// Cameras, and those of them that are only to measure.
-pub fn with_judges(cameras: Vec<Camera>) -> [Vec<Camera>; 2] {
-    let [mut fitted, mut judges] = [Vec::new(), Vec::new()];
-    let is_enough = cameras.len() >= JUDGES;
-    for (index, camera) in cameras.into_iter().enumerate() {
-        let is_judge = is_enough && index % JUDGES == JUDGES / 2;
-        if is_judge { judges.push(camera) } else { fitted.push(camera) }
-    }
-    [fitted, judges]
-}
-
-/// Cameras that see a whole box from all sides, a circle above the other.
-pub fn all_around(aabb: [[f64; 3]; 2]) -> Result<Vec<Camera>> {
-    let orbit = Orbit::of_box(aabb, [640, 480]);
-    let circle = |elevation: f64| {
-        Orbit { elevation: elevation.to_radians(), ..orbit.clone() }.cameras(AROUND)
+/// The views to compare, and the photographs of the scene where there are some.
+fn load_views(
+    args: &Args,
+    source: &SceneSource,
+    scene: &Scene,
+    renderer: &Renderer,
+    console: Console,
+) -> Result<(Views, Option<Dataset>)> {
+    let named = args.cameras.as_deref();
+    let has_photographs = match named {
+        Some(named) => named.is_dir() || args.data.is_given(),
+        None => args.data.is_given() || source.settings()?.is_some(),
     };
-    let circles = ELEVATIONS.into_iter().map(circle).collect::<Result<Vec<_>>>()?;
-    // one of each circle after the other: judges are of all circles
-    Ok((0..AROUND).flat_map(|at| circles.iter().map(move |circle| circle[at].clone())).collect())
+    if !has_photographs {
+        let views = match named {
+            Some(_) => {
+                Views::of_cameras(Cameras::load(source, named, &args.data, USAGE, console)?.list)
+            }
+            None => Views::around(scene.config.aabb)?,
+        };
+        return Ok((views, None));
+    }
+    let settings = args.data.settings(source, named, USAGE)?;
+    let data = DataSet::open(settings, console)?.read(renderer, console)?;
+    let all = |frames: &mut dyn Iterator<Item = &Frame>| Views {
+        fitted: frames.map(|frame| frame.camera.clone()).collect(),
+        judges: Vec::new(),
+    };
+    let views = match args.data.split(Split::All) {
+        Split::All => Views::of_data_set(&data),
+        Split::Train => all(&mut data.train_frames()),
+        Split::HeldOut => all(&mut data.held_out_frames()),
+    };
+    Ok((views, Some(data)))
+}
+
+fn say_psnr(views: &Views, distilled: &Distilled, steps: u32, console: Console) {
+    let (views, which) = match views.judges.len() {
+        0 => (views.fitted.len(), ""),
+        judges => (judges, " that the fit has not seen"),
+    };
+    console.note(&format!(
+        "in {}{which}, images of the file are {:.2} dB from the scene's own ({:.2} dB before {})",
+        count(views as u64, "view"),
+        distilled.psnr,
+        distilled.first_psnr,
+        count(u64::from(steps), "step")
+    ));
+}
+
+/// What the file loses beside photographs that training has not seen.
+fn say_photographs(found: Beside, console: Console) {
+    let Beside { photographs, scene, splats } = found;
+    console.note(&format!(
+        "beside {}: {splats:.2} dB, the scene itself {scene:.2} dB, so the file loses {:.2} dB",
+        count(photographs as u64, "held-out photograph"),
+        scene - splats
+    ));
 }

@@ -4,11 +4,10 @@ use std::path::PathBuf;
 
 use organza::Result;
 use organza::data::Background;
-use organza::splats::{self, Import};
+use organza::splats::{self, Fit, Import, Views};
 
 use super::console::Console;
 use super::device::DeviceArgs;
-use super::export::{all_around, with_judges};
 use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::output::check_file;
 use super::summary::count;
@@ -36,12 +35,12 @@ pub struct Args {
     #[arg(short, long, value_name = "SCENE")]
     output: PathBuf,
     /// Steps of training
-    #[arg(long, value_name = "N", default_value_t = 1500)]
-    #[arg(value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
+    #[arg(long, value_name = "N", default_value_t = Import::default().steps)]
+    #[arg(value_parser = clap::value_parser!(u32).range(Import::STEPS))]
     steps: u32,
     /// The longest side of an image to train on, in pixels
-    #[arg(long, value_name = "S", default_value_t = 480)]
-    #[arg(value_parser = clap::value_parser!(u32).range(16..=4096))]
+    #[arg(long, value_name = "S", default_value_t = Import::default().side)]
+    #[arg(value_parser = clap::value_parser!(u32).range(Fit::SIDES))]
     side: u32,
     /// Color behind the scene: a name such as white, or red, green and blue from 0 to 1 such as 1,1,1 [default: black]
     #[arg(long, value_name = "COLOR")]
@@ -60,27 +59,29 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let splats = console.during("reading the Gaussians", || splats::load(source.file()))?;
     console.note(&format!("{} in {}", count(splats.len() as u64, "Gaussian"), args.file.display()));
     let named = args.cameras.as_deref();
-    let cameras = if named.is_some() || args.data.is_given() {
+    let views = if named.is_some() || args.data.is_given() {
         let usage = "organza import FILE CAMERAS -o SCENE";
-        Cameras::load(&source, named, &args.data, usage, console)?.list
+        Views::of_cameras(Cameras::load(&source, named, &args.data, usage, console)?.list)
     } else {
-        all_around(splats::bounds(&splats))?
+        Views::around(splats::bounds(&splats))?
     };
-    let [fitted, judges] = with_judges(cameras);
     let renderer = args.device.open(console)?;
     let background = args.background.unwrap_or(Background::Auto).color();
     let options = Import { steps: args.steps, side: args.side, background };
     let imported = {
         let progress = console.progress(u64::from(args.steps), "steps");
         progress.say("training");
-        let cameras = [&fitted[..], &judges];
-        splats::import(&renderer, &splats, cameras, options, &mut |step| progress.set(step))?
+        let mut progress = |step| {
+            progress.set(step);
+            Ok(())
+        };
+        splats::import(&renderer, &splats, &views, options, &mut progress)?
     };
     imported.scene.save(&args.output)?;
     if let Some(psnr) = imported.psnr {
         console.note(&format!(
             "in {} that training has not seen, the scene is {psnr:.2} dB from the file's own images",
-            count(judges.len() as u64, "view")
+            count(views.judges.len() as u64, "view")
         ));
     }
     console.note(&format!("wrote {}", args.output.display()));

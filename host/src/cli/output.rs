@@ -11,28 +11,7 @@ use super::refuse;
 /// Checks that a file can be written, and that it is none of the inputs.
 pub fn check_file(path: &Path, inputs: &[&Path]) -> Result<()> {
     refuse_inputs(path, inputs)?;
-    match fs::metadata(path) {
-        Ok(old) if old.is_dir() => {
-            return Err(cannot_write(path, io::Error::other("it is a folder, expected a file")));
-        }
-        // A device or a pipe is written to as it is.
-        Ok(old) if !old.is_file() => return Ok(()),
-        _ => {}
-    }
-    // The file itself is what a link points to, and its folder is where the new one is made.
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let folder = match target.parent() {
-        Some(folder) if folder != Path::new("") => folder,
-        _ => Path::new("."),
-    };
-    match fs::metadata(folder) {
-        Ok(found) if found.is_dir() => try_writing(folder, path),
-        Ok(_) => {
-            let reason = format!("{} is a file, not a folder", folder.display());
-            Err(cannot_write(path, io::Error::other(reason)))
-        }
-        Err(error) => Err(cannot_write(path, error)),
-    }
+    organza::check_writable(path)
 }
 
 /// Fails where writing to a path would replace an input.

@@ -1,5 +1,7 @@
 //! From a scene to Gaussians for viewers that sort: first what the scene's networks say, then what its images show.
 
+use std::ops::RangeInclusive;
+
 use bytemuck::Zeroable;
 use glam::Vec3;
 use organza_device::memory;
@@ -10,7 +12,7 @@ use super::between::between;
 use super::harmonics::{HARMONICS, Sample, fit, harmonics};
 use super::sorted::render;
 use super::sorted_backward::gradient;
-use super::{Splat, VALUES};
+use super::{Splat, VALUES, Views};
 use crate::camera::Camera;
 use crate::error::{Error, Result};
 use crate::image::Image;
@@ -50,9 +52,23 @@ const BEST_PSNR: f64 = 60.0;
 #[derive(Clone, Copy, Debug)]
 pub struct Fit {
     /// Steps. Each compares one view.
-    pub steps: usize,
+    pub steps: u32,
     /// The longest side of a view, in pixels.
     pub side: u32,
+}
+
+impl Fit {
+    /// How many steps there may be.
+    pub const STEPS: RangeInclusive<i64> = 0..=1_000_000;
+    /// The sides that views may have, in pixels.
+    pub const SIDES: RangeInclusive<i64> = 16..=4096;
+}
+
+/// 500 steps, in views of 480 pixels.
+impl Default for Fit {
+    fn default() -> Self {
+        Self { steps: 500, side: 480 }
+    }
 }
 
 /// A scene, distilled.
@@ -72,19 +88,20 @@ struct Target {
     image: Image,
 }
 
-/// Fits Gaussians to what some cameras see of a scene, and others between them. `judges` are cameras that are only measured;
-/// without any, those that were fitted are. `progress` is called with the steps that are done.
+/// Fits Gaussians to what some cameras see of a scene, and others between them. Without views that are only measured, those that were
+/// fitted are. `progress` is called with the steps that are done; its error ends the fit.
 ///
 /// # Errors
-/// [`Error::Argument`] without cameras; as [`Renderer::render`].
+/// [`Error::Argument`] without cameras; as [`Renderer::render`]; that of `progress`.
 pub fn distill(
     renderer: &Renderer,
     scene: &Scene,
     uploaded: &DeviceScene,
-    [cameras, judges]: [&[Camera]; 2],
+    views: &Views,
     options: Fit,
-    progress: &mut dyn FnMut(usize),
+    progress: &mut dyn FnMut(usize) -> Result<()>,
 ) -> Result<Distilled> {
+    let Views { fitted: cameras, judges } = views;
     if cameras.is_empty() {
         return Err(Error::Argument { reason: "distilling a scene needs a camera".to_owned() });
     }
@@ -105,9 +122,10 @@ pub fn distill(
         judges.iter().map(of).sum::<f64>() / judges.len() as f64
     };
     let first_psnr = mean(&splats);
+    let steps = options.steps as usize;
     // views that no step will see need no image
-    let others = between(cameras, VIEWS.min(options.steps).saturating_sub(cameras.len()))?;
-    let targets: Vec<_> = cameras.iter().chain(&others).take(options.steps).collect();
+    let others = between(cameras, VIEWS.min(steps).saturating_sub(cameras.len()))?;
+    let targets: Vec<_> = cameras.iter().chain(&others).take(steps).collect();
     let pixels = |camera: &&Camera| {
         let Camera { width, height, .. } = shrunk(camera, options.side);
         u64::from(width) * u64::from(height)
@@ -116,12 +134,12 @@ pub fn distill(
     let targets = targets.into_iter().map(target).collect::<Result<Vec<_>>>()?;
     let mut adam = Adam::new(splats.len())?;
     let stride = stride(targets.len());
-    for step in 0..options.steps {
+    for step in 0..steps {
         let Target { camera, image } = &targets[step * stride % targets.len()];
         let gradient = gradient(&splats, camera, background, &colors(image.pixels()));
         let rate = LAST.powf(step as f32 / options.steps as f32);
         adam.step(&mut splats, &gradient, rate);
-        progress(step + 1);
+        progress(step + 1)?;
     }
     splats.retain(|splat| sigmoid(splat.opacity) >= 1.0 / 255.0);
     let psnr = mean(&splats);

@@ -1,8 +1,10 @@
 //! From Gaussians of other programs to a scene: trained on their own images, as a viewer that sorts shows them.
 
-use super::Splat;
+use std::ops::RangeInclusive;
+
 use super::distill::{displayed, shrunk};
 use super::sorted::render;
+use super::{Splat, Views};
 use crate::camera::Camera;
 use crate::data::{Dataset, Frame, Photograph};
 use crate::error::Result;
@@ -26,6 +28,18 @@ pub struct Import {
     pub background: [f32; 3],
 }
 
+impl Import {
+    /// How many steps there may be.
+    pub const STEPS: RangeInclusive<i64> = 1..=10_000_000;
+}
+
+/// 1500 steps, on images of 480 pixels, in front of black.
+impl Default for Import {
+    fn default() -> Self {
+        Self { steps: 1500, side: 480, background: [0.0; 3] }
+    }
+}
+
 /// A scene that was made of Gaussians.
 #[derive(Clone, Debug)]
 pub struct Imported {
@@ -37,17 +51,18 @@ pub struct Imported {
 }
 
 /// Makes a scene whose images are those of Gaussians: the networks are trained for it, and all values of the Gaussians move a
-/// little. `judges` are cameras that are only measured. `progress` is called with the steps that are done.
+/// little. `progress` is called with the steps that are done; its error ends the training.
 ///
 /// # Errors
-/// As [`Trainer::start`].
+/// As [`Trainer::start`]; that of `progress`.
 pub fn import(
     renderer: &Renderer,
     splats: &[Splat],
-    [cameras, judges]: [&[Camera]; 2],
+    views: &Views,
     options: Import,
-    progress: &mut dyn FnMut(usize),
+    progress: &mut dyn FnMut(usize) -> Result<()>,
 ) -> Result<Imported> {
+    let Views { fitted: cameras, judges } = views;
     let frame = |(index, camera): (usize, &Camera)| {
         let camera = shrunk(camera, options.side);
         let colors = displayed(render(splats, &camera, options.background));
@@ -66,7 +81,7 @@ pub fn import(
     let mut trainer = Trainer::resume(renderer, config, dataset, &begin)?;
     while !trainer.is_finished() {
         trainer.step()?;
-        progress(trainer.steps() as usize);
+        progress(trainer.steps() as usize)?;
     }
     let psnr = trainer.evaluate()?.mean.psnr;
     Ok(Imported { scene: trainer.scene().download(renderer.device())?, psnr })

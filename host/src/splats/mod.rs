@@ -8,12 +8,14 @@ mod harmonics;
 mod import;
 mod sorted;
 mod sorted_backward;
+mod views;
 
 pub use distill::{Distilled, Fit, distill, psnr};
 pub use files::{Format, load, save};
 pub(crate) use files::{base_color, read_from};
 pub use import::{Import, Imported, bounds, import};
 pub use sorted::render;
+pub use views::{Beside, Views, beside};
 
 use bytemuck::{Pod, Zeroable};
 use harmonics::HARMONICS;

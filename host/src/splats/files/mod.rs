@@ -31,15 +31,20 @@ pub enum Format {
 
 impl Format {
     /// By a file's ending.
-    #[must_use]
-    pub fn of(path: &Path) -> Option<Self> {
-        let ending = path.extension()?.to_ascii_lowercase();
-        match ending.to_str()? {
-            "ply" => Some(Self::Ply),
-            "spz" => Some(Self::Spz),
-            "glb" => Some(Self::Glb),
-            "splat" => Some(Self::Splat),
-            _ => None,
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for an ending of none of them.
+    pub fn of(path: &Path) -> Result<Self> {
+        let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+        match ending.as_ref().and_then(|ending| ending.to_str()) {
+            Some("ply") => Ok(Self::Ply),
+            Some("spz") => Ok(Self::Spz),
+            Some("glb") => Ok(Self::Glb),
+            Some("splat") => Ok(Self::Splat),
+            _ => invalid(
+                path,
+                "the ending of the file says how it is written: .ply, .spz, .glb or .splat",
+            ),
         }
     }
 }

@@ -1,0 +1,101 @@
+//! Files of programs that sort.
+
+use std::ops::RangeInclusive;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use organza::camera::Orbit;
+use organza::check_writable;
+use organza::data::Background;
+use organza::splats::{self, Fit, Format, Import, Views};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::cameras::Cameras;
+use crate::data::Dataset;
+use crate::error::{invalid, raise};
+use crate::job;
+use crate::renderer::{DeviceScene, Renderer, lock};
+use crate::scene::Scene;
+
+/// Writes a scene as Gaussians. `uploaded` is the scene on the renderer's device.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "the package names them")]
+pub fn export<'py>(
+    py: Python<'py>,
+    renderer: &Renderer,
+    scene: &Scene,
+    uploaded: &DeviceScene,
+    path: PathBuf,
+    cameras: Option<&Cameras>,
+    dataset: Option<&Dataset>,
+    steps: i64,
+    side: i64,
+) -> PyResult<Bound<'py, PyDict>> {
+    let fit =
+        Fit { steps: within("steps", steps, Fit::STEPS)?, side: within("side", side, Fit::SIDES)? };
+    let format = Format::of(&path).map_err(raise)?;
+    check_writable(&path).map_err(raise)?;
+    let (held, renderer) = (renderer.own(uploaded)?, renderer.0.clone());
+    let (scene, dataset) = (Arc::clone(&scene.0), dataset.map(|data| Arc::clone(&data.dataset)));
+    let cameras = cameras.map(|cameras| cameras.0.clone());
+    let (found, beside) = job::run_while_awaited(py, move |awaited| {
+        let views = match (cameras, &dataset) {
+            (Some(cameras), _) => Views::of_cameras(cameras),
+            (None, Some(data)) => Views::of_data_set(data),
+            (None, None) => Views::around(scene.config.aabb)?,
+        };
+        let uploaded = &lock(&held).scene;
+        let mut go_on = |_| awaited();
+        let found = splats::distill(&renderer, &scene, uploaded, &views, fit, &mut go_on)?;
+        let frames: Vec<_> = dataset.iter().flat_map(|data| data.held_out_frames()).collect();
+        let beside = splats::beside(&renderer, uploaded, &found.splats, &frames)?;
+        awaited()?;
+        splats::save(&found.splats, &path, format, Orbit::around(&views.fitted)?.up)?;
+        Ok((found, beside))
+    })?;
+    let dict = PyDict::new(py);
+    dict.set_item("gaussians", found.splats.len())?;
+    dict.set_item("psnr", found.psnr)?;
+    dict.set_item("first_psnr", found.first_psnr)?;
+    dict.set_item("scene_psnr", beside.map(|beside| beside.scene))?;
+    dict.set_item("file_psnr", beside.map(|beside| beside.splats))?;
+    Ok(dict)
+}
+
+/// Makes a scene of a file of Gaussians; how close its images are to the file's, in dB.
+#[pyfunction]
+pub fn import_splats(
+    py: Python<'_>,
+    renderer: &Renderer,
+    path: PathBuf,
+    cameras: Option<&Cameras>,
+    steps: i64,
+    side: i64,
+    background: &str,
+) -> PyResult<(Scene, Option<f64>)> {
+    let steps = within("steps", steps, Import::STEPS)?;
+    let side = within("side", side, Fit::SIDES)?;
+    let background = background.parse::<Background>();
+    let background =
+        background.map_err(|reason| invalid(format!("`background`: {reason}")))?.color();
+    let (renderer, cameras) = (renderer.0.clone(), cameras.map(|cameras| cameras.0.clone()));
+    let imported = job::run_while_awaited(py, move |awaited| {
+        let splats = splats::load(path)?;
+        let views = match cameras {
+            Some(cameras) => Views::of_cameras(cameras),
+            None => Views::around(splats::bounds(&splats))?,
+        };
+        let options = Import { steps, side, background };
+        splats::import(&renderer, &splats, &views, options, &mut |_| awaited())
+    })?;
+    Ok((Scene::new(imported.scene), imported.psnr))
+}
+
+fn within(name: &str, value: i64, range: RangeInclusive<i64>) -> PyResult<u32> {
+    if range.contains(&value) {
+        return Ok(value as u32);
+    }
+    let (least, most) = range.into_inner();
+    Err(invalid(format!("`{name}` is {value}, expected {least} to {most}")))
+}

@@ -77,7 +77,7 @@ pub struct Beside {
     pub splats: f64,
 }
 
-/// Compares a scene and Gaussians that were [made of it](super::distill) with photographs. None without photographs that have a valid
+/// Compares a scene and Gaussians that were [made of it](super::distill()) with photographs. None without photographs that have a valid
 /// pixel.
 ///
 /// # Errors

@@ -66,7 +66,11 @@ class Tiles:
 
 class Renderer:
     def __new__(
-        cls, backend: str = "auto", threads: int | None = None, adapter: str | None = None
+        cls,
+        backend: str = "auto",
+        threads: int | None = None,
+        adapter: str | None = None,
+        place: int = 0,
     ) -> Renderer: ...
     @property
     def device(self) -> str: ...
@@ -141,6 +145,7 @@ class Training:
         resume: bool,
         time_limit: float | None,
         has_loss: bool,
+        ranks: Any | None,
     ) -> Training: ...
     def wait(self) -> tuple[str, dict[str, Any]]: ...
     def proceed(self) -> None: ...

@@ -25,13 +25,18 @@ class Renderer(_organza.Renderer):
     """Renders scenes on a device.
 
     `backend` is "auto" (a GPU if there is one), "gpu" or "cpu"; `threads` are those of the CPU, one for each core unless given;
-    `adapter` is a part of a GPU's name. Raises `organza.Error` where a GPU was asked for and none can be used.
+    `adapter` is a part of a GPU's name; `place` chooses among equally capable GPUs, counted from 0 and around. Raises `organza.Error`
+    where a GPU was asked for and none can be used.
 
     All calls let other threads of Python run, and Ctrl-C interrupts them.
     """
 
     def __init__(
-        self, backend: str = "auto", threads: int | None = None, adapter: str | None = None
+        self,
+        backend: str = "auto",
+        threads: int | None = None,
+        adapter: str | None = None,
+        place: int = 0,
     ) -> None:
         # the constructor of the compiled class has taken the arguments
         self._lock = threading.Lock()

@@ -13,7 +13,7 @@ create_exception!(
     organza,
     Error,
     PyRuntimeError,
-    "organza cannot go on: there is no usable GPU, a GPU was lost, or training has left what numbers can hold."
+    "organza cannot go on: there is no usable GPU, a GPU was lost, training has left what numbers can hold, or another rank has failed."
 );
 
 /// The exception of an error. Its text is what the program prints.
@@ -29,7 +29,9 @@ pub fn raise(error: organza::Error) -> PyErr {
         }
         organza::Error::Device(DeviceError::OutOfMemory { .. }) => PyMemoryError::new_err(text),
         organza::Error::Device(DeviceError::Argument { .. }) => PyValueError::new_err(text),
-        organza::Error::Device(_) | organza::Error::Diverged { .. } => Error::new_err(text),
+        organza::Error::Device(_)
+        | organza::Error::Diverged { .. }
+        | organza::Error::Rank { .. } => Error::new_err(text),
         _ => PyValueError::new_err(text),
     }
 }

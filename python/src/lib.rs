@@ -5,6 +5,7 @@ mod cameras;
 mod data;
 mod error;
 mod job;
+mod ranks;
 mod renderer;
 mod run;
 mod scene;

@@ -54,12 +54,13 @@ pub fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 #[pymethods]
 impl Renderer {
     #[new]
-    #[pyo3(signature = (backend = "auto", threads = None, adapter = None))]
+    #[pyo3(signature = (backend = "auto", threads = None, adapter = None, place = 0))]
     fn new(
         py: Python<'_>,
         backend: &str,
         threads: Option<usize>,
         adapter: Option<String>,
+        place: usize,
     ) -> PyResult<Self> {
         let backend = match backend {
             "auto" => BackendChoice::Auto,
@@ -74,7 +75,8 @@ impl Renderer {
         if threads == Some(0) {
             return Err(invalid("`threads` is 0, expected at least 1"));
         }
-        let options = DeviceOptions::default().backend(backend).threads(threads).adapter(adapter);
+        let options = DeviceOptions::default().backend(backend).threads(threads);
+        let options = options.adapter(adapter).place(place);
         let open = move || organza::open_device(&options).map(organza::Renderer::new);
         job::run(py, open).map(Self)
     }

@@ -5,8 +5,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender};
 
 use organza::Renderer as Device;
+use organza::error::chain;
+use organza::ranks::Ranks;
 use organza::render::{LossBatch, LossGradient};
-use organza::train::{Event, Outcome, RunFolder, Session, StepHooks, Trainer};
+use organza::train::{self, Event, Outcome, RunFolder, Session, StepHooks, Trainer};
+
+use crate::ranks::PythonRanks;
 
 /// What the thread says.
 pub enum Message {
@@ -15,7 +19,7 @@ pub enum Message {
     Step(StepNumbers),
     Evaluated { step: u32, psnr: Option<f64>, ssim: Option<f64> },
     Loss { rendered: Vec<f32>, target: Vec<f32>, valid: Vec<f32>, shape: [usize; 4] },
-    Scene(organza::Result<organza::Scene>),
+    Scene(Box<organza::Result<organza::Scene>>),
     End(organza::Result<&'static str>),
 }
 
@@ -48,6 +52,8 @@ pub struct Run {
     pub resume: bool,
     pub time_limit: Option<f64>,
     pub has_loss: bool,
+    /// Who shares it.
+    pub ranks: Option<Arc<PythonRanks>>,
     pub stop: Arc<AtomicBool>,
     pub messages: Sender<Message>,
     pub answers: Receiver<Answer>,
@@ -56,9 +62,10 @@ pub struct Run {
 impl Run {
     /// Trains to the end.
     pub fn run(self) {
-        let outcome = match &self.folder {
-            Some(folder) => self.in_folder(folder),
-            None => self.without_folder(),
+        let outcome = match (&self.ranks, &self.folder) {
+            (Some(ranks), _) if ranks.rank() > 0 => self.follow(ranks),
+            (_, Some(folder)) => self.in_folder(folder),
+            (_, None) => self.without_folder(),
         };
         // nobody may wait for it anymore
         let _ = self.messages.send(Message::End(outcome));
@@ -85,9 +92,12 @@ impl Run {
     }
 
     fn in_folder(&self, folder: &RunFolder) -> organza::Result<&'static str> {
+        let mixed = self.ranks.as_ref().is_some_and(|ranks| ranks.mixed);
+        let ranks = self.ranks.clone().map(|ranks| ranks as Arc<dyn Ranks>);
         let session = Session::new(&self.device, &self.config, &self.dataset, folder)
             .with_time_limit(self.time_limit)
-            .with_stop(&self.stop);
+            .with_stop(&self.stop)
+            .with_ranks(ranks, mixed);
         let mut now = 0;
         let mut watch = |event: Event<'_>| match event {
             Event::Begin(step) => {
@@ -114,6 +124,14 @@ impl Run {
             Outcome::TimeLimit => "time limit",
             _ => "stopped",
         })
+    }
+
+    /// Does as rank 0 tells.
+    fn follow(&self, ranks: &Arc<PythonRanks>) -> organza::Result<&'static str> {
+        let all: Arc<dyn Ranks> = ranks.clone();
+        let followed = train::follow(&self.device, &self.dataset, &all, ranks.mixed);
+        followed.inspect_err(|error| ranks.fail(&chain(error)))?;
+        Ok("followed")
     }
 
     fn without_folder(&self) -> organza::Result<&'static str> {
@@ -143,7 +161,7 @@ impl Run {
     fn step(&self, numbers: StepNumbers, scene: &organza::DeviceScene) {
         self.send(Message::Step(numbers));
         while let Ok(Answer::Scene) = self.answers.recv() {
-            self.send(Message::Scene(scene.download(self.device.device())));
+            self.send(Message::Scene(Box::new(scene.download(self.device.device()))));
         }
     }
 

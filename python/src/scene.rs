@@ -151,7 +151,7 @@ pub fn array<'py>(
 ) -> PyResult<PyReadonlyArrayDyn<'py, f32>> {
     let numpy = value.py().import("numpy")?;
     let value = numpy.call_method1("ascontiguousarray", (value, "float32"))?;
-    let array: PyReadonlyArrayDyn<'py, f32> = value.extract().map_err(PyErr::from)?;
+    let array: PyReadonlyArrayDyn<'py, f32> = value.extract()?;
     // numpy makes [1] of a number
     if array.shape() == spec.shape || (spec.values() == 1 && array.len() == 1) {
         return Ok(array);

@@ -8,6 +8,7 @@ use std::thread::JoinHandle;
 
 use numpy::{IntoPyArray, PyArrayMethods, PyReadonlyArray4};
 use organza::data::Background;
+use organza::ranks::Ranks;
 use organza::render::LossGradient;
 use organza::train::{self, ConfigBuilder, Preset, RunFolder};
 use pyo3::prelude::*;
@@ -16,6 +17,7 @@ use pyo3::types::PyDict;
 use crate::data::Dataset;
 use crate::error::{invalid, raise};
 use crate::job;
+use crate::ranks::PythonRanks;
 use crate::renderer::Renderer;
 use crate::run::{Answer, Message, Run, StepNumbers};
 use crate::scene::Scene;
@@ -80,7 +82,7 @@ struct Channel {
 #[pymethods]
 impl Training {
     #[new]
-    #[pyo3(signature = (renderer, config, dataset, path, output, resume, time_limit, has_loss))]
+    #[pyo3(signature = (renderer, config, dataset, path, output, resume, time_limit, has_loss, ranks))]
     #[expect(clippy::too_many_arguments, reason = "the package names them")]
     fn new(
         py: Python<'_>,
@@ -92,18 +94,24 @@ impl Training {
         resume: bool,
         time_limit: Option<f64>,
         has_loss: bool,
+        ranks: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
+        let ranks = ranks.map(PythonRanks::new).transpose()?.map(Arc::new);
         let mut config = config.0.clone();
         if let Some(path) = path {
             // a run is resumed from anywhere
             config.data.path = Some(absolute(&path).unwrap_or(path));
         }
+        if let Some(dataset) = dataset {
+            config.data = dataset.data.clone();
+        }
+        config.check_memory().map_err(raise)?;
+        if let Some(ranks) = ranks.clone() {
+            config = job::run(py, move || settings_of_first(&ranks, config))?;
+        }
         let opened;
         let dataset = match dataset {
-            Some(dataset) => {
-                config.data = dataset.data.clone();
-                &dataset.dataset
-            }
+            Some(dataset) => &dataset.dataset,
             None => {
                 opened = Dataset::open(py, config.data.clone(), Some(&renderer.0))?;
                 &opened.dataset
@@ -113,7 +121,8 @@ impl Training {
             // as the program does: a run's file says which it was
             config.data.background = Background::Color(dataset.background.map(|c| c as f32));
         }
-        config.check_memory().map_err(raise)?;
+        let is_first = ranks.as_ref().is_none_or(|ranks| ranks.rank() == 0);
+        let output = output.filter(|_| is_first);
         let folder = output.map(|path| open_folder(&path, resume)).transpose()?;
         let stop = Arc::new(AtomicBool::new(false));
         let ((messages, receiver), (sender, answers)) = (channel(), channel());
@@ -125,6 +134,7 @@ impl Training {
             resume,
             time_limit,
             has_loss,
+            ranks,
             stop: Arc::clone(&stop),
             messages,
             answers,
@@ -265,6 +275,19 @@ impl Channel {
             let _ = thread.join();
         }
     }
+}
+
+/// The settings of rank 0: it alone knows those of a run that is resumed.
+fn settings_of_first(
+    ranks: &PythonRanks,
+    mine: organza::TrainConfig,
+) -> organza::Result<organza::TrainConfig> {
+    let text = ranks.broadcast(mine.to_toml().into_bytes())?;
+    if ranks.rank() == 0 {
+        return Ok(mine);
+    }
+    let text = String::from_utf8_lossy(&text);
+    organza::TrainConfig::parse(&text, "the settings of rank 0".as_ref())
 }
 
 fn open_folder(path: &Path, resume: bool) -> PyResult<RunFolder> {

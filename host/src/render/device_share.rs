@@ -20,6 +20,28 @@ pub struct DeviceShare {
 }
 
 impl DeviceShare {
+    /// The Gaussians of `scene`, which are a share of so many, and its fields.
+    ///
+    /// # Errors
+    /// As [`Renderer::upload_with`].
+    pub(crate) fn upload(
+        renderer: &Renderer,
+        scene: &Scene,
+        of_all: usize,
+        options: UploadOptions,
+    ) -> Result<Self> {
+        let Scene { config, gaussians, color, transmittance } = scene;
+        if !gaussians.is_empty() {
+            scene.validate()?;
+        }
+        let mut fields = Scene::zeros(config.clone(), 1)?;
+        (fields.color, fields.transmittance) = (color.clone(), transmittance.clone());
+        let fields = renderer.upload_with(&fields, options)?;
+        let mut uploaded = Self { fields, slices: Vec::new(), slices_of_all: 0 };
+        uploaded.replace_gaussians(renderer.device(), gaussians, of_all)?;
+        Ok(uploaded)
+    }
+
     /// The configuration of the scene.
     #[must_use]
     pub fn config(&self) -> &SceneConfig {
@@ -130,15 +152,6 @@ impl Renderer {
     /// # Errors
     /// As [`Renderer::upload_with`].
     pub fn upload_share(&self, share: &SceneShare, options: UploadOptions) -> Result<DeviceShare> {
-        let Scene { config, gaussians, color, transmittance } = &share.scene;
-        if !gaussians.is_empty() {
-            share.scene.validate()?;
-        }
-        let mut fields = Scene::zeros(config.clone(), 1)?;
-        (fields.color, fields.transmittance) = (color.clone(), transmittance.clone());
-        let fields = self.upload_with(&fields, options)?;
-        let mut uploaded = DeviceShare { fields, slices: Vec::new(), slices_of_all: 0 };
-        uploaded.replace_gaussians(self.device(), gaussians, share.gaussians)?;
-        Ok(uploaded)
+        DeviceShare::upload(self, &share.scene, share.gaussians, options)
     }
 }

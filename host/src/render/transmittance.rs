@@ -23,7 +23,6 @@ use super::gradient::SceneGradient;
 use super::pair::sum_pairs;
 use super::scan::exclusive_scan;
 use super::scene::DeviceScene;
-use crate::scene::Contraction;
 use organza_device::{Buffer, Count, Device, Error, Result};
 
 /// Transmittance of every pair.
@@ -99,7 +98,7 @@ impl Transmittance {
         let log_rho = log_rho(device, scene, pairs, segment, first, &self.blocks)?;
         let (segment, first) = (device.read(segment)?, device.read(first)?);
         let log_rho = device.read(&log_rho)?;
-        let is_contracted = scene.config.contraction != Contraction::None;
+        let is_contracted = !scene.config.contraction.is_none();
         let ray = |(pair, vectors): (usize, &[Vec4; SEGMENT_VECTORS as usize])| {
             let [start, w, start_rest, w_rest] = *vectors;
             let log_rho = &log_rho[first[pair] as usize..first[pair + 1] as usize];

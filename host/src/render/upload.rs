@@ -12,7 +12,7 @@ use super::packed::{pack, upload};
 use super::renderer::Renderer;
 use super::scene::DeviceScene;
 use crate::error::{Error, IN_MEMORY, Result};
-use crate::scene::{Contraction, Scene};
+use crate::scene::Scene;
 
 impl Renderer {
     /// Copies a scene to the device, as it is; [`Renderer::upload_with`] has choices.
@@ -45,7 +45,7 @@ impl Renderer {
             DeviceField::new(device, name, grid, field, tensors, options)
         };
         let (color, transmittance) = (&scene.color, &scene.transmittance);
-        let is_contracted = config.contraction != Contraction::None;
+        let is_contracted = !config.contraction.is_none();
         let scene_box = SceneBox::new(config.aabb, is_contracted).pack();
         Ok(DeviceScene {
             gaussians: scene.gaussians.len() as u32,

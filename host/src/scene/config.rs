@@ -61,7 +61,9 @@ pub enum Contraction {
 }
 
 impl Contraction {
-    fn is_none(&self) -> bool {
+    /// Whether space outside the box is not contracted.
+    #[must_use]
+    pub fn is_none(&self) -> bool {
         *self == Self::None
     }
 

@@ -1,6 +1,6 @@
 //! What is legal in a scene but probably not meant.
 
-use super::{Contraction, Scene};
+use super::Scene;
 
 /// From here on an f32 position keeps fewer than 11 bits of its fraction inside a cell.
 const FINE_RESOLUTION: u32 = 8192;
@@ -41,7 +41,7 @@ impl Scene {
         };
         let extents = lo.iter().zip(hi).map(|(lo, hi)| hi - lo);
         let diagonal = extents.map(|extent| extent * extent).sum::<f64>().sqrt();
-        let is_contracted = self.config.contraction != Contraction::None;
+        let is_contracted = !self.config.contraction.is_none();
         // cells are larger where space is contracted: what is far away may be as large as it is far
         let far = |position: &[f32; 3]| {
             let axes = position.iter().zip(lo).zip(hi);

@@ -4,9 +4,11 @@ use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
-use super::config::RunConfig;
+use super::config::{LossConfig, RunConfig};
+use crate::camera::Camera;
 use crate::data::Frame;
 use crate::error::Result;
+use crate::render::LossTarget;
 use crate::tile::{Tile, TileBatch};
 use organza_device::memory;
 
@@ -58,11 +60,22 @@ impl Sampler {
         Self { side, seed: run.seed, group, groups_per_step, sizes, groups, epoch: None }
     }
 
+    /// For the photographs of these cameras.
+    ///
+    /// # Errors
+    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+    pub fn of_cameras(cameras: &[Camera], run: &RunConfig) -> Result<Self> {
+        let sizes = cameras.iter().map(|camera| [camera.width, camera.height]).collect();
+        let sampler = Self::new(sizes, run);
+        sampler.check_memory()?;
+        Ok(sampler)
+    }
+
     /// Fails where the tiles of an epoch do not fit: there are as many as pixels where they have one each.
     ///
     /// # Errors
     /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
-    pub fn check_memory(&self) -> Result<()> {
+    fn check_memory(&self) -> Result<()> {
         let cells = |&[width, height]: &[u32; 2]| {
             u64::from(cells(width, self.side)) * u64::from(cells(height, self.side))
         };
@@ -140,6 +153,13 @@ impl Target {
         }
         let valid_pixels = valid.iter().map(|&valid| f64::from(valid)).sum();
         Ok(Self { image, valid, valid_pixels })
+    }
+
+    /// What rendered tiles are compared with; `exposure` as in [`LossTarget`].
+    pub fn of_loss<'a>(&'a self, loss: &LossConfig, exposure: Option<&'a [f32]>) -> LossTarget<'a> {
+        let Self { image, valid, valid_pixels } = self;
+        let (valid_pixels, ssim_weight) = (*valid_pixels, loss.ssim_weight);
+        LossTarget { image, valid, valid_pixels, ssim_weight, exposure }
     }
 }
 

@@ -13,8 +13,7 @@ use crate::camera::Camera;
 use crate::data::Dataset;
 use crate::error::{Error, Result};
 use crate::ranks::Ranks;
-use crate::render::{DeviceShare, Loss, LossTarget, Renderer, ShareGradient, UploadOptions};
-use crate::scene::SceneShare;
+use crate::render::{DeviceShare, Loss, Renderer, ShareGradient, UploadOptions};
 
 /// A [`Trainer`](super::Trainer) for one of many [ranks](crate::ranks) that hold a share of the Gaussians each, and all of
 /// the fields. All ranks take the same steps. The scene's bits do not depend on the number of ranks. They are others than
@@ -87,9 +86,7 @@ impl ShareTrainer {
             return Err(Error::Argument { reason: NO_EXPOSURES.to_owned() });
         }
         let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
-        let sizes = cameras.iter().map(|camera| [camera.width, camera.height]).collect();
-        let sampler = Sampler::new(sizes, &config.run);
-        sampler.check_memory()?;
+        let sampler = Sampler::of_cameras(&cameras, &config.run)?;
         let state = State::upload(renderer, &config, checkpoint)?;
         let (renderer, step, loss) = (renderer.clone(), checkpoint.state.progress.step, None);
         Ok(Self { renderer, config, dataset, cameras, sampler, loss, state, step, ranks })
@@ -160,24 +157,14 @@ impl ShareTrainer {
         let batch = self.sampler.batch(self.step);
         let frames: Vec<_> = self.dataset.train_frames().collect();
         let target = Target::of(&batch, &frames)?;
-        let target = LossTarget {
-            exposure: None,
-            image: &target.image,
-            valid: &target.valid,
-            valid_pixels: target.valid_pixels,
-            ssim_weight: self.config.loss.ssim_weight,
-        };
+        let target = target.of_loss(&self.config.loss, None);
         let State { share, optimizer, gradient, .. } = &self.state;
         let (shared, cameras, kept) = ((share, &*self.ranks), &self.cameras, &mut self.loss);
         let losses =
             self.renderer.add_share_gradient(shared, cameras, &batch, kept, &target, gradient)?;
         let report = StepReport::of(&losses, target.ssim_weight);
         let device = self.renderer.device();
-        if !report.loss.is_finite() {
-            gradient.restart(device);
-            let reason = format!("the loss of step {} is {}", self.step, report.loss);
-            return Err(Error::Diverged { reason });
-        }
+        report.check(self.step).inspect_err(|_| gradient.restart(device))?;
         let now = (self.step, self.config.run.share(self.step));
         let settings = &self.config.optimizer;
         device.run_in_pool(|| optimizer.step(device, share, gradient, settings, now))?;
@@ -204,10 +191,9 @@ impl State {
         checkpoint: &CheckpointShare,
     ) -> Result<Self> {
         let device = renderer.device();
-        let CheckpointShare { state, range, gaussians } = checkpoint;
-        let (range, gaussians) = (range.clone(), *gaussians);
-        let share = SceneShare { scene: state.scene.clone(), range, gaussians };
-        let mut share = renderer.upload_share(&share, UploadOptions::default())?;
+        let (state, gaussians) = (&checkpoint.state, checkpoint.gaussians);
+        let options = UploadOptions::default();
+        let mut share = DeviceShare::upload(renderer, &state.scene, gaussians, options)?;
         if !config.ablation.divide {
             share.never_divide();
         }

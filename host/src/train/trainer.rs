@@ -19,9 +19,7 @@ use crate::error::{Error, IN_MEMORY, Result};
 use crate::evaluate::{Evaluation, evaluate};
 use crate::metrics;
 use crate::ranks::Ranks;
-use crate::render::{
-    DeviceScene, ExposureGradient, Loss, LossTarget, Renderer, SceneGradient, TileLoss,
-};
+use crate::render::{DeviceScene, ExposureGradient, Loss, Renderer, SceneGradient, TileLoss};
 use crate::tile::TileBatch;
 
 const GROWTH: u64 = 4;
@@ -136,9 +134,7 @@ impl Trainer {
         let dataset = dataset.into();
         check(&config, &dataset)?;
         let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
-        let sizes = cameras.iter().map(|camera| [camera.width, camera.height]).collect();
-        let sampler = Sampler::new(sizes, &config.run);
-        sampler.check_memory()?;
+        let sampler = Sampler::of_cameras(&cameras, &config.run)?;
         let exposures = match config.exposure.method {
             ExposureMethod::None => None,
             ExposureMethod::Affine => Some(checkpoint.exposures_of(cameras.len())?),
@@ -246,11 +242,7 @@ impl Trainer {
         let batch = self.sampler.batch(self.step);
         let restart = |trainer: &Self| trainer.state.gradient.restart(trainer.renderer.device());
         let (report, exposures) = self.add_gradient(&batch, hooks)?;
-        if !report.loss.is_finite() {
-            restart(self);
-            let reason = format!("the loss of step {} is {}", self.step, report.loss);
-            return Err(Error::Diverged { reason });
-        }
+        report.check(self.step).inspect_err(|_| restart(self))?;
         let device = self.renderer.device();
         let State { scene, optimizer, gradient } = &self.state;
         if let Some(hook) = &mut hooks.gradient {
@@ -281,13 +273,7 @@ impl Trainer {
         let frames: Vec<_> = self.dataset.train_frames().collect();
         let target = Target::of(batch, &frames)?;
         let exposure = self.exposures.as_ref().map(|exposures| exposures.of_tiles(batch));
-        let target = LossTarget {
-            exposure: exposure.as_deref(),
-            image: &target.image,
-            valid: &target.valid,
-            valid_pixels: target.valid_pixels,
-            ssim_weight: self.config.loss.ssim_weight,
-        };
+        let target = target.of_loss(&self.config.loss, exposure.as_deref());
         let State { scene, gradient, .. } = &self.state;
         let (renderer, cameras) = (&self.renderer, &self.cameras[..]);
         if let Some(own) = &mut hooks.loss {
@@ -369,6 +355,15 @@ impl StepReport {
             tiles: losses.len(),
             grown: None,
         }
+    }
+
+    /// Fails where the loss of the step is not finite.
+    pub(super) fn check(&self, step: u32) -> Result<()> {
+        if self.loss.is_finite() {
+            return Ok(());
+        }
+        let reason = format!("the loss of step {step} is {}", self.loss);
+        Err(Error::Diverged { reason })
     }
 }
 

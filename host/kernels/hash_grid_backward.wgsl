@@ -41,12 +41,12 @@ struct type_25 {
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(0) 
-var<uniform> global_3: type_15;
-@group(0) @binding(1) 
-var<storage> global_4: type_19;
 @group(0) @binding(2) 
-var<storage> global_5: type_5;
+var<storage> global_3: type_5;
+@group(0) @binding(0) 
+var<uniform> global_4: type_15;
+@group(0) @binding(1) 
+var<storage> global_5: type_19;
 @group(0) @binding(3) 
 var<storage> global_6: type_5;
 @group(0) @binding(4) 
@@ -124,18 +124,18 @@ fn function_() {
             let _e37 = global_1;
             let _e38 = global_2;
             let _e46 = (((_e37.x + (_e37.y * _e38.x)) * 64u) + _e36.x);
-            let _e49 = global_3.member.member;
+            let _e49 = global_4.member.member;
             if (_e46 < _e49) {
-                let _e53 = global_3.member.member_3;
-                let _e57 = global_3.member.member_2;
-                let _e62 = global_3.member.member_7;
-                let _e65 = global_3.member.member_5;
+                let _e53 = global_4.member.member_3;
+                let _e57 = global_4.member.member_2;
+                let _e62 = global_4.member.member_7;
+                let _e65 = global_4.member.member_5;
                 let _e66 = (_e65 == 0u);
                 if _e66 {
                     break;
                 }
                 let _e67 = (_e46 / _e65);
-                let _e70 = global_3.member.member_1;
+                let _e70 = global_4.member.member_1;
                 if _e66 {
                     break;
                 }
@@ -190,8 +190,8 @@ fn function_() {
                 let _e120 = local_2;
                 let _e122 = select(false, (_e120 < 1f), (0.000000000000000000000000000000000000011754944f <= _e117));
                 if _e122 {
-                    let _e125 = global_4.member[_e37.z];
-                    let _e128 = global_3.member.member_6;
+                    let _e125 = global_5.member[_e37.z];
+                    let _e128 = global_4.member.member_6;
                     if _e66 {
                         break;
                     }
@@ -199,16 +199,16 @@ fn function_() {
                         break;
                     }
                     let _e131 = ((_e67 * (_e128 * _e70)) + _e73);
-                    let _e134 = global_5.member[_e131];
+                    let _e134 = global_3.member[_e131];
                     let _e135 = (3u * _e70);
-                    let _e139 = global_5.member[(_e131 + _e135)];
+                    let _e139 = global_3.member[(_e131 + _e135)];
                     let _e140 = (_e70 + _e131);
-                    let _e143 = global_5.member[_e140];
-                    let _e147 = global_5.member[(_e140 + _e135)];
+                    let _e143 = global_3.member[_e140];
+                    let _e147 = global_3.member[(_e140 + _e135)];
                     let _e149 = ((2u * _e70) + _e131);
-                    let _e152 = global_5.member[_e149];
-                    let _e156 = global_5.member[(_e149 + _e135)];
-                    let _e159 = global_3.member.member_4;
+                    let _e152 = global_3.member[_e149];
+                    let _e156 = global_3.member[(_e149 + _e135)];
+                    let _e159 = global_4.member.member_4;
                     let _e160 = (_e159 != 0u);
                     let _e161 = (_e134 + _e139);
                     let _e164 = select(false, (_e161 < 1f), (0f < _e161));

@@ -6,13 +6,13 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_14 {
+struct type_15 {
     member: u32,
     member_1: u32,
 }
 
-struct type_15 {
-    member: type_14,
+struct type_16 {
+    member: type_15,
 }
 
 var<private> global: vec3<u32>;
@@ -21,7 +21,7 @@ var<private> global_2: vec3<u32>;
 @group(0) @binding(1) 
 var<storage> global_3: type_11;
 @group(0) @binding(0) 
-var<uniform> global_4: type_15;
+var<uniform> global_4: type_16;
 @group(0) @binding(3) 
 var<storage> global_5: type_5;
 @group(0) @binding(2) 

@@ -10,22 +10,22 @@ struct type_16 {
     member: array<u32>,
 }
 
-struct type_21 {
+struct type_20 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: f32,
 }
 
-struct type_22 {
-    member: type_21,
+struct type_21 {
+    member: type_20,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_22;
+var<uniform> global_3: type_21;
 @group(0) @binding(1) 
 var<storage> global_4: type_9;
 @group(0) @binding(2) 
@@ -34,12 +34,12 @@ var<storage> global_5: type_9;
 var<storage> global_6: type_9;
 @group(0) @binding(4) 
 var<storage> global_7: type_9;
-@group(0) @binding(5) 
-var<storage> global_8: type_16;
-@group(0) @binding(6) 
-var<storage> global_9: type_16;
 @group(0) @binding(7) 
-var<storage> global_10: type_6;
+var<storage> global_8: type_6;
+@group(0) @binding(5) 
+var<storage> global_9: type_16;
+@group(0) @binding(6) 
+var<storage> global_10: type_16;
 @group(0) @binding(8) 
 var<storage, read_write> global_11: type_9;
 
@@ -125,7 +125,7 @@ fn function_() {
             if _e123 {
                 let _e126 = global_3.member.member_1;
                 let _e128 = ((_e115 * _e126) + (_e61 / 32u));
-                let _e131 = global_8.member[_e128];
+                let _e131 = global_9.member[_e128];
                 if ((_e131 & _e70) == 0u) {
                     phi_735_ = _e109;
                     phi_736_ = _e111;
@@ -133,10 +133,10 @@ fn function_() {
                     phi_738_ = _e117;
                     phi_739_ = _e119;
                 } else {
-                    let _e139 = global_9.member[_e128];
+                    let _e139 = global_10.member[_e128];
                     let _e141 = (3u * (_e139 + countOneBits((_e131 & (_e70 - 1u)))));
-                    let _e144 = global_10.member[_e141];
-                    let _e148 = global_10.member[(_e141 + 1u)];
+                    let _e144 = global_8.member[_e141];
+                    let _e148 = global_8.member[(_e141 + 1u)];
                     let _e155 = (_e115 * 18u);
                     let _e158 = global_4.member[_e155];
                     let _e162 = global_4.member[(_e155 + 1u)];

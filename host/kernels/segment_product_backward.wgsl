@@ -24,10 +24,10 @@ struct type_20 {
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(1) 
-var<storage> global_3: type_16;
 @group(0) @binding(0) 
-var<uniform> global_4: type_20;
+var<uniform> global_3: type_20;
+@group(0) @binding(1) 
+var<storage> global_4: type_16;
 @group(0) @binding(2) 
 var<storage> global_5: type_9;
 @group(0) @binding(3) 
@@ -43,14 +43,14 @@ fn function_() {
     let _e15 = global_1;
     let _e16 = global_2;
     let _e24 = (((_e15.x + (_e15.y * _e16.x)) * 64u) + _e14.x);
-    let _e27 = global_4.member.member;
+    let _e27 = global_3.member.member;
     if (_e24 < _e27) {
-        let _e31 = global_4.member.member_1;
+        let _e31 = global_3.member.member_1;
         let _e32 = (_e31 + _e24);
-        let _e35 = global_4.member.member_3;
-        let _e38 = global_4.member.member_2;
-        let _e41 = global_3.member[_e32];
-        let _e45 = global_3.member[(_e32 + 1u)];
+        let _e35 = global_3.member.member_3;
+        let _e38 = global_3.member.member_2;
+        let _e41 = global_4.member[_e32];
+        let _e45 = global_4.member[(_e32 + 1u)];
         let _e48 = (_e35 + _e38);
         let _e50 = select(_e48, _e45, (_e45 < _e48));
         let _e58 = global_6.member[(_e32 * 3u)];

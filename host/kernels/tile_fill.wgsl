@@ -19,15 +19,15 @@ var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(1) 
 var<storage> global_3: type_11;
-@group(0) @binding(0) 
-var<uniform> global_4: type_15;
-@group(0) @binding(2) 
-var<storage> global_5: type_6;
-@group(0) @binding(3) 
-var<storage> global_6: type_6;
-@group(0) @binding(4) 
-var<storage> global_7: type_6;
 @group(0) @binding(5) 
+var<storage> global_4: type_6;
+@group(0) @binding(0) 
+var<uniform> global_5: type_15;
+@group(0) @binding(2) 
+var<storage> global_6: type_6;
+@group(0) @binding(3) 
+var<storage> global_7: type_6;
+@group(0) @binding(4) 
 var<storage> global_8: type_6;
 @group(0) @binding(6) 
 var<storage, read_write> global_9: type_6;
@@ -43,15 +43,15 @@ fn function_() {
     let _e21 = global_1;
     let _e22 = global_2;
     let _e30 = (((_e21.x + (_e21.y * _e22.x)) * 64u) + _e20.x);
-    let _e33 = global_4.member.member;
+    let _e33 = global_5.member.member;
     if (_e30 < _e33) {
         let _e37 = ((_e21.z * _e33) + _e30);
-        let _e40 = global_5.member[_e37];
+        let _e40 = global_6.member[_e37];
         let _e44 = global_3.member[(_e21.z * 4u)];
         let _e47 = ((bitcast<u32>(_e44) * _e33) + _e30);
-        let _e50 = global_7.member[_e47];
-        let _e53 = global_8.member[_e47];
-        let _e56 = global_6.member[_e37];
+        let _e50 = global_8.member[_e47];
+        let _e53 = global_4.member[_e47];
+        let _e56 = global_7.member[_e37];
         phi_77_ = 0i;
         phi_80_ = _e56;
         loop {

@@ -1,5 +1,6 @@
 //! Pinhole cameras from nerfstudio's `transforms.json`, and their paths.
 
+mod moved;
 mod orbit;
 pub(crate) mod parse;
 mod path;
@@ -8,6 +9,7 @@ mod tests;
 
 use std::path::Path;
 
+pub(crate) use moved::{to_rotation_vector, turned};
 pub use orbit::Orbit;
 pub(crate) use orbit::upward;
 pub use path::CameraPath;
@@ -299,11 +301,11 @@ pub(crate) fn camera_error(origin: &Path, frame: usize, reason: String) -> Error
     Error::Camera { origin: origin.to_owned(), frame, reason }
 }
 
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|i| {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         a[j] * b[k] - a[k] * b[j]

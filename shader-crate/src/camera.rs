@@ -24,9 +24,7 @@ impl Camera {
     /// A position in world space, in the camera's space.
     #[inline(always)]
     pub fn to_camera(&self, position: Vec3) -> Vec3 {
-        let [right, down, forward] = self.rotation;
-        let offset = position - self.eye;
-        Vec3::new(dot(right, offset), dot(down, offset), dot(forward, offset))
+        self.turn_to_camera(position - self.eye)
     }
 
     /// As [`Camera::to_camera`], of several positions.
@@ -44,6 +42,13 @@ impl Camera {
     pub fn turn_to_world(&self, direction: Vec3) -> Vec3 {
         let [right, down, forward] = self.rotation;
         right * direction.x + down * direction.y + forward * direction.z
+    }
+
+    /// A direction in world space, in the camera's space.
+    #[inline(always)]
+    pub fn turn_to_camera(&self, direction: Vec3) -> Vec3 {
+        let [right, down, forward] = self.rotation;
+        Vec3::new(dot(right, direction), dot(down, direction), dot(forward, direction))
     }
 
     /// Floats that a camera takes in a buffer.

@@ -30,6 +30,7 @@ pub mod limits;
 pub mod loss;
 pub mod pair;
 pub mod peak;
+pub mod pose_backward;
 pub mod project;
 pub mod project_backward;
 pub mod resolve;

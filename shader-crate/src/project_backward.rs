@@ -39,22 +39,34 @@ pub fn rotation_columns_backward(q: Vec4, gradient: [Vec3; 3]) -> Vec4 {
     (d - Vec4::new(w, x, y, z) * along) * scale
 }
 
+/// A loss's derivatives with respect to what a [`Footprint`] is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct FootprintGradient {
+    /// Of the position in the camera's space.
+    pub t: Vec3,
+    /// Of the first row of `J W`, but for what t changes there.
+    pub row_x: Vec3,
+    /// Of the second row of `J W`, likewise.
+    pub row_y: Vec3,
+    /// Of the columns of R.
+    pub axes: [Vec3; 3],
+    /// Of the logarithms of S.
+    pub log_scale: Vec3,
+}
+
 /// Derivative of [`project_gaussian`](crate::project::project_gaussian) for a Gaussian that is not culled, of dL/dmean2d
-/// and dL/dconic (xx, xy, yy).
+/// and dL/dconic (xx, xy, yy), with respect to its footprint.
 ///
 /// With H = J W R S and `cov2d = H H^T + blur I`: `dL/dH = -2 conic G conic H`, G the symmetric matrix of dL/dconic.
 #[inline(always)]
-pub fn project_gaussian_backward(
+pub fn footprint_backward(
     camera: &Camera,
     blur: f32,
-    position: Vec3,
-    rotation: Vec4,
-    log_scale: Vec3,
+    footprint: &Footprint,
     mean2d: Vec2,
     conic: Vec3,
-) -> GaussianGradient {
-    let footprint = Footprint::new(camera, position, rotation, log_scale);
-    let Footprint { lens, axes, scale, u, v, .. } = footprint;
+) -> FootprintGradient {
+    let Footprint { lens, axes, scale, u, v, .. } = *footprint;
 
     // conic H, without the cancellation of a needle: |v|^2 u - (u.v) v = v x (u x v)
     let (uu, uv, vv) = (dot(u, u), dot(u, v), dot(v, v));
@@ -78,11 +90,28 @@ pub fn project_gaussian_backward(
     let [axis_x, axis_y, axis_z] = axes;
     let d_row_x = axis_x * su.x + axis_y * su.y + axis_z * su.z;
     let d_row_y = axis_x * sv.x + axis_y * sv.y + axis_z * sv.z;
-    let d_t = lens.backward(camera, mean2d, d_row_x, d_row_y);
+    let t = lens.backward(camera, mean2d, d_row_x, d_row_y);
+    FootprintGradient { t, row_x: d_row_x, row_y: d_row_y, axes: columns, log_scale }
+}
+
+/// Derivative of [`project_gaussian`](crate::project::project_gaussian) for a Gaussian that is not culled, of dL/dmean2d
+/// and dL/dconic (xx, xy, yy).
+#[inline(always)]
+pub fn project_gaussian_backward(
+    camera: &Camera,
+    blur: f32,
+    position: Vec3,
+    rotation: Vec4,
+    log_scale: Vec3,
+    mean2d: Vec2,
+    conic: Vec3,
+) -> GaussianGradient {
+    let footprint = Footprint::new(camera, position, rotation, log_scale);
+    let found = footprint_backward(camera, blur, &footprint, mean2d, conic);
     GaussianGradient {
-        position: camera.turn_to_world(d_t),
-        rotation: rotation_columns_backward(rotation, columns),
-        log_scale,
+        position: camera.turn_to_world(found.t),
+        rotation: rotation_columns_backward(rotation, found.axes),
+        log_scale: found.log_scale,
     }
 }
 

@@ -112,9 +112,13 @@ const GRADIENT: f64 = 1e-3;
 fn gradients_are_those_of_the_reference() {
     cases::on_every_device(|backend, renderer, case, scene| {
         let grad_output = case.expected("grad_output");
-        let gradient = renderer
-            .gradient(scene, &case.cameras, &case.tiles, grad_output)
-            .expect("there is a gradient");
+        let recording = renderer.record(scene, &case.cameras, &case.tiles).expect("it renders");
+        let (gradient, poses) =
+            recording.backward_with_poses(grad_output).expect("there is a gradient");
+        let (name, expected) = ("grad.poses", case.expected("grad.poses"));
+        let relative = difference(poses.as_flattened(), expected).relative;
+        assert!(relative <= GRADIENT, "{}, {name} on {backend}: {relative:.3e}", case.name);
+        println!("{}, {name} on {backend}: {relative:.1e} relative", case.name);
         for (tensor, found) in gradient.tensors() {
             let name = format!("grad.{}", tensor.name);
             let expected = if found.is_empty() { &[] } else { case.expected(&name) };

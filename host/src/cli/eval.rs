@@ -85,7 +85,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let scene = source.load(console)?;
     let of_scene = scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32);
     settings.background = args.background.unwrap_or(Background::Color(of_scene));
-    let data = DataSet::open(settings, console)?.only(split)?;
+    let data = DataSet::open(settings, console)?;
+    let data = data.refined(&source, args.data.as_deref())?.only(split)?;
     let renderer = args.device.open(console)?;
     let dataset = data.read(&renderer, console)?;
     let frames = frames(args, &dataset, split)?;

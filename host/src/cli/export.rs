@@ -122,7 +122,7 @@ fn load_views(
         return Ok((views, None));
     }
     let settings = args.data.settings(source, named, USAGE)?;
-    let data = DataSet::open(settings, console)?.read(renderer, console)?;
+    let data = DataSet::open(settings, console)?.refined(source, named)?.read(renderer, console)?;
     let all = |frames: &mut dyn Iterator<Item = &Frame>| Views {
         fitted: frames.map(|frame| frame.camera.clone()).collect(),
         judges: Vec::new(),

@@ -8,6 +8,7 @@ use clap::builder::PossibleValuesParser;
 use organza::Result;
 use organza::data::Background;
 use organza::error::{self, format_bytes};
+use organza::train::config::PoseMethod;
 use organza::train::{
     self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, RunFolder, Session, Split,
     TrainConfig,
@@ -35,6 +36,7 @@ Examples:
   organza train data/fox -o other --config run/config.toml --seed 1
   organza train data/fox -o small --set scene.color_mlp.hidden=16,16 --set growth.method=none
   organza train -o run --tensorboard                   then: tensorboard --logdir run
+  organza train data/fox -o run --refine-poses         poses of a phone, off by some pixels
   organza train data/fox -o run --view                 look at it while it trains
   organza train data/fox -o run --start scene.ply      from Gaussians that another program has made
   organza train data/fox -o run --ranks 2              on two GPUs
@@ -73,7 +75,7 @@ pub struct Args {
     /// --evaluate-every, --checkpoint-every and --set run.log_every change what is written
     #[arg(long, value_name = "RUN", conflicts_with_all = ["output", "data", "preset", "config", "seed",
         "tiles_per_step", "tile_size", "downscale", "hold_out_every", "allow_outside", "sh_degree", "background",
-        "minutes", "start"])]
+        "minutes", "start", "refine_poses"])]
     resume: Option<PathBuf>,
     #[command(flatten)]
     settings: SettingsArgs,
@@ -153,6 +155,9 @@ pub struct SettingsArgs {
     /// Read what the data set names outside its own folder, by a path or a link
     #[arg(long)]
     allow_outside: bool,
+    /// Also learn how the camera of each photograph stood: for poses that are a little off
+    #[arg(long)]
+    refine_poses: bool,
     /// Seed of all random choices
     #[arg(long, value_name = "N")]
     seed: Option<u64>,
@@ -450,6 +455,9 @@ impl SettingsArgs {
         set(&mut config.data.background, &self.background);
         config.data.allow_outside |= self.allow_outside;
         config.run.tensorboard |= self.tensorboard;
+        if self.refine_poses {
+            config.poses.method = PoseMethod::Refine;
+        }
         other(&mut config);
         // options are held to what files are held to
         TrainConfig::parse(&config.to_toml(), Path::new(""))

@@ -195,9 +195,9 @@ fn surroundings(args: &Args, source: &SceneSource, console: Console) -> Result<S
         }
     }
     let settings = args.data_args.settings(source, named, usage)?;
-    let data = DataSet::open(settings, console)?;
+    let data = DataSet::open(settings, console)?.refined(source, named)?;
     let poses = data.cameras()?;
-    let (photographs, points) = data.photographs(&poses);
+    let (photographs, points) = data.photographs();
     Ok(Surroundings { poses, photographs, points })
 }
 

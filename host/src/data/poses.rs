@@ -94,6 +94,20 @@ impl Poses {
         self.listing.shots.iter().map(pose).collect()
     }
 
+    /// Moves cameras, as [`Camera::moved`] does: those of the frames that have a motion here, in the order of [`Poses::cameras`].
+    ///
+    /// # Errors
+    /// [`Error::Camera`] where a camera then is where no number reaches.
+    pub fn move_cameras(&mut self, motions: &[Option<[f64; 6]>]) -> Result<()> {
+        let moved = self.listing.shots.iter_mut().zip(motions).enumerate();
+        for (index, (shot, motion)) in moved {
+            let Some(motion) = motion else { continue };
+            shot.camera = shot.camera.moved(*motion);
+            shot.camera.validate(index)?;
+        }
+        Ok(())
+    }
+
     /// Reads one photograph, by its camera's index; none where there is no such camera.
     ///
     /// # Errors

@@ -23,6 +23,7 @@ pub mod hash_grid_scale;
 pub mod loss;
 pub mod pair;
 pub mod peak;
+pub mod pose_backward;
 pub mod project;
 pub mod project_backward;
 pub mod resolve;
@@ -95,6 +96,8 @@ pub fn cases() -> Vec<Case> {
         Case::of::<composite_backward::CompositeBackward>(),
         Case::of::<splat::SplatBackward>(),
         Case::of::<project_backward::ProjectBackward>(),
+        Case::of::<pose_backward::PoseBackward>(),
+        Case::of::<pose_backward::PoseSum>(),
         Case::of::<statistics::Statistics>(),
         Case::of::<peak::PeakMultiplyAdd>(),
         Case::of::<peak::PeakRead>(),

@@ -30,7 +30,7 @@ pub struct ProjectBackward {
 }
 
 /// Sizes of what a pair adds: position, rotation, log_scale, opacity.
-type Sizes = [f64; 4];
+pub(super) type Sizes = [f64; 4];
 
 impl ProjectBackward {
     fn new(forward: Project) -> Self {
@@ -86,7 +86,7 @@ impl ProjectBackward {
     }
 
     /// The pair of a camera and a Gaussian.
-    fn pair(&self, camera: usize, gaussian: usize) -> Option<usize> {
+    pub(super) fn pair(&self, camera: usize, gaussian: usize) -> Option<usize> {
         let words = (self.forward.gaussians as usize).div_ceil(32);
         let word = camera * words + gaussian / 32;
         let (bits, bit) = (self.pair_mask[word], gaussian % 32);
@@ -109,7 +109,7 @@ impl ProjectBackward {
     }
 
     /// How large what a pair adds may be, whatever cancels in it.
-    fn sizes(&self, camera: usize, gaussian: usize, pair: &[Vec4; 3]) -> Sizes {
+    pub(super) fn sizes(&self, camera: usize, gaussian: usize, pair: &[Vec4; 3]) -> Sizes {
         let set = &self.forward;
         let [geometry, shape, _] = pair.map(|v| v.as_dvec4().abs());
         let sensitivity = set.sensitivity(camera, gaussian);

@@ -100,6 +100,9 @@ impl Part {
     ) -> Result<()> {
         let bins = &self.bins;
         project_backward(device, scene, bins, pair_gradient, gradient)?;
+        if let Some(poses) = &gradient.poses {
+            poses.add(device, scene, bins, pair_gradient)?;
+        }
         let (pairs, mask) = (&bins.pairs, &bins.pair_mask);
         self.color.backward(device, scene, pairs, mask, pair_gradient, gradient)?;
         if gradient.has_transmittance {

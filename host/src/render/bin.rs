@@ -41,6 +41,8 @@ impl Pairs {
 #[derive(Debug)]
 pub struct Bins {
     pub pairs: Pairs,
+    /// The cameras' places in the list that the batch's tiles name them by.
+    pub cameras: Vec<u32>,
     pub tiles: u32,
     pub tile: Buffer<i32>,
     /// Where each camera's tiles begin.
@@ -236,8 +238,10 @@ impl Bins {
         };
         device.run(&kernel, words, tiles)?;
         let pairs = Pairs { count, pair, camera, projection };
+        let cameras = plan.cameras().into_iter().map(|index| index as u32).collect();
         Ok(Self {
             pairs,
+            cameras,
             tiles,
             tile,
             first_tile,

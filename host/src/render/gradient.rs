@@ -8,6 +8,7 @@ use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 use super::field::DeviceField;
 use super::hash_grid::HashGridGradient;
 use super::packed::unpack;
+use super::pose::{POSE, PoseGradient};
 use super::scene::DeviceScene;
 use crate::error::{Error, Result};
 use crate::scene::{FieldTensors, Gradient, SceneConfig, Tensors};
@@ -31,6 +32,8 @@ pub struct SceneGradient {
     pub(super) transmittance: FieldGradient,
     /// Whether the transmittance field and the extra vectors are wanted at all.
     pub(crate) has_transmittance: bool,
+    /// Those of the cameras' poses, where they are wanted.
+    pub(super) poses: Option<PoseGradient>,
 }
 
 /// The gradient of one tensor, in the order of the tensor's values: a range of a buffer.
@@ -101,7 +104,25 @@ impl SceneGradient {
             color,
             transmittance,
             has_transmittance: true,
+            poses: None,
         })
+    }
+
+    /// The same with the gradients of the poses of so many cameras, all that a batch may show.
+    ///
+    /// # Errors
+    /// As [`Device::zeros`].
+    pub(crate) fn with_poses(mut self, device: &Device, cameras: usize) -> Result<Self> {
+        self.poses = Some(PoseGradient::new(device, cameras)?);
+        Ok(self)
+    }
+
+    /// The gradients of the cameras' poses `[cameras, 6]`, where they are wanted. Waits for the device.
+    ///
+    /// # Errors
+    /// As [`Device::read`].
+    pub(crate) fn read_poses(&self, device: &Device) -> Result<Vec<[f32; POSE]>> {
+        Ok(self.poses.as_ref().map(|poses| poses.read(device)).transpose()?.unwrap_or_default())
     }
 
     /// Every tensor's gradient.
@@ -144,6 +165,12 @@ impl SceneGradient {
         device.copy(&self.statistics_before, &self.statistics);
         self.tensors.iter().for_each(|(_, tensor)| device.clear(&tensor.buffer));
         [&self.color, &self.transmittance].into_iter().for_each(|field| field.table.clear(device));
+        self.clear_poses(device);
+    }
+
+    /// Clears the gradients of the cameras' poses.
+    pub(crate) fn clear_poses(&self, device: &Device) {
+        self.poses.iter().for_each(|poses| poses.clear(device));
     }
 
     /// Clears what says which blocks of the tables have a gradient: for the next step.

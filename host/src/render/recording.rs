@@ -7,6 +7,7 @@ use super::channels::Channel;
 use super::gradient::SceneGradient;
 use super::part::Part;
 use super::plan::Plan;
+use super::pose::POSE;
 use super::renderer::Renderer;
 use super::results::RenderedTiles;
 use super::scene::DeviceScene;
@@ -123,6 +124,23 @@ impl Recording {
         self.add_to(&gradient, grad_output)?;
         gradient.check(device)?;
         gradient.download(device, &self.scene.config, self.scene.len())
+    }
+
+    /// As [`Recording::backward`], with the gradients of the poses of all cameras: `[cameras, 6]`, by the rotation vector
+    /// and the shift of [`Camera::moved`], where both are 0. Those of a camera that shows no tile are 0. As the networks see
+    /// positions and directions as constants, they see the camera's center as one.
+    ///
+    /// # Errors
+    /// As [`Recording::backward`].
+    pub fn backward_with_poses(&self, grad_output: &[f32]) -> Result<(Gradient, Vec<[f32; POSE]>)> {
+        let device = self.renderer.device();
+        self.check(grad_output)?;
+        let gradient = SceneGradient::new(device, &self.scene)?;
+        let gradient = gradient.with_poses(device, self.cameras.len())?;
+        self.add_to(&gradient, grad_output)?;
+        gradient.check(device)?;
+        let poses = gradient.read_poses(device)?;
+        Ok((gradient.download(device, &self.scene.config, self.scene.len())?, poses))
     }
 
     /// As [`Recording::backward`], into buffers that are kept from one batch to the next. Their values before do not

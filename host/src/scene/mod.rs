@@ -33,7 +33,7 @@ pub(crate) use share::range_of;
 pub use share::{SLICE, SceneShare};
 pub use spec::TensorSpec;
 pub use tensor_file::{Tensor, TensorRef, read_tensors, write_tensors};
-pub(crate) use tensor_file::{read_metadata, read_tensors_from, write_streamed};
+pub(crate) use tensor_file::{read_metadata, read_tensor, read_tensors_from, write_streamed};
 pub use tensors::{FieldTensors, Tensors};
 
 use crate::error::Result;

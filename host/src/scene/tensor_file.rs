@@ -67,6 +67,22 @@ pub(crate) fn read_tensors_from(
     Ok(tensors)
 }
 
+/// Reads one tensor of a safetensors file, and nothing else of it; none where the file has no tensor of that name.
+///
+/// # Errors
+/// As [`read_tensors`].
+pub(crate) fn read_tensor(path: &Path, name: &str) -> Result<Option<Tensor>> {
+    let (file, length) = open_regular(path)?;
+    let mut reader = BufReader::new(file);
+    let header = Header::read(&mut reader, length, path)?;
+    header.require_f32(name, path)?;
+    let Some(shape) = header.shape(name).map(<[usize]>::to_vec) else { return Ok(None) };
+    let mut data = memory::zeros(shape.iter().product(), name)?;
+    let wanted = HashMap::from([(name.to_owned(), (0, &mut data[..]))]);
+    header.read_ranges(&mut reader, wanted, path)?;
+    Ok(Some(Tensor { shape, data }))
+}
+
 /// An entry of the metadata of a safetensors file that is `length` bytes long.
 pub(crate) fn read_metadata(
     reader: &mut impl Read,

@@ -8,10 +8,12 @@ use serde::{Deserialize, Serialize};
 
 use super::binding::{BINDING, Binding};
 use super::config::TrainConfig;
-use super::exposure::Exposures;
+use super::per_photograph::{PerPhotograph, VALUES_PREFIX};
 use crate::error::{Error, IN_MEMORY, Result};
 use crate::input::open_regular;
-use crate::scene::{Scene, Tensor, TensorRef, read_metadata, read_scene, read_tensors_from};
+use crate::scene::{
+    Scene, Tensor, TensorRef, read_metadata, read_scene, read_tensor, read_tensors_from,
+};
 
 /// The file's name in a run's folder.
 pub const CHECKPOINT: &str = "checkpoint.safetensors";
@@ -23,6 +25,10 @@ pub const BEST: &str = "checkpoint.best.safetensors";
 pub(super) const MOMENTS: [&str; 2] = ["adam.first.", "adam.second."];
 /// `[N, 4]`: what growth goes by, gathered since the last time.
 pub(super) const STATISTICS: &str = "train.statistics";
+/// What the tensors of exposures are called, after their prefixes.
+const EXPOSURE: &str = "exposure";
+/// Those of poses.
+const POSE: &str = "pose";
 /// The key of [`Progress`] in the metadata.
 pub(super) const PROGRESS: &str = "train";
 
@@ -52,7 +58,10 @@ pub struct Checkpoint {
     /// `[N]`: see [`SceneGradient::statistics`](crate::render::SceneGradient).
     pub statistics: Vec<[f32; 4]>,
     /// The exposures of the photographs, where the run learns them; none is as before the first step.
-    pub exposures: Option<Exposures>,
+    pub exposures: Option<PerPhotograph>,
+    /// How the cameras of the photographs have moved, where the run refines poses: rotation vectors and shifts, as
+    /// [`Camera::moved`](crate::Camera::moved) takes them.
+    pub poses: Option<PerPhotograph>,
     /// How far it has come.
     pub progress: Progress,
 }
@@ -105,7 +114,8 @@ impl Checkpoint {
         let zeros = Scene::zeros(scene.config.clone(), scene.gaussians.len())?;
         let statistics = vec![[0.0; 4]; scene.gaussians.len()];
         let progress = Progress::default();
-        Ok(Self { moments: [zeros.clone(), zeros], statistics, scene, exposures: None, progress })
+        let (moments, exposures, poses) = ([zeros.clone(), zeros], None, None);
+        Ok(Self { moments, statistics, scene, exposures, poses, progress })
     }
 
     /// Writes the file, beside and renamed. It is bound to a run's settings and data, if to any.
@@ -139,8 +149,8 @@ impl Checkpoint {
         let shape = [self.statistics.len(), 4];
         let data = self.statistics.as_flattened();
         tensors.push(TensorRef { name: STATISTICS, shape: &shape, data });
-        let exposures = self.exposures.as_ref().map(Exposures::tensors).unwrap_or_default();
-        tensors.extend(exposures.iter().map(|(name, tensor)| TensorRef {
+        let of_photographs = self.of_photographs();
+        tensors.extend(of_photographs.iter().map(|(name, tensor)| TensorRef {
             name,
             shape: &tensor.shape,
             data: &tensor.data,
@@ -196,27 +206,55 @@ impl Checkpoint {
             return Err(lacks(STATISTICS));
         }
         let statistics = statistics.to_vec();
-        let exposures = Exposures::of_tensors(&mut tensors, path)?;
-        let checkpoint = Self { statistics, scene, moments, exposures, progress };
+        let mut of_photographs = |name| PerPhotograph::of_tensors(name, &mut tensors, path);
+        let (exposures, poses) = (of_photographs(EXPOSURE)?, of_photographs(POSE)?);
+        let checkpoint = Self { statistics, scene, moments, exposures, poses, progress };
         checkpoint.check(path)?;
         Ok(checkpoint)
+    }
+
+    /// What is learned of each photograph, by the names of the tensors.
+    fn of_photographs(&self) -> Vec<(String, Tensor)> {
+        let exposures = self.exposures.iter().flat_map(|found| found.tensors(EXPOSURE, &[3, 2]));
+        exposures.chain(self.poses.iter().flat_map(|found| found.tensors(POSE, &[6]))).collect()
+    }
+
+    /// How the cameras of the frames that a run is trained on have moved, as [`Camera::moved`](crate::Camera::moved) takes it:
+    /// reads nothing else of a checkpoint's file. Empty where poses were not refined.
+    ///
+    /// # Errors
+    /// As [`Checkpoint::load`], for the header and this tensor.
+    pub fn load_poses(path: impl AsRef<Path>) -> Result<Vec<[f64; 6]>> {
+        let path = path.as_ref();
+        let name = format!("{VALUES_PREFIX}{POSE}");
+        let Some(Tensor { shape, data }) = read_tensor(path, &name)? else {
+            return Ok(Vec::new());
+        };
+        let (rows, _) = data.as_chunks::<6>();
+        let is_sound = shape == [rows.len(), 6] && data.iter().all(|value| value.is_finite());
+        if is_sound {
+            return Ok(rows.iter().map(|row| row.map(f64::from)).collect());
+        }
+        let reason = format!(
+            "tensor `{name}` is {shape:?}, expected six finite numbers for each photograph: the checkpoint is damaged"
+        );
+        Err(Error::Invalid { origin: path.to_owned(), reason })
     }
 
     /// The exposures of so many photographs: those that are here, or those before the first step.
     ///
     /// # Errors
     /// [`Error::Invalid`] where they are those of another number.
-    pub(super) fn exposures_of(&self, photographs: usize) -> Result<Exposures> {
-        let exposures = self.exposures.clone().unwrap_or_else(|| Exposures::new(photographs));
-        let found = exposures.values.len();
-        if found == photographs {
-            return Ok(exposures);
-        }
-        let reason = format!(
-            "it has the exposures of {found} photographs, but the data set has {photographs} to train on: name the data \
-             set as it was"
-        );
-        Err(Error::Invalid { origin: Path::new(CHECKPOINT).to_owned(), reason })
+    pub(super) fn exposures_of(&self, photographs: usize) -> Result<PerPhotograph> {
+        of_number(self.exposures.as_ref(), photographs, "exposures")
+    }
+
+    /// The same of poses.
+    ///
+    /// # Errors
+    /// As [`Self::exposures_of`].
+    pub(super) fn poses_of(&self, photographs: usize) -> Result<PerPhotograph> {
+        of_number(self.poses.as_ref(), photographs, "poses")
     }
 
     /// Everything beside the scene is what training can have come to.
@@ -225,9 +263,10 @@ impl Checkpoint {
         let moments = moments.flat_map(|(moment, prefix)| moment.tensors_with_prefix(prefix));
         let moments = moments.map(|(spec, values)| (spec.name, values));
         let statistics = (STATISTICS.to_owned(), self.statistics.as_flattened());
-        let exposures = self.exposures.as_ref().map(Exposures::tensors).unwrap_or_default();
-        let exposures = exposures.iter().map(|(name, found)| ((*name).to_owned(), &found.data[..]));
-        for (tensor, values) in moments.chain([statistics]).chain(exposures) {
+        let of_photographs = self.of_photographs();
+        let of_photographs =
+            of_photographs.iter().map(|(name, found)| (name.clone(), &found.data[..]));
+        for (tensor, values) in moments.chain([statistics]).chain(of_photographs) {
             if let Some(index) = values.iter().position(|value| !value.is_finite()) {
                 let (origin, value) = (origin.to_owned(), values[index]);
                 return Err(Error::NotFinite { origin, tensor, index, value });
@@ -245,4 +284,22 @@ impl Checkpoint {
         }
         Ok(())
     }
+}
+
+/// What was learned of so many photographs: what is there, or what is there before the first step.
+fn of_number(
+    found: Option<&PerPhotograph>,
+    photographs: usize,
+    what: &str,
+) -> Result<PerPhotograph> {
+    let learned = found.cloned().unwrap_or_else(|| PerPhotograph::new(photographs));
+    let found = learned.values.len();
+    if found == photographs {
+        return Ok(learned);
+    }
+    let reason = format!(
+        "it has the {what} of {found} photographs, but the data set has {photographs} to train on: name the data set \
+         as it was"
+    );
+    Err(Error::Invalid { origin: Path::new(CHECKPOINT).to_owned(), reason })
 }

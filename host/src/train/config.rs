@@ -5,6 +5,7 @@ mod builder;
 mod check;
 mod exposure;
 mod optimizer;
+mod pose;
 mod preset;
 #[cfg(test)]
 mod tests;
@@ -15,6 +16,7 @@ pub use assignment::defaults;
 pub use builder::ConfigBuilder;
 pub use exposure::{ExposureConfig, ExposureMethod};
 pub use optimizer::{OptimizerConfig, Rate};
+pub use pose::{PoseMethod, PosesConfig};
 pub use preset::Preset;
 use serde::{Deserialize, Serialize};
 
@@ -51,6 +53,8 @@ pub struct TrainConfig {
     pub loss: LossConfig,
     /// The exposure of each photograph.
     pub exposure: ExposureConfig,
+    /// The poses of the photographs' cameras.
+    pub poses: PosesConfig,
     /// The shape of the scene.
     pub scene: ShapeConfig,
     /// Where training starts.

@@ -3,11 +3,12 @@
 use std::path::Path;
 
 use super::binding::Binding;
-use super::config::TrainConfig;
+use super::config::{PoseMethod, TrainConfig};
 use super::hooks::StepHooks;
 use super::ranks::{self, Order};
 use super::share::ShareTrainer;
 use super::trainer::{NO_HOOKS, StepReport, Trainer};
+use crate::camera::Camera;
 use crate::data::Frame;
 use crate::error::{Error, Result};
 use crate::evaluate::{Evaluation, evaluate_share};
@@ -49,6 +50,15 @@ impl EitherTrainer {
     pub fn scene(&self) -> Option<&DeviceScene> {
         match self {
             Self::Whole(trainer) => Some(trainer.scene()),
+            Self::Share(_) => None,
+        }
+    }
+
+    /// The cameras of the frames to train on, if their poses are refined.
+    pub fn refined_cameras(&self) -> Option<&[Camera]> {
+        let is_refined = self.config().poses.method != PoseMethod::None;
+        match self {
+            Self::Whole(trainer) => is_refined.then(|| trainer.cameras()),
             Self::Share(_) => None,
         }
     }

@@ -13,6 +13,8 @@ use crate::error::{Error, Result};
 pub const CONFIG: &str = "config.toml";
 /// `metrics.jsonl`, one record a line.
 pub const METRICS: &str = "metrics.jsonl";
+/// `cameras.json`: where the cameras are, if poses are refined.
+pub const CAMERAS: &str = "cameras.json";
 /// `report.html`, one page.
 pub const REPORT: &str = "report.html";
 /// `evaluations.csv`: the scores of each held-out view in each evaluation.
@@ -50,7 +52,7 @@ impl RunFolder {
         };
         let folder = Self { path: path.to_owned(), _lock: lock };
         remove_leftovers(path);
-        for name in [CONFIG, CHECKPOINT, BEST, METRICS, REPORT, EVALUATIONS] {
+        for name in [CONFIG, CHECKPOINT, BEST, METRICS, CAMERAS, REPORT, EVALUATIONS] {
             // Not through a link: it may lead to a file of somebody else's.
             let Ok(found) = fs::symlink_metadata(path.join(name)) else { continue };
             if !found.is_file() {

@@ -9,7 +9,7 @@ use std::time::Instant;
 
 use super::binding::Change;
 use super::checkpoint::{CHECKPOINT, Checkpoint, Progress};
-use super::config::{ExposureMethod, TrainConfig};
+use super::config::TrainConfig;
 use super::either::EitherTrainer;
 use super::folder::{EVALUATIONS, RunFolder};
 use super::hooks::StepHooks;
@@ -21,9 +21,9 @@ use super::resume::OpenLog;
 use super::share_checkpoint::CheckpointShare;
 use super::start::first_scene;
 use super::tensorboard::EventLog;
-use super::trainer::{NO_EXPOSURES, StepReport, Trainer};
+use super::trainer::{StepReport, Trainer, check_ranks};
 use crate::data::Dataset;
-use crate::error::{self, Error, Result};
+use crate::error::{self, Result};
 use crate::evaluate::Evaluation;
 use crate::evaluate::csv::save_csv;
 use crate::ranks::Ranks;
@@ -229,8 +229,8 @@ impl<'a> Session<'a> {
         watch: &mut dyn FnMut(Event<'_>),
         hooks: &mut StepHooks<'_>,
     ) -> Result<Outcome> {
-        if self.ranks.is_some() && self.config.exposure.method != ExposureMethod::None {
-            return Err(Error::Argument { reason: NO_EXPOSURES.to_owned() });
+        if self.ranks.is_some() {
+            check_ranks(self.config)?;
         }
         let begin = Instant::now();
         let (trainer, progress, changes) = match (&self.ranks, self.split) {

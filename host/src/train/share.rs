@@ -3,15 +3,15 @@
 use std::sync::Arc;
 
 use super::checkpoint::{Checkpoint, Progress};
-use super::config::{ExposureMethod, TrainConfig};
+use super::config::TrainConfig;
 use super::optimizer::ShareOptimizer;
 use super::sampler::{Sampler, Target};
 use super::share_checkpoint::CheckpointShare;
 use super::share_growth::grow;
-use super::trainer::{NO_EXPOSURES, StepReport, check, growth_random, is_time_to_grow};
+use super::trainer::{StepReport, check, check_ranks, growth_random, is_time_to_grow};
 use crate::camera::Camera;
 use crate::data::Dataset;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::ranks::Ranks;
 use crate::render::{DeviceShare, Loss, Renderer, ShareGradient, UploadOptions};
 
@@ -72,7 +72,7 @@ impl ShareTrainer {
     /// Continues from a checkpoint, of which each rank has its share.
     ///
     /// # Errors
-    /// As [`Trainer::resume`](super::Trainer::resume); [`Error::Argument`] where the settings learn exposures.
+    /// As [`Trainer::resume`](super::Trainer::resume); [`Error::Argument`] where ranks cannot learn what the settings ask for.
     pub fn resume(
         renderer: &Renderer,
         config: TrainConfig,
@@ -82,9 +82,7 @@ impl ShareTrainer {
     ) -> Result<Self> {
         let dataset = dataset.into();
         check(&config, &dataset)?;
-        if config.exposure.method != ExposureMethod::None {
-            return Err(Error::Argument { reason: NO_EXPOSURES.to_owned() });
-        }
+        check_ranks(&config)?;
         let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
         let sampler = Sampler::of_cameras(&cameras, &config.run)?;
         let state = State::upload(renderer, &config, checkpoint)?;
@@ -142,6 +140,7 @@ impl ShareTrainer {
             moments: state.optimizer.moments(device, &state.share)?,
             statistics,
             exposures: None,
+            poses: None,
             progress: Progress { step: self.step, seconds },
         };
         let (rank, size) = (self.ranks.rank(), self.ranks.size());

@@ -41,8 +41,14 @@ impl CheckpointShare {
         let moments =
             whole.moments.each_ref().map(|moment| SceneShare::of(moment, rank, ranks).scene);
         let statistics = whole.statistics[range.clone()].to_vec();
-        let state =
-            Checkpoint { scene, moments, statistics, exposures: None, progress: whole.progress };
+        let state = Checkpoint {
+            scene,
+            moments,
+            statistics,
+            exposures: None,
+            poses: None,
+            progress: whole.progress,
+        };
         Self { state, range, gaussians }
     }
 
@@ -77,7 +83,8 @@ impl CheckpointShare {
             SceneShare::load_more(path, rank, ranks, MOMENTS, other)?;
         let statistics = statistics.as_chunks().0.to_vec();
         let SceneShare { scene, range, gaussians } = share;
-        let state = Checkpoint { scene, moments, statistics, exposures: None, progress };
+        let state =
+            Checkpoint { scene, moments, statistics, exposures: None, poses: None, progress };
         state.check(path)?;
         Ok(Self { state, range, gaussians })
     }
@@ -115,7 +122,8 @@ impl CheckpointShare {
         let range = range_of(gaussians, ranks.rank(), ranks.size());
         let scene = Scene::zeros(config, range.len())?;
         let (moments, statistics) = ([scene.clone(), scene.clone()], vec![[0.0; 4]; range.len()]);
-        let state = Checkpoint { scene, moments, statistics, exposures: None, progress };
+        let state =
+            Checkpoint { scene, moments, statistics, exposures: None, poses: None, progress };
         let mut share = Self { state, range, gaussians };
         for rank in 1..ranks.size() {
             let bytes = ranks.exchange(vec![Vec::new(); ranks.size()])?.swap_remove(0);

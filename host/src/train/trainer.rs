@@ -6,11 +6,12 @@ use std::sync::Arc;
 use rand_pcg::Pcg64;
 
 use super::checkpoint::{Checkpoint, Progress};
-use super::config::{ExposureMethod, GrowthMethod, TrainConfig};
+use super::config::{ExposureMethod, GrowthMethod, PoseMethod, TrainConfig};
 use super::exposure::Exposures;
 use super::growth::{Grown, grow};
 use super::hooks::{StepGradient, StepHooks};
 use super::optimizer::Optimizer;
+use super::pose::PoseSet;
 use super::sampler::{Sampler, Target, random};
 use super::start;
 use crate::camera::Camera;
@@ -27,9 +28,6 @@ const GROWTH: u64 = 4;
 /// Why ranks do not train so.
 pub(super) const NO_HOOKS: &str =
     "hooks see the whole batch, which ranks share: train without ranks, or without hooks";
-/// Why ranks do not train so.
-pub(super) const NO_EXPOSURES: &str =
-    "ranks cannot learn exposures: set `exposure.method` to none, or train without ranks";
 
 /// Trains a scene, step by step. Everything that a step changes stays on the device.
 ///
@@ -68,12 +66,14 @@ pub struct Trainer {
     renderer: Renderer,
     config: TrainConfig,
     dataset: Arc<Dataset>,
-    /// Of the frames to train on.
+    /// Of the frames to train on; where poses are refined, as they are now.
     cameras: Vec<Camera>,
     sampler: Sampler,
     loss: Option<Loss>,
     /// Of the photographs to train on, where they are learned.
     exposures: Option<Exposures>,
+    /// Of the photographs to train on, where they are refined.
+    poses: Option<PoseSet>,
     state: State,
     step: u32,
     /// See [`Trainer::with_ranks`].
@@ -133,13 +133,23 @@ impl Trainer {
     ) -> Result<Self> {
         let dataset = dataset.into();
         check(&config, &dataset)?;
-        let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
+        let mut cameras: Vec<_> =
+            dataset.train_frames().map(|frame| frame.camera.clone()).collect();
         let sampler = Sampler::of_cameras(&cameras, &config.run)?;
         let exposures = match config.exposure.method {
             ExposureMethod::None => None,
-            ExposureMethod::Affine => Some(checkpoint.exposures_of(cameras.len())?),
+            ExposureMethod::Affine => Some(Exposures(checkpoint.exposures_of(cameras.len())?)),
         };
-        let state = State::upload(renderer, &config, checkpoint)?;
+        let poses = match config.poses.method {
+            PoseMethod::None => None,
+            PoseMethod::Refine => {
+                Some(PoseSet::new(checkpoint.poses_of(cameras.len())?, cameras.clone()))
+            }
+        };
+        if let Some(poses) = &poses {
+            cameras = poses.cameras();
+        }
+        let state = State::upload(renderer, &config, checkpoint, cameras.len())?;
         let (renderer, step) = (renderer.clone(), checkpoint.progress.step);
         Ok(Self {
             renderer,
@@ -149,6 +159,7 @@ impl Trainer {
             sampler,
             loss: None,
             exposures,
+            poses,
             state,
             step,
             ranks: None,
@@ -193,6 +204,12 @@ impl Trainer {
         &self.dataset
     }
 
+    /// The cameras of the frames to train on, in their order; where poses are refined, as they are now.
+    #[must_use]
+    pub fn cameras(&self) -> &[Camera] {
+        &self.cameras
+    }
+
     /// The scene as it is now.
     #[must_use]
     pub fn scene(&self) -> &DeviceScene {
@@ -220,7 +237,8 @@ impl Trainer {
             scene: state.scene.download(device)?,
             moments: state.optimizer.moments(device, &state.scene)?,
             statistics: statistics.iter().map(|v| v.to_array()).collect(),
-            exposures: self.exposures.clone(),
+            exposures: self.exposures.as_ref().map(|exposures| exposures.0.clone()),
+            poses: self.poses.as_ref().map(|poses| poses.learned.clone()),
             progress: Progress { step: self.step, seconds },
         })
     }
@@ -254,6 +272,15 @@ impl Trainer {
         if let Some(learned) = &mut self.exposures {
             let moved = learned.step(&exposures, settings, settings.exposure.at(share));
             moved.inspect_err(|_| gradient.restart(device))?;
+        }
+        if let Some(poses) = &mut self.poses {
+            let found = gradient.read_poses(device)?;
+            let shown = batch.tiles.iter().map(|tile| tile.camera);
+            let moved =
+                poses.step(&found, shown, settings, settings.pose.at(share), scene.extent());
+            moved.inspect_err(|_| gradient.restart(device))?;
+            gradient.clear_poses(device);
+            self.cameras = poses.cameras();
         }
         device.run_in_pool(|| optimizer.step(device, scene, gradient, settings, now))?;
         gradient.clear_touched(device);
@@ -301,8 +328,8 @@ impl Trainer {
     fn check_hooks(&self, hooks: &StepHooks<'_>) -> Result<()> {
         let reason = if self.ranks.is_some() && (hooks.loss.is_some() || hooks.gradient.is_some()) {
             NO_HOOKS
-        } else if self.ranks.is_some() && self.exposures.is_some() {
-            NO_EXPOSURES
+        } else if self.ranks.is_some() {
+            return check_ranks(&self.config);
         } else if self.exposures.is_some() && hooks.loss.is_some() {
             "a loss of your own does not know the photographs' exposures: set `exposure.method` to none"
         } else {
@@ -320,13 +347,19 @@ impl Trainer {
         let growth = &self.config.growth;
         let grown = grow(growth, &mut state.scene, [first, second], &statistics, random);
         state.statistics = vec![[0.0; 4]; state.scene.gaussians.len()];
-        self.state = State::upload(&self.renderer, &self.config, &state)?;
+        self.state = State::upload(&self.renderer, &self.config, &state, self.cameras.len())?;
         Ok(grown)
     }
 }
 
 impl State {
-    fn upload(renderer: &Renderer, config: &TrainConfig, checkpoint: &Checkpoint) -> Result<Self> {
+    /// `photographs` is the number of those to train on.
+    fn upload(
+        renderer: &Renderer,
+        config: &TrainConfig,
+        checkpoint: &Checkpoint,
+        photographs: usize,
+    ) -> Result<Self> {
         let device = renderer.device();
         let mut scene = renderer.upload(&checkpoint.scene)?;
         if !config.ablation.divide {
@@ -337,6 +370,9 @@ impl State {
         let statistics = checkpoint.statistics.iter().map(|&v| glam::Vec4::from_array(v));
         gradient.statistics = device.upload("statistics", &statistics.collect::<Vec<_>>())?;
         gradient.has_transmittance = config.ablation.learn_transmittance;
+        if config.poses.method == PoseMethod::Refine {
+            gradient = gradient.with_poses(device, photographs)?;
+        }
         Ok(Self { scene, optimizer, gradient })
     }
 }
@@ -365,6 +401,22 @@ impl StepReport {
         let reason = format!("the loss of step {step} is {}", self.loss);
         Err(Error::Diverged { reason })
     }
+}
+
+/// Ranks learn the scene alone.
+///
+/// # Errors
+/// [`Error::Argument`] where the settings ask for more.
+pub(super) fn check_ranks(config: &TrainConfig) -> Result<()> {
+    let [what, setting] = if config.exposure.method != ExposureMethod::None {
+        ["learn exposures", "exposure.method"]
+    } else if config.poses.method != PoseMethod::None {
+        ["refine poses", "poses.method"]
+    } else {
+        return Ok(());
+    };
+    let reason = format!("ranks cannot {what}: set `{setting}` to none, or train without ranks");
+    Err(Error::Argument { reason })
 }
 
 /// Whether the number of Gaussians changes after so many steps.

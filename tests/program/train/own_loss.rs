@@ -1,16 +1,18 @@
 //! Losses of a caller, on the host and on the device.
 
 use organza::render::{DeviceLossGradient, Loss, LossBatch, LossGradient, TileLoss};
+use organza::train::config::PoseMethod;
 use organza::train::{Checkpoint, StepHooks, Trainer};
 use organza::{Dataset, Error, Renderer};
 use organza_tests::devices;
 
 use super::runs::{begun, state_bits};
 
-/// The settings' own loss, computed by a caller.
+/// The settings' own loss, computed by a caller. Poses are refined with both.
 #[test]
 fn the_same_loss_on_the_device_gives_the_same_bits() {
-    let (config, checkpoint, dataset) = begun();
+    let (mut config, checkpoint, dataset) = begun();
+    config.poses.method = PoseMethod::Refine;
     let weight = config.loss.ssim_weight;
     for (name, device) in devices::all() {
         let renderer = Renderer::new(device);
@@ -35,6 +37,9 @@ fn the_same_loss_on_the_device_gives_the_same_bits() {
         }
         let [found, expected] = [&own, &plain].map(|trainer| trainer.checkpoint(0.0).unwrap());
         assert!(state_bits(&found) == state_bits(&expected), "{name}");
+        assert_eq!(found.poses, expected.poses, "{name}");
+        let moved = found.poses.expect("poses").values;
+        assert!(moved.as_flattened().iter().any(|&value| value != 0.0), "{name}");
     }
 }
 

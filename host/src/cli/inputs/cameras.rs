@@ -63,7 +63,7 @@ impl Cameras {
     ) -> Result<Self> {
         let settings = args.settings(scene, named, usage)?;
         let origin = settings.path.as_deref().unwrap_or(scene.named()).to_owned();
-        let poses = DataSet::open(settings, console)?.cameras()?;
+        let poses = DataSet::open(settings, console)?.refined(scene, named)?.cameras()?;
         let photographs = existing(poses.iter().filter_map(|pose| pose.photograph.clone()));
         let all = poses.iter().map(|pose| pose.camera.clone()).collect();
         let split = args.split(Split::All);

@@ -5,10 +5,10 @@ use std::path::Path;
 
 use clap::ValueEnum;
 use organza::data::{Background, Dataset, Point, Pose, Poses};
-use organza::train::built_in;
-use organza::train::config::DataConfig;
+use organza::train::config::{DataConfig, PoseMethod};
+use organza::train::{Checkpoint, built_in};
 use organza::view::Photographs;
-use organza::{Error, Renderer, Result};
+use organza::{Camera, Error, Renderer, Result};
 
 use super::kind::{Expected, told_apart};
 use super::scene::SceneSource;
@@ -50,6 +50,8 @@ pub struct DataSet {
     settings: DataConfig,
     /// None for the built-in scene.
     poses: Option<Poses>,
+    /// How the cameras of the built-in scene have moved.
+    motions: Vec<Option<[f64; 6]>>,
 }
 
 impl DataArgs {
@@ -139,7 +141,36 @@ impl DataSet {
             let (views, side) = (data.built_in_views, data.built_in_side);
             console.detail(&format!("data set: {views} views of the built-in scene, side {side}"));
         }
-        Ok(Self { settings, poses })
+        Ok(Self { settings, poses, motions: Vec::new() })
+    }
+
+    /// With the cameras where a run has moved them, if it has refined poses: those of the frames that it was trained on.
+    /// Where the user has named a data set, its cameras are meant.
+    pub fn refined(mut self, scene: &SceneSource, named: Option<&Path>) -> Result<Self> {
+        let run = scene.settings()?.filter(|run| run.poses.method != PoseMethod::None);
+        let Some(run) = run.filter(|_| named.is_none()) else { return Ok(self) };
+        let learned = Checkpoint::load_poses(scene.file())?;
+        // those that the run was trained on, whatever is held out now
+        let frames = match &run.data.path {
+            Some(path) => Poses::load(path, &run.data.options())?.cameras()?,
+            None => built_in_cameras(&run.data),
+        };
+        let (found, trained) = (learned.len(), frames.iter().filter(|pose| !pose.held_out).count());
+        if found != trained {
+            let reason = format!(
+                "it has the poses of {found} photographs, but the data set of the run has {trained} to train on: name the \
+                 data set to use its own poses"
+            );
+            return Err(Error::Invalid { origin: scene.file().to_owned(), reason });
+        }
+        let mut learned = learned.into_iter();
+        let motions: Vec<_> =
+            frames.iter().map(|pose| if pose.held_out { None } else { learned.next() }).collect();
+        match &mut self.poses {
+            Some(poses) => poses.move_cameras(&motions)?,
+            None => self.motions = motions,
+        }
+        Ok(self)
     }
 
     /// Its cameras as training has them.
@@ -148,22 +179,29 @@ impl DataSet {
         match &self.poses {
             Some(poses) => poses.cameras(),
             None => {
-                let (views, side) = (data.built_in_views, data.built_in_side);
-                Ok(built_in::cameras(views, side, data.hold_out_every))
+                let mut poses = built_in_cameras(data);
+                self.move_built_in(poses.iter_mut().map(|pose| &mut pose.camera));
+                Ok(poses)
             }
         }
     }
 
+    fn move_built_in<'a>(&self, cameras: impl Iterator<Item = &'a mut Camera>) {
+        for (camera, motion) in cameras.zip(&self.motions) {
+            *camera = motion.map_or_else(|| camera.clone(), |motion| camera.moved(motion));
+        }
+    }
+
     /// Its photographs, each read when it is looked at, and its points.
-    pub fn photographs(self, cameras: &[Pose]) -> (Photographs, Vec<Point>) {
+    pub fn photographs(self) -> (Photographs, Vec<Point>) {
         match self.poses {
             Some(poses) => {
                 let points = poses.points().to_vec();
                 (Photographs::of_poses(poses), points)
             }
             None => {
-                let cameras = cameras.iter().map(|pose| pose.camera.clone()).collect();
-                (Photographs::of_built_in(cameras), Vec::new())
+                let cameras = built_in_cameras(&self.settings).into_iter().map(|pose| pose.camera);
+                (Photographs::of_built_in(cameras.collect()), Vec::new())
             }
         }
     }
@@ -179,15 +217,18 @@ impl DataSet {
     }
 
     /// Reads the photographs, or renders those of the built-in scene.
-    pub fn read(self, renderer: &Renderer, console: Console) -> Result<Dataset> {
-        let Some(poses) = self.poses else {
+    pub fn read(mut self, renderer: &Renderer, console: Console) -> Result<Dataset> {
+        let Some(poses) = self.poses.take() else {
             let data = &self.settings;
             let bar = console.progress(u64::from(data.built_in_views), "views");
             bar.say("rendering the built-in scene");
             let (views, side, every) =
                 (data.built_in_views, data.built_in_side, data.hold_out_every);
             let progress = &mut |done, all| bar.set_of(done, all);
-            return built_in::dataset_with_progress(renderer, views, side, every, progress);
+            let mut dataset =
+                built_in::dataset_with_progress(renderer, views, side, every, progress)?;
+            self.move_built_in(dataset.frames.iter_mut().map(|frame| &mut frame.camera));
+            return Ok(dataset);
         };
         let bar = console.progress(0, "photographs");
         bar.say("reading");
@@ -214,6 +255,11 @@ impl DataSet {
         }
         Ok(dataset)
     }
+}
+
+/// The cameras of the built-in scene, where its photographs were taken.
+fn built_in_cameras(data: &DataConfig) -> Vec<Pose> {
+    built_in::cameras(data.built_in_views, data.built_in_side, data.hold_out_every)
 }
 
 /// Says which files of a data set are not there, and which are outside its folder.

@@ -42,6 +42,9 @@ macro_rules! define {
             pub networks: Rate,
             /// The exposures of photographs, where they are learned.
             pub exposure: Rate,
+            /// The poses of cameras, where they are refined: of rotations in radians. That of shifts is a part of half the
+            /// scene box's longest side.
+            pub pose: Rate,
         }
 
         impl OptimizerConfig {
@@ -60,6 +63,7 @@ macro_rules! define {
                     ("grids", self.grids),
                     ("networks", self.networks),
                     ("exposure", self.exposure),
+                    ("pose", self.pose),
                 ];
                 of_gaussians.into_iter().chain(others)
             }
@@ -85,6 +89,7 @@ impl Default for OptimizerConfig {
             grids: falls(1e-2, 0.1),
             networks: falls(2e-3, 0.1),
             exposure: falls(1e-2, 0.1),
+            pose: falls(3e-4, 0.1),
         }
     }
 }

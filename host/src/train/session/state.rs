@@ -6,6 +6,7 @@ use std::sync::atomic::Ordering;
 use std::time::Instant;
 
 use super::{Event, Outcome, Session};
+use crate::camera::Camera;
 use crate::data::Frame;
 use crate::error::Result;
 use crate::evaluate::Evaluation;
@@ -13,7 +14,7 @@ use crate::image::Image;
 use crate::train::binding::{Binding, Change};
 use crate::train::checkpoint::{BEST, CHECKPOINT};
 use crate::train::either::EitherTrainer;
-use crate::train::folder::{CONFIG, REPORT};
+use crate::train::folder::{CAMERAS, CONFIG, REPORT};
 use crate::train::held_out;
 use crate::train::hooks::StepHooks;
 use crate::train::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
@@ -234,7 +235,22 @@ impl State<'_, '_, '_> {
         let config = self.trainer.config();
         let binding = Binding::new(config, &dataset.fingerprint, self.changes.clone());
         let path = folder.path().join(name);
-        self.trainer.save(&path, self.seconds, &binding)
+        self.trainer.save(&path, self.seconds, &binding)?;
+        if name == CHECKPOINT { self.save_cameras() } else { Ok(()) }
+    }
+
+    /// Where poses are refined: writes all cameras of the data set, those that are held out as they were given.
+    fn save_cameras(&self) -> Result<()> {
+        let Some(refined) = self.trainer.refined_cameras() else { return Ok(()) };
+        let Session { dataset, folder, .. } = self.session;
+        let mut cameras: Vec<_> = dataset.frames.iter().map(|frame| frame.camera.clone()).collect();
+        for (&frame, camera) in dataset.train.iter().zip(refined) {
+            cameras[frame] = camera.clone();
+        }
+        for (camera, frame) in cameras.iter_mut().zip(&dataset.frames) {
+            camera.file_path = Some(frame.name.clone());
+        }
+        Camera::save_all(folder.path().join(CAMERAS), &cameras)
     }
 
     /// Measures the held-out views, all of them or those of intermediate evaluations; false where it was told to stop

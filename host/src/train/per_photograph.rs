@@ -1,0 +1,127 @@
+//! Values of each photograph that are learned with the scene, with Adam's state: exposures and poses.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use super::config::OptimizerConfig;
+use crate::error::{Error, Result};
+use crate::scene::Tensor;
+
+/// The prefix of the name of the values in a checkpoint.
+pub(super) const VALUES_PREFIX: &str = "train.";
+
+/// Learned values of a photograph.
+pub const VALUES: usize = 6;
+
+/// Learned values of all photographs that are trained on, with Adam's state.
+///
+/// A step moves the photographs that it shows, and each counts its own steps: Adam's moments of a photograph do not decay
+/// while others are shown.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PerPhotograph {
+    /// `[photographs, 6]`
+    pub values: Vec<[f32; VALUES]>,
+    /// Adam's moments of `values`.
+    pub moments: [Vec<[f32; VALUES]>; 2],
+    /// `[photographs]`: in how many steps each was shown.
+    pub steps: Vec<u32>,
+}
+
+impl PerPhotograph {
+    /// Those of so many photographs before the first step: all values are 0.
+    #[must_use]
+    pub fn new(photographs: usize) -> Self {
+        let zeros = || vec![[0.0; VALUES]; photographs];
+        Self { values: zeros(), moments: [zeros(), zeros()], steps: vec![0; photographs] }
+    }
+
+    /// One step of Adam for the photographs that have a gradient, with a rate for each value. `what` is what errors call the
+    /// values.
+    ///
+    /// # Errors
+    /// [`Error::Diverged`] where a gradient is not finite; nothing has moved then.
+    pub(super) fn adam(
+        &mut self,
+        gradients: &BTreeMap<usize, [f64; VALUES]>,
+        config: &OptimizerConfig,
+        rates: [f64; VALUES],
+        what: &str,
+    ) -> Result<()> {
+        let is_wrong = |gradient: &[f64; VALUES]| gradient.iter().any(|g| !g.is_finite());
+        if let Some((photograph, _)) = gradients.iter().find(|(_, gradient)| is_wrong(gradient)) {
+            let reason =
+                format!("the gradient of the {what} of photograph {photograph} is not finite");
+            return Err(Error::Diverged { reason });
+        }
+        for (&photograph, gradient) in gradients {
+            self.steps[photograph] += 1;
+            let t = f64::from(self.steps[photograph]);
+            let corrections = [config.beta1, config.beta2].map(|beta| 1.0 - beta.powf(t));
+            let [first, second] = &mut self.moments;
+            for (at, &g) in gradient.iter().enumerate() {
+                let mix = |before: f32, now: f64, beta: f64| {
+                    (beta * f64::from(before) + (1.0 - beta) * now) as f32
+                };
+                first[photograph][at] = mix(first[photograph][at], g, config.beta1);
+                second[photograph][at] = mix(second[photograph][at], g * g, config.beta2);
+                let m = f64::from(first[photograph][at]) / corrections[0];
+                let v = f64::from(second[photograph][at]) / corrections[1];
+                let moved = rates[at] * m / (v.sqrt() + config.epsilon);
+                let value = &mut self.values[photograph][at];
+                *value = (f64::from(*value) - moved) as f32;
+            }
+        }
+        Ok(())
+    }
+
+    /// As a checkpoint has them: the values with their shape `[photographs, ..]`, Adam's moments, and the steps. Steps are
+    /// whole numbers, which f32 has up to 2^24.
+    pub(super) fn tensors(&self, name: &str, shape: &[usize]) -> Vec<(String, Tensor)> {
+        let count = self.values.len();
+        let [first, second] = &self.moments;
+        let values = [&self.values, first, second].map(|values| Tensor {
+            shape: [&[count], shape].concat(),
+            data: values.as_flattened().to_vec(),
+        });
+        let steps = self.steps.iter().map(|&steps| steps as f32).collect();
+        let steps = Tensor { shape: vec![count], data: steps };
+        names(name).into_iter().zip(values.into_iter().chain([steps])).collect()
+    }
+
+    /// Those of a checkpoint's tensors, if it has any; `origin` is what errors name.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] where they do not belong together.
+    pub(super) fn of_tensors(
+        name: &str,
+        tensors: &mut BTreeMap<String, Tensor>,
+        origin: &Path,
+    ) -> Result<Option<Self>> {
+        let names = names(name);
+        let found = names.each_ref().map(|name| tensors.remove(name).map(|tensor| tensor.data));
+        if found.iter().all(Option::is_none) {
+            return Ok(None);
+        }
+        let [values, first, second, steps] = found.map(Option::unwrap_or_default);
+        let rows = |values: Vec<f32>| values.as_chunks::<VALUES>().0.to_vec();
+        let lengths = [&values, &first, &second].map(Vec::len);
+        let is_count =
+            |steps: &f32| *steps >= 0.0 && *steps <= 16_777_216.0 && steps.fract() == 0.0;
+        if lengths != [VALUES * steps.len(); 3] || !steps.iter().all(is_count) {
+            let reason = format!(
+                "its tensors `{}` do not belong together: the checkpoint is damaged",
+                names.join("`, `")
+            );
+            return Err(Error::Invalid { origin: origin.to_owned(), reason });
+        }
+        let steps = steps.into_iter().map(|steps| steps as u32).collect();
+        let [values, first, second] = [values, first, second].map(rows);
+        Ok(Some(Self { values, moments: [first, second], steps }))
+    }
+}
+
+/// Names in a checkpoint: the values, Adam's moments of them, and the steps.
+fn names(name: &str) -> [String; 4] {
+    [VALUES_PREFIX, "adam.first.", "adam.second.", "adam.steps."]
+        .map(|prefix| format!("{prefix}{name}"))
+}

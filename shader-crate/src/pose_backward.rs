@@ -1,0 +1,147 @@
+//! The gradient of a loss with respect to the cameras' poses, through the projection.
+//!
+//! A camera moves by `t' = exp([w]x) t + v` and `W' = exp([w]x) W`: the point t of the camera's space turns about the
+//! camera's center by the rotation vector w, in radians, and is shifted by v, in world units. At w = v = 0:
+//!
+//! - `dL/dv = dL/dt`
+//! - `dL/dw = t x dL/dt + W (dL/drow_x x row_x + dL/drow_y x row_y)`, with the rows of J W as EWA uses them
+
+use glam::{Vec2, Vec3, Vec4};
+
+use crate::camera::{Camera, read3};
+use crate::project::{Footprint, read_quaternion};
+use crate::project_backward::footprint_backward;
+use crate::splat::VECTORS;
+use organza_kernel::math::cross;
+use organza_kernel::prelude::*;
+
+/// Values of a pose's gradient: of the rotation vector w, then of the shift v.
+pub const VALUES: u32 = 6;
+
+/// Pairs that one invocation of [`pose_backward`] adds up.
+pub const BLOCK: u32 = 256;
+
+/// Blocks of a camera that one dispatch of [`pose_sum`] adds up; more of them take more passes.
+pub const MAX_BLOCKS: u32 = 32_768;
+
+/// Derivative of [`project_gaussian`](crate::project::project_gaussian) with respect to the camera's pose, of dL/dmean2d and
+/// dL/dconic (xx, xy, yy): dL/dw and dL/dv.
+#[inline(always)]
+pub fn project_pose_backward(
+    camera: &Camera,
+    blur: f32,
+    footprint: &Footprint,
+    mean2d: Vec2,
+    conic: Vec3,
+) -> [Vec3; 2] {
+    let found = footprint_backward(camera, blur, footprint, mean2d, conic);
+    let lens = &footprint.lens;
+    let turned = cross(found.row_x, lens.row_x) + cross(found.row_y, lens.row_y);
+    [cross(footprint.t, found.t) + camera.turn_to_camera(turned), found.t]
+}
+
+/// Parameters of [`pose_backward`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PoseBackwardParams {
+    /// Gaussians of the scene.
+    pub gaussians: u32,
+    /// Words of a camera's mask.
+    pub words: u32,
+    /// Blocks of [`BLOCK`] pairs: enough for a camera with all Gaussians.
+    pub blocks: u32,
+    /// See [`ProjectParams::blur`](crate::project::ProjectParams::blur).
+    pub blur: f32,
+}
+
+/// Adds up what the pairs of a block have: blocks of a camera's pairs along x and y, cameras along z.
+///
+/// `pair [pairs]` and `first_pair [cameras, words + ..]` are those of [`pair_fill`](crate::pair::pair_fill), with the number of
+/// all pairs at the end; `pair_gradient [pairs, 3]` is that of [`splat_backward`](crate::splat::splat_backward).
+/// `partial [cameras, blocks, 6]`.
+#[kernel(threads(64), iterations = BLOCK)]
+pub fn pose_backward(
+    id: Invocation,
+    params: &PoseBackwardParams,
+    camera: Read<f32>,
+    position: Read<f32>,
+    rotation: Read<f32>,
+    log_scale: Read<f32>,
+    first_pair: Read<u32>,
+    pair: Read<u32>,
+    pair_gradient: Read<Vec4>,
+    partial: Write<f32>,
+) {
+    let block = id.index();
+    if block < params.blocks {
+        let slot = id.workgroup.z;
+        let view = Camera::read(camera, slot);
+        let last = first_pair.read((slot + 1) * params.words);
+        let mut next = first_pair.read(slot * params.words) + block * BLOCK;
+        let end = if next + BLOCK < last { next + BLOCK } else { last };
+        let (mut turn, mut shift) = (Vec3::ZERO, Vec3::ZERO);
+        while next < end {
+            let gaussian = pair.read(next) - slot * params.gaussians;
+            let center = read3(position, 3 * gaussian);
+            let quaternion = read_quaternion(rotation, gaussian);
+            let footprint =
+                Footprint::new(&view, center, quaternion, read3(log_scale, 3 * gaussian));
+            let first = VECTORS * next;
+            let (geometry, conic) = (pair_gradient.read(first), pair_gradient.read(first + 1));
+            let [by_turn, by_shift] = project_pose_backward(
+                &view,
+                params.blur,
+                &footprint,
+                Vec2::new(geometry.x, geometry.y),
+                Vec3::new(conic.x, conic.y, conic.z),
+            );
+            turn += by_turn;
+            shift += by_shift;
+            next += 1;
+        }
+        let at = VALUES * (slot * params.blocks + block);
+        partial.write(at, turn.x);
+        partial.write(at + 1, turn.y);
+        partial.write(at + 2, turn.z);
+        partial.write(at + 3, shift.x);
+        partial.write(at + 4, shift.y);
+        partial.write(at + 5, shift.z);
+    }
+}
+
+/// Parameters of [`pose_sum`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PoseSumParams {
+    /// Cameras of the part.
+    pub cameras: u32,
+    /// Blocks of a camera.
+    pub blocks: u32,
+    /// The first block to add.
+    pub first: u32,
+    /// The last one, and one: at most [`MAX_BLOCKS`] more.
+    pub end: u32,
+}
+
+/// Adds the blocks of a camera, ascending, to its place in `gradient [.., 6]`. `index [cameras]` says which that is.
+#[kernel(threads(64), iterations = MAX_BLOCKS)]
+pub fn pose_sum(
+    id: Invocation,
+    params: &PoseSumParams,
+    index: Read<u32>,
+    partial: Read<f32>,
+    gradient: Write<f32>,
+) {
+    let item = id.index();
+    if item < params.cameras * VALUES {
+        let (slot, value) = (item / VALUES, item % VALUES);
+        let to = VALUES * index.read(slot) + value;
+        let mut sum = gradient.read(to);
+        let mut block = params.first;
+        while block < params.end {
+            sum += partial.read(VALUES * (slot * params.blocks + block) + value);
+            block += 1;
+        }
+        gradient.write(to, sum);
+    }
+}

@@ -75,21 +75,21 @@ gaussian_tensors!(define);
 
 impl Default for OptimizerConfig {
     fn default() -> Self {
-        let falls = |first: f64, share: f64| Rate { first, last: first * share };
+        let rate = |first, last| Rate { first, last };
         Self {
             beta1: 0.9,
             beta2: 0.99,
             epsilon: 1e-12,
-            position: falls(1e-3, 0.05),
-            rotation: falls(1e-3, 1.0),
-            log_scale: falls(1e-2, 0.3),
-            opacity: falls(2.5e-2, 1.0),
-            material: falls(1e-2, 0.1),
-            extra: falls(1e-2, 0.1),
-            grids: falls(1e-2, 0.1),
-            networks: falls(2e-3, 0.1),
-            exposure: falls(1e-2, 0.1),
-            pose: falls(3e-4, 0.1),
+            position: rate(2e-3, 1e-4),
+            rotation: rate(2e-3, 2e-3),
+            log_scale: rate(2e-2, 6e-3),
+            opacity: rate(5e-2, 5e-2),
+            material: rate(2e-2, 2e-3),
+            extra: rate(2e-2, 2e-3),
+            grids: rate(1e-2, 1e-3),
+            networks: rate(5e-3, 5e-4),
+            exposure: rate(1e-2, 1e-3),
+            pose: rate(3e-4, 3e-5),
         }
     }
 }

@@ -72,7 +72,7 @@ impl ShareTrainer {
     /// Continues from a checkpoint, of which each rank has its share.
     ///
     /// # Errors
-    /// As [`Trainer::resume`](super::Trainer::resume); [`Error::Argument`] where ranks cannot learn what the settings ask for.
+    /// As [`Trainer::resume`](super::Trainer::resume); [`Error::Argument`](crate::Error::Argument) where ranks cannot learn what the settings ask for.
     pub fn resume(
         renderer: &Renderer,
         config: TrainConfig,
@@ -150,7 +150,7 @@ impl ShareTrainer {
     /// One step, with all other ranks.
     ///
     /// # Errors
-    /// As [`Trainer::step`](super::Trainer::step), and [`Error::Rank`] where another rank has failed. The trainer is then as
+    /// As [`Trainer::step`](super::Trainer::step), and [`Error::Rank`](crate::Error::Rank) where another rank has failed. The trainer is then as
     /// before the step, unless it was growing.
     pub fn step(&mut self) -> Result<StepReport> {
         let batch = self.sampler.batch(self.step);

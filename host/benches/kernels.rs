@@ -107,17 +107,21 @@ mod flops {
         let stride = BACKWARD.stride;
         let params = DenseWeightBackwardParams {
             samples: BACKWARD.samples,
+            first_sample: 0,
             stride,
             inputs: WIDTH,
             columns: COLUMNS,
             weight: 0,
             bias: BIAS,
+            units: 1,
             slice: BACKWARD.samples,
-            first_slice: 0,
+            places: 1,
             parameters: PARAMETERS,
         };
         let kernel = DenseWeightBackwardKernel {
             params,
+            // one unit, which is one slice
+            unit: &bench.upload(&[0, 0, BACKWARD.samples, 1]),
             input: &bench.numbers(WIDTH * stride, [-1.0, 1.0]),
             output_gradient: &bench.numbers(WIDTH * stride, [-1.0, 1.0]),
             partial: &bench.zeros::<Vec4>(PARAMETERS),

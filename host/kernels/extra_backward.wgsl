@@ -33,12 +33,12 @@ var<storage> global_5: type_5;
 var<storage, read_write> global_6: type_5;
 
 fn function_() {
-    var phi_92_: f32;
-    var phi_95_: u32;
-    var phi_93_: f32;
-    var phi_107_: f32;
-    var phi_110_: u32;
-    var phi_108_: f32;
+    var phi_97_: u32;
+    var phi_100_: f32;
+    var phi_101_: f32;
+    var phi_112_: u32;
+    var phi_115_: f32;
+    var phi_116_: f32;
     var local: f32;
     var local_1: f32;
     var local_2: u32;
@@ -60,58 +60,58 @@ fn function_() {
         let _e62 = global_4.member.member_6;
         let _e66 = global_4.member.member_4;
         let _e67 = ((_e62 + _e19.z) * _e66);
-        let _e69 = (_e67 + (select(_e39, _e54, (_e54 > _e39)) - _e39));
-        phi_92_ = 0f;
-        phi_95_ = (_e67 + (select(_e39, _e45, (_e45 > _e39)) - _e39));
+        let _e70 = global_4.member.member_5;
+        let _e75 = global_6.member[((_e36 * _e70) + _e19.z)];
+        let _e77 = (_e67 + (select(_e39, _e54, (_e54 > _e39)) - _e39));
+        phi_97_ = (_e67 + (select(_e39, _e45, (_e45 > _e39)) - _e39));
+        phi_100_ = _e75;
         loop {
-            let _e71 = phi_92_;
-            let _e73 = phi_95_;
-            local_2 = _e73;
-            local = _e71;
-            let _e74 = (_e73 + 1u);
-            let _e75 = (_e74 <= _e69);
-            if _e75 {
-                let _e78 = global_5.member[_e73];
-                phi_93_ = (_e71 + _e78);
+            let _e79 = phi_97_;
+            let _e81 = phi_100_;
+            local_2 = _e79;
+            local = _e81;
+            let _e82 = (_e79 + 1u);
+            let _e83 = (_e82 <= _e77);
+            if _e83 {
+                let _e86 = global_5.member[_e79];
+                phi_101_ = (_e81 + _e86);
             } else {
-                phi_93_ = f32();
+                phi_101_ = f32();
             }
-            let _e81 = phi_93_;
+            let _e89 = phi_101_;
             continue;
             continuing {
-                phi_92_ = _e81;
-                phi_95_ = select(u32(), _e74, _e75);
-                break if !(_e75);
+                phi_97_ = select(u32(), _e82, _e83);
+                phi_100_ = _e89;
+                break if !(_e83);
             }
         }
-        phi_107_ = 0f;
-        let _e118 = local_2;
-        phi_110_ = _e118;
+        let _e116 = local_2;
+        phi_112_ = _e116;
+        phi_115_ = 0f;
         loop {
-            let _e85 = phi_107_;
-            let _e87 = phi_110_;
-            local_1 = _e85;
-            let _e88 = (_e87 + 1u);
-            let _e89 = (_e88 <= _e69);
-            if _e89 {
-                let _e92 = global_5.member[_e87];
-                phi_108_ = (_e85 + _e92);
+            let _e93 = phi_112_;
+            let _e95 = phi_115_;
+            local_1 = _e95;
+            let _e96 = (_e93 + 1u);
+            let _e97 = (_e96 <= _e77);
+            if _e97 {
+                let _e100 = global_5.member[_e93];
+                phi_116_ = (_e95 + _e100);
             } else {
-                phi_108_ = f32();
+                phi_116_ = f32();
             }
-            let _e95 = phi_108_;
+            let _e103 = phi_116_;
             continue;
             continuing {
-                phi_107_ = _e95;
-                phi_110_ = select(u32(), _e88, _e89);
-                break if !(_e89);
+                phi_112_ = select(u32(), _e96, _e97);
+                phi_115_ = _e103;
+                break if !(_e97);
             }
         }
-        let _e100 = global_4.member.member_5;
-        let _e105 = global_6.member[((_e36 * _e100) + _e19.z)];
         let _e107 = local;
         let _e109 = local_1;
-        global_6.member[((_e36 * _e100) + _e19.z)] = (_e105 + (_e107 + _e109));
+        global_6.member[((_e36 * _e70) + _e19.z)] = (_e107 + _e109);
     }
     return;
 }

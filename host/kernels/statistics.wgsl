@@ -6,6 +6,7 @@ struct type_11 {
     member: u32,
     member_1: u32,
     member_2: u32,
+    member_3: u32,
 }
 
 struct type_12 {
@@ -33,96 +34,94 @@ var<storage> global_7: type_6;
 var<storage, read_write> global_8: type_6;
 
 fn function_() {
-    var phi_73_: u32;
-    var phi_76_: f32;
-    var phi_78_: f32;
-    var phi_80_: f32;
-    var phi_121_: f32;
-    var phi_122_: f32;
-    var phi_123_: f32;
-    var phi_74_: u32;
-    var phi_77_: f32;
-    var phi_79_: f32;
-    var phi_81_: f32;
+    var phi_80_: u32;
+    var phi_83_: f32;
+    var phi_85_: f32;
+    var phi_87_: f32;
+    var phi_126_: f32;
+    var phi_127_: f32;
+    var phi_128_: f32;
+    var phi_81_: u32;
+    var phi_84_: f32;
+    var phi_86_: f32;
+    var phi_88_: f32;
     var local: f32;
     var local_1: f32;
     var local_2: f32;
     var local_3: f32;
-    var local_4: f32;
 
-    let _e20 = global;
-    let _e21 = global_1;
-    let _e22 = global_2;
-    let _e30 = (((_e21.x + (_e21.y * _e22.x)) * 64u) + _e20.x);
-    let _e33 = global_3.member.member;
-    if (_e30 < _e33) {
-        let _e39 = (1u << bitcast<u32>(((_e30 % 32u) & 31u)));
-        phi_73_ = 0u;
-        phi_76_ = 0f;
-        phi_78_ = 0f;
-        phi_80_ = 0f;
+    let _e19 = global;
+    let _e20 = global_1;
+    let _e21 = global_2;
+    let _e29 = (((_e20.x + (_e20.y * _e21.x)) * 64u) + _e19.x);
+    let _e32 = global_3.member.member;
+    if (_e29 < _e32) {
+        let _e38 = (1u << bitcast<u32>(((_e29 % 32u) & 31u)));
+        let _e41 = global_8.member[_e29];
+        let _e47 = global_3.member.member_2;
+        let _e50 = global_3.member.member_3;
+        phi_80_ = _e47;
+        phi_83_ = _e41.z;
+        phi_85_ = _e41.y;
+        phi_87_ = _e41.x;
         loop {
-            let _e41 = phi_73_;
-            let _e43 = phi_76_;
-            let _e45 = phi_78_;
-            let _e47 = phi_80_;
-            local = _e45;
-            local_1 = _e47;
-            local_2 = _e45;
-            local_3 = _e43;
-            local_4 = _e43;
-            let _e50 = global_3.member.member_2;
-            let _e51 = (_e41 < _e50);
-            if _e51 {
-                let _e54 = global_3.member.member_1;
-                let _e56 = ((_e41 * _e54) + (_e30 / 32u));
-                let _e59 = global_5.member[_e56];
-                if ((_e59 & _e39) == 0u) {
-                    phi_121_ = _e43;
-                    phi_122_ = _e45;
-                    phi_123_ = _e47;
+            let _e53 = phi_80_;
+            let _e55 = phi_83_;
+            let _e57 = phi_85_;
+            let _e59 = phi_87_;
+            local = _e57;
+            local_1 = _e59;
+            local_2 = _e57;
+            local_3 = _e55;
+            let _e60 = (_e53 < (_e47 + _e50));
+            if _e60 {
+                let _e63 = global_3.member.member_1;
+                let _e65 = ((_e53 * _e63) + (_e29 / 32u));
+                let _e68 = global_5.member[_e65];
+                if ((_e68 & _e38) == 0u) {
+                    phi_126_ = _e55;
+                    phi_127_ = _e57;
+                    phi_128_ = _e59;
                 } else {
-                    let _e67 = global_6.member[_e56];
-                    let _e72 = global_7.member[(3u * (_e67 + countOneBits((_e59 & (_e39 - 1u)))))];
-                    let _e86 = global_4.member[(2u * ((_e41 * _e33) + _e30))];
-                    phi_121_ = select(_e86.z, _e43, (_e43 > _e86.z));
-                    phi_122_ = (_e45 + 1f);
-                    phi_123_ = (_e47 + sqrt(((_e72.x * _e72.x) + (_e72.y * _e72.y))));
+                    let _e76 = global_6.member[_e65];
+                    let _e81 = global_7.member[(3u * (_e76 + countOneBits((_e68 & (_e38 - 1u)))))];
+                    let _e95 = global_4.member[(2u * ((_e53 * _e32) + _e29))];
+                    phi_126_ = select(_e95.z, _e55, (_e55 > _e95.z));
+                    phi_127_ = (_e57 + 1f);
+                    phi_128_ = (_e59 + sqrt(((_e81.x * _e81.x) + (_e81.y * _e81.y))));
                 }
-                let _e91 = phi_121_;
-                let _e93 = phi_122_;
-                let _e95 = phi_123_;
-                phi_74_ = (_e41 + 1u);
-                phi_77_ = _e91;
-                phi_79_ = _e93;
-                phi_81_ = _e95;
+                let _e100 = phi_126_;
+                let _e102 = phi_127_;
+                let _e104 = phi_128_;
+                phi_81_ = (_e53 + 1u);
+                phi_84_ = _e100;
+                phi_86_ = _e102;
+                phi_88_ = _e104;
             } else {
-                phi_74_ = u32();
-                phi_77_ = f32();
-                phi_79_ = f32();
-                phi_81_ = f32();
+                phi_81_ = u32();
+                phi_84_ = f32();
+                phi_86_ = f32();
+                phi_88_ = f32();
             }
-            let _e98 = phi_74_;
-            let _e100 = phi_77_;
-            let _e102 = phi_79_;
-            let _e104 = phi_81_;
+            let _e107 = phi_81_;
+            let _e109 = phi_84_;
+            let _e111 = phi_86_;
+            let _e113 = phi_88_;
             continue;
             continuing {
-                phi_73_ = _e98;
-                phi_76_ = _e100;
-                phi_78_ = _e102;
-                phi_80_ = _e104;
-                break if !(_e51);
+                phi_80_ = _e107;
+                phi_83_ = _e109;
+                phi_85_ = _e111;
+                phi_87_ = _e113;
+                break if !(_e60);
             }
         }
-        let _e107 = local;
-        if (_e107 > 0f) {
-            let _e111 = global_8.member[_e30];
-            let _e114 = local_1;
-            let _e118 = local_2;
-            let _e122 = local_3;
-            let _e125 = local_4;
-            global_8.member[_e30] = vec4<f32>((_e111.x + _e114), (_e111.y + _e118), select(_e125, _e111.z, (_e111.z > _e122)), _e111.w);
+        let _e116 = local;
+        if (_e116 > _e41.y) {
+            let _e120 = local_1;
+            let _e122 = local_2;
+            let _e124 = local_3;
+            global_8.member[_e29] = vec4<f32>(_e120, _e122, _e124, _e41.w);
         }
     }
     return;

@@ -5,7 +5,10 @@
 
 use glam::Vec4;
 
-use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SLICE, MAX_SLICES};
+use crate::limits::{MAX_CAMERAS, MAX_HIDDEN_WIDTH, MAX_SLICE, MAX_SLICES};
+use crate::unit::{
+    SEARCH, first_sample_of, first_slice_of, samples_of_slice, slice_of_sample, unit_of_slice,
+};
 use organza_kernel::lane_vec4::LaneVec4;
 use organza_kernel::prelude::*;
 use organza_kernel::samples::Samples;
@@ -185,6 +188,8 @@ fn masked<S: Samples>(params: &DenseBackwardParams, input: Read<f32>, value: S, 
 pub struct DenseWeightBackwardParams {
     /// Samples in the chunk.
     pub samples: u32,
+    /// The chunk's first sample, of all.
+    pub first_sample: u32,
     /// Distance of two rows in `input` and `output_gradient`.
     pub stride: u32,
     /// Inputs of the layer.
@@ -195,10 +200,12 @@ pub struct DenseWeightBackwardParams {
     pub weight: u32,
     /// Where the layer's biases begin.
     pub bias: u32,
+    /// Units of the part.
+    pub units: u32,
     /// Samples of a slice.
     pub slice: u32,
-    /// The first slice's place in `partial`.
-    pub first_slice: u32,
+    /// Slices that `partial` has room for: a slice's place is its number modulo this.
+    pub places: u32,
     /// Distance of two slices in `partial`: the parameters of the whole network.
     pub parameters: u32,
 }
@@ -253,12 +260,14 @@ fn dense_weight_backward_work(params: &DenseWeightBackwardParams, shape: Shape<'
 /// 10, the sums over the samples of a slice: blocks of four inputs and a column of outputs along x and y (the column
 /// counts fastest; behind the last block the biases), slices along z.
 ///
-/// `input [inputs, stride]`, `output_gradient [4 columns, stride]`, `partial [slices, parameters]`, from
-/// the slice `params.first_slice` on.
-#[kernel(threads(16), iterations = MAX_SLICE, fused, lanes, counts(samples), work(dense_weight_backward_work))]
+/// `unit [units + 1, 2]`, see [`unit_begin`](crate::unit::unit_begin()); `input [inputs, stride]`, `output_gradient
+/// [4 columns, stride]`, `partial [places, parameters]`. The slices are those that have a sample in the chunk. One that
+/// began in the chunk before goes on from its sums there.
+#[kernel(threads(16), iterations = MAX_SLICE + 2 * SEARCH, fused, lanes, counts(samples), work(dense_weight_backward_work))]
 pub fn dense_weight_backward<L: Lane>(
     id: Invocation,
     params: &DenseWeightBackwardParams,
+    unit: Read<u32>,
     input: Read<f32>,
     output_gradient: Read<f32>,
     partial: Write<Vec4>,
@@ -266,40 +275,78 @@ pub fn dense_weight_backward<L: Lane>(
     let index = id.index();
     let (columns, inputs) = (params.columns, params.inputs);
     let blocks = (inputs - 1) / WEIGHT_ROWS_PER_INVOCATION + 1;
-    if index < (blocks + 1) * columns {
+    let chunk = params.first_sample;
+    let slice = slice_of_sample(unit, params.units, params.slice, chunk) + id.workgroup.z;
+    let (first, last) = samples_of_slice(unit, params.units, params.slice, slice);
+    // counted from the chunk's first sample
+    let begin = if first > chunk { first - chunk } else { 0 };
+    let end = if last > chunk { least(last - chunk, params.samples) } else { 0 };
+    if index < (blocks + 1) * columns && begin < end {
         let (block, column) = (index / columns, index % columns);
-        let slice = id.workgroup.z;
-        let begin = slice * params.slice;
-        let end = least(begin + params.slice, params.samples);
-        let to = (params.first_slice + slice) * params.parameters + column;
+        let to = slice % params.places * params.parameters + column;
+        // one lane goes on where the chunk before has ended: the sum does not depend on where that was
+        let goes_on = first < chunk;
+        let (of_lanes, of_rest) = (goes_on && L::WIDTH == 1, goes_on && L::WIDTH > 1);
         let g = 4 * column * params.stride;
         if block < blocks {
             let first = block * WEIGHT_ROWS_PER_INVOCATION;
+            let to = to + params.weight + first * columns;
+            // inputs past the last repeat it
+            let to1 = to + least(1, inputs - 1 - first) * columns;
+            let to2 = to + least(2, inputs - 1 - first) * columns;
+            let to3 = to + least(3, inputs - 1 - first) * columns;
+            let to = [to, to1, to2, to3];
+            let before = begin_sums::<L>(partial, to, of_lanes);
             let (rows, stride) = (input_rows(params, first), params.stride);
             let (sums, sample) =
-                sum_products::<L>(input, rows, output_gradient, g, stride, [begin, end]);
+                sum_products::<L>(before, input, rows, output_gradient, g, stride, [begin, end]);
             let [sum0, sum1, sum2, sum3] = sums;
             let (sum0, sum1) = (settled(sum0), settled(sum1));
             let (sum2, sum3) = (settled(sum2), settled(sum3));
+            let before = begin_sums::<L::One>(partial, to, of_rest);
+            let range = [sample, end];
             let (rests, _) =
-                sum_products::<L::One>(input, rows, output_gradient, g, stride, [sample, end]);
+                sum_products::<L::One>(before, input, rows, output_gradient, g, stride, range);
             let [rest0, rest1, rest2, rest3] = rests;
-            let to = to + params.weight + first * columns;
-            partial.write(to, total(sum0, rest0));
+            partial.write(to[0], total(sum0, rest0));
             if first + 1 < inputs {
-                partial.write(to + columns, total(sum1, rest1));
+                partial.write(to[1], total(sum1, rest1));
             }
             if first + 2 < inputs {
-                partial.write(to + 2 * columns, total(sum2, rest2));
+                partial.write(to[2], total(sum2, rest2));
             }
             if first + 3 < inputs {
-                partial.write(to + 3 * columns, total(sum3, rest3));
+                partial.write(to[3], total(sum3, rest3));
             }
         } else {
-            let sum = sum_rows::<L>(output_gradient, g, params.stride, begin, end);
-            partial.write(to + params.bias, sum);
+            let to = to + params.bias;
+            let range = [begin, end];
+            let before = begin_sum::<L>(partial, to, of_lanes);
+            let (sum, sample) = sum_lanes::<L>(before, output_gradient, g, params.stride, range);
+            let sum = settled(sum);
+            let before = begin_sum::<L::One>(partial, to, of_rest);
+            let range = [sample, end];
+            let (rest, _) = sum_lanes::<L::One>(before, output_gradient, g, params.stride, range);
+            partial.write(to, total(sum, rest));
         }
     }
+}
+
+/// What a sum begins with: zeros, or what it has of the chunk before.
+#[inline(always)]
+fn begin_sum<L: Lane>(partial: Write<Vec4>, at: u32, goes_on: bool) -> LaneVec4<L> {
+    LaneVec4::<L>::splat(if goes_on { partial.read(at) } else { Vec4::ZERO })
+}
+
+/// As [`begin_sum`], for four sums.
+#[inline(always)]
+fn begin_sums<L: Lane>(partial: Write<Vec4>, at: [u32; 4], goes_on: bool) -> [LaneVec4<L>; 4] {
+    [
+        begin_sum(partial, at[0], goes_on),
+        begin_sum(partial, at[1], goes_on),
+        begin_sum(partial, at[2], goes_on),
+        begin_sum(partial, at[3], goes_on),
+    ]
 }
 
 /// Sums of the products of four inputs and a column of outputs' gradients, over as many whole lanes of samples as there are;
@@ -307,6 +354,7 @@ pub fn dense_weight_backward<L: Lane>(
 #[loops]
 #[inline(always)]
 fn sum_products<L: Lane>(
+    before: [LaneVec4<L>; 4],
     input: Read<f32>,
     [row0, row1, row2, row3]: [u32; 4],
     output_gradient: Read<f32>,
@@ -315,8 +363,7 @@ fn sum_products<L: Lane>(
     [begin, end]: [u32; 2],
 ) -> ([LaneVec4<L>; 4], u32) {
     // sixteen sums: four variables, for an aggregate of them would stay in memory
-    let none = LaneVec4::<L>::splat(Vec4::ZERO);
-    let (mut sum0, mut sum1, mut sum2, mut sum3) = (none, none, none, none);
+    let [mut sum0, mut sum1, mut sum2, mut sum3] = before;
     let mut sample = begin;
     while sample + L::WIDTH <= end {
         let g = read_column::<L>(output_gradient, g + sample, stride);
@@ -329,25 +376,17 @@ fn sum_products<L: Lane>(
     ([sum0, sum1, sum2, sum3], sample)
 }
 
-/// Sums of a column's four rows from a sample to another.
-#[inline(always)]
-fn sum_rows<L: Lane>(rows: Read<f32>, first: u32, stride: u32, begin: u32, end: u32) -> Vec4 {
-    let (sum, sample) = sum_lanes::<L>(rows, first, stride, [begin, end]);
-    let sum = settled(sum);
-    let (rest, _) = sum_lanes::<L::One>(rows, first, stride, [sample, end]);
-    total(sum, rest)
-}
-
-/// As [`sum_rows`], over as many whole lanes of samples as there are; and the first sample after those.
+/// Sums of a column's four rows, over as many whole lanes of samples as there are; and the first sample after those.
 #[loops]
 #[inline(always)]
 fn sum_lanes<L: Lane>(
+    before: LaneVec4<L>,
     rows: Read<f32>,
     first: u32,
     stride: u32,
     [begin, end]: [u32; 2],
 ) -> (LaneVec4<L>, u32) {
-    let mut sum = LaneVec4::<L>::splat(Vec4::ZERO);
+    let mut sum = before;
     let mut sample = begin;
     while sample + L::WIDTH <= end {
         sum = add(sum, read_column::<L>(rows, first + sample, stride));
@@ -374,33 +413,92 @@ fn input_rows(params: &DenseWeightBackwardParams, first: u32) -> [u32; 4] {
 pub struct DenseWeightSumParams {
     /// Vectors of parameters of the whole network.
     pub parameters: u32,
-    /// Slices.
-    pub slices: u32,
+    /// The group's first sample, of all.
+    pub first_sample: u32,
+    /// Samples in the group.
+    pub samples: u32,
+    /// Units of the part.
+    pub units: u32,
+    /// Samples of a slice.
+    pub slice: u32,
+    /// See [`DenseWeightBackwardParams::places`].
+    pub places: u32,
 }
 
 /// What [`dense_weight_sum`] computes and moves.
 #[cfg(not(target_arch = "spirv"))]
 fn dense_weight_sum_work(params: &DenseWeightSumParams, _: Shape<'_>) -> Work {
-    let [parameters, slices] = wide([params.parameters, params.slices]);
+    let slices = params.samples.div_ceil(params.slice);
+    let [parameters, slices] = wide([params.parameters, slices]);
     Work { flops: 4 * parameters * slices, bytes: VECTOR * parameters * (slices + 2) }
 }
 
-/// Adds what [`dense_weight_backward`] found in each slice, in their order: `gradient [parameters]`,
-/// `partial [slices, parameters]`.
-#[kernel(threads(64), iterations = MAX_SLICES, work(dense_weight_sum_work))]
+/// Adds what [`dense_weight_backward`] found in each slice that ends in a group of chunks to the sum of the slice's unit, in
+/// their order: `unit [units + 1, 2]`, see [`unit_begin`](crate::unit::unit_begin()); `partial [places, parameters]`,
+/// `unit_sum [units, parameters]`.
+#[kernel(threads(64), iterations = MAX_SLICES + MAX_CAMERAS + 2 * SEARCH, counts(samples), work(dense_weight_sum_work))]
 pub fn dense_weight_sum(
     id: Invocation,
     params: &DenseWeightSumParams,
+    unit: Read<u32>,
     partial: Read<Vec4>,
+    unit_sum: Write<Vec4>,
+) {
+    let (index, parameters) = (id.index(), params.parameters);
+    if index < parameters && params.samples > 0 {
+        let end = params.first_sample + params.samples;
+        let mut slice = slice_of_sample(unit, params.units, params.slice, params.first_sample);
+        let mut owner = unit_of_slice(unit, params.units, slice);
+        while owner < params.units && first_sample_of(unit, owner) < end {
+            // of the last unit, only those that are whole
+            let first = first_sample_of(unit, owner);
+            let is_whole = first_sample_of(unit, owner + 1) <= end;
+            let whole = first_slice_of(unit, owner) + (end - first) / params.slice;
+            let stop = if is_whole { first_slice_of(unit, owner + 1) } else { whole };
+            let at = owner * parameters + index;
+            let mut sum = unit_sum.read(at);
+            while slice < stop {
+                sum += partial.read(slice % params.places * parameters + index);
+                slice += 1;
+            }
+            unit_sum.write(at, sum);
+            owner += 1;
+        }
+    }
+}
+
+/// Parameters of [`dense_unit_sum`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct DenseUnitSumParams {
+    /// Vectors of parameters of the whole network.
+    pub parameters: u32,
+    /// Units of the part.
+    pub units: u32,
+}
+
+/// What [`dense_unit_sum`] computes and moves.
+#[cfg(not(target_arch = "spirv"))]
+fn dense_unit_sum_work(params: &DenseUnitSumParams, _: Shape<'_>) -> Work {
+    let [parameters, units] = wide([params.parameters, params.units]);
+    Work { flops: 4 * parameters * units, bytes: VECTOR * parameters * (units + 2) }
+}
+
+/// Adds the units' sums of [`dense_weight_sum`] in their order: `unit_sum [units, parameters]`, `gradient [parameters]`.
+#[kernel(threads(64), iterations = MAX_CAMERAS, work(dense_unit_sum_work))]
+pub fn dense_unit_sum(
+    id: Invocation,
+    params: &DenseUnitSumParams,
+    unit_sum: Read<Vec4>,
     gradient: Write<Vec4>,
 ) {
     let index = id.index();
     if index < params.parameters {
         let mut sum = gradient.read(index);
-        let mut slice = 0;
-        while slice < params.slices {
-            sum += partial.read(slice * params.parameters + index);
-            slice += 1;
+        let mut unit = 0;
+        while unit < params.units {
+            sum += unit_sum.read(unit * params.parameters + index);
+            unit += 1;
         }
         gradient.write(index, sum);
     }

@@ -44,4 +44,5 @@ pub mod tile;
 pub mod tile_cells;
 pub mod transmittance;
 pub mod transmittance_backward;
+pub mod unit;
 pub mod unit_cube;

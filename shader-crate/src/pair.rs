@@ -80,7 +80,9 @@ pub fn pair_fill(
 pub struct PairSumParams {
     /// Words of a mask.
     pub words: u32,
-    /// Cameras.
+    /// The first camera.
+    pub first_camera: u32,
+    /// Cameras from there on.
     pub cameras: u32,
     /// Gaussians of the scene.
     pub gaussians: u32,
@@ -91,7 +93,7 @@ pub struct PairSumParams {
 /// Values that an invocation of [`pair_sum`] sums.
 pub const SUMMED: u32 = 4;
 
-/// Adds the vectors of a Gaussian's pairs to its own, by camera ascending: the gradient of what all cameras share, the
+/// Adds the vectors of a Gaussian's pairs in some of the cameras to its own, one after the other: the gradient of what all cameras share, the
 /// material of Eq. 1 and the extra vector of Eq. 9.
 ///
 /// `mask` and `first_pair [cameras, words]`, `pair_vector [pairs, width]`, `vector [gaussians, width]`.
@@ -113,8 +115,18 @@ pub fn pair_sum(
         let (gaussian, value) = (index / groups, index % groups * SUMMED);
         let [second, third, fourth] = [value + 1 < width, value + 2 < width, value + 3 < width];
         let bit = gaussian % 32;
-        let mut at = gaussian / 32;
-        let mut sum = Vec4::ZERO;
+        let mut at = params.first_camera * params.words + gaussian / 32;
+        let to = gaussian * width + value;
+        let mut sum = Vec4::new(vector.read(to), 0.0, 0.0, 0.0);
+        if second {
+            sum.y = vector.read(to + 1);
+        }
+        if third {
+            sum.z = vector.read(to + 2);
+        }
+        if fourth {
+            sum.w = vector.read(to + 3);
+        }
         let mut camera = 0;
         while camera < params.cameras {
             let bits = mask.read(at);
@@ -135,16 +147,15 @@ pub fn pair_sum(
             at += params.words;
             camera += 1;
         }
-        let to = gaussian * width + value;
-        vector.write(to, vector.read(to) + sum.x);
+        vector.write(to, sum.x);
         if second {
-            vector.write(to + 1, vector.read(to + 1) + sum.y);
+            vector.write(to + 1, sum.y);
         }
         if third {
-            vector.write(to + 2, vector.read(to + 2) + sum.z);
+            vector.write(to + 2, sum.z);
         }
         if fourth {
-            vector.write(to + 3, vector.read(to + 3) + sum.w);
+            vector.write(to + 3, sum.w);
         }
     }
 }

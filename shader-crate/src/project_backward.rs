@@ -115,6 +115,10 @@ pub fn project_gaussian_backward(
     }
 }
 
+/// What a term passes before it is added. Compilers do not know it, so they cannot fuse the sum with the product before, which
+/// would round otherwise than a sum that begins with 0. naga does not tell drivers that they must not.
+pub const ALL_BITS: u32 = u32::MAX;
+
 /// Parameters of [`project_backward`].
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -123,13 +127,17 @@ pub struct ProjectBackwardParams {
     pub gaussians: u32,
     /// Words of a camera's mask.
     pub words: u32,
-    /// Cameras of the part.
+    /// The first camera.
+    pub first_camera: u32,
+    /// Cameras from there on.
     pub cameras: u32,
     /// See [`ProjectParams::blur`](crate::project::ProjectParams::blur).
     pub blur: f32,
+    /// [`ALL_BITS`]
+    pub bits: u32,
 }
 
-/// Adds what the pairs of a Gaussian have, cameras ascending, to `gradient [11 gaussians]`: position `[N, 3]`, rotation
+/// Adds what the pairs of a Gaussian have in some of the cameras, one after the other, to `gradient [11 gaussians]`: position `[N, 3]`, rotation
 /// `[N, 4]`, log_scale `[N, 3]`, opacity `[N]`.
 ///
 /// `pair_gradient [pairs, 3]` is that of [`splat_backward`](crate::splat::splat_backward).
@@ -152,11 +160,10 @@ pub fn project_backward(
         let center = read3(position, gaussian * 3);
         let quaternion = read_quaternion(rotation, gaussian);
         let log_axes = read3(log_scale, gaussian * 3);
-        let (mut d_center, mut d_axes) = (Vec3::ZERO, Vec3::ZERO);
-        let (mut d_quaternion, mut d_opacity) = (Vec4::ZERO, 0.0);
-        let mut pairs = 0;
-        let mut slot = 0;
-        while slot < params.cameras {
+        let n = params.gaussians;
+        let end = params.first_camera + params.cameras;
+        let mut slot = params.first_camera;
+        while slot < end {
             let bits = pair_mask.read(slot * params.words + word);
             if bits & bit != 0 {
                 let below = (bits & (bit - 1)).count_ones();
@@ -172,34 +179,28 @@ pub fn project_backward(
                     mean2d,
                     Vec3::new(conic.x, conic.y, conic.z),
                 );
-                d_center += found.position;
-                d_quaternion += found.rotation;
-                d_axes += found.log_scale;
-                d_opacity += geometry.z;
-                pairs += 1;
+                // one camera after the other: the sums do not depend on which of them share a dispatch
+                add(gradient, params.bits, 3 * gaussian, found.position.x);
+                add(gradient, params.bits, 3 * gaussian + 1, found.position.y);
+                add(gradient, params.bits, 3 * gaussian + 2, found.position.z);
+                add(gradient, params.bits, 3 * n + 4 * gaussian, found.rotation.x);
+                add(gradient, params.bits, 3 * n + 4 * gaussian + 1, found.rotation.y);
+                add(gradient, params.bits, 3 * n + 4 * gaussian + 2, found.rotation.z);
+                add(gradient, params.bits, 3 * n + 4 * gaussian + 3, found.rotation.w);
+                add(gradient, params.bits, 7 * n + 3 * gaussian, found.log_scale.x);
+                add(gradient, params.bits, 7 * n + 3 * gaussian + 1, found.log_scale.y);
+                add(gradient, params.bits, 7 * n + 3 * gaussian + 2, found.log_scale.z);
+                add(gradient, params.bits, 10 * n + gaussian, geometry.z);
             }
             slot += 1;
-        }
-        if pairs > 0 {
-            let n = params.gaussians;
-            add(gradient, 3 * gaussian, d_center.x);
-            add(gradient, 3 * gaussian + 1, d_center.y);
-            add(gradient, 3 * gaussian + 2, d_center.z);
-            add(gradient, 3 * n + 4 * gaussian, d_quaternion.x);
-            add(gradient, 3 * n + 4 * gaussian + 1, d_quaternion.y);
-            add(gradient, 3 * n + 4 * gaussian + 2, d_quaternion.z);
-            add(gradient, 3 * n + 4 * gaussian + 3, d_quaternion.w);
-            add(gradient, 7 * n + 3 * gaussian, d_axes.x);
-            add(gradient, 7 * n + 3 * gaussian + 1, d_axes.y);
-            add(gradient, 7 * n + 3 * gaussian + 2, d_axes.z);
-            add(gradient, 10 * n + gaussian, d_opacity);
         }
     }
 }
 
 /// `buffer[at] += value`
 #[inline(always)]
-fn add(buffer: Write<f32>, at: u32, value: f32) {
+fn add(buffer: Write<f32>, bits: u32, at: u32, value: f32) {
+    let value = f32::from_bits(value.to_bits() & bits);
     let sum = buffer.read(at) + value;
     buffer.write(at, sum);
 }

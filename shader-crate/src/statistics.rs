@@ -15,11 +15,13 @@ pub struct StatisticsParams {
     pub gaussians: u32,
     /// Words of a camera's mask.
     pub words: u32,
-    /// Cameras of the part.
+    /// The first camera.
+    pub first_camera: u32,
+    /// Cameras from there on.
     pub cameras: u32,
 }
 
-/// Adds the pairs of a Gaussian, cameras ascending, to `statistics [gaussians]`: the sum of |dL/dmean2d| over cameras,
+/// Adds the pairs of a Gaussian in some of the cameras, one after the other, to `statistics [gaussians]`: the sum of |dL/dmean2d| over cameras,
 /// the cameras that have the Gaussian as a pair, its largest radius in pixels, 0.
 ///
 /// `projection [cameras, gaussians, 2]` is that of [`project`](crate::project::project), `pair_gradient [pairs, 3]` that
@@ -37,9 +39,11 @@ pub fn statistics(
     let gaussian = id.index();
     if gaussian < params.gaussians {
         let (word, bit) = (gaussian / 32, 1 << (gaussian % 32));
-        let (mut moved, mut seen, mut radius) = (0.0, 0.0, 0.0);
-        let mut slot = 0;
-        while slot < params.cameras {
+        let before = statistics.read(gaussian);
+        let (mut moved, mut seen, mut radius) = (before.x, before.y, before.z);
+        let end = params.first_camera + params.cameras;
+        let mut slot = params.first_camera;
+        while slot < end {
             let bits = pair_mask.read(slot * params.words + word);
             if bits & bit != 0 {
                 let below = (bits & (bit - 1)).count_ones();
@@ -51,11 +55,8 @@ pub fn statistics(
             }
             slot += 1;
         }
-        if seen > 0.0 {
-            let before = statistics.read(gaussian);
-            let after =
-                Vec4::new(before.x + moved, before.y + seen, max(before.z, radius), before.w);
-            statistics.write(gaussian, after);
+        if seen > before.y {
+            statistics.write(gaussian, Vec4::new(moved, seen, radius, before.w));
         }
     }
 }

@@ -129,18 +129,24 @@ pub fn extra_backward<L: Lane>(
         let (begin, end) = samples_of(first_sample, pair, params.first_sample, params.samples);
         let value = id.workgroup.z;
         let row = (params.extra_row + value) * params.stride;
-        let (sum, first) = sum_lanes::<L>(input_gradient, row + begin, row + end);
-        let (rest, _) = sum_lanes::<L::One>(input_gradient, first, row + end);
         let to = pair * params.extra + value;
-        pair_extra.write(to, pair_extra.read(to) + (sum.sum() + rest.sum()));
+        // one lane goes on where the chunk before has ended: the sum does not depend on where that was
+        let before = pair_extra.read(to);
+        let first_of_lanes = if L::WIDTH == 1 { before } else { 0.0 };
+        let start = L::splat(first_of_lanes);
+        let (sum, first) = sum_lanes::<L>(start, input_gradient, row + begin, row + end);
+        let none = L::One::splat(0.0);
+        let (rest, _) = sum_lanes::<L::One>(none, input_gradient, first, row + end);
+        let sum = sum.sum() + rest.sum();
+        pair_extra.write(to, if L::WIDTH == 1 { sum } else { before + sum });
     }
 }
 
 /// The sum of as many whole lanes as there are, and the index after those.
 #[loops]
 #[inline(always)]
-fn sum_lanes<L: Lane>(values: Read<f32>, begin: u32, end: u32) -> (L, u32) {
-    let mut sum = L::splat(0.0);
+fn sum_lanes<L: Lane>(before: L, values: Read<f32>, begin: u32, end: u32) -> (L, u32) {
+    let mut sum = before;
     let mut at = begin;
     while at + L::WIDTH <= end {
         sum = sum + L::read(values, at);

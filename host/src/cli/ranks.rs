@@ -21,7 +21,7 @@ use super::verbosity::Level;
 #[command(next_help_heading = "Ranks")]
 pub struct RanksArgs {
     /// Share the training among N threads, each with a device of its own; or `mpi`: among the processes that mpirun or srun
-    /// has started. Any number of ranks gives the same bits, which are not those of a training without this
+    /// has started. Any number of ranks gives the bits of a training without this
     /// (docs/cluster.md)
     #[arg(long, value_name = "N|mpi")]
     ranks: Option<Kind>,

@@ -1,4 +1,4 @@
-//! Cases of `dense_backward`, `dense_weight_backward` and `dense_weight_sum`.
+//! Cases of `dense_backward`, `dense_weight_backward`, `dense_weight_sum` and `dense_unit_sum`.
 
 use std::ops::Range;
 
@@ -9,13 +9,15 @@ use organza_check::{
 };
 use organza_kernel::math::TINY;
 use organza_shaders::dense_backward::{
-    DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
-    DenseWeightSumKernel, DenseWeightSumParams, INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,
+    DenseBackwardKernel, DenseBackwardParams, DenseUnitSumKernel, DenseUnitSumParams,
+    DenseWeightBackwardKernel, DenseWeightBackwardParams, DenseWeightSumKernel,
+    DenseWeightSumParams, INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,
 };
 
 use super::dense::Layer;
 use super::exact::dense::{affine, relu};
 use super::exact::numeric::{Dual, gradient};
+use super::unit::Slices;
 use organza_device::Result;
 
 /// Nothing may be off.
@@ -172,30 +174,66 @@ pub struct DenseWeightBackward {
     pub layer: Layer,
     /// `[4 columns, stride]`
     pub gradient: Vec<f32>,
-    /// Samples of a slice.
-    pub slice: u32,
+    /// Slices of all samples.
+    pub slices: Slices,
+    /// The chunk's first sample.
+    pub first_sample: u32,
+    /// `[places, parameters]`: what the chunk before has left.
+    pub partial: Vec<Vec4>,
 }
 
 impl DenseWeightBackward {
     fn new(layer: Layer, slice: u32, fill: Fill, random: &mut Random) -> Self {
+        let slices = Slices { first: vec![0, layer.samples], slice };
+        Self::of_units(layer, slices, 0, fill, random)
+    }
+
+    fn of_units(
+        layer: Layer,
+        slices: Slices,
+        first_sample: u32,
+        fill: Fill,
+        random: &mut Random,
+    ) -> Self {
         let len = (4 * layer.columns * layer.stride) as usize;
         let gradient = fill.values(random, len, [-1.0, 1.0], 1e15);
-        Self { layer, gradient, slice }
+        let mut set = Self { layer, gradient, slices, first_sample, partial: Vec::new() };
+        let len = set.in_chunk().len().max(1) * set.layer.parameters.len();
+        set.partial = vectors(&fill.values(random, 4 * len, [-1.0, 1.0], 1e15));
+        set
     }
 
-    fn slices(&self) -> u32 {
-        self.layer.samples.div_ceil(self.slice).max(1)
+    /// The slices with samples in the chunk: their numbers, and their samples.
+    fn in_chunk(&self) -> Vec<(usize, Range<u32>)> {
+        let chunk = self.first_sample..self.first_sample + self.layer.samples;
+        let all = self.slices.all().into_iter().map(|(_, samples)| samples).enumerate();
+        all.filter(|(_, samples)| samples.start < chunk.end && samples.end > chunk.start).collect()
     }
 
-    /// Input and output of a weight, and the samples of its sum.  A bias has the number of inputs as its input.
-    fn place(&self, index: usize) -> Option<(u32, u32, Range<u32>)> {
+    fn places(&self) -> u32 {
+        (self.partial.len() / self.layer.parameters.len()) as u32
+    }
+
+    /// Input and output of a weight, the samples of its sum in the chunk, and whether that goes on.  A bias has the number of
+    /// inputs as its input.
+    fn place(&self, index: usize) -> Option<(u32, u32, Range<u32>, bool)> {
         let layer = &self.layer;
         let (at, parameters) = (index as u32 / 4, layer.parameters.len() as u32);
-        let (slice, place) = (at / parameters, at % parameters);
-        let place = place.checked_sub(layer.params().weight).filter(|_| slice < self.slices())?;
+        let (slot, place) = (at / parameters, at % parameters);
+        let slices = self.in_chunk();
+        let (_, samples) =
+            slices.into_iter().find(|(number, _)| *number as u32 % self.places() == slot)?;
+        let place = place.checked_sub(layer.params().weight)?;
         let output = 4 * (place % layer.columns) + index as u32 % 4;
-        let begin = slice * self.slice;
-        Some((place / layer.columns, output, begin..(begin + self.slice).min(layer.samples)))
+        let in_chunk = |sample: u32| sample.saturating_sub(self.first_sample).min(layer.samples);
+        let goes_on = samples.start < self.first_sample;
+        let samples = in_chunk(samples.start)..in_chunk(samples.end);
+        Some((place / layer.columns, output, samples, goes_on))
+    }
+
+    /// What the chunk before has left of a sum.
+    fn before(&self, index: usize, goes_on: bool) -> f64 {
+        if goes_on { f64::from(self.partial[index / 4][index % 4]) } else { 0.0 }
     }
 
     fn output_gradient(&self, output: u32, sample: u32) -> f64 {
@@ -228,43 +266,57 @@ impl Parity for DenseWeightBackward {
         let mut padded = Self::new(layer, 16, Fill::Random, &mut random);
         padded.gradient[5 * padded.layer.stride as usize..].fill(0.0);
         sets.push(("three of eight outputs are padding".into(), padded));
+        // the chunk begins in a slice, and ends in another one; a unit in it is empty
+        for (name, fill) in [("random", Fill::Random), ("mixed", Fill::Mixed)] {
+            let slices = Slices { first: vec![0, 50, 131, 131, 200, 420], slice: 33 };
+            let mut random = Random::new(19);
+            let layer = Layer::new(300, 6, 2, fill, &mut random);
+            let set = Self::of_units(layer, slices, 70, fill, &mut random);
+            sets.push((format!("{name}, slices of units"), set));
+        }
         sets
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
         let parameters = layer.parameters.len() as u32;
-        let partial = runner.output((self.slices() * parameters) as usize)?;
+        let partial = runner.output_of(&self.partial)?;
         let places = layer.params();
         let kernel = DenseWeightBackwardKernel {
             params: DenseWeightBackwardParams {
                 samples: layer.samples,
+                first_sample: self.first_sample,
                 stride: layer.stride,
                 inputs: layer.inputs,
                 columns: layer.columns,
                 weight: places.weight,
                 bias: places.bias,
-                slice: self.slice,
-                first_slice: 0,
+                units: self.slices.units(),
+                slice: self.slices.slice,
+                places: self.places(),
                 parameters,
             },
+            unit: &runner.upload(&self.slices.table())?,
             input: &runner.upload(&layer.input)?,
             output_gradient: &runner.upload(&self.gradient)?,
             partial: &partial,
         };
         let blocks = layer.inputs.div_ceil(WEIGHT_ROWS_PER_INVOCATION) + 1;
-        runner.items(&kernel, blocks * layer.columns, self.slices())?;
+        // and behind the last slice
+        runner.items(&kernel, blocks * layer.columns, self.in_chunk().len() as u32 + 1)?;
         Ok(vec![Output::float("partial", flat(runner.read(&partial)?))])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let layer = &self.layer;
-        let Some((input, output, samples)) = self.place(index) else { return EXACT };
-        sum_of_products(samples.map(|sample| {
+        let Some((input, output, samples, goes_on)) = self.place(index) else { return EXACT };
+        let before = (self.before(index, goes_on), 1.0);
+        let terms = samples.map(|sample| {
             let is_bias = input == layer.inputs;
             let value = if is_bias { 1.0 } else { layer.value(input, sample) };
             (value, self.output_gradient(output, sample))
-        }))
+        });
+        sum_of_products(terms.chain([before]))
     }
 
     fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
@@ -275,7 +327,9 @@ impl Parity for DenseWeightBackward {
             false => affine(&[parameter], Dual::from(0.0), &[layer.value(input, sample).into()]),
         };
         let exact = |index| {
-            let (input, row, samples) = self.place(index)?;
+            let Some((input, row, samples, goes_on)) = self.place(index) else {
+                return self.partial.get(index / 4).map(|v| f64::from(v[index % 4]));
+            };
             // the layer is linear: any value of the parameter gives the same slope
             let [slope] = gradient([0.0], |[parameter]| {
                 samples.clone().fold(Dual::from(0.0), |loss, sample| {
@@ -283,7 +337,7 @@ impl Parity for DenseWeightBackward {
                     loss + g * output(input, sample, parameter)
                 })
             });
-            Some(slope)
+            Some(self.before(index, goes_on) + slope)
         };
         (0..len).map(exact).collect()
     }
@@ -292,10 +346,34 @@ impl Parity for DenseWeightBackward {
 /// Inputs of `dense_weight_sum`.
 #[derive(Clone, Debug)]
 pub struct DenseWeightSum {
-    /// `[parameters]`, before
-    pub gradient: Vec<Vec4>,
-    /// `[slices, parameters]`
+    /// Slices of all samples.
+    pub slices: Slices,
+    /// The group's samples.
+    pub samples: Range<u32>,
+    /// `[units, parameters]`, before
+    pub unit_sum: Vec<Vec4>,
+    /// `[places, parameters]`
     pub partial: Vec<Vec4>,
+}
+
+impl DenseWeightSum {
+    fn parameters(&self) -> usize {
+        self.unit_sum.len() / self.slices.units() as usize
+    }
+
+    /// Where the terms of a unit's sum lie in `partial`: those of its slices that end in the group.
+    fn terms(&self, index: usize) -> impl Iterator<Item = f64> {
+        let (parameters, vector) = (self.parameters(), index / 4);
+        let (unit, parameter) = (vector / parameters, vector % parameters);
+        let places = self.partial.len() / parameters;
+        let all = self.slices.all().into_iter().enumerate();
+        all.filter(move |(_, (owner, samples))| {
+            *owner == unit && samples.end > self.samples.start && samples.end <= self.samples.end
+        })
+        .map(move |(slice, _)| {
+            f64::from(self.partial[slice % places * parameters + parameter][index % 4])
+        })
+    }
 }
 
 impl Parity for DenseWeightSum {
@@ -305,15 +383,90 @@ impl Parity for DenseWeightSum {
         "a rounding for each slice where drivers regroup, of the terms' sizes";
 
     fn sets() -> Vec<(String, Self)> {
-        let set = |len: u32, slices: u32, fill: Fill, random: &mut Random| {
+        let set = |len: u32, first: &[u32], samples: Range<u32>, fill: Fill| {
+            let mut random = Random::new(12);
+            let slices = Slices { first: first.to_vec(), slice: 16 };
+            let places = slices.all().len().max(1) as u32;
+            let mut values =
+                |len: u32| vectors(&fill.values(&mut random, 4 * len as usize, [-1.0, 1.0], 1e30));
+            let unit_sum = values(slices.units() * len);
+            Self { slices, samples, unit_sum, partial: values(places * len) }
+        };
+        let mut sets = inputs::sets(|n, fill, _| set(n, &[0, 40], 0..40, fill));
+        sets.retain(|(_, set)| set.parameters() > 0);
+        let units = [0, 20, 20, 61, 96, 200];
+        for (name, first, samples) in [
+            ("no samples", &[0, 0][..], 0..0),
+            ("256 slices", &[0, 4096], 0..4096),
+            ("all of all units", &units, 0..200),
+            // a slice that has begun before, and one that goes on
+            ("some of some units", &units, 10..120),
+            ("of a slice that goes on", &units, 21..30),
+        ] {
+            sets.push((name.to_owned(), set(ITEMS, first, samples, Fill::Random)));
+        }
+        sets
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let parameters = self.parameters() as u32;
+        let unit_sum = runner.output_of(&self.unit_sum)?;
+        let kernel = DenseWeightSumKernel {
+            params: DenseWeightSumParams {
+                parameters,
+                first_sample: self.samples.start,
+                samples: self.samples.len() as u32,
+                units: self.slices.units(),
+                slice: self.slices.slice,
+                places: self.partial.len() as u32 / parameters,
+            },
+            unit: &runner.upload(&self.slices.table())?,
+            partial: &runner.upload(&self.partial)?,
+            unit_sum: &unit_sum,
+        };
+        runner.items(&kernel, parameters, 1)?;
+        Ok(vec![Output::float("unit_sum", flat(runner.read(&unit_sum)?))])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let Some(before) = self.unit_sum.get(index / 4) else { return EXACT };
+        let terms = self.terms(index).chain([f64::from(before[index % 4])]);
+        sum_of_products(terms.map(|value| (value, 1.0)))
+    }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let exact = |index: usize| {
+            let before = f64::from(self.unit_sum.get(index / 4)?[index % 4]);
+            Some(before + self.terms(index).sum::<f64>())
+        };
+        (0..len).map(exact).collect()
+    }
+}
+
+/// Inputs of `dense_unit_sum`.
+#[derive(Clone, Debug)]
+pub struct DenseUnitSum {
+    /// `[parameters]`, before
+    pub gradient: Vec<Vec4>,
+    /// `[units, parameters]`
+    pub unit_sum: Vec<Vec4>,
+}
+
+impl Parity for DenseUnitSum {
+    const KERNEL: &'static str = "dense_unit_sum";
+    const TOLERANCE: f64 = 1.2e-7;
+    const WHY: &'static str = "a rounding for each unit where drivers regroup, of the terms' sizes";
+
+    fn sets() -> Vec<(String, Self)> {
+        let set = |len: u32, units: u32, fill: Fill, random: &mut Random| {
             let mut values =
                 |len: u32| vectors(&fill.values(random, 4 * len as usize, [-1.0, 1.0], 1e30));
-            Self { gradient: values(len), partial: values(slices * len) }
+            Self { gradient: values(len), unit_sum: values(units * len) }
         };
         let mut sets = inputs::sets(|n, fill, random| set(n, 3, fill, random));
-        for slices in [0, 1, 256] {
+        for units in [0, 1, 256] {
             let mut random = Random::new(12);
-            sets.push((format!("{slices} slices"), set(ITEMS, slices, Fill::Random, &mut random)));
+            sets.push((format!("{units} units"), set(ITEMS, units, Fill::Random, &mut random)));
         }
         sets
     }
@@ -321,10 +474,10 @@ impl Parity for DenseWeightSum {
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let parameters = self.gradient.len() as u32;
         let gradient = runner.output_of(&self.gradient)?;
-        let slices = self.partial.len() as u32 / parameters.max(1);
-        let kernel = DenseWeightSumKernel {
-            params: DenseWeightSumParams { parameters, slices },
-            partial: &runner.upload(&self.partial)?,
+        let units = self.unit_sum.len() as u32 / parameters.max(1);
+        let kernel = DenseUnitSumKernel {
+            params: DenseUnitSumParams { parameters, units },
+            unit_sum: &runner.upload(&self.unit_sum)?,
             gradient: &gradient,
         };
         runner.items(&kernel, parameters, 1)?;
@@ -333,17 +486,17 @@ impl Parity for DenseWeightSum {
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let Some(before) = self.gradient.get(index / 4) else { return EXACT };
-        let slices = self.partial.chunks_exact(self.gradient.len());
-        let terms = slices.map(|slice| slice[index / 4]).chain([*before]);
+        let units = self.unit_sum.chunks_exact(self.gradient.len());
+        let terms = units.map(|unit| unit[index / 4]).chain([*before]);
         sum_of_products(terms.map(|vector| (f64::from(vector[index % 4]), 1.0)))
     }
 
     fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
         let exact = |index: usize| {
             let at = |vectors: &[Vec4]| f64::from(vectors[index / 4][index % 4]);
-            let slices = self.partial.chunks_exact(self.gradient.len().max(1));
+            let units = self.unit_sum.chunks_exact(self.gradient.len().max(1));
             self.gradient.get(index / 4)?;
-            Some(at(&self.gradient) + slices.map(at).sum::<f64>())
+            Some(at(&self.gradient) + units.map(at).sum::<f64>())
         };
         (0..len).map(exact).collect()
     }

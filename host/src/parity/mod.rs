@@ -36,6 +36,7 @@ pub mod tile;
 pub mod tile_cells;
 pub mod transmittance;
 pub mod transmittance_backward;
+pub mod unit;
 
 use organza_check::Case;
 
@@ -83,9 +84,11 @@ pub fn cases() -> Vec<Case> {
         Case::of::<hash_grid_scale::HashGridScale>(),
         Case::of::<hash_grid_backward::HashGridBackward>(),
         Case::of::<hash_grid_backward::HashGridGradient>(),
+        Case::of::<unit::UnitBegin>(),
         Case::of::<dense_backward::DenseBackward>(),
         Case::of::<dense_backward::DenseWeightBackward>(),
         Case::of::<dense_backward::DenseWeightSum>(),
+        Case::of::<dense_backward::DenseUnitSum>(),
         Case::of::<color_backward::ColorHeadBackward>(),
         Case::of::<color_backward::MaterialBackward>(),
         Case::of::<transmittance_backward::SegmentProductBackward>(),

@@ -222,6 +222,7 @@ impl Parity for PairSum {
         let kernel = PairSumKernel {
             params: PairSumParams {
                 words: self.words,
+                first_camera: 0,
                 cameras: 3,
                 gaussians: self.gaussians(),
                 width: self.width,

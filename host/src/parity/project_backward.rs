@@ -5,7 +5,7 @@ use organza_check::{Bound, KernelRunner, Output, Parity, Rounding, inputs::Rando
 use organza_kernel::math::TINY;
 use organza_shaders::camera::Camera;
 use organza_shaders::project::project_gaussian;
-use organza_shaders::project_backward::{ProjectBackwardKernel, ProjectBackwardParams};
+use organza_shaders::project_backward::{ALL_BITS, ProjectBackwardKernel, ProjectBackwardParams};
 
 use super::exact::numeric::{Dual, gradient};
 use super::exact::project::{Gaussian, View, project};
@@ -203,8 +203,10 @@ impl Parity for ProjectBackward {
             params: ProjectBackwardParams {
                 gaussians: set.gaussians,
                 words: set.gaussians.div_ceil(32),
+                first_camera: 0,
                 cameras: set.cameras.len() as u32,
                 blur: set.blur,
+                bits: ALL_BITS,
             },
             camera: &runner.upload(&packed)?,
             position: &runner.upload(&set.position)?,

@@ -56,6 +56,7 @@ impl Parity for Statistics {
             params: StatisticsParams {
                 gaussians: set.gaussians,
                 words: set.gaussians.div_ceil(32),
+                first_camera: 0,
                 cameras: set.cameras.len() as u32,
             },
             projection: &runner.upload(&projection.collect::<Vec<_>>())?,

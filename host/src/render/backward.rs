@@ -1,18 +1,19 @@
 //! From the gradient of a batch's pixels to that of every tensor: the stages of [`Part`] in reverse.
 
+use std::ops::Range;
 use std::sync::atomic::Ordering;
 
 use glam::Vec4;
 
-use super::exposure::{self, Exposed, ExposureGradient};
-use super::gradient::SceneGradient;
-use super::loss::{Loss, LossInputs, TileLoss};
+use super::gradient::{FieldGradient, SceneGradient};
+use super::pair::sum_pairs;
 use super::part::Part;
 use super::part_counts::Capacity;
 use super::plan::{Plan, PlannedTile};
 use super::project::project_backward;
 use super::renderer::Renderer;
 use super::scene::DeviceScene;
+use super::unit::FieldUnits;
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::scene::Gradient;
@@ -41,7 +42,8 @@ impl Part {
         if has_transmittance {
             transmittance.set_scale(device, &scene.transmittance, samples)?;
         }
-        self.spread(device, scene, &pair_gradient, gradient)?;
+        let units = self.spread(device, scene, &pair_gradient, gradient)?;
+        self.add_units(device, scene, &pair_gradient, &units, gradient)?;
         if pairs.at_most() > 0 {
             color.finish(device)?;
         }
@@ -90,25 +92,105 @@ impl Part {
         Ok(())
     }
 
-    /// The other stages: adds the gradients of all tensors, those of the hash grids to their sums.
+    /// The stages of the fields: adds the gradients of the hash grids to their sums, and returns what is added unit by unit.
     pub fn spread(
         &self,
         device: &Device,
         scene: &DeviceScene,
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
-    ) -> Result<()> {
+    ) -> Result<PartUnits> {
         let bins = &self.bins;
-        project_backward(device, scene, bins, pair_gradient, gradient)?;
+        let color = self.color.backward(device, scene, bins, pair_gradient, gradient)?;
+        let transmittance = match gradient.has_transmittance {
+            true => self.transmittance.backward(device, scene, bins, pair_gradient, gradient)?,
+            false => None,
+        };
+        Ok(PartUnits { color, transmittance })
+    }
+
+    /// Adds what all units have of the Gaussians and of the networks, unit by unit.
+    pub fn add_units(
+        &self,
+        device: &Device,
+        scene: &DeviceScene,
+        pair_gradient: &Buffer<Vec4>,
+        units: &PartUnits,
+        gradient: &SceneGradient,
+    ) -> Result<()> {
+        let all = 0..self.bins.cameras.len() as u32;
+        self.add_gaussians(device, scene, pair_gradient, units, all, gradient)?;
         if let Some(poses) = &gradient.poses {
-            poses.add(device, scene, bins, pair_gradient)?;
+            poses.add(device, scene, &self.bins, pair_gradient)?;
         }
-        let (pairs, mask) = (&bins.pairs, &bins.pair_mask);
-        self.color.backward(device, scene, pairs, mask, pair_gradient, gradient)?;
-        if gradient.has_transmittance {
-            self.transmittance.backward(device, scene, bins, pair_gradient, gradient)?;
+        for (field, units) in units.fields(gradient) {
+            units.iter().try_for_each(|units| units.add_network(device, field))?;
         }
         Ok(())
+    }
+
+    /// Adds what some units have of the Gaussians, and of their statistics.
+    pub fn add_gaussians(
+        &self,
+        device: &Device,
+        scene: &DeviceScene,
+        pair_gradient: &Buffer<Vec4>,
+        units: &PartUnits,
+        cameras: Range<u32>,
+        gradient: &SceneGradient,
+    ) -> Result<()> {
+        let bins = &self.bins;
+        project_backward(device, scene, bins, pair_gradient, gradient, &cameras)?;
+        let tensors = &gradient.tensors().gaussians;
+        let vectors = [(&units.color, &tensors.material), (&units.transmittance, &tensors.extra)];
+        for (units, tensor) in vectors {
+            if let Some(FieldUnits { pair_vector, width, .. }) = units {
+                let mask = &bins.pair_mask;
+                sum_pairs(device, scene, mask, &cameras, *width, pair_vector, &tensor.buffer)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What going back through the fields leaves for the sums over units; nothing for a field without samples.
+#[derive(Debug)]
+pub struct PartUnits {
+    color: Option<FieldUnits>,
+    transmittance: Option<FieldUnits>,
+}
+
+impl PartUnits {
+    /// Each field with its gradient.
+    pub fn fields<'a>(
+        &'a self,
+        gradient: &'a SceneGradient,
+    ) -> [(&'a FieldGradient, &'a Option<FieldUnits>); 2] {
+        [(&gradient.color, &self.color), (&gradient.transmittance, &self.transmittance)]
+    }
+
+    /// The gradients of the networks' parameters, of each unit both.
+    pub fn read_networks(
+        &self,
+        device: &Device,
+        units: u32,
+        gradient: &SceneGradient,
+    ) -> Result<Vec<f32>> {
+        let mut fields = Vec::new();
+        for (field, found) in self.fields(gradient) {
+            let len = 4 * field.parameters.len();
+            let values = match found {
+                Some(found) => {
+                    device.read(&found.network)?.iter().flat_map(|v| v.to_array()).collect()
+                }
+                None => vec![0.0_f32; units as usize * len],
+            };
+            fields.push((len, values));
+        }
+        let of_unit = |unit: usize| {
+            fields.iter().flat_map(move |(len, values)| &values[unit * len..(unit + 1) * len])
+        };
+        Ok((0..units as usize).flat_map(of_unit).copied().collect())
     }
 }
 
@@ -214,71 +296,6 @@ impl Renderer {
             plans.iter().try_for_each(|plan| {
                 self.with_predicted_capacity(scene, plan, |capacity| add(plan, capacity)).map(drop)
             })
-        })
-    }
-
-    /// Adds the gradients of a batch's loss to `gradient`; returns the losses of the tiles, by camera, and the gradients
-    /// of the exposures, in the order of the batch, if the target has them.
-    ///
-    /// On a GPU a part is one submission and one wait, for the losses, after a first one that has found out what such
-    /// batches need.  `gradient` is that of a step: but for the statistics, zero before.  `loss` is kept from
-    /// step to step.
-    ///
-    /// # Errors
-    /// As [`Renderer::render`].
-    pub(crate) fn add_loss_gradient(
-        &self,
-        scene: &DeviceScene,
-        cameras: &[Camera],
-        batch: &TileBatch,
-        loss: &mut Option<Loss>,
-        target: &LossTarget<'_>,
-        gradient: &SceneGradient,
-    ) -> Result<(Vec<TileLoss>, Vec<ExposureGradient>)> {
-        let device = self.device();
-        let area = (batch.side * batch.side) as usize;
-        let add = |loss: &Loss, plan: &Plan, capacity: Option<Capacity>| {
-            let part = Part::evaluate(device, scene, cameras, plan, true, capacity)?;
-            let image =
-                device.upload("photographs", &of_tiles(target.image, &plan.tiles, 3 * area))?;
-            let valid = device.upload("masks", &of_tiles(target.valid, &plan.tiles, area))?;
-            let rendered = &part.composite.image;
-            let expose = |all: &[f32]| {
-                let exposure = of_tiles(all, &plan.tiles, exposure::VALUES);
-                Exposed::new(device, rendered, plan.side, &exposure)
-            };
-            let exposed = target.exposure.map(expose).transpose()?;
-            let inputs = LossInputs {
-                image: exposed.as_ref().map_or(rendered, |exposed| &exposed.image),
-                target: &image,
-                valid: &valid,
-                valid_pixels: target.valid_pixels,
-                ssim_weight: target.ssim_weight,
-            };
-            let output = loss.evaluate(device, &inputs)?;
-            let back = |exposed: &Exposed| exposed.backward(device, rendered, &output.grad_image);
-            let row_sum = exposed.as_ref().map(back).transpose()?;
-            part.backward(device, scene, plan.side, &output.grad_image, gradient)?;
-            let (losses, rows, needed) = output.sums_and_needed(device, &part, row_sum.as_ref())?;
-            let exposures = exposure::gradients(&rows, plan.side, &plan.tiles);
-            Ok(((losses, exposures), needed))
-        };
-        gradient.begin(device);
-        self.in_parts(scene, batch, |plans| {
-            let mut losses = Vec::with_capacity(batch.tiles.len());
-            let mut exposures = Vec::new();
-            for plan in plans {
-                let found =
-                    Loss::of_tiles(loss, device, batch.side, plan.tiles.len()).and_then(|loss| {
-                        let add = |capacity| add(loss, plan, capacity);
-                        device.run_in_pool(|| self.with_predicted_capacity(scene, plan, add))
-                    });
-                let found = found.inspect_err(|_| gradient.restart(device))?;
-                losses.extend(found.0);
-                exposures.extend(found.1);
-            }
-            exposures.sort_by_key(|exposure: &ExposureGradient| exposure.place);
-            Ok((losses, exposures))
         })
     }
 }

@@ -27,6 +27,8 @@ pub struct Pairs {
     pub camera: Buffer<f32>,
     /// `[cameras, gaussians, 2]`
     pub projection: Buffer<Vec4>,
+    /// Where each camera's pairs end, on a CPU; nothing elsewhere.
+    pub unit_ends: Vec<u32>,
 }
 
 impl Pairs {
@@ -142,6 +144,12 @@ fn pair_mask(
     Mask::new(device, mask, &count)
 }
 
+/// Where each camera's pairs end.
+fn unit_ends(device: &Device, pair_mask: &Mask, cameras: u32, words: u32) -> Result<Vec<u32>> {
+    let end = |camera| device.read_range(&pair_mask.first, (camera * words) as usize, 1);
+    (1..=cameras).map(|camera| Ok(end(camera)?[0])).collect()
+}
+
 /// How many pairs and members there are.
 struct Numbers {
     pairs: Count,
@@ -237,7 +245,11 @@ impl Bins {
             member: &member,
         };
         device.run(&kernel, words, tiles)?;
-        let pairs = Pairs { count, pair, camera, projection };
+        let unit_ends = match device.backend() {
+            "cpu" => unit_ends(device, &pair_mask, slots, words)?,
+            _ => Vec::new(),
+        };
+        let pairs = Pairs { count, pair, camera, projection, unit_ends };
         let cameras = plan.cameras().into_iter().map(|index| index as u32).collect();
         Ok(Self {
             pairs,

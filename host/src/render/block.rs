@@ -2,6 +2,11 @@
 //!
 //! A grid is evaluated level by level for a whole block, so that a level's entries are read from memory once for many
 //! samples; a network chunk by chunk, so that a chunk's activations stay in a CPU's caches.
+//!
+//! The gradients of networks are summed slice by slice, and a slice has samples of one [unit](super::unit). A CPU adds
+//! several samples of a slice at once, so there a chunk is one slice, and ends where its unit does.
+
+use std::ops::Range;
 
 use organza_shaders::hash_grid::POINT_ROWS;
 use organza_shaders::limits::{MAX_SLICE, MAX_SLICES};
@@ -17,6 +22,8 @@ const GROUP: u32 = 1 << 14;
 const CPU_CHUNK: u32 = 1 << 11;
 /// Samples of a chunk on a GPU: enough to fill it.
 const GPU_CHUNK: u32 = 1 << 16;
+/// Samples of a slice on a GPU: a chunk has enough of them to fill it.
+const GPU_SLICE: u32 = 1 << 8;
 /// Memory for the blocks of a field that are kept for the gradients, in bytes; other blocks are computed again.
 const KEPT_BYTES: u64 = 256 << 20;
 /// Rows of a point: its position, and one more for the stage.
@@ -27,28 +34,40 @@ const _: () = assert!(CPU_CHUNK <= MAX_SLICE && BLOCK.is_multiple_of(GPU_CHUNK))
 /// How samples lie in memory: `[chunks, rows, stride]`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Layout {
-    /// Samples of a chunk.
+    /// The most samples of a chunk.
     pub chunk: u32,
     /// Distance of two rows of a chunk.
     pub stride: u32,
-    /// Chunks of a block.
+    /// The most chunks of a block.
     chunks: u32,
-    /// Chunks of a group.
+    /// The most chunks of a group.
     pub group: u32,
+    /// The most samples of a slice.
+    pub slice: u32,
 }
 
 impl Layout {
-    /// For `samples` samples, in as many blocks as it takes.
-    pub fn new(device: &Device, samples: u32) -> Self {
+    /// For samples that lie in pieces, the largest of `largest` samples, in as many blocks as it takes.
+    fn new(device: &Device, largest: u32) -> Self {
         const ALIGNED: u32 = (TAIL_ALIGNMENT / size_of::<f32>()) as u32;
-        let largest = if device.is_cpu_like() { CPU_CHUNK } else { GPU_CHUNK };
-        let chunk = samples.clamp(1, largest).next_multiple_of(ALIGNED);
+        let [most, slice] = match device.is_cpu_like() {
+            true => [CPU_CHUNK, CPU_CHUNK],
+            false => [GPU_CHUNK, GPU_SLICE],
+        };
+        let chunk = largest.clamp(1, most).next_multiple_of(ALIGNED);
         // not a power of two: rows would fall into the same sets of a cache
         let stride = chunk + ALIGNED;
-        let chunks = samples.min(BLOCK).div_ceil(chunk);
+        let chunks = BLOCK / chunk;
         // enough for every thread
-        let group = (GROUP / chunk).max(2 * device.threads() as u32).min(MAX_SLICES);
-        Self { chunk, stride, chunks, group: group.clamp(1, chunks.max(1)) }
+        let group = (GROUP / chunk).max(2 * device.threads() as u32);
+        let group = group.min(MAX_SLICES / chunk.div_ceil(slice)).clamp(1, chunks);
+        Self { chunk, stride, chunks, group, slice }
+    }
+
+    /// The same, for no more than so many chunks.
+    fn at_most(self, chunks: u32) -> Self {
+        let chunks = self.chunks.min(chunks);
+        Self { chunks, group: self.group.clamp(1, chunks.max(1)), ..self }
     }
 
     /// Room for a block: `[chunks, rows, stride]`.
@@ -73,11 +92,6 @@ impl Layout {
 
     fn first(&self, chunk: u32, rows: u32) -> usize {
         chunk as usize * rows as usize * self.stride as usize
-    }
-
-    /// Samples of a block.
-    fn block(&self) -> u32 {
-        self.chunk * self.chunks
     }
 }
 
@@ -126,43 +140,62 @@ pub struct Chunk {
 pub struct Blocks {
     layout: Layout,
     count: Count,
+    /// Where each chunk begins, and where the last one ends.
+    first: Vec<u32>,
+    /// Whether chunks end where units do.
+    is_cut: bool,
     blocks: Vec<Block>,
 }
 
-/// A block that is being worked on, or a group of its chunks.
-#[derive(Clone, Copy, Debug)]
+/// Some chunks of a block that is being worked on: all of them, a group, or a piece.
+#[derive(Clone, Debug)]
 pub struct BlockOf<'a> {
+    all: &'a Blocks,
     /// Its memory.
     pub block: &'a Block,
-    /// The first chunk's place in it.
-    first_chunk: u32,
     /// Whether what was written there before is still there.
     pub is_kept: bool,
-    /// Its first sample.
-    pub first: u32,
-    /// Their number, or the capacity.
-    pub samples: u32,
-    /// All blocks together.
-    total: &'a Count,
+    /// The block's first chunk.
+    first_of_block: usize,
+    /// The first chunk of the block, or of the group: chunks count from there.
+    first_of_group: usize,
+    chunks: Range<usize>,
 }
 
 impl Blocks {
     /// For `count` samples, and as many `rows` of inputs.  Where they are to be kept, as many blocks as
     /// [`KEPT_BYTES`] holds have memory of their own.
-    pub fn new(device: &Device, rows: usize, count: Count, keep: bool) -> Result<Self> {
+    ///
+    /// `ends` says where chunks have to end: ascending, the last one at the end of all. If it is empty, they may end anywhere.
+    pub fn new(
+        device: &Device,
+        rows: usize,
+        count: Count,
+        keep: bool,
+        ends: &[u32],
+    ) -> Result<Self> {
         let samples = count.at_most();
-        let (layout, rows) = (Layout::new(device, samples), rows as u32);
-        let first = Block::new(device, layout, rows)?;
-        let mut blocks = vec![first];
+        let pieces = |all: &[u32]| -> Vec<Range<u32>> {
+            let begins = [0].into_iter().chain(all.iter().copied());
+            begins.zip(all).map(|(begin, &end)| begin..end).collect()
+        };
+        let pieces = pieces(if ends.is_empty() { std::slice::from_ref(&samples) } else { ends });
+        let largest = pieces.iter().map(|piece| piece.len() as u32).max().unwrap_or(0);
+        let layout = Layout::new(device, largest);
+        let chunks = pieces.into_iter().flat_map(|piece| piece.step_by(layout.chunk as usize));
+        let mut first: Vec<_> = chunks.collect();
+        let (layout, rows) = (layout.at_most(first.len() as u32), rows as u32);
+        let all = first.len().div_ceil(layout.chunks.max(1) as usize);
+        first.push(samples);
+        let mut blocks = vec![Block::new(device, layout, rows)?];
         if keep {
             let bytes = blocks[0].point.bytes() + blocks[0].input.bytes();
-            let kept =
-                samples.div_ceil(layout.block().max(1)).min((KEPT_BYTES / bytes.max(1)) as u32);
+            let kept = all.min((KEPT_BYTES / bytes.max(1)) as usize);
             for _ in 1..kept {
                 blocks.push(Block::new(device, layout, rows)?);
             }
         }
-        Ok(Self { layout, count, blocks })
+        Ok(Self { layout, count, first, is_cut: !ends.is_empty(), blocks })
     }
 
     pub fn layout(&self) -> Layout {
@@ -174,63 +207,151 @@ impl Blocks {
         self.count.at_most()
     }
 
+    /// The most slices that have samples in as many chunks, of a part with `units` units.
+    pub fn slices(&self, chunks: u32, units: u32) -> u32 {
+        let Layout { chunk, slice, .. } = self.layout;
+        match self.is_cut {
+            true => chunks,
+            // each unit begins a slice, and the first slice may have begun before
+            false => (chunks * chunk).div_ceil(slice) + units,
+        }
+    }
+
     /// In order.
     pub fn iter(&self) -> impl Iterator<Item = BlockOf<'_>> {
-        let (size, samples, total) = (self.layout.block(), self.samples(), &self.count);
-        let count = samples.div_ceil(size.max(1)) as usize;
-        let last = self.blocks.len() - 1;
+        let (chunks, last) = (self.first.len() - 1, self.blocks.len() - 1);
+        let size = self.layout.chunks.max(1) as usize;
+        let count = chunks.div_ceil(size);
         (0..count).map(move |index| {
-            let first = index as u32 * size;
-            let is_kept = index < last || count == self.blocks.len();
-            let block = &self.blocks[index.min(last)];
-            let samples = size.min(samples - first);
-            BlockOf { block, first_chunk: 0, is_kept, first, samples, total }
+            let begin = index * size;
+            BlockOf {
+                all: self,
+                block: &self.blocks[index.min(last)],
+                is_kept: index < last || count == self.blocks.len(),
+                first_of_block: begin,
+                first_of_group: begin,
+                chunks: begin..chunks.min(begin + size),
+            }
         })
     }
 }
 
 impl<'a> BlockOf<'a> {
+    /// Its first sample, counted from the first block's.
+    pub fn first(&self) -> u32 {
+        self.all.first[self.chunks.start]
+    }
+
+    /// How many samples it has, or the capacity.
+    pub fn samples(&self) -> u32 {
+        self.all.first[self.chunks.end] - self.first()
+    }
+
     /// How many samples it has.
     pub fn count(&self) -> Count {
-        self.total.piece(self.first, self.samples)
+        self.all.count.piece(self.first(), self.samples())
+    }
+
+    /// The first chunk's place in its block or group.
+    pub fn index(&self) -> u32 {
+        (self.chunks.start - self.first_of_group) as u32
     }
 
     /// Its points: `[chunks, 7, stride]`.
     pub fn point(&self) -> Buffer<f32> {
-        self.block.layout.of_chunk(&self.block.point, self.first_chunk, ROWS_OF_POINT)
+        self.of_block(&self.block.point, ROWS_OF_POINT)
     }
 
     /// Its inputs: `[chunks, rows, stride]`.
     pub fn input(&self) -> Buffer<f32> {
-        self.block.layout.of_chunk(&self.block.input, self.first_chunk, self.block.rows)
+        self.of_block(&self.block.input, self.block.rows)
+    }
+
+    fn of_block(&self, buffer: &Buffer<f32>, rows: u32) -> Buffer<f32> {
+        let chunk = (self.chunks.start - self.first_of_block) as u32;
+        self.block.layout.of_chunk(buffer, chunk, rows)
+    }
+
+    fn with(&self, first_of_group: usize, chunks: Range<usize>) -> Self {
+        Self { first_of_group, chunks, ..self.clone() }
     }
 
     /// Its groups, in order.
-    pub fn groups(self) -> impl Iterator<Item = BlockOf<'a>> {
-        let layout = self.block.layout;
-        let size = layout.group * layout.chunk;
-        (0..self.samples.div_ceil(size)).map(move |index| BlockOf {
-            first_chunk: self.first_chunk + index * layout.group,
-            first: self.first + index * size,
-            samples: size.min(self.samples - index * size),
-            ..self
+    pub fn groups(&self) -> impl Iterator<Item = BlockOf<'a>> {
+        let (size, end) = (self.block.layout.group as usize, self.chunks.end);
+        let begins = self.chunks.clone().step_by(size);
+        begins.map(move |begin| self.with(begin, begin..end.min(begin + size)))
+    }
+
+    /// Its pieces, in order: all chunks of a piece are full, except for the last one.
+    pub fn pieces(&self) -> impl Iterator<Item = BlockOf<'a>> {
+        let (full, first) = (self.block.layout.chunk, &self.all.first);
+        let mut rest = self.chunks.clone();
+        std::iter::from_fn(move || {
+            let begin = rest.next()?;
+            let mut last = begin;
+            while first[last + 1] - first[last] == full && !rest.is_empty() {
+                last = rest.next()?;
+            }
+            Some(self.with(self.first_of_group, begin..last + 1))
         })
     }
 
     /// Its chunks, in order.
-    pub fn chunks(self) -> impl Iterator<Item = Chunk> + use<'a> {
+    pub fn chunks(&self) -> impl Iterator<Item = Chunk> {
         let layout = self.block.layout;
-        (0..self.samples.div_ceil(layout.chunk)).map(move |index| {
-            let begin = index * layout.chunk;
+        self.chunks.clone().map(move |index| {
+            let chunk = self.with(self.first_of_group, index..index + 1);
             Chunk {
-                first: self.first + begin,
-                samples: layout.chunk.min(self.samples - begin),
-                count: self.total.piece(self.first + begin, layout.chunk),
-                index,
-                point: layout.of_chunk(&self.point(), index, ROWS_OF_POINT),
-                input: layout.of_chunk(&self.input(), index, self.block.rows),
+                first: chunk.first(),
+                samples: chunk.samples(),
+                count: chunk.count(),
+                index: chunk.index(),
+                point: chunk.point(),
+                input: chunk.input(),
                 stride: layout.stride,
             }
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use organza_device::DeviceOptions;
+
+    #[test]
+    fn chunks_end_where_units_do() {
+        let device = crate::open_device(&DeviceOptions::cpu(Some(2))).expect("the CPU");
+        let ends = [100, 100, 4300, 5000];
+        let blocks = Blocks::new(&device, 3, Count::known(5000), true, &ends).expect("blocks");
+        let all: Vec<_> = blocks.iter().collect();
+        let [block] = &all[..] else { panic!("{} blocks", all.len()) };
+        let range = |first: u32, samples: u32| first..first + samples;
+        let chunks: Vec<_> = block.chunks().map(|c| range(c.first, c.samples)).collect();
+        assert_eq!(chunks, [0..100, 100..2148, 2148..4196, 4196..4300, 4300..5000]);
+        let pieces: Vec<_> = block.pieces().map(|p| (p.index(), p.first(), p.samples())).collect();
+        assert_eq!(pieces, [(0, 0, 100), (1, 100, 4200), (4, 4300, 700)]);
+        assert_eq!(blocks.slices(5, 4), 5);
+        // without them, only the last chunk is not full
+        let blocks = Blocks::new(&device, 3, Count::known(5000), true, &[]).expect("blocks");
+        let block = blocks.iter().next().expect("a block");
+        let chunks: Vec<_> = block.chunks().map(|c| range(c.first, c.samples)).collect();
+        assert_eq!(chunks, [0..2048, 2048..4096, 4096..5000]);
+        assert_eq!(block.pieces().count(), 1);
+    }
+
+    /// One invocation adds up a group's slices.
+    #[test]
+    fn groups_have_as_many_slices_as_a_kernel_takes() {
+        let cpu = crate::open_device(&DeviceOptions::cpu(Some(100))).expect("the CPU");
+        for device in [Device::planner(), cpu] {
+            for samples in [0, 1, 1000, GPU_CHUNK, u32::MAX] {
+                let layout = Layout::new(&device, samples);
+                let slices = layout.group * layout.chunk.div_ceil(layout.slice);
+                assert!(layout.group > 0 && slices <= MAX_SLICES, "{layout:?}");
+                assert!(layout.slice <= MAX_SLICE, "{layout:?}");
+            }
+        }
     }
 }

@@ -11,14 +11,13 @@ use organza_shaders::color_backward::{
     MaterialBackwardParams,
 };
 
-use super::bin::Pairs;
+use super::bin::{Bins, Pairs};
 use super::block::{BlockOf, Blocks, Chunk};
 use super::field::Scratch;
 use super::field_backward::{ChunkScratch, GroupScratch};
 use super::gradient::SceneGradient;
-use super::mask::Mask;
-use super::pair::sum_pairs;
 use super::scene::DeviceScene;
+use super::unit::{FieldUnits, Units};
 use organza_device::{Buffer, Device, Result};
 
 /// Color of every pair.
@@ -51,11 +50,12 @@ impl Color {
     ) -> Result<Self> {
         let (config, field) = (&scene.config, &scene.color);
         let color = device.unwritten("color", pairs.count.at_most() as usize * 3)?;
-        let blocks = Blocks::new(device, config.color_inputs(), pairs.count.clone(), keep)?;
+        let ends = if keep { &pairs.unit_ends[..] } else { &[] };
+        let blocks = Blocks::new(device, config.color_inputs(), pairs.count.clone(), keep, ends)?;
         let scratches = Mutex::default();
         let head = field.head();
         for block in blocks.iter() {
-            encode(device, scene, pairs, block)?;
+            encode(device, scene, pairs, &block)?;
             block.chunks().try_for_each(|chunk| visit(&chunk))?;
             let new = || Scratch::new(device, field, blocks.layout());
             device.parallel_for_with(block.chunks(), &scratches, new, |scratch, chunk| {
@@ -80,7 +80,7 @@ impl Color {
 }
 
 /// The network's input, for a block of pairs.
-fn encode(device: &Device, scene: &DeviceScene, pairs: &Pairs, block: BlockOf<'_>) -> Result<()> {
+fn encode(device: &Device, scene: &DeviceScene, pairs: &Pairs, block: &BlockOf<'_>) -> Result<()> {
     device.parallel_for(block.chunks(), |chunk| inputs(device, scene, pairs, &chunk))?;
     scene.color.encode(device, block, scene.config.sh_width() as u32)
 }
@@ -111,31 +111,32 @@ fn inputs(device: &Device, scene: &DeviceScene, pairs: &Pairs, chunk: &Chunk) ->
 }
 
 impl Color {
-    /// Adds the gradients of the color field, the grid's to its sums, and of the materials, of `pair_gradient [pairs, 3]` (see
-    /// [`splat_backward`](organza_shaders::splat)); `mask` says which pairs there are.
+    /// Adds the gradient of the color field's grid to its sums, of `pair_gradient [pairs, 3]` (see
+    /// [`splat_backward`](organza_shaders::splat)); returns the others, which are those of the units, unless there are no pairs.
     pub fn backward(
         &self,
         device: &Device,
         scene: &DeviceScene,
-        pairs: &Pairs,
-        mask: &Mask,
+        bins: &Bins,
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
-    ) -> Result<()> {
+    ) -> Result<Option<FieldUnits>> {
+        let pairs = &bins.pairs;
         let capacity = pairs.count.at_most();
         if capacity == 0 {
-            return Ok(());
+            return Ok(None);
         }
         let (config, field) = (&scene.config, &scene.color);
         let (grid_row, material) = (config.sh_width() as u32, config.material);
         let layout = self.blocks.layout();
-        let group_scratch = GroupScratch::new(device, field, layout)?;
+        let units = Units::new(device, scene, bins, layout.slice, None)?;
+        let group_scratch = GroupScratch::new(device, field, &self.blocks, units)?;
         let scratches = Mutex::default();
         let pair_material =
             device.unwritten("gradient of the pairs' material", (capacity * material) as usize)?;
         for block in self.blocks.iter() {
             if !block.is_kept {
-                encode(device, scene, pairs, block)?;
+                encode(device, scene, pairs, &block)?;
             }
             for group in block.groups() {
                 let new = || ChunkScratch::new(device, field, layout);
@@ -146,17 +147,11 @@ impl Color {
                     let inputs = group_scratch.input_gradient(field, &chunk);
                     material_backward(device, scene, &inputs, &chunk, &pair_material)
                 })?;
-                field.group_backward(device, &group_scratch, group, grid_row, &gradient.color)?;
+                field.group_backward(device, &group_scratch, &group, grid_row, &gradient.color)?;
             }
         }
-        sum_pairs(
-            device,
-            scene,
-            mask,
-            material,
-            &pair_material,
-            &gradient.tensors().gaussians.material.buffer,
-        )
+        let network = group_scratch.into_unit_sum();
+        Ok(Some(FieldUnits { network, pair_vector: pair_material, width: material }))
     }
 
     /// The gradient of the network's outputs for a chunk of pairs.

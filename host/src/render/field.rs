@@ -94,35 +94,39 @@ impl DeviceField {
         hidden.iter().map(|layer| layer.columns * 4).max().unwrap_or(0)
     }
 
-    /// The hash grid's parameters for a block, whose features begin at `first_row`.
-    pub(super) fn grid_params(&self, block: BlockOf<'_>, first_row: u32) -> HashGridParams {
-        let layout = block.block.layout;
+    /// The hash grid's parameters for a piece of a block, whose features begin at `first_row`.
+    pub(super) fn grid_params(&self, piece: &BlockOf<'_>, first_row: u32) -> HashGridParams {
+        let (block, layout) = (piece.block, piece.block.layout);
         HashGridParams {
-            points: block.samples,
+            points: piece.samples(),
             stride: layout.stride,
             first_row,
             features: self.features,
             smoothstep: u32::from(self.smoothstep),
             chunk: layout.chunk,
             point_rows: ROWS_OF_POINT,
-            rows: block.block.rows,
+            rows: block.rows,
         }
     }
 
     /// Writes the hash features of a block's points to the rows of its input from `first_row` on.
-    pub fn encode(&self, device: &Device, block: BlockOf<'_>, first_row: u32) -> Result<()> {
-        let params = self.grid_params(block, first_row);
-        let (position, output) = (&block.point(), &block.input());
-        let (levels, samples, layers) = (&self.levels, block.samples, self.levels.len() as u32);
+    pub fn encode(&self, device: &Device, block: &BlockOf<'_>, first_row: u32) -> Result<()> {
+        block.pieces().try_for_each(|piece| self.encode_piece(device, &piece, first_row))
+    }
+
+    fn encode_piece(&self, device: &Device, piece: &BlockOf<'_>, first_row: u32) -> Result<()> {
+        let params = self.grid_params(piece, first_row);
+        let (position, output) = (&piece.point(), &piece.input());
+        let (levels, samples, layers) = (&self.levels, params.points, self.levels.len() as u32);
         match &self.half_table {
             None => {
                 let table = &self.table;
                 let kernel = HashGridKernel { params, levels, table, position, output };
-                device.run(&kernel.counted(&block.count()), samples, layers)
+                device.run(&kernel.counted(&piece.count()), samples, layers)
             }
             Some(table) => {
                 let kernel = HashGridHalfKernel { params, levels, table, position, output };
-                device.run(&kernel.counted(&block.count()), samples, layers)
+                device.run(&kernel.counted(&piece.count()), samples, layers)
             }
         }
     }

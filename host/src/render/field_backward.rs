@@ -6,43 +6,56 @@ use organza_shaders::dense_backward::{
     DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
     DenseWeightSumKernel, DenseWeightSumParams, INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,
 };
-use organza_shaders::limits::{MAX_SLICE, MAX_SLICES};
 
-use super::block::{BlockOf, Chunk, Layout};
+use super::block::{BlockOf, Blocks, Chunk, Layout};
 use super::field::DeviceField;
 use super::gradient::FieldGradient;
 use super::network::LayerPlace;
+use super::unit::Units;
 use organza_device::{Buffer, Device, Result};
 
-/// Samples of a slice on a GPU: a chunk has enough of them to fill it.
-const GPU_SLICE: u32 = 1 << 8;
-
-/// What going back through a group takes that its chunks share: each writes its own part.
+/// What going back through a field takes that its chunks share: each writes its own part.
 #[derive(Debug)]
 pub struct GroupScratch {
-    /// Gradients of the inputs: `[chunks, rows, stride]`.
+    /// Gradients of a group's inputs: `[chunks, rows, stride]`.
     input_gradient: Buffer<f32>,
-    /// Gradients of the network's parameters, a slice's each: `[slices, parameters]`.
+    /// Gradients of the network's parameters of a group's slices: `[places, parameters]`.
     partial: Buffer<Vec4>,
+    places: u32,
+    /// Gradients of the network's parameters: `[units, parameters]`.
+    unit_sum: Buffer<Vec4>,
     layout: Layout,
-    /// Samples of a slice.
-    slice: u32,
+    /// Slices with samples in a chunk, or more.
+    slices: u32,
+    units: Units,
 }
 
 impl GroupScratch {
-    /// For blocks of this layout.
-    pub fn new(device: &Device, field: &DeviceField, layout: Layout) -> Result<Self> {
-        let slice = if device.is_cpu_like() { layout.chunk } else { GPU_SLICE };
-        let slices = layout.group * layout.chunk.div_ceil(slice);
-        assert!(slice <= MAX_SLICE && slices <= MAX_SLICES, "{slices} slices of {slice} samples");
+    /// For a field's blocks.
+    pub fn new(
+        device: &Device,
+        field: &DeviceField,
+        blocks: &Blocks,
+        units: Units,
+    ) -> Result<Self> {
+        let (layout, parameters) = (blocks.layout(), field.parameters.len());
         let (label, rows) = ("gradient of inputs", field.layers[0].inputs);
-        let partial = slices as usize * field.parameters.len();
+        let places = blocks.slices(layout.group, units.count);
+        let [of_slices, of_units] = [places, units.count].map(|count| count as usize * parameters);
         Ok(Self {
             input_gradient: layout.room_for_group(device, label, rows)?,
-            partial: device.zeros("gradients of slices", partial)?,
+            partial: device.unwritten("gradients of slices", of_slices)?,
+            places,
+            unit_sum: device.zeros("gradients of units", of_units)?,
             layout,
-            slice,
+            slices: blocks.slices(1, units.count),
+            units,
         })
+    }
+
+    /// Gradients of the network's parameters: `[units, parameters]`.
+    pub fn into_unit_sum(self) -> Buffer<Vec4> {
+        self.unit_sum
     }
 
     /// Gradients of a chunk's inputs: `[rows, stride]`.
@@ -143,29 +156,37 @@ impl DeviceField {
         Ok(())
     }
 
-    /// Adds what [`DeviceField::backward`] has left of a group: the gradients of the network's parameters, chunk by chunk
-    /// in their order, and those of the hash grid, whose features begin at `grid_row`.
+    /// Adds what [`DeviceField::backward`] has left of a group: the gradients of the network's parameters to the sums of their
+    /// units, and those of the hash grid, whose features begin at `grid_row`, to the grid's.
     pub fn group_backward(
         &self,
         device: &Device,
         scratch: &GroupScratch,
-        group: BlockOf<'_>,
+        group: &BlockOf<'_>,
         grid_row: u32,
         gradient: &FieldGradient,
     ) -> Result<()> {
         let kernel = DenseWeightSumKernel {
             params: DenseWeightSumParams {
                 parameters: self.parameters.len() as u32,
-                slices: group.samples.div_ceil(scratch.slice),
+                first_sample: group.first(),
+                samples: group.samples(),
+                units: scratch.units.count,
+                slice: scratch.units.slice,
+                places: scratch.places,
             },
+            unit: &scratch.units.begin,
             partial: &scratch.partial,
-            gradient: &gradient.parameters,
+            unit_sum: &scratch.unit_sum,
         };
-        device.run(&kernel, kernel.params.parameters, 1)?;
-        let params = self.grid_params(group, grid_row);
-        let points = &group.point();
-        let count = &group.count();
-        gradient.table.accumulate(device, self, params, count, points, &scratch.input_gradient)
+        device.run(&kernel.counted(&group.count()), self.parameters.len() as u32, 1)?;
+        group.pieces().try_for_each(|piece| {
+            let params = self.grid_params(&piece, grid_row);
+            let (count, points) = (&piece.count(), &piece.point());
+            let (input_gradient, rows) = (&scratch.input_gradient, self.layers[0].inputs);
+            let of_piece = scratch.layout.of_chunk(input_gradient, piece.index(), rows);
+            gradient.table.accumulate(device, self, params, count, points, &of_piece)
+        })
     }
 
     /// The gradients of a layer's weights and biases in each slice of a chunk.
@@ -178,26 +199,26 @@ impl DeviceField {
         input: &Buffer<f32>,
         output_gradient: &Buffer<f32>,
     ) -> Result<()> {
-        // all chunks before are full
-        let first_slice = chunk.index * group.layout.chunk.div_ceil(group.slice);
         let kernel = DenseWeightBackwardKernel {
             params: DenseWeightBackwardParams {
                 samples: chunk.samples,
+                first_sample: chunk.first,
                 stride: chunk.stride,
                 inputs: layer.inputs,
                 columns: layer.columns,
                 weight: layer.weight,
                 bias: layer.bias,
-                slice: group.slice,
-                first_slice,
+                units: group.units.count,
+                slice: group.units.slice,
+                places: group.places,
                 parameters: self.parameters.len() as u32,
             },
+            unit: &group.units.begin,
             input,
             output_gradient,
             partial: &group.partial,
         };
         let blocks = layer.inputs.div_ceil(WEIGHT_ROWS_PER_INVOCATION) + 1;
-        let slices = chunk.samples.div_ceil(group.slice);
-        device.run(&kernel.counted(&chunk.count), blocks * layer.columns, slices)
+        device.run(&kernel.counted(&chunk.count), blocks * layer.columns, group.slices)
     }
 }

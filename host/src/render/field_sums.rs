@@ -18,13 +18,13 @@ fn tables(gradient: &SceneGradient) -> [&HashGridGradient; 2] {
 /// those of the color and of the transmittance field, of this rank.
 pub fn set_scales(
     device: &Device,
-    ranks: &dyn Ranks,
+    ranks: Option<&dyn Ranks>,
     scene: &DeviceScene,
     gradient: &SceneGradient,
     mut samples: [i64; 2],
 ) -> Result<()> {
-    ranks.sum(&mut samples)?;
-    if ranks.size() > 1 {
+    ranks.map_or(Ok(()), |ranks| ranks.sum(&mut samples))?;
+    if let Some(ranks) = ranks.filter(|ranks| ranks.size() > 1) {
         let [color, transmittance] = tables(gradient).map(|table| device.read(&table.bound));
         let (color, transmittance) = (color?, transmittance?);
         let mut bounds = [&color[..], &transmittance[..]].concat();
@@ -70,8 +70,12 @@ pub fn write_networks(device: &Device, gradient: &SceneGradient, values: &[f32])
 }
 
 /// Adds the sums of the hash grids of all ranks, and makes gradients of them.
-pub fn add_grids(device: &Device, ranks: &dyn Ranks, gradient: &SceneGradient) -> Result<()> {
-    if ranks.size() > 1 {
+pub fn add_grids(
+    device: &Device,
+    ranks: Option<&dyn Ranks>,
+    gradient: &SceneGradient,
+) -> Result<()> {
+    if let Some(ranks) = ranks.filter(|ranks| ranks.size() > 1) {
         sum_grids(device, ranks, gradient)?;
     }
     tables(gradient).into_iter().try_for_each(|table| Ok(table.finish(device)?))

@@ -36,6 +36,7 @@ mod project;
 mod recording;
 mod renderer;
 mod results;
+mod rows;
 mod scan;
 mod scene;
 mod share;
@@ -44,6 +45,7 @@ mod share_step;
 #[cfg(test)]
 mod tests;
 mod transmittance;
+mod unit;
 mod units;
 mod upload;
 

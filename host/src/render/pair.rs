@@ -1,5 +1,7 @@
 //! Sums over the pairs of a Gaussian.
 
+use std::ops::Range;
+
 use organza_shaders::pair::{PairSumKernel, PairSumParams, SUMMED};
 
 use super::mask::Mask;
@@ -7,20 +9,22 @@ use super::plan::words;
 use super::scene::DeviceScene;
 use organza_device::{Buffer, Device, Result};
 
-/// Adds the vectors of every Gaussian's pairs, `pair_vector [pairs, width]`, to `vector [gaussians, width]`.
+/// Adds the vectors of every Gaussian's pairs in some of a part's cameras, `pair_vector [pairs, width]`, to `vector
+/// [gaussians, width]`.
 pub fn sum_pairs(
     device: &Device,
     scene: &DeviceScene,
     mask: &Mask,
+    cameras: &Range<u32>,
     width: u32,
     pair_vector: &Buffer<f32>,
     vector: &Buffer<f32>,
 ) -> Result<()> {
-    let words = words(scene.gaussians);
     let kernel = PairSumKernel {
         params: PairSumParams {
-            words,
-            cameras: mask.bits.len() as u32 / words,
+            words: words(scene.gaussians),
+            first_camera: cameras.start,
+            cameras: cameras.end - cameras.start,
             gaussians: scene.gaussians,
             width,
         },

@@ -34,31 +34,20 @@ impl Plan {
         part_bytes: u64,
     ) -> Result<Vec<Self>> {
         let limits = Limits::of(device, scene, batch.side, part_bytes)?;
-        let mut tiles: Vec<_> = batch
-            .tiles
-            .iter()
-            .enumerate()
-            .map(|(place, &tile)| PlannedTile { tile, place })
-            .collect();
-        tiles.sort_by_key(|tile| tile.tile.camera);
-        let mut parts: Vec<Self> = Vec::new();
-        let (mut cameras, mut last) = (0, None);
-        for tile in tiles {
-            let is_new = last != Some(tile.tile.camera);
-            let fits = parts.last().is_some_and(|part| {
-                part.tiles.len() < limits.tiles && cameras + u64::from(is_new) <= limits.cameras
-            });
-            if fits {
-                cameras += u64::from(is_new);
-            } else {
-                parts.push(Self { side: batch.side, tiles: Vec::new() });
-                cameras = 1;
-            }
-            last = Some(tile.tile.camera);
-            parts.last_mut().expect("pushed above").tiles.push(tile);
-        }
+        let mut parts = limits.join(&limits.units(batch));
         parts.reverse();
         Ok(parts)
+    }
+
+    /// The units of a batch: its tiles by camera, and those of a camera cut where they are too many for a part.
+    pub fn units(
+        device: &Device,
+        scene: &DeviceScene,
+        batch: &TileBatch,
+        part_bytes: u64,
+    ) -> Result<(Vec<Self>, Limits)> {
+        let limits = Limits::of(device, scene, batch.side, part_bytes)?;
+        Ok((limits.units(batch), limits))
     }
 
     /// Two parts of half the size, last first.
@@ -113,9 +102,11 @@ pub fn words(gaussians: u32) -> u32 {
     gaussians.div_ceil(32)
 }
 
-struct Limits {
+/// The most that a part has.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits {
     tiles: usize,
-    cameras: u64,
+    cameras: usize,
 }
 
 impl Limits {
@@ -142,6 +133,38 @@ impl Limits {
                 what: format!("a buffer for one tile of side {side} and {gaussians} Gaussians"),
             });
         }
-        Ok(Self { tiles: per_part.max(1).min(bound) as usize, cameras })
+        Ok(Self { tiles: per_part.max(1).min(bound) as usize, cameras: cameras as usize })
+    }
+
+    /// The tiles of a batch by camera, as parts of one camera each.
+    fn units(&self, batch: &TileBatch) -> Vec<Plan> {
+        let tiles = batch.tiles.iter().enumerate();
+        let mut tiles: Vec<_> = tiles.map(|(place, &tile)| PlannedTile { tile, place }).collect();
+        tiles.sort_by_key(|tile| tile.tile.camera);
+        let of_cameras = tiles.chunk_by(|a, b| a.tile.camera == b.tile.camera);
+        let units = of_cameras.flat_map(|tiles| tiles.chunks(self.tiles));
+        units.map(|tiles| Plan { side: batch.side, tiles: tiles.to_vec() }).collect()
+    }
+
+    /// Joins parts of one camera each, as many as fit into each part, in their order.
+    pub fn join(&self, units: &[Plan]) -> Vec<Plan> {
+        let mut parts: Vec<Plan> = Vec::new();
+        let mut cameras = 0;
+        for unit in units {
+            match parts.last_mut() {
+                Some(part)
+                    if part.tiles.len() + unit.tiles.len() <= self.tiles
+                        && cameras < self.cameras =>
+                {
+                    part.tiles.extend(&unit.tiles);
+                    cameras += 1;
+                }
+                _ => {
+                    parts.push(unit.clone());
+                    cameras = 1;
+                }
+            }
+        }
+        parts
     }
 }

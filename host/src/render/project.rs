@@ -1,8 +1,9 @@
 //! The projection's derivative and the statistics of growth, for the pairs of a part.
 
+use std::ops::Range;
+
 use glam::Vec4;
-use organza_shaders::camera::Camera;
-use organza_shaders::project_backward::{ProjectBackwardKernel, ProjectBackwardParams};
+use organza_shaders::project_backward::{ALL_BITS, ProjectBackwardKernel, ProjectBackwardParams};
 use organza_shaders::statistics::{StatisticsKernel, StatisticsParams};
 
 use super::bin::Bins;
@@ -11,22 +12,30 @@ use super::plan::words;
 use super::scene::DeviceScene;
 use organza_device::{Buffer, Device, Result};
 
-/// Adds what `pair_gradient [pairs, 3]` makes of positions, rotations, scales and opacities to `gradient`, and the pairs of
-/// the part's cameras to its statistics.
+/// Adds what `pair_gradient [pairs, 3]` makes of positions, rotations, scales and opacities to `gradient`, and the pairs to
+/// its statistics: those of some of the part's cameras.
 pub fn project_backward(
     device: &Device,
     scene: &DeviceScene,
     bins: &Bins,
     pair_gradient: &Buffer<Vec4>,
     gradient: &SceneGradient,
+    cameras: &Range<u32>,
 ) -> Result<()> {
     let (pairs, tensors) = (&bins.pairs, &scene.tensors.gaussians);
     let (pair_mask, first_pair) = (&bins.pair_mask.bits, &bins.pair_mask.first);
     let (gaussians, words) = (scene.gaussians, words(scene.gaussians));
-    let cameras = (pairs.camera.len() / Camera::FLOATS) as u32;
+    let (first_camera, cameras) = (cameras.start, cameras.end - cameras.start);
     let blur = scene.config.blur as f32;
     let kernel = ProjectBackwardKernel {
-        params: ProjectBackwardParams { gaussians, words, cameras, blur },
+        params: ProjectBackwardParams {
+            gaussians,
+            words,
+            first_camera,
+            cameras,
+            blur,
+            bits: ALL_BITS,
+        },
         camera: &pairs.camera,
         position: &tensors.position,
         rotation: &tensors.rotation,
@@ -38,7 +47,7 @@ pub fn project_backward(
     };
     device.run(&kernel, gaussians, 1)?;
     let kernel = StatisticsKernel {
-        params: StatisticsParams { gaussians, words, cameras },
+        params: StatisticsParams { gaussians, words, first_camera, cameras },
         projection: &pairs.projection,
         pair_mask,
         first_pair,

@@ -7,7 +7,7 @@ use super::capacity::CapacityPredictor;
 use super::channels::Channel;
 use super::part::{self, Part, RenderedPart};
 use super::part_counts::{Capacity, Needed};
-use super::plan::{PART_BYTES, Plan};
+use super::plan::{Limits, PART_BYTES, Plan};
 use super::results::RenderedTiles;
 use super::scene::DeviceScene;
 use crate::camera::Camera;
@@ -186,6 +186,15 @@ impl Renderer {
     /// The parts of a batch, last first.
     pub(super) fn plans(&self, scene: &DeviceScene, batch: &TileBatch) -> Result<Vec<Plan>> {
         Ok(Plan::split(&self.device, scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
+    }
+
+    /// The units of a batch, and what joins them to parts.
+    pub(super) fn units(
+        &self,
+        scene: &DeviceScene,
+        batch: &TileBatch,
+    ) -> Result<(Vec<Plan>, Limits)> {
+        Ok(Plan::units(&self.device, scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
     }
 
     /// Does `work` for a part with a predicted capacity, so that nothing waits for the device before the end. If the capacity

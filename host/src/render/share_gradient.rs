@@ -100,7 +100,7 @@ impl ShareRecording<'_> {
                 samples = std::array::from_fn(|field| samples[field] + part.samples[field]);
             }
         }
-        set_scales(device, ranks, &self.share.fields, fields, samples)?;
+        set_scales(device, Some(ranks), &self.share.fields, fields, samples)?;
         let mut networks = Vec::new();
         let mut kept = kept.into_iter();
         for ((scene, parts), gradient) in self.parts().zip(slices) {
@@ -112,7 +112,9 @@ impl ShareRecording<'_> {
                         Some(pairs) => pairs,
                         None => self.pair_gradient(scene, part, rendered.get(), grad_output)?,
                     };
-                    rendered.get().spread(device, scene, &pairs, gradient)
+                    let part = rendered.get();
+                    let units = part.spread(device, scene, &pairs, gradient)?;
+                    part.add_units(device, scene, &pairs, &units, gradient)
                 })?;
             }
             networks.push(take_networks(device, fields)?);
@@ -120,7 +122,7 @@ impl ShareRecording<'_> {
         let len = 4 * (fields.color.parameters.len() + fields.transmittance.parameters.len());
         let networks = sum_in_fixed_point(ranks, &networks, len, self.share.slices_of_all)?;
         write_networks(device, fields, &networks)?;
-        add_grids(device, ranks, fields)
+        add_grids(device, Some(ranks), fields)
     }
 
     fn parts(&self) -> impl Iterator<Item = (&DeviceScene, &[SharePart])> {

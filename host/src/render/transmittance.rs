@@ -20,9 +20,9 @@ use super::block::{BlockOf, Blocks, Chunk, Layout};
 use super::field::{DeviceField, Scratch};
 use super::field_backward::{ChunkScratch, GroupScratch};
 use super::gradient::SceneGradient;
-use super::pair::sum_pairs;
 use super::scan::exclusive_scan;
 use super::scene::DeviceScene;
+use super::unit::{FieldUnits, Units};
 use organza_device::{Buffer, Count, Device, Error, Result};
 
 /// Transmittance of every pair.
@@ -67,7 +67,12 @@ impl Transmittance {
         let samples = count_samples(&first_sample)?;
 
         let inputs = scene.config.transmittance_inputs();
-        let blocks = Blocks::new(device, inputs, samples.clone(), keep)?;
+        let ends = pairs.unit_ends.iter().filter(|_| keep).map(|&pair| {
+            let first = device.read_range(&first_sample, pair as usize, 1)?;
+            Ok::<_, Error>(first[0])
+        });
+        let ends: Vec<_> = ends.collect::<Result<_>>()?;
+        let blocks = Blocks::new(device, inputs, samples.clone(), keep, &ends)?;
         let log_rho = log_rho(device, scene, pairs, &segment, &first_sample, &blocks)?;
         let transmittance = device.unwritten("transmittance", capacity as usize)?;
         let kernel = SegmentProductKernel {
@@ -174,7 +179,7 @@ fn log_rho(
     let log_rho = device.unwritten("log rho", blocks.samples() as usize)?;
     let scratches = Mutex::default();
     for block in blocks.iter() {
-        encode(device, scene, pairs, segment, first_sample, block)?;
+        encode(device, scene, pairs, segment, first_sample, &block)?;
         let new = || Scratch::new(device, field, blocks.layout());
         device.parallel_for_with(block.chunks(), &scratches, new, |scratch, chunk| {
             let kernel = TransmittanceHeadKernel {
@@ -210,7 +215,7 @@ fn encode(
     pairs: &Pairs,
     segment: &Buffer<Vec4>,
     first_sample: &Buffer<u32>,
-    block: BlockOf<'_>,
+    block: &BlockOf<'_>,
 ) -> Result<()> {
     device.parallel_for(block.chunks(), |chunk| {
         inputs(device, scene, pairs, segment, first_sample, &chunk)
@@ -250,8 +255,9 @@ fn inputs(
 }
 
 impl Transmittance {
-    /// Adds the gradients of the transmittance field, the grid's to its sums, and of the extra vectors, of `pair_gradient [pairs, 3]` (see
-    /// [`splat_backward`](organza_shaders::splat)).
+    /// Adds the gradient of the transmittance field's grid to its sums, of `pair_gradient [pairs, 3]` (see
+    /// [`splat_backward`](organza_shaders::splat)); returns the others, which are those of the units, unless there are no
+    /// samples.
     pub fn backward(
         &self,
         device: &Device,
@@ -259,13 +265,14 @@ impl Transmittance {
         bins: &Bins,
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
-    ) -> Result<()> {
+    ) -> Result<Option<FieldUnits>> {
         if self.samples.at_most() == 0 {
-            return Ok(());
+            return Ok(None);
         }
         let (pairs, field, extra) = (&bins.pairs, &scene.transmittance, scene.config.extra);
         let layout = self.blocks.layout();
-        let group_scratch = GroupScratch::new(device, field, layout)?;
+        let units = Units::new(device, scene, bins, layout.slice, Some(&self.first_sample))?;
+        let group_scratch = GroupScratch::new(device, field, &self.blocks, units)?;
         let scratches = Mutex::default();
         let capacity = pairs.count.at_most();
         let pair_extra =
@@ -273,7 +280,7 @@ impl Transmittance {
         let owners = AllOwners::of(device, bins, &self.first_sample)?;
         for block in self.blocks.iter() {
             if !block.is_kept {
-                encode(device, scene, pairs, &self.segment, &self.first_sample, block)?;
+                encode(device, scene, pairs, &self.segment, &self.first_sample, &block)?;
             }
             for group in block.groups() {
                 let new = || TransmittanceScratch::new(device, field, layout);
@@ -290,17 +297,11 @@ impl Transmittance {
                     self.extra_backward(device, scene, &inputs, &chunk, &owners, &pair_extra)?;
                 }
                 let gradient = &gradient.transmittance;
-                field.group_backward(device, &group_scratch, group, 0, gradient)?;
+                field.group_backward(device, &group_scratch, &group, 0, gradient)?;
             }
         }
-        sum_pairs(
-            device,
-            scene,
-            &bins.pair_mask,
-            extra,
-            &pair_extra,
-            &gradient.tensors().gaussians.extra.buffer,
-        )
+        let network = group_scratch.into_unit_sum();
+        Ok(Some(FieldUnits { network, pair_vector: pair_extra, width: extra }))
     }
 
     /// The gradient of the network's output for a chunk of samples.

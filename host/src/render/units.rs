@@ -1,27 +1,26 @@
-//! The gradient of a step that ranks share.
+//! The gradient of a training step.
 //!
-//! A unit is a step's tiles of one camera. Units are dealt to ranks: unit u is computed by rank u mod R. Its gradients
-//! have the same bits whoever computes it, and they are added in the order of the cameras, so the sum does not depend on
-//! the number of ranks:
+//! A unit is a step's tiles of one camera. Its gradients have the same bits whoever computes it, alone or in one part with
+//! others, and they are added in the order of the cameras. So the sum depends neither on how a batch is cut into parts, nor on
+//! how many [ranks](crate::ranks) share it. Units are dealt to ranks: unit u is computed by rank u mod R.
 //!
 //! - **hash grids** as 64-bit integers, whose sums are exact in any order. All units share one scale: its bound is the
-//!   largest of all ranks' bounds. Only blocks that some rank has touched travel.
-//! - **Gaussians** as rows of those that a unit has seen. A row goes to the rank that owns the Gaussian. The owner adds
-//!   the rows of all units in their order, and tells everyone the sums.
+//!   largest of all bounds. Only blocks that some rank has touched travel.
+//! - **Gaussians** camera by camera; between ranks as [`Rows`].
 //! - **networks** unit by unit, to everyone.
-
-use std::ops::Range;
 
 use glam::Vec4;
 
 use super::backward::{LossTarget, of_tiles};
-use super::field_sums::{add_grids, set_scales, take_networks, write_networks};
-use super::gradient::{SceneGradient, TensorGradient};
-use super::loss::{Loss, LossInputs, TileLoss};
+use super::exposure::{self, Exposed, ExposureGradient};
+use super::field_sums::{add_grids, set_scales, write_networks};
+use super::gradient::SceneGradient;
+use super::loss::{Loss, LossInputs, LossOutput, TileLoss};
 use super::part::Part;
 use super::part_counts::{Capacity, Needed};
 use super::plan::Plan;
 use super::renderer::Renderer;
+use super::rows::Rows;
 use super::scene::DeviceScene;
 use crate::camera::Camera;
 use crate::error::Result;
@@ -29,60 +28,71 @@ use crate::ranks::Ranks;
 use crate::tile::TileBatch;
 use organza_device::{Buffer, Device};
 
-/// The most samples of units that are kept between both passes: about 2 GiB of tables. Other units are rendered twice.
+/// The most samples of parts that are kept between both passes: about 2 GiB of tables. Other parts are rendered twice.
 const KEPT_SAMPLES: u64 = 1 << 24;
 
-/// A unit that was rendered and compared.
+/// What tiles were compared with, and what came out: in the same order, by camera.
+type Compared = (Vec<TileLoss>, Vec<ExposureGradient>);
+
+/// A part that was rendered and compared.
 #[derive(Debug)]
-struct Unit {
+struct Rendered {
     part: Part,
-    /// `[pairs, 3]`
-    pair_gradient: Buffer<Vec4>,
-    capacity: Capacity,
+    output: LossOutput,
+    /// Of the exposures, if they are learned: see [`exposure::gradients`].
+    row_sum: Option<Buffer<f32>>,
 }
 
-/// A step, as units see it.
+/// A step.
+#[derive(Clone, Copy)]
 struct Step<'a> {
     renderer: &'a Renderer,
     scene: &'a DeviceScene,
     cameras: &'a [Camera],
     target: &'a LossTarget<'a>,
     gradient: &'a SceneGradient,
-    ranks: &'a dyn Ranks,
-    /// All units, by camera.
-    units: Vec<Plan>,
 }
 
 impl Renderer {
-    /// Adds the gradients of a batch's loss to `gradient`, as [`Renderer::add_loss_gradient`] does, together with other
-    /// ranks: each has the same scene and the same batch, and then the same gradient. Returns the losses of all tiles, by
-    /// camera.
+    /// Adds the gradients of a batch's loss to `gradient`; returns the losses of the tiles, by camera, and the gradients
+    /// of the exposures, in the order of the batch, if the target has them.
+    ///
+    /// With `ranks`, each has the same scene and the same batch, and then the same gradient.
+    ///
+    /// On a GPU a batch of one part is one submission and one wait, for the losses, after a first one that has found out what
+    /// such batches need. `gradient` is that of a step: but for the statistics, zero before. `loss` is kept from step to
+    /// step.
     ///
     /// # Errors
-    /// As [`Renderer::render`]; [`Error::Rank`].
-    pub(crate) fn add_ranks_gradient(
+    /// As [`Renderer::render`]; [`Error::Rank`](crate::Error::Rank).
+    #[allow(clippy::too_many_arguments)]
+    pub(crate) fn add_loss_gradient(
         &self,
         scene: &DeviceScene,
         cameras: &[Camera],
         batch: &TileBatch,
+        loss: &mut Option<Loss>,
         target: &LossTarget<'_>,
         gradient: &SceneGradient,
-        ranks: &dyn Ranks,
-    ) -> Result<Vec<TileLoss>> {
-        let units = by_camera(self.plans(scene, batch)?);
-        let step = Step { renderer: self, scene, cameras, target, gradient, ranks, units };
+        ranks: Option<&dyn Ranks>,
+    ) -> Result<Compared> {
+        let ranks = ranks.filter(|ranks| ranks.size() > 1);
+        let step = Step { renderer: self, scene, cameras, target, gradient };
         gradient.begin(self.device());
-        step.run().inspect_err(|_| gradient.restart(self.device()))
+        let restart = |_: &_| gradient.restart(self.device());
+        let (losses, mut exposures) = match ranks {
+            None => self.in_parts(scene, batch, |plans| {
+                let added = match plans {
+                    [plan] => step.at_once(plan, loss),
+                    _ => step.alone(plans, loss),
+                };
+                added.inspect_err(restart)
+            }),
+            Some(ranks) => step.together(batch, loss, ranks).inspect_err(restart),
+        }?;
+        exposures.sort_by_key(|exposure| exposure.place);
+        Ok((losses, exposures))
     }
-}
-
-/// Plans of one camera each, in their order; `plans` are those of a batch, last first.
-fn by_camera(plans: Vec<Plan>) -> Vec<Plan> {
-    let of_camera = |plan: &Plan| {
-        let tiles = plan.tiles.chunk_by(|a, b| a.tile.camera == b.tile.camera);
-        tiles.map(|tiles| Plan { side: plan.side, tiles: tiles.to_vec() }).collect::<Vec<_>>()
-    };
-    plans.iter().rev().flat_map(of_camera).collect()
 }
 
 impl Step<'_> {
@@ -90,90 +100,99 @@ impl Step<'_> {
         self.renderer.device()
     }
 
-    /// The units of a rank.
-    fn units_of(&self, rank: usize) -> impl Iterator<Item = usize> + use<> {
-        (rank..self.units.len()).step_by(self.ranks.size())
-    }
-
-    fn run(&self) -> Result<Vec<TileLoss>> {
-        let loss = &mut None;
-        let mut losses = Vec::new();
-        let mut kept: Vec<Option<Unit>> = Vec::new();
-        let (mut samples, mut keeps) = ([0_i64; 2], true);
-        for index in self.units_of(self.ranks.rank()) {
-            let (unit, found) = match self.unit(index, loss) {
-                Err(error) if error.is_out_of_memory() && kept.iter().any(Option::is_some) => {
-                    // those that were kept may be what takes the memory
-                    (keeps, kept) = (false, kept.iter().map(|_| None).collect());
-                    self.unit(index, loss)?
-                }
-                result => result?,
-            };
-            unit.part.raise_bounds(self.device(), &unit.pair_gradient, self.gradient)?;
-            samples[0] += i64::from(unit.capacity.pairs);
-            samples[1] += i64::from(unit.capacity.samples);
-            losses.extend(found);
-            let is_kept = keeps && samples.iter().sum::<i64>() as u64 <= KEPT_SAMPLES;
-            kept.push(is_kept.then_some(unit));
-        }
-        let (device, ranks, gradient) = (self.device(), self.ranks, self.gradient);
-        set_scales(device, ranks, self.scene, gradient, samples)?;
-        let mut networks = Vec::new();
-        let mut rows = Rows::new(self)?;
-        for (index, unit) in self.units_of(self.ranks.rank()).zip(kept) {
-            let unit = match unit {
-                Some(unit) => unit,
-                None => self.unit(index, loss)?.0,
-            };
-            device.run_in_pool(|| {
-                unit.part.spread(device, self.scene, &unit.pair_gradient, gradient)
-            })?;
-            networks.push(take_networks(device, gradient)?);
-            rows.take(self)?;
-        }
-        self.add_networks(networks)?;
-        rows.add(self)?;
-        add_grids(device, ranks, gradient)?;
-        self.all_losses(&losses)
-    }
-
-    /// Renders a unit, compares it, and goes back to its pairs.
-    fn unit(&self, index: usize, loss: &mut Option<Loss>) -> Result<(Unit, Vec<TileLoss>)> {
-        let (device, plan, target) = (self.device(), &self.units[index], self.target);
-        let area = (plan.side * plan.side) as usize;
+    /// A step in one part.
+    fn at_once(&self, plan: &Plan, loss: &mut Option<Loss>) -> Result<Compared> {
+        let (device, scene) = (self.device(), self.scene);
         let loss = Loss::of_tiles(loss, device, plan.side, plan.tiles.len())?;
-        let render = |capacity: Option<Capacity>| {
-            let part = Part::evaluate(device, self.scene, self.cameras, plan, true, capacity)?;
-            let image = of_tiles(target.image, &plan.tiles, 3 * area);
-            let valid = of_tiles(target.valid, &plan.tiles, area);
-            let inputs = LossInputs {
-                image: &part.composite.image,
-                target: &device.upload("photographs", &image)?,
-                valid: &device.upload("masks", &valid)?,
-                valid_pixels: target.valid_pixels,
-                ssim_weight: target.ssim_weight,
-            };
-            let output = loss.evaluate(device, &inputs)?;
-            let pair_gradient =
-                part.pair_gradient(device, self.scene, plan.side, &output.grad_image)?;
-            let (losses, _, needed) = output.sums_and_needed(device, &part, None)?;
-            Ok(((part, pair_gradient, losses, needed), needed))
+        let work = |capacity: Option<Capacity>| {
+            let rendered = self.render(plan, loss, capacity)?;
+            let Rendered { part, output, .. } = &rendered;
+            part.backward(device, scene, plan.side, &output.grad_image, self.gradient)?;
+            rendered.read(device, plan)
         };
-        let work = || self.renderer.with_predicted_capacity(self.scene, plan, render);
-        let (part, pair_gradient, losses, needed) = device.run_in_pool(work)?;
-        let Needed::Capacity(capacity) = needed else { unreachable!("it was rendered again") };
-        Ok((Unit { part, pair_gradient, capacity }, losses))
+        device.run_in_pool(|| self.renderer.with_predicted_capacity(scene, plan, work))
+    }
+
+    /// A step in several parts, last first.
+    fn alone(&self, plans: &[Plan], loss: &mut Option<Loss>) -> Result<Compared> {
+        let (device, gradient) = (self.device(), self.gradient);
+        let plans: Vec<_> = plans.iter().rev().collect();
+        let mut parts = Parts::render(self, &plans, loss)?;
+        set_scales(device, None, self.scene, gradient, parts.samples)?;
+        parts.back(self, loss, &mut |part, pair_gradient| {
+            let units = part.spread(device, self.scene, pair_gradient, gradient)?;
+            part.add_units(device, self.scene, pair_gradient, &units, gradient)
+        })?;
+        add_grids(device, None, gradient)?;
+        Ok(parts.found)
+    }
+
+    /// A step that ranks share.
+    fn together(
+        &self,
+        batch: &TileBatch,
+        loss: &mut Option<Loss>,
+        ranks: &dyn Ranks,
+    ) -> Result<Compared> {
+        let (device, scene, gradient) = (self.device(), self.scene, self.gradient);
+        let (units, limits) = self.renderer.units(scene, batch)?;
+        let mine: Vec<_> = units.iter().skip(ranks.rank()).step_by(ranks.size()).cloned().collect();
+        let plans = limits.join(&mine);
+        let mut parts = Parts::render(self, &plans.iter().collect::<Vec<_>>(), loss)?;
+        set_scales(device, Some(ranks), scene, gradient, parts.samples)?;
+        let (mut networks, mut rows) = (Vec::new(), Rows::new(device, ranks, gradient)?);
+        parts.back(self, loss, &mut |part, pair_gradient| {
+            let spread = part.spread(device, scene, pair_gradient, gradient)?;
+            let units_of_part = part.bins.cameras.len() as u32;
+            for unit in 0..units_of_part {
+                let cameras = unit..unit + 1;
+                part.add_gaussians(device, scene, pair_gradient, &spread, cameras, gradient)?;
+                rows.take()?;
+            }
+            networks.push(spread.read_networks(device, units_of_part, gradient)?);
+            Ok(())
+        })?;
+        self.add_networks(networks.concat(), units.len(), ranks)?;
+        rows.add(units.len())?;
+        add_grids(device, Some(ranks), gradient)?;
+        self.all_found(&parts.found, &units, ranks)
+    }
+
+    /// Renders a part, and compares it.
+    fn render(&self, plan: &Plan, loss: &Loss, capacity: Option<Capacity>) -> Result<Rendered> {
+        let (device, target) = (self.device(), self.target);
+        let area = (plan.side * plan.side) as usize;
+        let part = Part::evaluate(device, self.scene, self.cameras, plan, true, capacity)?;
+        let image = device.upload("photographs", &of_tiles(target.image, &plan.tiles, 3 * area))?;
+        let valid = device.upload("masks", &of_tiles(target.valid, &plan.tiles, area))?;
+        let rendered = &part.composite.image;
+        let expose = |all: &[f32]| {
+            let exposure = of_tiles(all, &plan.tiles, exposure::VALUES);
+            Exposed::new(device, rendered, plan.side, &exposure)
+        };
+        let exposed = target.exposure.map(expose).transpose()?;
+        let inputs = LossInputs {
+            image: exposed.as_ref().map_or(rendered, |exposed| &exposed.image),
+            target: &image,
+            valid: &valid,
+            valid_pixels: target.valid_pixels,
+            ssim_weight: target.ssim_weight,
+        };
+        let output = loss.evaluate(device, &inputs)?;
+        let back = |exposed: &Exposed| exposed.backward(device, rendered, &output.grad_image);
+        let row_sum = exposed.as_ref().map(back).transpose()?;
+        Ok(Rendered { part, output, row_sum })
     }
 
     /// Adds the networks' gradients of all units, in their order.
-    fn add_networks(&self, mine: Vec<Vec<f32>>) -> Result<()> {
-        let all = self.ranks.gather(bytemuck::cast_slice(&mine.concat()).to_vec())?;
+    fn add_networks(&self, mine: Vec<f32>, units: usize, ranks: &dyn Ranks) -> Result<()> {
+        let all = ranks.gather(bytemuck::cast_slice(&mine).to_vec())?;
         let fields = [&self.gradient.color, &self.gradient.transmittance];
         let len: usize = fields.map(|field| 4 * field.parameters.len()).iter().sum();
         let mut sum = vec![0.0_f32; len];
-        let mut places = vec![0; self.ranks.size()];
-        for index in 0..self.units.len() {
-            let rank = index % self.ranks.size();
+        let mut places = vec![0; ranks.size()];
+        for unit in 0..units {
+            let rank = unit % ranks.size();
             let begin = places[rank];
             places[rank] += len * 4;
             let values: Vec<f32> = bytemuck::pod_collect_to_vec(&all[rank][begin..begin + len * 4]);
@@ -182,183 +201,122 @@ impl Step<'_> {
         write_networks(self.device(), self.gradient, &sum)
     }
 
-    /// The losses of all tiles, by camera.
-    fn all_losses(&self, mine: &[TileLoss]) -> Result<Vec<TileLoss>> {
-        let values = |l: &TileLoss| [l.absolute, l.dissimilarity, l.squared, l.valid];
-        let mine: Vec<f64> = mine.iter().flat_map(values).collect();
-        let all = self.ranks.gather(bytemuck::cast_slice(&mine).to_vec())?;
+    /// What all ranks have found, by camera.
+    fn all_found(&self, mine: &Compared, units: &[Plan], ranks: &dyn Ranks) -> Result<Compared> {
+        let (losses, exposures) = mine;
+        let mut exposures = exposures.iter();
+        let mut values = Vec::new();
+        for loss in losses {
+            values.extend([loss.absolute, loss.dissimilarity, loss.squared, loss.valid]);
+            values.extend(exposures.next().iter().flat_map(|found| found.gradient.as_flattened()));
+        }
+        let all = ranks.gather(bytemuck::cast_slice(&values).to_vec())?;
         let all: Vec<Vec<f64>> =
             all.iter().map(|bytes| bytemuck::pod_collect_to_vec(bytes)).collect();
-        let mut rest: Vec<_> = all.iter().map(|values| values.as_chunks::<4>().0.iter()).collect();
-        let mut losses = Vec::new();
-        for (index, unit) in self.units.iter().enumerate() {
-            let of_rank = &mut rest[index % self.ranks.size()];
-            losses.extend(of_rank.take(unit.tiles.len()).map(
-                |&[absolute, dissimilarity, squared, valid]| TileLoss {
-                    absolute,
-                    dissimilarity,
-                    squared,
-                    valid,
-                },
-            ));
-        }
-        Ok(losses)
-    }
-}
-
-/// The gradients of Gaussians, and the statistics of growth, as rows: what a unit has made of each Gaussian.
-///
-/// One rank alone needs none of it on a CPU: its units add to the gradient one after the other. A GPU may round such a sum
-/// otherwise, as it can fuse it with the product before.
-struct Rows<'a> {
-    is_needed: bool,
-    tensors: Vec<&'a TensorGradient>,
-    gaussians: usize,
-    /// For each rank, what goes to it: for each unit, how many rows follow, and the rows. A row is the Gaussian's index,
-    /// its values of all tensors, and its three statistics.
-    for_each: Vec<Vec<u32>>,
-    /// What the statistics were before the step.
-    before: Vec<Vec4>,
-}
-
-/// Values of a Gaussian's statistics that count.
-const STATISTICS: usize = 3;
-
-impl<'a> Rows<'a> {
-    fn new(step: &Step<'a>) -> Result<Self> {
-        let mut tensors = Vec::new();
-        step.gradient.tensors.gaussians.as_ref().map(|tensor| tensors.push(tensor));
-        let gaussians = step.scene.len();
-        let is_needed = step.ranks.size() > 1 || step.device().backend() != "cpu";
-        let mut before = Vec::new();
-        if is_needed {
-            before = step.device().read(&step.gradient.statistics)?;
-            step.device().clear(&step.gradient.statistics);
-        }
-        let for_each = vec![Vec::new(); step.ranks.size()];
-        Ok(Self { is_needed, tensors, gaussians, for_each, before })
-    }
-
-    /// Values of a row, without the index.
-    fn width(&self) -> usize {
-        let values: usize = self.tensors.iter().map(|tensor| tensor.range.len()).sum();
-        values / self.gaussians + STATISTICS
-    }
-
-    /// The Gaussians that a rank owns.
-    fn owned(&self, rank: usize) -> Range<usize> {
-        let begin = |rank| self.gaussians * rank / self.for_each.len();
-        begin(rank)..begin(rank + 1)
-    }
-
-    /// Takes what a unit has left on the device.
-    fn take(&mut self, step: &Step<'_>) -> Result<()> {
-        if !self.is_needed {
-            return Ok(());
-        }
-        let device = step.device();
-        let mut columns = Vec::with_capacity(self.tensors.len());
-        for tensor in &self.tensors {
-            let values = tensor.read(device)?;
-            columns.push((values.len() / self.gaussians, values));
-        }
-        self.tensors.iter().for_each(|tensor| device.clear(&tensor.buffer));
-        let statistics = device.read(&step.gradient.statistics)?;
-        device.clear(&step.gradient.statistics);
-        for rank in 0..self.for_each.len() {
-            let owned = self.owned(rank);
-            let rows = &mut self.for_each[rank];
-            let place = rows.len();
-            rows.push(0);
-            for index in owned {
-                let begin = rows.len();
-                rows.push(index as u32);
-                for (width, values) in &columns {
-                    let values = &values[index * width..][..*width];
-                    rows.extend(values.iter().map(|value| value.to_bits()));
-                }
-                let statistics = statistics[index].to_array();
-                rows.extend(statistics[..STATISTICS].iter().map(|value| value.to_bits()));
-                match rows[begin + 1..].iter().any(|&bits| bits != 0) {
-                    true => rows[place] += 1,
-                    false => rows.truncate(begin),
+        let mut rest: Vec<_> = all.iter().map(|values| values.iter().copied()).collect();
+        let (mut losses, mut exposures) = (Vec::new(), Vec::new());
+        for (index, unit) in units.iter().enumerate() {
+            let of_rank = &mut rest[index % ranks.size()];
+            let mut value = || of_rank.next().expect("each rank has all of its units");
+            for tile in &unit.tiles {
+                let [absolute, dissimilarity, squared, valid] = [(); 4].map(|()| value());
+                losses.push(TileLoss { absolute, dissimilarity, squared, valid });
+                if self.target.exposure.is_some() {
+                    let gradient = [(); 3].map(|()| [(); 2].map(|()| value()));
+                    let (place, camera) = (tile.place, tile.tile.camera);
+                    exposures.push(ExposureGradient { place, camera, gradient });
                 }
             }
+        }
+        Ok((losses, exposures))
+    }
+}
+
+impl Rendered {
+    /// Reads what was found, and the capacity that the part needed: waits for the device.
+    fn read(&self, device: &Device, plan: &Plan) -> Result<(Compared, Needed)> {
+        let row_sum = self.row_sum.as_ref();
+        let (losses, rows, needed) = self.output.sums_and_needed(device, &self.part, row_sum)?;
+        Ok(((losses, exposure::gradients(&rows, plan.side, &plan.tiles)), needed))
+    }
+}
+
+/// The parts of a step, after the first of both passes: the second one needs the bounds of all of them.
+struct Parts<'a> {
+    plans: Vec<&'a Plan>,
+    /// `[pairs, 3]` is the gradient of the part's pairs. Parts that are not kept are rendered again.
+    kept: Vec<Option<(Part, Buffer<Vec4>)>>,
+    /// Of the color and of the transmittance field.
+    samples: [i64; 2],
+    found: Compared,
+}
+
+impl<'a> Parts<'a> {
+    /// Renders and compares all parts, and raises the bounds of the hash grids' sums.
+    fn render(step: &Step<'_>, plans: &[&'a Plan], loss: &mut Option<Loss>) -> Result<Self> {
+        let plans = plans.to_vec();
+        let mut parts =
+            Self { plans, kept: Vec::new(), samples: [0; 2], found: Compared::default() };
+        let mut keeps = true;
+        for plan in parts.plans.clone() {
+            let (part, found, capacity) = match Self::render_one(step, plan, loss) {
+                Err(error)
+                    if error.is_out_of_memory() && parts.kept.iter().any(Option::is_some) =>
+                {
+                    // those that were kept may be what takes the memory
+                    keeps = false;
+                    parts.kept.fill_with(|| None);
+                    Self::render_one(step, plan, loss)?
+                }
+                result => result?,
+            };
+            part.0.raise_bounds(step.device(), &part.1, step.gradient)?;
+            parts.samples[0] += i64::from(capacity.pairs);
+            parts.samples[1] += i64::from(capacity.samples);
+            parts.found.0.extend(found.0);
+            parts.found.1.extend(found.1);
+            let is_kept = keeps && parts.samples.iter().sum::<i64>() as u64 <= KEPT_SAMPLES;
+            parts.kept.push(is_kept.then_some(part));
+        }
+        Ok(parts)
+    }
+
+    /// Renders and compares a part, and goes back to its pairs.
+    fn render_one(
+        step: &Step<'_>,
+        plan: &Plan,
+        loss: &mut Option<Loss>,
+    ) -> Result<((Part, Buffer<Vec4>), Compared, Capacity)> {
+        let device = step.device();
+        let loss = Loss::of_tiles(loss, device, plan.side, plan.tiles.len())?;
+        let work = |capacity: Option<Capacity>| {
+            let rendered = step.render(plan, loss, capacity)?;
+            let Rendered { part, output, .. } = &rendered;
+            let pair_gradient =
+                part.pair_gradient(device, step.scene, plan.side, &output.grad_image)?;
+            let (found, needed) = rendered.read(device, plan)?;
+            Ok((((rendered.part, pair_gradient), found, needed), needed))
+        };
+        let work = || step.renderer.with_predicted_capacity(step.scene, plan, work);
+        let (part, found, needed) = device.run_in_pool(work)?;
+        let Needed::Capacity(capacity) = needed else { unreachable!("it was rendered again") };
+        Ok((part, found, capacity))
+    }
+
+    /// Goes back through all parts, with `back`.
+    fn back(
+        &mut self,
+        step: &Step<'_>,
+        loss: &mut Option<Loss>,
+        back: &mut (dyn FnMut(&Part, &Buffer<Vec4>) -> Result<()> + Send),
+    ) -> Result<()> {
+        for (plan, kept) in self.plans.iter().zip(self.kept.drain(..)) {
+            let (part, pair_gradient) = match kept {
+                Some(kept) => kept,
+                None => Self::render_one(step, plan, loss)?.0,
+            };
+            step.device().run_in_pool(|| back(&part, &pair_gradient))?;
         }
         Ok(())
-    }
-
-    /// Adds the rows of all units in their order, and writes the sums to the gradient.
-    fn add(mut self, step: &Step<'_>) -> Result<()> {
-        if !self.is_needed {
-            return Ok(());
-        }
-        let ranks = step.ranks;
-        let bytes = |words: Vec<u32>| bytemuck::cast_slice(&words).to_vec();
-        let for_each = self.for_each.iter_mut().map(|words| bytes(std::mem::take(words)));
-        let received = ranks.exchange(for_each.collect())?;
-        let sums = ranks.gather(bytes(self.sum(step, &received)))?;
-        self.write(step, &sums)
-    }
-
-    /// The sums of the rows that this rank owns: those that any unit has.
-    fn sum(&self, step: &Step<'_>, received: &[Vec<u8>]) -> Vec<u32> {
-        let (width, owned) = (self.width(), self.owned(step.ranks.rank()));
-        let received: Vec<Vec<u32>> =
-            received.iter().map(|bytes| bytemuck::pod_collect_to_vec(bytes)).collect();
-        let mut rest: Vec<&[u32]> = received.iter().map(Vec::as_slice).collect();
-        let first_statistic = width - STATISTICS;
-        let mut sums: Vec<f32> = vec![0.0; owned.len() * width];
-        for (row, before) in sums.chunks_exact_mut(width).zip(&self.before[owned.clone()]) {
-            row[first_statistic..].copy_from_slice(&before.to_array()[..STATISTICS]);
-        }
-        let mut is_touched = vec![false; owned.len()];
-        for unit in 0..step.units.len() {
-            let words = &mut rest[unit % step.ranks.size()];
-            let (rows, after) = words[1..].split_at(words[0] as usize * (width + 1));
-            *words = after;
-            for row in rows.chunks_exact(width + 1) {
-                let place = row[0] as usize - owned.start;
-                is_touched[place] = true;
-                let sums = &mut sums[place * width..][..width];
-                for (column, (sum, bits)) in sums.iter_mut().zip(&row[1..]).enumerate() {
-                    let value = f32::from_bits(*bits);
-                    // the last one is the largest radius
-                    *sum = if column + 1 == width { sum.max(value) } else { *sum + value };
-                }
-            }
-        }
-        let touched = (0..owned.len()).filter(|&place| is_touched[place]);
-        let row = |place: usize| {
-            let values = sums[place * width..][..width].iter().map(|value| value.to_bits());
-            std::iter::once((owned.start + place) as u32).chain(values)
-        };
-        touched.flat_map(row).collect()
-    }
-
-    /// Writes the sums of all owners.
-    fn write(&self, step: &Step<'_>, sums: &[Vec<u8>]) -> Result<()> {
-        let (device, width) = (step.device(), self.width());
-        let zeros = |tensor: &&TensorGradient| vec![0.0_f32; tensor.range.len()];
-        let mut columns: Vec<_> = self.tensors.iter().map(zeros).collect();
-        let mut statistics = self.before.clone();
-        for bytes in sums {
-            let words: Vec<u32> = bytemuck::pod_collect_to_vec(bytes);
-            for row in words.chunks_exact(width + 1) {
-                let index = row[0] as usize;
-                let mut values = row[1..].iter().map(|&bits| f32::from_bits(bits));
-                for column in &mut columns {
-                    let width = column.len() / self.gaussians;
-                    column[index * width..][..width].fill_with(|| values.next().expect("a row"));
-                }
-                let mut value = || values.next().expect("a row");
-                let [x, y, z] = std::array::from_fn(|_| value());
-                statistics[index] = Vec4::new(x, y, z, statistics[index].w);
-            }
-        }
-        for (tensor, values) in self.tensors.iter().zip(&columns) {
-            tensor.write(device, values)?;
-        }
-        Ok(device.write(&step.gradient.statistics, 0, &statistics)?)
     }
 }

@@ -230,7 +230,7 @@ impl<'a> Session<'a> {
         hooks: &mut StepHooks<'_>,
     ) -> Result<Outcome> {
         if self.ranks.is_some() {
-            check_ranks(self.config)?;
+            check_ranks(self.config, self.split)?;
         }
         let begin = Instant::now();
         let (trainer, progress, changes) = match (&self.ranks, self.split) {

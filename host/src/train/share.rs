@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::checkpoint::{Checkpoint, Progress};
 use super::config::TrainConfig;
 use super::optimizer::ShareOptimizer;
+use super::ranks::Split;
 use super::sampler::{Sampler, Target};
 use super::share_checkpoint::CheckpointShare;
 use super::share_growth::grow;
@@ -82,7 +83,7 @@ impl ShareTrainer {
     ) -> Result<Self> {
         let dataset = dataset.into();
         check(&config, &dataset)?;
-        check_ranks(&config)?;
+        check_ranks(&config, Split::Gaussians)?;
         let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
         let sampler = Sampler::of_cameras(&cameras, &config.run)?;
         let state = State::upload(renderer, &config, checkpoint)?;

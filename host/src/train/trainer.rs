@@ -12,6 +12,7 @@ use super::growth::{Grown, grow};
 use super::hooks::{StepGradient, StepHooks};
 use super::optimizer::Optimizer;
 use super::pose::PoseSet;
+use super::ranks::Split;
 use super::sampler::{Sampler, Target, random};
 use super::start;
 use crate::camera::Camera;
@@ -167,8 +168,8 @@ impl Trainer {
     }
 
     /// The same training, shared with other [ranks](crate::ranks). Each rank has a trainer of its own, with the same
-    /// settings, data and checkpoint, and takes the same steps. All trainers then hold the same scene, and its bits do
-    /// not depend on the number of ranks. They are not those of a trainer without ranks, which adds in another order.
+    /// settings, data and checkpoint, and takes the same steps. All trainers then hold the same scene, and its bits are
+    /// those of a trainer without ranks.
     #[must_use]
     pub fn with_ranks(mut self, ranks: Arc<dyn Ranks>) -> Self {
         self.ranks = Some(ranks);
@@ -310,17 +311,9 @@ impl Trainer {
             let report = StepReport { loss, l1: none, ssim: none, psnr, tiles, grown: None };
             return Ok((report, Vec::new()));
         }
-        let (losses, exposures) = match self.ranks.as_deref() {
-            Some(ranks) => {
-                let losses =
-                    renderer.add_ranks_gradient(scene, cameras, batch, &target, gradient, ranks)?;
-                (losses, Vec::new())
-            }
-            None => {
-                let kept = &mut self.loss;
-                renderer.add_loss_gradient(scene, cameras, batch, kept, &target, gradient)?
-            }
-        };
+        let (kept, ranks) = (&mut self.loss, self.ranks.as_deref());
+        let (losses, exposures) =
+            renderer.add_loss_gradient(scene, cameras, batch, kept, &target, gradient, ranks)?;
         Ok((StepReport::of(&losses, target.ssim_weight), exposures))
     }
 
@@ -329,7 +322,7 @@ impl Trainer {
         let reason = if self.ranks.is_some() && (hooks.loss.is_some() || hooks.gradient.is_some()) {
             NO_HOOKS
         } else if self.ranks.is_some() {
-            return check_ranks(&self.config);
+            return check_ranks(&self.config, Split::Views);
         } else if self.exposures.is_some() && hooks.loss.is_some() {
             "a loss of your own does not know the photographs' exposures: set `exposure.method` to none"
         } else {
@@ -403,12 +396,13 @@ impl StepReport {
     }
 }
 
-/// Ranks learn the scene alone.
+/// Ranks learn the scene alone; those that share views learn exposures, too.
 ///
 /// # Errors
 /// [`Error::Argument`] where the settings ask for more.
-pub(super) fn check_ranks(config: &TrainConfig) -> Result<()> {
-    let [what, setting] = if config.exposure.method != ExposureMethod::None {
+pub(super) fn check_ranks(config: &TrainConfig, split: Split) -> Result<()> {
+    let is_split = split == Split::Gaussians;
+    let [what, setting] = if is_split && config.exposure.method != ExposureMethod::None {
         ["learn exposures", "exposure.method"]
     } else if config.poses.method != PoseMethod::None {
         ["refine poses", "poses.method"]

@@ -36,7 +36,7 @@ fn evaluate(renderer: &Renderer, scene: &Scene, exposure: &[f32]) -> (f64, Vec<f
     let gradient = SceneGradient::new(device, &on_device).expect("memory");
     let cameras = demo::turntable(2, 64);
     let (losses, exposures) = renderer
-        .add_loss_gradient(&on_device, &cameras, &tiles(), &mut None, &target, &gradient)
+        .add_loss_gradient(&on_device, &cameras, &tiles(), &mut None, &target, &gradient, None)
         .expect("a loss");
     let cameras: Vec<_> = exposures.iter().map(|tile| (tile.place, tile.camera)).collect();
     assert_eq!(cameras, [(0, 0), (1, 0), (2, 1), (3, 1)]);

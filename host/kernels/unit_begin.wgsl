@@ -1,0 +1,124 @@
+struct type_5 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+}
+
+struct type_6 {
+    member: type_5,
+}
+
+struct type_9 {
+    member: array<u32>,
+}
+
+var<private> global: vec3<u32>;
+var<private> global_1: vec3<u32>;
+var<private> global_2: vec3<u32>;
+@group(0) @binding(0) 
+var<uniform> global_3: type_6;
+@group(0) @binding(2) 
+var<storage> global_4: type_9;
+@group(0) @binding(1) 
+var<storage> global_5: type_9;
+@group(0) @binding(3) 
+var<storage, read_write> global_6: type_9;
+
+fn function_() {
+    var phi_48_: u32;
+    var phi_51_: u32;
+    var phi_53_: u32;
+    var phi_76_: u32;
+    var phi_92_: u32;
+    var phi_49_: u32;
+    var phi_52_: u32;
+    var phi_54_: u32;
+    var phi_99_: bool;
+
+    switch bitcast<i32>(0u) {
+        default: {
+            let _e15 = global;
+            let _e16 = global_1;
+            let _e17 = global_2;
+            if (((_e16.x + (_e16.y * _e17.x)) + _e15.x) == 0u) {
+                phi_48_ = 0u;
+                phi_51_ = 0u;
+                phi_53_ = 0u;
+                loop {
+                    let _e27 = phi_48_;
+                    let _e29 = phi_51_;
+                    let _e31 = phi_53_;
+                    let _e34 = global_3.member.member;
+                    let _e35 = (_e27 <= _e34);
+                    if _e35 {
+                        let _e38 = global_3.member.member_1;
+                        let _e42 = global_5.member[(_e27 * _e38)];
+                        let _e45 = global_3.member.member_3;
+                        if (_e45 == 0u) {
+                            phi_76_ = _e42;
+                        } else {
+                            let _e49 = global_4.member[_e42];
+                            phi_76_ = _e49;
+                        }
+                        let _e51 = phi_76_;
+                        let _e52 = (_e51 - _e31);
+                        let _e55 = global_3.member.member_2;
+                        let _e56 = (_e55 == 0u);
+                        if _e56 {
+                            phi_99_ = true;
+                            break;
+                        }
+                        let _e57 = (_e52 / _e55);
+                        if _e56 {
+                            phi_99_ = true;
+                            break;
+                        }
+                        if ((_e52 % _e55) > 0u) {
+                            phi_92_ = (_e57 + 1u);
+                        } else {
+                            phi_92_ = _e57;
+                        }
+                        let _e62 = phi_92_;
+                        let _e63 = (_e29 + _e62);
+                        let _e64 = (2u * _e27);
+                        global_6.member[_e64] = _e51;
+                        global_6.member[(_e64 + 1u)] = _e63;
+                        phi_49_ = (_e27 + 1u);
+                        phi_52_ = _e63;
+                        phi_54_ = _e51;
+                    } else {
+                        phi_49_ = u32();
+                        phi_52_ = u32();
+                        phi_54_ = u32();
+                    }
+                    let _e72 = phi_49_;
+                    let _e74 = phi_52_;
+                    let _e76 = phi_54_;
+                    continue;
+                    continuing {
+                        phi_48_ = _e72;
+                        phi_51_ = _e74;
+                        phi_53_ = _e76;
+                        phi_99_ = false;
+                        break if !(_e35);
+                    }
+                }
+                let _e79 = phi_99_;
+                if _e79 {
+                    break;
+                }
+            }
+            break;
+        }
+    }
+    return;
+}
+
+@compute @workgroup_size(1, 1, 1) 
+fn unit_begin(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>, @builtin(num_workgroups) param_2: vec3<u32>) {
+    global = param;
+    global_1 = param_1;
+    global_2 = param_2;
+    function_();
+}

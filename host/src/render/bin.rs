@@ -32,6 +32,11 @@ pub struct Pairs {
 }
 
 impl Pairs {
+    /// The pairs that chunks have to end with, if they are kept for gradients, which are summed unit by unit.
+    pub fn chunk_ends(&self, keep: bool) -> &[u32] {
+        if keep { &self.unit_ends } else { &[] }
+    }
+
     /// The number of samples, of the exclusive sums of the pairs' `first_sample [pairs + 1]`: waits for the device.
     pub fn read_samples(&self, device: &Device, first_sample: &Buffer<u32>) -> Result<Count> {
         let pairs = self.count.at_most() as usize;

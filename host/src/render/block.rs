@@ -175,11 +175,10 @@ impl Blocks {
         ends: &[u32],
     ) -> Result<Self> {
         let samples = count.at_most();
-        let pieces = |all: &[u32]| -> Vec<Range<u32>> {
-            let begins = [0].into_iter().chain(all.iter().copied());
-            begins.zip(all).map(|(begin, &end)| begin..end).collect()
-        };
-        let pieces = pieces(if ends.is_empty() { std::slice::from_ref(&samples) } else { ends });
+        let is_cut = !ends.is_empty();
+        let ends = if is_cut { ends } else { &[samples] };
+        let begins = std::iter::once(&0).chain(ends);
+        let pieces: Vec<_> = begins.zip(ends).map(|(&begin, &end)| begin..end).collect();
         let largest = pieces.iter().map(|piece| piece.len() as u32).max().unwrap_or(0);
         let layout = Layout::new(device, largest);
         let chunks = pieces.into_iter().flat_map(|piece| piece.step_by(layout.chunk as usize));
@@ -195,7 +194,7 @@ impl Blocks {
                 blocks.push(Block::new(device, layout, rows)?);
             }
         }
-        Ok(Self { layout, count, first, is_cut: !ends.is_empty(), blocks })
+        Ok(Self { layout, count, first, is_cut, blocks })
     }
 
     pub fn layout(&self) -> Layout {

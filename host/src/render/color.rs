@@ -50,7 +50,7 @@ impl Color {
     ) -> Result<Self> {
         let (config, field) = (&scene.config, &scene.color);
         let color = device.unwritten("color", pairs.count.at_most() as usize * 3)?;
-        let ends = if keep { &pairs.unit_ends[..] } else { &[] };
+        let ends = pairs.chunk_ends(keep);
         let blocks = Blocks::new(device, config.color_inputs(), pairs.count.clone(), keep, ends)?;
         let scratches = Mutex::default();
         let head = field.head();

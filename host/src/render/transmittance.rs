@@ -67,11 +67,8 @@ impl Transmittance {
         let samples = count_samples(&first_sample)?;
 
         let inputs = scene.config.transmittance_inputs();
-        let ends = pairs.unit_ends.iter().filter(|_| keep).map(|&pair| {
-            let first = device.read_range(&first_sample, pair as usize, 1)?;
-            Ok::<_, Error>(first[0])
-        });
-        let ends: Vec<_> = ends.collect::<Result<_>>()?;
+        let end = |&pair: &u32| Ok(device.read_range(&first_sample, pair as usize, 1)?[0]);
+        let ends: Vec<_> = pairs.chunk_ends(keep).iter().map(end).collect::<Result<_>>()?;
         let blocks = Blocks::new(device, inputs, samples.clone(), keep, &ends)?;
         let log_rho = log_rho(device, scene, pairs, &segment, &first_sample, &blocks)?;
         let transmittance = device.unwritten("transmittance", capacity as usize)?;

@@ -16,14 +16,12 @@ use organza_device::{Buffer, Device, Result};
 pub struct Units {
     /// Their number.
     pub count: u32,
-    /// Samples of a slice.
-    pub slice: u32,
     /// `[units + 1, 2]`: see [`organza_shaders::unit`].
     pub begin: Buffer<u32>,
 }
 
 impl Units {
-    /// Those of the color network; with `first_sample [pairs + 1]`, those of the transmittance network.
+    /// Those of the color network, in slices of so many samples; with `first_sample [pairs + 1]`, those of the transmittance network.
     pub fn new(
         device: &Device,
         scene: &DeviceScene,
@@ -46,7 +44,7 @@ impl Units {
             unit: &begin,
         };
         device.run(&kernel, 1, 1)?;
-        Ok(Self { count, slice, begin })
+        Ok(Self { count, begin })
     }
 }
 

@@ -116,15 +116,14 @@ impl Step<'_> {
     /// A step in several parts, last first.
     fn alone(&self, plans: &[Plan], loss: &mut Option<Loss>) -> Result<Compared> {
         let (device, gradient) = (self.device(), self.gradient);
-        let plans: Vec<_> = plans.iter().rev().collect();
-        let mut parts = Parts::render(self, &plans, loss)?;
+        let parts = Parts::render(self, plans.iter().rev().collect(), loss)?;
         set_scales(device, None, self.scene, gradient, parts.samples)?;
-        parts.back(self, loss, &mut |part, pair_gradient| {
+        let found = parts.back(self, loss, &mut |part, pair_gradient| {
             let units = part.spread(device, self.scene, pair_gradient, gradient)?;
             part.add_units(device, self.scene, pair_gradient, &units, gradient)
         })?;
         add_grids(device, None, gradient)?;
-        Ok(parts.found)
+        Ok(found)
     }
 
     /// A step that ranks share.
@@ -138,10 +137,10 @@ impl Step<'_> {
         let (units, limits) = self.renderer.units(scene, batch)?;
         let mine: Vec<_> = units.iter().skip(ranks.rank()).step_by(ranks.size()).cloned().collect();
         let plans = limits.join(&mine);
-        let mut parts = Parts::render(self, &plans.iter().collect::<Vec<_>>(), loss)?;
+        let parts = Parts::render(self, plans.iter().collect(), loss)?;
         set_scales(device, Some(ranks), scene, gradient, parts.samples)?;
         let (mut networks, mut rows) = (Vec::new(), Rows::new(device, ranks, gradient)?);
-        parts.back(self, loss, &mut |part, pair_gradient| {
+        let found = parts.back(self, loss, &mut |part, pair_gradient| {
             let spread = part.spread(device, scene, pair_gradient, gradient)?;
             let units_of_part = part.bins.cameras.len() as u32;
             for unit in 0..units_of_part {
@@ -155,7 +154,7 @@ impl Step<'_> {
         self.add_networks(networks.concat(), units.len(), ranks)?;
         rows.add(units.len())?;
         add_grids(device, Some(ranks), gradient)?;
-        self.all_found(&parts.found, &units, ranks)
+        self.all_found(&found, &units, ranks)
     }
 
     /// Renders a part, and compares it.
@@ -253,32 +252,28 @@ struct Parts<'a> {
 
 impl<'a> Parts<'a> {
     /// Renders and compares all parts, and raises the bounds of the hash grids' sums.
-    fn render(step: &Step<'_>, plans: &[&'a Plan], loss: &mut Option<Loss>) -> Result<Self> {
-        let plans = plans.to_vec();
-        let mut parts =
-            Self { plans, kept: Vec::new(), samples: [0; 2], found: Compared::default() };
-        let mut keeps = true;
-        for plan in parts.plans.clone() {
-            let (part, found, capacity) = match Self::render_one(step, plan, loss) {
-                Err(error)
-                    if error.is_out_of_memory() && parts.kept.iter().any(Option::is_some) =>
-                {
+    fn render(step: &Step<'_>, plans: Vec<&'a Plan>, loss: &mut Option<Loss>) -> Result<Self> {
+        let (mut kept, mut samples) = (Vec::new(), [0; 2]);
+        let (mut found, mut keeps) = (Compared::default(), true);
+        for &plan in &plans {
+            let (part, of_part, capacity) = match Self::render_one(step, plan, loss) {
+                Err(error) if error.is_out_of_memory() && kept.iter().any(Option::is_some) => {
                     // those that were kept may be what takes the memory
                     keeps = false;
-                    parts.kept.fill_with(|| None);
+                    kept.fill_with(|| None);
                     Self::render_one(step, plan, loss)?
                 }
                 result => result?,
             };
             part.0.raise_bounds(step.device(), &part.1, step.gradient)?;
-            parts.samples[0] += i64::from(capacity.pairs);
-            parts.samples[1] += i64::from(capacity.samples);
-            parts.found.0.extend(found.0);
-            parts.found.1.extend(found.1);
-            let is_kept = keeps && parts.samples.iter().sum::<i64>() as u64 <= KEPT_SAMPLES;
-            parts.kept.push(is_kept.then_some(part));
+            samples[0] += i64::from(capacity.pairs);
+            samples[1] += i64::from(capacity.samples);
+            found.0.extend(of_part.0);
+            found.1.extend(of_part.1);
+            let is_kept = keeps && samples.iter().sum::<i64>() as u64 <= KEPT_SAMPLES;
+            kept.push(is_kept.then_some(part));
         }
-        Ok(parts)
+        Ok(Self { plans, kept, samples, found })
     }
 
     /// Renders and compares a part, and goes back to its pairs.
@@ -303,20 +298,20 @@ impl<'a> Parts<'a> {
         Ok((part, found, capacity))
     }
 
-    /// Goes back through all parts, with `back`.
+    /// Goes back through all parts, with `back`; returns what was found.
     fn back(
-        &mut self,
+        self,
         step: &Step<'_>,
         loss: &mut Option<Loss>,
         back: &mut (dyn FnMut(&Part, &Buffer<Vec4>) -> Result<()> + Send),
-    ) -> Result<()> {
-        for (plan, kept) in self.plans.iter().zip(self.kept.drain(..)) {
+    ) -> Result<Compared> {
+        for (plan, kept) in self.plans.into_iter().zip(self.kept) {
             let (part, pair_gradient) = match kept {
                 Some(kept) => kept,
                 None => Self::render_one(step, plan, loss)?.0,
             };
             step.device().run_in_pool(|| back(&part, &pair_gradient))?;
         }
-        Ok(())
+        Ok(self.found)
     }
 }

@@ -113,9 +113,17 @@ impl Checkpoint {
         }
         let zeros = Scene::zeros(scene.config.clone(), scene.gaussians.len())?;
         let statistics = vec![[0.0; 4]; scene.gaussians.len()];
-        let progress = Progress::default();
-        let (moments, exposures, poses) = ([zeros.clone(), zeros], None, None);
-        Ok(Self { moments, statistics, scene, exposures, poses, progress })
+        Ok(Self::of_scene(scene, [zeros.clone(), zeros], statistics, Progress::default()))
+    }
+
+    /// Nothing is learned of the photographs.
+    pub(super) fn of_scene(
+        scene: Scene,
+        moments: [Scene; 2],
+        statistics: Vec<[f32; 4]>,
+        progress: Progress,
+    ) -> Self {
+        Self { scene, moments, statistics, exposures: None, poses: None, progress }
     }
 
     /// Writes the file, beside and renamed. It is bound to a run's settings and data, if to any.

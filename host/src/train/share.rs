@@ -136,14 +136,10 @@ impl ShareTrainer {
         for slice in &state.gradient.slices {
             statistics.extend(device.read(&slice.statistics)?.iter().map(|v| v.to_array()));
         }
-        let checkpoint = Checkpoint {
-            scene: state.share.download(device)?,
-            moments: state.optimizer.moments(device, &state.share)?,
-            statistics,
-            exposures: None,
-            poses: None,
-            progress: Progress { step: self.step, seconds },
-        };
+        let scene = state.share.download(device)?;
+        let moments = state.optimizer.moments(device, &state.share)?;
+        let progress = Progress { step: self.step, seconds };
+        let checkpoint = Checkpoint::of_scene(scene, moments, statistics, progress);
         let (rank, size) = (self.ranks.rank(), self.ranks.size());
         Ok(CheckpointShare::of_state(checkpoint, state.gaussians, rank, size))
     }

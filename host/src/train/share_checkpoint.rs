@@ -41,14 +41,7 @@ impl CheckpointShare {
         let moments =
             whole.moments.each_ref().map(|moment| SceneShare::of(moment, rank, ranks).scene);
         let statistics = whole.statistics[range.clone()].to_vec();
-        let state = Checkpoint {
-            scene,
-            moments,
-            statistics,
-            exposures: None,
-            poses: None,
-            progress: whole.progress,
-        };
+        let state = Checkpoint::of_scene(scene, moments, statistics, whole.progress);
         Self { state, range, gaussians }
     }
 
@@ -83,8 +76,7 @@ impl CheckpointShare {
             SceneShare::load_more(path, rank, ranks, MOMENTS, other)?;
         let statistics = statistics.as_chunks().0.to_vec();
         let SceneShare { scene, range, gaussians } = share;
-        let state =
-            Checkpoint { scene, moments, statistics, exposures: None, poses: None, progress };
+        let state = Checkpoint::of_scene(scene, moments, statistics, progress);
         state.check(path)?;
         Ok(Self { state, range, gaussians })
     }
@@ -122,8 +114,7 @@ impl CheckpointShare {
         let range = range_of(gaussians, ranks.rank(), ranks.size());
         let scene = Scene::zeros(config, range.len())?;
         let (moments, statistics) = ([scene.clone(), scene.clone()], vec![[0.0; 4]; range.len()]);
-        let state =
-            Checkpoint { scene, moments, statistics, exposures: None, poses: None, progress };
+        let state = Checkpoint::of_scene(scene, moments, statistics, progress);
         let mut share = Self { state, range, gaussians };
         for rank in 1..ranks.size() {
             let bytes = ranks.exchange(vec![Vec::new(); ranks.size()])?.swap_remove(0);

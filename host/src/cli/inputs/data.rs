@@ -188,7 +188,9 @@ impl DataSet {
 
     fn move_built_in<'a>(&self, cameras: impl Iterator<Item = &'a mut Camera>) {
         for (camera, motion) in cameras.zip(&self.motions) {
-            *camera = motion.map_or_else(|| camera.clone(), |motion| camera.moved(motion));
+            if let Some(motion) = motion {
+                *camera = camera.moved(*motion);
+            }
         }
     }
 

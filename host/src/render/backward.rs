@@ -92,7 +92,8 @@ impl Part {
         Ok(())
     }
 
-    /// The stages of the fields: adds the gradients of the hash grids to their sums, and returns what is added unit by unit.
+    /// The stages of the fields and of the poses: adds the gradients of the hash grids to their sums, those of the poses, and
+    /// returns what is added unit by unit.
     pub fn spread(
         &self,
         device: &Device,
@@ -101,6 +102,9 @@ impl Part {
         gradient: &SceneGradient,
     ) -> Result<PartUnits> {
         let bins = &self.bins;
+        if let Some(poses) = &gradient.poses {
+            poses.add(device, scene, bins, pair_gradient)?;
+        }
         let color = self.color.backward(device, scene, bins, pair_gradient, gradient)?;
         let transmittance = match gradient.has_transmittance {
             true => self.transmittance.backward(device, scene, bins, pair_gradient, gradient)?,
@@ -120,9 +124,6 @@ impl Part {
     ) -> Result<()> {
         let all = 0..self.bins.cameras.len() as u32;
         self.add_gaussians(device, scene, pair_gradient, units, all, gradient)?;
-        if let Some(poses) = &gradient.poses {
-            poses.add(device, scene, &self.bins, pair_gradient)?;
-        }
         for (field, units) in units.fields(gradient) {
             units.iter().try_for_each(|units| units.add_network(device, field))?;
         }

@@ -8,6 +8,8 @@ use organza_shaders::pose_backward::{
 use super::bin::Bins;
 use super::plan::words;
 use super::scene::DeviceScene;
+use crate::error;
+use crate::ranks::Ranks;
 use organza_device::{Buffer, Device, Result};
 
 /// Numbers of a pose: a rotation vector and a shift. [`Camera::moved`](crate::Camera::moved) says what they mean.
@@ -63,6 +65,24 @@ impl PoseGradient {
             device.run(&kernel, cameras * VALUES, 1)?;
         }
         Ok(())
+    }
+
+    /// Adds what all ranks have of some cameras. What one rank alone has keeps its bits.
+    pub fn add_ranks(
+        &self,
+        device: &Device,
+        cameras: &[usize],
+        ranks: &dyn Ranks,
+    ) -> error::Result<()> {
+        let mut all = self.read(device)?;
+        let mine: Vec<_> = cameras.iter().map(|&camera| std::mem::take(&mut all[camera])).collect();
+        for bytes in ranks.gather(bytemuck::cast_slice(&mine).to_vec())? {
+            let found: Vec<[f32; POSE]> = bytemuck::pod_collect_to_vec(&bytes);
+            for (&camera, found) in cameras.iter().zip(&found) {
+                all[camera].iter_mut().zip(found).for_each(|(sum, value)| *sum += value);
+            }
+        }
+        Ok(device.write(&self.sum, 0, all.as_flattened())?)
     }
 
     /// The gradients, by camera; waits for the device.

@@ -8,6 +8,7 @@
 //!   largest of all bounds. Only blocks that some rank has touched travel.
 //! - **Gaussians** camera by camera; between ranks as [`Rows`].
 //! - **networks** unit by unit, to everyone.
+//! - **poses** to everyone: a camera's tiles are one rank's.
 
 use glam::Vec4;
 
@@ -154,6 +155,11 @@ impl Step<'_> {
         self.add_networks(networks.concat(), units.len(), ranks)?;
         rows.add(units.len())?;
         add_grids(device, Some(ranks), gradient)?;
+        if let Some(poses) = &gradient.poses {
+            let mut cameras: Vec<_> = units.iter().map(|unit| unit.tiles[0].tile.camera).collect();
+            cameras.dedup();
+            poses.add_ranks(device, &cameras, ranks)?;
+        }
         self.all_found(&found, &units, ranks)
     }
 

@@ -18,10 +18,11 @@ use super::plan::Planner;
 use super::ranks::{self, Split};
 use super::report::Pictures;
 use super::resume::OpenLog;
+use super::share::check_shares;
 use super::share_checkpoint::CheckpointShare;
 use super::start::first_scene;
 use super::tensorboard::EventLog;
-use super::trainer::{StepReport, Trainer, check_ranks};
+use super::trainer::{StepReport, Trainer};
 use crate::data::Dataset;
 use crate::error::{self, Result};
 use crate::evaluate::Evaluation;
@@ -229,8 +230,8 @@ impl<'a> Session<'a> {
         watch: &mut dyn FnMut(Event<'_>),
         hooks: &mut StepHooks<'_>,
     ) -> Result<Outcome> {
-        if self.ranks.is_some() {
-            check_ranks(self.config, self.split)?;
+        if self.ranks.is_some() && self.split == Split::Gaussians {
+            check_shares(self.config)?;
         }
         let begin = Instant::now();
         let (trainer, progress, changes) = match (&self.ranks, self.split) {

@@ -3,16 +3,15 @@
 use std::sync::Arc;
 
 use super::checkpoint::{Checkpoint, Progress};
-use super::config::TrainConfig;
+use super::config::{ExposureMethod, PoseMethod, TrainConfig};
 use super::optimizer::ShareOptimizer;
-use super::ranks::Split;
 use super::sampler::{Sampler, Target};
 use super::share_checkpoint::CheckpointShare;
 use super::share_growth::grow;
-use super::trainer::{StepReport, check, check_ranks, growth_random, is_time_to_grow};
+use super::trainer::{StepReport, check, growth_random, is_time_to_grow};
 use crate::camera::Camera;
 use crate::data::Dataset;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::ranks::Ranks;
 use crate::render::{DeviceShare, Loss, Renderer, ShareGradient, UploadOptions};
 
@@ -73,7 +72,7 @@ impl ShareTrainer {
     /// Continues from a checkpoint, of which each rank has its share.
     ///
     /// # Errors
-    /// As [`Trainer::resume`](super::Trainer::resume); [`Error::Argument`](crate::Error::Argument) where ranks cannot learn what the settings ask for.
+    /// As [`Trainer::resume`](super::Trainer::resume); [`Error::Argument`] where ranks cannot learn what the settings ask for.
     pub fn resume(
         renderer: &Renderer,
         config: TrainConfig,
@@ -83,7 +82,7 @@ impl ShareTrainer {
     ) -> Result<Self> {
         let dataset = dataset.into();
         check(&config, &dataset)?;
-        check_ranks(&config, Split::Gaussians)?;
+        check_shares(&config)?;
         let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
         let sampler = Sampler::of_cameras(&cameras, &config.run)?;
         let state = State::upload(renderer, &config, checkpoint)?;
@@ -178,6 +177,24 @@ impl ShareTrainer {
         self.state.replace_gaussians(&self.renderer, &checkpoint)?;
         Ok(grown)
     }
+}
+
+/// Ranks that share the Gaussians learn the scene alone.
+///
+/// # Errors
+/// [`Error::Argument`] where the settings ask for more.
+pub(super) fn check_shares(config: &TrainConfig) -> Result<()> {
+    let [what, setting] = if config.exposure.method != ExposureMethod::None {
+        ["learn exposures", "exposure.method"]
+    } else if config.poses.method != PoseMethod::None {
+        ["refine poses", "poses.method"]
+    } else {
+        return Ok(());
+    };
+    let reason = format!(
+        "ranks that share the Gaussians cannot {what}: set `{setting}` to none, or share the views"
+    );
+    Err(Error::Argument { reason })
 }
 
 impl State {

@@ -12,7 +12,6 @@ use super::growth::{Grown, grow};
 use super::hooks::{StepGradient, StepHooks};
 use super::optimizer::Optimizer;
 use super::pose::PoseSet;
-use super::ranks::Split;
 use super::sampler::{Sampler, Target, random};
 use super::start;
 use crate::camera::Camera;
@@ -321,8 +320,6 @@ impl Trainer {
     fn check_hooks(&self, hooks: &StepHooks<'_>) -> Result<()> {
         let reason = if self.ranks.is_some() && (hooks.loss.is_some() || hooks.gradient.is_some()) {
             NO_HOOKS
-        } else if self.ranks.is_some() {
-            return check_ranks(&self.config, Split::Views);
         } else if self.exposures.is_some() && hooks.loss.is_some() {
             "a loss of your own does not know the photographs' exposures: set `exposure.method` to none"
         } else {
@@ -394,23 +391,6 @@ impl StepReport {
         let reason = format!("the loss of step {step} is {}", self.loss);
         Err(Error::Diverged { reason })
     }
-}
-
-/// Ranks learn the scene alone; those that share views learn exposures, too.
-///
-/// # Errors
-/// [`Error::Argument`] where the settings ask for more.
-pub(super) fn check_ranks(config: &TrainConfig, split: Split) -> Result<()> {
-    let is_split = split == Split::Gaussians;
-    let [what, setting] = if is_split && config.exposure.method != ExposureMethod::None {
-        ["learn exposures", "exposure.method"]
-    } else if config.poses.method != PoseMethod::None {
-        ["refine poses", "poses.method"]
-    } else {
-        return Ok(());
-    };
-    let reason = format!("ranks cannot {what}: set `{setting}` to none, or train without ranks");
-    Err(Error::Argument { reason })
 }
 
 /// Whether the number of Gaussians changes after so many steps.

@@ -88,6 +88,6 @@ fn a_resumed_run_has_the_bits_of_one_that_never_stopped() {
 fn ranks_with_some_of_the_gaussians_say_that_they_cannot() {
     let sandbox = sandbox();
     let run = format!("{TINY} run --ranks 2 --split gaussians --set exposure.method=affine");
-    let message = "ranks cannot learn exposures: set `exposure.method` to none";
+    let message = "cannot learn exposures: set `exposure.method` to none, or share the views";
     sandbox.assert_refuses(&run, &[message]);
 }

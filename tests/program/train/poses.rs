@@ -77,24 +77,27 @@ fn cameras_come_back_to_where_they_were() {
     assert!(before > 0.8 && after < 0.4 * before, "{before} and {after}");
 }
 
-/// A run that refines poses and is killed, or stopped, goes on as if it had not been.
+/// A run that refines poses and is killed, or stopped, goes on as if it had not been, with any number of ranks.
 #[test]
-fn a_resumed_run_has_the_bits_of_one_that_never_stopped() {
+fn runs_resumed_or_of_ranks_have_the_bits_of_one_that_never_stopped() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} whole --refine-poses --threads 1")).assert_ok();
     stopped(&sandbox, "cut", "whole", 13);
-    sandbox.run("train --resume cut --backend cpu --threads 2").assert_ok();
-    let expected = bits(&sandbox, "whole");
-    assert!(expected["train.pose"].1.iter().any(|&bits| bits << 1 != 0));
-    assert_same("resumed", &bits(&sandbox, "cut"), &expected);
-    let [whole, cut] = ["whole", "cut"].map(|run| {
+    sandbox.run("train --resume cut --backend cpu --ranks 3 --threads 1").assert_ok();
+    sandbox.run(&format!("{TINY} of-2 --refine-poses --ranks 2 --threads 1")).assert_ok();
+    let steps = |run: &str| {
         let records = without_times(&records(&sandbox.path(run)));
         records.into_iter().filter(|record| record.starts_with("step")).collect::<Vec<_>>()
-    });
-    assert_eq!(whole, cut);
-    let [whole, cut] = ["whole", "cut"]
-        .map(|run| Camera::load_all(sandbox.path(run).join("cameras.json")).expect("cameras"));
-    assert_eq!(whole, cut);
+    };
+    let cameras =
+        |run: &str| Camera::load_all(sandbox.path(run).join("cameras.json")).expect("cameras");
+    let (expected, whole) = (bits(&sandbox, "whole"), cameras("whole"));
+    assert!(expected["train.pose"].1.iter().any(|&bits| bits << 1 != 0));
+    for run in ["cut", "of-2"] {
+        assert_same(run, &bits(&sandbox, run), &expected);
+        assert_eq!(steps(run), steps("whole"));
+        assert_eq!(cameras(run), whole);
+    }
     cameras_are_those_of_the_checkpoint(&sandbox, &whole);
 }
 
@@ -129,10 +132,9 @@ fn cameras_are_those_of_the_checkpoint(sandbox: &crate::sandbox::Sandbox, refine
 }
 
 #[test]
-fn ranks_say_that_they_cannot() {
+fn ranks_with_some_of_the_gaussians_say_that_they_cannot() {
     let sandbox = sandbox();
-    let run = format!("{TINY} run --ranks 2 --refine-poses");
-    sandbox.assert_refuses(&run, &["ranks cannot refine poses: set `poses.method` to none"]);
-    let run = format!("{TINY} run --ranks 2 --split gaussians --set poses.method=refine");
-    sandbox.assert_refuses(&run, &["ranks cannot refine poses: set `poses.method` to none"]);
+    let run = format!("{TINY} run --ranks 2 --split gaussians --refine-poses");
+    let message = "cannot refine poses: set `poses.method` to none, or share the views";
+    sandbox.assert_refuses(&run, &[message]);
 }

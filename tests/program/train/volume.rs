@@ -8,6 +8,7 @@ use organza::Result;
 use organza::ranks::{Ranks, ThreadRanks};
 use organza::render::share_bytes;
 use organza::scene::{MlpConfig, SLICE};
+use organza::train::config::PoseMethod;
 use organza::train::{CheckpointShare, ShareTrainer, TrainConfig, Trainer};
 use organza::{Renderer, image};
 use organza_tests::devices;
@@ -172,7 +173,8 @@ fn a_step_of_shares_hands_over_what_the_formulas_say() {
 #[test]
 fn a_step_hands_over_what_the_formulas_say() {
     const RANKS: u64 = 2;
-    let (config, checkpoint, dataset) = begun();
+    let (mut config, checkpoint, dataset) = begun();
+    config.poses.method = PoseMethod::Refine;
     let sizes = Sizes::of(&config);
     let gaussians = checkpoint.scene.gaussians.len() as u64;
     let all = counted(RANKS, |renderer, ranks| {
@@ -183,7 +185,8 @@ fn a_step_hands_over_what_the_formulas_say() {
     let (mut units, mut tiles) = (0, 0);
     for calls in &all {
         let names: Vec<_> = calls.iter().map(|(name, _)| *name).collect();
-        let expected = ["sum", "max", "gather", "exchange", "gather", "or", "sum", "gather"];
+        let expected =
+            ["sum", "max", "gather", "exchange", "gather", "or", "sum", "gather", "gather"];
         assert_eq!(names, expected);
         let bytes: Vec<_> = calls.iter().map(|(_, bytes)| *bytes).collect();
         assert_eq!(bytes[0], 16, "samples");
@@ -197,8 +200,11 @@ fn a_step_hands_over_what_the_formulas_say() {
         assert!((1..=gaussians.div_ceil(RANKS)).contains(&(bytes[4] / sizes.row())), "{bytes:?}");
         assert_eq!(bytes[5], 4 * sizes.flags(), "flags");
         assert!(bytes[6] > 0 && bytes[6] <= 8 * sizes.grids.iter().sum::<u64>(), "{bytes:?}");
-        assert_eq!(bytes[7] % 32, 0, "losses");
-        (units, tiles) = (units + own, tiles + bytes[7] / 32);
+        assert_eq!(bytes[8] % 32, 0, "losses");
+        (units, tiles) = (units + own, tiles + bytes[8] / 32);
+    }
+    for calls in &all {
+        assert_eq!(calls[7].1, 24 * units, "poses");
     }
     assert_eq!(all[0][6], all[1][6], "all ranks add the same blocks");
     assert_eq!(tiles, u64::from(config.run.tiles_per_step));

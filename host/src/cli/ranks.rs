@@ -29,6 +29,10 @@ pub struct RanksArgs {
     /// not fit on one device. The scene's bits depend on this [default: views]
     #[arg(long, value_name = "WHAT", requires = "ranks")]
     split: Option<SplitName>,
+    /// With `--split gaussians`: deal the Gaussians in N shares, to groups of N ranks. The groups share the views. N divides the
+    /// number of ranks. The scene's bits do not depend on it [default: as many as ranks, one group]
+    #[arg(long, value_name = "N", requires = "split")]
+    shares: Option<usize>,
     /// Allow ranks with different programs or devices; the scene's bits then depend on which of them computes what
     #[arg(long, requires = "ranks")]
     mixed: bool,
@@ -68,8 +72,11 @@ impl RanksArgs {
             Some(SplitName::Gaussians) => Split::Gaussians,
             _ => Split::Views,
         };
+        if split == Split::Views && self.shares.is_some() {
+            return super::refuse("`--shares` is for `--split gaussians`");
+        }
         let team = self.ranks.map(|kind| Team::start(kind, self.mixed)).transpose()?;
-        Ok(team.map(|team| Team { split, ..team }))
+        Ok(team.map(|team| Team { split, shares: self.shares, ..team }))
     }
 }
 
@@ -114,6 +121,8 @@ pub struct Team {
     pub mixed: bool,
     /// What they share of a training.
     pub split: Split,
+    /// In how many shares its Gaussians are dealt, if not as many as ranks.
+    pub shares: Option<usize>,
     pub is_mpi: bool,
 }
 
@@ -123,14 +132,14 @@ impl Team {
             Kind::Threads(size) => {
                 let mut ranks = ThreadRanks::new(size).into_iter();
                 let mine = Arc::new(ranks.next().expect("one at least"));
-                let (others, split) = (ranks.collect(), Split::default());
-                Ok(Self { mine, others, mixed, split, is_mpi: false })
+                Ok(Self::new(mine, ranks.collect(), mixed))
             }
-            Kind::Mpi => {
-                let (mine, others, split) = (start_mpi()?, Vec::new(), Split::default());
-                Ok(Self { mine, others, mixed, split, is_mpi: true })
-            }
+            Kind::Mpi => Ok(Self { is_mpi: true, ..Self::new(start_mpi()?, Vec::new(), mixed) }),
         }
+    }
+
+    fn new(mine: Arc<dyn Ranks>, others: Vec<ThreadRanks>, mixed: bool) -> Self {
+        Self { mine, others, mixed, split: Split::default(), shares: None, is_mpi: false }
     }
 
     /// Does `lead` on rank 0 and `follow` on the others. Who fails ends all.

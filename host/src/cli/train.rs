@@ -322,9 +322,10 @@ impl Job<'_> {
         }
         let of_others: Vec<_> =
             team.iter().flat_map(|team| 1..=team.others.len()).map(of_rank).collect();
-        let (mine, others, mixed, split) = match team {
-            Some(Team { mine, others, mixed, split, .. }) => (Some(mine), others, mixed, split),
-            None => (None, Vec::new(), false, Split::default()),
+        let (split, shares) = team.as_ref().map_or_else(Default::default, |t| (t.split, t.shares));
+        let (mine, others, mixed) = match team {
+            Some(Team { mine, others, mixed, .. }) => (Some(mine), others, mixed),
+            None => (None, Vec::new(), false),
         };
         let session = Session::new(&renderer, &config, &dataset, &folder)
             .with_time_limit(self.time_limit)
@@ -332,7 +333,8 @@ impl Job<'_> {
             .with_command(command_line())
             .with_stop(signals.stop())
             .with_ranks(mine, mixed)
-            .with_split(split);
+            .with_split(split)
+            .with_shares(shares);
         let mut view = self.view.zip(server).map(|((args, share), server)| {
             args.announce(&server.url(), console);
             let (stop, title) = (signals.stop(), title(self.folder));

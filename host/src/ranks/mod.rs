@@ -4,6 +4,7 @@
 //! or each holds [a share](crate::scene::SceneShare) of the Gaussians, as for rendering. What they tell each other are the
 //! calls of [`Ranks`]. All ranks make the same calls in the same order.
 
+mod group;
 mod meet;
 #[cfg(feature = "mpi")]
 mod mpi;
@@ -15,6 +16,7 @@ use std::fmt::Debug;
 
 use crate::error::{Error, Result};
 
+pub(crate) use group::Grid;
 pub use meet::meet;
 #[cfg(feature = "mpi")]
 pub use mpi::MpiRanks;

@@ -47,16 +47,6 @@ pub fn set_scales(
     Ok(())
 }
 
-/// The gradients of both networks, which are zeros after that.
-pub fn take_networks(device: &Device, gradient: &SceneGradient) -> Result<Vec<f32>> {
-    let mut values = Vec::new();
-    for field in [&gradient.color, &gradient.transmittance] {
-        values.extend(device.read(&field.parameters)?.iter().flat_map(|v| v.to_array()));
-        device.clear(&field.parameters);
-    }
-    Ok(values)
-}
-
 /// Replaces the gradients of both networks.
 pub fn write_networks(device: &Device, gradient: &SceneGradient, values: &[f32]) -> Result<()> {
     let (first, second) = values.split_at(4 * gradient.color.parameters.len());

@@ -48,6 +48,7 @@ impl Renderer {
         batch: &TileBatch,
         ranks: &dyn Ranks,
     ) -> Result<RenderedTiles> {
+        batch.validate(cameras)?;
         Ok(self.share_forward(share, cameras, batch, ranks, false)?.tiles)
     }
 
@@ -60,7 +61,6 @@ impl Renderer {
         ranks: &dyn Ranks,
         keep: bool,
     ) -> Result<ShareForward> {
-        batch.validate(cameras)?;
         let mut all = FixedSums::new(batch)?;
         let mut report = RenderReport::default();
         let mut parts = Vec::with_capacity(share.slices.len());
@@ -103,7 +103,8 @@ impl Renderer {
             let mut sums = memory::zeros(batch.tiles.len() * len, "the sums of a slice")?;
             let (mut report, mut parts) = (RenderReport::default(), Vec::new());
             let mut left = *room;
-            for plan in plans {
+            // plans are last first
+            for plan in plans.iter().rev() {
                 let render = |capacity: Option<Capacity>| {
                     let part = Part::evaluate(device, slice, cameras, plan, keep, capacity)?;
                     let buffers = vec![part.composite.sum.view(), part.bins.degenerate.view()];
@@ -170,6 +171,14 @@ pub(super) struct SharePart {
     pub samples: [i64; 2],
     /// None where it is rendered again.
     pub part: Option<Part>,
+}
+
+impl SharePart {
+    /// Whether it goes on with the last camera of another part.
+    pub fn begins_in(&self, last: &Self) -> bool {
+        let [first, last] = [self.plan.tiles.first(), last.plan.tiles.last()];
+        first.map(|tile| tile.tile.camera) == last.map(|tile| tile.tile.camera)
+    }
 }
 
 /// Parts of a batch, in its order, with their sums.

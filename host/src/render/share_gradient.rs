@@ -5,24 +5,28 @@
 //! ranks, either:
 //!
 //! - **hash grids** are 64-bit integers of one scale for all ranks, as in [a step over views](super::units).
-//! - **networks** are added up slice by slice, each slice in f32 and slices as 64-bit integers. Their unit follows
-//!   from the largest value of all slices.
+//! - **networks** are 64-bit integers, too: those of each slice and camera are rounded. Their unit follows from the largest
+//!   value of all.
+//!
+//! In a [grid](Grid) of ranks, each group renders the tiles of some cameras. The ranks that have the same share add up its
+//! Gaussians' gradients camera by camera, as [`Rows`].
 
 use glam::Vec4;
 
 use super::backward::of_tiles;
 use super::device_share::DeviceShare;
-use super::field_sums::{add_grids, set_scales, take_networks, write_networks};
+use super::field_sums::{add_grids, set_scales, write_networks};
 use super::gradient::SceneGradient;
 use super::part::Part;
 use super::part_counts::Capacity;
 use super::renderer::Renderer;
 use super::results::RenderedTiles;
+use super::rows::Rows;
 use super::scene::DeviceScene;
 use super::share::{PLANES, ShareForward, SharePart};
 use crate::camera::Camera;
 use crate::error::{Error, Result};
-use crate::ranks::Ranks;
+use crate::ranks::{Grid, Ranks};
 use crate::scene::{Gradient, Scene};
 use crate::tile::TileBatch;
 use organza_device::{Buffer, Device};
@@ -33,7 +37,9 @@ pub struct ShareRecording<'a> {
     renderer: &'a Renderer,
     share: &'a DeviceShare,
     cameras: &'a [Camera],
-    ranks: &'a dyn Ranks,
+    grid: Grid<'a>,
+    /// Cameras and tiles of all groups.
+    of_step: (usize, usize),
     forward: ShareForward,
 }
 
@@ -49,9 +55,22 @@ impl Renderer {
         batch: &TileBatch,
         ranks: &'a dyn Ranks,
     ) -> Result<ShareRecording<'a>> {
+        batch.validate(cameras)?;
+        let (grid, tiles) = (Grid::of_one_group(ranks), batch.tiles.len());
+        self.record_group((share, grid), cameras, batch, (tiles, tiles))
+    }
+
+    /// What a group renders of a step with so many cameras and tiles.
+    pub(super) fn record_group<'a>(
+        &'a self,
+        (share, grid): (&'a DeviceShare, Grid<'a>),
+        cameras: &'a [Camera],
+        batch: &TileBatch,
+        of_step: (usize, usize),
+    ) -> Result<ShareRecording<'a>> {
         share.fields.require_gradients()?;
-        let forward = self.share_forward(share, cameras, batch, ranks, true)?;
-        Ok(ShareRecording { renderer: self, share, cameras, ranks, forward })
+        let forward = self.share_forward(share, cameras, batch, &grid.row(), true)?;
+        Ok(ShareRecording { renderer: self, share, cameras, grid, of_step, forward })
     }
 }
 
@@ -84,11 +103,66 @@ impl ShareRecording<'_> {
 
     /// Adds dLoss/dtensor to `gradient`, that of a step: zero before but for the statistics.
     pub(super) fn add(&self, grad_output: &[f32], gradient: &ShareGradient) -> Result<()> {
-        let ShareGradient { fields, slices } = gradient;
-        let (device, ranks) = (self.renderer.device(), self.ranks);
-        let mut samples = [0; 2];
-        let mut kept = Vec::new();
-        for ((scene, parts), gradient) in self.parts().zip(slices) {
+        let (device, fields) = (self.renderer.device(), &gradient.fields);
+        let kept = self.raise_bounds(grad_output, gradient)?;
+        let ((units, tiles), column) = (self.of_step, self.grid.column());
+        let has_groups = self.grid.groups() > 1;
+        let mut rows =
+            has_groups.then(|| Rows::new(device, &column, &gradient.slices)).transpose()?;
+        let (mut networks, mut kept) = (Vec::new(), kept.into_iter());
+        for (index, (scene, parts)) in self.parts().enumerate() {
+            let gradient = &gradient.slices[index];
+            for (at, part) in parts.iter().enumerate() {
+                let rendered = self.part(scene, part)?;
+                let pairs = kept.next().expect("one for each part");
+                let goes_on = parts.get(at + 1).is_some_and(|next| next.begins_in(part));
+                device.run_in_pool(|| {
+                    let pairs = match pairs {
+                        Some(pairs) => pairs,
+                        None => self.pair_gradient(scene, part, rendered.get(), grad_output)?,
+                    };
+                    let part = rendered.get();
+                    let spread = part.spread(device, scene, &pairs, gradient)?;
+                    let count = part.bins.cameras.len() as u32;
+                    networks.push(spread.read_networks(device, count, gradient)?);
+                    let Some(rows) = &mut rows else {
+                        return part.add_gaussians(
+                            device,
+                            scene,
+                            &pairs,
+                            &spread,
+                            0..count,
+                            gradient,
+                        );
+                    };
+                    for unit in 0..count {
+                        let cameras = unit..unit + 1;
+                        part.add_gaussians(device, scene, &pairs, &spread, cameras, gradient)?;
+                        if unit + 1 < count || !goes_on {
+                            rows.take(index)?;
+                        }
+                    }
+                    Ok(())
+                })?;
+            }
+        }
+        rows.map_or(Ok(()), |rows| rows.add(units))?;
+        let (ranks, most) = (self.grid.all, self.share.slices_of_all * tiles);
+        let len = 4 * (fields.color.parameters.len() + fields.transmittance.parameters.len());
+        write_networks(device, fields, &sum_in_fixed_point(ranks, &networks, len, most)?)?;
+        add_grids(device, Some(ranks), fields)
+    }
+
+    /// Finds the one scale of all ranks' hash grids. Returns the gradient of the pairs of each part, `[pairs, 3]`, if the part
+    /// was kept.
+    fn raise_bounds(
+        &self,
+        grad_output: &[f32],
+        gradient: &ShareGradient,
+    ) -> Result<Vec<Option<Buffer<Vec4>>>> {
+        let device = self.renderer.device();
+        let (mut samples, mut kept) = ([0; 2], Vec::new());
+        for ((scene, parts), gradient) in self.parts().zip(&gradient.slices) {
             for part in parts {
                 let rendered = self.part(scene, part)?;
                 let pairs = device.run_in_pool(|| {
@@ -100,29 +174,8 @@ impl ShareRecording<'_> {
                 samples = std::array::from_fn(|field| samples[field] + part.samples[field]);
             }
         }
-        set_scales(device, Some(ranks), &self.share.fields, fields, samples)?;
-        let mut networks = Vec::new();
-        let mut kept = kept.into_iter();
-        for ((scene, parts), gradient) in self.parts().zip(slices) {
-            for part in parts {
-                let rendered = self.part(scene, part)?;
-                let pairs = kept.next().expect("one for each part");
-                device.run_in_pool(|| {
-                    let pairs = match pairs {
-                        Some(pairs) => pairs,
-                        None => self.pair_gradient(scene, part, rendered.get(), grad_output)?,
-                    };
-                    let part = rendered.get();
-                    let units = part.spread(device, scene, &pairs, gradient)?;
-                    part.add_units(device, scene, &pairs, &units, gradient)
-                })?;
-            }
-            networks.push(take_networks(device, fields)?);
-        }
-        let len = 4 * (fields.color.parameters.len() + fields.transmittance.parameters.len());
-        let networks = sum_in_fixed_point(ranks, &networks, len, self.share.slices_of_all)?;
-        write_networks(device, fields, &networks)?;
-        add_grids(device, Some(ranks), fields)
+        set_scales(device, Some(self.grid.all), &self.share.fields, &gradient.fields, samples)?;
+        Ok(kept)
     }
 
     fn parts(&self) -> impl Iterator<Item = (&DeviceScene, &[SharePart])> {
@@ -247,8 +300,8 @@ impl Rendered<'_> {
     }
 }
 
-/// The sum of the vectors of all ranks, at most `count` of them. Its unit is 2^-60 of the largest value, times `count`: for
-/// 1,024 slices, it is exact for values down to 2^-26 of the largest.
+/// The sum of the vectors of all ranks, at most `count` of them, one after the other. Its unit is 2^-60 of the largest value,
+/// times `count`: for 1,024 slices and 64 cameras, it is exact for values down to 2^-20 of the largest.
 fn sum_in_fixed_point(
     ranks: &dyn Ranks,
     mine: &[Vec<f32>],
@@ -267,7 +320,7 @@ fn sum_in_fixed_point(
     let bits = 60 - count.next_power_of_two().trailing_zeros() as i32;
     let unit = 2.0_f64.powi(exponent - bits);
     let mut sums = vec![0_i64; len];
-    for values in mine {
+    for values in mine.iter().flat_map(|values| values.chunks_exact(len)) {
         for (sum, &value) in sums.iter_mut().zip(values) {
             *sum += (f64::from(value) / unit).round_ties_even() as i64;
         }

@@ -140,14 +140,14 @@ impl Step<'_> {
         let plans = limits.join(&mine);
         let parts = Parts::render(self, plans.iter().collect(), loss)?;
         set_scales(device, Some(ranks), scene, gradient, parts.samples)?;
-        let (mut networks, mut rows) = (Vec::new(), Rows::new(device, ranks, gradient)?);
+        let (mut networks, mut rows) = (Vec::new(), Rows::new(device, ranks, [gradient])?);
         let found = parts.back(self, loss, &mut |part, pair_gradient| {
             let spread = part.spread(device, scene, pair_gradient, gradient)?;
             let units_of_part = part.bins.cameras.len() as u32;
             for unit in 0..units_of_part {
                 let cameras = unit..unit + 1;
                 part.add_gaussians(device, scene, pair_gradient, &spread, cameras, gradient)?;
-                rows.take()?;
+                rows.take(0)?;
             }
             networks.push(spread.read_networks(device, units_of_part, gradient)?);
             Ok(())

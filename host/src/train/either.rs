@@ -98,8 +98,9 @@ impl EitherTrainer {
         first: usize,
     ) -> Result<Vec<(Evaluation, Image)>> {
         match (self, ranks) {
-            (Self::Share(trainer), Some(ranks)) => {
-                Ok(vec![evaluate_share(renderer, trainer.share(), frames[first], ranks)?])
+            (Self::Share(trainer), Some(_)) => {
+                let row = trainer.grid().row();
+                Ok(vec![evaluate_share(renderer, trainer.share(), frames[first], &row)?])
             }
             (Self::Whole(trainer), Some(ranks)) => {
                 ranks::measure(ranks, renderer, trainer.scene(), frames, first)
@@ -116,8 +117,9 @@ impl EitherTrainer {
         match self {
             Self::Whole(trainer) => trainer.checkpoint(seconds)?.save(path, Some(binding)),
             Self::Share(trainer) => {
-                Order::Save.give(trainer.ranks())?;
-                trainer.checkpoint(seconds)?.save(path, Some(binding), trainer.ranks())
+                let grid = trainer.grid();
+                Order::Save.give(grid.all)?;
+                trainer.checkpoint(seconds)?.save(path, Some(binding), &grid.row())
             }
         }
     }

@@ -14,7 +14,7 @@ use crate::data::{Dataset, Frame};
 use crate::error::{IN_MEMORY, Result};
 use crate::evaluate::{Evaluation, Event, Score, ViewScore, evaluate_with};
 use crate::image::Image;
-use crate::ranks::{self, Ranks};
+use crate::ranks::{self, Grid, Ranks};
 use crate::render::{DeviceScene, Renderer};
 
 /// What ranks share of a training.
@@ -85,14 +85,14 @@ pub(super) fn lead(
     mixed: bool,
 ) -> Result<Trainer> {
     meet(&**ranks, renderer, trainer.dataset(), mixed)?;
-    tell(&**ranks, Split::Views, trainer.config())?;
+    tell(&**ranks, [Split::Views as u64, 0], trainer.config())?;
     ranks.broadcast(trainer.checkpoint(0.0)?.to_bytes()?)?;
     Ok(trainer.with_ranks(ranks.clone()))
 }
 
-/// As [`lead`], where each rank has a share: `mine` is that of rank 0, and `share` makes or reads that of another.
+/// As [`lead`], where each rank has one of so many shares: `mine` is that of rank 0, and `share` makes or reads any.
 pub(super) fn lead_shares(
-    ranks: &Arc<dyn Ranks>,
+    (ranks, shares): (&Arc<dyn Ranks>, usize),
     renderer: &Renderer,
     (config, dataset): (&TrainConfig, &Arc<Dataset>),
     mine: &CheckpointShare,
@@ -100,14 +100,15 @@ pub(super) fn lead_shares(
     mixed: bool,
 ) -> Result<ShareTrainer> {
     meet(&**ranks, renderer, dataset, mixed)?;
-    tell(&**ranks, Split::Gaussians, config)?;
-    mine.deal(&**ranks, share)?;
-    ShareTrainer::resume(renderer, config.clone(), dataset.clone(), mine, ranks.clone())
+    tell(&**ranks, [Split::Gaussians as u64, shares as u64], config)?;
+    mine.deal(Grid::new(&**ranks, shares)?, share)?;
+    ShareTrainer::resume(renderer, config.clone(), dataset.clone(), mine, ranks.clone())?
+        .with_shares(shares)
 }
 
-/// Tells the other ranks how to train.
-fn tell(ranks: &dyn Ranks, split: Split, config: &TrainConfig) -> Result<()> {
-    ranks.broadcast(vec![split as u8])?;
+/// Tells the other ranks how to train: what they share, and in how many shares.
+fn tell(ranks: &dyn Ranks, split: [u64; 2], config: &TrainConfig) -> Result<()> {
+    ranks.broadcast(bytemuck::cast_slice(&split).to_vec())?;
     ranks.broadcast(config.to_toml().into_bytes()).map(drop)
 }
 
@@ -124,14 +125,17 @@ pub fn follow(
     mixed: bool,
 ) -> Result<()> {
     meet(&**ranks, renderer, dataset, mixed)?;
-    let split = ranks.broadcast(Vec::new())?;
+    let split: Vec<u64> = bytemuck::pod_collect_to_vec(&ranks.broadcast(Vec::new())?);
     let text = String::from_utf8_lossy(&ranks.broadcast(Vec::new())?).into_owned();
     let config = TrainConfig::parse(&text, IN_MEMORY.as_ref())?;
     let data = dataset.clone();
-    let mut trainer = if split == [Split::Gaussians as u8] {
-        let share = CheckpointShare::receive(&**ranks)?;
+    let mut trainer = if let [kind, shares] = split[..]
+        && kind == Split::Gaussians as u64
+    {
+        let shares = shares as usize;
+        let share = CheckpointShare::receive(Grid::new(&**ranks, shares)?)?;
         let trainer = ShareTrainer::resume(renderer, config, data, &share, ranks.clone())?;
-        EitherTrainer::Share(Box::new(trainer))
+        EitherTrainer::Share(Box::new(trainer.with_shares(shares)?))
     } else {
         let checkpoint = Checkpoint::from_bytes(&ranks.broadcast(Vec::new())?, IN_MEMORY)?;
         let trainer = Trainer::resume(renderer, config, data, &checkpoint)?;
@@ -151,7 +155,7 @@ pub fn follow(
             }
             Order::Save => {
                 if let EitherTrainer::Share(trainer) = &trainer {
-                    trainer.checkpoint(0.0)?.hand_over(&**ranks)?;
+                    trainer.checkpoint(0.0)?.hand_over(&trainer.grid().row())?;
                 }
             }
             Order::End => return Ok(()),

@@ -27,7 +27,7 @@ use crate::data::Dataset;
 use crate::error::{self, Result};
 use crate::evaluate::Evaluation;
 use crate::evaluate::csv::save_csv;
-use crate::ranks::Ranks;
+use crate::ranks::{Grid, Ranks};
 use crate::render::{DeviceScene, Renderer};
 use state::State;
 
@@ -79,6 +79,8 @@ pub struct Session<'a> {
     pub mixed: bool,
     /// What ranks share.
     pub split: Split,
+    /// See [`Session::with_shares`].
+    pub shares: Option<usize>,
 }
 
 /// What happens during a run.
@@ -151,6 +153,7 @@ impl<'a> Session<'a> {
             ranks: None,
             mixed: false,
             split: Split::Views,
+            shares: None,
         }
     }
 
@@ -198,6 +201,14 @@ impl<'a> Session<'a> {
         self
     }
 
+    /// The same run, whose Gaussians are dealt in so many shares to ranks in groups of so many. Groups share the views.
+    /// Without this, there is one group. The scene's bits do not depend on it.
+    #[must_use]
+    pub fn with_shares(mut self, shares: Option<usize>) -> Self {
+        self.shares = shares;
+        self
+    }
+
     /// Trains to the end; goes on from the folder's checkpoint where `resume`, and from the first step where there is
     /// none yet.
     ///
@@ -230,9 +241,6 @@ impl<'a> Session<'a> {
         watch: &mut dyn FnMut(Event<'_>),
         hooks: &mut StepHooks<'_>,
     ) -> Result<Outcome> {
-        if self.ranks.is_some() && self.split == Split::Gaussians {
-            check_shares(self.config)?;
-        }
         let begin = Instant::now();
         let (trainer, progress, changes) = match (&self.ranks, self.split) {
             (Some(ranks), Split::Gaussians) => self.begin_shares(ranks, resume, watch)?,
@@ -298,23 +306,25 @@ impl<'a> Session<'a> {
         resume: bool,
         watch: &mut dyn FnMut(Event<'_>),
     ) -> Result<Begun> {
+        check_shares(self.config)?;
+        let shares = Grid::new(&**ranks, self.shares.unwrap_or(ranks.size()))?.shares;
         let path = self.folder.path().join(CHECKPOINT);
         let resumes = resume && path.exists();
         let scene = match resumes {
             true => None,
             false => Some(first_scene(self.config, self.dataset)?),
         };
-        let share = |rank: usize| match &scene {
-            Some(scene) => CheckpointShare::begin(scene, self.config, rank, ranks.size()),
-            None => CheckpointShare::load(&path, rank, ranks.size()),
+        let share = |index: usize| match &scene {
+            Some(scene) => CheckpointShare::begin(scene, self.config, index, shares),
+            None => CheckpointShare::load(&path, index, shares),
         };
         let mine = share(0)?;
         let (progress, mut changes) = (mine.state.progress, Vec::new());
         if resumes {
             changes = self.check_binding(&path, (mine.gaussians, progress.step), watch)?;
         }
-        let run = (self.config, self.dataset);
-        let trainer = ranks::lead_shares(ranks, self.renderer, run, &mine, share, self.mixed)?;
+        let (of, run) = ((ranks, shares), (self.config, self.dataset));
+        let trainer = ranks::lead_shares(of, self.renderer, run, &mine, share, self.mixed)?;
         Ok((EitherTrainer::Share(Box::new(trainer)), progress, changes))
     }
 

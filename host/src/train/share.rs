@@ -12,7 +12,7 @@ use super::trainer::{StepReport, check, growth_random, is_time_to_grow};
 use crate::camera::Camera;
 use crate::data::Dataset;
 use crate::error::{Error, Result};
-use crate::ranks::Ranks;
+use crate::ranks::{Grid, Ranks};
 use crate::render::{DeviceShare, Loss, Renderer, ShareGradient, UploadOptions};
 
 /// A [`Trainer`](super::Trainer) for one of many [ranks](crate::ranks) that hold a share of the Gaussians each, and all of
@@ -56,6 +56,8 @@ pub struct ShareTrainer {
     state: State,
     step: u32,
     ranks: Arc<dyn Ranks>,
+    /// See [`ShareTrainer::with_shares`].
+    shares: usize,
 }
 
 /// What a step changes.
@@ -87,7 +89,18 @@ impl ShareTrainer {
         let sampler = Sampler::of_cameras(&cameras, &config.run)?;
         let state = State::upload(renderer, &config, checkpoint)?;
         let (renderer, step, loss) = (renderer.clone(), checkpoint.state.progress.step, None);
-        Ok(Self { renderer, config, dataset, cameras, sampler, loss, state, step, ranks })
+        let shares = ranks.size();
+        Ok(Self { renderer, config, dataset, cameras, sampler, loss, state, step, ranks, shares })
+    }
+
+    /// The same training by groups of so many ranks, which share the views. Each group holds all Gaussians: the checkpoint of
+    /// rank r is share `r % shares` of so many.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] where this does not divide the number of ranks.
+    pub fn with_shares(mut self, shares: usize) -> Result<Self> {
+        self.shares = Grid::new(&*self.ranks, shares)?.shares;
+        Ok(self)
     }
 
     /// Steps that are done.
@@ -114,8 +127,14 @@ impl ShareTrainer {
     }
 
     /// The ranks.
-    pub(super) fn ranks(&self) -> &dyn Ranks {
-        &*self.ranks
+    pub(super) fn grid(&self) -> Grid<'_> {
+        Grid { all: &*self.ranks, shares: self.shares }
+    }
+
+    /// The ranks of this rank's group, which hold the whole scene together.
+    #[must_use]
+    pub fn group(&self) -> impl Ranks {
+        self.grid().row()
     }
 
     /// Gaussians of the whole scene.
@@ -139,8 +158,8 @@ impl ShareTrainer {
         let moments = state.optimizer.moments(device, &state.share)?;
         let progress = Progress { step: self.step, seconds };
         let checkpoint = Checkpoint::of_scene(scene, moments, statistics, progress);
-        let (rank, size) = (self.ranks.rank(), self.ranks.size());
-        Ok(CheckpointShare::of_state(checkpoint, state.gaussians, rank, size))
+        let (share, shares) = (self.grid().share(), self.shares);
+        Ok(CheckpointShare::of_state(checkpoint, state.gaussians, share, shares))
     }
 
     /// One step, with all other ranks.
@@ -154,7 +173,8 @@ impl ShareTrainer {
         let target = Target::of(&batch, &frames)?;
         let target = target.of_loss(&self.config.loss, None);
         let State { share, optimizer, gradient, .. } = &self.state;
-        let (shared, cameras, kept) = ((share, &*self.ranks), &self.cameras, &mut self.loss);
+        let grid = Grid { all: &*self.ranks, shares: self.shares };
+        let (shared, cameras, kept) = ((share, grid), &self.cameras, &mut self.loss);
         let losses =
             self.renderer.add_share_gradient(shared, cameras, &batch, kept, &target, gradient)?;
         let report = StepReport::of(&losses, target.ssim_weight);
@@ -173,7 +193,7 @@ impl ShareTrainer {
     fn grow(&mut self) -> Result<super::Grown> {
         let mut checkpoint = self.checkpoint(0.0)?;
         let random = growth_random(&self.config, self.step);
-        let grown = grow(&self.config.growth, &mut checkpoint, random, &*self.ranks)?;
+        let grown = grow(&self.config.growth, &mut checkpoint, random, &self.grid().row())?;
         self.state.replace_gaussians(&self.renderer, &checkpoint)?;
         Ok(grown)
     }

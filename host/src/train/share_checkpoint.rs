@@ -10,7 +10,7 @@ use super::binding::{BINDING, Binding};
 use super::checkpoint::{Checkpoint, MOMENTS, PROGRESS, Progress, STATISTICS};
 use super::config::TrainConfig;
 use crate::error::{Error, IN_MEMORY, Result};
-use crate::ranks::Ranks;
+use crate::ranks::{Grid, Ranks};
 use crate::scene::{Scene, SceneConfig, SceneShare, TensorSpec, range_of};
 use crate::scene::{scene_metadata, write_streamed};
 
@@ -84,7 +84,7 @@ impl CheckpointShare {
     /// Gives the other ranks their shares, which `share` makes or reads. This is that of rank 0.
     pub(super) fn deal(
         &self,
-        ranks: &dyn Ranks,
+        Grid { all: ranks, shares }: Grid<'_>,
         share: impl Fn(usize) -> Result<Self>,
     ) -> Result<()> {
         let Self { state, gaussians, .. } = self;
@@ -95,7 +95,7 @@ impl CheckpointShare {
         ranks.broadcast(outline)?;
         for rank in 1..ranks.size() {
             let mut for_each = vec![Vec::new(); ranks.size()];
-            let mut other = share(rank)?;
+            let mut other = share(rank % shares)?;
             for values in other.values_mut() {
                 for_each[rank].extend_from_slice(bytemuck::cast_slice(values));
             }
@@ -106,12 +106,13 @@ impl CheckpointShare {
     }
 
     /// The share of another rank, from rank 0, which [deals](CheckpointShare::deal).
-    pub(super) fn receive(ranks: &dyn Ranks) -> Result<Self> {
+    pub(super) fn receive(grid: Grid<'_>) -> Result<Self> {
+        let ranks = grid.all;
         let outline = ranks.broadcast(Vec::new())?;
         let outline: Outline = serde_json::from_slice(&outline)
             .map_err(|error| Error::Argument { reason: format!("rank 0 has sent {error}") })?;
         let Outline { config, gaussians, progress } = outline;
-        let range = range_of(gaussians, ranks.rank(), ranks.size());
+        let range = range_of(gaussians, grid.share(), grid.shares);
         let scene = Scene::zeros(config, range.len())?;
         let (moments, statistics) = ([scene.clone(), scene.clone()], vec![[0.0; 4]; range.len()]);
         let state = Checkpoint::of_scene(scene, moments, statistics, progress);

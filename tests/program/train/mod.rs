@@ -13,6 +13,7 @@ mod hook;
 mod hostile;
 mod memory;
 mod mistakes;
+mod model;
 mod monstrous;
 mod mpi;
 mod own_loss;

@@ -68,8 +68,14 @@ fn processes_with_shares_train_what_threads_train() {
     assert!(threads["gaussians.opacity"].1.len() > 200, "the scene has grown");
     assert_ok(mpirun(&sandbox, &[(3, &words("processes"))]));
     assert_same("processes", &bits(&sandbox, "processes"), &threads);
+    // two groups, whose first share is empty
+    assert_ok(mpirun(&sandbox, &[(4, &format!("{} --shares 2", words("grid")))]));
+    assert_same("grid", &bits(&sandbox, "grid"), &threads);
     let told = |run: &str| without_times(&records(&sandbox.path(run)));
     assert_eq!(told("processes"), told("threads"));
+    assert_eq!(told("grid"), told("threads"));
+    let refused = format!("{} --shares 3", words("no"));
+    assert_fails(mpirun(&sandbox, &[(4, &refused)]), &["must divide the number of ranks, 4"]);
 }
 
 /// All end with the rank that is killed; another number of ranks goes on from the checkpoint.

@@ -52,35 +52,54 @@ fn on_ranks<R: Send>(size: usize, work: impl Fn(Arc<dyn Ranks>) -> R + Sync) -> 
     })
 }
 
-/// The trainer of a rank.
-fn trainer(begun: &Begun, name: &str, ranks: Arc<dyn Ranks>) -> ShareTrainer {
+/// The trainer of a rank, in groups of so many.
+fn trainer(begun: &Begun, name: &str, ranks: Arc<dyn Ranks>, shares: usize) -> ShareTrainer {
     let (config, checkpoint, dataset) = begun;
     let device = match name {
-        "cpu" => devices::cpu(Some(1)),
+        "cpu" | "a part a camera" | "a part a tile" => devices::cpu(Some(1)),
         _ => devices::all().into_iter().find(|(other, _)| *other == name).expect("a device").1,
     };
-    let share = CheckpointShare::of(checkpoint, ranks.rank(), ranks.size());
-    let (config, dataset) = (config.clone(), dataset.clone());
     let renderer = Renderer::new(device);
-    ShareTrainer::resume(&renderer, config, dataset, &share, ranks).expect("a trainer")
+    // a tile takes 10 kB
+    let renderer = match name {
+        "a part a camera" => renderer.with_part_bytes(130_000),
+        "a part a tile" => renderer.with_part_bytes(15_000),
+        _ => renderer,
+    };
+    let share = CheckpointShare::of(checkpoint, ranks.rank() % shares, shares);
+    let (config, dataset) = (config.clone(), dataset.clone());
+    let trainer = ShareTrainer::resume(&renderer, config, dataset, &share, ranks);
+    trainer.expect("a trainer").with_shares(shares).expect("groups")
 }
 
-/// Trains so many steps on so many ranks, and joins their shares; a file of the state if there is a path for it.
-fn train(begun: &Begun, name: &str, size: usize, steps: u32, file: Option<&Path>) -> Checkpoint {
-    let shares = on_ranks(size, |ranks| {
-        let mut trainer = trainer(begun, name, ranks.clone());
+/// Trains so many steps on so many ranks in groups of so many, and joins the shares of a group, which all have; a file of the
+/// state if there is a path for it.
+fn train(
+    begun: &Begun,
+    name: &str,
+    [size, shares]: [usize; 2],
+    steps: u32,
+    file: Option<&Path>,
+) -> Checkpoint {
+    let mut all = on_ranks(size, |ranks| {
+        let mut trainer = trainer(begun, name, ranks.clone(), shares);
         for _ in 0..steps {
             trainer.step().expect("a step");
         }
         let share = trainer.checkpoint(0.0).expect("a state");
         match file {
-            Some(path) if ranks.rank() == 0 => share.save(path, None, &*ranks).expect("a file"),
-            Some(_) => share.hand_over(&*ranks).expect("a file"),
+            Some(path) if ranks.rank() == 0 => {
+                share.save(path, None, &trainer.group()).expect("a file");
+            }
+            Some(_) => share.hand_over(&trainer.group()).expect("a file"),
             None => {}
         }
         share
     });
-    join(shares)
+    for (rank, share) in all.split_off(shares).iter().enumerate() {
+        assert!(*share == all[rank % shares], "{size} ranks in groups of {shares}");
+    }
+    join(all)
 }
 
 fn join(shares: Vec<CheckpointShare>) -> Checkpoint {
@@ -99,20 +118,42 @@ fn join(shares: Vec<CheckpointShare>) -> Checkpoint {
     whole
 }
 
-/// With four ranks, one holds nothing.
+/// With four shares, one holds nothing. A step has four cameras at most: one of five groups has nothing to render.
 #[test]
-fn any_number_of_ranks_gives_the_same_bits_on_every_device() {
+fn any_number_of_ranks_and_groups_gives_the_same_bits_on_every_device() {
     let begun = begun_of_slices();
     for (name, _) in devices::all() {
-        let one = train(&begun, name, 1, 3, None);
+        let one = train(&begun, name, [1, 1], 3, None);
         assert_eq!(one.progress.step, 11);
         assert_eq!(one.scene.gaussians.len(), 2 * SLICE + 200, "{name}: the scene has grown");
         assert!(one.statistics.iter().any(|[_, views, ..]| *views > 0.0), "{name}");
         // a software GPU takes its time
-        let sizes = if name == "cpu" { &[2, 3, 4][..] } else { &[2] };
-        for &size in sizes {
-            let many = train(&begun, name, size, 3, None);
-            assert!(state_bits(&many) == state_bits(&one), "{name}: {size} ranks");
+        let grids = match name {
+            "cpu" => &[[2, 2], [3, 3], [4, 4], [4, 2], [5, 1], [8, 4]][..],
+            _ => &[[2, 2], [2, 1]],
+        };
+        for &grid in grids {
+            let many = train(&begun, name, grid, 3, None);
+            assert!(state_bits(&many) == state_bits(&one), "{name}: {grid:?}");
+        }
+    }
+}
+
+/// Each slice is rendered in parts, the last ones first. Where a camera's tiles are cut, the sums of several parts are one
+/// unit's.
+#[test]
+fn parts_of_slices_give_the_same_bits() {
+    let mut begun = begun_of_slices();
+    begun.0.run.tiles_per_step = 12;
+    let one = train(&begun, "cpu", [1, 1], 1, None);
+    for grid in [[1, 1], [2, 1]] {
+        let parts = train(&begun, "a part a camera", grid, 1, None);
+        assert!(state_bits(&parts) == state_bits(&one), "{grid:?}");
+        let cut = train(&begun, "a part a tile", grid, 1, None);
+        for (a, b) in cut.moments[0].tensors().into_iter().zip(one.moments[0].tensors()) {
+            let largest = b.1.iter().fold(0.0_f32, |most, value| most.max(value.abs()));
+            let is_near = |(a, b): (&f32, &f32)| (a - b).abs() <= 1e-4 * largest;
+            assert!(a.1.iter().zip(b.1).all(is_near), "{} {grid:?}", a.0.name);
         }
     }
 }
@@ -123,7 +164,7 @@ fn ranks_write_one_checkpoint_and_read_their_shares() {
     let begun = begun_of_slices();
     let sandbox = sandbox();
     let path = sandbox.path("state.safetensors");
-    let joined = train(&begun, "cpu", 3, 1, Some(&path));
+    let joined = train(&begun, "cpu", [4, 2], 1, Some(&path));
     assert!(Checkpoint::load(&path).expect("a checkpoint") == joined);
     let again = sandbox.path("again.safetensors");
     joined.save(&again, None).expect("a file");
@@ -157,13 +198,13 @@ fn ranks_train_what_a_trainer_alone_trains() {
     let renderer = Renderer::new(devices::cpu(None));
     let mut alone = Trainer::resume(&renderer, config, dataset, &checkpoint).expect("a trainer");
     let expected = alone.step().expect("a step");
-    let reports = on_ranks(2, |ranks| trainer(&begun, "cpu", ranks).step().expect("a step"));
+    let reports = on_ranks(2, |ranks| trainer(&begun, "cpu", ranks, 2).step().expect("a step"));
     for report in reports {
         assert!((report.loss - expected.loss).abs() < 1e-6 * expected.loss);
         assert!((report.psnr - expected.psnr).abs() < 1e-4 && report.tiles == expected.tiles);
     }
     let alone = alone.checkpoint(0.0).expect("a state");
-    let shared = train(&begun, "cpu", 2, 1, None);
+    let shared = train(&begun, "cpu", [2, 2], 1, None);
     for (moment, (alone, shared)) in alone.moments.iter().zip(&shared.moments).enumerate() {
         for ((spec, alone), (_, shared)) in alone.tensors().into_iter().zip(shared.tensors()) {
             let largest = alone.iter().fold(0.0_f32, |most, value| most.max(value.abs()));
@@ -181,7 +222,7 @@ fn ranks_train_what_a_trainer_alone_trains() {
     }
 }
 
-/// All Gaussians are one slice: the other ranks hold nothing.
+/// All Gaussians are one slice: the other shares hold nothing.
 #[test]
 fn a_run_of_shares_is_one_run() {
     let sandbox = sandbox();
@@ -203,13 +244,23 @@ fn a_run_of_shares_is_one_run() {
     // stopped, and continued by another number
     run("other", "--ranks 3 --threads 1 --time-limit 1");
     sandbox.run("train --resume other --ranks 2 --split gaussians --backend cpu").assert_ok();
-    assert_same("resumed", &bits(&sandbox, "other"), &one);
-    assert_eq!(told("other"), told("one"));
+    run("grid", "--ranks 4 --shares 2 --threads 1 --time-limit 1");
+    sandbox
+        .run("train --resume grid --ranks 3 --split gaussians --shares 1 --backend cpu")
+        .assert_ok();
+    for resumed in ["other", "grid"] {
+        assert_same(resumed, &bits(&sandbox, resumed), &one);
+        assert_eq!(told(resumed), told("one"));
+    }
     let refuses = |words: &str, facts: &[&str]| {
         sandbox.assert_refuses(&format!("{TINY} no {words}"), facts);
     };
     refuses("--split gaussians", &["--ranks"]);
     refuses("--ranks 2 --split pixels", &["views, gaussians"]);
+    refuses("--ranks 2 --shares 2", &["--split"]);
+    refuses("--ranks 2 --split views --shares 2", &["`--shares`", "`--split gaussians`"]);
+    let facts = ["`--shares` must divide the number of ranks, 4: found 3"];
+    refuses("--ranks 4 --split gaussians --shares 3", &facts);
     refuses("--ranks 2 --split gaussians --view", &["`--view`", "leave out"]);
     refuses("--ranks 2 --split gaussians --set exposure.method=affine", &["exposure.method"]);
 }

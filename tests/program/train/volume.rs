@@ -1,34 +1,32 @@
-//! What ranks hand over: counted, by formula, and the tables of `docs/cluster.md`.
+//! What ranks hand over: counted, and by the formulas of `docs/cluster.md`.
 
-use std::fs;
-use std::path::Path;
 use std::sync::{Arc, Mutex};
 
+use organza::Renderer;
 use organza::Result;
 use organza::ranks::{Ranks, ThreadRanks};
 use organza::render::share_bytes;
-use organza::scene::{MlpConfig, SLICE};
+use organza::scene::MlpConfig;
 use organza::train::config::PoseMethod;
 use organza::train::{CheckpointShare, ShareTrainer, TrainConfig, Trainer};
-use organza::{Renderer, image};
 use organza_tests::devices;
 
 use super::runs::begun;
 
 /// Numbers of a scene that the formulas are made of.
-struct Sizes {
+pub struct Sizes {
     /// Values of a Gaussian.
-    d: u64,
+    pub d: u64,
     /// Values of each grid.
-    grids: [u64; 2],
+    pub grids: [u64; 2],
     /// Parameters of both networks, as devices have them: a hidden layer's outputs in multiples of 16, the last one's of 4.
-    p: u64,
+    pub p: u64,
     /// Layers of both networks.
-    layers: u64,
+    pub layers: u64,
 }
 
 impl Sizes {
-    fn of(config: &TrainConfig) -> Self {
+    pub fn of(config: &TrainConfig) -> Self {
         let scene = &config.scene;
         let (material, extra) = (u64::from(scene.material), u64::from(scene.extra));
         let grids = [&scene.color_grid, &scene.transmittance_grid];
@@ -52,12 +50,12 @@ impl Sizes {
         }
     }
 
-    fn flags(&self) -> u64 {
+    pub fn flags(&self) -> u64 {
         self.grids.iter().map(|values| values.div_ceil(64) + 1).sum()
     }
 
     /// Bytes of a Gaussian's row: its index, its values, and three statistics.
-    fn row(&self) -> u64 {
+    pub fn row(&self) -> u64 {
         4 * (self.d + 4)
     }
 }
@@ -169,6 +167,58 @@ fn a_step_of_shares_hands_over_what_the_formulas_say() {
     assert_eq!(all[0][7], all[1][7], "all ranks add the same blocks");
 }
 
+/// As above, in two groups of two.
+#[test]
+fn a_step_of_groups_hands_over_what_the_formulas_say() {
+    const SHARES: u64 = 2;
+    const GROUPS: u64 = 2;
+    let (mut config, mut checkpoint, dataset) = begun();
+    (config.run.steps, checkpoint.progress.step) = (40, 9);
+    let sizes = Sizes::of(&config);
+    let gaussians = checkpoint.scene.gaussians.len() as u64;
+    let all = counted(SHARES * GROUPS, |renderer, ranks| {
+        let share = ranks.rank() % SHARES as usize;
+        let share = CheckpointShare::of(&checkpoint, share, SHARES as usize);
+        let (config, dataset) = (config.clone(), dataset.clone());
+        let trainer = ShareTrainer::resume(renderer, config, dataset, &share, ranks);
+        let trainer = trainer.expect("a trainer").with_shares(SHARES as usize);
+        let report = trainer.expect("groups").step().expect("a step");
+        assert!(report.grown.is_some());
+    });
+    let side = u64::from(config.run.tile_size);
+    // what the ranks of a group tell each other of the sums that are theirs
+    let told = |share: u64, values: u64| values * (share + 1) / SHARES - values * share / SHARES;
+    let mut tiles = 0;
+    for (rank, calls) in (0..).zip(&all) {
+        let names: Vec<_> = calls.iter().map(|(name, _)| *name).collect();
+        let pixels = ["exchange"; 4];
+        let added = ["sum", "max", "exchange", "exchange", "max", "sum", "or", "sum", "gather"];
+        assert_eq!(names, [&pixels[..], &added, &["exchange"; 2]].concat());
+        let bytes: Vec<_> = calls.iter().map(|(_, bytes)| *bytes).collect();
+        let (share, first) = (rank % SHARES, rank / SHARES * SHARES);
+        let of_group = all[first as usize][12].1 / 32;
+        tiles += of_group;
+        assert_eq!(bytes[12], if share == 0 { 32 * of_group } else { 0 }, "losses");
+        let (values, words) = (4 * of_group * side * side + 5, of_group * side * side / 8);
+        assert_eq!(bytes[..2], [8 * values, 8 * SHARES * told(share, values)]);
+        assert_eq!(bytes[2..4], [4 * words, 4 * SHARES * told(share, words)]);
+        assert_eq!(bytes[4..6], [16, 4 * (2 + sizes.layers)]);
+        assert_eq!(bytes[8..11], [4, 8 * sizes.p, 4 * sizes.flags()]);
+        assert!(bytes[11] > 0 && bytes[11] <= 8 * sizes.grids.iter().sum::<u64>(), "{bytes:?}");
+        // the scene is one slice, which the second share has: a number for each owner and camera, less than a row, and rows
+        let held = [0, gaussians][share as usize];
+        let units = bytes[6] % sizes.row() / (4 * GROUPS);
+        assert_eq!((bytes[6] - 4 * GROUPS * units) % sizes.row(), 0, "rows of units");
+        assert!(units <= of_group && (units > 0) == (held > 0), "{units} of {of_group}");
+        assert_eq!(bytes[7] % (GROUPS * sizes.row()), 0, "sums of rows");
+        let sums = bytes[7] / (GROUPS * sizes.row());
+        assert!(sums <= held.div_ceil(GROUPS) && (sums > 0) == (held > 0), "{sums} of {held}");
+        assert_eq!(bytes[13], SHARES * 8 * held);
+        assert_eq!(bytes[14] % (12 * sizes.d), 0, "rows that move");
+    }
+    assert_eq!(tiles, SHARES * u64::from(config.run.tiles_per_step));
+}
+
 /// The bytes of one step, call by call, are those of the table "What a step hands over".
 #[test]
 fn a_step_hands_over_what_the_formulas_say() {
@@ -209,123 +259,4 @@ fn a_step_hands_over_what_the_formulas_say() {
     assert_eq!(all[0][6], all[1][6], "all ranks add the same blocks");
     assert_eq!(tiles, u64::from(config.run.tiles_per_step));
     assert!((2..=tiles).contains(&units), "{units}");
-}
-
-/// Seconds that bytes take: a ring for what is added, where each rank sends and receives all but its own part twice, and once
-/// for what is gathered.
-struct Network {
-    ranks: f64,
-    /// Bytes a second.
-    speed: f64,
-}
-
-/// Seconds from one rank to another and back, for a call.
-const LATENCY: f64 = 20e-6;
-/// Bytes a second that a device reads or writes.
-const MEMORY: f64 = 1e12;
-
-impl Network {
-    fn new(ranks: u64, gigabits: f64) -> Self {
-        Self { ranks: ranks as f64, speed: gigabits * 1e9 / 8.0 }
-    }
-
-    fn gathered(&self, bytes: f64) -> f64 {
-        (self.ranks - 1.0) / self.ranks * bytes / self.speed
-    }
-
-    fn added(&self, bytes: f64) -> f64 {
-        2.0 * self.gathered(bytes)
-    }
-
-    fn calls(&self, calls: f64) -> f64 {
-        if self.ranks > 1.0 { calls * LATENCY * self.ranks.log2() } else { 0.0 }
-    }
-}
-
-/// Seconds of a step over views: what is computed, and what is sent. 64 units of one tile each see 2% of the Gaussians, at
-/// most 50,000, and no Gaussian is seen twice. A unit takes 10 ms, and its projection 100 bytes a Gaussian. Adam takes 28
-/// bytes a value.
-fn step_over_views(gaussians: f64, ranks: u64, gigabits: f64) -> [f64; 2] {
-    let (sizes, network) = (Sizes::of(&TrainConfig::default()), Network::new(ranks, gigabits));
-    let units = 64.0;
-    let seen = (0.02 * gaussians).min(50_000.0);
-    let own = (units / ranks as f64).ceil();
-    let row = sizes.row() as f64;
-    let grids = 8.0 * sizes.grids.iter().sum::<u64>() as f64 + 4.0 * sizes.flags() as f64;
-    let computed =
-        own * (10e-3 + 100.0 * gaussians / MEMORY) + 28.0 * sizes.d as f64 * gaussians / MEMORY;
-    let sent = network.added(grids)
-        + network.gathered(units * 4.0 * sizes.p as f64)
-        + network.gathered(own * seen * row)
-        + network.gathered((units * seen).min(gaussians) * row)
-        + network.calls(9.0);
-    [computed, sent]
-}
-
-/// Seconds of the same step with Gaussians that are dealt to ranks. Each rank takes the part of the time that it has of the
-/// Gaussians.
-fn step_over_gaussians(gaussians: f64, ranks: u64, gigabits: f64) -> [f64; 2] {
-    let (sizes, network) = (Sizes::of(&TrainConfig::default()), Network::new(ranks, gigabits));
-    let units = 64;
-    let part = of_one_rank(gaussians, ranks) / gaussians;
-    let [alone, _] = step_over_views(gaussians, 1, gigabits);
-    let grids = 8.0 * sizes.grids.iter().sum::<u64>() as f64 + 4.0 * sizes.flags() as f64;
-    let pixels = share_bytes(units, 64) as f64;
-    let sent = network.added(pixels + 8.0 * sizes.p as f64 + grids) + network.calls(8.0);
-    [part * alone, sent]
-}
-
-/// The most Gaussians that a rank has, in whole slices.
-fn of_one_rank(gaussians: f64, ranks: u64) -> f64 {
-    let slices = (gaussians / SLICE as f64).ceil();
-    ((slices / ranks as f64).ceil() * SLICE as f64).min(gaussians)
-}
-
-/// Seconds of an image of 1920 x 1080 pixels whose Gaussians are dealt to ranks. A Gaussian takes 10 ns, which counts all of
-/// a rank's slices.
-fn image_of_shares(gaussians: f64, ranks: u64, gigabits: f64) -> [f64; 2] {
-    let network = Network::new(ranks, gigabits);
-    let batches: Vec<_> = image::bands(0, [1920, 1080], 64).map(|batch| batch.unwrap()).collect();
-    let bytes = |tiles: usize| network.added(share_bytes(tiles, 64) as f64) + network.calls(2.0);
-    let sent = batches.iter().map(|batch| bytes(batch.tiles.len())).sum();
-    [of_one_rank(gaussians, ranks) * 10e-9, sent]
-}
-
-fn milliseconds([computed, sent]: [f64; 2]) -> String {
-    let number = |seconds: f64| match 1e3 * seconds {
-        0.0 => "0".to_owned(),
-        ms if ms < 9.95 => format!("{ms:.1}"),
-        ms => format!("{ms:.0}"),
-    };
-    format!("{} + {}", number(computed), number(sent))
-}
-
-/// The tables of times are those of the formulas.
-#[test]
-fn the_page_has_the_times_of_the_model() {
-    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/cluster.md");
-    let page = fs::read_to_string(page).expect("the page");
-    let mut missing = Vec::new();
-    for model in [step_over_views, step_over_gaussians, image_of_shares] {
-        for (gaussians, name) in [(20e3, "20 k"), (1e6, "1 M"), (100e6, "100 M")] {
-            for ranks in [1, 8, 64] {
-                let times = [10.0, 100.0, 400.0].map(|speed| model(gaussians, ranks, speed));
-                let times = times.map(milliseconds).join(" | ");
-                let row = format!("| {name} | {ranks} | {times} |");
-                if !page.contains(&row) {
-                    missing.push(row);
-                }
-            }
-        }
-    }
-    assert!(missing.is_empty(), "docs/cluster.md lacks\n{}", missing.join("\n"));
-    let sizes = Sizes::of(&TrainConfig::default());
-    let facts = [
-        format!("V = {} for each grid", sizes.grids[0]),
-        format!("P = {}", sizes.p),
-        format!("d = {}", sizes.d),
-    ];
-    for fact in facts {
-        assert!(page.contains(&fact), "docs/cluster.md lacks `{fact}`");
-    }
 }

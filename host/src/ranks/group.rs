@@ -3,8 +3,8 @@
 use super::Ranks;
 use crate::error::{Error, Result};
 
-/// Ranks in groups of so many. Each group has the whole scene, in as many shares. Rank r has share `r % shares`, and is in
-/// group `r / shares`.
+/// Ranks in groups. Each group has the whole scene, and each of its ranks one share of it. Rank r has share `r % shares`, and
+/// is in group `r / shares`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Grid<'a> {
     pub all: &'a dyn Ranks,
@@ -56,7 +56,8 @@ impl<'a> Grid<'a> {
     }
 }
 
-/// Every so many-th rank. All groups of a [`Grid`] make the same calls at once: each is a call of all ranks.
+/// The ranks `first`, `first + step`, and so on. All groups of a [`Grid`] make the same calls at once: each is a call of all
+/// ranks.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Group<'a> {
     all: &'a dyn Ranks,
@@ -74,7 +75,7 @@ impl Group<'_> {
         self.size == self.all.size()
     }
 
-    /// Each member adds up a part of all values, and tells the others.
+    /// Each member adds up a part of all values, and sends the sums to the others.
     fn reduce<T: bytemuck::Pod>(
         &self,
         values: &mut [T],

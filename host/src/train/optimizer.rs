@@ -168,7 +168,7 @@ impl<'a> Adam<'a> {
         let t = f64::from(step) + 1.0;
         let correction1 = 1.0 / (1.0 - config.beta1.powf(t));
         let correction2 = (1.0 / (1.0 - config.beta2.powf(t))).sqrt();
-        let mut rates = config.rates().map(|_, rate| rate.at(share));
+        let mut rates = config.rates().map(|_, rate| config.rate_at(rate, share));
         rates.gaussians.position *= extent;
         Self { device, config, always, rates, correction1, correction2 }
     }

@@ -270,14 +270,15 @@ impl Trainer {
         let share = self.config.run.share(self.step);
         let (settings, now) = (&self.config.optimizer, (self.step, share));
         if let Some(learned) = &mut self.exposures {
-            let moved = learned.step(&exposures, settings, settings.exposure.at(share));
+            let rate = settings.rate_at(settings.exposure, share);
+            let moved = learned.step(&exposures, settings, rate);
             moved.inspect_err(|_| gradient.restart(device))?;
         }
         if let Some(poses) = &mut self.poses {
             let found = gradient.read_poses(device)?;
             let shown = batch.tiles.iter().map(|tile| tile.camera);
-            let moved =
-                poses.step(&found, shown, settings, settings.pose.at(share), scene.extent());
+            let rate = settings.rate_at(settings.pose, share);
+            let moved = poses.step(&found, shown, settings, rate, scene.extent());
             moved.inspect_err(|_| gradient.restart(device))?;
             gradient.clear_poses(device);
             self.cameras = poses.cameras();

@@ -5,22 +5,18 @@ use serde::{Deserialize, Serialize};
 use super::check::within;
 use crate::scene::{FieldTensors, GaussianTensors, Tensors, gaussian_tensors};
 
-/// A learning rate that falls from the first step to the last, by the same factor each step.
+/// Where the rates are at the end of their cooldown, as a part of what they would be without one.
+const COOLED: f64 = 0.02;
+
+/// A learning rate that falls from the first step to the last, by the same factor each step; see also
+/// [`OptimizerConfig::cooldown`].
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Rate {
     /// At the first step.
     pub first: f64,
-    /// At the last step.
+    /// At the last step, without the cooldown.
     pub last: f64,
-}
-
-impl Rate {
-    /// The rate when a part of the run is done, 0 to 1: see [`RunConfig::share`](super::RunConfig::share).
-    #[must_use]
-    pub fn at(&self, share: f64) -> f64 {
-        self.first * (self.last / self.first).powf(share.min(1.0))
-    }
 }
 
 macro_rules! define {
@@ -35,6 +31,10 @@ macro_rules! define {
             pub beta2: f64,
             /// epsilon
             pub epsilon: f64,
+            /// The part of the run at its end, 0 to 1, in which all rates also fall linearly, to a fiftieth: what noise moved
+            /// comes to rest (Hägele et al. 2024, "Scaling Laws and Compute-Optimal Training Beyond Fixed Training
+            /// Durations").
+            pub cooldown: f64,
             $($(#[$doc])* pub $name: Rate,)+
             /// Both hash grids.
             pub grids: Rate,
@@ -80,6 +80,7 @@ impl Default for OptimizerConfig {
             beta1: 0.9,
             beta2: 0.99,
             epsilon: 1e-12,
+            cooldown: 0.15,
             position: rate(2e-3, 1e-4),
             rotation: rate(2e-3, 2e-3),
             log_scale: rate(2e-2, 6e-3),
@@ -95,11 +96,20 @@ impl Default for OptimizerConfig {
 }
 
 impl OptimizerConfig {
+    /// A rate when a part of the run is done, 0 to 1: see [`RunConfig::share`](super::RunConfig::share).
+    #[must_use]
+    pub fn rate_at(&self, rate: Rate, share: f64) -> f64 {
+        let share = share.min(1.0);
+        let left = if self.cooldown > 0.0 { (1.0 - share) / self.cooldown } else { 1.0 };
+        rate.first * (rate.last / rate.first).powf(share) * left.clamp(COOLED, 1.0)
+    }
+
     /// The first value that is out of range, as a sentence.
     pub(super) fn check(&self) -> Result<(), String> {
         within("optimizer.beta1", self.beta1, 0.0, 0.999_999)?;
         within("optimizer.beta2", self.beta2, 0.0, 0.999_999_9)?;
         within("optimizer.epsilon", self.epsilon, 1e-30, 1.0)?;
+        within("optimizer.cooldown", self.cooldown, 0.0, 1.0)?;
         for (name, rate) in self.named_rates() {
             within(&format!("optimizer.{name}.first"), rate.first, 1e-12, 1.0)?;
             within(&format!("optimizer.{name}.last"), rate.last, 1e-12, 1.0)?;

@@ -153,8 +153,8 @@ impl State<'_, '_, '_> {
         let config = self.trainer.config();
         let at = self.trainer.steps().saturating_sub(1);
         let share = config.run.share(at);
-        let rates = config.optimizer.named_rates();
-        rates.map(|(name, rate)| (name.to_owned(), rate.at(share) as f32)).collect()
+        let (optimizer, rates) = (&config.optimizer, config.optimizer.named_rates());
+        rates.map(|(name, rate)| (name.to_owned(), optimizer.rate_at(rate, share) as f32)).collect()
     }
 
     fn step(&mut self) -> Result<()> {

@@ -65,7 +65,8 @@ pub struct LossOutput {
 }
 
 /// Sums over the valid pixels of a tile.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
 pub struct TileLoss {
     /// The sum of `|x - y|` over pixels and channels.
     pub absolute: f64,

@@ -99,22 +99,17 @@ impl Renderer {
 }
 
 impl Deal {
-    /// The losses of all groups' tiles, in the order of the batch. All ranks of a group have the same: one tells them.
+    /// The losses of all groups' tiles, in the order of the batch. All ranks of a group have the same: one sends them.
     fn all(&self, mine: Vec<TileLoss>, grid: Grid<'_>) -> Result<Vec<TileLoss>> {
         if grid.groups() == 1 {
             return Ok(mine);
         }
         let mine = if grid.share() == 0 { mine } else { Vec::new() };
-        let values =
-            |loss: &TileLoss| [loss.absolute, loss.dissimilarity, loss.squared, loss.valid];
-        let mine: Vec<_> = mine.iter().map(values).collect();
         let all = grid.all.gather(bytemuck::cast_slice(&mine).to_vec())?;
         let mut losses = Vec::new();
         for (tiles, bytes) in self.tiles.iter().zip(all.iter().step_by(grid.shares)) {
-            let values: Vec<[f64; 4]> = bytemuck::pod_collect_to_vec(bytes);
-            for (tile, [absolute, dissimilarity, squared, valid]) in tiles.iter().zip(values) {
-                losses.push((tile.place, TileLoss { absolute, dissimilarity, squared, valid }));
-            }
+            let found: Vec<TileLoss> = bytemuck::pod_collect_to_vec(bytes);
+            losses.extend(tiles.iter().map(|tile| tile.place).zip(found));
         }
         losses.sort_by_key(|(place, _)| *place);
         Ok(losses.into_iter().map(|(_, loss)| loss).collect())

@@ -21,7 +21,8 @@ pub struct Units {
 }
 
 impl Units {
-    /// Those of the color network, in slices of so many samples; with `first_sample [pairs + 1]`, those of the transmittance network.
+    /// Those of the color network, with slices of `slice` samples; with `first_sample [pairs + 1]`, those of the transmittance
+    /// network.
     pub fn new(
         device: &Device,
         scene: &DeviceScene,

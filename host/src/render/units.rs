@@ -212,7 +212,7 @@ impl Step<'_> {
         let mut exposures = exposures.iter();
         let mut values = Vec::new();
         for loss in losses {
-            values.extend([loss.absolute, loss.dissimilarity, loss.squared, loss.valid]);
+            values.extend(bytemuck::cast::<_, [f64; 4]>(*loss));
             values.extend(exposures.next().iter().flat_map(|found| found.gradient.as_flattened()));
         }
         let all = ranks.gather(bytemuck::cast_slice(&values).to_vec())?;
@@ -224,8 +224,7 @@ impl Step<'_> {
             let of_rank = &mut rest[index % ranks.size()];
             let mut value = || of_rank.next().expect("each rank has all of its units");
             for tile in &unit.tiles {
-                let [absolute, dissimilarity, squared, valid] = [(); 4].map(|()| value());
-                losses.push(TileLoss { absolute, dissimilarity, squared, valid });
+                losses.push(bytemuck::cast::<_, TileLoss>([(); 4].map(|()| value())));
                 if self.target.exposure.is_some() {
                     let gradient = [(); 3].map(|()| [(); 2].map(|()| value()));
                     let (place, camera) = (tile.place, tile.tile.camera);

@@ -126,7 +126,7 @@ impl ShareTrainer {
         &self.state.share
     }
 
-    /// The ranks.
+    /// The ranks, in their groups.
     pub(super) fn grid(&self) -> Grid<'_> {
         Grid { all: &*self.ranks, shares: self.shares }
     }

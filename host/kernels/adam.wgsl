@@ -15,6 +15,7 @@ struct type_15 {
     member_5: f32,
     member_6: f32,
     member_7: f32,
+    member_8: f32,
 }
 
 struct type_16 {
@@ -38,32 +39,33 @@ var<storage, read_write> global_7: type_5;
 var<storage, read_write> global_8: type_5;
 
 fn function_() {
-    let _e20 = global;
-    let _e21 = global_1;
-    let _e22 = global_2;
-    let _e30 = (((_e21.x + (_e21.y * _e22.x)) * 64u) + _e20.x);
-    let _e33 = global_3.member.member;
-    if (_e30 < _e33) {
-        let _e38 = global_3.member.member_2;
-        let _e42 = global_4.member[((_e30 / 64u) * _e38)];
-        if (_e42 == 0u) {
+    let _e21 = global;
+    let _e22 = global_1;
+    let _e23 = global_2;
+    let _e31 = (((_e22.x + (_e22.y * _e23.x)) * 64u) + _e21.x);
+    let _e34 = global_3.member.member;
+    if (_e31 < _e34) {
+        let _e39 = global_3.member.member_2;
+        let _e43 = global_4.member[((_e31 / 64u) * _e39)];
+        if (_e43 == 0u) {
         } else {
-            let _e46 = global_3.member.member_1;
-            let _e50 = global_5.member[(_e46 + _e30)];
-            let _e53 = global_6.member[_e30];
-            let _e56 = global_3.member.member_4;
-            let _e60 = ((_e53 * _e56) + (_e50 * (1f - _e56)));
-            let _e63 = global_7.member[_e30];
-            let _e66 = global_3.member.member_5;
-            let _e71 = ((_e63 * _e66) + ((_e50 * _e50) * (1f - _e66)));
-            let _e75 = global_3.member.member_6;
-            let _e79 = global_3.member.member_7;
-            let _e83 = global_8.member[_e30];
-            let _e86 = global_3.member.member_3;
-            global_6.member[_e30] = _e60;
-            global_7.member[_e30] = _e71;
-            global_8.member[_e30] = (_e83 - ((_e86 * _e60) / ((sqrt(_e71) * _e75) + _e79)));
-            global_5.member[(_e46 + _e30)] = 0f;
+            let _e47 = global_3.member.member_1;
+            let _e51 = global_5.member[(_e47 + _e31)];
+            let _e54 = global_6.member[_e31];
+            let _e57 = global_3.member.member_4;
+            let _e61 = ((_e54 * _e57) + (_e51 * (1f - _e57)));
+            let _e64 = global_7.member[_e31];
+            let _e67 = global_3.member.member_5;
+            let _e72 = ((_e64 * _e67) + ((_e51 * _e51) * (1f - _e67)));
+            let _e76 = global_3.member.member_6;
+            let _e80 = global_3.member.member_7;
+            let _e84 = global_8.member[_e31];
+            let _e87 = global_3.member.member_8;
+            let _e91 = global_3.member.member_3;
+            global_6.member[_e31] = _e61;
+            global_7.member[_e31] = _e72;
+            global_8.member[_e31] = ((_e84 * _e87) - ((_e91 * _e61) / ((sqrt(_e72) * _e76) + _e80)));
+            global_5.member[(_e47 + _e31)] = 0f;
         }
     }
     return;

@@ -1,4 +1,5 @@
-//! Adam (Kingma and Ba 2015, Algorithm 1): one kernel for all tensors.
+//! Adam (Kingma and Ba 2015, Algorithm 1) with decoupled weight decay (Loshchilov and Hutter 2019): one kernel for all
+//! tensors.
 
 use crate::hash_grid_backward::VALUES_PER_FLAG;
 use organza_kernel::prelude::*;
@@ -23,12 +24,14 @@ pub struct AdamParams {
     pub correction2: f32,
     /// epsilon
     pub epsilon: f32,
+    /// `1 - alpha lambda`: what weight decay leaves of a value; 1 where there is none.
+    pub kept: f32,
 }
 
 /// One step of every value: `m = beta1 m + (1 - beta1) g`, `v = beta2 v + (1 - beta2) g^2`,
-/// `value -= alpha m^ / (sqrt(v^) + epsilon)`; the gradient becomes 0 for the next step.
+/// `value = (1 - alpha lambda) value - alpha m^ / (sqrt(v^) + epsilon)`; the gradient becomes 0 for the next step.
 ///
-/// A block of [`VALUES_PER_FLAG`] values that nothing has touched keeps its moments, too: it costs one read.
+/// A block of [`VALUES_PER_FLAG`] values that nothing has touched keeps its value and its moments: it costs one read.
 #[kernel(threads(64), lanes(values))]
 pub fn adam<L: Lane>(
     id: Invocation,
@@ -49,7 +52,8 @@ pub fn adam<L: Lane>(
         let v = L::read_written(second_moment, index) * number(params.decay2)
             + g * g * number(1.0 - params.decay2);
         let size = v.sqrt() * number(params.correction2) + number(params.epsilon);
-        let moved = L::read_written(value, index) - number(params.rate) * m / size;
+        let moved =
+            L::read_written(value, index) * number(params.kept) - number(params.rate) * m / size;
         m.write(first_moment, index);
         v.write(second_moment, index);
         moved.write(value, index);

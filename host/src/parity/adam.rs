@@ -42,6 +42,7 @@ impl Adam {
             decay2: 0.999,
             correction2: (1.0 / (1.0 - 0.999_f32)).sqrt(),
             epsilon: 1e-12,
+            kept: 1.0 - 0.01 * 0.1,
         };
         Self {
             params,
@@ -60,6 +61,7 @@ impl Adam {
             decay: [params.decay1, params.decay2].map(f64::from),
             correction2: params.correction2.into(),
             epsilon: params.epsilon.into(),
+            kept: params.kept.into(),
         }
     }
 
@@ -74,7 +76,7 @@ impl Adam {
 impl Parity for Adam {
     const KERNEL: &'static str = "adam";
     const TOLERANCE: f64 = 1e-6;
-    const WHY: &'static str = "one division, one square root and eight roundings";
+    const WHY: &'static str = "one division, one square root and nine roundings";
 
     fn sets() -> Vec<(String, Self)> {
         inputs::sets(Self::new)

@@ -273,7 +273,7 @@ impl Default for RunConfig {
             tiles_per_step: 16,
             tile_size: 64,
             tiles_per_view: 1,
-            evaluate_every: 500,
+            evaluate_every: 1000,
             evaluate_views: 0,
             checkpoint_every: 250,
             log_every: 10,

@@ -152,7 +152,8 @@ struct Adam<'a> {
     device: &'a Device,
     config: &'a OptimizerConfig,
     always: &'a Buffer<u32>,
-    rates: Tensors<f64>,
+    /// The rate of each tensor, and what weight decay leaves of its values.
+    rates: Tensors<(f64, f64)>,
     correction1: f64,
     correction2: f64,
 }
@@ -168,15 +169,17 @@ impl<'a> Adam<'a> {
         let t = f64::from(step) + 1.0;
         let correction1 = 1.0 / (1.0 - config.beta1.powf(t));
         let correction2 = (1.0 / (1.0 - config.beta2.powf(t))).sqrt();
-        let mut rates = config.rates().map(|_, rate| config.rate_at(rate, share));
-        rates.gaussians.position *= extent;
+        let mut rates = config.rates().map(|_, rate| (config.rate_at(rate, share), 1.0));
+        rates.gaussians.position.0 *= extent;
+        let (rate, kept) = &mut rates.transmittance.grid;
+        *kept -= *rate * config.transmittance_decay;
         Self { device, config, always, rates, correction1, correction2 }
     }
 
     fn step(
         &self,
         (value, gradient): (&Buffer<f32>, &TensorGradient),
-        rate: f64,
+        (rate, kept): (f64, f64),
         (first_moment, second_moment): (&Buffer<f32>, &Buffer<f32>),
     ) -> organza_device::Result<()> {
         let values = value.len() as u32;
@@ -190,6 +193,7 @@ impl<'a> Adam<'a> {
                 decay2: self.config.beta2 as f32,
                 correction2: self.correction2 as f32,
                 epsilon: self.config.epsilon as f32,
+                kept: kept as f32,
             },
             touched: gradient.touched.as_ref().unwrap_or(self.always),
             gradient: &gradient.buffer,

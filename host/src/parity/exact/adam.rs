@@ -1,4 +1,4 @@
-//! Adam (Kingma and Ba 2015, Algorithm 1).
+//! Adam (Kingma and Ba 2015, Algorithm 1) with decoupled weight decay (Loshchilov and Hutter 2019).
 
 /// The constants of a step.
 #[derive(Clone, Copy, Debug)]
@@ -11,6 +11,8 @@ pub struct Step {
     pub correction2: f64,
     /// epsilon
     pub epsilon: f64,
+    /// `1 - alpha lambda`
+    pub kept: f64,
 }
 
 impl Step {
@@ -20,6 +22,7 @@ impl Step {
         let [beta1, beta2] = self.decay;
         let m = beta1 * m + (1.0 - beta1) * gradient;
         let v = beta2 * v + (1.0 - beta2) * gradient * gradient;
-        [m, v, value - self.rate * m / (v.sqrt() * self.correction2 + self.epsilon)]
+        let moved = self.rate * m / (v.sqrt() * self.correction2 + self.epsilon);
+        [m, v, self.kept * value - moved]
     }
 }

@@ -35,6 +35,9 @@ macro_rules! define {
             /// comes to rest (Hägele et al. 2024, "Scaling Laws and Compute-Optimal Training Beyond Fixed Training
             /// Durations").
             pub cooldown: f64,
+            /// lambda, the weight decay of the transmittance network's grid (AdamW, Loshchilov and Hutter 2019): each step
+            /// multiplies its values by `1 - alpha lambda`. Space stays empty where photographs do not ask for more.
+            pub transmittance_decay: f64,
             $($(#[$doc])* pub $name: Rate,)+
             /// Both hash grids.
             pub grids: Rate,
@@ -80,15 +83,16 @@ impl Default for OptimizerConfig {
             beta1: 0.9,
             beta2: 0.99,
             epsilon: 1e-12,
-            cooldown: 0.15,
+            cooldown: 0.3,
+            transmittance_decay: 1.0,
             position: rate(2e-3, 1e-4),
-            rotation: rate(2e-3, 2e-3),
-            log_scale: rate(2e-2, 6e-3),
-            opacity: rate(5e-2, 5e-2),
-            material: rate(2e-2, 2e-3),
-            extra: rate(2e-2, 2e-3),
-            grids: rate(1e-2, 1e-3),
-            networks: rate(5e-3, 5e-4),
+            rotation: rate(4e-3, 4e-3),
+            log_scale: rate(2e-2, 2e-2),
+            opacity: rate(1e-1, 1e-1),
+            material: rate(2e-2, 2e-2),
+            extra: rate(2e-2, 2e-2),
+            grids: rate(1e-2, 1e-2),
+            networks: rate(5e-3, 5e-3),
             exposure: rate(1e-2, 1e-3),
             pose: rate(3e-4, 3e-5),
         }
@@ -110,6 +114,7 @@ impl OptimizerConfig {
         within("optimizer.beta2", self.beta2, 0.0, 0.999_999_9)?;
         within("optimizer.epsilon", self.epsilon, 1e-30, 1.0)?;
         within("optimizer.cooldown", self.cooldown, 0.0, 1.0)?;
+        within("optimizer.transmittance_decay", self.transmittance_decay, 0.0, 1.0)?;
         for (name, rate) in self.named_rates() {
             within(&format!("optimizer.{name}.first"), rate.first, 1e-12, 1.0)?;
             within(&format!("optimizer.{name}.last"), rate.last, 1e-12, 1.0)?;

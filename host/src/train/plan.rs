@@ -113,6 +113,8 @@ mod tests {
         config.run.evaluate_views = 5;
         let (start, evaluation) = (f64::from(config.start.gaussians), 4.0);
         let mut planner = Planner::new(seconds, 10);
+        // the view that is rendered before the first step
+        planner.evaluated(evaluation / 5.0, 1);
         let mut now = Now { step: 0, gaussians: start as usize, training: 0.0, elapsed: 0.0 };
         loop {
             if let Some(steps) = planner.plan(&config, now) {

@@ -140,8 +140,12 @@ impl State<'_, '_, '_> {
             if let Some(ranks) = ranks {
                 Order::Evaluate { first: 0, all: true }.give(ranks)?;
             }
+            let begin = Instant::now();
             for (_, image) in self.trainer.measure(ranks, renderer, &frames, 0)? {
                 self.pictures.write_first(&image)?;
+            }
+            if let Some(planner) = &mut self.planner {
+                planner.evaluated(begin.elapsed().as_secs_f64(), frames.len());
             }
             let _ = renderer.device().take_timings();
         }

@@ -1,6 +1,6 @@
 //! A viewer that runs, and a small HTTP client.
 
-use std::io::{BufRead, BufReader, Read, Write};
+use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::{Shutdown, TcpStream};
 use std::process::{Child, Stdio};
 use std::sync::Mutex;
@@ -55,19 +55,12 @@ impl Viewer {
     }
 
     pub fn connect(&self) -> TcpStream {
-        let stream = TcpStream::connect(&self.host).expect("it listens");
-        stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
-        stream
+        connect(&self.host).expect("it listens")
     }
 
     /// Sends bytes as they are; returns what comes back until the server closes.
     pub fn send(&self, bytes: &[u8]) -> Vec<u8> {
-        let (mut stream, mut back) = (self.connect(), Vec::new());
-        // a server that has heard enough closes
-        let _ = stream.write_all(bytes);
-        let _ = stream.shutdown(Shutdown::Write);
-        let _ = stream.read_to_end(&mut back);
-        back
+        exchange(self.connect(), bytes)
     }
 
     pub fn get(&self, path: &str) -> Reply {
@@ -100,6 +93,23 @@ impl Viewer {
         request.as_object_mut().unwrap().extend(more);
         self.post("/frame", &request)
     }
+}
+
+/// A connection, while somebody listens.
+pub fn connect(host: &str) -> io::Result<TcpStream> {
+    let stream = TcpStream::connect(host)?;
+    stream.set_read_timeout(Some(Duration::from_secs(60)))?;
+    Ok(stream)
+}
+
+/// As [`Viewer::send`].
+pub fn exchange(mut stream: TcpStream, bytes: &[u8]) -> Vec<u8> {
+    let mut back = Vec::new();
+    // a server that has heard enough closes
+    let _ = stream.write_all(bytes);
+    let _ = stream.shutdown(Shutdown::Write);
+    let _ = stream.read_to_end(&mut back);
+    back
 }
 
 impl Drop for Viewer {

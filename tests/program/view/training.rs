@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
-use super::client::Viewer;
+use super::client::{Viewer, connect, exchange};
 use crate::train::processes::wait_for_end;
 use crate::train::runs::{TINY, assert_same, bits, records, sandbox, without_times};
 
@@ -56,7 +56,7 @@ fn the_bits_do_not_depend_on_who_watches() {
     command(&viewer, "go");
     // it trains on, also where somebody always wants an image
     thread::scope(|scope| {
-        let (host, viewer) = (viewer.host.clone(), &viewer);
+        let host = &viewer.host;
         scope.spawn(move || {
             let camera = json!({"camera_to_world": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 4],
                 [0, 0, 0, 1]], "fl_x": 40, "fl_y": 40, "cx": 32, "cy": 32, "w": 64, "h": 64});
@@ -65,7 +65,8 @@ fn the_bits_do_not_depend_on_who_watches() {
                 "mode": "color", "quality": "moving"})
             };
             let mut sequence = 0;
-            while std::net::TcpStream::connect(&host).is_ok() {
+            // the program may end between two connections
+            while let Ok(stream) = connect(host) {
                 sequence += 1;
                 let body = body(sequence).to_string();
                 let head = format!(
@@ -73,7 +74,7 @@ fn the_bits_do_not_depend_on_who_watches() {
                     Connection: close\r\n\r\n",
                     body.len()
                 );
-                viewer.send(&[head.as_bytes(), body.as_bytes()].concat());
+                exchange(stream, &[head.as_bytes(), body.as_bytes()].concat());
             }
         });
     });

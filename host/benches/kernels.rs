@@ -277,8 +277,14 @@ mod member_pixels {
         let members = tiles.member.len() as u32;
         let sums = tiles.count() * SUM_PLANES * SIDE * SIDE;
         let (tiles_of, rows) = (tiles.count(), SIDE);
-        let params =
-            CompositeBackwardParams { members, tiles: tiles_of, side: SIDE, first_row: 0, rows };
+        let params = CompositeBackwardParams {
+            members,
+            tiles: tiles_of,
+            side: SIDE,
+            first_row: 0,
+            rows,
+            colors: 1,
+        };
         let kernel = CompositeBackwardKernel {
             params,
             tile: &bench.upload(&tiles.tile),

@@ -2,7 +2,7 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_11 {
+struct type_12 {
     member: array<u32>,
 }
 
@@ -28,7 +28,7 @@ var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_3: type_16;
 @group(0) @binding(1) 
-var<storage> global_4: type_11;
+var<storage> global_4: type_12;
 @group(0) @binding(2) 
 var<storage, read_write> global_5: type_5;
 @group(0) @binding(3) 

@@ -24,12 +24,12 @@ struct type_15 {
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(0) 
-var<uniform> global_3: type_15;
 @group(0) @binding(1) 
-var<storage> global_4: type_11;
+var<storage> global_3: type_11;
 @group(0) @binding(2) 
-var<storage> global_5: type_5;
+var<storage> global_4: type_5;
+@group(0) @binding(0) 
+var<uniform> global_5: type_15;
 @group(0) @binding(3) 
 var<storage> global_6: type_5;
 @group(0) @binding(4) 
@@ -69,11 +69,11 @@ fn function_() {
             let _e47 = global_1;
             let _e48 = global_2;
             let _e56 = (((_e47.x + (_e47.y * _e48.x)) * 64u) + _e46.x);
-            let _e59 = global_3.member.member;
+            let _e59 = global_5.member.member;
             if (_e56 < _e59) {
-                let _e63 = global_3.member.member_1;
-                let _e67 = global_4.member[(_e63 + _e56)];
-                let _e70 = global_3.member.member_3;
+                let _e63 = global_5.member.member_1;
+                let _e67 = global_3.member[(_e63 + _e56)];
+                let _e70 = global_5.member.member_3;
                 let _e71 = (_e70 == 0u);
                 if _e71 {
                     break;
@@ -83,14 +83,14 @@ fn function_() {
                     break;
                 }
                 let _e74 = ((_e67 / _e70) * 18u);
-                let _e78 = global_5.member[(_e74 + 9u)];
-                let _e82 = global_5.member[(_e74 + 10u)];
-                let _e86 = global_5.member[(_e74 + 11u)];
+                let _e78 = global_4.member[(_e74 + 9u)];
+                let _e82 = global_4.member[(_e74 + 10u)];
+                let _e86 = global_4.member[(_e74 + 11u)];
                 let _e87 = (_e72 * 3u);
                 let _e90 = global_7.member[_e87];
                 let _e94 = global_7.member[(_e87 + 1u)];
                 let _e98 = global_7.member[(_e87 + 2u)];
-                let _e101 = global_3.member.member_2;
+                let _e101 = global_5.member.member_2;
                 let _e104 = global_6.member[0u];
                 let _e107 = global_6.member[1u];
                 let _e110 = global_6.member[2u];
@@ -127,7 +127,7 @@ fn function_() {
                 let _e200 = ((_e175 - _e198) + _e187);
                 let _e204 = (trunc(((_e176 + _e188) * 4096f)) * 0.00024414063f);
                 let _e206 = ((_e176 - _e204) + _e188);
-                let _e209 = global_3.member.member_7;
+                let _e209 = global_5.member.member_7;
                 if (_e209 == 0u) {
                     global_9.member[_e56] = _e192;
                     global_9.member[(_e101 + _e56)] = _e198;
@@ -166,7 +166,7 @@ fn function_() {
                 let _e311 = (1f / select(0.000000000000000000000000000000000000011754944f, _e308, (_e308 > 0.000000000000000000000000000000000000011754944f)));
                 let _e312 = (_e300 * _e311);
                 let _e313 = (_e301 * _e311);
-                let _e317 = global_3.member.member_4;
+                let _e317 = global_5.member.member_4;
                 phi_342_ = 0f;
                 phi_345_ = 0u;
                 phi_347_ = 0.28209478f;
@@ -263,11 +263,11 @@ fn function_() {
                 phi_406_ = 0u;
                 loop {
                     let _e414 = phi_406_;
-                    let _e417 = global_3.member.member_5;
+                    let _e417 = global_5.member.member_5;
                     let _e418 = (_e414 < _e417);
                     if _e418 {
                         let _e423 = global_8.member[((_e72 * _e417) + _e414)];
-                        let _e426 = global_3.member.member_6;
+                        let _e426 = global_5.member.member_6;
                         global_10.member[(((_e426 + _e414) * _e101) + _e56)] = _e423;
                         phi_407_ = (_e414 + 1u);
                     } else {

@@ -6,35 +6,35 @@ struct type_9 {
     member: array<f32>,
 }
 
-struct type_17 {
-    member: array<u32>,
-}
-
-struct type_23 {
+struct type_18 {
     member: array<i32>,
 }
 
-struct type_26 {
+struct type_21 {
     member: u32,
     member_1: u32,
 }
 
-struct type_27 {
-    member: type_26,
+struct type_22 {
+    member: type_21,
+}
+
+struct type_25 {
+    member: array<u32>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> global_2: type_23;
-@group(0) @binding(2) 
-var<storage> global_3: type_17;
-@group(0) @binding(3) 
-var<storage> global_4: type_17;
+var<storage> global_2: type_18;
 @group(0) @binding(0) 
-var<uniform> global_5: type_27;
+var<uniform> global_3: type_22;
+@group(0) @binding(2) 
+var<storage> global_4: type_25;
+@group(0) @binding(3) 
+var<storage> global_5: type_25;
 @group(0) @binding(4) 
-var<storage> global_6: type_17;
+var<storage> global_6: type_25;
 @group(0) @binding(5) 
 var<storage> global_7: type_6;
 @group(0) @binding(6) 
@@ -94,7 +94,7 @@ fn function_() {
             let _e31 = global_1;
             let _e40 = ((_e31.x * 16u) + _e30.x);
             let _e42 = ((_e31.y * 4u) + _e30.y);
-            let _e45 = global_5.member.member;
+            let _e45 = global_3.member.member;
             if (_e40 < _e45) {
                 phi_111_ = (_e42 < _e45);
             } else {
@@ -109,10 +109,10 @@ fn function_() {
                 let _e61 = global_2.member[(_e53 + 2u)];
                 let _e65 = (f32((_e57 + bitcast<i32>(_e51))) + 0.5f);
                 let _e69 = (f32((_e61 + bitcast<i32>(_e50))) + 0.5f);
-                let _e72 = global_3.member[_e31.z];
-                let _e75 = global_5.member.member_1;
+                let _e72 = global_4.member[_e31.z];
+                let _e75 = global_3.member.member_1;
                 let _e76 = (_e72 + _e75);
-                let _e80 = global_3.member[(_e31.z + 1u)];
+                let _e80 = global_4.member[(_e31.z + 1u)];
                 let _e81 = (_e76 + 16384u);
                 let _e83 = select(_e81, _e80, (_e80 < _e81));
                 let _e84 = (_e45 * _e45);
@@ -199,7 +199,7 @@ fn function_() {
                                     phi_301_ = _e155;
                                     phi_302_ = _e157;
                                 } else {
-                                    let _e165 = global_4.member[_e159];
+                                    let _e165 = global_5.member[_e159];
                                     let _e166 = (_e165 * 3u);
                                     let _e168 = global_7.member[_e166];
                                     let _e171 = global_7.member[(_e166 + 1u)];

@@ -14,10 +14,10 @@ struct type_11 {
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(3) 
-var<storage, read_write> global_3: type_5;
 @group(0) @binding(0) 
-var<uniform> global_4: type_11;
+var<uniform> global_3: type_11;
+@group(0) @binding(3) 
+var<storage, read_write> global_4: type_5;
 @group(0) @binding(1) 
 var<storage> global_5: type_5;
 @group(0) @binding(2) 
@@ -41,8 +41,8 @@ fn function_() {
             let _e17 = global_1;
             let _e18 = global_2;
             let _e26 = (((_e17.x + (_e17.y * _e18.x)) * 64u) + _e16.x);
-            let _e29 = global_4.member.member;
-            let _e32 = global_4.member.member_1;
+            let _e29 = global_3.member.member;
+            let _e32 = global_3.member.member_1;
             if (_e26 < (_e29 * _e32)) {
                 if (_e32 == 0u) {
                     break;
@@ -60,9 +60,9 @@ fn function_() {
                     local_1 = _e46;
                     let _e49 = (_e44 < (_e41 + _e32));
                     if _e49 {
-                        let _e52 = global_3.member[_e44];
+                        let _e52 = global_4.member[_e44];
                         let _e55 = global_5.member[_e44];
-                        global_3.member[_e44] = (_e52 * _e40);
+                        global_4.member[_e44] = (_e52 * _e40);
                         phi_70_ = (_e44 + 1u);
                         phi_73_ = (_e46 + _e52);
                         phi_75_ = (_e48 + (_e52 * _e55));

@@ -2,19 +2,19 @@ struct type_6 {
     member: array<vec4<f32>>,
 }
 
-struct type_11 {
+struct type_12 {
+    member: array<u32>,
+}
+
+struct type_15 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_12 {
-    member: type_11,
-}
-
-struct type_15 {
-    member: array<u32>,
+struct type_16 {
+    member: type_15,
 }
 
 struct type_20 {
@@ -27,7 +27,7 @@ var<private> global_2: vec3<u32>;
 @group(0) @binding(1) 
 var<storage> global_3: type_6;
 @group(0) @binding(0) 
-var<uniform> global_4: type_12;
+var<uniform> global_4: type_16;
 @group(0) @binding(2) 
 var<storage, read_write> global_5: type_20;
 

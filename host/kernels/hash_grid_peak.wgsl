@@ -6,17 +6,17 @@ struct type_9 {
     member: array<f32>,
 }
 
-struct type_16 {
-    member: array<u32>,
-}
-
-struct type_19 {
+struct type_15 {
     member: u32,
     member_1: u32,
 }
 
-struct type_20 {
-    member: type_19,
+struct type_16 {
+    member: type_15,
+}
+
+struct type_19 {
+    member: array<u32>,
 }
 
 struct type_24 {
@@ -27,7 +27,7 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_20;
+var<uniform> global_3: type_16;
 @group(0) @binding(1) 
 var<storage> global_4: type_6;
 @group(0) @binding(2) 

@@ -3,16 +3,16 @@ struct type_5 {
 }
 
 struct type_11 {
-    member: array<u32>,
-}
-
-struct type_15 {
     member: u32,
     member_1: u32,
 }
 
-struct type_16 {
-    member: type_15,
+struct type_12 {
+    member: type_11,
+}
+
+struct type_15 {
+    member: array<u32>,
 }
 
 struct type_20 {
@@ -23,9 +23,9 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_16;
+var<uniform> global_3: type_12;
 @group(0) @binding(1) 
-var<storage, read_write> global_4: type_11;
+var<storage, read_write> global_4: type_15;
 @group(0) @binding(2) 
 var<storage, read_write> global_5: type_5;
 @group(0) @binding(3) 

@@ -17,13 +17,13 @@ struct type_16 {
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
-@group(0) @binding(0) 
-var<uniform> global_2: type_16;
-@group(0) @binding(1) 
-var<storage> global_3: type_9;
-@group(0) @binding(2) 
-var<storage> global_4: type_9;
 @group(0) @binding(3) 
+var<storage> global_2: type_9;
+@group(0) @binding(0) 
+var<uniform> global_3: type_16;
+@group(0) @binding(1) 
+var<storage> global_4: type_9;
+@group(0) @binding(2) 
 var<storage> global_5: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> global_6: type_6;
@@ -38,23 +38,23 @@ fn function_() {
     let _e17 = global_1;
     let _e23 = ((_e17.x * 8u) + _e16.x);
     let _e25 = ((_e17.y * 8u) + _e16.y);
-    let _e28 = global_2.member.member;
+    let _e28 = global_3.member.member;
     if (_e23 < _e28) {
         if (_e25 < _e28) {
             let _e31 = (_e28 * _e28);
             let _e34 = ((_e25 * _e28) + _e23);
             let _e36 = ((_e17.z * _e31) + _e34);
-            let _e39 = global_5.member[_e36];
+            let _e39 = global_2.member[_e36];
             if (_e39 > 0f) {
                 let _e43 = (((_e17.z * 3u) * _e31) + _e34);
                 let _e44 = (_e43 + _e31);
                 let _e46 = (_e43 + (2u * _e31));
-                let _e49 = global_3.member[_e43];
-                let _e52 = global_3.member[_e44];
-                let _e55 = global_3.member[_e46];
-                let _e58 = global_4.member[_e43];
-                let _e61 = global_4.member[_e44];
-                let _e64 = global_4.member[_e46];
+                let _e49 = global_4.member[_e43];
+                let _e52 = global_4.member[_e44];
+                let _e55 = global_4.member[_e46];
+                let _e58 = global_5.member[_e43];
+                let _e61 = global_5.member[_e44];
+                let _e64 = global_5.member[_e46];
                 phi_103_ = vec4<f32>(((_e49 - 0.5f) + (_e58 - 0.5f)), ((_e52 - 0.5f) + (_e61 - 0.5f)), ((_e55 - 0.5f) + (_e64 - 0.5f)), 0f);
                 phi_104_ = vec4<f32>((_e49 - _e58), (_e52 - _e61), (_e55 - _e64), 1f);
             } else {

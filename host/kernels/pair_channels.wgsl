@@ -2,29 +2,29 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_11 {
-    member: array<u32>,
-}
-
-struct type_15 {
+struct type_10 {
     member: u32,
     member_1: u32,
 }
 
-struct type_16 {
-    member: type_15,
+struct type_11 {
+    member: type_10,
+}
+
+struct type_14 {
+    member: array<u32>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(1) 
-var<storage> global_3: type_11;
 @group(0) @binding(0) 
-var<uniform> global_4: type_16;
-@group(0) @binding(3) 
-var<storage> global_5: type_5;
+var<uniform> global_3: type_11;
+@group(0) @binding(1) 
+var<storage> global_4: type_14;
 @group(0) @binding(2) 
+var<storage> global_5: type_5;
+@group(0) @binding(3) 
 var<storage> global_6: type_5;
 @group(0) @binding(6) 
 var<storage> global_7: type_5;
@@ -46,10 +46,10 @@ fn function_() {
             let _e30 = global_1;
             let _e31 = global_2;
             let _e39 = (((_e30.x + (_e30.y * _e31.x)) * 64u) + _e29.x);
-            let _e42 = global_4.member.member;
+            let _e42 = global_3.member.member;
             if (_e39 < _e42) {
-                let _e46 = global_3.member[_e39];
-                let _e49 = global_4.member.member_1;
+                let _e46 = global_4.member[_e39];
+                let _e49 = global_3.member.member_1;
                 let _e50 = (_e49 == 0u);
                 if _e50 {
                     break;
@@ -59,18 +59,18 @@ fn function_() {
                     break;
                 }
                 let _e53 = ((_e46 / _e49) * 18u);
-                let _e57 = global_6.member[(_e53 + 6u)];
-                let _e61 = global_6.member[(_e53 + 7u)];
-                let _e65 = global_6.member[(_e53 + 8u)];
-                let _e69 = global_6.member[(_e53 + 9u)];
-                let _e73 = global_6.member[(_e53 + 10u)];
-                let _e77 = global_6.member[(_e53 + 11u)];
+                let _e57 = global_5.member[(_e53 + 6u)];
+                let _e61 = global_5.member[(_e53 + 7u)];
+                let _e65 = global_5.member[(_e53 + 8u)];
+                let _e69 = global_5.member[(_e53 + 9u)];
+                let _e73 = global_5.member[(_e53 + 10u)];
+                let _e77 = global_5.member[(_e53 + 11u)];
                 let _e78 = (_e51 * 3u);
-                let _e81 = global_5.member[_e78];
+                let _e81 = global_6.member[_e78];
                 let _e82 = (_e78 + 1u);
-                let _e85 = global_5.member[_e82];
+                let _e85 = global_6.member[_e82];
                 let _e86 = (_e78 + 2u);
-                let _e89 = global_5.member[_e86];
+                let _e89 = global_6.member[_e86];
                 let _e90 = (3u * _e39);
                 let _e91 = (_e81 - _e69);
                 let _e92 = (_e85 - _e73);

@@ -6,26 +6,26 @@ struct type_9 {
     member: array<f32>,
 }
 
-struct type_16 {
+struct type_17 {
     member: array<u32>,
 }
 
-struct type_19 {
+struct type_21 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: f32,
 }
 
-struct type_20 {
-    member: type_19,
+struct type_22 {
+    member: type_21,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_20;
+var<uniform> global_3: type_22;
 @group(0) @binding(1) 
 var<storage> global_4: type_9;
 @group(0) @binding(2) 
@@ -35,9 +35,9 @@ var<storage> global_6: type_9;
 @group(0) @binding(4) 
 var<storage> global_7: type_9;
 @group(0) @binding(5) 
-var<storage> global_8: type_16;
+var<storage> global_8: type_17;
 @group(0) @binding(6) 
-var<storage> global_9: type_16;
+var<storage> global_9: type_17;
 @group(0) @binding(7) 
 var<storage> global_10: type_6;
 @group(0) @binding(8) 

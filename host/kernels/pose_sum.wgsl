@@ -2,28 +2,28 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_10 {
+struct type_11 {
+    member: array<u32>,
+}
+
+struct type_14 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_11 {
-    member: type_10,
-}
-
-struct type_14 {
-    member: array<u32>,
+struct type_15 {
+    member: type_14,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_11;
+var<uniform> global_3: type_15;
 @group(0) @binding(1) 
-var<storage> global_4: type_14;
+var<storage> global_4: type_11;
 @group(0) @binding(2) 
 var<storage> global_5: type_5;
 @group(0) @binding(3) 

@@ -6,17 +6,17 @@ struct type_9 {
     member: array<f32>,
 }
 
-struct type_16 {
-    member: array<u32>,
-}
-
-struct type_22 {
+struct type_15 {
     member: u32,
     member_1: f32,
 }
 
-struct type_23 {
-    member: type_22,
+struct type_16 {
+    member: type_15,
+}
+
+struct type_20 {
+    member: array<u32>,
 }
 
 struct type_25 {
@@ -33,11 +33,11 @@ struct type_28 {
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(1) 
-var<storage> global_3: type_9;
 @group(0) @binding(0) 
-var<uniform> global_4: type_23;
+var<uniform> global_3: type_16;
 @group(0) @binding(3) 
+var<storage> global_4: type_9;
+@group(0) @binding(1) 
 var<storage> global_5: type_9;
 @group(0) @binding(2) 
 var<storage> global_6: type_9;
@@ -73,39 +73,39 @@ fn function_() {
     let _e54 = global_1;
     let _e55 = global_2;
     let _e63 = (((_e54.x + (_e54.y * _e55.x)) * 64u) + _e53.x);
-    let _e66 = global_4.member.member;
+    let _e66 = global_3.member.member;
     if (_e63 < _e66) {
         let _e69 = (_e54.z * 18u);
-        let _e72 = global_3.member[_e69];
-        let _e76 = global_3.member[(_e69 + 1u)];
-        let _e80 = global_3.member[(_e69 + 2u)];
-        let _e84 = global_3.member[(_e69 + 3u)];
-        let _e88 = global_3.member[(_e69 + 4u)];
-        let _e92 = global_3.member[(_e69 + 5u)];
-        let _e96 = global_3.member[(_e69 + 6u)];
-        let _e100 = global_3.member[(_e69 + 7u)];
-        let _e104 = global_3.member[(_e69 + 8u)];
-        let _e108 = global_3.member[(_e69 + 9u)];
-        let _e112 = global_3.member[(_e69 + 10u)];
-        let _e116 = global_3.member[(_e69 + 11u)];
-        let _e120 = global_3.member[(_e69 + 12u)];
-        let _e124 = global_3.member[(_e69 + 13u)];
-        let _e128 = global_3.member[(_e69 + 14u)];
-        let _e132 = global_3.member[(_e69 + 15u)];
-        let _e136 = global_3.member[(_e69 + 16u)];
-        let _e140 = global_3.member[(_e69 + 17u)];
+        let _e72 = global_5.member[_e69];
+        let _e76 = global_5.member[(_e69 + 1u)];
+        let _e80 = global_5.member[(_e69 + 2u)];
+        let _e84 = global_5.member[(_e69 + 3u)];
+        let _e88 = global_5.member[(_e69 + 4u)];
+        let _e92 = global_5.member[(_e69 + 5u)];
+        let _e96 = global_5.member[(_e69 + 6u)];
+        let _e100 = global_5.member[(_e69 + 7u)];
+        let _e104 = global_5.member[(_e69 + 8u)];
+        let _e108 = global_5.member[(_e69 + 9u)];
+        let _e112 = global_5.member[(_e69 + 10u)];
+        let _e116 = global_5.member[(_e69 + 11u)];
+        let _e120 = global_5.member[(_e69 + 12u)];
+        let _e124 = global_5.member[(_e69 + 13u)];
+        let _e128 = global_5.member[(_e69 + 14u)];
+        let _e132 = global_5.member[(_e69 + 15u)];
+        let _e136 = global_5.member[(_e69 + 16u)];
+        let _e140 = global_5.member[(_e69 + 17u)];
         let _e141 = (_e54.z * 4u);
         let _e144 = global_6.member[_e141];
         let _e148 = global_6.member[(_e141 + 1u)];
         let _e152 = global_6.member[(_e141 + 2u)];
         let _e156 = global_6.member[(_e141 + 3u)];
-        let _e159 = global_4.member.member_1;
+        let _e159 = global_3.member.member_1;
         let _e160 = (_e63 * 3u);
         let _e161 = (_e160 + 1u);
         let _e162 = (_e160 + 2u);
-        let _e165 = global_5.member[_e160];
-        let _e168 = global_5.member[_e161];
-        let _e171 = global_5.member[_e162];
+        let _e165 = global_4.member[_e160];
+        let _e168 = global_4.member[_e161];
+        let _e171 = global_4.member[_e162];
         let _e172 = (_e165 - _e108);
         let _e173 = (_e168 - _e112);
         let _e174 = (_e171 - _e116);
@@ -146,11 +146,11 @@ fn function_() {
                 let _e280 = (2u * ((_e54.z * _e66) + _e277));
                 if (_e273 == 0u) {
                     let _e282 = (_e277 * 3u);
-                    let _e285 = global_5.member[_e282];
+                    let _e285 = global_4.member[_e282];
                     let _e286 = (_e282 + 1u);
-                    let _e289 = global_5.member[_e286];
+                    let _e289 = global_4.member[_e286];
                     let _e290 = (_e282 + 2u);
-                    let _e293 = global_5.member[_e290];
+                    let _e293 = global_4.member[_e290];
                     let _e294 = (_e277 * 4u);
                     let _e297 = global_7.member[_e294];
                     let _e301 = global_7.member[(_e294 + 1u)];

@@ -6,7 +6,7 @@ struct type_9 {
     member: array<f32>,
 }
 
-struct type_16 {
+struct type_17 {
     member: array<u32>,
 }
 
@@ -39,9 +39,9 @@ var<storage> global_7: type_6;
 @group(0) @binding(0) 
 var<uniform> global_8: type_21;
 @group(0) @binding(5) 
-var<storage> global_9: type_16;
+var<storage> global_9: type_17;
 @group(0) @binding(6) 
-var<storage> global_10: type_16;
+var<storage> global_10: type_17;
 @group(0) @binding(8) 
 var<storage, read_write> global_11: type_9;
 

@@ -22,10 +22,10 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 @group(0) @binding(1) 
 var<storage> global_2: type_12;
-@group(0) @binding(0) 
-var<uniform> global_3: type_17;
 @group(0) @binding(2) 
-var<storage> global_4: type_5;
+var<storage> global_3: type_5;
+@group(0) @binding(0) 
+var<uniform> global_4: type_17;
 @group(0) @binding(3) 
 var<storage, read_write> global_5: type_5;
 
@@ -34,23 +34,23 @@ fn function_() {
     let _e14 = global_1;
     let _e20 = ((_e14.x * 16u) + _e13.x);
     let _e22 = ((_e14.y * 4u) + _e13.y);
-    let _e25 = global_3.member.member;
+    let _e25 = global_4.member.member;
     if (_e20 < _e25) {
         if (_e22 < _e25) {
             let _e30 = ((_e22 * _e25) + _e20);
             let _e31 = (_e25 * _e25);
             let _e32 = (_e14.z * 4u);
             let _e34 = ((_e32 * _e31) + _e30);
-            let _e37 = global_4.member[_e34];
-            let _e41 = global_4.member[(_e34 + _e31)];
+            let _e37 = global_3.member[_e34];
+            let _e41 = global_3.member[(_e34 + _e31)];
             let _e42 = (2u * _e31);
-            let _e46 = global_4.member[(_e34 + _e42)];
-            let _e51 = global_4.member[(_e34 + (3u * _e31))];
-            let _e54 = global_3.member.member_1;
-            let _e57 = global_3.member.member_2;
-            let _e60 = global_3.member.member_3;
+            let _e46 = global_3.member[(_e34 + _e42)];
+            let _e51 = global_3.member[(_e34 + (3u * _e31))];
+            let _e54 = global_4.member.member_1;
+            let _e57 = global_4.member.member_2;
+            let _e60 = global_4.member.member_3;
             let _e61 = (1f - _e51);
-            let _e70 = global_3.member.member_4;
+            let _e70 = global_4.member.member_4;
             let _e71 = (_e70 < _e51);
             let _e72 = (1f / _e51);
             let _e82 = global_2.member[(_e32 + 3u)];

@@ -6,7 +6,7 @@ struct type_9 {
     member: array<f32>,
 }
 
-struct type_16 {
+struct type_17 {
     member: array<u32>,
 }
 
@@ -35,7 +35,7 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> global_3: type_16;
+var<storage> global_3: type_17;
 @group(0) @binding(2) 
 var<storage> global_4: type_9;
 @group(0) @binding(3) 
@@ -47,7 +47,7 @@ var<uniform> global_7: type_22;
 @group(0) @binding(5) 
 var<storage, read_write> global_8: type_6;
 @group(0) @binding(6) 
-var<storage, read_write> global_9: type_16;
+var<storage, read_write> global_9: type_17;
 
 fn function_() {
     var phi_515_: f32;

@@ -6,28 +6,28 @@ struct type_9 {
     member: array<f32>,
 }
 
-struct type_15 {
+struct type_16 {
+    member: array<u32>,
+}
+
+struct type_19 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_16 {
-    member: type_15,
-}
-
-struct type_19 {
-    member: array<u32>,
+struct type_20 {
+    member: type_19,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_16;
+var<uniform> global_3: type_20;
 @group(0) @binding(1) 
-var<storage> global_4: type_19;
+var<storage> global_4: type_16;
 @group(0) @binding(2) 
 var<storage> global_5: type_9;
 @group(0) @binding(3) 

@@ -6,26 +6,26 @@ struct type_9 {
     member: array<f32>,
 }
 
-struct type_16 {
-    member: array<u32>,
-}
-
-struct type_19 {
+struct type_15 {
     member: u32,
     member_1: u32,
 }
 
-struct type_20 {
-    member: type_19,
+struct type_16 {
+    member: type_15,
+}
+
+struct type_19 {
+    member: array<u32>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(1) 
-var<storage> global_3: type_16;
 @group(0) @binding(0) 
-var<uniform> global_4: type_20;
+var<uniform> global_3: type_16;
+@group(0) @binding(1) 
+var<storage> global_4: type_19;
 @group(0) @binding(2) 
 var<storage> global_5: type_6;
 @group(0) @binding(3) 
@@ -44,10 +44,10 @@ fn function_() {
             let _e19 = global_1;
             let _e20 = global_2;
             let _e28 = (((_e19.x + (_e19.y * _e20.x)) * 64u) + _e18.x);
-            let _e31 = global_4.member.member;
+            let _e31 = global_3.member.member;
             if (_e28 < _e31) {
-                let _e35 = global_3.member[_e28];
-                let _e38 = global_4.member.member_1;
+                let _e35 = global_4.member[_e28];
+                let _e38 = global_3.member.member_1;
                 if (_e38 == 0u) {
                     break;
                 }

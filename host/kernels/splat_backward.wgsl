@@ -23,10 +23,10 @@ struct type_20 {
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(0) 
-var<uniform> global_3: type_20;
 @group(0) @binding(1) 
-var<storage> global_4: type_16;
+var<storage> global_3: type_16;
+@group(0) @binding(0) 
+var<uniform> global_4: type_20;
 @group(0) @binding(2) 
 var<storage> global_5: type_16;
 @group(0) @binding(3) 
@@ -66,10 +66,10 @@ fn function_() {
             let _e26 = global_1;
             let _e27 = global_2;
             let _e35 = (((_e26.x + (_e26.y * _e27.x)) * 64u) + _e25.x);
-            let _e38 = global_3.member.member;
+            let _e38 = global_4.member.member;
             if (_e35 < _e38) {
-                let _e42 = global_4.member[_e35];
-                let _e45 = global_3.member.member_1;
+                let _e42 = global_3.member[_e35];
+                let _e45 = global_4.member.member_1;
                 let _e46 = (_e45 == 0u);
                 if _e46 {
                     break;
@@ -98,7 +98,7 @@ fn function_() {
                     local_4 = _e62;
                     let _e69 = (_e68 < _e57);
                     if _e69 {
-                        let _e72 = global_3.member.member_2;
+                        let _e72 = global_4.member.member_2;
                         let _e74 = ((_e68 * _e72) + (_e48 / 32u));
                         let _e77 = global_6.member[_e74];
                         if ((_e77 & _e53) == 0u) {

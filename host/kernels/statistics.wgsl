@@ -2,32 +2,32 @@ struct type_6 {
     member: array<vec4<f32>>,
 }
 
-struct type_11 {
+struct type_12 {
+    member: array<u32>,
+}
+
+struct type_15 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_12 {
-    member: type_11,
-}
-
-struct type_15 {
-    member: array<u32>,
+struct type_16 {
+    member: type_15,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_12;
+var<uniform> global_3: type_16;
 @group(0) @binding(1) 
 var<storage> global_4: type_6;
 @group(0) @binding(2) 
-var<storage> global_5: type_15;
+var<storage> global_5: type_12;
 @group(0) @binding(3) 
-var<storage> global_6: type_15;
+var<storage> global_6: type_12;
 @group(0) @binding(4) 
 var<storage> global_7: type_6;
 @group(0) @binding(5) 

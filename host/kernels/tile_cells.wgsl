@@ -2,39 +2,39 @@ struct type_6 {
     member: array<vec4<f32>>,
 }
 
-struct type_12 {
+struct type_13 {
+    member: array<i32>,
+}
+
+struct type_17 {
     member: array<u32>,
 }
 
-struct type_15 {
+struct type_20 {
     member: u32,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_16 {
-    member: type_15,
-}
-
-struct type_20 {
-    member: array<i32>,
+struct type_21 {
+    member: type_20,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(0) 
-var<uniform> global_3: type_16;
 @group(0) @binding(1) 
-var<storage> global_4: type_20;
+var<storage> global_3: type_13;
+@group(0) @binding(0) 
+var<uniform> global_4: type_21;
 @group(0) @binding(2) 
-var<storage> global_5: type_12;
+var<storage> global_5: type_17;
 @group(0) @binding(3) 
-var<storage> global_6: type_12;
+var<storage> global_6: type_17;
 @group(0) @binding(4) 
 var<storage> global_7: type_6;
 @group(0) @binding(5) 
-var<storage, read_write> global_8: type_12;
+var<storage, read_write> global_8: type_17;
 
 fn function_() {
     var phi_80_: u32;
@@ -60,9 +60,9 @@ fn function_() {
     let _e25 = global_1;
     let _e26 = global_2;
     let _e34 = (((_e25.x + (_e25.y * _e26.x)) * 64u) + _e24.x);
-    let _e37 = global_3.member.member;
+    let _e37 = global_4.member.member;
     if (_e34 < _e37) {
-        let _e41 = global_3.member.member_1;
+        let _e41 = global_4.member.member_1;
         phi_80_ = _e41;
         phi_83_ = 0u;
         loop {
@@ -91,13 +91,13 @@ fn function_() {
         }
         let _e62 = local;
         let _e63 = (_e62 * 4u);
-        let _e67 = global_4.member[(_e63 + 1u)];
-        let _e71 = global_4.member[(_e63 + 2u)];
+        let _e67 = global_3.member[(_e63 + 1u)];
+        let _e71 = global_3.member[(_e63 + 2u)];
         let _e74 = global_6.member[_e34];
         let _e75 = (_e74 * 3u);
         let _e78 = global_7.member[_e75];
         let _e82 = global_7.member[(_e75 + 1u)];
-        let _e85 = global_3.member.member_2;
+        let _e85 = global_4.member.member_2;
         let _e86 = (_e85 / 64u);
         if ((_e85 % 64u) > 0u) {
             phi_123_ = (_e86 + 1u);

@@ -1,9 +1,9 @@
-struct type_6 {
-    member: array<u32>,
+struct type_7 {
+    member: array<i32>,
 }
 
 struct type_11 {
-    member: array<i32>,
+    member: array<u32>,
 }
 
 struct type_14 {
@@ -18,19 +18,19 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> global_3: type_11;
+var<storage> global_3: type_7;
 @group(0) @binding(5) 
-var<storage> global_4: type_6;
+var<storage> global_4: type_11;
 @group(0) @binding(0) 
 var<uniform> global_5: type_15;
 @group(0) @binding(2) 
-var<storage> global_6: type_6;
+var<storage> global_6: type_11;
 @group(0) @binding(3) 
-var<storage> global_7: type_6;
+var<storage> global_7: type_11;
 @group(0) @binding(4) 
-var<storage> global_8: type_6;
+var<storage> global_8: type_11;
 @group(0) @binding(6) 
-var<storage, read_write> global_9: type_6;
+var<storage, read_write> global_9: type_11;
 
 fn function_() {
     var phi_77_: i32;

@@ -2,35 +2,35 @@ struct type_6 {
     member: array<vec4<f32>>,
 }
 
-struct type_12 {
+struct type_13 {
+    member: array<i32>,
+}
+
+struct type_17 {
     member: array<u32>,
 }
 
-struct type_15 {
+struct type_20 {
     member: u32,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_16 {
-    member: type_15,
-}
-
-struct type_20 {
-    member: array<i32>,
+struct type_21 {
+    member: type_20,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(0) 
-var<uniform> global_3: type_16;
 @group(0) @binding(1) 
-var<storage> global_4: type_20;
+var<storage> global_3: type_13;
+@group(0) @binding(0) 
+var<uniform> global_4: type_21;
 @group(0) @binding(3) 
-var<storage, read_write> global_5: type_12;
+var<storage, read_write> global_5: type_17;
 @group(0) @binding(4) 
-var<storage, read_write> global_6: type_12;
+var<storage, read_write> global_6: type_17;
 @group(0) @binding(2) 
 var<storage> global_7: type_6;
 
@@ -49,17 +49,17 @@ fn function_() {
     let _e21 = global_1;
     let _e22 = global_2;
     let _e30 = (((_e21.x + (_e21.y * _e22.x)) * 64u) + _e20.x);
-    let _e33 = global_3.member.member_1;
+    let _e33 = global_4.member.member_1;
     if (_e30 < _e33) {
         let _e36 = (_e21.z * 4u);
-        let _e39 = global_4.member[_e36];
-        let _e44 = global_4.member[(_e36 + 1u)];
-        let _e48 = global_4.member[(_e36 + 2u)];
+        let _e39 = global_3.member[_e36];
+        let _e44 = global_3.member[(_e36 + 1u)];
+        let _e48 = global_3.member[(_e36 + 2u)];
         let _e49 = f32(_e44);
         let _e50 = f32(_e48);
-        let _e53 = global_3.member.member_2;
+        let _e53 = global_4.member.member_2;
         let _e54 = f32(_e53);
-        let _e57 = global_3.member.member;
+        let _e57 = global_4.member.member;
         phi_95_ = 0u;
         phi_98_ = 0u;
         loop {

@@ -28,10 +28,10 @@ struct type_20 {
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(0) 
-var<uniform> global_3: type_20;
 @group(0) @binding(1) 
-var<storage> global_4: type_16;
+var<storage> global_3: type_16;
+@group(0) @binding(0) 
+var<uniform> global_4: type_20;
 @group(0) @binding(2) 
 var<storage> global_5: type_16;
 @group(0) @binding(3) 
@@ -62,11 +62,11 @@ fn function_() {
             let _e33 = global_1;
             let _e34 = global_2;
             let _e42 = (((_e33.x + (_e33.y * _e34.x)) * 64u) + _e32.x);
-            let _e45 = global_3.member.member;
+            let _e45 = global_4.member.member;
             if (_e42 < _e45) {
-                let _e49 = global_3.member.member_1;
+                let _e49 = global_4.member.member_1;
                 let _e50 = (_e49 + _e42);
-                let _e53 = global_3.member.member_3;
+                let _e53 = global_4.member.member_3;
                 phi_165_ = _e53;
                 phi_168_ = 0u;
                 loop {
@@ -109,8 +109,8 @@ fn function_() {
                 let _e92 = select(1f, _e90, (_e90 < 1f));
                 let _e95 = (trunc((_e92 * 1024f)) * 0.0009765625f);
                 let _e102 = select(0f, ((_e86 - (_e95 * _e87)) / _e87), select(false, (_e92 < 1f), (0f < _e92)));
-                let _e105 = global_3.member.member_2;
-                let _e108 = global_3.member.member_7;
+                let _e105 = global_4.member.member_2;
+                let _e108 = global_4.member.member_7;
                 if (_e108 == 0u) {
                     let _e111 = local_2;
                     let _e112 = (_e111 * 4u);
@@ -170,19 +170,19 @@ fn function_() {
                     global_8.member[((6u * _e105) + _e42)] = _e210.w;
                 }
                 let _e318 = local_4;
-                let _e320 = global_4.member[_e318];
-                let _e323 = global_3.member.member_4;
+                let _e320 = global_3.member[_e318];
+                let _e323 = global_4.member.member_4;
                 if (_e323 == 0u) {
                     break;
                 }
                 phi_325_ = 0u;
                 loop {
                     let _e327 = phi_325_;
-                    let _e330 = global_3.member.member_5;
+                    let _e330 = global_4.member.member_5;
                     let _e331 = (_e327 < _e330);
                     if _e331 {
                         let _e336 = global_7.member[(((_e320 % _e323) * _e330) + _e327)];
-                        let _e339 = global_3.member.member_6;
+                        let _e339 = global_4.member.member_6;
                         global_9.member[(((_e339 + _e327) * _e105) + _e42)] = _e336;
                         phi_326_ = (_e327 + 1u);
                     } else {

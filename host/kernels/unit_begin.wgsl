@@ -1,29 +1,29 @@
-struct type_5 {
+struct type_6 {
+    member: array<u32>,
+}
+
+struct type_9 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_6 {
-    member: type_5,
-}
-
-struct type_9 {
-    member: array<u32>,
+struct type_10 {
+    member: type_9,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_6;
+var<uniform> global_3: type_10;
 @group(0) @binding(2) 
-var<storage> global_4: type_9;
+var<storage> global_4: type_6;
 @group(0) @binding(1) 
-var<storage> global_5: type_9;
+var<storage> global_5: type_6;
 @group(0) @binding(3) 
-var<storage, read_write> global_6: type_9;
+var<storage, read_write> global_6: type_6;
 
 fn function_() {
     var phi_48_: u32;

@@ -81,6 +81,21 @@ impl Camera {
         parse::cameras(&read_json(path)?, path)
     }
 
+    /// The camera of an image of which squares of `factor` by `factor` pixels became one. Places are measured from the
+    /// image's corner, so everything shrinks alike.
+    pub(crate) fn smaller(&self, factor: u32) -> Self {
+        let scale = f64::from(factor);
+        Self {
+            fl_x: self.fl_x / scale,
+            fl_y: self.fl_y / scale,
+            cx: self.cx / scale,
+            cy: self.cy / scale,
+            width: self.width / factor,
+            height: self.height / factor,
+            ..self.clone()
+        }
+    }
+
     /// Writes a `transforms.json` that [`Self::load_all`] reads, atomically. It describes the
     /// pinhole images that are rendered, so `distorted` is not kept.
     ///

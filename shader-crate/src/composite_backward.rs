@@ -29,6 +29,8 @@ pub struct CompositeBackwardParams {
     pub first_row: u32,
     /// Rows that it sums over: at most [`band_rows`].
     pub rows: u32,
+    /// 0 if nobody needs the gradient of the colors.
+    pub colors: u32,
 }
 
 /// Rows that one dispatch of [`composite_backward`] may sum over, for tiles of a side: an invocation takes a step for
@@ -226,8 +228,10 @@ pub fn composite_backward<L: Lane>(
             member_gradient.write(first, before + geometry);
             let before = member_gradient.read(first + 1);
             member_gradient.write(first + 1, before + shape.extend(0.0));
-            let before = member_gradient.read(first + 2);
-            member_gradient.write(first + 2, before + (sum.color * weight).extend(0.0));
+            if params.colors != 0 {
+                let before = member_gradient.read(first + 2);
+                member_gradient.write(first + 2, before + (sum.color * weight).extend(0.0));
+            }
         }
     }
 }

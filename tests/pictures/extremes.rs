@@ -253,7 +253,14 @@ fn composite_backward(device: &Device, splat: [Vec4; 3], side: u32, gradient: &[
     let tile = Tile { camera: 0, origin: [0, 0], output: 0 };
     let member_gradient = device.zeros("member gradient", 3).expect("memory");
     let kernel = CompositeBackwardKernel {
-        params: CompositeBackwardParams { members: 1, tiles: 1, side, first_row: 0, rows: side },
+        params: CompositeBackwardParams {
+            members: 1,
+            tiles: 1,
+            side,
+            first_row: 0,
+            rows: side,
+            colors: 1,
+        },
         tile: &device.upload("tile", &tile.pack()).expect("memory"),
         tile_first: &device.upload("first", &[0, 1]).expect("memory"),
         member: &device.upload("member", &[0]).expect("memory"),

@@ -95,7 +95,7 @@ impl Shot {
                 format!("a downscale of {} leaves nothing of {width} x {height}", self.factor);
             return invalid(&self.path, format!("{reason} pixels; use a smaller one"));
         }
-        Ok(Camera { distorted: false, ..smaller(&self.camera, self.factor) })
+        Ok(Camera { distorted: false, ..self.camera.smaller(self.factor) })
     }
 
     fn read_mask(&self, path: &Path) -> Result<Mask> {
@@ -120,7 +120,7 @@ impl Shot {
         texel: impl Fn(u32, u32) -> Option<[f32; 4]>,
     ) -> Result<Photograph> {
         let factor = self.factor;
-        let Camera { width, height, .. } = smaller(&self.camera, factor);
+        let Camera { width, height, .. } = self.camera.smaller(factor);
         let count = width as usize * height as usize;
         let mut pixels = memory::zeros::<[u8; 3]>(count, "a photograph")?;
         let mut alpha = memory::zeros::<u8>(count, "a photograph's alpha")?;
@@ -188,21 +188,6 @@ pub(super) fn prepared(camera: &Camera, factor: u32, size: [u32; 2]) -> Result<C
         height: size[1],
         ..camera.clone()
     })
-}
-
-/// The camera of an image of which squares of `factor` by `factor` pixels became one. Places are
-/// measured from the image's corner, so everything shrinks alike.
-fn smaller(camera: &Camera, factor: u32) -> Camera {
-    let scale = f64::from(factor);
-    Camera {
-        fl_x: camera.fl_x / scale,
-        fl_y: camera.fl_y / scale,
-        cx: camera.cx / scale,
-        cy: camera.cy / scale,
-        width: camera.width / factor,
-        height: camera.height / factor,
-        ..camera.clone()
-    }
 }
 
 /// The mean of a square of samples; none where one of them is missing.

@@ -27,6 +27,8 @@ pub struct CompositeBackward {
     pub rows: u32,
     /// `[tiles, 4, S, S]`
     pub sum_gradient: Vec<f32>,
+    /// Whether the gradient of the colors is wanted.
+    pub colors: bool,
     /// `[members, 3]`: what other bands have left.
     pub member_gradient: Vec<Vec4>,
 }
@@ -44,7 +46,7 @@ impl CompositeBackward {
         let member_gradient = random.values(vectors, -1.0, 1.0);
         let member_gradient = member_gradient.chunks(4).map(Vec4::from_slice).collect();
         let rows = forward.side;
-        Self { forward, first_row: 0, rows, sum_gradient, member_gradient }
+        Self { forward, first_row: 0, rows, colors: true, sum_gradient, member_gradient }
     }
 
     /// Tile of a member.
@@ -141,6 +143,8 @@ impl Parity for CompositeBackward {
         let rest = Self { first_row: rows, rows: 260 - rows, ..wide };
         sets.push((format!("the rest after {rows} rows"), rest));
         let band = Self::new(Composite::new(17, &[30, 33], Fill::Random, 14));
+        let colors = Self { colors: false, ..band.clone() };
+        sets.push(("without colors".into(), colors));
         sets.push(("rows 3 to 9".into(), Self { first_row: 3, rows: 7, ..band }));
         sets
     }
@@ -156,6 +160,7 @@ impl Parity for CompositeBackward {
                 side: set.side,
                 first_row: self.first_row,
                 rows: self.rows,
+                colors: self.colors.into(),
             },
             tile: &runner.upload(&pack(&set.tiles))?,
             tile_first: &runner.upload(&set.tile_first)?,
@@ -172,6 +177,7 @@ impl Parity for CompositeBackward {
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
         let of = |index: usize| {
             let [x, y, weight, xx, xy, yy, r, g, b] = self.derivatives(index);
+            let [r, g, b] = if self.colors { [r, g, b] } else { [0.0; 3] };
             [x, y, weight, 0.0, xx, xy, yy, 0.0, r, g, b, 0.0]
         };
         let before = self.member_gradient.iter().flat_map(Vec4::to_array);

@@ -14,6 +14,7 @@ pub mod count;
 pub mod dense;
 pub mod dense_backward;
 pub mod dense_half;
+pub mod distortion;
 pub mod exact;
 pub mod exposure;
 pub mod hash_grid;
@@ -78,6 +79,8 @@ pub fn cases() -> Vec<Case> {
         Case::of::<loss::LossRows>(),
         Case::of::<loss::LossGradient>(),
         Case::of::<exposure::ExposeBackward>(),
+        Case::of::<distortion::PairInverseDistance>(),
+        Case::of::<distortion::DistortionBackward>(),
         Case::of::<adam::Adam>(),
         Case::of::<hash_grid_scale::HashGridPeak>(),
         Case::of::<hash_grid_scale::HashGridNorm>(),

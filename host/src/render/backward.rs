@@ -5,6 +5,7 @@ use std::sync::atomic::Ordering;
 
 use glam::Vec4;
 
+use super::distortion::Distortion;
 use super::gradient::{FieldGradient, SceneGradient};
 use super::pair::sum_pairs;
 use super::part::Part;
@@ -211,9 +212,19 @@ pub struct LossTarget<'a> {
     pub valid_pixels: f64,
     /// w, the weight of `1 - SSIM` in the settings.
     pub ssim_weight: f32,
+    /// The weight of the [distortion](organza_shaders::distortion). A loss of your own has none.
+    pub distortion_weight: f32,
     /// `[K, 3, 2]`: a gain and an offset for each channel, which the rendered tiles get before they are compared. Without
     /// them they are compared as they are. A loss of your own never has them.
     pub exposure: Option<&'a [f32]>,
+}
+
+impl LossTarget<'_> {
+    /// What the loss has beside the image, of a part with this mask `[K, S, S]`.
+    pub(super) fn distortion(&self, valid: &Buffer<f32>) -> Option<Distortion> {
+        let scale = f64::from(self.distortion_weight) / self.valid_pixels.max(1.0);
+        (scale > 0.0).then(|| Distortion { valid: valid.view(), scale: scale as f32 })
+    }
 }
 
 impl Renderer {

@@ -14,6 +14,7 @@ use organza_shaders::tile::Tile;
 use organza_shaders::tile_cells::{TileCellsKernel, TileCellsParams};
 
 use super::bin::Bins;
+use super::distortion::Distortion;
 use super::plan::words;
 use super::scene::DeviceScene;
 use organza_device::{Buffer, Device, Error, Result};
@@ -27,6 +28,8 @@ pub struct Composite {
     pub image: Buffer<f32>,
     /// `[pairs, 3]`
     pub splat: Buffer<Vec4>,
+    /// What the loss has beside the image: see [`Distortion`].
+    pub distortion: Option<Distortion>,
 }
 
 impl Composite {
@@ -41,7 +44,7 @@ impl Composite {
     ) -> Result<Self> {
         let (sum, splat) = weighted_sum(device, scene, side, bins, transmittance, color)?;
         let image = resolve(device, background, scene.divide_above, side, &bins.tile, &sum)?;
-        Ok(Self { sum, image, splat })
+        Ok(Self { sum, image, splat, distortion: None })
     }
 
     /// The derivative of all that: `pair_gradient [pairs, 3]`, as [`splat_backward`](organza_shaders::splat) has it, of
@@ -65,7 +68,13 @@ impl Composite {
             sum_gradient: &sum_gradient,
         };
         device.run_over(&kernel, [side, side, tiles])?;
-        let member_gradient = self.members_backward(device, side, bins, &sum_gradient)?;
+        let member_gradient = members_gradient(device, bins)?;
+        add_members(device, side, bins, (&self.splat, true), &sum_gradient, &member_gradient)?;
+        if let Some(distortion) = &self.distortion {
+            let (sum_gradient, splat) =
+                distortion.backward(device, scene, side, bins, transmittance)?;
+            add_members(device, side, bins, (&splat, false), &sum_gradient, &member_gradient)?;
+        }
 
         let pairs = &bins.pairs;
         let capacity = pairs.count.at_most();
@@ -89,45 +98,52 @@ impl Composite {
         device.run(&kernel.counted(&pairs.count), capacity, 1)?;
         Ok(pair_gradient)
     }
+}
 
-    /// Gradients of each tile's members, summed over its pixels, `[members, 3]`: in bands of rows if a tile is large.
-    fn members_backward(
-        &self,
-        device: &Device,
-        side: u32,
-        bins: &Bins,
-        sum_gradient: &Buffer<f32>,
-    ) -> Result<Buffer<Vec4>> {
-        let members = bins.members.at_most();
-        let bytes = u64::from(members) * u64::from(VECTORS) * size_of::<Vec4>() as u64;
-        // kernels number the vectors in 32 bits
-        if members > u32::MAX / VECTORS {
-            let what = format!("the gradients of {members} members");
-            return Err(Error::OutOfMemory { needed: bytes, available: None, what });
-        }
-        let member_gradient =
-            device.zeros("gradient of the members", (members * VECTORS) as usize)?;
-        let band = band_rows(side);
-        for first_row in (0..side).step_by(band as usize) {
-            let kernel = CompositeBackwardKernel {
-                params: CompositeBackwardParams {
-                    members,
-                    tiles: bins.tiles,
-                    side,
-                    first_row,
-                    rows: band.min(side - first_row),
-                },
-                tile: &bins.tile,
-                tile_first: &bins.tile_first,
-                member: &bins.member,
-                splat: &self.splat,
-                sum_gradient,
-                member_gradient: &member_gradient,
-            };
-            device.run(&kernel.counted(&bins.members), members, 1)?;
-        }
-        Ok(member_gradient)
+/// Room for gradients of each tile's members, `[members, 3]`: zeros.
+fn members_gradient(device: &Device, bins: &Bins) -> Result<Buffer<Vec4>> {
+    let members = bins.members.at_most();
+    let bytes = u64::from(members) * u64::from(VECTORS) * size_of::<Vec4>() as u64;
+    // kernels number the vectors in 32 bits
+    if members > u32::MAX / VECTORS {
+        let what = format!("the gradients of {members} members");
+        return Err(Error::OutOfMemory { needed: bytes, available: None, what });
     }
+    device.zeros("gradient of the members", (members * VECTORS) as usize)
+}
+
+/// Adds the gradients of each tile's members, summed over its pixels: in bands of rows if a tile is large. Splats come with
+/// whether the gradient of their colors is wanted.
+fn add_members(
+    device: &Device,
+    side: u32,
+    bins: &Bins,
+    (splat, colors): (&Buffer<Vec4>, bool),
+    sum_gradient: &Buffer<f32>,
+    member_gradient: &Buffer<Vec4>,
+) -> Result<()> {
+    let members = bins.members.at_most();
+    let band = band_rows(side);
+    for first_row in (0..side).step_by(band as usize) {
+        let kernel = CompositeBackwardKernel {
+            params: CompositeBackwardParams {
+                members,
+                tiles: bins.tiles,
+                side,
+                first_row,
+                rows: band.min(side - first_row),
+                colors: colors.into(),
+            },
+            tile: &bins.tile,
+            tile_first: &bins.tile_first,
+            member: &bins.member,
+            splat,
+            sum_gradient,
+            member_gradient,
+        };
+        device.run(&kernel.counted(&bins.members), members, 1)?;
+    }
+    Ok(())
 }
 
 /// The sums of Eq. 12, `[tiles, 4, S, S]`, of any three values of each pair, `color [pairs, 3]`; and the splats that they

@@ -9,6 +9,7 @@ mod color;
 mod composite;
 mod dense_half;
 mod device_share;
+mod distortion;
 mod exposure;
 mod eye;
 mod field;

@@ -1,5 +1,6 @@
 //! A part whose numbers stay on the device, beside one that the host knows all about.
 
+mod distortion;
 mod exposure;
 mod recording;
 

@@ -167,7 +167,7 @@ impl Step<'_> {
     fn render(&self, plan: &Plan, loss: &Loss, capacity: Option<Capacity>) -> Result<Rendered> {
         let (device, target) = (self.device(), self.target);
         let area = (plan.side * plan.side) as usize;
-        let part = Part::evaluate(device, self.scene, self.cameras, plan, true, capacity)?;
+        let mut part = Part::evaluate(device, self.scene, self.cameras, plan, true, capacity)?;
         let image = device.upload("photographs", &of_tiles(target.image, &plan.tiles, 3 * area))?;
         let valid = device.upload("masks", &of_tiles(target.valid, &plan.tiles, area))?;
         let rendered = &part.composite.image;
@@ -184,6 +184,7 @@ impl Step<'_> {
             ssim_weight: target.ssim_weight,
         };
         let output = loss.evaluate(device, &inputs)?;
+        part.composite.distortion = target.distortion(&valid);
         let back = |exposed: &Exposed| exposed.backward(device, rendered, &output.grad_image);
         let row_sum = exposed.as_ref().map(back).transpose()?;
         Ok(Rendered { part, output, row_sum })

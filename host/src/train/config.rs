@@ -113,6 +113,8 @@ pub struct RunConfig {
     /// Tiles of a step that share a view, neighbors in its image: Gaussians that several of them show are evaluated
     /// once.  1 draws every tile on its own; more than an image has takes whole images.
     pub tiles_per_view: u32,
+    /// The part of the run, at its start, in which photographs are shown at half their size, 0 to 1.
+    pub coarse: f64,
     /// Held-out views are measured every so many steps, and after the last; 0 measures after the last alone.
     pub evaluate_every: u32,
     /// Held-out views that are measured before the end, evenly spaced; 0 measures all.  After the last step all are.
@@ -125,13 +127,15 @@ pub struct RunConfig {
     pub tensorboard: bool,
 }
 
-/// The loss `(1 - w) L1 + w (1 - SSIM)`.
+/// The loss `(1 - w) L1 + w (1 - SSIM)`, and what is added to it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 #[non_exhaustive]
 pub struct LossConfig {
     /// w, 0 to 1.
     pub ssim_weight: f32,
+    /// The weight of the [distortion](organza_shaders::distortion), a term of its own.
+    pub distortion_weight: f32,
 }
 
 /// What experiments leave out, to see what it is worth.
@@ -273,6 +277,7 @@ impl Default for RunConfig {
             tiles_per_step: 16,
             tile_size: 64,
             tiles_per_view: 1,
+            coarse: 0.5,
             evaluate_every: 1000,
             evaluate_views: 0,
             checkpoint_every: 250,
@@ -308,7 +313,7 @@ impl RunConfig {
 
 impl Default for LossConfig {
     fn default() -> Self {
-        Self { ssim_weight: 0.2 }
+        Self { ssim_weight: 0.2, distortion_weight: 0.0 }
     }
 }
 

@@ -3,6 +3,7 @@
 mod binding;
 pub mod built_in;
 mod checkpoint;
+mod coarse;
 pub mod config;
 mod either;
 mod exposure;

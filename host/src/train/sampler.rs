@@ -6,7 +6,7 @@ use rand_pcg::Pcg64;
 
 use super::config::{LossConfig, RunConfig};
 use crate::camera::Camera;
-use crate::data::Frame;
+use crate::data::{Frame, Photograph};
 use crate::error::Result;
 use crate::render::LossTarget;
 use crate::tile::{Tile, TileBatch};
@@ -137,11 +137,11 @@ pub struct Target {
 }
 
 impl Target {
-    /// The photographs behind a batch's tiles.
+    /// The photographs behind a batch's tiles; squares of `factor` by `factor` of their pixels are one of the tiles'.
     ///
     /// # Errors
     /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
-    pub fn of(batch: &TileBatch, frames: &[&Frame]) -> Result<Self> {
+    pub fn of(batch: &TileBatch, factor: u32, frames: &[&Frame]) -> Result<Self> {
         let side = batch.side as usize;
         let area = side * side;
         let mut image = memory::zeros(batch.tiles.len() * 3 * area, "the tiles of a step")?;
@@ -149,7 +149,7 @@ impl Target {
         for ((tile, image), valid) in
             batch.tiles.iter().zip(image.chunks_mut(3 * area)).zip(valid.chunks_mut(area))
         {
-            fill(tile, &frames[tile.camera].image, side, image, valid);
+            fill(tile, &frames[tile.camera].image, factor, side, image, valid);
         }
         let valid_pixels = valid.iter().map(|&valid| f64::from(valid)).sum();
         Ok(Self { image, valid, valid_pixels })
@@ -159,33 +159,52 @@ impl Target {
     pub fn of_loss<'a>(&'a self, loss: &LossConfig, exposure: Option<&'a [f32]>) -> LossTarget<'a> {
         let Self { image, valid, valid_pixels } = self;
         let (valid_pixels, ssim_weight) = (*valid_pixels, loss.ssim_weight);
-        LossTarget { image, valid, valid_pixels, ssim_weight, exposure }
+        let distortion_weight = loss.distortion_weight;
+        LossTarget { image, valid, valid_pixels, ssim_weight, distortion_weight, exposure }
     }
 }
 
 fn fill(
     tile: &Tile,
-    photograph: &crate::data::Photograph,
+    photograph: &Photograph,
+    factor: u32,
     side: usize,
     image: &mut [f32],
     valid: &mut [f32],
 ) {
     let area = side * side;
-    let [width, height] = [photograph.width() as i32, photograph.height() as i32];
+    let [width, height] =
+        [photograph.width(), photograph.height()].map(|length| (length / factor) as i32);
     for row in 0..side {
         for column in 0..side {
             let (x, y) = (tile.origin[0] + column as i32, tile.origin[1] + row as i32);
             let is_inside = (0..width).contains(&x) && (0..height).contains(&y);
-            if is_inside && photograph.is_valid(x as u32, y as u32) {
+            let color =
+                if is_inside { mean(photograph, [x as u32, y as u32], factor) } else { None };
+            if let Some(color) = color {
                 let at = row * side + column;
                 valid[at] = 1.0;
-                for (channel, value) in photograph.color(x as u32, y as u32).into_iter().enumerate()
-                {
+                for (channel, value) in color.into_iter().enumerate() {
                     image[channel * area + at] = value;
                 }
             }
         }
     }
+}
+
+/// The mean of a square of pixels, the one at `[x, y]` of those; none where one of them is not valid.
+fn mean(photograph: &Photograph, [x, y]: [u32; 2], factor: u32) -> Option<[f32; 3]> {
+    let mut sum = [0.0; 3];
+    for row in y * factor..(y + 1) * factor {
+        for column in x * factor..(x + 1) * factor {
+            if !photograph.is_valid(column, row) {
+                return None;
+            }
+            let color = photograph.color(column, row);
+            sum.iter_mut().zip(color).for_each(|(sum, value)| *sum += value);
+        }
+    }
+    Some(sum.map(|sum| sum / (factor * factor) as f32))
 }
 
 #[cfg(test)]
@@ -235,6 +254,28 @@ mod tests {
         for (tiles_per_view, steps) in [(100, 6), (4, 14)] {
             let seen = visits(&mut sampler(4, tiles_per_view), steps);
             assert!(seen.len() == pixels && seen.values().all(|&times| times == 2), "{seen:?}");
+        }
+    }
+
+    #[test]
+    fn a_smaller_target_has_means_of_squares() {
+        // 5 x 4 pixels: the last column belongs to no square; one pixel is not valid
+        let pixels: Vec<_> = (0..20_u8).map(|at| [at, 2 * at, 100 + at]).collect();
+        let valid = (0..20).map(|at| at != 7).collect();
+        let image = Photograph::new([5, 4], pixels, Some(valid)).expect("a photograph");
+        let camera = crate::demo::turntable(1, 8).remove(0);
+        let frame = Frame { name: String::new(), camera, image };
+        let tiles = vec![Tile { camera: 0, origin: [-1, 0] }];
+        let target = Target::of(&TileBatch { side: 3, tiles }, 2, &[&frame]).expect("a target");
+        // pixels of the image are 0 1 / 2 3; those of square 1 are 2, 3, 7 and 8
+        assert_eq!(target.valid, [0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0]);
+        assert_eq!(target.valid_pixels, 3.0);
+        let red = [(1, [0, 1, 5, 6]), (4, [10, 11, 15, 16]), (5, [12, 13, 17, 18])];
+        for (at, square) in red {
+            let mean = square.into_iter().sum::<i32>() as f32 / 4.0 / 255.0;
+            for (channel, expected) in [mean, 2.0 * mean, mean + 100.0 / 255.0].iter().enumerate() {
+                assert!((target.image[9 * channel + at] - expected).abs() < 1e-6, "{at}");
+            }
         }
     }
 

@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use super::checkpoint::{Checkpoint, Progress};
+use super::coarse::{Batches, Drawn};
 use super::config::{ExposureMethod, PoseMethod, TrainConfig};
 use super::optimizer::ShareOptimizer;
-use super::sampler::{Sampler, Target};
+use super::sampler::Target;
 use super::share_checkpoint::CheckpointShare;
 use super::share_growth::grow;
 use super::trainer::{StepReport, check, growth_random, is_time_to_grow};
@@ -51,7 +52,7 @@ pub struct ShareTrainer {
     dataset: Arc<Dataset>,
     /// Of the frames to train on.
     cameras: Vec<Camera>,
-    sampler: Sampler,
+    batches: Batches,
     loss: Option<Loss>,
     state: State,
     step: u32,
@@ -86,11 +87,11 @@ impl ShareTrainer {
         check(&config, &dataset)?;
         check_shares(&config)?;
         let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
-        let sampler = Sampler::of_cameras(&cameras, &config.run)?;
+        let batches = Batches::of_cameras(&cameras, &config.run)?;
         let state = State::upload(renderer, &config, checkpoint)?;
         let (renderer, step, loss) = (renderer.clone(), checkpoint.state.progress.step, None);
         let shares = ranks.size();
-        Ok(Self { renderer, config, dataset, cameras, sampler, loss, state, step, ranks, shares })
+        Ok(Self { renderer, config, dataset, cameras, batches, loss, state, step, ranks, shares })
     }
 
     /// The same training by groups of so many ranks, which share the views. Each group holds all Gaussians: the checkpoint of
@@ -168,15 +169,16 @@ impl ShareTrainer {
     /// As [`Trainer::step`](super::Trainer::step), and [`Error::Rank`](crate::Error::Rank) where another rank has failed. The trainer is then as
     /// before the step, unless it was growing.
     pub fn step(&mut self) -> Result<StepReport> {
-        let batch = self.sampler.batch(self.step);
+        let drawn = self.batches.of_step(&self.config.run, self.step);
+        let Drawn { batch, factor } = &drawn;
         let frames: Vec<_> = self.dataset.train_frames().collect();
-        let target = Target::of(&batch, &frames)?;
+        let target = Target::of(batch, *factor, &frames)?;
         let target = target.of_loss(&self.config.loss, None);
         let State { share, optimizer, gradient, .. } = &self.state;
         let grid = Grid { all: &*self.ranks, shares: self.shares };
-        let (shared, cameras, kept) = ((share, grid), &self.cameras, &mut self.loss);
+        let (shared, cameras, kept) = ((share, grid), drawn.cameras(&self.cameras), &mut self.loss);
         let losses =
-            self.renderer.add_share_gradient(shared, cameras, &batch, kept, &target, gradient)?;
+            self.renderer.add_share_gradient(shared, &cameras, batch, kept, &target, gradient)?;
         let report = StepReport::of(&losses, target.ssim_weight);
         let device = self.renderer.device();
         report.check(self.step).inspect_err(|_| gradient.restart(device))?;
@@ -205,15 +207,16 @@ impl ShareTrainer {
 /// [`Error::Argument`] where the settings ask for more.
 pub(super) fn check_shares(config: &TrainConfig) -> Result<()> {
     let [what, setting] = if config.exposure.method != ExposureMethod::None {
-        ["learn exposures", "exposure.method"]
+        ["learn exposures", "exposure.method` to none"]
     } else if config.poses.method != PoseMethod::None {
-        ["refine poses", "poses.method"]
+        ["refine poses", "poses.method` to none"]
+    } else if config.loss.distortion_weight > 0.0 {
+        ["weigh the distortion", "loss.distortion_weight` to 0"]
     } else {
         return Ok(());
     };
-    let reason = format!(
-        "ranks that share the Gaussians cannot {what}: set `{setting}` to none, or share the views"
-    );
+    let reason =
+        format!("ranks that share the Gaussians cannot {what}: set `{setting}, or share the views");
     Err(Error::Argument { reason })
 }
 

@@ -6,13 +6,14 @@ use std::sync::Arc;
 use rand_pcg::Pcg64;
 
 use super::checkpoint::{Checkpoint, Progress};
+use super::coarse::{Batches, Drawn};
 use super::config::{ExposureMethod, GrowthMethod, PoseMethod, TrainConfig};
 use super::exposure::Exposures;
 use super::growth::{Grown, grow};
 use super::hooks::{StepGradient, StepHooks};
 use super::optimizer::Optimizer;
 use super::pose::PoseSet;
-use super::sampler::{Sampler, Target, random};
+use super::sampler::{Target, random};
 use super::start;
 use crate::camera::Camera;
 use crate::data::Dataset;
@@ -21,7 +22,6 @@ use crate::evaluate::{Evaluation, evaluate};
 use crate::metrics;
 use crate::ranks::Ranks;
 use crate::render::{DeviceScene, ExposureGradient, Loss, Renderer, SceneGradient, TileLoss};
-use crate::tile::TileBatch;
 
 const GROWTH: u64 = 4;
 
@@ -68,7 +68,7 @@ pub struct Trainer {
     dataset: Arc<Dataset>,
     /// Of the frames to train on; where poses are refined, as they are now.
     cameras: Vec<Camera>,
-    sampler: Sampler,
+    batches: Batches,
     loss: Option<Loss>,
     /// Of the photographs to train on, where they are learned.
     exposures: Option<Exposures>,
@@ -135,7 +135,7 @@ impl Trainer {
         check(&config, &dataset)?;
         let mut cameras: Vec<_> =
             dataset.train_frames().map(|frame| frame.camera.clone()).collect();
-        let sampler = Sampler::of_cameras(&cameras, &config.run)?;
+        let batches = Batches::of_cameras(&cameras, &config.run)?;
         let exposures = match config.exposure.method {
             ExposureMethod::None => None,
             ExposureMethod::Affine => Some(Exposures(checkpoint.exposures_of(cameras.len())?)),
@@ -156,7 +156,7 @@ impl Trainer {
             config,
             dataset,
             cameras,
-            sampler,
+            batches,
             loss: None,
             exposures,
             poses,
@@ -257,9 +257,9 @@ impl Trainer {
     /// # Errors
     /// As [`Trainer::step`], and those of the hooks.
     pub fn step_with(&mut self, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
-        let batch = self.sampler.batch(self.step);
+        let drawn = self.batches.of_step(&self.config.run, self.step);
         let restart = |trainer: &Self| trainer.state.gradient.restart(trainer.renderer.device());
-        let (report, exposures) = self.add_gradient(&batch, hooks)?;
+        let (report, exposures) = self.add_gradient(&drawn, hooks)?;
         report.check(self.step).inspect_err(|_| restart(self))?;
         let device = self.renderer.device();
         let State { scene, optimizer, gradient } = &self.state;
@@ -276,7 +276,7 @@ impl Trainer {
         }
         if let Some(poses) = &mut self.poses {
             let found = gradient.read_poses(device)?;
-            let shown = batch.tiles.iter().map(|tile| tile.camera);
+            let shown = drawn.batch.tiles.iter().map(|tile| tile.camera);
             let rate = settings.rate_at(settings.pose, share);
             let moved = poses.step(&found, shown, settings, rate, scene.extent());
             moved.inspect_err(|_| gradient.restart(device))?;
@@ -294,16 +294,17 @@ impl Trainer {
     /// Adds the gradient of a batch's loss; returns what it measured, and the gradients of the exposures.
     fn add_gradient(
         &mut self,
-        batch: &TileBatch,
+        drawn: &Drawn,
         hooks: &mut StepHooks<'_>,
     ) -> Result<(StepReport, Vec<ExposureGradient>)> {
         self.check_hooks(hooks)?;
         let frames: Vec<_> = self.dataset.train_frames().collect();
-        let target = Target::of(batch, &frames)?;
+        let Drawn { batch, factor } = drawn;
+        let target = Target::of(batch, *factor, &frames)?;
         let exposure = self.exposures.as_ref().map(|exposures| exposures.of_tiles(batch));
         let target = target.of_loss(&self.config.loss, exposure.as_deref());
         let State { scene, gradient, .. } = &self.state;
-        let (renderer, cameras) = (&self.renderer, &self.cameras[..]);
+        let (renderer, cameras) = (&self.renderer, &drawn.cameras(&self.cameras)[..]);
         if let Some(own) = &mut hooks.loss {
             let (loss, squared) =
                 renderer.add_own_loss_gradient(scene, cameras, batch, own, &target, gradient)?;
@@ -323,6 +324,8 @@ impl Trainer {
             NO_HOOKS
         } else if self.exposures.is_some() && hooks.loss.is_some() {
             "a loss of your own does not know the photographs' exposures: set `exposure.method` to none"
+        } else if self.config.loss.distortion_weight > 0.0 && hooks.loss.is_some() {
+            "a loss of your own has no term for the distortion: set `loss.distortion_weight` to 0"
         } else {
             return Ok(());
         };

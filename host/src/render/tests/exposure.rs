@@ -29,6 +29,7 @@ fn evaluate(renderer: &Renderer, scene: &Scene, exposure: &[f32]) -> (f64, Vec<f
         valid: &valid,
         valid_pixels: valid.iter().copied().map(f64::from).sum(),
         ssim_weight: WEIGHT,
+        distortion_weight: 0.0,
         exposure: Some(exposure),
     };
     let device = renderer.device();

@@ -23,9 +23,11 @@ impl TrainConfig {
         positive("growth.every", self.growth.every)?;
         positive("growth.max_gaussians", self.growth.max_gaussians)?;
         within("run.tile_size", self.run.tile_size, 1, 512)?;
+        within("run.coarse", self.run.coarse, 0.0, 1.0)?;
         within("data.built_in_views", self.data.built_in_views, 2, 1000)?;
         within("data.built_in_side", self.data.built_in_side, 16, 2048)?;
         within("loss.ssim_weight", self.loss.ssim_weight, 0.0, 1.0)?;
+        within("loss.distortion_weight", self.loss.distortion_weight, 0.0, 1e3)?;
         within("start.opacity", self.start.opacity, 1e-4, 0.9999)?;
         within("start.scale", self.start.scale, 1e-4, 1e4)?;
         within("start.spread", self.start.spread, 0.0, 1e3)?;

@@ -1,0 +1,214 @@
+//! Cases of `pair_inverse_distance` and `distortion_backward`.
+
+use glam::Vec4;
+use organza_check::{Bound, KernelRunner, Output, Parity, Rounding, inputs::Random};
+use organza_kernel::math::TINY;
+use organza_shaders::camera::Camera;
+use organza_shaders::distortion::{
+    DistortionBackwardKernel, DistortionParams, LEAST_DISTANCE, PairInverseDistanceKernel,
+    PairInverseDistanceParams,
+};
+use organza_shaders::tile::Tile;
+
+use super::composite::{SIDES, pixels, planes, tiles};
+use super::exact::numeric::{Dual, Number, gradient};
+use super::exact::project::View;
+use super::project::Project;
+use super::tile::pack;
+use organza_device::Result;
+
+/// Inputs of `pair_inverse_distance`.
+#[derive(Clone)]
+pub struct PairInverseDistance {
+    /// The Gaussians and the cameras.
+    pub scene: Project,
+    /// `camera * gaussians + gaussian`
+    pub pair: Vec<u32>,
+}
+
+impl PairInverseDistance {
+    fn new(mut scene: Project) -> Self {
+        // squares of distances are finite
+        scene.position.iter_mut().for_each(|place| *place = place.clamp(-1e15, 1e15));
+        let mut random = Random::new(9);
+        let slots = scene.cameras.len() as u32 * scene.gaussians;
+        let pair = (0..slots).filter(|_| random.below(3) > 0).collect();
+        Self { scene, pair }
+    }
+
+    /// The distance of a pair, and the sizes of the places that it is the difference of.
+    fn distance(&self, pair: usize) -> [f64; 2] {
+        let slot = self.pair[pair] as usize;
+        let gaussians = self.scene.gaussians as usize;
+        let eye = View::of(&self.scene.cameras[slot / gaussians]).eye;
+        let center = self.scene.center(slot % gaussians);
+        let offset = [0, 1, 2].map(|i| center[i] - eye[i]);
+        let sizes = (0..3).map(|i| center[i].abs() + eye[i].abs());
+        let distance = offset.into_iter().fold(0.0_f64, f64::hypot);
+        [distance.max(LEAST_DISTANCE.into()), sizes.sum()]
+    }
+}
+
+impl Parity for PairInverseDistance {
+    const KERNEL: &'static str = "pair_inverse_distance";
+    const TOLERANCE: f64 = 1e-6;
+    const WHY: &'static str =
+        "roundings of two places and of their difference, a square root and a division of 3 ulp";
+
+    fn sets() -> Vec<(String, Self)> {
+        let sets = Project::everywhere().into_iter();
+        sets.map(|(name, scene)| (name, Self::new(scene))).collect()
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let packed: Vec<_> = self.scene.cameras.iter().flat_map(Camera::pack).collect();
+        let pairs = self.pair.len();
+        let power = runner.output(3 * pairs)?;
+        let kernel = PairInverseDistanceKernel {
+            params: PairInverseDistanceParams {
+                pairs: pairs as u32,
+                gaussians: self.scene.gaussians,
+            },
+            pair: &runner.upload(&self.pair)?,
+            camera: &runner.upload(&packed)?,
+            position: &runner.upload(&self.scene.position)?,
+            power: &power,
+        };
+        runner.items(&kernel, pairs as u32, 1)?;
+        Ok(vec![Output::float("power", runner.read(&power)?)])
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let of = |pair: usize| {
+            let u = 1.0 / self.distance(pair)[0];
+            [u, u * u, 0.0]
+        };
+        (0..self.pair.len()).flat_map(of).map(Some).collect()
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        if index / 3 >= self.pair.len() || index % 3 == 2 {
+            return Bound { scale: 0.0, floor: 0.0 };
+        }
+        let [distance, sizes] = self.distance(index / 3);
+        let (u, error) = (1.0 / distance, 1.0 + sizes / distance);
+        Bound::of(if index.is_multiple_of(3) { u * error } else { 2.0 * u * u * error })
+    }
+}
+
+/// Inputs of `distortion_backward`.
+#[derive(Clone, Debug)]
+pub struct DistortionBackward {
+    /// S
+    pub side: u32,
+    /// What a pixel counts.
+    pub scale: f32,
+    /// The tiles.
+    pub tiles: Vec<Tile>,
+    /// `[tiles, S, S]`: M_1, M_2, 0 and S.
+    pub sum: Vec<Vec4>,
+    /// `[K, S, S]`, in the batch's order.
+    pub valid: Vec<f32>,
+}
+
+impl DistortionBackward {
+    /// Weights and mean inverse distances from ranges; every seventh pixel has no weight.
+    fn new(side: u32, weights: [f32; 2], means: [f32; 2]) -> Self {
+        let mut random = Random::new(u64::from(side));
+        let tiles = tiles();
+        let pixels = tiles.len() * (side * side) as usize;
+        let [weight, mean] =
+            [weights, means].map(|[least, most]| random.values(pixels, least, most));
+        // S M_2 / M_1^2 is at least 1
+        let spread = random.values(pixels, 1.0, 4.0);
+        let sum = (0..pixels).map(|i| match i % 7 {
+            0 => Vec4::ZERO,
+            _ => {
+                let first = weight[i] * mean[i];
+                Vec4::new(first, first * mean[i] * spread[i], 0.0, weight[i])
+            }
+        });
+        let valid = (0..pixels).map(|_| f32::from(random.below(3) > 0)).collect();
+        Self { side, scale: 0.01, tiles, sum: sum.collect(), valid }
+    }
+
+    fn area(&self) -> usize {
+        (self.side * self.side) as usize
+    }
+
+    /// What a pixel's distortion is multiplied by.
+    fn factor(&self, pixel: usize) -> f64 {
+        let area = self.area();
+        let output = self.tiles[pixel / area].output as usize;
+        f64::from(self.scale) * f64::from(self.valid[output * area + pixel % area])
+    }
+}
+
+impl Parity for DistortionBackward {
+    const KERNEL: &'static str = "distortion_backward";
+    const TOLERANCE: f64 = 2e-6;
+    const WHY: &'static str = "two divisions of 3 ulp, which are squared, and six roundings";
+
+    fn sets() -> Vec<(String, Self)> {
+        let sized = SIDES.map(|side| (side, [0.0, 3.0], [0.1, 5.0], "random"));
+        let ranges = [
+            (9, [0.0, 1e-25], [0.1, 5.0], "hardly any weight"),
+            (9, [0.0, 3.0], [1e-7, 1e-6], "far away"),
+            (9, [0.0, 3.0], [1e5, 1e6], "at the eye"),
+        ];
+        let sets = sized.into_iter().chain(ranges);
+        sets.map(|(side, weights, means, name)| {
+            (format!("{name}, side {side}"), Self::new(side, weights, means))
+        })
+        .collect()
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let sum_gradient = runner.output(4 * self.sum.len())?;
+        let kernel = DistortionBackwardKernel {
+            params: DistortionParams { side: self.side, scale: self.scale },
+            tile: &runner.upload(&pack(&self.tiles))?,
+            sum: &runner.upload(&planes(&self.sum, self.area()))?,
+            valid: &runner.upload(&self.valid)?,
+            sum_gradient: &sum_gradient,
+        };
+        runner.pixels(&kernel, self.side, self.tiles.len() as u32)?;
+        let found = runner.read(&sum_gradient)?;
+        Ok(vec![Output::float("sum_gradient", pixels(&found, self.area()))])
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let of = |(pixel, sum): (usize, &Vec4)| {
+            let sum = sum.as_dvec4();
+            if sum.w <= 0.0 {
+                return [0.0; 4];
+            }
+            let factor = Dual::from(self.factor(pixel));
+            let [by_m1, by_m2, by_weight] = gradient([sum.x, sum.y, sum.w], |[m1, m2, weight]| {
+                let one = Dual::from(1.0);
+                let share = if weight.value() > 1.0 { one } else { weight };
+                factor * share * share * (weight * m2 / (m1 * m1) - one)
+            });
+            [by_m1, by_m2, 0.0, by_weight]
+        };
+        self.sum.iter().enumerate().flat_map(of).map(Some).collect()
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let (pixel, plane) = (index / 4, index % 4);
+        let sum = self.sum.get(pixel).map_or(Vec4::ZERO, |sum| *sum).as_dvec4();
+        if sum.w <= 0.0 || plane == 2 {
+            return Bound { scale: 0.0, floor: 0.0 };
+        }
+        let (mean, spread) = (sum.x / sum.w, sum.w * sum.y / (sum.x * sum.x));
+        let share = if sum.w > 1.0 { 1.0 / sum.w } else { sum.w };
+        let size = match plane {
+            0 => 2.0 * share * spread / mean,
+            1 => share / (mean * mean),
+            _ => share * (3.0 * spread + 2.0),
+        };
+        // a product may be flushed, and what it is multiplied with is large where it is
+        let floor = f64::from(TINY) * (1.0 + 1.0 / (mean * mean)) * (1.0 + spread);
+        Bound { scale: self.factor(pixel) * size, floor }
+    }
+}

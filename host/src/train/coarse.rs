@@ -1,0 +1,99 @@
+//! Coarse to fine: early steps see photographs at half their size. A tile then shows four times as much of the scene, and large
+//! things find their place before small ones. 3D Gaussian Splatting (Kerbl et al. 2023) warms up so, too.
+
+use std::borrow::Cow;
+
+use super::config::RunConfig;
+use super::sampler::Sampler;
+use crate::camera::Camera;
+use crate::error::Result;
+use crate::tile::TileBatch;
+
+/// How many times smaller photographs are in early steps.
+const FACTOR: u32 = 2;
+
+/// Draws the tiles of a run.
+#[derive(Debug)]
+pub struct Batches {
+    whole: Sampler,
+    /// None where some photograph would be less than a tile wide or high.
+    smaller: Option<Sampler>,
+}
+
+/// The tiles of a step.
+#[derive(Debug)]
+pub struct Drawn {
+    /// Places are those of images that are `factor` times smaller than the photographs.
+    pub batch: TileBatch,
+    /// 1 or more.
+    pub factor: u32,
+}
+
+impl Batches {
+    /// For the photographs of these cameras.
+    ///
+    /// # Errors
+    /// As [`Sampler::of_cameras`].
+    pub fn of_cameras(cameras: &[Camera], run: &RunConfig) -> Result<Self> {
+        let whole = Sampler::of_cameras(cameras, run)?;
+        let holds_a_tile =
+            |camera: &Camera| camera.width.min(camera.height) / FACTOR >= run.tile_size;
+        let smaller = cameras
+            .iter()
+            .all(holds_a_tile)
+            .then(|| Sampler::of_cameras(&Drawn::cameras_of(cameras, FACTOR), run));
+        Ok(Self { whole, smaller: smaller.transpose()? })
+    }
+
+    /// The tiles of a step.
+    pub fn of_step(&mut self, run: &RunConfig, step: u32) -> Drawn {
+        match &mut self.smaller {
+            Some(smaller) if run.share(step) < run.coarse => {
+                Drawn { batch: smaller.batch(step), factor: FACTOR }
+            }
+            _ => Drawn { batch: self.whole.batch(step), factor: 1 },
+        }
+    }
+}
+
+impl Drawn {
+    /// The cameras of the images that the tiles are places of, of those of the photographs.
+    #[must_use]
+    pub fn cameras<'c>(&self, cameras: &'c [Camera]) -> Cow<'c, [Camera]> {
+        Self::cameras_of(cameras, self.factor)
+    }
+
+    fn cameras_of(cameras: &[Camera], factor: u32) -> Cow<'_, [Camera]> {
+        match factor {
+            1 => cameras.into(),
+            _ => cameras.iter().map(|camera| camera.smaller(factor)).collect(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::demo;
+
+    #[test]
+    fn early_steps_see_half_the_size() {
+        let cameras = demo::turntable(3, 40);
+        let mut run = RunConfig::default();
+        (run.steps, run.tile_size, run.coarse) = (20, 16, 0.3);
+        let mut batches = Batches::of_cameras(&cameras, &run).unwrap();
+        for step in 0..20 {
+            let drawn = batches.of_step(&run, step);
+            assert_eq!(drawn.factor, if step < 6 { 2 } else { 1 }, "{step}");
+            let seen = drawn.cameras(&cameras);
+            let side = 40 / drawn.factor;
+            assert!(seen.iter().all(|camera| [camera.width, camera.height] == [side; 2]));
+        }
+        run.coarse = 0.0;
+        assert_eq!(batches.of_step(&run, 0).factor, 1);
+        // half of a photograph is less than a tile
+        (run.coarse, run.tile_size) = (0.3, 21);
+        let mut batches = Batches::of_cameras(&cameras, &run).unwrap();
+        assert_eq!(batches.of_step(&run, 0).factor, 1);
+    }
+}

@@ -51,8 +51,13 @@ impl Batches {
             Some(smaller) if run.share(step) < run.coarse => {
                 Drawn { batch: smaller.batch(step), factor: FACTOR }
             }
-            _ => Drawn { batch: self.whole.batch(step), factor: 1 },
+            _ => self.whole(step),
         }
+    }
+
+    /// The tiles of a step that sees whole photographs.
+    pub fn whole(&mut self, step: u32) -> Drawn {
+        Drawn { batch: self.whole.batch(step), factor: 1 }
     }
 }
 

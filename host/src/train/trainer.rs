@@ -257,7 +257,11 @@ impl Trainer {
     /// # Errors
     /// As [`Trainer::step`], and those of the hooks.
     pub fn step_with(&mut self, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
-        let drawn = self.batches.of_step(&self.config.run, self.step);
+        let drawn = match hooks.loss {
+            // a caller may know photographs by their pixels
+            Some(_) => self.batches.whole(self.step),
+            None => self.batches.of_step(&self.config.run, self.step),
+        };
         let restart = |trainer: &Self| trainer.state.gradient.restart(trainer.renderer.device());
         let (report, exposures) = self.add_gradient(&drawn, hooks)?;
         report.check(self.step).inspect_err(|_| restart(self))?;

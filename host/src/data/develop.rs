@@ -191,12 +191,12 @@ pub(super) fn prepared(camera: &Camera, factor: u32, size: [u32; 2]) -> Result<C
 }
 
 /// The mean of a square of samples; none where one of them is missing.
-fn mean(
+pub(crate) fn mean<const CHANNELS: usize>(
     [left, top]: [u32; 2],
     factor: u32,
-    sample: impl Fn(u32, u32) -> Option<[f32; 4]>,
-) -> Option<[f32; 4]> {
-    let mut sum = [0.0; 4];
+    sample: impl Fn(u32, u32) -> Option<[f32; CHANNELS]>,
+) -> Option<[f32; CHANNELS]> {
+    let mut sum = [0.0; CHANNELS];
     for y in top..top + factor {
         for x in left..left + factor {
             let color = sample(x, y)?;

@@ -7,7 +7,7 @@ mod beside;
 mod budget;
 mod colmap;
 mod decode;
-mod develop;
+pub(crate) mod develop;
 mod find;
 mod fingerprint;
 pub(crate) mod fuzz;

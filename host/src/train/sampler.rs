@@ -6,6 +6,7 @@ use rand_pcg::Pcg64;
 
 use super::config::{LossConfig, RunConfig};
 use crate::camera::Camera;
+use crate::data::develop::mean;
 use crate::data::{Frame, Photograph};
 use crate::error::Result;
 use crate::render::LossTarget;
@@ -179,8 +180,9 @@ fn fill(
         for column in 0..side {
             let (x, y) = (tile.origin[0] + column as i32, tile.origin[1] + row as i32);
             let is_inside = (0..width).contains(&x) && (0..height).contains(&y);
-            let color =
-                if is_inside { mean(photograph, [x as u32, y as u32], factor) } else { None };
+            let texel = |x, y| photograph.is_valid(x, y).then(|| photograph.color(x, y));
+            let square = || mean([x, y].map(|at| at as u32 * factor), factor, texel);
+            let color = if is_inside { square() } else { None };
             if let Some(color) = color {
                 let at = row * side + column;
                 valid[at] = 1.0;
@@ -190,21 +192,6 @@ fn fill(
             }
         }
     }
-}
-
-/// The mean of a square of pixels, the one at `[x, y]` of those; none where one of them is not valid.
-fn mean(photograph: &Photograph, [x, y]: [u32; 2], factor: u32) -> Option<[f32; 3]> {
-    let mut sum = [0.0; 3];
-    for row in y * factor..(y + 1) * factor {
-        for column in x * factor..(x + 1) * factor {
-            if !photograph.is_valid(column, row) {
-                return None;
-            }
-            let color = photograph.color(column, row);
-            sum.iter_mut().zip(color).for_each(|(sum, value)| *sum += value);
-        }
-    }
-    Some(sum.map(|sum| sum / (factor * factor) as f32))
 }
 
 #[cfg(test)]

@@ -122,6 +122,13 @@ fn later_settings_override_earlier_ones() {
     let config = printed(&words);
     assert_eq!((config.run.steps, config.run.tile_size, config.run.seed), (11, 32, 5));
     assert_eq!(config.growth, best.growth, "what the file leaves out is the preset's");
+    // a part of a table
+    let grid = sandbox.path("grid.toml");
+    fs::write(&grid, "[scene.color_grid]\nlevels = 9\n[optimizer]\ngrids.last = 1e-3\n").unwrap();
+    let config = printed(&format!("/data --preset best --config {}", grid.display()));
+    let mut expected = best.clone();
+    (expected.scene.color_grid.levels, expected.optimizer.grids.last) = (9, 1e-3);
+    assert_eq!(config, expected);
     let config =
         printed(&format!("{words} --set run.steps=12 --set run.steps=13 --set run.seed=6"));
     assert_eq!((config.run.steps, config.run.tile_size, config.run.seed), (13, 32, 6));

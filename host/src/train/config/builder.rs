@@ -59,15 +59,20 @@ impl ConfigBuilder {
     /// As [`TrainConfig::load`].
     pub fn text(mut self, text: &str, origin: &Path) -> Result<Self> {
         let invalid = |reason| Error::Invalid { origin: origin.to_owned(), reason };
-        // on its own, because only the text has lines
-        let table: Result<(TrainConfig, Table), _> =
-            toml::from_str(text).and_then(|config| Ok((config, toml::from_str(text)?)));
-        let (_, table) = table.map_err(|error| {
+        // only the text has lines
+        let at_line = |error: toml::de::Error| {
             let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
-            invalid(format!("line {line}: {}", error.message()))
-        })?;
+            format!("line {line}: {}", error.message())
+        };
+        let table = toml::from_str(text).map_err(|error| invalid(at_line(error)))?;
         merge(&mut self.table, table);
-        self.parse().and_then(|config| config.check()).map_err(invalid)?;
+        let config = self.parse().map_err(|reason| {
+            let alone = toml::from_str::<TrainConfig>(text).err();
+            // what the text leaves out is not missing
+            let alone = alone.filter(|error| !error.message().starts_with("missing field"));
+            invalid(alone.map_or(reason, at_line))
+        })?;
+        config.check().map_err(invalid)?;
         Ok(self)
     }
 

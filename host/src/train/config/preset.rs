@@ -8,7 +8,7 @@ pub enum Preset {
     /// Every setting has its default.
     #[default]
     Default,
-    /// More steps and more Gaussians.
+    /// An hour or more: more steps, more Gaussians, finer colors.
     Best,
     /// For the built-in scene.
     BuiltIn,

@@ -38,18 +38,20 @@ def finish(name, corner="lower right"):
     plt.close()
 
 
-def long(run):
-    """The curve of the long run over time: held-out views, and the batches that it trained on."""
-    records = [json.loads(line) for line in (run / "metrics.jsonl").read_text().splitlines()]
-    steps = [r for r in records if r["kind"] == "step"]
-    evaluations = [r for r in records if r["kind"] == "evaluation"]
-    some = 25
-    parts = [steps[i:i + some] for i in range(0, len(steps), some)]
+def long(runs):
+    """The curves of the long runs over time: held-out views, and thin lines for the batches that they trained on."""
     plt.figure(figsize=(6.4, 3.6))
-    plt.plot([p[-1]["seconds"] / 60 for p in parts], [sum(r["psnr"] for r in p) / len(p) for p in parts],
-             color=COLORS[2], linewidth=1, label="trained on, means of 250 steps")
-    plt.plot([r["seconds"] / 60 for r in evaluations], [r["psnr"] for r in evaluations],
-             color=COLORS[0], linewidth=2, label="held out")
+    for color, run in zip(COLORS, runs):
+        records = [json.loads(line) for line in (run / "metrics.jsonl").read_text().splitlines()]
+        # a batch of nothing but background has no finite PSNR
+        steps = [r for r in records if r["kind"] == "step" and r["psnr"] is not None]
+        evaluations = [r for r in records if r["kind"] == "evaluation"]
+        size = max(1, len(steps) // 100)
+        parts = [steps[i:i + size] for i in range(0, len(steps), size)]
+        plt.plot([p[-1]["seconds"] / 60 for p in parts], [sum(r["psnr"] for r in p) / len(p) for p in parts],
+                 color=color, alpha=0.35, linewidth=1)
+        plt.plot([r["seconds"] / 60 for r in evaluations], [r["psnr"] for r in evaluations],
+                 color=color, linewidth=2, label=run.name.removeprefix("hour-"))
     plt.xlabel("minutes of training")
     plt.ylabel("PSNR (dB)")
     finish("hour")
@@ -57,8 +59,8 @@ def long(run):
 
 def main():
     runs = Path(sys.argv[1])
-    if (runs / "hour").exists():
-        long(runs / "hour")
+    if hours := sorted(runs.glob("hour-*")):
+        long(hours)
     rows = {}
     for figure, names in FIGURES.items():
         plt.figure(figsize=(6.4, 3.6))

@@ -11,5 +11,5 @@ for seed in 0 1; do
             --backend cpu --quiet
     done
 done
-"$organza" train "$data" -o "$runs/hour" --steps 15000 --max-gaussians 20000 --time-limit 3600 --backend cpu --quiet
+"$organza" train "$data" -o "$runs/hour-$(basename "$data")" --preset best --minutes 60 --backend cpu --quiet
 "$here/plot.py" "$runs"

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use indicatif::{FormattedDuration, HumanDuration};
 use organza::Evaluation;
+use organza::metrics::psnr_of;
 use organza::train::{Change, Event, Outcome, StepReport};
 
 use super::console::{Console, Progress};
@@ -91,7 +92,7 @@ impl TrainingProgress {
         if self.console.has_terminal() {
             return;
         }
-        let Some([loss, psnr]) = self.lines.add(self.seconds, [report.loss, report.psnr]) else {
+        let Some([loss, psnr]) = self.lines.add(self.seconds, report.loss, report.psnr) else {
             return;
         };
         let rest = speed.map_or(String::new(), |speed| {
@@ -180,8 +181,10 @@ struct Lines {
 }
 
 impl Lines {
-    /// Adds a step's numbers; their means since the last line, if another one is due.
-    fn add(&mut self, seconds: f64, values: [f64; 2]) -> Option<[f64; 2]> {
+    /// Adds a step's loss and PSNR; their means since the last line, if another one is due. The mean is taken of squared
+    /// errors, as the PSNR of a batch without any error is infinite.
+    fn add(&mut self, seconds: f64, loss: f64, psnr: f64) -> Option<[f64; 2]> {
+        let values = [loss, 10f64.powf(-psnr / 10.0)];
         self.sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
         self.count += 1.0;
         let [begin, due] = *self.times.get_or_insert([seconds; 2]);
@@ -190,9 +193,9 @@ impl Lines {
         }
         let wait = (SHARE * (seconds - begin)).clamp(SHORTEST, LONGEST);
         self.times = Some([begin, seconds + wait]);
-        let means = self.sums.map(|sum| sum / self.count);
+        let [loss, squared] = self.sums.map(|sum| sum / self.count);
         (self.sums, self.count) = ([0.0; 2], 0.0);
-        Some(means)
+        Some([loss, psnr_of(squared)])
     }
 }
 
@@ -232,15 +235,27 @@ mod tests {
         let due: Vec<_> = (0..36_000)
             .filter_map(|step| {
                 let seconds = 0.1 * f64::from(step);
-                lines.add(1000.0 + seconds, [f64::from(step), 1.0]).map(|means| (seconds, means))
+                lines.add(1000.0 + seconds, f64::from(step), 0.0).map(|means| (seconds, means))
             })
             .collect();
-        assert_eq!(due[0], (0.0, [0.0, 1.0]));
+        assert_eq!(due[0], (0.0, [0.0, 0.0]));
         // the mean of steps 1 to 50
         assert!((due[1].0 - 5.0).abs() < 0.15 && (due[1].1[0] - 25.5).abs() < 1.0, "{:?}", due[1]);
         assert!((70..90).contains(&due.len()), "{} lines", due.len());
         let last = due[due.len() - 1].0 - due[due.len() - 2].0;
         assert!((last - 60.0).abs() < 0.2, "{last}");
+    }
+
+    #[test]
+    fn a_batch_without_an_error_leaves_the_mean_finite() {
+        let mut lines = Lines::default();
+        let first = lines.add(0.0, 0.0, f64::INFINITY);
+        assert_eq!(first, Some([0.0, f64::INFINITY]));
+        let none = [(0.1, f64::INFINITY), (0.2, 20.0)].map(|(at, psnr)| lines.add(at, 0.0, psnr));
+        assert_eq!(none, [None; 2]);
+        // errors of 0, 0.01 and 0.02
+        let [_, psnr] = lines.add(5.0, 0.0, 10.0 * 50f64.log10()).unwrap();
+        assert!((psnr - 20.0).abs() < 1e-9, "{psnr}");
     }
 
     #[test]

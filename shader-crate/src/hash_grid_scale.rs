@@ -43,6 +43,8 @@ pub struct HashGridPeakParams {
     pub pairs: u32,
     /// 1 for the color network, 0 for the transmittance network.
     pub color: u32,
+    /// Of the transmittance network: see [`SegmentProductParams::power`](crate::transmittance::SegmentProductParams::power).
+    pub power: f32,
 }
 
 /// The bits of |x|: in the order of the sizes, NaN last.
@@ -58,8 +60,8 @@ fn larger(a: u32, b: u32) -> u32 {
 
 /// Raises `bound[0]` to the bits of a bound of every |dL/dlogit|, over all pairs.
 ///
-/// For colors (Eq. 3) it is |dL/dc| / 4, as a sigmoid's slope is at most 1/4; for samples (Eq. 11) it is |T dL/dT|, as
-/// `dT/da_k = T s_factor (1 - sigmoid(a_k))` and s_factor is at most 1.
+/// For colors (Eq. 3) it is |dL/dc| / 4, as a sigmoid's slope is at most 1/4; for samples (Eq. 11) it is |power T dL/dT|,
+/// as `dT/da_k = power T s_factor (1 - sigmoid(a_k))` and s_factor is at most 1.
 /// `pair_gradient [pairs, 3]` is `(dL/dmean2d, dL/dopacity, dL/dT), (dL/dconic, 0), (dL/dc, 0)`; `transmittance [pairs]` is
 /// not read for colors.
 #[kernel(threads(64), counts(pairs))]
@@ -76,7 +78,7 @@ pub fn hash_grid_peak(
             let c = pair_gradient.read(3 * pair + 2) * 0.25;
             larger(larger(size_bits(c.x), size_bits(c.y)), size_bits(c.z))
         } else {
-            size_bits(pair_gradient.read(3 * pair).w * transmittance.read(pair))
+            size_bits(params.power * (pair_gradient.read(3 * pair).w * transmittance.read(pair)))
         };
         atomic::raise(bound, 0, bits);
     }

@@ -24,6 +24,8 @@ pub struct SegmentProductBackwardParams {
     pub samples: u32,
     /// First sample of this chunk.
     pub first_sample: u32,
+    /// See [`SegmentProductParams::power`](crate::transmittance::SegmentProductParams::power).
+    pub power: f32,
 }
 
 /// A pair's samples within a chunk, counted from the chunk's first: begin and end.
@@ -36,7 +38,7 @@ fn samples_of(first_sample: Read<u32>, pair: u32, chunk: u32, samples: u32) -> (
 }
 
 /// The gradient of a chunk's logarithms of Eq. 11's factors, the same for all samples of a pair:
-/// `dL/dlog_rho_k = dL/dT T`.
+/// `dL/dlog_rho_k = power dL/dT T`.
 ///
 /// `first_sample [all pairs + 1]`, `transmittance [all pairs]`; `pair_gradient [all pairs, 3]`, dL/dT in the first one's
 /// last place; `log_rho_gradient [samples]`.
@@ -54,6 +56,7 @@ pub fn segment_product_backward(
         let pair = params.first_pair + index;
         let (begin, end) = samples_of(first_sample, pair, params.first_sample, params.samples);
         let gradient = pair_gradient.read(pair * VECTORS).w * transmittance.read(pair);
+        let gradient = params.power * gradient;
         let mut sample = begin;
         while sample < end {
             log_rho_gradient.write(sample, gradient);

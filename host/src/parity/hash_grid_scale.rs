@@ -42,6 +42,8 @@ pub struct HashGridPeak {
     pub transmittance: Vec<f32>,
     /// For the color network.
     pub color: bool,
+    /// How many times as long as sigma T's steps are.
+    pub power: f32,
 }
 
 impl Parity for HashGridPeak {
@@ -55,6 +57,7 @@ impl Parity for HashGridPeak {
                 pair_gradient: vectors(fill, random, 3 * pairs as usize, 1e30),
                 transmittance: random.values(pairs as usize, 0.0, 1.0),
                 color,
+                power: 2.0,
             })
         };
         let name = |(name, set)| (format!("color, {name}"), set);
@@ -65,7 +68,7 @@ impl Parity for HashGridPeak {
             pair_gradient[3 * 70 + 2] = Vec4::new(0.0, bad, 0.0, 0.0);
             let transmittance = random.values(100, 0.1, 1.0);
             let name = format!("{bad}, {}", if color { "color" } else { "transmittance" });
-            (name, Self { pair_gradient, transmittance, color })
+            (name, Self { pair_gradient, transmittance, color, power: 1.0 })
         };
         let bad = NO_NUMBERS.into_iter().flat_map(|x| [(x, false), (x, true)]).map(bad);
         of(false).into_iter().chain(of(true).into_iter().map(name)).chain(bad).collect()
@@ -75,7 +78,7 @@ impl Parity for HashGridPeak {
         let pairs = self.transmittance.len() as u32;
         let bound = runner.output_of(&[0_u32])?;
         let kernel = HashGridPeakKernel {
-            params: HashGridPeakParams { pairs, color: u32::from(self.color) },
+            params: HashGridPeakParams { pairs, color: u32::from(self.color), power: self.power },
             pair_gradient: &runner.upload(&self.pair_gradient)?,
             transmittance: &runner.upload(&self.transmittance)?,
             bound: &bound,
@@ -87,7 +90,7 @@ impl Parity for HashGridPeak {
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
         let of_pair = |(pair, &t): (&[Vec4], &f32)| match self.color {
             true => color_bound(pair[2].as_dvec4().truncate().to_array()),
-            false => transmittance_bound(f64::from(pair[0].w), f64::from(t)),
+            false => transmittance_bound([pair[0].w, t, self.power].map(f64::from)),
         };
         let pairs = self.pair_gradient.chunks_exact(3).zip(&self.transmittance);
         vec![Some(largest(pairs.map(of_pair)))]

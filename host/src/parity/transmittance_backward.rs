@@ -90,6 +90,8 @@ pub struct SegmentProductBackward {
     pub transmittance: Vec<f32>,
     /// `[pairs, 3]`
     pub gradient: Vec<Vec4>,
+    /// How many times as long as sigma the steps are.
+    pub power: f32,
 }
 
 impl SegmentProductBackward {
@@ -101,6 +103,7 @@ impl SegmentProductBackward {
             chunk,
             transmittance: transmittance.into_iter().map(f32::abs).collect(),
             gradient: gradient.chunks_exact(4).map(Vec4::from_slice).collect(),
+            power: 1.0,
         }
     }
 }
@@ -118,6 +121,9 @@ impl Parity for SegmentProductBackward {
         for (name, chunk) in Chunk::long() {
             sets.push((name.into(), Self::new(chunk, Fill::Random, &mut Random::new(14))));
         }
+        let mut random = Random::new(15);
+        let set = Self::new(Chunk::new(900, &mut random), Fill::Random, &mut random);
+        sets.push(("steps four times as long".into(), Self { power: 4.0, ..set }));
         sets
     }
 
@@ -131,6 +137,7 @@ impl Parity for SegmentProductBackward {
                 first_pair,
                 samples: chunk.samples,
                 first_sample: FIRST_SAMPLE,
+                power: self.power,
             },
             first_sample: &runner.upload(&chunk.first_sample)?,
             transmittance: &runner.upload(&self.transmittance)?,
@@ -156,8 +163,10 @@ impl Parity for SegmentProductBackward {
                 let pair = self.chunk.owner(sample);
                 let of_pair = Dual::from(f64::from(self.gradient[3 * pair].w));
                 // a sample's logarithm is a term of the sum
-                let sum = f64::from(self.transmittance[pair]).ln().max(-745.0);
-                let [slope] = gradient([sum], |[sum]| of_pair * transmittance(sum));
+                let power = f64::from(self.power);
+                let sum = f64::from(self.transmittance[pair]).ln().max(-745.0) / power;
+                let [slope] =
+                    gradient([sum], |[sum]| of_pair * transmittance(Dual::from(power) * sum));
                 slope
             })
         };

@@ -87,7 +87,7 @@ impl Part {
         gradient.color.table.raise_bound(device, pair_gradient, None, pairs)?;
         let transmittance = &self.transmittance;
         if gradient.has_transmittance && transmittance.samples.at_most() > 0 {
-            let values = Some(&transmittance.transmittance);
+            let values = Some((&transmittance.transmittance, transmittance.power));
             gradient.transmittance.table.raise_bound(device, pair_gradient, values, pairs)?;
         }
         Ok(())

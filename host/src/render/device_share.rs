@@ -79,6 +79,13 @@ impl DeviceShare {
         Ok(())
     }
 
+    /// The same share, on the same memory: see [`DeviceScene::coarser`].
+    pub(crate) fn coarser(&self, factor: u32, ray_steps: u32) -> Self {
+        let of = |scene: &DeviceScene| scene.coarser(factor, ray_steps);
+        let slices = self.slices.iter().map(of).collect();
+        Self { fields: of(&self.fields), slices, slices_of_all: self.slices_of_all }
+    }
+
     /// Eq. 13 divides no sum.
     pub(crate) fn never_divide(&mut self) {
         let scenes = self.slices.iter_mut().chain([&mut self.fields]);

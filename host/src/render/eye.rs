@@ -86,6 +86,7 @@ impl EyeCache {
         options: &EyeOptions<'_>,
     ) -> Result<Option<u64>> {
         let steps = options.steps;
+        let scene = &scene.with_ray_steps(steps.into());
         let is_missing = |&gaussian: &u32| {
             let found = self.steps[gaussian as usize];
             found == 0 || found > steps
@@ -97,10 +98,9 @@ impl EyeCache {
                 return Ok(None);
             }
             let pairs = pairs_of(device, bins, some)?;
-            let evaluated =
-                Transmittance::evaluate_with_steps(device, scene, &pairs, steps, false, |first| {
-                    pairs.read_samples(device, first)
-                })?;
+            let evaluated = Transmittance::evaluate(device, scene, &pairs, false, |first| {
+                pairs.read_samples(device, first)
+            })?;
             samples += u64::from(evaluated.samples.at_most());
             let without: Vec<_> =
                 some.iter().copied().filter(|&at| self.steps[at as usize] == 0).collect();

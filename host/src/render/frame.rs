@@ -58,7 +58,8 @@ impl Renderer {
             let bins = Bins::new(device, scene, camera, &plan, None)?;
             let (pairs, members) = (bins.pairs.count.at_most(), bins.members.at_most());
             for (&steps, needed) in steps.iter().zip(&mut needed) {
-                let (_, first_sample) = segments(device, scene, &bins.pairs, steps)?;
+                let scene = &scene.with_ray_steps(steps.into());
+                let (_, first_sample) = segments(device, scene, &bins.pairs)?;
                 let samples = bins.pairs.read_samples(device, &first_sample)?.at_most();
                 *needed = Capacity {
                     // what parts have in common is counted once for each: that is room to spare
@@ -88,9 +89,14 @@ impl Renderer {
         let camera = std::slice::from_ref(&camera);
         let bins = Bins::new(device, scene, camera, &plan, Some(shape.capacity))?;
         let count = |first: &_| bins.count_samples(device, first);
-        let (pairs, steps) = (&bins.pairs, shape.steps);
-        let evaluated =
-            Transmittance::evaluate_with_steps(device, scene, pairs, steps, false, count)?;
+        let pairs = &bins.pairs;
+        let evaluated = Transmittance::evaluate(
+            device,
+            &scene.with_ray_steps(shape.steps.into()),
+            pairs,
+            false,
+            count,
+        )?;
         let color = Color::evaluate(device, scene, pairs, false)?;
         let composite = Composite::new(
             device,

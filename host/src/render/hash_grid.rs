@@ -72,23 +72,23 @@ impl HashGridGradient {
 
     /// Raises the bound of what is added until the next [`finish`](Self::finish).
     ///
-    /// `pair_gradient [pairs, 3]`; `transmittance [pairs]` for the transmittance field, none for the color field.
+    /// `pair_gradient [pairs, 3]`; for the transmittance field, T `[pairs]` and the power that it is to, none for the color
+    /// field.
     pub fn raise_bound(
         &self,
         device: &Device,
         pair_gradient: &Buffer<Vec4>,
-        transmittance: Option<&Buffer<f32>>,
+        transmittance: Option<(&Buffer<f32>, f32)>,
         pairs: &Count,
     ) -> Result<()> {
         let capacity = pairs.at_most();
+        let color = u32::from(transmittance.is_none());
+        // a binding must be bound
+        let (transmittance, power) = transmittance.unwrap_or((&self.scale, 1.0));
         let kernel = HashGridPeakKernel {
-            params: HashGridPeakParams {
-                pairs: capacity,
-                color: u32::from(transmittance.is_none()),
-            },
+            params: HashGridPeakParams { pairs: capacity, color, power },
             pair_gradient,
-            // a binding must be bound
-            transmittance: transmittance.unwrap_or(&self.scale),
+            transmittance,
             bound: &self.bound,
         };
         device.run(&kernel.counted(pairs), capacity, 1)
@@ -222,7 +222,7 @@ mod tests {
             let transmittance = device.upload("transmittance", &[0.5]).expect("memory");
             let (pair, all) = (pair.expect("memory"), 2 * samples);
             let counts = [1, all].map(Count::known);
-            let transmittance = Some(&transmittance);
+            let transmittance = Some((&transmittance, 1.0));
             table.raise_bound(&device, &pair, transmittance, &counts[0]).expect("a bound");
             table.set_scale(&device, &field, &counts[1]).expect("a scale");
             for chunk in [samples, samples - 3] {

@@ -18,6 +18,8 @@ pub struct DeviceScene {
     pub(super) gaussians: u32,
     /// Eq. 13's, but in comparisons.
     pub(crate) divide_above: f32,
+    /// See [`DeviceScene::with_ray_steps`].
+    pub(super) ray_steps: u32,
     pub(super) scene_box: Buffer<f32>,
     pub(super) tensors: Tensors<Buffer<f32>>,
     pub(super) color: DeviceField,
@@ -120,12 +122,35 @@ impl DeviceScene {
         Ok(device.write(&parameters, place.weight_values().start, &packed)?)
     }
 
+    /// The length of T's steps, in the unit cube.
+    pub(super) fn ray_step(&self) -> f64 {
+        self.config.step * f64::from(self.ray_steps)
+    }
+
+    /// The same scene, on the same memory, with steps of T that are so many times as long as sigma.
+    pub(super) fn with_ray_steps(&self, ray_steps: u32) -> Self {
+        Self { ray_steps, ..self.view() }
+    }
+
+    /// The same scene, on the same memory, as early steps of a training see it: in images that are `factor` times smaller,
+    /// and with steps of T that are `ray_steps` times as long as sigma.
+    ///
+    /// A pixel is the mean of a square of `factor` by `factor` pixels, whose places have a variance of `(factor^2 - 1) / 12`
+    /// along each axis. The blur has this variance, too, in square pixels of the smaller image.
+    pub(crate) fn coarser(&self, factor: u32, ray_steps: u32) -> Self {
+        let square = f64::from(factor).powi(2);
+        let mut seen = self.with_ray_steps(ray_steps);
+        seen.config.blur = (self.config.blur + (square - 1.0) / 12.0) / square;
+        seen
+    }
+
     /// The same scene, on the same memory.
     pub(super) fn view(&self) -> Self {
         Self {
             config: self.config.clone(),
             gaussians: self.gaussians,
             divide_above: self.divide_above,
+            ray_steps: self.ray_steps,
             scene_box: self.scene_box.view(),
             tensors: self.tensors.as_ref().map(|_, buffer| buffer.view()),
             color: self.color.view(),

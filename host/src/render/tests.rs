@@ -3,6 +3,7 @@
 mod distortion;
 mod exposure;
 mod recording;
+mod smaller;
 
 use super::gradient::SceneGradient;
 use super::part::Part;

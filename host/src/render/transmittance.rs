@@ -34,6 +34,8 @@ pub struct Transmittance {
     pub first_sample: Buffer<u32>,
     /// Samples of all segments.
     pub samples: Count,
+    /// The power of the products: how many times as long as sigma the steps are.
+    pub power: f32,
     /// `[pairs, 4]`
     segment: Buffer<Vec4>,
     /// Midpoints, and the network's input.
@@ -50,20 +52,8 @@ impl Transmittance {
         keep: bool,
         count_samples: impl FnOnce(&Buffer<u32>) -> Result<Count>,
     ) -> Result<Self> {
-        Self::evaluate_with_steps(device, scene, pairs, 1, keep, count_samples)
-    }
-
-    /// As [`Transmittance::evaluate`], with steps `steps` times as long as the scene's sigma.
-    pub fn evaluate_with_steps(
-        device: &Device,
-        scene: &DeviceScene,
-        pairs: &Pairs,
-        steps: u16,
-        keep: bool,
-        count_samples: impl FnOnce(&Buffer<u32>) -> Result<Count>,
-    ) -> Result<Self> {
         let capacity = pairs.count.at_most();
-        let (segment, first_sample) = segments(device, scene, pairs, steps)?;
+        let (segment, first_sample) = segments(device, scene, pairs)?;
         let samples = count_samples(&first_sample)?;
 
         let inputs = scene.config.transmittance_inputs();
@@ -72,14 +62,15 @@ impl Transmittance {
         let blocks = Blocks::new(device, inputs, samples.clone(), keep, &ends)?;
         let log_rho = log_rho(device, scene, pairs, &segment, &first_sample, &blocks)?;
         let transmittance = device.unwritten("transmittance", capacity as usize)?;
+        let power = scene.ray_steps as f32;
         let kernel = SegmentProductKernel {
-            params: SegmentProductParams { pairs: capacity, power: f32::from(steps) },
+            params: SegmentProductParams { pairs: capacity, power },
             first_sample: &first_sample,
             log_rho: &log_rho,
             transmittance: &transmittance,
         };
         device.run(&kernel.counted(&pairs.count), capacity, 1)?;
-        Ok(Self { transmittance, first_sample, samples, segment, blocks })
+        Ok(Self { transmittance, first_sample, samples, power, segment, blocks })
     }
 }
 
@@ -120,13 +111,11 @@ impl Transmittance {
     }
 }
 
-/// The segments `[pairs, 4]` (Eq. 4-8), and where the samples of each begin, `[pairs + 1]`; with steps `steps` times as long as
-/// the scene's sigma.
+/// The segments `[pairs, 4]` (Eq. 4-8), and where the samples of each begin, `[pairs + 1]`.
 pub fn segments(
     device: &Device,
     scene: &DeviceScene,
     pairs: &Pairs,
-    steps: u16,
 ) -> Result<(Buffer<Vec4>, Buffer<u32>)> {
     check_samples(scene, pairs)?;
     let capacity = pairs.count.at_most();
@@ -136,7 +125,7 @@ pub fn segments(
         params: SegmentParams {
             pairs: capacity,
             gaussians: scene.gaussians,
-            step: (scene.config.step * f64::from(steps)) as f32,
+            step: scene.ray_step() as f32,
             contracted: scene.config.contraction.for_kernels(),
         },
         pair: &pairs.pair,
@@ -153,7 +142,7 @@ pub fn segments(
 
 /// Samples are numbered in 32 bits.
 fn check_samples(scene: &DeviceScene, pairs: &Pairs) -> Result<()> {
-    let longest = (3f64.sqrt() / scene.config.step).ceil().min(f64::from(MAX_SAMPLES));
+    let longest = (3f64.sqrt() / scene.ray_step()).ceil().min(f64::from(MAX_SAMPLES));
     let pairs = pairs.count.at_most();
     let most = f64::from(pairs) * longest;
     if most > f64::from(u32::MAX) {
@@ -318,6 +307,7 @@ impl Transmittance {
                 first_pair: owners.first,
                 samples: chunk.samples,
                 first_sample: chunk.first,
+                power: self.power,
             },
             first_sample: &self.first_sample,
             transmittance: &self.transmittance,

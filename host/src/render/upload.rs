@@ -50,6 +50,7 @@ impl Renderer {
         Ok(DeviceScene {
             gaussians: scene.gaussians.len() as u32,
             divide_above: DIVIDE_ABOVE,
+            ray_steps: 1,
             scene_box: device.upload("scene box", &scene_box)?,
             color: field("color", &config.color_grid, color, &tensors.color)?,
             transmittance: field(

@@ -1,5 +1,6 @@
 //! Coarse to fine: early steps see photographs at half their size. A tile then shows four times as much of the scene, and large
-//! things find their place before small ones. 3D Gaussian Splatting (Kerbl et al. 2023) warms up so, too.
+//! things find their place before small ones. 3D Gaussian Splatting (Kerbl et al. 2023) warms up so, too. T has longer steps until
+//! shortly before the end.
 
 use std::borrow::Cow;
 
@@ -11,6 +12,8 @@ use crate::tile::TileBatch;
 
 /// How many times smaller photographs are in early steps.
 const FACTOR: u32 = 2;
+/// How many times as long as sigma steps of T are before the last part of a run.
+const RAY_STEPS: u32 = 2;
 
 /// Draws the tiles of a run.
 #[derive(Debug)]
@@ -27,6 +30,8 @@ pub struct Drawn {
     pub batch: TileBatch,
     /// 1 or more.
     pub factor: u32,
+    /// How many times as long as sigma steps of T are.
+    pub ray_steps: u32,
 }
 
 impl Batches {
@@ -48,16 +53,19 @@ impl Batches {
     /// The tiles of a step.
     pub fn of_step(&mut self, run: &RunConfig, step: u32) -> Drawn {
         match &mut self.smaller {
-            Some(smaller) if run.share(step) < run.coarse => {
-                Drawn { batch: smaller.batch(step), factor: FACTOR }
-            }
-            _ => self.whole(step),
+            Some(smaller) if run.share(step) < run.coarse => Drawn {
+                batch: smaller.batch(step),
+                factor: FACTOR,
+                ray_steps: Drawn::ray_steps_of(run, step),
+            },
+            _ => self.whole(run, step),
         }
     }
 
     /// The tiles of a step that sees whole photographs.
-    pub fn whole(&mut self, step: u32) -> Drawn {
-        Drawn { batch: self.whole.batch(step), factor: 1 }
+    pub fn whole(&mut self, run: &RunConfig, step: u32) -> Drawn {
+        let ray_steps = Drawn::ray_steps_of(run, step);
+        Drawn { batch: self.whole.batch(step), factor: 1, ray_steps }
     }
 }
 
@@ -66,6 +74,10 @@ impl Drawn {
     #[must_use]
     pub fn cameras<'c>(&self, cameras: &'c [Camera]) -> Cow<'c, [Camera]> {
         Self::cameras_of(cameras, self.factor)
+    }
+
+    fn ray_steps_of(run: &RunConfig, step: u32) -> u32 {
+        if run.share(step) < run.coarse_rays { RAY_STEPS } else { 1 }
     }
 
     fn cameras_of(cameras: &[Camera], factor: u32) -> Cow<'_, [Camera]> {
@@ -85,11 +97,13 @@ mod tests {
     fn early_steps_see_half_the_size() {
         let cameras = demo::turntable(3, 40);
         let mut run = RunConfig::default();
-        (run.steps, run.tile_size, run.coarse) = (20, 16, 0.3);
+        (run.steps, run.tile_size) = (20, 16);
+        (run.coarse, run.coarse_rays) = (0.3, 0.8);
         let mut batches = Batches::of_cameras(&cameras, &run).unwrap();
         for step in 0..20 {
             let drawn = batches.of_step(&run, step);
             assert_eq!(drawn.factor, if step < 6 { 2 } else { 1 }, "{step}");
+            assert_eq!(drawn.ray_steps, if step < 16 { 2 } else { 1 }, "{step}");
             let seen = drawn.cameras(&cameras);
             let side = 40 / drawn.factor;
             assert!(seen.iter().all(|camera| [camera.width, camera.height] == [side; 2]));
@@ -97,8 +111,8 @@ mod tests {
         run.coarse = 0.0;
         assert_eq!(batches.of_step(&run, 0).factor, 1);
         // half of a photograph is less than a tile
-        (run.coarse, run.tile_size) = (0.3, 21);
-        let mut batches = Batches::of_cameras(&cameras, &run).unwrap();
-        assert_eq!(batches.of_step(&run, 0).factor, 1);
+        (run.coarse, run.tile_size, run.coarse_rays) = (0.3, 21, 0.0);
+        let drawn = Batches::of_cameras(&cameras, &run).unwrap().of_step(&run, 0);
+        assert_eq!([drawn.factor, drawn.ray_steps], [1; 2]);
     }
 }

@@ -170,13 +170,14 @@ impl ShareTrainer {
     /// before the step, unless it was growing.
     pub fn step(&mut self) -> Result<StepReport> {
         let drawn = self.batches.of_step(&self.config.run, self.step);
-        let Drawn { batch, factor } = &drawn;
+        let Drawn { batch, factor, ray_steps } = &drawn;
         let frames: Vec<_> = self.dataset.train_frames().collect();
         let target = Target::of(batch, *factor, &frames)?;
         let target = target.of_loss(&self.config.loss, None);
         let State { share, optimizer, gradient, .. } = &self.state;
         let grid = Grid { all: &*self.ranks, shares: self.shares };
-        let (shared, cameras, kept) = ((share, grid), drawn.cameras(&self.cameras), &mut self.loss);
+        let seen = &share.coarser(*factor, *ray_steps);
+        let (shared, cameras, kept) = ((seen, grid), drawn.cameras(&self.cameras), &mut self.loss);
         let losses =
             self.renderer.add_share_gradient(shared, &cameras, batch, kept, &target, gradient)?;
         let report = StepReport::of(&losses, target.ssim_weight);

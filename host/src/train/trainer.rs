@@ -259,7 +259,7 @@ impl Trainer {
     pub fn step_with(&mut self, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
         let drawn = match hooks.loss {
             // a caller may know photographs by their pixels
-            Some(_) => self.batches.whole(self.step),
+            Some(_) => self.batches.whole(&self.config.run, self.step),
             None => self.batches.of_step(&self.config.run, self.step),
         };
         let restart = |trainer: &Self| trainer.state.gradient.restart(trainer.renderer.device());
@@ -303,11 +303,12 @@ impl Trainer {
     ) -> Result<(StepReport, Vec<ExposureGradient>)> {
         self.check_hooks(hooks)?;
         let frames: Vec<_> = self.dataset.train_frames().collect();
-        let Drawn { batch, factor } = drawn;
+        let Drawn { batch, factor, ray_steps } = drawn;
         let target = Target::of(batch, *factor, &frames)?;
         let exposure = self.exposures.as_ref().map(|exposures| exposures.of_tiles(batch));
         let target = target.of_loss(&self.config.loss, exposure.as_deref());
         let State { scene, gradient, .. } = &self.state;
+        let scene = &scene.coarser(*factor, *ray_steps);
         let (renderer, cameras) = (&self.renderer, &drawn.cameras(&self.cameras)[..]);
         if let Some(own) = &mut hooks.loss {
             let (loss, squared) =

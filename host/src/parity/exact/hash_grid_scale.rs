@@ -6,10 +6,10 @@ pub fn color_bound(gradient: [f64; 3]) -> f64 {
     largest(gradient.map(|g| g / 4.0))
 }
 
-/// A bound of |dL/da_k| of a segment's samples (Eq. 11).
+/// A bound of |dL/da_k| of a segment's samples (Eq. 11), whose product is to a power.
 #[must_use]
-pub fn transmittance_bound(gradient: f64, transmittance: f64) -> f64 {
-    largest([gradient * transmittance])
+pub fn transmittance_bound([gradient, transmittance, power]: [f64; 3]) -> f64 {
+    largest([power * gradient * transmittance])
 }
 
 /// The largest absolute value; infinite if a value is infinite or NaN.

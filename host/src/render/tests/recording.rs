@@ -94,6 +94,35 @@ fn a_recording_has_the_bits_of_rendering_and_of_rendering_again() {
     }
 }
 
+/// The derivative by the last bias of T's network, whatever the length of T's steps.
+#[test]
+fn longer_steps_have_gradients_of_their_own() {
+    const STEP: f32 = 0.02;
+    let renderer = Renderer::new(all_devices().remove(0));
+    let scene = some();
+    let loss = |shift: f32, ray_steps| {
+        let mut moved = scene.clone();
+        moved.transmittance.network.layers.last_mut().expect("a layer").bias[0] += shift;
+        let moved = renderer.upload(&moved).expect("a scene").with_ray_steps(ray_steps);
+        let tiles = record(&renderer, &moved).expect("a recording").tiles().data.clone();
+        let slopes = slopes(tiles.len());
+        tiles.iter().zip(slopes).map(|(&y, slope)| f64::from(y) * f64::from(slope)).sum::<f64>()
+    };
+    let mut found = Vec::new();
+    for ray_steps in [1, 2, 4] {
+        let uploaded = renderer.upload(&scene).expect("a scene").with_ray_steps(ray_steps);
+        let recording = record(&renderer, &uploaded).expect("a recording");
+        let slopes = slopes(recording.tiles().data.len());
+        let gradient = recording.backward(&slopes).expect("a gradient");
+        let slope = gradient.transmittance().network.layers.last().expect("a layer").bias[0];
+        let difference = (loss(STEP, ray_steps) - loss(-STEP, ray_steps)) / f64::from(2.0 * STEP);
+        let error = (f64::from(slope) - difference).abs();
+        assert!(error < 2e-3 * difference.abs(), "{ray_steps}: {slope} {difference}");
+        found.push(slope);
+    }
+    assert!(found[0] != found[1] && found[1] != found[2], "{found:?}");
+}
+
 #[test]
 fn parts_are_given_up_where_memory_ends() {
     // one that counts on the host, and one that counts on the device

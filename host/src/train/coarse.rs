@@ -52,20 +52,17 @@ impl Batches {
 
     /// The tiles of a step.
     pub fn of_step(&mut self, run: &RunConfig, step: u32) -> Drawn {
-        match &mut self.smaller {
-            Some(smaller) if run.share(step) < run.coarse => Drawn {
-                batch: smaller.batch(step),
-                factor: FACTOR,
-                ray_steps: Drawn::ray_steps_of(run, step),
-            },
-            _ => self.whole(run, step),
-        }
+        let share = run.share(step);
+        let (batch, factor) = match &mut self.smaller {
+            Some(smaller) if share < run.coarse => (smaller.batch(step), FACTOR),
+            _ => (self.whole.batch(step), 1),
+        };
+        Drawn { batch, factor, ray_steps: if share < run.coarse_rays { RAY_STEPS } else { 1 } }
     }
 
-    /// The tiles of a step that sees whole photographs.
-    pub fn whole(&mut self, run: &RunConfig, step: u32) -> Drawn {
-        let ray_steps = Drawn::ray_steps_of(run, step);
-        Drawn { batch: self.whole.batch(step), factor: 1, ray_steps }
+    /// The tiles of a step that sees whole photographs, as rendering shows them.
+    pub fn whole(&mut self, step: u32) -> Drawn {
+        Drawn { batch: self.whole.batch(step), factor: 1, ray_steps: 1 }
     }
 }
 
@@ -74,10 +71,6 @@ impl Drawn {
     #[must_use]
     pub fn cameras<'c>(&self, cameras: &'c [Camera]) -> Cow<'c, [Camera]> {
         Self::cameras_of(cameras, self.factor)
-    }
-
-    fn ray_steps_of(run: &RunConfig, step: u32) -> u32 {
-        if run.share(step) < run.coarse_rays { RAY_STEPS } else { 1 }
     }
 
     fn cameras_of(cameras: &[Camera], factor: u32) -> Cow<'_, [Camera]> {

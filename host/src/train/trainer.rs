@@ -258,8 +258,8 @@ impl Trainer {
     /// As [`Trainer::step`], and those of the hooks.
     pub fn step_with(&mut self, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
         let drawn = match hooks.loss {
-            // a caller may know photographs by their pixels
-            Some(_) => self.batches.whole(&self.config.run, self.step),
+            // a caller may know photographs by their pixels, and tiles by what renders them
+            Some(_) => self.batches.whole(self.step),
             None => self.batches.of_step(&self.config.run, self.step),
         };
         let restart = |trainer: &Self| trainer.state.gradient.restart(trainer.renderer.device());

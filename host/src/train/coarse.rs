@@ -1,6 +1,6 @@
-//! Coarse to fine: early steps see photographs at half their size. A tile then shows four times as much of the scene, and large
-//! things find their place before small ones. 3D Gaussian Splatting (Kerbl et al. 2023) warms up so, too. T has longer steps until
-//! shortly before the end.
+//! Coarse to fine: until shortly before the end, steps see photographs at half their size, and T has longer steps. A tile then
+//! shows four times as much of the scene, and large things find their place before small ones. 3D Gaussian Splatting (Kerbl et
+//! al. 2023) warms up so, too.
 
 use std::borrow::Cow;
 
@@ -10,9 +10,9 @@ use crate::camera::Camera;
 use crate::error::Result;
 use crate::tile::TileBatch;
 
-/// How many times smaller photographs are in early steps.
+/// How many times smaller photographs are in coarse steps.
 const FACTOR: u32 = 2;
-/// How many times as long as sigma steps of T are before the last part of a run.
+/// How many times as long as sigma steps of T are in coarse steps.
 const RAY_STEPS: u32 = 2;
 
 /// Draws the tiles of a run.
@@ -52,12 +52,14 @@ impl Batches {
 
     /// The tiles of a step.
     pub fn of_step(&mut self, run: &RunConfig, step: u32) -> Drawn {
-        let share = run.share(step);
-        let (batch, factor) = match &mut self.smaller {
-            Some(smaller) if share < run.coarse => (smaller.batch(step), FACTOR),
-            _ => (self.whole.batch(step), 1),
-        };
-        Drawn { batch, factor, ray_steps: if share < run.coarse_rays { RAY_STEPS } else { 1 } }
+        if run.share(step) >= run.coarse {
+            return self.whole(step);
+        }
+        let ray_steps = RAY_STEPS;
+        match &mut self.smaller {
+            Some(smaller) => Drawn { batch: smaller.batch(step), factor: FACTOR, ray_steps },
+            None => Drawn { ray_steps, ..self.whole(step) },
+        }
     }
 
     /// The tiles of a step that sees whole photographs, as rendering shows them.
@@ -87,25 +89,25 @@ mod tests {
     use crate::demo;
 
     #[test]
-    fn early_steps_see_half_the_size() {
+    fn coarse_steps_see_half_the_size_and_have_longer_steps_of_t() {
         let cameras = demo::turntable(3, 40);
         let mut run = RunConfig::default();
-        (run.steps, run.tile_size) = (20, 16);
-        (run.coarse, run.coarse_rays) = (0.3, 0.8);
+        (run.steps, run.tile_size, run.coarse) = (20, 16, 0.3);
         let mut batches = Batches::of_cameras(&cameras, &run).unwrap();
         for step in 0..20 {
             let drawn = batches.of_step(&run, step);
-            assert_eq!(drawn.factor, if step < 6 { 2 } else { 1 }, "{step}");
-            assert_eq!(drawn.ray_steps, if step < 16 { 2 } else { 1 }, "{step}");
+            let expected = if step < 6 { [2; 2] } else { [1; 2] };
+            assert_eq!([drawn.factor, drawn.ray_steps], expected, "{step}");
             let seen = drawn.cameras(&cameras);
             let side = 40 / drawn.factor;
             assert!(seen.iter().all(|camera| [camera.width, camera.height] == [side; 2]));
         }
-        run.coarse = 0.0;
-        assert_eq!(batches.of_step(&run, 0).factor, 1);
         // half of a photograph is less than a tile
-        (run.coarse, run.tile_size, run.coarse_rays) = (0.3, 21, 0.0);
+        run.tile_size = 21;
         let drawn = Batches::of_cameras(&cameras, &run).unwrap().of_step(&run, 0);
+        assert_eq!([drawn.factor, drawn.ray_steps], [1, 2]);
+        run.coarse = 0.0;
+        let drawn = batches.of_step(&run, 0);
         assert_eq!([drawn.factor, drawn.ray_steps], [1; 2]);
     }
 }

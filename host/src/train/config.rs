@@ -113,10 +113,9 @@ pub struct RunConfig {
     /// Tiles of a step that share a view, neighbors in its image: Gaussians that several of them show are evaluated
     /// once.  1 draws every tile on its own; more than an image has takes whole images.
     pub tiles_per_view: u32,
-    /// The part of the run, at its start, in which photographs are shown at half their size, 0 to 1.
+    /// The part of the run, at its start, in which photographs are shown at half their size and steps of T are twice as
+    /// long as sigma, 0 to 1.
     pub coarse: f64,
-    /// The part of the run, at its start, in which steps of T are twice as long as sigma, 0 to 1.
-    pub coarse_rays: f64,
     /// Held-out views are measured every so many steps, and after the last; 0 measures after the last alone.
     pub evaluate_every: u32,
     /// Held-out views that are measured before the end, evenly spaced; 0 measures all.  After the last step all are.
@@ -279,8 +278,7 @@ impl Default for RunConfig {
             tiles_per_step: 16,
             tile_size: 64,
             tiles_per_view: 1,
-            coarse: 0.5,
-            coarse_rays: 0.8,
+            coarse: 0.8,
             evaluate_every: 1000,
             evaluate_views: 0,
             checkpoint_every: 250,

@@ -143,16 +143,15 @@ mod tests {
 
     #[test]
     fn a_run_ends_at_its_time() {
-        let costs: [fn(f64, f64) -> f64; 5] = [
+        let costs: [fn(f64, f64) -> f64; 6] = [
             |_, _| 0.1,
             |_, gaussians| 0.05 + 3e-6 * gaussians,
             |_, gaussians| 1e-5 * gaussians,
             // it becomes slower, and faster toward the end
             |share, gaussians| (0.03 + 2e-6 * gaussians) * (1.0 + share * (1.0 - share)),
-            // coarse to fine: small images, whole ones, shorter steps of T
-            |share, _| {
-                0.1 * if share < 0.5 { 1.6 } else { 1.0 } * if share < 0.8 { 0.6 } else { 1.0 }
-            },
+            // coarse to fine: what is left takes longer, or less long
+            |share, _| if share < 0.8 { 0.1 } else { 0.13 },
+            |share, _| if share < 0.8 { 0.13 } else { 0.1 },
         ];
         for (index, cost) in costs.into_iter().enumerate() {
             for seconds in [120.0, 600.0, 3600.0] {

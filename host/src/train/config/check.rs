@@ -24,7 +24,6 @@ impl TrainConfig {
         positive("growth.max_gaussians", self.growth.max_gaussians)?;
         within("run.tile_size", self.run.tile_size, 1, 512)?;
         within("run.coarse", self.run.coarse, 0.0, 1.0)?;
-        within("run.coarse_rays", self.run.coarse_rays, 0.0, 1.0)?;
         within("data.built_in_views", self.data.built_in_views, 2, 1000)?;
         within("data.built_in_side", self.data.built_in_side, 16, 2048)?;
         within("loss.ssim_weight", self.loss.ssim_weight, 0.0, 1.0)?;

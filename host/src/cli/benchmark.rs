@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use organza::metrics::lpips::Lpips;
 use organza::train::report::{Run, Summary};
 use organza::train::{self, CHECKPOINT, CONFIG, Outcome, REPORT};
 use organza::{Result, Scene, write_atomic};
@@ -12,6 +13,7 @@ use serde::Serialize;
 
 use super::console::{Console, print, print_json};
 use super::device::DeviceArgs;
+use super::eval;
 use super::refuse;
 use super::signals::Signals;
 use super::table::Table;
@@ -21,12 +23,14 @@ const EXAMPLES: &str = "\
 Examples:
   organza benchmark data/fox data/garden -o results --minutes 10
   organza benchmark data/* -o small --steps 600 --downscale 4 --seed 1
+  organza benchmark data/fox -o results --lpips lpips-alex.safetensors
 
 FOLDER gets a training run for each capture, named as its folder is, and the table as results.md and results.csv. \
 A capture whose run is there already is continued, or counted as it is: the same command goes on after Ctrl-C.
 
 PSNR and SSIM are those of the held-out views after the last step. MB is the size of the scene, in 10^6 bytes, \
-without the state of training. Minutes are those of training, without evaluations.";
+without the state of training. Minutes are those of training, without evaluations. scripts/lpips-weights.py makes \
+the file of --lpips.";
 
 /// Train on several captures, and compare them in one table
 #[derive(Debug, clap::Args)]
@@ -38,6 +42,9 @@ pub struct Args {
     /// The folder for the runs and the table; created if it does not exist
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
+    /// Also measure LPIPS, with the weights in this file
+    #[arg(long, value_name = "WEIGHTS")]
+    lpips: Option<PathBuf>,
     /// Print JSON (docs/json.md)
     #[arg(long)]
     json: bool,
@@ -59,6 +66,8 @@ struct Row {
     name: String,
     psnr: Option<f64>,
     ssim: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lpips: Option<f64>,
     steps: u64,
     gaussians: usize,
     megabytes: f64,
@@ -68,6 +77,8 @@ struct Row {
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let signals = Signals::listen()?;
     let names = names(&args.data)?;
+    // before training, so that a wrong file costs no time
+    let lpips = args.lpips.as_ref().map(Lpips::load).transpose()?;
     let mut rows = Vec::new();
     for (data, name) in args.data.iter().zip(&names) {
         let folder = args.output.join(name);
@@ -87,7 +98,13 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         }
         console
             .note(&format!("{name}: {:.1} minutes in all", begin.elapsed().as_secs_f64() / 60.0));
-        rows.push(Row::of(name, &folder)?);
+        let mut row = Row::of(name, &folder)?;
+        // no PSNR: nothing is held out
+        if lpips.is_some() && row.psnr.is_some() {
+            let eval = eval::Args::of_run(&folder, &args.device);
+            row.lpips = eval.evaluate(lpips.as_ref(), console)?.mean.lpips;
+        }
+        rows.push(row);
         // after each, so that what was measured is there whatever comes
         let write = |name: &str, text: String| {
             write_atomic(args.output.join(name), |writer| writer.write_all(text.as_bytes()))
@@ -130,6 +147,7 @@ impl Row {
             name: name.to_owned(),
             psnr,
             ssim,
+            lpips: None,
             steps: run.last_step(),
             gaussians: scene.gaussians.len(),
             megabytes: bytes as f64 / 1e6,
@@ -138,7 +156,7 @@ impl Row {
     }
 
     /// Its numbers as text; `none` stands for what there is not.
-    fn cells(&self, none: &str) -> [String; 7] {
+    fn cells(&self, none: &str) -> [String; 8] {
         let number = |value: Option<f64>, digits: usize| {
             value.map_or(none.to_owned(), |value| format!("{value:.digits$}"))
         };
@@ -146,6 +164,7 @@ impl Row {
             self.name.clone(),
             number(self.psnr, 2),
             number(self.ssim, 4),
+            number(self.lpips, 4),
             self.steps.to_string(),
             self.gaussians.to_string(),
             format!("{:.2}", self.megabytes),
@@ -154,18 +173,32 @@ impl Row {
     }
 }
 
-const TITLES: [&str; 7] = ["capture", "PSNR", "SSIM", "steps", "Gaussians", "MB", "minutes"];
+const TITLES: [&str; 8] =
+    ["capture", "PSNR", "SSIM", "LPIPS", "steps", "Gaussians", "MB", "minutes"];
+
+/// A row without the column of LPIPS, unless it was measured.
+fn shown<T>(rows: &[Row], cells: [T; 8]) -> Vec<T> {
+    let has_lpips = rows.iter().any(|row| row.lpips.is_some());
+    let is_shown = |title: &str| has_lpips || title != "LPIPS";
+    TITLES
+        .into_iter()
+        .zip(cells)
+        .filter_map(|(title, cell)| is_shown(title).then_some(cell))
+        .collect()
+}
 
 fn table(rows: &[Row]) -> Table {
-    let mut table = Table::new(1, TITLES);
-    rows.iter().for_each(|row| table.row(row.cells("-")));
+    let mut table = Table::new(1, shown(rows, TITLES));
+    rows.iter().for_each(|row| table.row(shown(rows, row.cells("-"))));
     table
 }
 
 fn markdown(rows: &[Row]) -> String {
-    let mut text = format!("| {} |\n| --- |{}\n", TITLES.join(" | "), " ---: |".repeat(6));
+    let titles = shown(rows, TITLES);
+    let mut text =
+        format!("| {} |\n| --- |{}\n", titles.join(" | "), " ---: |".repeat(titles.len() - 1));
     for row in rows {
-        let mut cells = row.cells("-");
+        let mut cells = shown(rows, row.cells("-"));
         // what would end a cell or a link
         let name = cells[0].replace(['|', '[', ']', '\n'], "_");
         let link = row.name.replace(' ', "%20").replace(['(', ')', '|', '\n'], "_");
@@ -180,9 +213,9 @@ fn markdown(rows: &[Row]) -> String {
 }
 
 fn csv(rows: &[Row]) -> String {
-    let mut text = TITLES.join(",") + "\n";
+    let mut text = shown(rows, TITLES).join(",") + "\n";
     for row in rows {
-        let mut cells = row.cells("");
+        let mut cells = shown(rows, row.cells(""));
         cells[0] = format!("\"{}\"", row.name.replace('"', "\"\""));
         let _ = writeln!(text, "{}", cells.join(","));
     }

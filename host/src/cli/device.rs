@@ -14,7 +14,7 @@ use super::console::Console;
 use super::refuse;
 
 /// How a scene lies on the device.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Default, clap::Args)]
 pub struct SceneArgs {
     /// Store both hash grids in half precision: half their memory, each feature off by at most 1/2048; no gradients
     #[arg(long, help_heading = "Device", hide_short_help = true)]
@@ -39,7 +39,7 @@ impl SceneArgs {
 }
 
 /// Options of the subcommands that render.
-#[derive(Debug, clap::Args)]
+#[derive(Clone, Debug, clap::Args)]
 pub struct DeviceArgs {
     /// The device to use; `auto` takes a GPU if there is one, and says which
     #[arg(long, value_enum, default_value_t, help_heading = "Device", hide_short_help = true)]

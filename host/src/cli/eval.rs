@@ -1,6 +1,6 @@
 //! `organza eval`: how close a scene comes to photographs.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use organza::data::{Background, Dataset, Frame};
@@ -69,35 +69,58 @@ pub struct Args {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let source = SceneSource::find(&args.scene)?;
-    let usage = "organza eval SCENE DATA";
-    let mut settings = args.data_args.settings(&source, args.data.as_deref(), usage)?;
-    let split = args.data_args.split(Split::HeldOut);
-    if split == Split::All {
-        // A frame that is held out is measured like any other.
-        settings.hold_out_every = 0;
-    }
-    if let Some(csv) = &args.csv {
-        let inputs = [Some(source.file()), args.data.as_deref(), args.lpips.as_deref()];
-        output::check_file(csv, &inputs.into_iter().flatten().collect::<Vec<_>>())?;
-    }
     let lpips = args.lpips.as_ref().map(Lpips::load).transpose()?;
-    let scene = source.load(console)?;
-    let of_scene = scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32);
-    settings.background = args.background.unwrap_or(Background::Color(of_scene));
-    let data = DataSet::open(settings, console)?;
-    let data = data.refined(&source, args.data.as_deref())?.only(split)?;
-    let renderer = args.device.open(console)?;
-    let dataset = data.read(&renderer, console)?;
-    let frames = frames(args, &dataset, split)?;
-    let scene = args.scene_args.upload(&renderer, &scene)?;
-    let measures = Measures { lpips: lpips.as_ref(), fitted: args.fit_colors };
-    let evaluation = measure(&renderer, &scene, &frames, measures, console)?;
+    let evaluation = args.evaluate(lpips.as_ref(), console)?;
     if let Some(csv) = &args.csv {
         evaluation.save_csv(csv)?;
         console.note(&format!("wrote {}", csv.display()));
     }
     if args.json { print_json(&evaluation) } else { print(&table(&evaluation)) }
+}
+
+impl Args {
+    /// What measures the held-out views of a run.
+    pub fn of_run(folder: &Path, device: &DeviceArgs) -> Self {
+        Self {
+            scene: folder.to_owned(),
+            data: None,
+            background: None,
+            csv: None,
+            lpips: None,
+            fit_colors: false,
+            json: false,
+            data_args: DataArgs::default(),
+            scene_args: SceneArgs::default(),
+            device: device.clone(),
+        }
+    }
+
+    /// Reads the scene and the photographs, and compares them.
+    pub fn evaluate(&self, lpips: Option<&Lpips>, console: Console) -> Result<Evaluation> {
+        let source = SceneSource::find(&self.scene)?;
+        let usage = "organza eval SCENE DATA";
+        let mut settings = self.data_args.settings(&source, self.data.as_deref(), usage)?;
+        let split = self.data_args.split(Split::HeldOut);
+        if split == Split::All {
+            // A frame that is held out is measured like any other.
+            settings.hold_out_every = 0;
+        }
+        if let Some(csv) = &self.csv {
+            let inputs = [Some(source.file()), self.data.as_deref(), self.lpips.as_deref()];
+            output::check_file(csv, &inputs.into_iter().flatten().collect::<Vec<_>>())?;
+        }
+        let scene = source.load(console)?;
+        let of_scene = scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32);
+        settings.background = self.background.unwrap_or(Background::Color(of_scene));
+        let data = DataSet::open(settings, console)?;
+        let data = data.refined(&source, self.data.as_deref())?.only(split)?;
+        let renderer = self.device.open(console)?;
+        let dataset = data.read(&renderer, console)?;
+        let frames = frames(self, &dataset, split)?;
+        let scene = self.scene_args.upload(&renderer, &scene)?;
+        let measures = Measures { lpips, fitted: self.fit_colors };
+        measure(&renderer, &scene, &frames, measures, console)
+    }
 }
 
 fn frames<'a>(args: &Args, dataset: &'a Dataset, split: Split) -> Result<Vec<&'a Frame>> {

@@ -16,7 +16,7 @@ use crate::cli::console::Console;
 use crate::cli::summary::count;
 
 /// Options that say how a data set is read, and which of its frames are used.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Default, clap::Args)]
 pub struct DataArgs {
     /// The frames of the data set to use [default: held-out for `eval`, all for other commands]
     #[arg(long, value_enum, help_heading = "Data set")]

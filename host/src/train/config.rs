@@ -278,7 +278,7 @@ impl Default for RunConfig {
             tiles_per_step: 16,
             tile_size: 64,
             tiles_per_view: 1,
-            coarse: 0.8,
+            coarse: 0.7,
             evaluate_every: 1000,
             evaluate_views: 0,
             checkpoint_every: 250,

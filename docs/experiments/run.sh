@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# Runs the comparison of docs/experiments.md: every configuration beside this script with two seeds, and the long run.
-#   docs/experiments/run.sh DATA RUNS [ORGANZA]
+# The runs of docs/experiments.md: each leaves out one part of the method, or changes it. Prints the table.
+#   docs/experiments/run.sh RUNS ORGANZA CAPTURE...
+# The same command goes on after Ctrl-C, and repeats nothing.
 set -euo pipefail
-data=$1 runs=$2 organza=${3:-organza}
+runs=$1 organza=$2
+shift 2
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$runs"
-for seed in 0 1; do
-    for config in "$here"/*.toml; do
-        "$organza" train "$data" -o "$runs/$(basename "$config" .toml)-$seed" --config "$config" --seed "$seed" \
-            --backend cpu --quiet
-    done
+grep -v '^#' "$here/parts.txt" | while IFS='|' read -r name part options; do
+    echo "$name:$part" >&2
+    # shellcheck disable=SC2086  # options are words
+    "$organza" benchmark "$@" -o "$runs/$name" --steps 400 --backend cpu --quiet $options >/dev/null </dev/null
 done
-"$organza" train "$data" -o "$runs/hour-$(basename "$data")" --preset best --minutes 60 --backend cpu --quiet
-"$here/plot.py" "$runs"
+"$here/table.py" "$runs"

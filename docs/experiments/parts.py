@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+"""What each part of the method is worth: trains without it, or with another, and prints the table of docs/experiments.md.
+
+    docs/experiments/parts.py RUNS ORGANZA CAPTURE...
+
+The first row has PSNR and SSIM, the others what they have more or less. The same command goes on after Ctrl-C.
+"""
+
+import csv
+import subprocess
+import sys
+from pathlib import Path
+
+# folder of the runs: what differs, and options
+PARTS = {
+    "base": ("defaults", []),
+    "visible": ("T = 1", ["--set", "ablation.learn_transmittance=false"]),
+    "undivided": ("no division where S > 1", ["--set", "ablation.divide=false"]),
+    "whole": ("whole photographs and short steps of T from the start", ["--set", "run.coarse=0"]),
+    "cooldown": ("no cooldown", ["--set", "optimizer.cooldown=0"]),
+    "decay": ("no weight decay of T's grid", ["--set", "optimizer.transmittance_decay=0"]),
+    "fixed": ("no growth", ["--set", "growth.method=none"]),
+    "relocate": ("relocation instead of splitting", ["--set", "growth.method=relocate"]),
+    "neighbors": ("tiles in groups of four neighbors", ["--set", "run.tiles_per_view=4"]),
+    "seed": ("another seed", ["--seed", "1"]),
+}
+
+
+def train(organza, captures, folder, options):
+    """PSNR and SSIM of each capture."""
+    command = [organza, "benchmark", *captures, "-o", folder, "--steps", "400", "--backend", "cpu", "--quiet", *options]
+    subprocess.run(command, stdout=subprocess.DEVNULL, check=True)
+    with (folder / "results.csv").open() as file:
+        return {row["capture"]: (float(row["PSNR"]), float(row["SSIM"])) for row in csv.DictReader(file)}
+
+
+def main():
+    runs, organza, *captures = sys.argv[1:]
+    base = None
+    for name, (part, options) in PARTS.items():
+        scores = train(organza, captures, Path(runs) / name, options)
+        if base is None:
+            base = scores
+            print(f"| what differs | {' | '.join(base)} |\n| --- |{' ---: |' * len(base)}")
+            cells = [f"{psnr:.2f}, {ssim:.3f}" for psnr, ssim in scores.values()]
+        else:
+            differences = ((psnr - base[name][0], ssim - base[name][1]) for name, (psnr, ssim) in scores.items())
+            cells = [f"{psnr:+.2f}, {ssim:+.3f}".replace("-", "−") for psnr, ssim in differences]
+        print(f"| {part} | {' | '.join(cells)} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -128,7 +128,8 @@ fn what_cannot_be_is_refused() {
     )
     .unwrap();
     sandbox.assert_refuses("import points.ply -o new.safetensors", &["points.ply", "`f_dc_0`"]);
-    let train = "train -o run --start points.ply";
+    let train =
+        "train -o run --start points.ply --set data.built_in_views=2 --set data.built_in_side=16";
     sandbox.assert_refuses(train, &["points.ply", "`f_dc_0`"]);
     assert!(!sandbox.path("new.safetensors").exists());
 }

@@ -250,7 +250,7 @@ mod tests {
     use super::*;
 
     fn scene() -> Scene {
-        let config = crate::demo::scene().config;
+        let config = crate::demo::config();
         let mut scene = Scene::zeros(config, 4).unwrap();
         let gaussians = &mut scene.gaussians;
         gaussians.rotation.fill([0.3, -0.2, 0.9, 0.1]);

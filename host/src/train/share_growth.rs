@@ -154,7 +154,7 @@ mod tests {
     /// strongest gradients: most rows have another place afterwards.
     fn state() -> Checkpoint {
         let mut random = Pcg64::seed_from_u64(3);
-        let scene = Scene::zeros(crate::demo::scene().config, SLICE + 300).unwrap();
+        let scene = Scene::zeros(crate::demo::config(), SLICE + 300).unwrap();
         let mut state = Checkpoint::begin(scene, &TrainConfig::default()).unwrap();
         let Checkpoint { scene, moments: [first, second], statistics, .. } = &mut state;
         for scene in [scene, first, second] {

@@ -33,14 +33,14 @@ struct type_15 {
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(4) 
-var<storage, read_write> global_3: type_5;
 @group(0) @binding(3) 
-var<storage> global_4: type_5;
+var<storage> global_3: type_5;
 @group(0) @binding(0) 
-var<uniform> global_5: type_11;
+var<uniform> global_4: type_11;
 @group(0) @binding(1) 
-var<storage> global_6: type_15;
+var<storage> global_5: type_15;
+@group(0) @binding(4) 
+var<storage, read_write> global_6: type_5;
 @group(0) @binding(2) 
 var<storage> global_7: type_5;
 
@@ -67,12 +67,12 @@ fn function_() {
             let _e30 = global_1;
             let _e31 = global_2;
             let _e39 = (((_e30.x + (_e30.y * _e31.x)) * 64u) + _e29.x);
-            let _e42 = global_5.member.member;
+            let _e42 = global_4.member.member;
             if (_e39 < _e42) {
-                let _e47 = global_6.member[_e30.z];
-                let _e50 = global_5.member.member_1;
-                let _e53 = global_5.member.member_6;
-                let _e56 = global_5.member.member_5;
+                let _e47 = global_5.member[_e30.z];
+                let _e50 = global_4.member.member_1;
+                let _e53 = global_4.member.member_6;
+                let _e56 = global_4.member.member_5;
                 let _e57 = (_e56 == 0u);
                 if _e57 {
                     break;
@@ -83,16 +83,16 @@ fn function_() {
                 }
                 let _e61 = (_e39 % _e56);
                 let _e62 = ((_e58 * (_e53 * _e50)) + _e61);
-                let _e65 = global_4.member[_e62];
+                let _e65 = global_3.member[_e62];
                 let _e66 = (3u * _e50);
-                let _e70 = global_4.member[(_e62 + _e66)];
+                let _e70 = global_3.member[(_e62 + _e66)];
                 let _e71 = (_e50 + _e62);
-                let _e74 = global_4.member[_e71];
-                let _e78 = global_4.member[(_e71 + _e66)];
+                let _e74 = global_3.member[_e71];
+                let _e78 = global_3.member[(_e71 + _e66)];
                 let _e80 = ((2u * _e50) + _e62);
-                let _e83 = global_4.member[_e80];
-                let _e87 = global_4.member[(_e80 + _e66)];
-                let _e90 = global_5.member.member_4;
+                let _e83 = global_3.member[_e80];
+                let _e87 = global_3.member[(_e80 + _e66)];
+                let _e90 = global_4.member.member_4;
                 let _e91 = (_e90 != 0u);
                 let _e92 = (_e65 + _e70);
                 let _e95 = select(false, (_e92 < 1f), (0f < _e92));
@@ -213,9 +213,9 @@ fn function_() {
                 let _e338 = (_e126 * _e335);
                 let _e339 = (_e334 * _e158);
                 let _e340 = (_e126 * _e158);
-                let _e351 = global_5.member.member_3;
-                let _e354 = global_5.member.member_2;
-                let _e359 = global_5.member.member_7;
+                let _e351 = global_4.member.member_3;
+                let _e354 = global_4.member.member_2;
+                let _e359 = global_4.member.member_7;
                 if _e57 {
                     break;
                 }
@@ -237,7 +237,7 @@ fn function_() {
                         let _e404 = global_7.member[(((_e298 + _e47.member_3) * _e351) + _e366)];
                         let _e410 = global_7.member[(((_e315 + _e47.member_3) * _e351) + _e366)];
                         let _e416 = global_7.member[(((_e332 + _e47.member_3) * _e351) + _e366)];
-                        global_3.member[_e368] = ((((((((_e374 * (_e337 * _e336)) + (_e380 * (_e338 * _e336))) + (_e386 * (_e339 * _e336))) + (_e392 * (_e340 * _e336))) + (_e398 * (_e337 * _e190))) + (_e404 * (_e338 * _e190))) + (_e410 * (_e339 * _e190))) + (_e416 * (_e340 * _e190)));
+                        global_6.member[_e368] = ((((((((_e374 * (_e337 * _e336)) + (_e380 * (_e338 * _e336))) + (_e386 * (_e339 * _e336))) + (_e392 * (_e340 * _e336))) + (_e398 * (_e337 * _e190))) + (_e404 * (_e338 * _e190))) + (_e410 * (_e339 * _e190))) + (_e416 * (_e340 * _e190)));
                         phi_425_ = (_e366 + 1u);
                         phi_428_ = (_e368 + _e50);
                     } else {

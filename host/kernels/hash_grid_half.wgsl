@@ -1,4 +1,4 @@
-struct type_5 {
+struct type_6 {
     member: array<f32>,
 }
 
@@ -37,16 +37,16 @@ struct type_20 {
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(4) 
-var<storage, read_write> global_3: type_5;
 @group(0) @binding(3) 
-var<storage> global_4: type_5;
+var<storage> global_3: type_6;
 @group(0) @binding(0) 
-var<uniform> global_5: type_16;
+var<uniform> global_4: type_16;
 @group(0) @binding(1) 
-var<storage> global_6: type_20;
+var<storage> global_5: type_20;
 @group(0) @binding(2) 
-var<storage> global_7: type_12;
+var<storage> global_6: type_12;
+@group(0) @binding(4) 
+var<storage, read_write> global_7: type_6;
 
 fn function_() {
     var phi_248_: f32;
@@ -72,12 +72,12 @@ fn function_() {
             let _e36 = global_1;
             let _e37 = global_2;
             let _e45 = (((_e36.x + (_e36.y * _e37.x)) * 64u) + _e35.x);
-            let _e48 = global_5.member.member;
+            let _e48 = global_4.member.member;
             if (_e45 < _e48) {
-                let _e53 = global_6.member[_e36.z];
-                let _e56 = global_5.member.member_1;
-                let _e59 = global_5.member.member_6;
-                let _e62 = global_5.member.member_5;
+                let _e53 = global_5.member[_e36.z];
+                let _e56 = global_4.member.member_1;
+                let _e59 = global_4.member.member_6;
+                let _e62 = global_4.member.member_5;
                 let _e63 = (_e62 == 0u);
                 if _e63 {
                     break;
@@ -88,17 +88,17 @@ fn function_() {
                 }
                 let _e67 = (_e45 % _e62);
                 let _e68 = ((_e64 * (_e59 * _e56)) + _e67);
-                let _e71 = global_4.member[_e68];
+                let _e71 = global_3.member[_e68];
                 let _e72 = (3u * _e56);
-                let _e76 = global_4.member[(_e68 + _e72)];
+                let _e76 = global_3.member[(_e68 + _e72)];
                 let _e77 = (_e56 + _e68);
-                let _e80 = global_4.member[_e77];
-                let _e84 = global_4.member[(_e77 + _e72)];
+                let _e80 = global_3.member[_e77];
+                let _e84 = global_3.member[(_e77 + _e72)];
                 let _e85 = (2u * _e56);
                 let _e86 = (_e85 + _e68);
-                let _e89 = global_4.member[_e86];
-                let _e93 = global_4.member[(_e86 + _e72)];
-                let _e96 = global_5.member.member_4;
+                let _e89 = global_3.member[_e86];
+                let _e93 = global_3.member[(_e86 + _e72)];
+                let _e96 = global_4.member.member_4;
                 let _e97 = (_e96 != 0u);
                 let _e98 = (_e71 + _e76);
                 let _e101 = select(false, (_e98 < 1f), (0f < _e98));
@@ -227,7 +227,7 @@ fn function_() {
                 let _e352 = (_e344 * _e196);
                 let _e353 = (_e345 * _e196);
                 let _e354 = (_e346 * _e196);
-                let _e357 = global_5.member.member_3;
+                let _e357 = global_4.member.member_3;
                 let _e358 = (_e357 / 2u);
                 if ((_e357 % 2u) > 0u) {
                     phi_457_ = (_e358 + 1u);
@@ -235,8 +235,8 @@ fn function_() {
                     phi_457_ = _e358;
                 }
                 let _e363 = phi_457_;
-                let _e366 = global_5.member.member_2;
-                let _e371 = global_5.member.member_7;
+                let _e366 = global_4.member.member_2;
+                let _e371 = global_4.member.member_7;
                 if _e63 {
                     break;
                 }
@@ -250,33 +250,33 @@ fn function_() {
                     let _e380 = phi_477_;
                     let _e381 = (_e378 < _e363);
                     if _e381 {
-                        let _e386 = global_7.member[(((_e218 + _e53.member_3) * _e363) + _e378)];
+                        let _e386 = global_6.member[(((_e218 + _e53.member_3) * _e363) + _e378)];
                         let _e387 = (_e386 & 65535u);
                         let _e398 = (_e386 >> bitcast<u32>(16i));
-                        let _e414 = global_7.member[(((_e236 + _e53.member_3) * _e363) + _e378)];
+                        let _e414 = global_6.member[(((_e236 + _e53.member_3) * _e363) + _e378)];
                         let _e415 = (_e414 & 65535u);
                         let _e426 = (_e414 >> bitcast<u32>(16i));
-                        let _e442 = global_7.member[(((_e253 + _e53.member_3) * _e363) + _e378)];
+                        let _e442 = global_6.member[(((_e253 + _e53.member_3) * _e363) + _e378)];
                         let _e443 = (_e442 & 65535u);
                         let _e454 = (_e442 >> bitcast<u32>(16i));
-                        let _e470 = global_7.member[(((_e270 + _e53.member_3) * _e363) + _e378)];
+                        let _e470 = global_6.member[(((_e270 + _e53.member_3) * _e363) + _e378)];
                         let _e471 = (_e470 & 65535u);
                         let _e482 = (_e470 >> bitcast<u32>(16i));
-                        let _e498 = global_7.member[(((_e287 + _e53.member_3) * _e363) + _e378)];
+                        let _e498 = global_6.member[(((_e287 + _e53.member_3) * _e363) + _e378)];
                         let _e499 = (_e498 & 65535u);
                         let _e510 = (_e498 >> bitcast<u32>(16i));
-                        let _e526 = global_7.member[(((_e304 + _e53.member_3) * _e363) + _e378)];
+                        let _e526 = global_6.member[(((_e304 + _e53.member_3) * _e363) + _e378)];
                         let _e527 = (_e526 & 65535u);
                         let _e538 = (_e526 >> bitcast<u32>(16i));
-                        let _e554 = global_7.member[(((_e321 + _e53.member_3) * _e363) + _e378)];
+                        let _e554 = global_6.member[(((_e321 + _e53.member_3) * _e363) + _e378)];
                         let _e555 = (_e554 & 65535u);
                         let _e566 = (_e554 >> bitcast<u32>(16i));
-                        let _e582 = global_7.member[(((_e338 + _e53.member_3) * _e363) + _e378)];
+                        let _e582 = global_6.member[(((_e338 + _e53.member_3) * _e363) + _e378)];
                         let _e583 = (_e582 & 65535u);
                         let _e594 = (_e582 >> bitcast<u32>(16i));
-                        global_3.member[_e380] = (((((((((bitcast<f32>((((_e387 & 32768u) << bitcast<u32>(16i)) | ((_e387 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e347) + ((bitcast<f32>((((_e415 & 32768u) << bitcast<u32>(16i)) | ((_e415 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e348)) + ((bitcast<f32>((((_e443 & 32768u) << bitcast<u32>(16i)) | ((_e443 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e349)) + ((bitcast<f32>((((_e471 & 32768u) << bitcast<u32>(16i)) | ((_e471 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e350)) + ((bitcast<f32>((((_e499 & 32768u) << bitcast<u32>(16i)) | ((_e499 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e351)) + ((bitcast<f32>((((_e527 & 32768u) << bitcast<u32>(16i)) | ((_e527 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e352)) + ((bitcast<f32>((((_e555 & 32768u) << bitcast<u32>(16i)) | ((_e555 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e353)) + ((bitcast<f32>((((_e583 & 32768u) << bitcast<u32>(16i)) | ((_e583 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e354));
+                        global_7.member[_e380] = (((((((((bitcast<f32>((((_e387 & 32768u) << bitcast<u32>(16i)) | ((_e387 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e347) + ((bitcast<f32>((((_e415 & 32768u) << bitcast<u32>(16i)) | ((_e415 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e348)) + ((bitcast<f32>((((_e443 & 32768u) << bitcast<u32>(16i)) | ((_e443 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e349)) + ((bitcast<f32>((((_e471 & 32768u) << bitcast<u32>(16i)) | ((_e471 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e350)) + ((bitcast<f32>((((_e499 & 32768u) << bitcast<u32>(16i)) | ((_e499 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e351)) + ((bitcast<f32>((((_e527 & 32768u) << bitcast<u32>(16i)) | ((_e527 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e352)) + ((bitcast<f32>((((_e555 & 32768u) << bitcast<u32>(16i)) | ((_e555 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e353)) + ((bitcast<f32>((((_e583 & 32768u) << bitcast<u32>(16i)) | ((_e583 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e354));
                         if (((2u * _e378) + 1u) < _e357) {
-                            global_3.member[(_e380 + _e56)] = (((((((((bitcast<f32>((((_e398 & 32768u) << bitcast<u32>(16i)) | ((_e398 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e347) + ((bitcast<f32>((((_e426 & 32768u) << bitcast<u32>(16i)) | ((_e426 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e348)) + ((bitcast<f32>((((_e454 & 32768u) << bitcast<u32>(16i)) | ((_e454 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e349)) + ((bitcast<f32>((((_e482 & 32768u) << bitcast<u32>(16i)) | ((_e482 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e350)) + ((bitcast<f32>((((_e510 & 32768u) << bitcast<u32>(16i)) | ((_e510 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e351)) + ((bitcast<f32>((((_e538 & 32768u) << bitcast<u32>(16i)) | ((_e538 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e352)) + ((bitcast<f32>((((_e566 & 32768u) << bitcast<u32>(16i)) | ((_e566 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e353)) + ((bitcast<f32>((((_e594 & 32768u) << bitcast<u32>(16i)) | ((_e594 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e354));
+                            global_7.member[(_e380 + _e56)] = (((((((((bitcast<f32>((((_e398 & 32768u) << bitcast<u32>(16i)) | ((_e398 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e347) + ((bitcast<f32>((((_e426 & 32768u) << bitcast<u32>(16i)) | ((_e426 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e348)) + ((bitcast<f32>((((_e454 & 32768u) << bitcast<u32>(16i)) | ((_e454 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e349)) + ((bitcast<f32>((((_e482 & 32768u) << bitcast<u32>(16i)) | ((_e482 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e350)) + ((bitcast<f32>((((_e510 & 32768u) << bitcast<u32>(16i)) | ((_e510 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e351)) + ((bitcast<f32>((((_e538 & 32768u) << bitcast<u32>(16i)) | ((_e538 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e352)) + ((bitcast<f32>((((_e566 & 32768u) << bitcast<u32>(16i)) | ((_e566 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e353)) + ((bitcast<f32>((((_e594 & 32768u) << bitcast<u32>(16i)) | ((_e594 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e354));
                         }
                         phi_475_ = (_e378 + 1u);
                         phi_478_ = (_e380 + _e85);

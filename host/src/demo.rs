@@ -23,9 +23,7 @@ use std::f64::consts::TAU;
 use glam::Vec3;
 
 use crate::camera::Camera;
-use crate::scene::{
-    Contraction, Gaussians, GridConfig, Interpolation, MlpConfig, Scene, SceneConfig,
-};
+use crate::scene::{Contraction, Gaussians, GridConfig, MlpConfig, Scene, SceneConfig};
 use lattice::Splats;
 use light::Surroundings;
 
@@ -94,7 +92,6 @@ fn config() -> SceneConfig {
         log2_table,
         base_resolution,
         growth: 1.0,
-        interpolation: Interpolation::Linear,
     };
     SceneConfig {
         sh_degree: 1,

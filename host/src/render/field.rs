@@ -9,7 +9,7 @@ use super::block::{BlockOf, Chunk, Layout, ROWS_OF_POINT};
 use super::hash_grid_half::pack_halves;
 use super::network::LayerPlace;
 use super::options::UploadOptions;
-use crate::scene::{Field, FieldTensors, GridConfig, Interpolation};
+use crate::scene::{Field, FieldTensors, GridConfig};
 use organza_device::{Buffer, Device, Result};
 
 /// A field whose tensors lie on a device: `table` and `parameters` are those of the scene.
@@ -21,7 +21,6 @@ pub struct DeviceField {
     pub(super) half_table: Option<Buffer<u32>>,
     pub parameters: Buffer<Vec4>,
     pub(super) features: u32,
-    pub(super) smoothstep: bool,
     pub(super) layers: Vec<LayerPlace>,
 }
 
@@ -48,7 +47,6 @@ impl DeviceField {
             half_table: options.half_grids.then(half_table).transpose()?,
             parameters: tensors.network.view(),
             features: grid.features,
-            smoothstep: grid.interpolation == Interpolation::Smoothstep,
             layers: LayerPlace::of(&field.network),
         })
     }
@@ -61,7 +59,6 @@ impl DeviceField {
             half_table: self.half_table.as_ref().map(Buffer::view),
             parameters: self.parameters.view(),
             features: self.features,
-            smoothstep: self.smoothstep,
             layers: self.layers.clone(),
         }
     }
@@ -90,7 +87,6 @@ impl DeviceField {
             stride: layout.stride,
             first_row,
             features: self.features,
-            smoothstep: u32::from(self.smoothstep),
             chunk: layout.chunk,
             point_rows: ROWS_OF_POINT,
             rows: block.rows,

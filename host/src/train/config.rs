@@ -24,7 +24,7 @@ use crate::atomic_file::write_atomic;
 use crate::data::{Alpha, Background, DatasetOptions, Keep};
 use crate::error::{Error, Result};
 use crate::input::read_text;
-use crate::scene::{Contraction, GridConfig, Interpolation, MlpConfig, SceneConfig};
+use crate::scene::{Contraction, GridConfig, MlpConfig, SceneConfig};
 
 /// Far more than all settings need; what is larger was named by mistake.
 const MAX_BYTES: u64 = 1 << 20;
@@ -326,7 +326,6 @@ impl Default for ShapeConfig {
             log2_table: 14,
             base_resolution: 16.0,
             growth: 1.35,
-            interpolation: Interpolation::Linear,
         };
         Self {
             sh_degree: 2,

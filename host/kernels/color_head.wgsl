@@ -1,4 +1,12 @@
-struct type_3 {
+struct type_5 {
+    member: array<f32>,
+}
+
+struct type_12 {
+    member: array<vec4<f32>>,
+}
+
+struct type_15 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -7,19 +15,11 @@ struct type_3 {
     member_5: u32,
 }
 
-struct type_4 {
-    member: type_3,
+struct type_16 {
+    member: type_15,
 }
 
-struct type_9 {
-    member: array<vec4<f32>>,
-}
-
-struct type_12 {
-    member: array<f32>,
-}
-
-struct type_17 {
+struct type_18 {
     member: f32,
     member_1: f32,
     member_2: f32,
@@ -30,26 +30,26 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_4;
+var<uniform> global_3: type_16;
 @group(0) @binding(1) 
-var<storage> global_4: type_9;
+var<storage> global_4: type_12;
 @group(0) @binding(2) 
-var<storage> global_5: type_12;
+var<storage> global_5: type_5;
 @group(0) @binding(3) 
-var<storage, read_write> global_6: type_12;
+var<storage, read_write> global_6: type_5;
 
 fn function_() {
     var phi_76_: u32;
     var phi_79_: u32;
-    var phi_81_: type_17;
+    var phi_81_: type_18;
     var phi_83_: u32;
     var phi_77_: u32;
     var phi_80_: u32;
-    var phi_82_: type_17;
+    var phi_82_: type_18;
     var phi_84_: u32;
-    var local: type_17;
-    var local_1: type_17;
-    var local_2: type_17;
+    var local: type_18;
+    var local_1: type_18;
+    var local_2: type_18;
 
     let _e18 = global;
     let _e19 = global_1;
@@ -64,7 +64,7 @@ fn function_() {
         let _e47 = global_4.member[_e44];
         phi_76_ = 0u;
         phi_79_ = _e41;
-        phi_81_ = type_17(_e47.x, _e47.y, _e47.z, _e47.w);
+        phi_81_ = type_18(_e47.x, _e47.y, _e47.z, _e47.w);
         phi_83_ = _e28;
         loop {
             let _e54 = phi_76_;
@@ -80,12 +80,12 @@ fn function_() {
                 let _e67 = global_5.member[_e60];
                 phi_77_ = (_e54 + 1u);
                 phi_80_ = (_e56 + 1u);
-                phi_82_ = type_17(((_e67 * _e64.x) + _e58.member), ((_e67 * _e64.y) + _e58.member_1), ((_e67 * _e64.z) + _e58.member_2), ((_e67 * _e64.w) + _e58.member_3));
+                phi_82_ = type_18(((_e67 * _e64.x) + _e58.member), ((_e67 * _e64.y) + _e58.member_1), ((_e67 * _e64.z) + _e58.member_2), ((_e67 * _e64.w) + _e58.member_3));
                 phi_84_ = (_e60 + _e35);
             } else {
                 phi_77_ = u32();
                 phi_80_ = u32();
-                phi_82_ = type_17();
+                phi_82_ = type_18();
                 phi_84_ = u32();
             }
             let _e89 = phi_77_;

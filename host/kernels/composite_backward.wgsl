@@ -1,4 +1,20 @@
-struct type_3 {
+struct type_6 {
+    member: array<i32>,
+}
+
+struct type_9 {
+    member: array<f32>,
+}
+
+struct type_16 {
+    member: array<u32>,
+}
+
+struct type_21 {
+    member: array<vec4<f32>>,
+}
+
+struct type_24 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -7,43 +23,27 @@ struct type_3 {
     member_5: u32,
 }
 
-struct type_4 {
-    member: type_3,
-}
-
-struct type_9 {
-    member: array<vec4<f32>>,
-}
-
-struct type_12 {
-    member: array<f32>,
-}
-
-struct type_20 {
-    member: array<i32>,
-}
-
-struct type_24 {
-    member: array<u32>,
+struct type_25 {
+    member: type_24,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(0) 
-var<uniform> global_3: type_4;
 @group(0) @binding(1) 
-var<storage> global_4: type_20;
+var<storage> global_3: type_6;
 @group(0) @binding(2) 
-var<storage> global_5: type_24;
+var<storage> global_4: type_16;
 @group(0) @binding(3) 
-var<storage> global_6: type_24;
+var<storage> global_5: type_16;
 @group(0) @binding(4) 
-var<storage> global_7: type_9;
+var<storage> global_6: type_21;
+@group(0) @binding(0) 
+var<uniform> global_7: type_25;
 @group(0) @binding(5) 
-var<storage> global_8: type_12;
+var<storage> global_8: type_9;
 @group(0) @binding(6) 
-var<storage, read_write> global_9: type_9;
+var<storage, read_write> global_9: type_21;
 
 fn function_() {
     var phi_154_: u32;
@@ -111,9 +111,9 @@ fn function_() {
     let _e29 = global_1;
     let _e30 = global_2;
     let _e38 = (((_e29.x + (_e29.y * _e30.x)) * 64u) + _e28.x);
-    let _e41 = global_3.member.member;
+    let _e41 = global_7.member.member;
     if (_e38 < _e41) {
-        let _e45 = global_3.member.member_1;
+        let _e45 = global_7.member.member_1;
         phi_154_ = _e45;
         phi_157_ = 0u;
         loop {
@@ -123,7 +123,7 @@ fn function_() {
             let _e51 = ((_e49 + 1u) < _e47);
             if _e51 {
                 let _e53 = ((_e49 + _e47) / 2u);
-                let _e56 = global_5.member[_e53];
+                let _e56 = global_4.member[_e53];
                 let _e57 = (_e56 <= _e38);
                 phi_155_ = select(_e53, _e47, _e57);
                 phi_158_ = select(_e49, _e53, _e57);
@@ -142,14 +142,14 @@ fn function_() {
         }
         let _e66 = local;
         let _e67 = (_e66 * 4u);
-        let _e71 = global_4.member[(_e67 + 1u)];
-        let _e75 = global_4.member[(_e67 + 2u)];
-        let _e78 = global_6.member[_e38];
+        let _e71 = global_3.member[(_e67 + 1u)];
+        let _e75 = global_3.member[(_e67 + 2u)];
+        let _e78 = global_5.member[_e38];
         let _e79 = (_e78 * 3u);
-        let _e82 = global_7.member[_e79];
-        let _e86 = global_7.member[(_e79 + 1u)];
-        let _e90 = global_7.member[(_e79 + 2u)];
-        let _e93 = global_3.member.member_2;
+        let _e82 = global_6.member[_e79];
+        let _e86 = global_6.member[(_e79 + 1u)];
+        let _e90 = global_6.member[(_e79 + 2u)];
+        let _e93 = global_7.member.member_2;
         let _e96 = f32(_e93);
         let _e98 = f32(_e71);
         let _e101 = ceil((((_e82.x - _e82.w) - _e98) - 0.5f));
@@ -160,8 +160,8 @@ fn function_() {
         let _e112 = select(_e96, _e110, (_e110 < _e96));
         let _e117 = select(select(u32(_e105), 0u, (_e105 < 0f)), 4294967295u, (_e105 > 4294967000f));
         let _e122 = select(select(u32(_e112), 0u, (_e112 < 0f)), 4294967295u, (_e112 > 4294967000f));
-        let _e125 = global_3.member.member_3;
-        let _e128 = global_3.member.member_4;
+        let _e125 = global_7.member.member_3;
+        let _e128 = global_7.member.member_4;
         let _e132 = f32(_e125);
         let _e133 = f32((_e125 + _e128));
         let _e135 = f32(_e75);
@@ -361,7 +361,7 @@ fn function_() {
                 global_9.member[_e368] = (_e371 + vec4<f32>((_e82.z * ((_e86.x * _e341) + (_e86.y * _e344))), (_e82.z * ((_e86.y * _e349) + (_e86.z * _e352))), _e373, 0f));
                 let _e379 = global_9.member[(_e368 + 1u)];
                 global_9.member[(_e368 + 1u)] = (_e379 + vec4<f32>(((-0.5f * _e357) * _e82.z), ((-1f * _e360) * _e82.z), ((-0.5f * _e363) * _e82.z), 0f));
-                let _e384 = global_3.member.member_5;
+                let _e384 = global_7.member.member_5;
                 if (_e384 == 0u) {
                 } else {
                     let _e389 = global_9.member[(_e368 + 2u)];

@@ -1,12 +1,12 @@
-struct type_6 {
-    member: array<vec4<f32>>,
-}
-
-struct type_9 {
+struct type_5 {
     member: array<f32>,
 }
 
-struct type_14 {
+struct type_12 {
+    member: array<vec4<f32>>,
+}
+
+struct type_15 {
     member: f32,
     member_1: f32,
     member_2: f32,
@@ -29,25 +29,25 @@ struct type_17 {
 }
 
 struct type_19 {
-    member: type_14,
-    member_1: type_14,
-    member_2: type_14,
-    member_3: type_14,
+    member: type_15,
+    member_1: type_15,
+    member_2: type_15,
+    member_3: type_15,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> global_3: type_6;
+var<storage> global_3: type_12;
 @group(0) @binding(0) 
 var<uniform> global_4: type_17;
 @group(0) @binding(2) 
-var<storage> global_5: type_9;
+var<storage> global_5: type_5;
 @group(0) @binding(3) 
-var<storage> global_6: type_9;
+var<storage> global_6: type_5;
 @group(0) @binding(4) 
-var<storage, read_write> global_7: type_9;
+var<storage, read_write> global_7: type_5;
 
 fn function_() {
     var phi_118_: u32;
@@ -59,21 +59,21 @@ fn function_() {
     var phi_124_: type_19;
     var phi_126_: type_19;
     var local: type_19;
-    var phi_591_: type_14;
+    var phi_591_: type_15;
     var local_1: type_19;
-    var phi_651_: type_14;
+    var phi_651_: type_15;
     var local_2: type_19;
-    var phi_711_: type_14;
+    var phi_711_: type_15;
     var local_3: type_19;
-    var phi_771_: type_14;
+    var phi_771_: type_15;
     var local_4: type_19;
-    var phi_832_: type_14;
+    var phi_832_: type_15;
     var local_5: type_19;
-    var phi_892_: type_14;
+    var phi_892_: type_15;
     var local_6: type_19;
-    var phi_952_: type_14;
+    var phi_952_: type_15;
     var local_7: type_19;
-    var phi_1012_: type_14;
+    var phi_1012_: type_15;
 
     let _e23 = global;
     let _e24 = global_1;
@@ -96,8 +96,8 @@ fn function_() {
         let _e89 = (_e44 + 7u);
         phi_118_ = 0u;
         phi_121_ = _e34;
-        phi_123_ = type_19(type_14(0f, 0f, 0f, 0f), type_14(0f, 0f, 0f, 0f), type_14(0f, 0f, 0f, 0f), type_14(0f, 0f, 0f, 0f));
-        phi_125_ = type_19(type_14(0f, 0f, 0f, 0f), type_14(0f, 0f, 0f, 0f), type_14(0f, 0f, 0f, 0f), type_14(0f, 0f, 0f, 0f));
+        phi_123_ = type_19(type_15(0f, 0f, 0f, 0f), type_15(0f, 0f, 0f, 0f), type_15(0f, 0f, 0f, 0f), type_15(0f, 0f, 0f, 0f));
+        phi_125_ = type_19(type_15(0f, 0f, 0f, 0f), type_15(0f, 0f, 0f, 0f), type_15(0f, 0f, 0f, 0f), type_15(0f, 0f, 0f, 0f));
         loop {
             let _e95 = phi_118_;
             let _e97 = phi_121_;
@@ -143,8 +143,8 @@ fn function_() {
                 let _e371 = global_3.member[((_e51 + (select(_e48, _e89, (_e89 < _e48)) * _e54)) + _e95)];
                 phi_119_ = (_e95 + 1u);
                 phi_122_ = (_e97 + (4u * _e105));
-                phi_124_ = type_19(type_14(((_e158 * _e359.w) + ((_e141 * _e359.z) + ((_e124 * _e359.y) + ((_e108 * _e359.x) + _e99.member.member)))), ((_e162 * _e359.w) + ((_e145 * _e359.z) + ((_e128 * _e359.y) + ((_e112 * _e359.x) + _e99.member.member_1)))), ((_e166 * _e359.w) + ((_e149 * _e359.z) + ((_e132 * _e359.y) + ((_e116 * _e359.x) + _e99.member.member_2)))), ((_e170 * _e359.w) + ((_e153 * _e359.z) + ((_e136 * _e359.y) + ((_e120 * _e359.x) + _e99.member.member_3))))), type_14(((_e158 * _e363.w) + ((_e141 * _e363.z) + ((_e124 * _e363.y) + ((_e108 * _e363.x) + _e99.member_1.member)))), ((_e162 * _e363.w) + ((_e145 * _e363.z) + ((_e128 * _e363.y) + ((_e112 * _e363.x) + _e99.member_1.member_1)))), ((_e166 * _e363.w) + ((_e149 * _e363.z) + ((_e132 * _e363.y) + ((_e116 * _e363.x) + _e99.member_1.member_2)))), ((_e170 * _e363.w) + ((_e153 * _e363.z) + ((_e136 * _e363.y) + ((_e120 * _e363.x) + _e99.member_1.member_3))))), type_14(((_e158 * _e367.w) + ((_e141 * _e367.z) + ((_e124 * _e367.y) + ((_e108 * _e367.x) + _e99.member_2.member)))), ((_e162 * _e367.w) + ((_e145 * _e367.z) + ((_e128 * _e367.y) + ((_e112 * _e367.x) + _e99.member_2.member_1)))), ((_e166 * _e367.w) + ((_e149 * _e367.z) + ((_e132 * _e367.y) + ((_e116 * _e367.x) + _e99.member_2.member_2)))), ((_e170 * _e367.w) + ((_e153 * _e367.z) + ((_e136 * _e367.y) + ((_e120 * _e367.x) + _e99.member_2.member_3))))), type_14(((_e158 * _e371.w) + ((_e141 * _e371.z) + ((_e124 * _e371.y) + ((_e108 * _e371.x) + _e99.member_3.member)))), ((_e162 * _e371.w) + ((_e145 * _e371.z) + ((_e128 * _e371.y) + ((_e112 * _e371.x) + _e99.member_3.member_1)))), ((_e166 * _e371.w) + ((_e149 * _e371.z) + ((_e132 * _e371.y) + ((_e116 * _e371.x) + _e99.member_3.member_2)))), ((_e170 * _e371.w) + ((_e153 * _e371.z) + ((_e136 * _e371.y) + ((_e120 * _e371.x) + _e99.member_3.member_3))))));
-                phi_126_ = type_19(type_14(((_e158 * _e174.w) + ((_e141 * _e174.z) + ((_e124 * _e174.y) + ((_e108 * _e174.x) + _e101.member.member)))), ((_e162 * _e174.w) + ((_e145 * _e174.z) + ((_e128 * _e174.y) + ((_e112 * _e174.x) + _e101.member.member_1)))), ((_e166 * _e174.w) + ((_e149 * _e174.z) + ((_e132 * _e174.y) + ((_e116 * _e174.x) + _e101.member.member_2)))), ((_e170 * _e174.w) + ((_e153 * _e174.z) + ((_e136 * _e174.y) + ((_e120 * _e174.x) + _e101.member.member_3))))), type_14(((_e158 * _e178.w) + ((_e141 * _e178.z) + ((_e124 * _e178.y) + ((_e108 * _e178.x) + _e101.member_1.member)))), ((_e162 * _e178.w) + ((_e145 * _e178.z) + ((_e128 * _e178.y) + ((_e112 * _e178.x) + _e101.member_1.member_1)))), ((_e166 * _e178.w) + ((_e149 * _e178.z) + ((_e132 * _e178.y) + ((_e116 * _e178.x) + _e101.member_1.member_2)))), ((_e170 * _e178.w) + ((_e153 * _e178.z) + ((_e136 * _e178.y) + ((_e120 * _e178.x) + _e101.member_1.member_3))))), type_14(((_e158 * _e182.w) + ((_e141 * _e182.z) + ((_e124 * _e182.y) + ((_e108 * _e182.x) + _e101.member_2.member)))), ((_e162 * _e182.w) + ((_e145 * _e182.z) + ((_e128 * _e182.y) + ((_e112 * _e182.x) + _e101.member_2.member_1)))), ((_e166 * _e182.w) + ((_e149 * _e182.z) + ((_e132 * _e182.y) + ((_e116 * _e182.x) + _e101.member_2.member_2)))), ((_e170 * _e182.w) + ((_e153 * _e182.z) + ((_e136 * _e182.y) + ((_e120 * _e182.x) + _e101.member_2.member_3))))), type_14(((_e158 * _e186.w) + ((_e141 * _e186.z) + ((_e124 * _e186.y) + ((_e108 * _e186.x) + _e101.member_3.member)))), ((_e162 * _e186.w) + ((_e145 * _e186.z) + ((_e128 * _e186.y) + ((_e112 * _e186.x) + _e101.member_3.member_1)))), ((_e166 * _e186.w) + ((_e149 * _e186.z) + ((_e132 * _e186.y) + ((_e116 * _e186.x) + _e101.member_3.member_2)))), ((_e170 * _e186.w) + ((_e153 * _e186.z) + ((_e136 * _e186.y) + ((_e120 * _e186.x) + _e101.member_3.member_3))))));
+                phi_124_ = type_19(type_15(((_e158 * _e359.w) + ((_e141 * _e359.z) + ((_e124 * _e359.y) + ((_e108 * _e359.x) + _e99.member.member)))), ((_e162 * _e359.w) + ((_e145 * _e359.z) + ((_e128 * _e359.y) + ((_e112 * _e359.x) + _e99.member.member_1)))), ((_e166 * _e359.w) + ((_e149 * _e359.z) + ((_e132 * _e359.y) + ((_e116 * _e359.x) + _e99.member.member_2)))), ((_e170 * _e359.w) + ((_e153 * _e359.z) + ((_e136 * _e359.y) + ((_e120 * _e359.x) + _e99.member.member_3))))), type_15(((_e158 * _e363.w) + ((_e141 * _e363.z) + ((_e124 * _e363.y) + ((_e108 * _e363.x) + _e99.member_1.member)))), ((_e162 * _e363.w) + ((_e145 * _e363.z) + ((_e128 * _e363.y) + ((_e112 * _e363.x) + _e99.member_1.member_1)))), ((_e166 * _e363.w) + ((_e149 * _e363.z) + ((_e132 * _e363.y) + ((_e116 * _e363.x) + _e99.member_1.member_2)))), ((_e170 * _e363.w) + ((_e153 * _e363.z) + ((_e136 * _e363.y) + ((_e120 * _e363.x) + _e99.member_1.member_3))))), type_15(((_e158 * _e367.w) + ((_e141 * _e367.z) + ((_e124 * _e367.y) + ((_e108 * _e367.x) + _e99.member_2.member)))), ((_e162 * _e367.w) + ((_e145 * _e367.z) + ((_e128 * _e367.y) + ((_e112 * _e367.x) + _e99.member_2.member_1)))), ((_e166 * _e367.w) + ((_e149 * _e367.z) + ((_e132 * _e367.y) + ((_e116 * _e367.x) + _e99.member_2.member_2)))), ((_e170 * _e367.w) + ((_e153 * _e367.z) + ((_e136 * _e367.y) + ((_e120 * _e367.x) + _e99.member_2.member_3))))), type_15(((_e158 * _e371.w) + ((_e141 * _e371.z) + ((_e124 * _e371.y) + ((_e108 * _e371.x) + _e99.member_3.member)))), ((_e162 * _e371.w) + ((_e145 * _e371.z) + ((_e128 * _e371.y) + ((_e112 * _e371.x) + _e99.member_3.member_1)))), ((_e166 * _e371.w) + ((_e149 * _e371.z) + ((_e132 * _e371.y) + ((_e116 * _e371.x) + _e99.member_3.member_2)))), ((_e170 * _e371.w) + ((_e153 * _e371.z) + ((_e136 * _e371.y) + ((_e120 * _e371.x) + _e99.member_3.member_3))))));
+                phi_126_ = type_19(type_15(((_e158 * _e174.w) + ((_e141 * _e174.z) + ((_e124 * _e174.y) + ((_e108 * _e174.x) + _e101.member.member)))), ((_e162 * _e174.w) + ((_e145 * _e174.z) + ((_e128 * _e174.y) + ((_e112 * _e174.x) + _e101.member.member_1)))), ((_e166 * _e174.w) + ((_e149 * _e174.z) + ((_e132 * _e174.y) + ((_e116 * _e174.x) + _e101.member.member_2)))), ((_e170 * _e174.w) + ((_e153 * _e174.z) + ((_e136 * _e174.y) + ((_e120 * _e174.x) + _e101.member.member_3))))), type_15(((_e158 * _e178.w) + ((_e141 * _e178.z) + ((_e124 * _e178.y) + ((_e108 * _e178.x) + _e101.member_1.member)))), ((_e162 * _e178.w) + ((_e145 * _e178.z) + ((_e128 * _e178.y) + ((_e112 * _e178.x) + _e101.member_1.member_1)))), ((_e166 * _e178.w) + ((_e149 * _e178.z) + ((_e132 * _e178.y) + ((_e116 * _e178.x) + _e101.member_1.member_2)))), ((_e170 * _e178.w) + ((_e153 * _e178.z) + ((_e136 * _e178.y) + ((_e120 * _e178.x) + _e101.member_1.member_3))))), type_15(((_e158 * _e182.w) + ((_e141 * _e182.z) + ((_e124 * _e182.y) + ((_e108 * _e182.x) + _e101.member_2.member)))), ((_e162 * _e182.w) + ((_e145 * _e182.z) + ((_e128 * _e182.y) + ((_e112 * _e182.x) + _e101.member_2.member_1)))), ((_e166 * _e182.w) + ((_e149 * _e182.z) + ((_e132 * _e182.y) + ((_e116 * _e182.x) + _e101.member_2.member_2)))), ((_e170 * _e182.w) + ((_e153 * _e182.z) + ((_e136 * _e182.y) + ((_e120 * _e182.x) + _e101.member_2.member_3))))), type_15(((_e158 * _e186.w) + ((_e141 * _e186.z) + ((_e124 * _e186.y) + ((_e108 * _e186.x) + _e101.member_3.member)))), ((_e162 * _e186.w) + ((_e145 * _e186.z) + ((_e128 * _e186.y) + ((_e112 * _e186.x) + _e101.member_3.member_1)))), ((_e166 * _e186.w) + ((_e149 * _e186.z) + ((_e132 * _e186.y) + ((_e116 * _e186.x) + _e101.member_3.member_2)))), ((_e170 * _e186.w) + ((_e153 * _e186.z) + ((_e136 * _e186.y) + ((_e120 * _e186.x) + _e101.member_3.member_3))))));
             } else {
                 phi_119_ = u32();
                 phi_122_ = u32();
@@ -178,7 +178,7 @@ fn function_() {
                 let _e576 = global_5.member[(_e558 + 1u)];
                 let _e580 = global_5.member[(_e558 + 2u)];
                 let _e584 = global_5.member[(_e558 + 3u)];
-                phi_591_ = type_14(select(0f, _e564.member.member, (0f < _e572)), select(0f, _e564.member.member_1, (0f < _e576)), select(0f, _e564.member.member_2, (0f < _e580)), select(0f, _e564.member.member_3, (0f < _e584)));
+                phi_591_ = type_15(select(0f, _e564.member.member, (0f < _e572)), select(0f, _e564.member.member_1, (0f < _e576)), select(0f, _e564.member.member_2, (0f < _e580)), select(0f, _e564.member.member_3, (0f < _e584)));
             }
             let _e599 = phi_591_;
             global_7.member[_e558] = _e599.member;
@@ -203,7 +203,7 @@ fn function_() {
                 let _e633 = global_5.member[(_e618 + 1u)];
                 let _e637 = global_5.member[(_e618 + 2u)];
                 let _e641 = global_5.member[(_e618 + 3u)];
-                phi_651_ = type_14(select(0f, _e621.member_1.member, (0f < _e629)), select(0f, _e621.member_1.member_1, (0f < _e633)), select(0f, _e621.member_1.member_2, (0f < _e637)), select(0f, _e621.member_1.member_3, (0f < _e641)));
+                phi_651_ = type_15(select(0f, _e621.member_1.member, (0f < _e629)), select(0f, _e621.member_1.member_1, (0f < _e633)), select(0f, _e621.member_1.member_2, (0f < _e637)), select(0f, _e621.member_1.member_3, (0f < _e641)));
             }
             let _e656 = phi_651_;
             global_7.member[_e618] = _e656.member;
@@ -228,7 +228,7 @@ fn function_() {
                 let _e690 = global_5.member[(_e675 + 1u)];
                 let _e694 = global_5.member[(_e675 + 2u)];
                 let _e698 = global_5.member[(_e675 + 3u)];
-                phi_711_ = type_14(select(0f, _e678.member_2.member, (0f < _e686)), select(0f, _e678.member_2.member_1, (0f < _e690)), select(0f, _e678.member_2.member_2, (0f < _e694)), select(0f, _e678.member_2.member_3, (0f < _e698)));
+                phi_711_ = type_15(select(0f, _e678.member_2.member, (0f < _e686)), select(0f, _e678.member_2.member_1, (0f < _e690)), select(0f, _e678.member_2.member_2, (0f < _e694)), select(0f, _e678.member_2.member_3, (0f < _e698)));
             }
             let _e713 = phi_711_;
             global_7.member[_e675] = _e713.member;
@@ -253,7 +253,7 @@ fn function_() {
                 let _e747 = global_5.member[(_e732 + 1u)];
                 let _e751 = global_5.member[(_e732 + 2u)];
                 let _e755 = global_5.member[(_e732 + 3u)];
-                phi_771_ = type_14(select(0f, _e735.member_3.member, (0f < _e743)), select(0f, _e735.member_3.member_1, (0f < _e747)), select(0f, _e735.member_3.member_2, (0f < _e751)), select(0f, _e735.member_3.member_3, (0f < _e755)));
+                phi_771_ = type_15(select(0f, _e735.member_3.member, (0f < _e743)), select(0f, _e735.member_3.member_1, (0f < _e747)), select(0f, _e735.member_3.member_2, (0f < _e751)), select(0f, _e735.member_3.member_3, (0f < _e755)));
             }
             let _e770 = phi_771_;
             global_7.member[_e732] = _e770.member;
@@ -278,7 +278,7 @@ fn function_() {
                 let _e805 = global_5.member[(_e790 + 1u)];
                 let _e809 = global_5.member[(_e790 + 2u)];
                 let _e813 = global_5.member[(_e790 + 3u)];
-                phi_832_ = type_14(select(0f, _e793.member.member, (0f < _e801)), select(0f, _e793.member.member_1, (0f < _e805)), select(0f, _e793.member.member_2, (0f < _e809)), select(0f, _e793.member.member_3, (0f < _e813)));
+                phi_832_ = type_15(select(0f, _e793.member.member, (0f < _e801)), select(0f, _e793.member.member_1, (0f < _e805)), select(0f, _e793.member.member_2, (0f < _e809)), select(0f, _e793.member.member_3, (0f < _e813)));
             }
             let _e828 = phi_832_;
             global_7.member[_e790] = _e828.member;
@@ -303,7 +303,7 @@ fn function_() {
                 let _e862 = global_5.member[(_e847 + 1u)];
                 let _e866 = global_5.member[(_e847 + 2u)];
                 let _e870 = global_5.member[(_e847 + 3u)];
-                phi_892_ = type_14(select(0f, _e850.member_1.member, (0f < _e858)), select(0f, _e850.member_1.member_1, (0f < _e862)), select(0f, _e850.member_1.member_2, (0f < _e866)), select(0f, _e850.member_1.member_3, (0f < _e870)));
+                phi_892_ = type_15(select(0f, _e850.member_1.member, (0f < _e858)), select(0f, _e850.member_1.member_1, (0f < _e862)), select(0f, _e850.member_1.member_2, (0f < _e866)), select(0f, _e850.member_1.member_3, (0f < _e870)));
             }
             let _e885 = phi_892_;
             global_7.member[_e847] = _e885.member;
@@ -328,7 +328,7 @@ fn function_() {
                 let _e919 = global_5.member[(_e904 + 1u)];
                 let _e923 = global_5.member[(_e904 + 2u)];
                 let _e927 = global_5.member[(_e904 + 3u)];
-                phi_952_ = type_14(select(0f, _e907.member_2.member, (0f < _e915)), select(0f, _e907.member_2.member_1, (0f < _e919)), select(0f, _e907.member_2.member_2, (0f < _e923)), select(0f, _e907.member_2.member_3, (0f < _e927)));
+                phi_952_ = type_15(select(0f, _e907.member_2.member, (0f < _e915)), select(0f, _e907.member_2.member_1, (0f < _e919)), select(0f, _e907.member_2.member_2, (0f < _e923)), select(0f, _e907.member_2.member_3, (0f < _e927)));
             }
             let _e942 = phi_952_;
             global_7.member[_e904] = _e942.member;
@@ -353,7 +353,7 @@ fn function_() {
                 let _e976 = global_5.member[(_e961 + 1u)];
                 let _e980 = global_5.member[(_e961 + 2u)];
                 let _e984 = global_5.member[(_e961 + 3u)];
-                phi_1012_ = type_14(select(0f, _e964.member_3.member, (0f < _e972)), select(0f, _e964.member_3.member_1, (0f < _e976)), select(0f, _e964.member_3.member_2, (0f < _e980)), select(0f, _e964.member_3.member_3, (0f < _e984)));
+                phi_1012_ = type_15(select(0f, _e964.member_3.member, (0f < _e972)), select(0f, _e964.member_3.member_1, (0f < _e976)), select(0f, _e964.member_3.member_2, (0f < _e980)), select(0f, _e964.member_3.member_3, (0f < _e984)));
             }
             let _e999 = phi_1012_;
             global_7.member[_e961] = _e999.member;

@@ -1,20 +1,20 @@
-struct type_6 {
-    member: array<vec4<f32>>,
-}
-
-struct type_9 {
+struct type_5 {
     member: array<f32>,
 }
 
-struct type_14 {
+struct type_11 {
+    member: array<u32>,
+}
+
+struct type_16 {
+    member: array<vec4<f32>>,
+}
+
+struct type_19 {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: f32,
-}
-
-struct type_17 {
-    member: array<u32>,
 }
 
 struct type_20 {
@@ -39,15 +39,15 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(2) 
-var<storage> global_3: type_9;
+var<storage> global_3: type_5;
 @group(0) @binding(3) 
-var<storage> global_4: type_9;
+var<storage> global_4: type_5;
 @group(0) @binding(1) 
-var<storage> global_5: type_17;
+var<storage> global_5: type_11;
 @group(0) @binding(0) 
 var<uniform> global_6: type_21;
 @group(0) @binding(4) 
-var<storage, read_write> global_7: type_6;
+var<storage, read_write> global_7: type_16;
 
 fn function_() {
     var phi_82_: u32;
@@ -65,73 +65,73 @@ fn function_() {
     var phi_168_: u32;
     var phi_214_: vec4<f32>;
     var phi_221_: u32;
-    var phi_224_: type_14;
-    var phi_225_: type_14;
-    var local_3: type_14;
-    var local_4: type_14;
-    var local_5: type_14;
-    var local_6: type_14;
+    var phi_224_: type_19;
+    var phi_225_: type_19;
+    var local_3: type_19;
+    var local_4: type_19;
+    var local_5: type_19;
+    var local_6: type_19;
     var phi_261_: u32;
-    var phi_264_: type_14;
-    var phi_265_: type_14;
-    var local_7: type_14;
-    var local_8: type_14;
-    var local_9: type_14;
-    var local_10: type_14;
+    var phi_264_: type_19;
+    var phi_265_: type_19;
+    var local_7: type_19;
+    var local_8: type_19;
+    var local_9: type_19;
+    var local_10: type_19;
     var phi_330_: vec4<f32>;
     var phi_341_: vec4<f32>;
     var phi_352_: vec4<f32>;
     var phi_363_: vec4<f32>;
-    var phi_383_: type_14;
-    var phi_386_: type_14;
-    var phi_388_: type_14;
-    var phi_390_: type_14;
+    var phi_383_: type_19;
+    var phi_386_: type_19;
+    var phi_388_: type_19;
+    var phi_390_: type_19;
     var phi_392_: u32;
-    var phi_384_: type_14;
-    var phi_387_: type_14;
-    var phi_389_: type_14;
-    var phi_391_: type_14;
-    var local_11: type_14;
-    var local_12: type_14;
-    var local_13: type_14;
-    var local_14: type_14;
-    var local_15: type_14;
-    var local_16: type_14;
-    var local_17: type_14;
-    var local_18: type_14;
-    var local_19: type_14;
-    var local_20: type_14;
-    var local_21: type_14;
-    var local_22: type_14;
-    var local_23: type_14;
-    var local_24: type_14;
-    var local_25: type_14;
-    var local_26: type_14;
-    var phi_496_: type_14;
-    var phi_499_: type_14;
-    var phi_501_: type_14;
-    var phi_503_: type_14;
+    var phi_384_: type_19;
+    var phi_387_: type_19;
+    var phi_389_: type_19;
+    var phi_391_: type_19;
+    var local_11: type_19;
+    var local_12: type_19;
+    var local_13: type_19;
+    var local_14: type_19;
+    var local_15: type_19;
+    var local_16: type_19;
+    var local_17: type_19;
+    var local_18: type_19;
+    var local_19: type_19;
+    var local_20: type_19;
+    var local_21: type_19;
+    var local_22: type_19;
+    var local_23: type_19;
+    var local_24: type_19;
+    var local_25: type_19;
+    var local_26: type_19;
+    var phi_496_: type_19;
+    var phi_499_: type_19;
+    var phi_501_: type_19;
+    var phi_503_: type_19;
     var phi_505_: u32;
-    var phi_497_: type_14;
-    var phi_500_: type_14;
-    var phi_502_: type_14;
-    var phi_504_: type_14;
-    var local_27: type_14;
-    var local_28: type_14;
-    var local_29: type_14;
-    var local_30: type_14;
-    var local_31: type_14;
-    var local_32: type_14;
-    var local_33: type_14;
-    var local_34: type_14;
-    var local_35: type_14;
-    var local_36: type_14;
-    var local_37: type_14;
-    var local_38: type_14;
-    var local_39: type_14;
-    var local_40: type_14;
-    var local_41: type_14;
-    var local_42: type_14;
+    var phi_497_: type_19;
+    var phi_500_: type_19;
+    var phi_502_: type_19;
+    var phi_504_: type_19;
+    var local_27: type_19;
+    var local_28: type_19;
+    var local_29: type_19;
+    var local_30: type_19;
+    var local_31: type_19;
+    var local_32: type_19;
+    var local_33: type_19;
+    var local_34: type_19;
+    var local_35: type_19;
+    var local_36: type_19;
+    var local_37: type_19;
+    var local_38: type_19;
+    var local_39: type_19;
+    var local_40: type_19;
+    var local_41: type_19;
+    var local_42: type_19;
     var local_43: u32;
     var local_44: u32;
 
@@ -296,10 +296,10 @@ fn function_() {
                         let _e361 = (select(_e45, _e358, (_e358 < _e45)) * _e171);
                         let _e362 = (_e293 + 3u);
                         let _e365 = (select(_e45, _e362, (_e362 < _e45)) * _e171);
-                        phi_383_ = type_14(_e347.x, _e347.y, _e347.z, _e347.w);
-                        phi_386_ = type_14(_e337.x, _e337.y, _e337.z, _e337.w);
-                        phi_388_ = type_14(_e327.x, _e327.y, _e327.z, _e327.w);
-                        phi_390_ = type_14(_e317.x, _e317.y, _e317.z, _e317.w);
+                        phi_383_ = type_19(_e347.x, _e347.y, _e347.z, _e347.w);
+                        phi_386_ = type_19(_e337.x, _e337.y, _e337.z, _e337.w);
+                        phi_388_ = type_19(_e327.x, _e327.y, _e327.z, _e327.w);
+                        phi_390_ = type_19(_e317.x, _e317.y, _e317.z, _e317.w);
                         phi_392_ = _e139;
                         loop {
                             let _e367 = phi_383_;
@@ -336,15 +336,15 @@ fn function_() {
                                 let _e416 = global_3.member[(_e357 + _e375)];
                                 let _e433 = global_3.member[(_e361 + _e375)];
                                 let _e450 = global_3.member[(_e365 + _e375)];
-                                phi_384_ = type_14(((_e450 * _e381) + _e367.member), ((_e450 * _e385) + _e367.member_1), ((_e450 * _e390) + _e367.member_2), ((_e450 * _e395) + _e367.member_3));
-                                phi_387_ = type_14(((_e433 * _e381) + _e369.member), ((_e433 * _e385) + _e369.member_1), ((_e433 * _e390) + _e369.member_2), ((_e433 * _e395) + _e369.member_3));
-                                phi_389_ = type_14(((_e416 * _e381) + _e371.member), ((_e416 * _e385) + _e371.member_1), ((_e416 * _e390) + _e371.member_2), ((_e416 * _e395) + _e371.member_3));
-                                phi_391_ = type_14(((_e399 * _e381) + _e373.member), ((_e399 * _e385) + _e373.member_1), ((_e399 * _e390) + _e373.member_2), ((_e399 * _e395) + _e373.member_3));
+                                phi_384_ = type_19(((_e450 * _e381) + _e367.member), ((_e450 * _e385) + _e367.member_1), ((_e450 * _e390) + _e367.member_2), ((_e450 * _e395) + _e367.member_3));
+                                phi_387_ = type_19(((_e433 * _e381) + _e369.member), ((_e433 * _e385) + _e369.member_1), ((_e433 * _e390) + _e369.member_2), ((_e433 * _e395) + _e369.member_3));
+                                phi_389_ = type_19(((_e416 * _e381) + _e371.member), ((_e416 * _e385) + _e371.member_1), ((_e416 * _e390) + _e371.member_2), ((_e416 * _e395) + _e371.member_3));
+                                phi_391_ = type_19(((_e399 * _e381) + _e373.member), ((_e399 * _e385) + _e373.member_1), ((_e399 * _e390) + _e373.member_2), ((_e399 * _e395) + _e373.member_3));
                             } else {
-                                phi_384_ = type_14();
-                                phi_387_ = type_14();
-                                phi_389_ = type_14();
-                                phi_391_ = type_14();
+                                phi_384_ = type_19();
+                                phi_387_ = type_19();
+                                phi_389_ = type_19();
+                                phi_391_ = type_19();
                             }
                             let _e465 = phi_384_;
                             let _e467 = phi_387_;
@@ -376,10 +376,10 @@ fn function_() {
                         let _e514 = local_24;
                         let _e517 = local_25;
                         let _e520 = local_26;
-                        phi_496_ = type_14(0f, 0f, 0f, 0f);
-                        phi_499_ = type_14(0f, 0f, 0f, 0f);
-                        phi_501_ = type_14(0f, 0f, 0f, 0f);
-                        phi_503_ = type_14(0f, 0f, 0f, 0f);
+                        phi_496_ = type_19(0f, 0f, 0f, 0f);
+                        phi_499_ = type_19(0f, 0f, 0f, 0f);
+                        phi_501_ = type_19(0f, 0f, 0f, 0f);
+                        phi_503_ = type_19(0f, 0f, 0f, 0f);
                         let _e774 = local_44;
                         phi_505_ = _e774;
                         loop {
@@ -416,15 +416,15 @@ fn function_() {
                                 let _e572 = global_3.member[(_e357 + _e531)];
                                 let _e589 = global_3.member[(_e361 + _e531)];
                                 let _e606 = global_3.member[(_e365 + _e531)];
-                                phi_497_ = type_14(((_e606 * _e537) + _e523.member), ((_e606 * _e541) + _e523.member_1), ((_e606 * _e546) + _e523.member_2), ((_e606 * _e551) + _e523.member_3));
-                                phi_500_ = type_14(((_e589 * _e537) + _e525.member), ((_e589 * _e541) + _e525.member_1), ((_e589 * _e546) + _e525.member_2), ((_e589 * _e551) + _e525.member_3));
-                                phi_502_ = type_14(((_e572 * _e537) + _e527.member), ((_e572 * _e541) + _e527.member_1), ((_e572 * _e546) + _e527.member_2), ((_e572 * _e551) + _e527.member_3));
-                                phi_504_ = type_14(((_e555 * _e537) + _e529.member), ((_e555 * _e541) + _e529.member_1), ((_e555 * _e546) + _e529.member_2), ((_e555 * _e551) + _e529.member_3));
+                                phi_497_ = type_19(((_e606 * _e537) + _e523.member), ((_e606 * _e541) + _e523.member_1), ((_e606 * _e546) + _e523.member_2), ((_e606 * _e551) + _e523.member_3));
+                                phi_500_ = type_19(((_e589 * _e537) + _e525.member), ((_e589 * _e541) + _e525.member_1), ((_e589 * _e546) + _e525.member_2), ((_e589 * _e551) + _e525.member_3));
+                                phi_502_ = type_19(((_e572 * _e537) + _e527.member), ((_e572 * _e541) + _e527.member_1), ((_e572 * _e546) + _e527.member_2), ((_e572 * _e551) + _e527.member_3));
+                                phi_504_ = type_19(((_e555 * _e537) + _e529.member), ((_e555 * _e541) + _e529.member_1), ((_e555 * _e546) + _e529.member_2), ((_e555 * _e551) + _e529.member_3));
                             } else {
-                                phi_497_ = type_14();
-                                phi_500_ = type_14();
-                                phi_502_ = type_14();
-                                phi_504_ = type_14();
+                                phi_497_ = type_19();
+                                phi_500_ = type_19();
+                                phi_502_ = type_19();
+                                phi_504_ = type_19();
                             }
                             let _e621 = phi_497_;
                             let _e623 = phi_500_;
@@ -477,7 +477,7 @@ fn function_() {
                         }
                         let _e182 = phi_214_;
                         phi_221_ = _e139;
-                        phi_224_ = type_14(_e182.x, _e182.y, _e182.z, _e182.w);
+                        phi_224_ = type_19(_e182.x, _e182.y, _e182.z, _e182.w);
                         loop {
                             let _e189 = phi_221_;
                             let _e191 = phi_224_;
@@ -494,9 +494,9 @@ fn function_() {
                                 let _e201 = global_4.member[(_e194 + _e171)];
                                 let _e206 = global_4.member[(_e194 + (2u * _e171))];
                                 let _e211 = global_4.member[(_e194 + (3u * _e171))];
-                                phi_225_ = type_14((_e191.member + _e197), (_e191.member_1 + _e201), (_e191.member_2 + _e206), (_e191.member_3 + _e211));
+                                phi_225_ = type_19((_e191.member + _e197), (_e191.member_1 + _e201), (_e191.member_2 + _e206), (_e191.member_3 + _e211));
                             } else {
-                                phi_225_ = type_14();
+                                phi_225_ = type_19();
                             }
                             let _e222 = phi_225_;
                             continue;
@@ -512,7 +512,7 @@ fn function_() {
                         let _e235 = local_6;
                         let _e732 = local_43;
                         phi_261_ = _e732;
-                        phi_264_ = type_14(0f, 0f, 0f, 0f);
+                        phi_264_ = type_19(0f, 0f, 0f, 0f);
                         loop {
                             let _e238 = phi_261_;
                             let _e240 = phi_264_;
@@ -528,9 +528,9 @@ fn function_() {
                                 let _e250 = global_4.member[(_e243 + _e171)];
                                 let _e255 = global_4.member[(_e243 + (2u * _e171))];
                                 let _e260 = global_4.member[(_e243 + (3u * _e171))];
-                                phi_265_ = type_14((_e240.member + _e246), (_e240.member_1 + _e250), (_e240.member_2 + _e255), (_e240.member_3 + _e260));
+                                phi_265_ = type_19((_e240.member + _e246), (_e240.member_1 + _e250), (_e240.member_2 + _e255), (_e240.member_3 + _e260));
                             } else {
-                                phi_265_ = type_14();
+                                phi_265_ = type_19();
                             }
                             let _e271 = phi_265_;
                             continue;

@@ -14,7 +14,6 @@ struct type_14 {
     member_4: u32,
     member_5: u32,
     member_6: u32,
-    member_7: u32,
 }
 
 struct type_15 {
@@ -59,620 +58,597 @@ var<storage, read_write> global_9: type_25;
 var<storage, read_write> global_10: type_25;
 
 fn function_() {
-    var phi_220_: u32;
-    var phi_223_: u32;
-    var phi_225_: f32;
-    var phi_227_: f32;
-    var phi_221_: u32;
-    var phi_224_: u32;
-    var phi_226_: f32;
-    var phi_228_: f32;
+    var phi_205_: u32;
+    var phi_208_: u32;
+    var phi_210_: f32;
+    var phi_212_: f32;
+    var phi_206_: u32;
+    var phi_209_: u32;
+    var phi_211_: f32;
+    var phi_213_: f32;
     var local: f32;
     var local_1: f32;
     var local_2: f32;
-    var phi_311_: f32;
-    var phi_331_: f32;
-    var phi_351_: f32;
-    var phi_375_: u32;
-    var phi_395_: u32;
-    var phi_414_: u32;
-    var phi_433_: u32;
-    var phi_452_: u32;
-    var phi_471_: u32;
-    var phi_490_: u32;
-    var phi_509_: u32;
-    var phi_570_: u32;
-    var phi_573_: u32;
-    var phi_595_: f32;
-    var phi_613_: u32;
-    var phi_627_: u32;
-    var phi_629_: array<u32, 2>;
-    var phi_650_: f32;
-    var phi_668_: u32;
-    var phi_682_: u32;
-    var phi_684_: array<u32, 2>;
-    var phi_705_: f32;
-    var phi_723_: u32;
-    var phi_737_: u32;
-    var phi_739_: array<u32, 2>;
-    var phi_760_: f32;
-    var phi_778_: u32;
-    var phi_792_: u32;
-    var phi_794_: array<u32, 2>;
-    var phi_815_: f32;
-    var phi_833_: u32;
-    var phi_847_: u32;
-    var phi_849_: array<u32, 2>;
-    var phi_870_: f32;
-    var phi_888_: u32;
-    var phi_902_: u32;
-    var phi_904_: array<u32, 2>;
-    var phi_925_: f32;
-    var phi_943_: u32;
-    var phi_957_: u32;
-    var phi_959_: array<u32, 2>;
-    var phi_980_: f32;
-    var phi_998_: u32;
-    var phi_1012_: u32;
-    var phi_1014_: array<u32, 2>;
-    var phi_571_: u32;
-    var phi_574_: u32;
+    var phi_345_: u32;
+    var phi_365_: u32;
+    var phi_384_: u32;
+    var phi_403_: u32;
+    var phi_422_: u32;
+    var phi_441_: u32;
+    var phi_460_: u32;
+    var phi_479_: u32;
+    var phi_540_: u32;
+    var phi_543_: u32;
+    var phi_565_: f32;
+    var phi_583_: u32;
+    var phi_597_: u32;
+    var phi_599_: array<u32, 2>;
+    var phi_620_: f32;
+    var phi_638_: u32;
+    var phi_652_: u32;
+    var phi_654_: array<u32, 2>;
+    var phi_675_: f32;
+    var phi_693_: u32;
+    var phi_707_: u32;
+    var phi_709_: array<u32, 2>;
+    var phi_730_: f32;
+    var phi_748_: u32;
+    var phi_762_: u32;
+    var phi_764_: array<u32, 2>;
+    var phi_785_: f32;
+    var phi_803_: u32;
+    var phi_817_: u32;
+    var phi_819_: array<u32, 2>;
+    var phi_840_: f32;
+    var phi_858_: u32;
+    var phi_872_: u32;
+    var phi_874_: array<u32, 2>;
+    var phi_895_: f32;
+    var phi_913_: u32;
+    var phi_927_: u32;
+    var phi_929_: array<u32, 2>;
+    var phi_950_: f32;
+    var phi_968_: u32;
+    var phi_982_: u32;
+    var phi_984_: array<u32, 2>;
+    var phi_541_: u32;
+    var phi_544_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e36 = global;
-            let _e37 = global_1;
-            let _e38 = global_2;
-            let _e46 = (((_e37.x + (_e37.y * _e38.x)) * 64u) + _e36.x);
-            let _e49 = global_4.member.member;
-            if (_e46 < _e49) {
-                let _e53 = global_4.member.member_3;
-                let _e57 = global_4.member.member_2;
-                let _e62 = global_4.member.member_7;
-                let _e65 = global_4.member.member_5;
-                let _e66 = (_e65 == 0u);
-                if _e66 {
+            let _e33 = global;
+            let _e34 = global_1;
+            let _e35 = global_2;
+            let _e43 = (((_e34.x + (_e34.y * _e35.x)) * 64u) + _e33.x);
+            let _e46 = global_4.member.member;
+            if (_e43 < _e46) {
+                let _e50 = global_4.member.member_3;
+                let _e54 = global_4.member.member_2;
+                let _e59 = global_4.member.member_6;
+                let _e62 = global_4.member.member_4;
+                let _e63 = (_e62 == 0u);
+                if _e63 {
                     break;
                 }
-                let _e67 = (_e46 / _e65);
-                let _e70 = global_4.member.member_1;
-                if _e66 {
+                let _e64 = (_e43 / _e62);
+                let _e67 = global_4.member.member_1;
+                if _e63 {
                     break;
                 }
-                let _e73 = (_e46 % _e65);
-                let _e76 = (((_e67 * (_e62 * _e70)) + _e73) + ((_e57 + (_e37.z * _e53)) * _e70));
-                let _e79 = global_7.member[2u];
-                phi_220_ = 0u;
-                phi_223_ = _e76;
-                phi_225_ = 0f;
-                phi_227_ = 0f;
+                let _e70 = (_e43 % _e62);
+                let _e73 = (((_e64 * (_e59 * _e67)) + _e70) + ((_e54 + (_e34.z * _e50)) * _e67));
+                let _e76 = global_7.member[2u];
+                phi_205_ = 0u;
+                phi_208_ = _e73;
+                phi_210_ = 0f;
+                phi_212_ = 0f;
                 loop {
-                    let _e81 = phi_220_;
-                    let _e83 = phi_223_;
-                    let _e85 = phi_225_;
-                    let _e87 = phi_227_;
-                    local = _e85;
-                    local_1 = _e87;
-                    local_2 = _e85;
-                    let _e88 = (_e81 < _e53);
-                    if _e88 {
-                        let _e91 = global_6.member[_e83];
-                        let _e92 = -(_e91);
-                        let _e94 = select(_e92, _e91, (_e91 > _e92));
-                        phi_221_ = (_e81 + 1u);
-                        phi_224_ = (_e83 + _e70);
-                        phi_226_ = select(1f, _e85, (_e94 <= _e79));
-                        phi_228_ = select(_e94, _e87, (_e87 > _e94));
+                    let _e78 = phi_205_;
+                    let _e80 = phi_208_;
+                    let _e82 = phi_210_;
+                    let _e84 = phi_212_;
+                    local = _e82;
+                    local_1 = _e84;
+                    local_2 = _e82;
+                    let _e85 = (_e78 < _e50);
+                    if _e85 {
+                        let _e88 = global_6.member[_e80];
+                        let _e89 = -(_e88);
+                        let _e91 = select(_e89, _e88, (_e88 > _e89));
+                        phi_206_ = (_e78 + 1u);
+                        phi_209_ = (_e80 + _e67);
+                        phi_211_ = select(1f, _e82, (_e91 <= _e76));
+                        phi_213_ = select(_e91, _e84, (_e84 > _e91));
                     } else {
-                        phi_221_ = u32();
-                        phi_224_ = u32();
-                        phi_226_ = f32();
-                        phi_228_ = f32();
+                        phi_206_ = u32();
+                        phi_209_ = u32();
+                        phi_211_ = f32();
+                        phi_213_ = f32();
                     }
-                    let _e102 = phi_221_;
-                    let _e104 = phi_224_;
-                    let _e106 = phi_226_;
-                    let _e108 = phi_228_;
+                    let _e99 = phi_206_;
+                    let _e101 = phi_209_;
+                    let _e103 = phi_211_;
+                    let _e105 = phi_213_;
                     continue;
                     continuing {
-                        phi_220_ = _e102;
-                        phi_223_ = _e104;
-                        phi_225_ = _e106;
-                        phi_227_ = _e108;
-                        break if !(_e88);
+                        phi_205_ = _e99;
+                        phi_208_ = _e101;
+                        phi_210_ = _e103;
+                        phi_212_ = _e105;
+                        break if !(_e85);
                     }
                 }
-                let _e111 = local;
-                if (0f < _e111) {
-                    let _e115 = atomicMax((&global_10.member[0u]), 1u);
+                let _e108 = local;
+                if (0f < _e108) {
+                    let _e112 = atomicMax((&global_10.member[0u]), 1u);
                 }
-                let _e117 = local_1;
-                let _e120 = local_2;
-                let _e122 = select(false, (_e120 < 1f), (0.000000000000000000000000000000000000011754944f <= _e117));
-                if _e122 {
-                    let _e125 = global_5.member[_e37.z];
-                    let _e128 = global_4.member.member_6;
-                    if _e66 {
+                let _e114 = local_1;
+                let _e117 = local_2;
+                let _e119 = select(false, (_e117 < 1f), (0.000000000000000000000000000000000000011754944f <= _e114));
+                if _e119 {
+                    let _e122 = global_5.member[_e34.z];
+                    let _e125 = global_4.member.member_5;
+                    if _e63 {
                         break;
                     }
-                    if _e66 {
+                    if _e63 {
                         break;
                     }
-                    let _e131 = ((_e67 * (_e128 * _e70)) + _e73);
-                    let _e134 = global_3.member[_e131];
-                    let _e135 = (3u * _e70);
-                    let _e139 = global_3.member[(_e131 + _e135)];
-                    let _e140 = (_e70 + _e131);
-                    let _e143 = global_3.member[_e140];
-                    let _e147 = global_3.member[(_e140 + _e135)];
-                    let _e149 = ((2u * _e70) + _e131);
-                    let _e152 = global_3.member[_e149];
-                    let _e156 = global_3.member[(_e149 + _e135)];
-                    let _e159 = global_4.member.member_4;
-                    let _e160 = (_e159 != 0u);
-                    let _e161 = (_e134 + _e139);
-                    let _e164 = select(false, (_e161 < 1f), (0f < _e161));
-                    let _e167 = select(select(0f, 1f, (1f <= _e161)), _e134, _e164);
-                    let _e170 = (_e167 * _e125.member);
-                    let _e173 = (_e125.member + _e125.member_1);
-                    let _e177 = trunc(_e170);
-                    let _e179 = ((_e170 - _e177) + (((_e167 * _e125.member_1) + (select(0f, _e139, _e164) * _e173)) + 0.5f));
-                    let _e181 = select(0f, _e179, (_e179 > 0f));
-                    let _e182 = trunc(_e181);
-                    let _e183 = (_e181 - _e182);
-                    let _e184 = (_e177 + _e182);
-                    let _e189 = select(select(u32(_e184), 0u, (_e184 < 0f)), 4294967295u, (_e184 > 4294967000f));
-                    if _e160 {
-                        phi_311_ = ((_e183 * _e183) * (3f - (2f * _e183)));
+                    let _e128 = ((_e64 * (_e125 * _e67)) + _e70);
+                    let _e131 = global_3.member[_e128];
+                    let _e132 = (3u * _e67);
+                    let _e136 = global_3.member[(_e128 + _e132)];
+                    let _e137 = (_e67 + _e128);
+                    let _e140 = global_3.member[_e137];
+                    let _e144 = global_3.member[(_e137 + _e132)];
+                    let _e146 = ((2u * _e67) + _e128);
+                    let _e149 = global_3.member[_e146];
+                    let _e153 = global_3.member[(_e146 + _e132)];
+                    let _e154 = (_e131 + _e136);
+                    let _e157 = select(false, (_e154 < 1f), (0f < _e154));
+                    let _e160 = select(select(0f, 1f, (1f <= _e154)), _e131, _e157);
+                    let _e163 = (_e160 * _e122.member);
+                    let _e166 = (_e122.member + _e122.member_1);
+                    let _e170 = trunc(_e163);
+                    let _e172 = ((_e163 - _e170) + (((_e160 * _e122.member_1) + (select(0f, _e136, _e157) * _e166)) + 0.5f));
+                    let _e174 = select(0f, _e172, (_e172 > 0f));
+                    let _e175 = trunc(_e174);
+                    let _e176 = (_e174 - _e175);
+                    let _e177 = (_e170 + _e175);
+                    let _e182 = select(select(u32(_e177), 0u, (_e177 < 0f)), 4294967295u, (_e177 > 4294967000f));
+                    let _e183 = (_e140 + _e144);
+                    let _e186 = select(false, (_e183 < 1f), (0f < _e183));
+                    let _e189 = select(select(0f, 1f, (1f <= _e183)), _e140, _e186);
+                    let _e191 = (_e189 * _e122.member);
+                    let _e196 = trunc(_e191);
+                    let _e198 = ((_e191 - _e196) + (((_e189 * _e122.member_1) + (select(0f, _e144, _e186) * _e166)) + 0.5f));
+                    let _e200 = select(0f, _e198, (_e198 > 0f));
+                    let _e201 = trunc(_e200);
+                    let _e202 = (_e200 - _e201);
+                    let _e203 = (_e196 + _e201);
+                    let _e208 = select(select(u32(_e203), 0u, (_e203 < 0f)), 4294967295u, (_e203 > 4294967000f));
+                    let _e209 = (_e149 + _e153);
+                    let _e212 = select(false, (_e209 < 1f), (0f < _e209));
+                    let _e215 = select(select(0f, 1f, (1f <= _e209)), _e149, _e212);
+                    let _e217 = (_e215 * _e122.member);
+                    let _e222 = trunc(_e217);
+                    let _e224 = ((_e217 - _e222) + (((_e215 * _e122.member_1) + (select(0f, _e153, _e212) * _e166)) + 0.5f));
+                    let _e226 = select(0f, _e224, (_e224 > 0f));
+                    let _e227 = trunc(_e226);
+                    let _e228 = (_e226 - _e227);
+                    let _e229 = (_e222 + _e227);
+                    let _e234 = select(select(u32(_e229), 0u, (_e229 < 0f)), 4294967295u, (_e229 > 4294967000f));
+                    let _e235 = (_e182 + 1u);
+                    let _e236 = (_e208 + 1u);
+                    let _e237 = (_e234 + 1u);
+                    let _e240 = (_e122.member_5 == 0u);
+                    if _e240 {
+                        let _e251 = (_e182 + ((_e208 + (_e234 * _e122.member_2)) * _e122.member_2));
+                        phi_345_ = select((_e251 - _e122.member_4), _e251, (_e251 < _e122.member_4));
                     } else {
-                        phi_311_ = _e183;
+                        phi_345_ = (((_e182 ^ (_e208 * 2654435761u)) ^ (_e234 * 805459861u)) & (_e122.member_4 - 1u));
                     }
-                    let _e195 = phi_311_;
-                    let _e196 = (_e143 + _e147);
-                    let _e199 = select(false, (_e196 < 1f), (0f < _e196));
-                    let _e202 = select(select(0f, 1f, (1f <= _e196)), _e143, _e199);
-                    let _e204 = (_e202 * _e125.member);
-                    let _e209 = trunc(_e204);
-                    let _e211 = ((_e204 - _e209) + (((_e202 * _e125.member_1) + (select(0f, _e147, _e199) * _e173)) + 0.5f));
-                    let _e213 = select(0f, _e211, (_e211 > 0f));
-                    let _e214 = trunc(_e213);
-                    let _e215 = (_e213 - _e214);
-                    let _e216 = (_e209 + _e214);
-                    let _e221 = select(select(u32(_e216), 0u, (_e216 < 0f)), 4294967295u, (_e216 > 4294967000f));
-                    if _e160 {
-                        phi_331_ = ((_e215 * _e215) * (3f - (2f * _e215)));
+                    let _e256 = phi_345_;
+                    if _e240 {
+                        let _e269 = (_e235 + ((_e208 + (_e234 * _e122.member_2)) * _e122.member_2));
+                        phi_365_ = select((_e269 - _e122.member_4), _e269, (_e269 < _e122.member_4));
                     } else {
-                        phi_331_ = _e215;
+                        phi_365_ = (((_e235 ^ (_e208 * 2654435761u)) ^ (_e234 * 805459861u)) & (_e122.member_4 - 1u));
                     }
-                    let _e227 = phi_331_;
-                    let _e228 = (_e152 + _e156);
-                    let _e231 = select(false, (_e228 < 1f), (0f < _e228));
-                    let _e234 = select(select(0f, 1f, (1f <= _e228)), _e152, _e231);
-                    let _e236 = (_e234 * _e125.member);
-                    let _e241 = trunc(_e236);
-                    let _e243 = ((_e236 - _e241) + (((_e234 * _e125.member_1) + (select(0f, _e156, _e231) * _e173)) + 0.5f));
-                    let _e245 = select(0f, _e243, (_e243 > 0f));
-                    let _e246 = trunc(_e245);
-                    let _e247 = (_e245 - _e246);
-                    let _e248 = (_e241 + _e246);
-                    let _e253 = select(select(u32(_e248), 0u, (_e248 < 0f)), 4294967295u, (_e248 > 4294967000f));
-                    if _e160 {
-                        phi_351_ = ((_e247 * _e247) * (3f - (2f * _e247)));
+                    let _e274 = phi_365_;
+                    if _e240 {
+                        let _e286 = (_e182 + ((_e236 + (_e234 * _e122.member_2)) * _e122.member_2));
+                        phi_384_ = select((_e286 - _e122.member_4), _e286, (_e286 < _e122.member_4));
                     } else {
-                        phi_351_ = _e247;
+                        phi_384_ = (((_e182 ^ (_e236 * 2654435761u)) ^ (_e234 * 805459861u)) & (_e122.member_4 - 1u));
                     }
-                    let _e259 = phi_351_;
-                    let _e260 = (_e189 + 1u);
-                    let _e261 = (_e221 + 1u);
-                    let _e262 = (_e253 + 1u);
-                    let _e265 = (_e125.member_5 == 0u);
-                    if _e265 {
-                        let _e276 = (_e189 + ((_e221 + (_e253 * _e125.member_2)) * _e125.member_2));
-                        phi_375_ = select((_e276 - _e125.member_4), _e276, (_e276 < _e125.member_4));
+                    let _e291 = phi_384_;
+                    if _e240 {
+                        let _e303 = (_e235 + ((_e236 + (_e234 * _e122.member_2)) * _e122.member_2));
+                        phi_403_ = select((_e303 - _e122.member_4), _e303, (_e303 < _e122.member_4));
                     } else {
-                        phi_375_ = (((_e189 ^ (_e221 * 2654435761u)) ^ (_e253 * 805459861u)) & (_e125.member_4 - 1u));
+                        phi_403_ = (((_e235 ^ (_e236 * 2654435761u)) ^ (_e234 * 805459861u)) & (_e122.member_4 - 1u));
                     }
-                    let _e281 = phi_375_;
-                    if _e265 {
-                        let _e294 = (_e260 + ((_e221 + (_e253 * _e125.member_2)) * _e125.member_2));
-                        phi_395_ = select((_e294 - _e125.member_4), _e294, (_e294 < _e125.member_4));
+                    let _e308 = phi_403_;
+                    if _e240 {
+                        let _e320 = (_e182 + ((_e208 + (_e237 * _e122.member_2)) * _e122.member_2));
+                        phi_422_ = select((_e320 - _e122.member_4), _e320, (_e320 < _e122.member_4));
                     } else {
-                        phi_395_ = (((_e260 ^ (_e221 * 2654435761u)) ^ (_e253 * 805459861u)) & (_e125.member_4 - 1u));
+                        phi_422_ = (((_e182 ^ (_e208 * 2654435761u)) ^ (_e237 * 805459861u)) & (_e122.member_4 - 1u));
                     }
-                    let _e299 = phi_395_;
-                    if _e265 {
-                        let _e311 = (_e189 + ((_e261 + (_e253 * _e125.member_2)) * _e125.member_2));
-                        phi_414_ = select((_e311 - _e125.member_4), _e311, (_e311 < _e125.member_4));
+                    let _e325 = phi_422_;
+                    if _e240 {
+                        let _e337 = (_e235 + ((_e208 + (_e237 * _e122.member_2)) * _e122.member_2));
+                        phi_441_ = select((_e337 - _e122.member_4), _e337, (_e337 < _e122.member_4));
                     } else {
-                        phi_414_ = (((_e189 ^ (_e261 * 2654435761u)) ^ (_e253 * 805459861u)) & (_e125.member_4 - 1u));
+                        phi_441_ = (((_e235 ^ (_e208 * 2654435761u)) ^ (_e237 * 805459861u)) & (_e122.member_4 - 1u));
                     }
-                    let _e316 = phi_414_;
-                    if _e265 {
-                        let _e328 = (_e260 + ((_e261 + (_e253 * _e125.member_2)) * _e125.member_2));
-                        phi_433_ = select((_e328 - _e125.member_4), _e328, (_e328 < _e125.member_4));
+                    let _e342 = phi_441_;
+                    if _e240 {
+                        let _e354 = (_e182 + ((_e236 + (_e237 * _e122.member_2)) * _e122.member_2));
+                        phi_460_ = select((_e354 - _e122.member_4), _e354, (_e354 < _e122.member_4));
                     } else {
-                        phi_433_ = (((_e260 ^ (_e261 * 2654435761u)) ^ (_e253 * 805459861u)) & (_e125.member_4 - 1u));
+                        phi_460_ = (((_e182 ^ (_e236 * 2654435761u)) ^ (_e237 * 805459861u)) & (_e122.member_4 - 1u));
                     }
-                    let _e333 = phi_433_;
-                    if _e265 {
-                        let _e345 = (_e189 + ((_e221 + (_e262 * _e125.member_2)) * _e125.member_2));
-                        phi_452_ = select((_e345 - _e125.member_4), _e345, (_e345 < _e125.member_4));
+                    let _e359 = phi_460_;
+                    if _e240 {
+                        let _e371 = (_e235 + ((_e236 + (_e237 * _e122.member_2)) * _e122.member_2));
+                        phi_479_ = select((_e371 - _e122.member_4), _e371, (_e371 < _e122.member_4));
                     } else {
-                        phi_452_ = (((_e189 ^ (_e221 * 2654435761u)) ^ (_e262 * 805459861u)) & (_e125.member_4 - 1u));
+                        phi_479_ = (((_e235 ^ (_e236 * 2654435761u)) ^ (_e237 * 805459861u)) & (_e122.member_4 - 1u));
                     }
-                    let _e350 = phi_452_;
-                    if _e265 {
-                        let _e362 = (_e260 + ((_e221 + (_e262 * _e125.member_2)) * _e125.member_2));
-                        phi_471_ = select((_e362 - _e125.member_4), _e362, (_e362 < _e125.member_4));
-                    } else {
-                        phi_471_ = (((_e260 ^ (_e221 * 2654435761u)) ^ (_e262 * 805459861u)) & (_e125.member_4 - 1u));
+                    let _e376 = phi_479_;
+                    let _e378 = (1f - _e176);
+                    let _e379 = (1f - _e202);
+                    let _e380 = (1f - _e228);
+                    let _e381 = (_e378 * _e379);
+                    let _e382 = (_e176 * _e379);
+                    let _e383 = (_e378 * _e202);
+                    let _e384 = (_e176 * _e202);
+                    let _e393 = ((_e256 + _e122.member_3) * _e50);
+                    if _e119 {
+                        let _e397 = atomicMax((&global_9.member[(_e393 / 64u)]), 1u);
                     }
-                    let _e367 = phi_471_;
-                    if _e265 {
-                        let _e379 = (_e189 + ((_e261 + (_e262 * _e125.member_2)) * _e125.member_2));
-                        phi_490_ = select((_e379 - _e125.member_4), _e379, (_e379 < _e125.member_4));
-                    } else {
-                        phi_490_ = (((_e189 ^ (_e261 * 2654435761u)) ^ (_e262 * 805459861u)) & (_e125.member_4 - 1u));
+                    let _e398 = ((_e274 + _e122.member_3) * _e50);
+                    if _e119 {
+                        let _e402 = atomicMax((&global_9.member[(_e398 / 64u)]), 1u);
                     }
-                    let _e384 = phi_490_;
-                    if _e265 {
-                        let _e396 = (_e260 + ((_e261 + (_e262 * _e125.member_2)) * _e125.member_2));
-                        phi_509_ = select((_e396 - _e125.member_4), _e396, (_e396 < _e125.member_4));
-                    } else {
-                        phi_509_ = (((_e260 ^ (_e261 * 2654435761u)) ^ (_e262 * 805459861u)) & (_e125.member_4 - 1u));
+                    let _e403 = ((_e291 + _e122.member_3) * _e50);
+                    if _e119 {
+                        let _e407 = atomicMax((&global_9.member[(_e403 / 64u)]), 1u);
                     }
-                    let _e401 = phi_509_;
-                    let _e403 = (1f - _e195);
-                    let _e404 = (1f - _e227);
-                    let _e405 = (1f - _e259);
-                    let _e406 = (_e403 * _e404);
-                    let _e407 = (_e195 * _e404);
-                    let _e408 = (_e403 * _e227);
-                    let _e409 = (_e195 * _e227);
-                    let _e418 = ((_e281 + _e125.member_3) * _e53);
-                    if _e122 {
+                    let _e408 = ((_e308 + _e122.member_3) * _e50);
+                    if _e119 {
+                        let _e412 = atomicMax((&global_9.member[(_e408 / 64u)]), 1u);
+                    }
+                    let _e413 = ((_e325 + _e122.member_3) * _e50);
+                    if _e119 {
+                        let _e417 = atomicMax((&global_9.member[(_e413 / 64u)]), 1u);
+                    }
+                    let _e418 = ((_e342 + _e122.member_3) * _e50);
+                    if _e119 {
                         let _e422 = atomicMax((&global_9.member[(_e418 / 64u)]), 1u);
                     }
-                    let _e423 = ((_e299 + _e125.member_3) * _e53);
-                    if _e122 {
+                    let _e423 = ((_e359 + _e122.member_3) * _e50);
+                    if _e119 {
                         let _e427 = atomicMax((&global_9.member[(_e423 / 64u)]), 1u);
                     }
-                    let _e428 = ((_e316 + _e125.member_3) * _e53);
-                    if _e122 {
+                    let _e428 = ((_e376 + _e122.member_3) * _e50);
+                    if _e119 {
                         let _e432 = atomicMax((&global_9.member[(_e428 / 64u)]), 1u);
                     }
-                    let _e433 = ((_e333 + _e125.member_3) * _e53);
-                    if _e122 {
-                        let _e437 = atomicMax((&global_9.member[(_e433 / 64u)]), 1u);
-                    }
-                    let _e438 = ((_e350 + _e125.member_3) * _e53);
-                    if _e122 {
-                        let _e442 = atomicMax((&global_9.member[(_e438 / 64u)]), 1u);
-                    }
-                    let _e443 = ((_e367 + _e125.member_3) * _e53);
-                    if _e122 {
-                        let _e447 = atomicMax((&global_9.member[(_e443 / 64u)]), 1u);
-                    }
-                    let _e448 = ((_e384 + _e125.member_3) * _e53);
-                    if _e122 {
-                        let _e452 = atomicMax((&global_9.member[(_e448 / 64u)]), 1u);
-                    }
-                    let _e453 = ((_e401 + _e125.member_3) * _e53);
-                    if _e122 {
-                        let _e457 = atomicMax((&global_9.member[(_e453 / 64u)]), 1u);
-                    }
-                    let _e460 = global_7.member[0u];
-                    phi_570_ = 0u;
-                    phi_573_ = _e76;
+                    let _e435 = global_7.member[0u];
+                    phi_540_ = 0u;
+                    phi_543_ = _e73;
                     loop {
-                        let _e462 = phi_570_;
-                        let _e464 = phi_573_;
-                        let _e465 = (_e462 < _e53);
-                        if _e465 {
-                            let _e468 = global_6.member[_e464];
-                            let _e469 = -(_e468);
-                            let _e474 = select(0f, (_e468 * _e460), (0.000000000000000000000000000000000000011754944f <= select(_e469, _e468, (_e468 > _e469))));
-                            let _e475 = (_e474 * (_e406 * _e405));
-                            if _e122 {
-                                let _e477 = (_e475 < 0f);
-                                if _e477 {
-                                    phi_595_ = -(_e475);
+                        let _e437 = phi_540_;
+                        let _e439 = phi_543_;
+                        let _e440 = (_e437 < _e50);
+                        if _e440 {
+                            let _e443 = global_6.member[_e439];
+                            let _e444 = -(_e443);
+                            let _e449 = select(0f, (_e443 * _e435), (0.000000000000000000000000000000000000011754944f <= select(_e444, _e443, (_e443 > _e444))));
+                            let _e450 = (_e449 * (_e381 * _e380));
+                            if _e119 {
+                                let _e452 = (_e450 < 0f);
+                                if _e452 {
+                                    phi_565_ = -(_e450);
                                 } else {
-                                    phi_595_ = _e475;
+                                    phi_565_ = _e450;
                                 }
-                                let _e480 = phi_595_;
-                                let _e481 = (_e480 * 0.00000000023283064f);
-                                let _e486 = select(select(u32(_e481), 0u, (_e481 < 0f)), 4294967295u, (_e481 > 4294967000f));
-                                let _e489 = (_e480 - (f32(_e486) * 4294967300f));
-                                let _e494 = select(select(u32(_e489), 0u, (_e489 < 0f)), 4294967295u, (_e489 > 4294967000f));
-                                if ((_e489 - f32(_e494)) >= 0.5f) {
-                                    phi_613_ = (_e494 + 1u);
+                                let _e455 = phi_565_;
+                                let _e456 = (_e455 * 0.00000000023283064f);
+                                let _e461 = select(select(u32(_e456), 0u, (_e456 < 0f)), 4294967295u, (_e456 > 4294967000f));
+                                let _e464 = (_e455 - (f32(_e461) * 4294967300f));
+                                let _e469 = select(select(u32(_e464), 0u, (_e464 < 0f)), 4294967295u, (_e464 > 4294967000f));
+                                if ((_e464 - f32(_e469)) >= 0.5f) {
+                                    phi_583_ = (_e469 + 1u);
                                 } else {
-                                    phi_613_ = _e494;
+                                    phi_583_ = _e469;
                                 }
-                                let _e500 = phi_613_;
-                                if _e477 {
-                                    let _e503 = (~(_e500) + 1u);
-                                    if (_e503 == 0u) {
-                                        phi_627_ = (~(_e486) + 1u);
+                                let _e475 = phi_583_;
+                                if _e452 {
+                                    let _e478 = (~(_e475) + 1u);
+                                    if (_e478 == 0u) {
+                                        phi_597_ = (~(_e461) + 1u);
                                     } else {
-                                        phi_627_ = ~(_e486);
+                                        phi_597_ = ~(_e461);
                                     }
-                                    let _e509 = phi_627_;
-                                    phi_629_ = array<u32, 2>(_e503, _e509);
+                                    let _e484 = phi_597_;
+                                    phi_599_ = array<u32, 2>(_e478, _e484);
                                 } else {
-                                    phi_629_ = array<u32, 2>(_e500, _e486);
+                                    phi_599_ = array<u32, 2>(_e475, _e461);
                                 }
-                                let _e512 = phi_629_;
-                                let _e515 = (2u * (_e418 + _e462));
-                                let _e518 = atomicAdd((&global_8.member[_e515]), _e512[0]);
-                                let _e526 = atomicAdd((&global_8.member[(_e515 + 1u)]), (_e512[1] + select(0u, 1u, ((_e518 + _e512[0]) < _e512[0]))));
+                                let _e487 = phi_599_;
+                                let _e490 = (2u * (_e393 + _e437));
+                                let _e493 = atomicAdd((&global_8.member[_e490]), _e487[0]);
+                                let _e501 = atomicAdd((&global_8.member[(_e490 + 1u)]), (_e487[1] + select(0u, 1u, ((_e493 + _e487[0]) < _e487[0]))));
                             }
-                            let _e527 = (_e474 * (_e407 * _e405));
-                            if _e122 {
-                                let _e529 = (_e527 < 0f);
-                                if _e529 {
-                                    phi_650_ = -(_e527);
+                            let _e502 = (_e449 * (_e382 * _e380));
+                            if _e119 {
+                                let _e504 = (_e502 < 0f);
+                                if _e504 {
+                                    phi_620_ = -(_e502);
                                 } else {
-                                    phi_650_ = _e527;
+                                    phi_620_ = _e502;
                                 }
-                                let _e532 = phi_650_;
-                                let _e533 = (_e532 * 0.00000000023283064f);
-                                let _e538 = select(select(u32(_e533), 0u, (_e533 < 0f)), 4294967295u, (_e533 > 4294967000f));
-                                let _e541 = (_e532 - (f32(_e538) * 4294967300f));
-                                let _e546 = select(select(u32(_e541), 0u, (_e541 < 0f)), 4294967295u, (_e541 > 4294967000f));
-                                if ((_e541 - f32(_e546)) >= 0.5f) {
-                                    phi_668_ = (_e546 + 1u);
+                                let _e507 = phi_620_;
+                                let _e508 = (_e507 * 0.00000000023283064f);
+                                let _e513 = select(select(u32(_e508), 0u, (_e508 < 0f)), 4294967295u, (_e508 > 4294967000f));
+                                let _e516 = (_e507 - (f32(_e513) * 4294967300f));
+                                let _e521 = select(select(u32(_e516), 0u, (_e516 < 0f)), 4294967295u, (_e516 > 4294967000f));
+                                if ((_e516 - f32(_e521)) >= 0.5f) {
+                                    phi_638_ = (_e521 + 1u);
                                 } else {
-                                    phi_668_ = _e546;
+                                    phi_638_ = _e521;
                                 }
-                                let _e552 = phi_668_;
-                                if _e529 {
-                                    let _e555 = (~(_e552) + 1u);
-                                    if (_e555 == 0u) {
-                                        phi_682_ = (~(_e538) + 1u);
+                                let _e527 = phi_638_;
+                                if _e504 {
+                                    let _e530 = (~(_e527) + 1u);
+                                    if (_e530 == 0u) {
+                                        phi_652_ = (~(_e513) + 1u);
                                     } else {
-                                        phi_682_ = ~(_e538);
+                                        phi_652_ = ~(_e513);
                                     }
-                                    let _e561 = phi_682_;
-                                    phi_684_ = array<u32, 2>(_e555, _e561);
+                                    let _e536 = phi_652_;
+                                    phi_654_ = array<u32, 2>(_e530, _e536);
                                 } else {
-                                    phi_684_ = array<u32, 2>(_e552, _e538);
+                                    phi_654_ = array<u32, 2>(_e527, _e513);
                                 }
-                                let _e564 = phi_684_;
-                                let _e567 = (2u * (_e423 + _e462));
-                                let _e570 = atomicAdd((&global_8.member[_e567]), _e564[0]);
-                                let _e578 = atomicAdd((&global_8.member[(_e567 + 1u)]), (_e564[1] + select(0u, 1u, ((_e570 + _e564[0]) < _e564[0]))));
+                                let _e539 = phi_654_;
+                                let _e542 = (2u * (_e398 + _e437));
+                                let _e545 = atomicAdd((&global_8.member[_e542]), _e539[0]);
+                                let _e553 = atomicAdd((&global_8.member[(_e542 + 1u)]), (_e539[1] + select(0u, 1u, ((_e545 + _e539[0]) < _e539[0]))));
                             }
-                            let _e579 = (_e474 * (_e408 * _e405));
-                            if _e122 {
-                                let _e581 = (_e579 < 0f);
-                                if _e581 {
-                                    phi_705_ = -(_e579);
+                            let _e554 = (_e449 * (_e383 * _e380));
+                            if _e119 {
+                                let _e556 = (_e554 < 0f);
+                                if _e556 {
+                                    phi_675_ = -(_e554);
                                 } else {
-                                    phi_705_ = _e579;
+                                    phi_675_ = _e554;
                                 }
-                                let _e584 = phi_705_;
-                                let _e585 = (_e584 * 0.00000000023283064f);
-                                let _e590 = select(select(u32(_e585), 0u, (_e585 < 0f)), 4294967295u, (_e585 > 4294967000f));
-                                let _e593 = (_e584 - (f32(_e590) * 4294967300f));
-                                let _e598 = select(select(u32(_e593), 0u, (_e593 < 0f)), 4294967295u, (_e593 > 4294967000f));
-                                if ((_e593 - f32(_e598)) >= 0.5f) {
-                                    phi_723_ = (_e598 + 1u);
+                                let _e559 = phi_675_;
+                                let _e560 = (_e559 * 0.00000000023283064f);
+                                let _e565 = select(select(u32(_e560), 0u, (_e560 < 0f)), 4294967295u, (_e560 > 4294967000f));
+                                let _e568 = (_e559 - (f32(_e565) * 4294967300f));
+                                let _e573 = select(select(u32(_e568), 0u, (_e568 < 0f)), 4294967295u, (_e568 > 4294967000f));
+                                if ((_e568 - f32(_e573)) >= 0.5f) {
+                                    phi_693_ = (_e573 + 1u);
                                 } else {
-                                    phi_723_ = _e598;
+                                    phi_693_ = _e573;
                                 }
-                                let _e604 = phi_723_;
-                                if _e581 {
-                                    let _e607 = (~(_e604) + 1u);
-                                    if (_e607 == 0u) {
-                                        phi_737_ = (~(_e590) + 1u);
+                                let _e579 = phi_693_;
+                                if _e556 {
+                                    let _e582 = (~(_e579) + 1u);
+                                    if (_e582 == 0u) {
+                                        phi_707_ = (~(_e565) + 1u);
                                     } else {
-                                        phi_737_ = ~(_e590);
+                                        phi_707_ = ~(_e565);
                                     }
-                                    let _e613 = phi_737_;
-                                    phi_739_ = array<u32, 2>(_e607, _e613);
+                                    let _e588 = phi_707_;
+                                    phi_709_ = array<u32, 2>(_e582, _e588);
                                 } else {
-                                    phi_739_ = array<u32, 2>(_e604, _e590);
+                                    phi_709_ = array<u32, 2>(_e579, _e565);
                                 }
-                                let _e616 = phi_739_;
-                                let _e619 = (2u * (_e428 + _e462));
-                                let _e622 = atomicAdd((&global_8.member[_e619]), _e616[0]);
-                                let _e630 = atomicAdd((&global_8.member[(_e619 + 1u)]), (_e616[1] + select(0u, 1u, ((_e622 + _e616[0]) < _e616[0]))));
+                                let _e591 = phi_709_;
+                                let _e594 = (2u * (_e403 + _e437));
+                                let _e597 = atomicAdd((&global_8.member[_e594]), _e591[0]);
+                                let _e605 = atomicAdd((&global_8.member[(_e594 + 1u)]), (_e591[1] + select(0u, 1u, ((_e597 + _e591[0]) < _e591[0]))));
                             }
-                            let _e631 = (_e474 * (_e409 * _e405));
-                            if _e122 {
-                                let _e633 = (_e631 < 0f);
-                                if _e633 {
-                                    phi_760_ = -(_e631);
+                            let _e606 = (_e449 * (_e384 * _e380));
+                            if _e119 {
+                                let _e608 = (_e606 < 0f);
+                                if _e608 {
+                                    phi_730_ = -(_e606);
                                 } else {
-                                    phi_760_ = _e631;
+                                    phi_730_ = _e606;
                                 }
-                                let _e636 = phi_760_;
-                                let _e637 = (_e636 * 0.00000000023283064f);
-                                let _e642 = select(select(u32(_e637), 0u, (_e637 < 0f)), 4294967295u, (_e637 > 4294967000f));
-                                let _e645 = (_e636 - (f32(_e642) * 4294967300f));
-                                let _e650 = select(select(u32(_e645), 0u, (_e645 < 0f)), 4294967295u, (_e645 > 4294967000f));
-                                if ((_e645 - f32(_e650)) >= 0.5f) {
-                                    phi_778_ = (_e650 + 1u);
+                                let _e611 = phi_730_;
+                                let _e612 = (_e611 * 0.00000000023283064f);
+                                let _e617 = select(select(u32(_e612), 0u, (_e612 < 0f)), 4294967295u, (_e612 > 4294967000f));
+                                let _e620 = (_e611 - (f32(_e617) * 4294967300f));
+                                let _e625 = select(select(u32(_e620), 0u, (_e620 < 0f)), 4294967295u, (_e620 > 4294967000f));
+                                if ((_e620 - f32(_e625)) >= 0.5f) {
+                                    phi_748_ = (_e625 + 1u);
                                 } else {
-                                    phi_778_ = _e650;
+                                    phi_748_ = _e625;
                                 }
-                                let _e656 = phi_778_;
-                                if _e633 {
-                                    let _e659 = (~(_e656) + 1u);
-                                    if (_e659 == 0u) {
-                                        phi_792_ = (~(_e642) + 1u);
+                                let _e631 = phi_748_;
+                                if _e608 {
+                                    let _e634 = (~(_e631) + 1u);
+                                    if (_e634 == 0u) {
+                                        phi_762_ = (~(_e617) + 1u);
                                     } else {
-                                        phi_792_ = ~(_e642);
+                                        phi_762_ = ~(_e617);
                                     }
-                                    let _e665 = phi_792_;
-                                    phi_794_ = array<u32, 2>(_e659, _e665);
+                                    let _e640 = phi_762_;
+                                    phi_764_ = array<u32, 2>(_e634, _e640);
                                 } else {
-                                    phi_794_ = array<u32, 2>(_e656, _e642);
+                                    phi_764_ = array<u32, 2>(_e631, _e617);
                                 }
-                                let _e668 = phi_794_;
-                                let _e671 = (2u * (_e433 + _e462));
-                                let _e674 = atomicAdd((&global_8.member[_e671]), _e668[0]);
-                                let _e682 = atomicAdd((&global_8.member[(_e671 + 1u)]), (_e668[1] + select(0u, 1u, ((_e674 + _e668[0]) < _e668[0]))));
+                                let _e643 = phi_764_;
+                                let _e646 = (2u * (_e408 + _e437));
+                                let _e649 = atomicAdd((&global_8.member[_e646]), _e643[0]);
+                                let _e657 = atomicAdd((&global_8.member[(_e646 + 1u)]), (_e643[1] + select(0u, 1u, ((_e649 + _e643[0]) < _e643[0]))));
                             }
-                            let _e683 = (_e474 * (_e406 * _e259));
-                            if _e122 {
-                                let _e685 = (_e683 < 0f);
-                                if _e685 {
-                                    phi_815_ = -(_e683);
+                            let _e658 = (_e449 * (_e381 * _e228));
+                            if _e119 {
+                                let _e660 = (_e658 < 0f);
+                                if _e660 {
+                                    phi_785_ = -(_e658);
                                 } else {
-                                    phi_815_ = _e683;
+                                    phi_785_ = _e658;
                                 }
-                                let _e688 = phi_815_;
-                                let _e689 = (_e688 * 0.00000000023283064f);
-                                let _e694 = select(select(u32(_e689), 0u, (_e689 < 0f)), 4294967295u, (_e689 > 4294967000f));
-                                let _e697 = (_e688 - (f32(_e694) * 4294967300f));
-                                let _e702 = select(select(u32(_e697), 0u, (_e697 < 0f)), 4294967295u, (_e697 > 4294967000f));
-                                if ((_e697 - f32(_e702)) >= 0.5f) {
-                                    phi_833_ = (_e702 + 1u);
+                                let _e663 = phi_785_;
+                                let _e664 = (_e663 * 0.00000000023283064f);
+                                let _e669 = select(select(u32(_e664), 0u, (_e664 < 0f)), 4294967295u, (_e664 > 4294967000f));
+                                let _e672 = (_e663 - (f32(_e669) * 4294967300f));
+                                let _e677 = select(select(u32(_e672), 0u, (_e672 < 0f)), 4294967295u, (_e672 > 4294967000f));
+                                if ((_e672 - f32(_e677)) >= 0.5f) {
+                                    phi_803_ = (_e677 + 1u);
                                 } else {
-                                    phi_833_ = _e702;
+                                    phi_803_ = _e677;
                                 }
-                                let _e708 = phi_833_;
-                                if _e685 {
-                                    let _e711 = (~(_e708) + 1u);
-                                    if (_e711 == 0u) {
-                                        phi_847_ = (~(_e694) + 1u);
+                                let _e683 = phi_803_;
+                                if _e660 {
+                                    let _e686 = (~(_e683) + 1u);
+                                    if (_e686 == 0u) {
+                                        phi_817_ = (~(_e669) + 1u);
                                     } else {
-                                        phi_847_ = ~(_e694);
+                                        phi_817_ = ~(_e669);
                                     }
-                                    let _e717 = phi_847_;
-                                    phi_849_ = array<u32, 2>(_e711, _e717);
+                                    let _e692 = phi_817_;
+                                    phi_819_ = array<u32, 2>(_e686, _e692);
                                 } else {
-                                    phi_849_ = array<u32, 2>(_e708, _e694);
+                                    phi_819_ = array<u32, 2>(_e683, _e669);
                                 }
-                                let _e720 = phi_849_;
-                                let _e723 = (2u * (_e438 + _e462));
-                                let _e726 = atomicAdd((&global_8.member[_e723]), _e720[0]);
-                                let _e734 = atomicAdd((&global_8.member[(_e723 + 1u)]), (_e720[1] + select(0u, 1u, ((_e726 + _e720[0]) < _e720[0]))));
+                                let _e695 = phi_819_;
+                                let _e698 = (2u * (_e413 + _e437));
+                                let _e701 = atomicAdd((&global_8.member[_e698]), _e695[0]);
+                                let _e709 = atomicAdd((&global_8.member[(_e698 + 1u)]), (_e695[1] + select(0u, 1u, ((_e701 + _e695[0]) < _e695[0]))));
                             }
-                            let _e735 = (_e474 * (_e407 * _e259));
-                            if _e122 {
-                                let _e737 = (_e735 < 0f);
-                                if _e737 {
-                                    phi_870_ = -(_e735);
+                            let _e710 = (_e449 * (_e382 * _e228));
+                            if _e119 {
+                                let _e712 = (_e710 < 0f);
+                                if _e712 {
+                                    phi_840_ = -(_e710);
                                 } else {
-                                    phi_870_ = _e735;
+                                    phi_840_ = _e710;
                                 }
-                                let _e740 = phi_870_;
-                                let _e741 = (_e740 * 0.00000000023283064f);
-                                let _e746 = select(select(u32(_e741), 0u, (_e741 < 0f)), 4294967295u, (_e741 > 4294967000f));
-                                let _e749 = (_e740 - (f32(_e746) * 4294967300f));
-                                let _e754 = select(select(u32(_e749), 0u, (_e749 < 0f)), 4294967295u, (_e749 > 4294967000f));
-                                if ((_e749 - f32(_e754)) >= 0.5f) {
-                                    phi_888_ = (_e754 + 1u);
+                                let _e715 = phi_840_;
+                                let _e716 = (_e715 * 0.00000000023283064f);
+                                let _e721 = select(select(u32(_e716), 0u, (_e716 < 0f)), 4294967295u, (_e716 > 4294967000f));
+                                let _e724 = (_e715 - (f32(_e721) * 4294967300f));
+                                let _e729 = select(select(u32(_e724), 0u, (_e724 < 0f)), 4294967295u, (_e724 > 4294967000f));
+                                if ((_e724 - f32(_e729)) >= 0.5f) {
+                                    phi_858_ = (_e729 + 1u);
                                 } else {
-                                    phi_888_ = _e754;
+                                    phi_858_ = _e729;
                                 }
-                                let _e760 = phi_888_;
-                                if _e737 {
-                                    let _e763 = (~(_e760) + 1u);
-                                    if (_e763 == 0u) {
-                                        phi_902_ = (~(_e746) + 1u);
+                                let _e735 = phi_858_;
+                                if _e712 {
+                                    let _e738 = (~(_e735) + 1u);
+                                    if (_e738 == 0u) {
+                                        phi_872_ = (~(_e721) + 1u);
                                     } else {
-                                        phi_902_ = ~(_e746);
+                                        phi_872_ = ~(_e721);
                                     }
-                                    let _e769 = phi_902_;
-                                    phi_904_ = array<u32, 2>(_e763, _e769);
+                                    let _e744 = phi_872_;
+                                    phi_874_ = array<u32, 2>(_e738, _e744);
                                 } else {
-                                    phi_904_ = array<u32, 2>(_e760, _e746);
+                                    phi_874_ = array<u32, 2>(_e735, _e721);
                                 }
-                                let _e772 = phi_904_;
-                                let _e775 = (2u * (_e443 + _e462));
-                                let _e778 = atomicAdd((&global_8.member[_e775]), _e772[0]);
-                                let _e786 = atomicAdd((&global_8.member[(_e775 + 1u)]), (_e772[1] + select(0u, 1u, ((_e778 + _e772[0]) < _e772[0]))));
+                                let _e747 = phi_874_;
+                                let _e750 = (2u * (_e418 + _e437));
+                                let _e753 = atomicAdd((&global_8.member[_e750]), _e747[0]);
+                                let _e761 = atomicAdd((&global_8.member[(_e750 + 1u)]), (_e747[1] + select(0u, 1u, ((_e753 + _e747[0]) < _e747[0]))));
                             }
-                            let _e787 = (_e474 * (_e408 * _e259));
-                            if _e122 {
-                                let _e789 = (_e787 < 0f);
-                                if _e789 {
-                                    phi_925_ = -(_e787);
+                            let _e762 = (_e449 * (_e383 * _e228));
+                            if _e119 {
+                                let _e764 = (_e762 < 0f);
+                                if _e764 {
+                                    phi_895_ = -(_e762);
                                 } else {
-                                    phi_925_ = _e787;
+                                    phi_895_ = _e762;
                                 }
-                                let _e792 = phi_925_;
-                                let _e793 = (_e792 * 0.00000000023283064f);
-                                let _e798 = select(select(u32(_e793), 0u, (_e793 < 0f)), 4294967295u, (_e793 > 4294967000f));
-                                let _e801 = (_e792 - (f32(_e798) * 4294967300f));
-                                let _e806 = select(select(u32(_e801), 0u, (_e801 < 0f)), 4294967295u, (_e801 > 4294967000f));
-                                if ((_e801 - f32(_e806)) >= 0.5f) {
-                                    phi_943_ = (_e806 + 1u);
+                                let _e767 = phi_895_;
+                                let _e768 = (_e767 * 0.00000000023283064f);
+                                let _e773 = select(select(u32(_e768), 0u, (_e768 < 0f)), 4294967295u, (_e768 > 4294967000f));
+                                let _e776 = (_e767 - (f32(_e773) * 4294967300f));
+                                let _e781 = select(select(u32(_e776), 0u, (_e776 < 0f)), 4294967295u, (_e776 > 4294967000f));
+                                if ((_e776 - f32(_e781)) >= 0.5f) {
+                                    phi_913_ = (_e781 + 1u);
                                 } else {
-                                    phi_943_ = _e806;
+                                    phi_913_ = _e781;
                                 }
-                                let _e812 = phi_943_;
-                                if _e789 {
-                                    let _e815 = (~(_e812) + 1u);
-                                    if (_e815 == 0u) {
-                                        phi_957_ = (~(_e798) + 1u);
+                                let _e787 = phi_913_;
+                                if _e764 {
+                                    let _e790 = (~(_e787) + 1u);
+                                    if (_e790 == 0u) {
+                                        phi_927_ = (~(_e773) + 1u);
                                     } else {
-                                        phi_957_ = ~(_e798);
+                                        phi_927_ = ~(_e773);
                                     }
-                                    let _e821 = phi_957_;
-                                    phi_959_ = array<u32, 2>(_e815, _e821);
+                                    let _e796 = phi_927_;
+                                    phi_929_ = array<u32, 2>(_e790, _e796);
                                 } else {
-                                    phi_959_ = array<u32, 2>(_e812, _e798);
+                                    phi_929_ = array<u32, 2>(_e787, _e773);
                                 }
-                                let _e824 = phi_959_;
-                                let _e827 = (2u * (_e448 + _e462));
-                                let _e830 = atomicAdd((&global_8.member[_e827]), _e824[0]);
-                                let _e838 = atomicAdd((&global_8.member[(_e827 + 1u)]), (_e824[1] + select(0u, 1u, ((_e830 + _e824[0]) < _e824[0]))));
+                                let _e799 = phi_929_;
+                                let _e802 = (2u * (_e423 + _e437));
+                                let _e805 = atomicAdd((&global_8.member[_e802]), _e799[0]);
+                                let _e813 = atomicAdd((&global_8.member[(_e802 + 1u)]), (_e799[1] + select(0u, 1u, ((_e805 + _e799[0]) < _e799[0]))));
                             }
-                            let _e839 = (_e474 * (_e409 * _e259));
-                            if _e122 {
-                                let _e841 = (_e839 < 0f);
-                                if _e841 {
-                                    phi_980_ = -(_e839);
+                            let _e814 = (_e449 * (_e384 * _e228));
+                            if _e119 {
+                                let _e816 = (_e814 < 0f);
+                                if _e816 {
+                                    phi_950_ = -(_e814);
                                 } else {
-                                    phi_980_ = _e839;
+                                    phi_950_ = _e814;
                                 }
-                                let _e844 = phi_980_;
-                                let _e845 = (_e844 * 0.00000000023283064f);
-                                let _e850 = select(select(u32(_e845), 0u, (_e845 < 0f)), 4294967295u, (_e845 > 4294967000f));
-                                let _e853 = (_e844 - (f32(_e850) * 4294967300f));
-                                let _e858 = select(select(u32(_e853), 0u, (_e853 < 0f)), 4294967295u, (_e853 > 4294967000f));
-                                if ((_e853 - f32(_e858)) >= 0.5f) {
-                                    phi_998_ = (_e858 + 1u);
+                                let _e819 = phi_950_;
+                                let _e820 = (_e819 * 0.00000000023283064f);
+                                let _e825 = select(select(u32(_e820), 0u, (_e820 < 0f)), 4294967295u, (_e820 > 4294967000f));
+                                let _e828 = (_e819 - (f32(_e825) * 4294967300f));
+                                let _e833 = select(select(u32(_e828), 0u, (_e828 < 0f)), 4294967295u, (_e828 > 4294967000f));
+                                if ((_e828 - f32(_e833)) >= 0.5f) {
+                                    phi_968_ = (_e833 + 1u);
                                 } else {
-                                    phi_998_ = _e858;
+                                    phi_968_ = _e833;
                                 }
-                                let _e864 = phi_998_;
-                                if _e841 {
-                                    let _e867 = (~(_e864) + 1u);
-                                    if (_e867 == 0u) {
-                                        phi_1012_ = (~(_e850) + 1u);
+                                let _e839 = phi_968_;
+                                if _e816 {
+                                    let _e842 = (~(_e839) + 1u);
+                                    if (_e842 == 0u) {
+                                        phi_982_ = (~(_e825) + 1u);
                                     } else {
-                                        phi_1012_ = ~(_e850);
+                                        phi_982_ = ~(_e825);
                                     }
-                                    let _e873 = phi_1012_;
-                                    phi_1014_ = array<u32, 2>(_e867, _e873);
+                                    let _e848 = phi_982_;
+                                    phi_984_ = array<u32, 2>(_e842, _e848);
                                 } else {
-                                    phi_1014_ = array<u32, 2>(_e864, _e850);
+                                    phi_984_ = array<u32, 2>(_e839, _e825);
                                 }
-                                let _e876 = phi_1014_;
-                                let _e879 = (2u * (_e453 + _e462));
-                                let _e882 = atomicAdd((&global_8.member[_e879]), _e876[0]);
-                                let _e890 = atomicAdd((&global_8.member[(_e879 + 1u)]), (_e876[1] + select(0u, 1u, ((_e882 + _e876[0]) < _e876[0]))));
+                                let _e851 = phi_984_;
+                                let _e854 = (2u * (_e428 + _e437));
+                                let _e857 = atomicAdd((&global_8.member[_e854]), _e851[0]);
+                                let _e865 = atomicAdd((&global_8.member[(_e854 + 1u)]), (_e851[1] + select(0u, 1u, ((_e857 + _e851[0]) < _e851[0]))));
                             }
-                            phi_571_ = (_e462 + 1u);
-                            phi_574_ = (_e464 + _e70);
+                            phi_541_ = (_e437 + 1u);
+                            phi_544_ = (_e439 + _e67);
                         } else {
-                            phi_571_ = u32();
-                            phi_574_ = u32();
+                            phi_541_ = u32();
+                            phi_544_ = u32();
                         }
-                        let _e894 = phi_571_;
-                        let _e896 = phi_574_;
+                        let _e869 = phi_541_;
+                        let _e871 = phi_544_;
                         continue;
                         continuing {
-                            phi_570_ = _e894;
-                            phi_573_ = _e896;
-                            break if !(_e465);
+                            phi_540_ = _e869;
+                            phi_543_ = _e871;
+                            break if !(_e440);
                         }
                     }
                 }

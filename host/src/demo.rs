@@ -24,9 +24,7 @@ use std::sync::LazyLock;
 use glam::Vec3;
 
 use crate::camera::Camera;
-use crate::scene::{
-    Contraction, Gaussians, GridConfig, Interpolation, MlpConfig, Scene, SceneConfig,
-};
+use crate::scene::{Contraction, Gaussians, GridConfig, MlpConfig, Scene, SceneConfig};
 use lattice::Splats;
 use light::Surroundings;
 
@@ -102,7 +100,6 @@ pub(crate) fn config() -> SceneConfig {
         log2_table,
         base_resolution,
         growth: 1.0,
-        interpolation: Interpolation::Linear,
     };
     SceneConfig {
         sh_degree: 1,

@@ -56,7 +56,7 @@ fn a_scene_goes_out_and_comes_back() {
     assert_eq!(round.gaussians.len(), back.gaussians.len());
     // and as the start of training
     let words = "train -o run --start thin.ply --steps 1 --set data.built_in_views=3 --set data.built_in_side=32 \
-                 --set growth.method=none --backend cpu";
+                 --set growth.end=0 --backend cpu";
     sandbox.run(words).assert_ok();
     let run = Scene::load(sandbox.path("run/checkpoint.safetensors")).expect("a scene");
     assert_eq!(run.gaussians.len(), back.gaussians.len());

@@ -1,7 +1,7 @@
 //! Cameras whose poses are off.
 
 use organza::data::{Dataset, Frame, Photograph};
-use organza::train::config::{GrowthMethod, OptimizerConfig, PoseMethod, Rate};
+use organza::train::config::{OptimizerConfig, Rate};
 use organza::train::{Checkpoint, Trainer, built_in};
 use organza::{Camera, Renderer, Scene, demo};
 use organza_tests::devices;
@@ -62,7 +62,7 @@ fn dataset_of(renderer: &Renderer, scene: &Scene) -> Dataset {
 fn cameras_come_back_to_where_they_were() {
     let (mut config, _, _) = begun();
     (config.run.steps, config.run.tiles_per_step, config.run.tile_size) = (30, 4, 32);
-    config.growth.method = GrowthMethod::None;
+    config.growth.end = 0.0;
     let still = Rate { first: 1e-12, last: 1e-12 };
     config.optimizer = OptimizerConfig {
         position: still,
@@ -88,7 +88,7 @@ fn cameras_come_back_to_where_they_were() {
         let distances = cameras.iter().zip(&true_cameras).map(|(a, b)| distance(a, b));
         distances.sum::<f64>() / cameras.len() as f64
     };
-    config.poses.method = PoseMethod::Refine;
+    config.poses.refine = true;
     let begin = Checkpoint::begin(scene, &config).expect("a scene");
     let mut trainer = Trainer::resume(&renderer, config, dataset, &begin).expect("a trainer");
     let before = error(trainer.cameras());
@@ -159,6 +159,6 @@ fn cameras_are_those_of_the_checkpoint(sandbox: &crate::sandbox::Sandbox, refine
 fn ranks_with_some_of_the_gaussians_say_that_they_cannot() {
     let sandbox = sandbox();
     let run = format!("{TINY} run --ranks 2 --split gaussians --refine-poses");
-    let message = "cannot refine poses: set `poses.method` to none, or share the views";
+    let message = "cannot refine poses: set `poses.refine` to false, or share the views";
     sandbox.assert_refuses(&run, &[message]);
 }

@@ -9,8 +9,8 @@ use std::thread;
 
 use serde::{Deserialize, Serialize};
 
-use crate::atomic_file::write_atomic;
 use crate::error::{Error, Result};
+use organza_core::write_atomic;
 
 /// What a film is written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -14,10 +14,10 @@ pub use channel::{ChannelFormat, ChannelImage, PNG_DEPTH_SCALE};
 use ::image::codecs::png::PngEncoder;
 use ::image::{ExtendedColorType, ImageEncoder, ImageError};
 
-use crate::atomic_file::write_atomic;
 use crate::error::{Error, Result};
 use crate::render::RenderedTiles;
 use crate::tile::TileBatch;
+use organza_core::write_atomic;
 use organza_device::memory;
 
 /// Side of the tiles that a whole image is cut into, in pixels. No image depends on it.

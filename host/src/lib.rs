@@ -36,44 +36,34 @@
 //! [`Renderer::gradient`] gives the gradient of any loss, [`Renderer::record`] the tiles with it, and [`train::StepHooks`] has a [`Trainer`] use one. The
 //! feature `ndarray` converts tiles, tensors and gradients to arrays and back.
 
-mod atomic_file;
 #[doc(hidden)]
 pub mod bench;
-pub mod camera;
 pub mod data;
-pub mod demo;
-pub mod error;
 pub mod evaluate;
 #[doc(hidden)]
 pub mod film;
 #[doc(hidden)]
 pub mod fuzz;
 pub mod image;
-mod input;
-pub mod metrics;
 #[cfg(feature = "ndarray")]
 pub mod ndarray;
-#[doc(hidden)]
-pub mod parity;
-pub mod ranks;
 pub mod render;
-pub mod scene;
 #[doc(hidden)]
 pub mod splats;
-pub mod tile;
 pub mod train;
 #[doc(hidden)]
 pub mod view;
 #[doc(hidden)]
 pub mod web;
 
-#[doc(hidden)]
-pub use atomic_file::{check_writable, remove_leftovers, write_atomic};
-pub use camera::Camera;
 pub use data::{Dataset, DatasetOptions};
-pub use error::{Error, Result};
 pub use evaluate::{Evaluation, evaluate};
 pub use image::Image;
+use organza_core::input;
+pub use organza_core::{
+    Camera, Error, Gradient, Result, Scene, Tile, TileBatch, camera, demo, error, metrics, ranks,
+    scene, tile,
+};
 pub use organza_device::{
     BackendChoice, Buffer, Device, DeviceOptions, InstructionSet, Modules, SpirvPath,
 };
@@ -83,8 +73,6 @@ pub use render::{
     Channel, DeviceScene, DeviceShare, Inspection, Recording, RenderReport, RenderedTiles,
     Renderer, ShareRecording, UploadOptions,
 };
-pub use scene::{Gradient, Scene};
-pub use tile::{Tile, TileBatch};
 pub use train::{TrainConfig, Trainer};
 
 /// The commit that organza was built from, followed by `-modified` if its sources had changed since. It is known for

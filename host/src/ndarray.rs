@@ -25,12 +25,12 @@
 //! # Ok::<(), organza::Error>(())
 //! ```
 
-use ::ndarray::{Array4, ArrayView4, ArrayViewD, ArrayViewMutD};
+use ::ndarray::{Array4, ArrayView4};
 
 use crate::camera::Camera;
 use crate::error::{Error, Result};
 use crate::render::{DeviceScene, LossGradient, RenderedTiles, Renderer};
-use crate::scene::{Gradient, Scene};
+use crate::scene::Gradient;
 use crate::tile::TileBatch;
 
 impl RenderedTiles {
@@ -58,31 +58,6 @@ impl TryFrom<Array4<f32>> for RenderedTiles {
             return Err(Error::Argument { reason });
         };
         Ok(Self { side, count, data: values(array.view()), ..Self::default() })
-    }
-}
-
-impl Scene {
-    /// The tensor with a name of [`Scene::tensors`], such as `gaussians.position`.
-    #[must_use]
-    pub fn array(&self, name: &str) -> Option<ArrayViewD<'_, f32>> {
-        let (spec, values) = self.tensors().into_iter().find(|(spec, _)| spec.name == name)?;
-        ArrayViewD::from_shape(spec.shape, values).ok()
-    }
-
-    /// As [`Scene::array`], for writing. `assign` copies another array of the same shape.
-    #[must_use]
-    pub fn array_mut(&mut self, name: &str) -> Option<ArrayViewMutD<'_, f32>> {
-        let (spec, values) = self.tensors_mut().into_iter().find(|(spec, _)| spec.name == name)?;
-        ArrayViewMutD::from_shape(spec.shape, values).ok()
-    }
-}
-
-impl Gradient {
-    /// The gradient of the tensor with a name of [`Gradient::tensors`], such as `gaussians.position`.
-    #[must_use]
-    pub fn array(&self, name: &str) -> Option<ArrayViewD<'_, f32>> {
-        let (spec, values) = self.tensors().into_iter().find(|(spec, _)| spec.name == name)?;
-        ArrayViewD::from_shape(spec.shape, values).ok()
     }
 }
 
@@ -146,20 +121,5 @@ mod tests {
             let error = RenderedTiles::try_from(Array4::zeros(shape)).unwrap_err().to_string();
             assert!(error.contains("[K, 3, S, S], not [2, "), "{error}");
         }
-    }
-
-    #[test]
-    fn tensors_have_the_shapes_and_values_of_a_scene() {
-        let mut scene = crate::demo::scene();
-        let names: Vec<_> = scene.tensors().into_iter().map(|(spec, _)| spec).collect();
-        for spec in names {
-            assert_eq!(scene.array(&spec.name).expect("it is there").shape(), spec.shape);
-        }
-        let row = scene.gaussians.position[7];
-        let position = scene.array("gaussians.position").unwrap();
-        assert_eq!([0, 1, 2].map(|column| position[[7, column]]), row);
-        scene.array_mut("gaussians.position").unwrap()[[7, 2]] = 5.0;
-        assert_eq!(scene.gaussians.position[7], [row[0], row[1], 5.0]);
-        assert!(scene.array("gaussians.color").is_none());
     }
 }

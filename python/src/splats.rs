@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use organza::camera::Orbit;
-use organza::check_writable;
+use organza_core::check_writable;
 use organza::data::Background;
 use organza::splats::{self, Fit, Format, Import, Views};
 use pyo3::prelude::*;

@@ -1,7 +1,7 @@
 //! Sizes past what one dispatch, one workgroup or one invocation takes.
 
 use glam::{Vec2, Vec4};
-use organza::parity::exact::composite::Splat;
+use organza_parity::exact::composite::Splat;
 use organza_shaders::composite::{CompositeKernel, CompositeParams};
 use organza_shaders::limits::MAX_MEMBERS;
 use organza_shaders::scan::{BLOCK, ScanBlockKernel, ScanParams};

@@ -3,26 +3,25 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use organza::parity;
-use organza::parity::project_backward::ProjectBackward;
 use organza::{InstructionSet, Renderer, SpirvPath};
 use organza_check::{Case, KernelRunner, Output, Parity, Rounding, Values, missing};
 use organza_kernel::kernels;
+use organza_parity::project_backward::ProjectBackward;
 use organza_tests::{cases, devices};
 
 #[test]
 fn every_kernel_has_a_case() {
-    let missing = missing(kernels(), &parity::cases(), "host/src/parity");
+    let missing = missing(kernels(), &organza_parity::cases(), "host/parity/src");
     assert!(missing.is_empty(), "{}", missing.join("\n"));
 }
 
 #[test]
 fn a_kernel_without_a_case_is_told_where_to_add_it() {
-    let mut cases = parity::cases();
+    let mut cases = organza_parity::cases();
     let removed = cases.remove(0);
-    let missing = missing(kernels(), &cases, "host/src/parity");
+    let missing = missing(kernels(), &cases, "host/parity/src");
     assert_eq!(missing.len(), 1);
-    for part in [removed.kernel, "host/src/parity/project.rs", "cases()"] {
+    for part in [removed.kernel, "host/parity/src/project.rs", "cases()"] {
         assert!(missing[0].contains(part), "{}", missing[0]);
     }
 }
@@ -41,7 +40,7 @@ fn every_device_is_within_tolerance_of_the_cpu() {
     let mut failures = Vec::new();
     let variants = devices::variants().into_iter().map(|(name, [_, variants])| (name, variants));
     for (name, device) in devices::all().into_iter().chain(devices::cpus()).chain(variants) {
-        for case in parity::cases() {
+        for case in organza_parity::cases() {
             let measure = case.measure(&cpu, &device, rounding(name)).expect("the kernel runs");
             let kernel = case.entry_point(&device);
             println!(
@@ -68,7 +67,7 @@ fn every_device_is_within_tolerance_of_the_cpu() {
 fn every_device_is_within_tolerance_of_the_equations() {
     let mut failures = Vec::new();
     for (name, device) in devices::cpus().into_iter().chain(devices::gpus()) {
-        for case in parity::cases() {
+        for case in organza_parity::cases() {
             let kernel = case.entry_point(&device);
             let measure = match case.hold(&device, rounding(name)) {
                 Ok(measure) => measure,
@@ -110,7 +109,7 @@ fn every_device_is_within_tolerance_of_the_equations() {
 #[test]
 fn no_two_invocations_get_in_each_others_way() {
     let (scalar, checked) = (devices::with(InstructionSet::Scalar), devices::checked());
-    for case in parity::cases() {
+    for case in organza_parity::cases() {
         let measure = case.measure(&scalar, &checked, Rounding::AsWritten).expect("no race");
         assert_eq!(measure.share.value, 0.0, "{}: checking changes the result", case.kernel);
     }
@@ -121,7 +120,7 @@ fn no_two_invocations_get_in_each_others_way() {
 fn staged_copies_are_right_without_a_gpu() {
     let (scalar, staged) = (devices::with(InstructionSet::Scalar), devices::checked_variants());
     let has_variant = |case: &&Case| case.entry_point(&staged) != case.entry_point(&scalar);
-    let cases = parity::cases();
+    let cases = organza_parity::cases();
     let cases: Vec<_> = cases.iter().filter(has_variant).collect();
     assert!(!cases.is_empty(), "no kernel has a variant");
     for case in cases {
@@ -149,7 +148,7 @@ fn the_pipeline_has_no_races() {
 #[test]
 fn the_number_of_threads_changes_no_bit() {
     let [one, three] = [1, 3].map(|threads| devices::cpu(Some(threads)));
-    for case in parity::cases() {
+    for case in organza_parity::cases() {
         let measure = case.measure(&one, &three, Rounding::AsWritten).expect("the kernel runs");
         assert_eq!(measure.share.value, 0.0, "{}: the number of threads shows", case.kernel);
     }
@@ -165,7 +164,7 @@ fn the_page_has_every_tolerance() {
     let rows = table.lines().filter(|line| line.starts_with('|')).skip(2);
     let rows: Vec<Vec<_>> =
         rows.map(|row| row.trim_matches('|').split(" | ").map(str::trim).collect()).collect();
-    let cases = parity::cases();
+    let cases = organza_parity::cases();
     for (row, case) in rows.iter().zip(&cases) {
         let [kernel, tolerance, why] = row[..] else { panic!("a row of {} columns", row.len()) };
         let remedy = "`organza parity --markdown` prints the table";
@@ -190,11 +189,11 @@ fn all_of<P: Parity>(output: &str) -> BTreeSet<u32> {
 /// Sets that keep away from what rounding decides must not keep away from what they are to test.
 #[test]
 fn sets_reach_every_branch() {
-    let classes = all_of::<parity::project::Project>("class");
+    let classes = all_of::<organza_parity::project::Project>("class");
     assert!([0, 1, 2].iter().all(|class| classes.contains(class)), "{classes:?}");
-    let counts = all_of::<parity::segment::Segment>("count");
+    let counts = all_of::<organza_parity::segment::Segment>("count");
     assert!([0, 1, 2, 16_384].iter().all(|count| counts.contains(count)), "{counts:?}");
-    let words = all_of::<parity::tile::TileMask>("mask");
+    let words = all_of::<organza_parity::tile::TileMask>("mask");
     assert!(words.contains(&0) && words.len() > 100, "{} words", words.len());
     // x / z and y / z of a pair: below what J clamps them to, between, and above
     let mut ratios = [[0; 3]; 2];

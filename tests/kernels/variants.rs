@@ -1,6 +1,5 @@
 //! The variants of kernels: what they give beside the plain entry points, and who runs them.
 
-use organza::parity;
 use organza::{DeviceOptions, Renderer, SpirvPath};
 use organza_check::Rounding;
 use organza_kernel::KernelInfo;
@@ -23,7 +22,7 @@ fn variants_give_what_the_plain_kernels_give() {
     for (name, [plain, variants]) in devices::variants() {
         let passed_through = name.contains(SpirvPath::Passthrough.as_str());
         let mut compared = 0;
-        for case in parity::cases() {
+        for case in organza_parity::cases() {
             let point = case.entry_point(&variants);
             if point == case.entry_point(&plain) {
                 continue;

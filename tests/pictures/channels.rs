@@ -1,10 +1,10 @@
 //! Depth, alpha, visibility and normal of the cases of the float64 reference, on every device: held to the equations in
 //! f64, with the transmittances that the reference computed.
 
-use organza::parity::exact::channels::{depth, normal};
-use organza::parity::exact::composite::{self, Splat};
-use organza::parity::exact::project;
 use organza::{Camera, Channel, Tile, TileBatch};
+use organza_parity::exact::channels::{depth, normal};
+use organza_parity::exact::composite::{self, Splat};
+use organza_parity::exact::project;
 use organza_tests::cases::{self, Case};
 
 use crate::snapshot::exact;

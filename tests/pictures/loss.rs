@@ -1,13 +1,11 @@
 //! The loss kernels beside the loss's definition in f64.
 
-mod exact;
-
 use organza::render::{Loss, LossInputs, TileLoss};
 use organza::{Device, Result, metrics};
 use organza_tests::devices;
 
-use exact::Batch;
-use organza::parity::exact::loss::mean;
+use organza_parity::exact::batch::Batch;
+use organza_parity::exact::loss::mean;
 
 /// Numbers without a pattern, in [0, 1).
 fn noise(index: usize) -> f32 {

@@ -1,6 +1,7 @@
 //! The kernels together: what scenes give, on every device.
 
 mod channels;
+mod demo;
 mod edges;
 mod extremes;
 mod eye;

@@ -1,10 +1,10 @@
 //! What holds for every input: the clip, the hash index, tile membership, the composite.
 
 use glam::{Vec2, Vec3, Vec4};
-use organza::parity::exact::composite::Splat;
-use organza::parity::exact::project::cutoff;
 use organza::{Device, scene::GridConfig};
 use organza_device::Buffer;
+use organza_parity::exact::composite::Splat;
+use organza_parity::exact::project::cutoff;
 use organza_shaders::camera::Camera;
 use organza_shaders::composite::{CompositeKernel, CompositeParams};
 use organza_shaders::project::{falloff, mahalanobis, project_gaussian};

@@ -194,5 +194,5 @@ fn a_run_on_the_built_in_scene_knows_its_views() {
     sandbox.run("render run -o seen --split train --backend cpu").assert_ok();
     assert_eq!(pictures(&sandbox, "seen").len(), 4);
     let image = image::open(sandbox.path("seen/view-001.png")).unwrap();
-    assert_eq!((image.width(), image.height()), (32, 32));
+    assert_eq!((image.width(), image.height()), (16, 16));
 }

@@ -4,11 +4,11 @@ use bytemuck::Pod;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use glam::Vec4;
-use organza::parity::composite::extent;
 use organza::{Device, DeviceOptions, InstructionSet};
 use organza_check::inputs::Random;
 use organza_device::{Buffer, Host};
 use organza_kernel::kernel::Dispatch;
+use organza_parity::composite::extent;
 use organza_shaders::tile::Tile;
 
 /// A chunk of samples, and the distance of two rows of its activations.

@@ -8,7 +8,8 @@ use std::time::Instant;
 use organza::metrics::lpips::Lpips;
 use organza::train::report::{Run, Summary};
 use organza::train::{self, CHECKPOINT, CONFIG, Outcome, REPORT};
-use organza::{Result, Scene, write_atomic};
+use organza::{Result, Scene};
+use organza_core::write_atomic;
 use serde::Serialize;
 
 use super::console::{Console, print, print_json};

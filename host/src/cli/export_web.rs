@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use organza::error::format_bytes;
 use organza::web::{PageOptions, WebPage};
-use organza::{Camera, Renderer, Result, Scene, write_atomic};
+use organza::{Camera, Renderer, Result, Scene};
+use organza_core::write_atomic;
 
 use super::console::Console;
 use super::device::DeviceArgs;

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Command, CommandFactory};
 use clap_mangen::Man;
-use organza::{Error, Result, write_atomic};
+use organza::{Error, Result};
+use organza_core::write_atomic;
 
 use super::Cli;
 use super::console::Console;

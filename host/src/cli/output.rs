@@ -11,7 +11,7 @@ use super::refuse;
 /// Checks that a file can be written, and that it is none of the inputs.
 pub fn check_file(path: &Path, inputs: &[&Path]) -> Result<()> {
     refuse_inputs(path, inputs)?;
-    organza::check_writable(path)
+    organza_core::check_writable(path)
 }
 
 /// Fails where writing to a path would replace an input.

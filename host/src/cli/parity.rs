@@ -5,10 +5,10 @@ use std::process::ExitCode;
 
 use clap::ValueEnum;
 use organza::error::{DeviceError, chain};
-use organza::parity::cases;
 use organza::{DeviceOptions, Error, MODULES, Result, SpirvPath};
 use organza_check::{Report, Row, Worst};
 use organza_device::{AdapterInfo, adapters};
+use organza_parity::cases;
 
 use super::console::{Console, print, print_json};
 use super::refuse;

@@ -246,7 +246,13 @@ impl Member<'_> {
         let share = SceneShare::load(file, self.ranks.rank(), self.ranks.size())
             .map_err(|error| told_apart(error, file, Expected::Scene))?;
         let input = format!("{} {:?} {input}", share.gaussians, share.scene.config);
-        meet(self.ranks, renderer.device(), ("input", &input), self.mixed)?;
+        meet(
+            self.ranks,
+            renderer.device(),
+            organza::COMMIT.unwrap_or_default(),
+            ("input", &input),
+            self.mixed,
+        )?;
         renderer.upload_share(&share, options)
     }
 }

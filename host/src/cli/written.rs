@@ -17,7 +17,8 @@ use std::io;
 use std::path::{Component, Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use organza::{Error, Result, write_atomic};
+use organza::{Error, Result};
+use organza_core::write_atomic;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 

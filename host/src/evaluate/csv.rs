@@ -4,8 +4,8 @@ use std::io;
 use std::path::Path;
 
 use super::{Score, ViewScore};
-use crate::atomic_file::write_atomic;
 use crate::error::Result;
+use organza_core::write_atomic;
 
 /// Writes the scores of views, atomically: `view,psnr,ssim,lpips,psnr_fitted`, after `step` where rows have one. The last
 /// two are left out where no view has them. An infinite PSNR is `inf`; a score that a view does not have is empty.

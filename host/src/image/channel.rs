@@ -7,10 +7,10 @@ use ::image::ExtendedColorType;
 use exr::prelude::{AnyChannel, AnyChannels, Encoding, FlatSamples, SmallVec, WritableImage};
 
 use super::{Image, save_png, to_8_bit, visible_pixels};
-use crate::atomic_file::write_atomic;
 use crate::error::{Error, Result};
 use crate::render::{Channel, RenderedTiles};
 use crate::tile::TileBatch;
+use organza_core::write_atomic;
 use organza_device::memory;
 
 /// Levels of a 16-bit PNG for one unit of depth, unless told otherwise: a level is a thousandth, as in the depth images

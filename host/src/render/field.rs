@@ -6,10 +6,10 @@ use organza_shaders::hash_grid::{GridLevel, HashGridKernel, HashGridParams};
 use organza_shaders::hash_grid_half::HashGridHalfKernel;
 
 use super::block::{BlockOf, Chunk, Layout, ROWS_OF_POINT};
-use super::hash_grid_half::pack_halves;
 use super::network::LayerPlace;
 use super::options::UploadOptions;
 use crate::scene::{Field, FieldTensors, GridConfig};
+use organza_core::halves::pack_halves;
 use organza_device::{Buffer, Device, Result};
 
 /// A field whose tensors lie on a device: `table` and `parameters` are those of the scene.

@@ -16,9 +16,7 @@ mod field_backward;
 mod field_sums;
 mod frame;
 mod gradient;
-mod halves;
 mod hash_grid;
-mod hash_grid_half;
 mod inspect;
 mod leakage;
 mod loss;
@@ -58,7 +56,6 @@ pub(crate) use exposure::ExposureGradient;
 pub use eye::{EyeCache, EyeOptions};
 pub(crate) use frame::{Frame, FrameShape};
 pub use gradient::{SceneGradient, TensorGradient};
-pub(crate) use hash_grid_half::pack_halves;
 #[doc(hidden)]
 pub use inspect::Stages;
 pub use inspect::{Contribution, Inspection, Trace};

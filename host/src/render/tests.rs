@@ -38,9 +38,9 @@ fn every(nth: usize) -> Scene {
     scene
 }
 
-/// Every eighth, with small hash grids: going back looks at every entry, for each part.
+/// Some, with small hash grids: going back looks at every entry, for each part.
 fn some() -> Scene {
-    let mut scene = every(8);
+    let mut scene = every(24);
     let config = &mut scene.config;
     let grids = [&mut config.color_grid, &mut config.transmittance_grid];
     for (grid, field) in grids.into_iter().zip([&mut scene.color, &mut scene.transmittance]) {

@@ -18,11 +18,11 @@ pub use optimizer::{OptimizerConfig, Rate};
 pub use preset::Preset;
 use serde::{Deserialize, Serialize};
 
-use crate::atomic_file::write_atomic;
 use crate::data::{Alpha, Background, DatasetOptions, Keep};
 use crate::error::{Error, Result};
 use crate::input::read_text;
 use crate::scene::{Contraction, GridConfig, MlpConfig, SceneConfig};
+use organza_core::write_atomic;
 
 /// Far more than all settings need; what is larger was named by mistake.
 const MAX_BYTES: u64 = 1 << 20;

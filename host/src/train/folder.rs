@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use super::checkpoint::{BEST, CHECKPOINT};
 use super::report::PICTURES;
-use crate::atomic_file::remove_leftovers;
 use crate::error::{Error, Result};
+use organza_core::remove_leftovers;
 
 /// `config.toml`, every setting.
 pub const CONFIG: &str = "config.toml";

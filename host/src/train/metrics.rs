@@ -11,10 +11,10 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::binding::Change;
-use crate::atomic_file::write_atomic;
 use crate::error::{Error, Result};
 use crate::evaluate::{Evaluation, ViewScore};
 use crate::input::read_file;
+use organza_core::write_atomic;
 
 /// More than any run logs; what is larger was put there by mistake.
 const MAX_BYTES: u64 = 1 << 30;

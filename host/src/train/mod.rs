@@ -45,6 +45,6 @@ pub(crate) use report::{ERROR_FACTOR, error_levels};
 pub use session::{Event, Outcome, Session};
 pub use share::ShareTrainer;
 pub use share_checkpoint::CheckpointShare;
-pub(crate) use space::{Target, depth as in_image, median};
+pub(crate) use space::depth as in_image;
 pub(crate) use start::of_splats;
 pub use trainer::{StepReport, Trainer};

@@ -74,7 +74,13 @@ impl Order {
 /// [Meets](crate::ranks::meet) the other ranks, which must have read the same photographs.
 fn meet(ranks: &dyn Ranks, renderer: &Renderer, dataset: &Dataset, mixed: bool) -> Result<()> {
     let photographs = serde_json::to_string(&dataset.fingerprint).unwrap_or_default();
-    ranks::meet(ranks, renderer.device(), ("photographs", &photographs), mixed)
+    ranks::meet(
+        ranks,
+        renderer.device(),
+        crate::COMMIT.unwrap_or_default(),
+        ("photographs", &photographs),
+        mixed,
+    )
 }
 
 /// Tells the other ranks what rank 0 begins with.

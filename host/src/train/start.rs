@@ -14,10 +14,10 @@ use rayon::prelude::*;
 use super::config::TrainConfig;
 use super::needs;
 use super::sampler::random;
-use super::space::{Target, depth, scene_box};
+use super::space::{depth, scene_box};
 use super::sweep;
 use super::trainer::check;
-use crate::camera::Camera;
+use crate::camera::{Camera, Target};
 use crate::data::{Dataset, Frame, Point};
 use crate::error::{Error, Result};
 use crate::scene::{Network, Scene, logit};
@@ -68,7 +68,7 @@ pub fn start(
     let mut random_places = random(config.run.seed, PLACES, 0);
     let target = Target::of(cameras);
     let (places, colors) = if points.is_empty() {
-        (target.spread(cameras, config.start.gaussians as usize, &mut random_places), Vec::new())
+        (spread(&target, cameras, config.start.gaussians as usize, &mut random_places), Vec::new())
     } else {
         choose(points, config.growth.max_gaussians as usize, &mut random_places)
     };
@@ -154,57 +154,51 @@ pub fn points<'p>(
     let target = Target::of(&cameras);
     let (count, seed) = (config.start.gaussians as usize, config.run.seed);
     let mut found = sweep::points(frames, target.distance, count, seed);
-    let rest = target.spread(&cameras, count - found.len(), &mut random(seed, PLACES, 1));
+    let rest = spread(&target, &cameras, count - found.len(), &mut random(seed, PLACES, 1));
     let rest = rest.into_iter().map(|place| Point { position: place.to_array(), color: None });
     found.extend(rest);
     Ok(Cow::Owned(found))
 }
 
-impl Target {
-    /// Places that cameras see: most in a ball around the target, the rest behind it, along rays.
-    fn spread(&self, cameras: &[Camera], count: usize, random: &mut Pcg64) -> Vec<DVec3> {
-        let needed = 2.min(cameras.len());
-        (0..count)
-            .map(|_| {
-                if random.random_bool(BEHIND) {
-                    return self.along_a_ray(cameras, random);
-                }
-                let seen = |place: &DVec3| {
-                    cameras
-                        .iter()
-                        .filter(|camera| depth(camera, *place).is_some())
-                        .take(needed)
-                        .count()
-                };
-                let mut tries = (0..100).map(|_| self.in_ball(random));
-                match tries.find(|place| seen(place) == needed) {
-                    Some(place) => place,
-                    // cameras that look outward
-                    None => self.along_a_ray(cameras, random),
-                }
-            })
-            .collect()
-    }
+/// Places that cameras see: most in a ball around the target, the rest behind it, along rays.
+fn spread(target: &Target, cameras: &[Camera], count: usize, random: &mut Pcg64) -> Vec<DVec3> {
+    let needed = 2.min(cameras.len());
+    (0..count)
+        .map(|_| {
+            if random.random_bool(BEHIND) {
+                return along_a_ray(target, cameras, random);
+            }
+            let seen = |place: &DVec3| {
+                cameras.iter().filter(|camera| depth(camera, *place).is_some()).take(needed).count()
+            };
+            let mut tries = (0..100).map(|_| in_ball(target, random));
+            match tries.find(|place| seen(place) == needed) {
+                Some(place) => place,
+                // cameras that look outward
+                None => along_a_ray(target, cameras, random),
+            }
+        })
+        .collect()
+}
 
-    fn in_ball(&self, random: &mut Pcg64) -> DVec3 {
-        let mut place =
-            || DVec3::from_array(std::array::from_fn(|_| random.random_range(-1.0..1.0)));
-        let mut inside = place();
-        while inside.length_squared() > 1.0 {
-            inside = place();
-        }
-        self.center + inside * self.radius
+/// Evenly in the ball around the target.
+fn in_ball(target: &Target, random: &mut Pcg64) -> DVec3 {
+    let mut place = || DVec3::from_array(std::array::from_fn(|_| random.random_range(-1.0..1.0)));
+    let mut inside = place();
+    while inside.length_squared() > 1.0 {
+        inside = place();
     }
+    target.center + inside * target.radius
+}
 
-    /// From the target's distance to four times as far, evenly in the inverse of the depth.
-    fn along_a_ray(&self, cameras: &[Camera], random: &mut Pcg64) -> DVec3 {
-        let camera = &cameras[random.random_range(0..cameras.len())];
-        let x = (random.random::<f64>() * f64::from(camera.width) - camera.cx) / camera.fl_x;
-        let y = (random.random::<f64>() * f64::from(camera.height) - camera.cy) / camera.fl_y;
-        let depth = self.distance / random.random_range(0.25..1.0);
-        let [right, down, forward] = camera.world_to_camera_opencv().map(DVec3::from);
-        DVec3::from(camera.eye()) + (right * x + down * y + forward) * depth
-    }
+/// From the target's distance to four times as far, evenly in the inverse of the depth.
+fn along_a_ray(target: &Target, cameras: &[Camera], random: &mut Pcg64) -> DVec3 {
+    let camera = &cameras[random.random_range(0..cameras.len())];
+    let x = (random.random::<f64>() * f64::from(camera.width) - camera.cx) / camera.fl_x;
+    let y = (random.random::<f64>() * f64::from(camera.height) - camera.cy) / camera.fl_y;
+    let depth = target.distance / random.random_range(0.25..1.0);
+    let [right, down, forward] = camera.world_to_camera_opencv().map(DVec3::from);
+    DVec3::from(camera.eye()) + (right * x + down * y + forward) * depth
 }
 
 /// At most `count` of the points, chosen at random, and their colors.

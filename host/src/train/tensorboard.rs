@@ -13,10 +13,10 @@ use std::time::SystemTime;
 
 use prost::Message;
 
-use crate::atomic_file::write_atomic;
 use crate::error::{Error, Result};
 use crate::image::Image;
 use crate::input::read_file;
+use organza_core::write_atomic;
 
 /// The folder in a run's folder.
 pub const TENSORBOARD: &str = "tensorboard";

@@ -24,7 +24,8 @@ use crate::sandbox::Sandbox;
 pub const TINY: &str = "train views --config tiny.toml --backend cpu -o";
 
 /// Five steps on the built-in scene, whose views take their time to render.
-pub const BUILT_IN: &str = "train --config tiny.toml --backend cpu --steps 5 -o";
+pub const BUILT_IN: &str = "train --config tiny.toml --backend cpu --steps 5 \
+    --set data.built_in_side=16 -o";
 
 /// How many photographs a sandbox has in `views`, and their width and height in pixels.
 pub const VIEWS: u32 = 6;

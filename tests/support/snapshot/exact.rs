@@ -1,14 +1,14 @@
 //! What the equations say, in f64: a snapshot locks a value, these show that it was right when it was locked.
 
-use organza::parity::exact::composite::{self, Splat};
-use organza::parity::exact::dense::network;
-use organza::parity::exact::hash_grid::encode;
-use organza::parity::exact::numeric::{dot, sigmoid};
-use organza::parity::exact::project::{self, Gaussian, Projected, View};
-use organza::parity::exact::transmittance::{log_rho, midpoint, transmittance as product};
-use organza::parity::exact::unit_cube::unit;
-use organza::parity::exact::{resolve, segment, spherical_harmonics};
 use organza::{Camera, Scene, Stages, TileBatch};
+use organza_parity::exact::composite::{self, Splat};
+use organza_parity::exact::dense::network;
+use organza_parity::exact::hash_grid::encode;
+use organza_parity::exact::numeric::{dot, sigmoid};
+use organza_parity::exact::project::{self, Gaussian, Projected, View};
+use organza_parity::exact::transmittance::{log_rho, midpoint, transmittance as product};
+use organza_parity::exact::unit_cube::unit;
+use organza_parity::exact::{resolve, segment, spherical_harmonics};
 
 fn wide<const N: usize>(values: [f32; N]) -> [f64; N] {
     values.map(f64::from)

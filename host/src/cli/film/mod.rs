@@ -9,7 +9,8 @@ use std::sync::atomic::Ordering;
 
 use organza::film::{Frames, Kind};
 use organza::image::ChannelImage;
-use organza::{Camera, Channel, DeviceScene, Image, Renderer, Result, remove_leftovers};
+use organza::{Camera, Channel, DeviceScene, Image, Renderer, Result};
+use organza_core::remove_leftovers;
 use serde::Serialize;
 
 use super::channels::ChannelName;

@@ -5,6 +5,8 @@ mod colmap_files;
 mod find;
 mod lens;
 mod load;
+#[path = "../../../core/src/input/nasty.rs"]
+mod nasty;
 mod nerfstudio;
 mod photograph;
 mod ply;

@@ -3,9 +3,9 @@ use std::fs;
 use proptest::prelude::*;
 use proptest::sample::Index;
 
+use super::nasty::{nasty_value, replace_value};
 use super::*;
 use crate::data::transforms::lens_of as transforms_lens;
-use crate::input::nasty::{nasty_value, replace_value};
 
 /// Asserts that the edited file fails with all the facts.
 #[track_caller]

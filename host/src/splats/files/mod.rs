@@ -12,9 +12,9 @@ use organza_kernel::math::sigmoid;
 
 use super::harmonics::{FIRST, MIDDLE};
 use super::{Splat, VALUES};
-use crate::atomic_file::write_atomic;
 use crate::error::{Error, Result};
 use crate::input::open_regular;
+use organza_core::write_atomic;
 
 /// A kind of file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

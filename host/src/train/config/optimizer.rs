@@ -3,7 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::check::within;
-use crate::scene::{FieldTensors, GaussianTensors, Tensors, gaussian_tensors};
+use organza_core::gaussian_tensors;
+
+use crate::scene::{FieldTensors, GaussianTensors, Tensors};
 
 /// Adam's epsilon.
 pub(in crate::train) const EPSILON: f64 = 1e-12;

@@ -10,8 +10,8 @@ use super::charts::Charts;
 use super::page::{clean, curves, duration, grouped, image, page, score, section, table};
 use super::pictures::{Kind, Picture};
 use super::run::Run;
-use crate::atomic_file::write_atomic;
 use crate::error::Result;
+use organza_core::write_atomic;
 
 /// Pictures that the page holds: of many runs it shows few views.
 const MAX_PICTURES: usize = 48;

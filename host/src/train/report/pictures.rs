@@ -15,11 +15,11 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use super::MAX_VIEWS;
-use crate::atomic_file::{remove_leftovers, write_atomic};
 use crate::data::Photograph;
 use crate::error::{Error, Result};
 use crate::image::Image;
 use crate::input::read_file;
+use organza_core::{remove_leftovers, write_atomic};
 
 /// The folder's name in a run's folder.
 pub const PICTURES: &str = "pictures";

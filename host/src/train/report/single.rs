@@ -11,11 +11,11 @@ use super::page::{
 };
 use super::pictures::{ERROR_FACTOR, Kind, Picture};
 use super::run::{Evaluation, Run};
-use crate::atomic_file::write_atomic;
 use crate::error::Result;
 use crate::evaluate::ViewScore;
 use crate::train::config::TrainConfig;
 use crate::train::metrics::TimingRow;
+use organza_core::write_atomic;
 
 /// Pictures over time that the page shows.
 const MAX_TIMES: usize = 24;

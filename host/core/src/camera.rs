@@ -1,0 +1,340 @@
+//! Pinhole cameras from nerfstudio's `transforms.json`, and their paths.
+
+mod moved;
+mod orbit;
+pub mod parse;
+mod path;
+mod target;
+#[cfg(test)]
+mod tests;
+
+use std::path::Path;
+
+pub use moved::{to_rotation_vector, turned};
+pub use orbit::{Orbit, upward};
+pub use path::CameraPath;
+pub use target::{Target, median};
+
+use serde_json::{Map, Value, json};
+
+use crate::atomic_file::write_atomic;
+use crate::error::{Error, IN_MEMORY, Result};
+use crate::input::read_json;
+
+/// The widest and highest an image may be, in pixels.
+pub const MAX_IMAGE_SIDE: u32 = 65536;
+/// How far `R^T R` may be from the identity. Poses are written with six or more digits, so an
+/// honest one is far closer; a scaled or sheared one is far from it.
+const ORTHONORMAL_TOLERANCE: f64 = 1e-3;
+
+/// A camera: where it stands and how it projects.
+///
+/// ```
+/// use organza::Camera;
+///
+/// // from (0, -4, 1) toward the origin, 0.8 radians wide, with z up in the image
+/// let camera = Camera::look_at([0.0, -4.0, 1.0], [0.0; 3], [0.0, 0.0, 1.0], 0.8, [640, 480])?;
+/// assert_eq!(camera.eye(), [0.0, -4.0, 1.0]);
+/// assert_eq!([camera.cx, camera.cy], [320.0, 240.0]);
+///
+/// let folder = tempfile::tempdir().expect("a folder");
+/// let path = folder.path().join("cameras.json");
+/// Camera::save_all(&path, &[camera.clone()])?;
+/// assert_eq!(Camera::load_all(&path)?, [camera]);
+/// # Ok::<(), organza::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Camera {
+    /// Camera-to-world matrix as in the file, row by row: OpenGL axes (x right, y up, looking along
+    /// -z), translation in the last column, in world units.
+    pub camera_to_world: [[f64; 4]; 4],
+    /// Focal length in x, in pixels.
+    pub fl_x: f64,
+    /// Focal length in y, in pixels.
+    pub fl_y: f64,
+    /// Principal point in x, in pixels from the image's left edge.
+    pub cx: f64,
+    /// Principal point in y, in pixels from the image's upper edge.
+    pub cy: f64,
+    /// Image width in pixels.
+    pub width: u32,
+    /// Image height in pixels.
+    pub height: u32,
+    /// The frame's image, relative to the file, where it names one.
+    pub file_path: Option<String>,
+    /// Whether the file describes a lens other than a pinhole. What is rendered is the undistorted
+    /// pinhole image all the same.
+    pub distorted: bool,
+}
+
+impl Camera {
+    /// Reads the cameras of a `transforms.json`, in the order of its `frames`.
+    ///
+    /// Intrinsics of a frame go before those of the file. `camera_angle_x` (and `camera_angle_y`),
+    /// in radians as Blender's data sets have them, stand in for focal lengths, and the image
+    /// center stands in for the principal point beside them.
+    ///
+    /// # Errors
+    /// [`Error::ReadFile`], [`Error::BadJson`], [`Error::Invalid`] where there are no frames,
+    /// [`Error::Camera`] for the first frame that describes no camera.
+    pub fn load_all(path: impl AsRef<Path>) -> Result<Vec<Self>> {
+        let path = path.as_ref();
+        parse::cameras(&read_json(path)?, path)
+    }
+
+    /// The camera of an image of which squares of `factor` by `factor` pixels became one. Places are measured from the
+    /// image's corner, so everything shrinks alike.
+    pub fn smaller(&self, factor: u32) -> Self {
+        let scale = f64::from(factor);
+        Self {
+            fl_x: self.fl_x / scale,
+            fl_y: self.fl_y / scale,
+            cx: self.cx / scale,
+            cy: self.cy / scale,
+            width: self.width / factor,
+            height: self.height / factor,
+            ..self.clone()
+        }
+    }
+
+    /// Writes a `transforms.json` that [`Self::load_all`] reads, atomically. It describes the
+    /// pinhole images that are rendered, so `distorted` is not kept.
+    ///
+    /// # Errors
+    /// [`Error::WriteFile`]; [`Error::Invalid`] without cameras; [`Error::Camera`] for the first
+    /// camera that is not valid.
+    pub fn save_all(path: impl AsRef<Path>, cameras: &[Self]) -> Result<()> {
+        let file = file_of(cameras)?;
+        write_atomic(path, |writer| writer.write_all(&file))
+    }
+
+    /// A camera at `eye` that looks at `target` and sees `angle_x` radians from left to right, with
+    /// `up` upwards in its image and square pixels.
+    ///
+    /// # Errors
+    /// [`Error::Camera`] where `eye` is `target`, `up` lies along the line of sight, or the angle
+    /// or the image size is out of range.
+    pub fn look_at(
+        eye: [f64; 3],
+        target: [f64; 3],
+        up: [f64; 3],
+        angle_x: f64,
+        [width, height]: [u32; 2],
+    ) -> Result<Self> {
+        let back = normalized(std::array::from_fn(|axis| eye[axis] - target[axis]));
+        let right = normalized(cross(up, back));
+        let up = cross(back, right);
+        let row = |axis: usize| [right[axis], up[axis], back[axis], eye[axis]];
+        let focal = parse::focal_length(f64::from(width), angle_x)
+            .map_err(|reason| camera_error(Path::new(IN_MEMORY), 0, reason))?;
+        let pose = [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]];
+        let principal = [width, height].map(|side| 0.5 * f64::from(side));
+        let camera = Self::pinhole(pose, [focal; 2], principal, [width, height]);
+        camera.validate(0)?;
+        Ok(camera)
+    }
+
+    /// A camera of its pose, focal lengths, principal point and image size, in pixels. [`Self::validate`] checks it.
+    #[must_use]
+    pub fn pinhole(
+        camera_to_world: [[f64; 4]; 4],
+        [fl_x, fl_y]: [f64; 2],
+        [cx, cy]: [f64; 2],
+        [width, height]: [u32; 2],
+    ) -> Self {
+        let (file_path, distorted) = (None, false);
+        Self { camera_to_world, fl_x, fl_y, cx, cy, width, height, file_path, distorted }
+    }
+
+    /// The same view as an image of another size. It shows all that the camera sees; where the shape differs, it shows more at
+    /// the sides, or above and below.
+    #[must_use]
+    pub fn with_size(&self, [width, height]: [u32; 2]) -> Self {
+        let [old, new] =
+            [[self.width, self.height], [width, height]].map(|size| size.map(f64::from));
+        let scale = (new[0] / old[0]).min(new[1] / old[1]);
+        Self {
+            fl_x: scale * self.fl_x,
+            fl_y: scale * self.fl_y,
+            cx: 0.5 * new[0] + scale * (self.cx - 0.5 * old[0]),
+            cy: 0.5 * new[1] + scale * (self.cy - 0.5 * old[1]),
+            width,
+            height,
+            ..self.clone()
+        }
+    }
+
+    /// The same view as an image whose sides are divided by `factor`, and rounded up: see [`Self::with_size`].
+    #[must_use]
+    pub fn shrunk(&self, factor: u32) -> Self {
+        self.with_size([self.width, self.height].map(|side| side.div_ceil(factor)))
+    }
+
+    /// The depth of a place along the camera's axis, in world units; negative behind the camera.
+    #[must_use]
+    pub fn depth(&self, place: [f64; 3]) -> f64 {
+        let (eye, [.., axis]) = (self.eye(), self.world_to_camera_opencv());
+        dot(axis, std::array::from_fn(|at| place[at] - eye[at]))
+    }
+
+    /// The rotation from world axes to OpenCV camera axes (x right, y down, z forward), row by row.
+    #[must_use]
+    pub fn world_to_camera_opencv(&self) -> [[f64; 3]; 3] {
+        let column = |axis: usize, sign: f64| {
+            std::array::from_fn(|row| sign * self.camera_to_world[row][axis])
+        };
+        // The pose is orthonormal, so its transpose is its inverse: columns become rows.
+        [column(0, 1.0), column(1, -1.0), column(2, -1.0)]
+    }
+
+    /// The camera's center in world space.
+    #[must_use]
+    pub fn eye(&self) -> [f64; 3] {
+        std::array::from_fn(|row| self.camera_to_world[row][3])
+    }
+
+    /// Checks the pose and the intrinsics; `frame` is the index errors give the camera.
+    ///
+    /// # Errors
+    /// [`Error::Camera`] for the first thing that is wrong.
+    pub fn validate(&self, frame: usize) -> Result<()> {
+        self.validate_at(frame, Path::new(IN_MEMORY))
+    }
+
+    fn validate_at(&self, frame: usize, origin: &Path) -> Result<()> {
+        self.check().map_err(|reason| camera_error(origin, frame, reason))
+    }
+
+    /// [`Self::validate`] for who says in other words where the camera came from.
+    pub fn check(&self) -> Result<(), String> {
+        self.check_intrinsics().and_then(|()| self.check_pose())
+    }
+
+    fn check_intrinsics(&self) -> Result<(), String> {
+        for (name, value) in [("fl_x", self.fl_x), ("fl_y", self.fl_y)] {
+            // In f32, as the kernels see it.
+            if !(value > 0.0 && (value as f32).is_normal()) {
+                return Err(format!("`{name}` is {value}, expected a positive number of pixels"));
+            }
+        }
+        for (name, value) in [("cx", self.cx), ("cy", self.cy)] {
+            if !(value as f32).is_finite() {
+                return Err(format!("`{name}` is {value}, expected a finite number of pixels"));
+            }
+        }
+        for (name, value) in [("w", self.width), ("h", self.height)] {
+            if !(1..=MAX_IMAGE_SIDE).contains(&value) {
+                return Err(format!("`{name}` is {value}, expected 1 to {MAX_IMAGE_SIDE} pixels"));
+            }
+        }
+        Ok(())
+    }
+
+    fn check_pose(&self) -> Result<(), String> {
+        let pose = &self.camera_to_world;
+        if let Some(value) = pose.iter().flatten().find(|value| !(**value as f32).is_finite()) {
+            return Err(format!("`transform_matrix` holds {value}, expected finite numbers"));
+        }
+        let last = pose[3].iter().zip([0.0, 0.0, 0.0, 1.0]);
+        if last.map(|(found, expected)| (found - expected).abs()).any(|off| off > 1e-6) {
+            return Err(format!(
+                "the last row of `transform_matrix` is {:?}, expected [0, 0, 0, 1]: is it \
+                 transposed?",
+                pose[3]
+            ));
+        }
+        let axis = |column: usize| -> [f64; 3] { std::array::from_fn(|row| pose[row][column]) };
+        let axes = [axis(0), axis(1), axis(2)];
+        let determinant = dot(cross(axes[0], axes[1]), axes[2]);
+        if determinant.abs() < 1e-9 {
+            return Err(
+                "`transform_matrix` is a singular pose: its 3x3 block has determinant 0".into()
+            );
+        }
+        let mut off = 0.0_f64;
+        for (i, a) in axes.iter().enumerate() {
+            for (j, b) in axes.iter().enumerate() {
+                off = off.max((dot(*a, *b) - f64::from(u8::from(i == j))).abs());
+            }
+        }
+        if off > ORTHONORMAL_TOLERANCE {
+            return Err(format!(
+                "the 3x3 block of `transform_matrix` is no rotation: its columns are {off:.3e} \
+                 from orthonormal (limit {ORTHONORMAL_TOLERANCE:e}); take scale and shear out of it"
+            ));
+        }
+        if determinant < 0.0 {
+            return Err(
+                "the 3x3 block of `transform_matrix` mirrors space (determinant -1); expected \
+                        OpenGL axes: x right, y up, looking along -z"
+                    .into(),
+            );
+        }
+        Ok(())
+    }
+
+    fn intrinsics(&self) -> Map<String, Value> {
+        let values = [
+            ("fl_x", json!(self.fl_x)),
+            ("fl_y", json!(self.fl_y)),
+            ("cx", json!(self.cx)),
+            ("cy", json!(self.cy)),
+            ("w", json!(self.width)),
+            ("h", json!(self.height)),
+        ];
+        values.into_iter().map(|(key, value)| (key.to_owned(), value)).collect()
+    }
+}
+
+/// The bytes of a `transforms.json`: see [`Camera::save_all`].
+pub fn file_of(cameras: &[Camera]) -> Result<Vec<u8>> {
+    let invalid = |reason| Error::Invalid { origin: IN_MEMORY.into(), reason };
+    let Some(first) = cameras.first() else {
+        return Err(invalid("there are no cameras to write".to_owned()));
+    };
+    for (frame, camera) in cameras.iter().enumerate() {
+        camera.validate(frame)?;
+    }
+    let shared = first.intrinsics();
+    let same = cameras.iter().all(|camera| camera.intrinsics() == shared);
+    let frame = |camera: &Camera| {
+        let mut frame = if same { Map::new() } else { camera.intrinsics() };
+        if let Some(path) = &camera.file_path {
+            frame.insert("file_path".to_owned(), json!(path));
+        }
+        frame.insert("transform_matrix".to_owned(), json!(camera.camera_to_world));
+        Value::Object(frame)
+    };
+    let mut file = if same { shared.clone() } else { Map::new() };
+    file.insert("camera_model".to_owned(), json!("PINHOLE"));
+    file.insert("frames".to_owned(), cameras.iter().map(frame).collect());
+    let mut bytes = serde_json::to_vec_pretty(&file).map_err(|e| invalid(e.to_string()))?;
+    bytes.push(b'\n');
+    Ok(bytes)
+}
+
+/// The error of a camera: of the frame at `frame` in the file `origin`.
+#[must_use]
+pub fn camera_error(origin: &Path, frame: usize, reason: String) -> Error {
+    Error::Camera { origin: origin.to_owned(), frame, reason }
+}
+
+/// The dot product.
+#[must_use]
+pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// The cross product.
+#[must_use]
+pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        a[j] * b[k] - a[k] * b[j]
+    })
+}
+
+fn normalized(vector: [f64; 3]) -> [f64; 3] {
+    let length = dot(vector, vector).sqrt();
+    vector.map(|value| value / length)
+}

@@ -1,0 +1,122 @@
+//! Small motions of a camera: how poses are refined.
+
+use super::{Camera, cross, dot};
+
+impl Camera {
+    /// The camera after a motion of its own space, in OpenCV axes (x right, y down, z forward): a rotation vector w in radians,
+    /// then a shift v in world units. A point t of the camera's space becomes `t' = exp([w]x) t + v`, so the camera turns about
+    /// its own center.
+    ///
+    /// ```
+    /// use organza::Camera;
+    ///
+    /// let camera = Camera::look_at([0.0, -4.0, 1.0], [0.0; 3], [0.0, 0.0, 1.0], 0.8, [640, 480])?;
+    /// // what the camera sees comes half a unit nearer: the camera has moved half a unit forward
+    /// let moved = camera.moved([0.0, 0.0, 0.0, 0.0, 0.0, -0.5]);
+    /// assert!((moved.depth([0.0; 3]) - camera.depth([0.0; 3]) + 0.5).abs() < 1e-12);
+    /// # Ok::<(), organza::Error>(())
+    /// ```
+    #[must_use]
+    pub fn moved(&self, [wx, wy, wz, vx, vy, vz]: [f64; 6]) -> Self {
+        // rows of W, then of W' = exp([w]x) W: its columns are W's, turned
+        let rows = self.world_to_camera_opencv();
+        let columns = [0, 1, 2].map(|axis| turned([wx, wy, wz], rows.map(|row| row[axis])));
+        let mut camera = self.clone();
+        for (world, [x, y, z]) in columns.into_iter().enumerate() {
+            let row = &mut camera.camera_to_world[world];
+            // OpenGL axes
+            [row[0], row[1], row[2]] = [x, -y, -z];
+            // t' = W' (x - eye) + v = W' (x - eye'), with eye' = eye - W'^T v
+            row[3] -= dot([x, y, z], [vx, vy, vz]);
+        }
+        camera
+    }
+}
+
+/// `exp([w]x) t`: t turned about w by its length (Rodrigues).
+pub fn turned(w: [f64; 3], t: [f64; 3]) -> [f64; 3] {
+    let [sine, cosine, _] = coefficients(w);
+    let once = cross(w, t);
+    let twice = cross(w, once);
+    std::array::from_fn(|axis| t[axis] + sine * once[axis] + cosine * twice[axis])
+}
+
+/// `J^T g`, where `exp([w + dw]x) = exp([J dw]x) exp([w]x)`: from the gradient by a further small rotation to the one by the
+/// rotation vector w. J is the left Jacobian of SO(3).
+pub fn to_rotation_vector(w: [f64; 3], g: [f64; 3]) -> [f64; 3] {
+    let [_, cosine, rest] = coefficients(w);
+    // J = 1 + cosine [w]x + rest [w]x^2, and [w]x^T = -[w]x
+    let once = cross(w, g);
+    let twice = cross(w, once);
+    std::array::from_fn(|axis| g[axis] - cosine * once[axis] + rest * twice[axis])
+}
+
+/// `sin(a) / a`, `(1 - cos(a)) / a^2` and `(a - sin(a)) / a^3` of the angle a.
+fn coefficients(w: [f64; 3]) -> [f64; 3] {
+    let square = dot(w, w);
+    let angle = square.sqrt();
+    if angle < 1e-2 {
+        // three terms of the series are exact to f64 here
+        let series = |a: f64, b: f64, c: f64| 1.0 / a * (1.0 - square / b * (1.0 - square / c));
+        return [series(1.0, 6.0, 20.0), series(2.0, 12.0, 30.0), series(6.0, 20.0, 42.0)];
+    }
+    let (sine, cosine) = angle.sin_cos();
+    [sine / angle, (1.0 - cosine) / square, (angle - sine) / (square * angle)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn camera() -> Camera {
+        Camera::look_at([0.3, -4.0, 1.0], [0.1, 0.2, 0.0], [0.0, 0.0, 1.0], 0.8, [64, 48]).unwrap()
+    }
+
+    /// Where the camera has a place, in OpenCV axes.
+    fn seen(camera: &Camera, place: [f64; 3]) -> [f64; 3] {
+        let eye = camera.eye();
+        let offset = std::array::from_fn(|axis| place[axis] - eye[axis]);
+        camera.world_to_camera_opencv().map(|row| dot(row, offset))
+    }
+
+    #[test]
+    fn what_is_seen_turns_and_shifts() {
+        let (camera, place) = (camera(), [0.7, -0.4, 0.2]);
+        for angle in [0.0, 1e-9, 5e-3, 9.99e-3, 1.01e-2, 0.5, 3.0] {
+            let w = [0.6, -0.48, 0.64].map(|part| part * angle);
+            let moved = camera.moved([w[0], w[1], w[2], 0.1, 0.2, -0.3]);
+            moved.validate(0).expect("a rotation");
+            let t = seen(&camera, place);
+            // t turns about the axis: the part along it stays, the part across turns
+            let axis = [0.6, -0.48, 0.64];
+            let along = dot(axis, t);
+            let across: [f64; 3] = std::array::from_fn(|at| t[at] - along * axis[at]);
+            let third = cross(axis, across);
+            let (sine, cosine) = f64::sin_cos(angle);
+            for (at, shift) in [0.1, 0.2, -0.3].into_iter().enumerate() {
+                let expected = along * axis[at] + cosine * across[at] + sine * third[at] + shift;
+                let found = seen(&moved, place)[at];
+                assert!((found - expected).abs() < 1e-13, "{angle}: {found} and {expected}");
+            }
+        }
+    }
+
+    /// A loss that is linear in the place where the camera sees something.
+    #[test]
+    fn a_gradient_is_that_of_the_rotation_vector() {
+        let (t, slope) = ([0.4, -0.3, 3.0], [0.2, 0.7, -0.1]);
+        for w in [[0.0; 3], [1e-3, 2e-3, -1e-3], [0.02, -0.01, 0.03], [0.9, -0.4, 0.3]] {
+            let loss = |w: [f64; 3]| dot(slope, turned(w, t));
+            let found = to_rotation_vector(w, cross(turned(w, t), slope));
+            for axis in 0..3 {
+                let at = |step: f64| {
+                    let mut w = w;
+                    w[axis] += step;
+                    loss(w)
+                };
+                let expected = (at(1e-5) - at(-1e-5)) / 2e-5;
+                assert!((found[axis] - expected).abs() < 1e-9, "{w:?}: {found:?}, {expected}");
+            }
+        }
+    }
+}

@@ -1,0 +1,247 @@
+//! Circles around a place.
+
+use std::f64::consts::TAU;
+
+use glam::{DMat3, DVec3};
+
+use super::Camera;
+use super::{Target, median};
+use crate::error::{Error, Result};
+
+/// What [`Orbit::of_box`] sees from left to right, in radians.
+const ANGLE: f64 = 0.7;
+/// How far above the horizon it stands, in radians.
+const ELEVATION: f64 = 0.3;
+/// How much a direction that some cameras' images have as their horizontal one may be upward. Small: the horizon of
+/// photographs is nearly always level.
+const SLANT: f64 = 0.01;
+
+/// A circle that a camera turns on, with its eye on the center.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Orbit {
+    /// Where the camera looks, in world units.
+    pub center: [f64; 3],
+    /// The axis it turns around; upward in its image.
+    pub up: [f64; 3],
+    /// From the center toward where the first camera stands; the part along `up` does not matter.
+    pub toward: [f64; 3],
+    /// Distance from the center, in world units.
+    pub distance: f64,
+    /// Angle above the plane through the center, in radians.
+    pub elevation: f64,
+    /// What the camera sees from left to right, in radians.
+    pub angle: f64,
+    /// Width and height of the image, in pixels.
+    pub size: [u32; 2],
+}
+
+impl Orbit {
+    /// The circle that is most like where some cameras stand: around the place that they look at, at their median
+    /// distance and elevation, from where the first one stands, with its image size and field of view.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] without cameras.
+    pub fn around(cameras: &[Camera]) -> Result<Self> {
+        let Some(first) = cameras.first() else {
+            return Err(Error::Argument { reason: "an orbit needs a camera".to_owned() });
+        };
+        let center = Target::of(cameras).center;
+        let up = upward(cameras.iter());
+        let offsets: Vec<_> =
+            cameras.iter().map(|camera| DVec3::from(camera.eye()) - center).collect();
+        let elevations = offsets.iter().map(|offset| offset.normalize_or_zero().dot(up).asin());
+        let toward = offsets[0].reject_from_normalized(up);
+        // a camera right above the center stands on no side of it
+        let is_above = toward.length() <= 1e-6 * offsets[0].length();
+        Ok(Self {
+            center: center.to_array(),
+            up: up.to_array(),
+            toward: if is_above { up.any_orthogonal_vector() } else { toward }.to_array(),
+            distance: median(offsets.iter().map(|offset| offset.length())),
+            elevation: median(elevations),
+            angle: 2.0 * (0.5 * f64::from(first.width) / first.fl_x).atan(),
+            size: [first.width, first.height],
+        })
+    }
+
+    /// A circle around a box, lowest corner and highest, from which all of it is seen; z is up.
+    #[must_use]
+    pub fn of_box([low, high]: [[f64; 3]; 2], size: [u32; 2]) -> Self {
+        let [low, high] = [low, high].map(DVec3::from);
+        let [width, height] = size.map(f64::from);
+        // of the image's shorter side
+        let half = (0.5 * ANGLE).tan() * (height / width).min(1.0);
+        Self {
+            center: (0.5 * (low + high)).to_array(),
+            up: [0.0, 0.0, 1.0],
+            toward: [0.0, -1.0, 0.0],
+            distance: 0.5 * (high - low).length() / half.atan().sin(),
+            elevation: ELEVATION,
+            angle: ANGLE,
+            size,
+        }
+    }
+
+    /// `count` cameras at equal intervals, once around, counterclockwise as seen from above.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] where `up` is zero or `toward` lies along it; [`Error::Camera`] as [`Camera::look_at`].
+    pub fn cameras(&self, count: usize) -> Result<Vec<Camera>> {
+        let up = DVec3::from(self.up).normalize_or_zero();
+        let ahead = DVec3::from(self.toward).reject_from(DVec3::from(self.up)).normalize_or_zero();
+        if !(up.is_finite() && ahead.is_finite()) || up == DVec3::ZERO || ahead == DVec3::ZERO {
+            let (up, toward) = (self.up, self.toward);
+            let reason =
+                format!("no circle has the axis {up:?} and begins toward {toward:?} of its center");
+            return Err(Error::Argument { reason });
+        }
+        let aside = up.cross(ahead);
+        let (height, reach) = self.elevation.sin_cos();
+        let camera = |index: usize| {
+            let (sin, cos) = (TAU * index as f64 / count as f64).sin_cos();
+            let offset = reach * (cos * ahead + sin * aside) + height * up;
+            let eye = DVec3::from(self.center) + self.distance * offset;
+            Camera::look_at(eye.to_array(), self.center, up.to_array(), self.angle, self.size)
+        };
+        (0..count).map(camera).collect()
+    }
+}
+
+/// The direction upward in the world, a unit vector, from how cameras were held.
+///
+/// The mean of their images' upward directions leans to where the cameras look down from. Photographers hold the horizon
+/// level, so what is to the right in an image is horizontal: those directions count little. Without cameras it is z, as in
+/// most data sets.
+pub fn upward<'a>(cameras: impl ExactSizeIterator<Item = &'a Camera> + Clone) -> DVec3 {
+    let column = |camera: &Camera, column: usize| {
+        DVec3::from_array(std::array::from_fn(|row| camera.camera_to_world[row][column]))
+    };
+    let count = cameras.len() as f64;
+    let mean = cameras.clone().map(|camera| column(camera, 1)).sum::<DVec3>() / count.max(1.0);
+    let level = cameras.fold(DMat3::from_diagonal(DVec3::splat(SLANT)), |sum, camera| {
+        let right = column(camera, 0);
+        sum + DMat3::from_cols(right * right.x, right * right.y, right * right.z) * (1.0 / count)
+    });
+    // cameras that look straight down in all directions have no upward of their own
+    let up = (level.inverse() * mean).normalize_or_zero();
+    if mean.length() < 1e-6 || up == DVec3::ZERO { DVec3::Z } else { up }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn close(a: [f64; 3], b: [f64; 3], tolerance: f64) -> bool {
+        DVec3::from(a).distance(DVec3::from(b)) < tolerance
+    }
+
+    fn orbit() -> Orbit {
+        Orbit {
+            center: [1.0, 2.0, 3.0],
+            up: [0.0, 0.6, 0.8],
+            toward: [1.0, 0.0, 0.0],
+            distance: 5.0,
+            elevation: 0.5,
+            angle: 0.7,
+            size: [96, 80],
+        }
+    }
+
+    #[test]
+    fn cameras_stand_on_the_circle_and_look_at_its_center() {
+        let orbit = orbit();
+        let [center, up] = [orbit.center, orbit.up].map(DVec3::from);
+        let cameras = orbit.cameras(12).unwrap();
+        for (index, camera) in cameras.iter().enumerate() {
+            let offset = DVec3::from(camera.eye()) - center;
+            assert!((offset.length() - 5.0).abs() < 1e-12);
+            assert!((offset.dot(up) - 5.0 * 0.5_f64.sin()).abs() < 1e-12);
+            let forward = DVec3::from(camera.world_to_camera_opencv()[2]);
+            assert!(forward.distance(-offset / 5.0) < 1e-12);
+            // counterclockwise, by 30 degrees each
+            let next = DVec3::from(cameras[(index + 1) % 12].eye()) - center;
+            let [a, b] = [offset, next].map(|offset| offset.reject_from_normalized(up));
+            let (sin, cos) = (a.cross(b).dot(up), a.dot(b));
+            assert!((sin.atan2(cos) - TAU / 12.0).abs() < 1e-12);
+        }
+        let first = DVec3::from(cameras[0].eye()) - center;
+        assert!(close(
+            first.reject_from_normalized(up).normalize().to_array(),
+            orbit.toward,
+            1e-12
+        ));
+        let half_width = 48.0 / cameras[0].fl_x;
+        assert!((half_width - 0.35_f64.tan()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn an_orbit_is_found_from_its_own_cameras() {
+        let orbit = orbit();
+        let found = Orbit::around(&orbit.cameras(24).unwrap()).unwrap();
+        assert!(close(found.center, orbit.center, 0.005), "{found:?}");
+        assert!(close(found.up, orbit.up, 1e-3), "{found:?}");
+        assert!((found.distance - 5.0).abs() < 0.005 && (found.elevation - 0.5).abs() < 0.002);
+        assert!((found.angle - 0.7).abs() < 1e-12 && found.size == [96, 80]);
+        let toward = DVec3::from(found.toward).normalize().to_array();
+        assert!(close(toward, orbit.toward, 0.005), "{found:?}");
+    }
+
+    /// Cameras on one side alone, which look down: the mean of their upward directions leans by 20 degrees.
+    #[test]
+    fn cameras_on_one_side_do_not_tilt_the_axis() {
+        let orbit = Orbit { elevation: 0.4, ..orbit() };
+        let all = orbit.cameras(36).unwrap();
+        let side = [&all[33..], &all[..4]].concat();
+        let found = Orbit::around(&side).unwrap();
+        let tilt = DVec3::from(found.up).dot(DVec3::from(orbit.up)).acos().to_degrees();
+        assert!(tilt < 5.0, "{tilt}");
+    }
+
+    #[test]
+    fn cameras_from_above_have_an_orbit_all_the_same() {
+        let down = |yaw: f64| {
+            Camera::look_at([0.0, 0.0, 4.0], [0.0; 3], [yaw.cos(), yaw.sin(), 0.0], 0.7, [8, 8])
+        };
+        let cameras: Vec<_> = (0..8).map(|i| down(TAU * f64::from(i) / 8.0).unwrap()).collect();
+        let found = Orbit::around(&cameras).unwrap();
+        assert!(close(found.up, [0.0, 0.0, 1.0], 1e-6), "{found:?}");
+        assert!((found.elevation.to_degrees() - 90.0).abs() < 1e-3);
+        // right above there is no way around; a little lower there is
+        assert!(Orbit { elevation: 1.4, ..found }.cameras(3).is_ok());
+    }
+
+    #[test]
+    fn the_whole_box_is_seen() {
+        let corners = [[-1.0, -2.0, 0.0], [3.0, 1.0, 2.0]];
+        for size in [[96, 80], [40, 90], [300, 20]] {
+            let orbit = Orbit::of_box(corners, size);
+            for camera in orbit.cameras(7).unwrap() {
+                for corner in 0..8 {
+                    let place = |axis: usize| corners[corner >> axis & 1][axis];
+                    let offset =
+                        DVec3::new(place(0), place(1), place(2)) - DVec3::from(camera.eye());
+                    let [x, y, z] =
+                        camera.world_to_camera_opencv().map(|row| DVec3::from(row).dot(offset));
+                    let (x, y) = (camera.fl_x * x / z + camera.cx, camera.fl_y * y / z + camera.cy);
+                    let [width, height] = size.map(f64::from);
+                    assert!(z > 0.0 && (0.0..width).contains(&x) && (0.0..height).contains(&y));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_circle_is_refused() {
+        assert!(Orbit::around(&[]).is_err());
+        for orbit in [
+            Orbit { up: [0.0; 3], ..orbit() },
+            Orbit { toward: [0.0, 6.0, 8.0], ..orbit() },
+            Orbit { toward: [f64::NAN; 3], ..orbit() },
+            Orbit { distance: 0.0, ..orbit() },
+            Orbit { distance: f64::INFINITY, ..orbit() },
+            Orbit { angle: 4.0, ..orbit() },
+        ] {
+            assert!(orbit.cameras(4).is_err(), "{orbit:?}");
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! From the JSON of a `transforms.json` to cameras, naming frame and field of what is wrong.
+
+use std::path::Path;
+
+use serde_json::Value;
+
+use super::{Camera, MAX_IMAGE_SIDE, camera_error};
+use crate::error::{Error, Result};
+use crate::input::{integer, kind};
+
+/// Models whose images are pinhole images where their coefficients are zero. A fisheye's are not.
+pub const PERSPECTIVE_MODELS: [&str; 6] =
+    ["PINHOLE", "SIMPLE_PINHOLE", "OPENCV", "SIMPLE_RADIAL", "RADIAL", "FULL_OPENCV"];
+/// Models that have no coefficients; any in the file mean nothing.
+pub const PINHOLE_MODELS: [&str; 2] = ["PINHOLE", "SIMPLE_PINHOLE"];
+const COEFFICIENTS: [&str; 8] = ["k1", "k2", "k3", "k4", "k5", "k6", "p1", "p2"];
+
+/// Every camera of a file's JSON.
+pub fn cameras(file: &Value, origin: &Path) -> Result<Vec<Camera>> {
+    let parse = |(index, frame): (usize, &Value)| {
+        Source { file, frame, size: None }.valid_camera(index, origin)
+    };
+    frames(file, origin)?.iter().enumerate().map(parse).collect()
+}
+
+/// The frames of a file's JSON, at least one.
+pub fn frames<'a>(file: &'a Value, origin: &Path) -> Result<&'a [Value]> {
+    let invalid = |reason: String| Err(Error::Invalid { origin: origin.to_owned(), reason });
+    let frames = match file.get("frames") {
+        Some(Value::Array(frames)) => frames,
+        Some(other) => return invalid(format!("`frames` is {}, expected an array", kind(other))),
+        None => {
+            return invalid(
+                "`frames` is missing; expected nerfstudio's transforms.json with one frame per \
+                 camera"
+                    .to_owned(),
+            );
+        }
+    };
+    if frames.is_empty() {
+        return invalid("`frames` is empty; there is no camera to render from".to_owned());
+    }
+    Ok(frames)
+}
+
+/// The focal length in pixels of an image `side` pixels wide that spans `angle` radians.
+pub(super) fn focal_length(side: f64, angle: f64) -> Result<f64, String> {
+    if !(angle > 0.0 && angle < std::f64::consts::PI) {
+        return Err(format!("the camera angle is {angle}, expected radians between 0 and pi"));
+    }
+    Ok(0.5 * side / (0.5 * angle).tan())
+}
+
+/// One frame and the file whose values stand in for those it does not have.
+pub struct Source<'a> {
+    /// The whole file.
+    pub file: &'a Value,
+    /// The frame.
+    pub frame: &'a Value,
+    /// Width and height in pixels where neither says: the photograph's own.
+    pub size: Option<[u32; 2]>,
+}
+
+impl Source<'_> {
+    /// The frame's camera. `index` and `origin` are what errors name.
+    pub fn valid_camera(&self, index: usize, origin: &Path) -> Result<Camera> {
+        let camera = self.camera().map_err(|reason| camera_error(origin, index, reason))?;
+        camera.validate_at(index, origin)?;
+        Ok(camera)
+    }
+
+    fn camera(&self) -> Result<Camera, String> {
+        if !self.frame.is_object() {
+            return Err(format!("is {}, expected an object", kind(self.frame)));
+        }
+        let camera_to_world = self.pose()?;
+        let (width, height) = (self.side("w")?, self.side("h")?);
+        let [w, h] = [width, height].map(f64::from);
+        let angle_x = self.number("camera_angle_x")?;
+        let angle_y = self.number("camera_angle_y")?.map(|angle| (h, angle));
+        let angle_x = angle_x.map(|angle| (w, angle));
+        let center = |side: f64| angle_x.map(|_| 0.5 * side);
+        let focal = |key, angle: Option<(f64, f64)>| match (self.number(key)?, angle) {
+            (Some(focal), _) => Ok(focal),
+            (None, Some((side, angle))) => focal_length(side, angle),
+            (None, None) => Err(self.missing(key)),
+        };
+        let point = |key, side| self.number(key)?.or(center(side)).ok_or_else(|| self.missing(key));
+        Ok(Camera {
+            camera_to_world,
+            fl_x: focal("fl_x", angle_x)?,
+            fl_y: focal("fl_y", angle_y.or(angle_x))?,
+            cx: point("cx", w)?,
+            cy: point("cy", h)?,
+            width,
+            height,
+            file_path: self.frame.get("file_path").and_then(Value::as_str).map(str::to_owned),
+            distorted: self.distorted()?,
+        })
+    }
+
+    /// The value of a key, from the frame or else from the file; null counts as absent.
+    pub fn get(&self, key: &str) -> Option<&Value> {
+        let present = |source: &'_ &Value| source.get(key).is_some_and(|value| !value.is_null());
+        [self.frame, self.file].into_iter().find(present)?.get(key)
+    }
+
+    /// The number of a key, where the file has one.
+    pub fn number(&self, key: &str) -> Result<Option<f64>, String> {
+        match self.get(key) {
+            None => Ok(None),
+            Some(value) => match value.as_f64() {
+                Some(number) => Ok(Some(number)),
+                None => Err(format!("`{key}` is {}, expected a number", kind(value))),
+            },
+        }
+    }
+
+    fn missing(&self, key: &str) -> String {
+        let hint = if matches!(key, "w" | "h") { "" } else { ", or camera_angle_x with w and h" };
+        format!(
+            "`{key}` is missing from the frame and from the file; a camera needs \
+             fl_x, fl_y, cx, cy, w and h{hint}"
+        )
+    }
+
+    fn side(&self, key: &str) -> Result<u32, String> {
+        let Some(value) = self.get(key) else {
+            let side = self.size.map(|[width, height]| if key == "w" { width } else { height });
+            return side.ok_or_else(|| self.missing(key));
+        };
+        let side = integer(value).and_then(|side| u32::try_from(side).ok());
+        match side {
+            Some(side) if (1..=MAX_IMAGE_SIDE).contains(&side) => Ok(side),
+            _ => Err(format!(
+                "`{key}` is {value}, expected a whole number of 1 to {MAX_IMAGE_SIDE} pixels"
+            )),
+        }
+    }
+
+    fn pose(&self) -> Result<[[f64; 4]; 4], String> {
+        const EXPECTED: &str = "expected a 4x4 (or 3x4) array of numbers, camera to world";
+        let Some(matrix) = self.frame.get("transform_matrix") else {
+            return Err(format!("`transform_matrix` is missing; {EXPECTED}"));
+        };
+        let rows = matrix.as_array().map(Vec::as_slice).unwrap_or_default();
+        if !matches!(rows.len(), 3 | 4) {
+            return Err(format!("`transform_matrix` has {} rows; {EXPECTED}", rows.len()));
+        }
+        let mut pose = [[0.0, 0.0, 0.0, 1.0]; 4];
+        for (index, (row, into)) in rows.iter().zip(&mut pose).enumerate() {
+            let numbers: Option<Vec<f64>> =
+                row.as_array().and_then(|row| row.iter().map(Value::as_f64).collect());
+            *into = numbers.and_then(|numbers| numbers.try_into().ok()).ok_or_else(|| {
+                format!("row {index} of `transform_matrix` is not four numbers; {EXPECTED}")
+            })?;
+        }
+        Ok(pose)
+    }
+
+    fn distorted(&self) -> Result<bool, String> {
+        let model = self.get("camera_model").and_then(Value::as_str);
+        if model.is_some_and(|model| PINHOLE_MODELS.contains(&model)) {
+            return Ok(false);
+        }
+        let mut distorted = model.is_some_and(|model| !PERSPECTIVE_MODELS.contains(&model));
+        for key in COEFFICIENTS {
+            distorted |= self.number(key)?.is_some_and(|coefficient| coefficient != 0.0);
+        }
+        Ok(distorted)
+    }
+}

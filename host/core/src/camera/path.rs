@@ -1,0 +1,287 @@
+//! Smooth paths through keyframes.
+
+use glam::{DMat3, DQuat, DVec3};
+
+use super::Camera;
+use super::Target;
+use crate::error::{Error, Result};
+
+/// The shortest time from a key to the next, as a part of the mean: two equal keys make the camera stop, not jump.
+const SHORTEST: f64 = 0.01;
+/// Where a camera looks, by its own axes.
+const FORWARD: DVec3 = DVec3::NEG_Z;
+
+/// A smooth path through cameras of one image size: its keys.
+///
+/// What is looked at, the distance from there, the rotation, the logarithm of the focal lengths (so that a zoom looks
+/// steady) and the principal point each follow a Catmull-Rom spline: from key to key a cubic Bézier curve, whose tangent
+/// at a key is that of the parabola through the key and its neighbors. Rotations use spherical interpolation in the
+/// curve's construction (Shoemake, "Animating rotation with quaternion curves", 1985).
+///
+/// If the keys look at one place, a key looks at the point of its axis that is nearest to that place: the camera turns
+/// around it and keeps it in view. Otherwise the distance is 0, and the camera's own position follows the spline.
+///
+/// Time from key to key is as long as the camera's way, so the camera moves at an even pace. Position and rotation have
+/// continuous velocities everywhere.
+///
+/// ```
+/// use organza::Camera;
+/// use organza::camera::CameraPath;
+///
+/// let camera = |x, angle| Camera::look_at([x, -4.0, 1.0], [0.0; 3], [0.0, 0.0, 1.0], angle, [64, 48]);
+/// let keys = [camera(-1.0, 0.8)?, camera(0.0, 0.6)?, camera(1.0, 0.8)?];
+/// let path = CameraPath::through(&keys, false)?;
+/// assert_eq!(path.times()[0], 0.0);
+/// assert!((path.at(0.5).eye()[0] - 0.0).abs() < 1e-9);
+/// assert_eq!(path.cameras(120).len(), 120);
+/// # Ok::<(), organza::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct CameraPath {
+    size: [u32; 2],
+    keys: Vec<State>,
+    /// The motion in a unit of time at each key.
+    tangents: Vec<Motion>,
+    /// When the camera is at each key, from 0; for a closed path also when it is back at the first one.
+    times: Vec<f64>,
+}
+
+impl CameraPath {
+    /// A path through `keys`, which have images of one size ([`Camera::with_size`] gives them one). A closed path leads from
+    /// the last key back to the first.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] where there are fewer than two keys, or sizes differ; [`Error::Camera`] for the first key
+    /// that is not valid.
+    pub fn through(keys: &[Camera], is_closed: bool) -> Result<Self> {
+        let size = |camera: &Camera| [camera.width, camera.height];
+        let (first, others) = match keys {
+            [first, others @ ..] if !others.is_empty() => (first, others),
+            _ => {
+                return argument(format!(
+                    "a path needs two cameras at least; found {}",
+                    keys.len()
+                ));
+            }
+        };
+        if let Some(other) = others.iter().find(|other| size(other) != size(first)) {
+            let [(w, h), (v, g)] = [first, other].map(|camera| (camera.width, camera.height));
+            return argument(format!(
+                "the cameras of a path need images of one size; found {w} x {h} and {v} x {g}"
+            ));
+        }
+        for (index, key) in keys.iter().enumerate() {
+            key.validate(index)?;
+        }
+        let target = Target::of(keys);
+        let center = target.is_met.then_some(target.center);
+        let keys: Vec<_> = keys.iter().map(|key| State::of(key, center)).collect();
+        let spread = spread(&keys);
+        let segments = if is_closed { keys.len() } else { keys.len() - 1 };
+        let pairs = || (0..segments).map(|key| (&keys[key], &keys[(key + 1) % keys.len()]));
+        let spans = spans(pairs().map(|(a, b)| a.way_to(b, spread)).collect());
+        let rates: Vec<_> =
+            pairs().zip(&spans).map(|((a, b), span)| a.motion_to(b).times(1.0 / span)).collect();
+        let tangents = tangents(&rates, &spans, is_closed);
+        let mut times = vec![0.0];
+        times.extend(spans.iter().scan(0.0, |time, span| {
+            *time += span;
+            Some(*time)
+        }));
+        Ok(Self { size: size(first), keys, tangents, times })
+    }
+
+    /// When the camera is at each key, from 0 to 1; for a closed path 1 is when it is back at the first one.
+    #[must_use]
+    pub fn times(&self) -> Vec<f64> {
+        self.times.iter().map(|time| time / self.end()).collect()
+    }
+
+    /// The camera at a time of 0 to 1.
+    #[must_use]
+    pub fn at(&self, time: f64) -> Camera {
+        let time = time.clamp(0.0, 1.0) * self.end();
+        let last = self.times.len() - 2;
+        let key = self.times[1..].partition_point(|end| *end <= time).min(last);
+        let span = self.times[key + 1] - self.times[key];
+        let part = (time - self.times[key]) / span;
+        let next = (key + 1) % self.keys.len();
+        let (a, b) = (&self.keys[key], &self.keys[next]);
+        // Bézier's control points, and de Casteljau's construction
+        let mut points = vec![
+            a.clone(),
+            a.moved(&self.tangents[key].times(span / 3.0)),
+            b.moved(&self.tangents[next].times(-span / 3.0)),
+            b.clone(),
+        ];
+        while points.len() > 1 {
+            points = points.windows(2).map(|pair| pair[0].toward(&pair[1], part)).collect();
+        }
+        points[0].camera(self.size)
+    }
+
+    /// `count` cameras at equal intervals: from the first key to the last, or once around a closed path, whose first
+    /// camera then follows the last.
+    #[must_use]
+    pub fn cameras(&self, count: usize) -> Vec<Camera> {
+        let is_closed = self.times.len() > self.keys.len();
+        let intervals = if is_closed { count } else { count.saturating_sub(1) };
+        (0..count).map(|index| self.at(index as f64 / intervals.max(1) as f64)).collect()
+    }
+
+    fn end(&self) -> f64 {
+        self.times[self.times.len() - 1]
+    }
+}
+
+/// What a path interpolates.
+#[derive(Clone, Debug)]
+struct State {
+    /// What it looks at.
+    target: DVec3,
+    /// Distance from there.
+    distance: f64,
+    /// From the camera's axes to the world's.
+    rotation: DQuat,
+    /// Logarithms of the focal lengths, and the principal point.
+    lens: [f64; 4],
+}
+
+/// A change of a [`State`].
+#[derive(Clone, Debug)]
+struct Motion {
+    shift: DVec3,
+    distance: f64,
+    /// Along the axis, in world space, and as long as the angle.
+    turn: DVec3,
+    lens: [f64; 4],
+}
+
+impl State {
+    /// `center` is what all keys look at, if they do.
+    fn of(camera: &Camera, center: Option<DVec3>) -> Self {
+        let (eye, axis) = (DVec3::from(camera.eye()), camera.world_to_camera_opencv()[2]);
+        let distance = center.map_or(0.0, |center| (center - eye).dot(DVec3::from(axis)).max(0.0));
+        let rows: [DVec3; 3] =
+            std::array::from_fn(|row| DVec3::from_slice(&camera.camera_to_world[row][..3]));
+        let rotation = DMat3::from_cols(rows[0], rows[1], rows[2]).transpose();
+        let rotation = DQuat::from_mat3(&rotation).normalize();
+        Self {
+            target: eye + rotation * (distance * FORWARD),
+            distance,
+            rotation,
+            lens: [camera.fl_x.ln(), camera.fl_y.ln(), camera.cx, camera.cy],
+        }
+    }
+
+    fn eye(&self) -> DVec3 {
+        self.target - self.rotation * (self.distance * FORWARD)
+    }
+
+    fn camera(&self, size: [u32; 2]) -> Camera {
+        let eye = self.eye();
+        let axes = DMat3::from_quat(self.rotation.normalize());
+        let row = |row: usize| {
+            let [x, y, z] = axes.row(row).to_array();
+            [x, y, z, eye[row]]
+        };
+        let [log_x, log_y, cx, cy] = self.lens;
+        let pose = [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]];
+        Camera::pinhole(pose, [log_x.exp(), log_y.exp()], [cx, cy], size)
+    }
+
+    fn motion_to(&self, other: &Self) -> Motion {
+        let turn = other.rotation * self.rotation.inverse();
+        // the shorter way around
+        let turn = if turn.w < 0.0 { -turn } else { turn };
+        Motion {
+            shift: other.target - self.target,
+            distance: other.distance - self.distance,
+            turn: turn.to_scaled_axis(),
+            lens: std::array::from_fn(|i| other.lens[i] - self.lens[i]),
+        }
+    }
+
+    fn moved(&self, motion: &Motion) -> Self {
+        Self {
+            target: self.target + motion.shift,
+            distance: self.distance + motion.distance,
+            rotation: DQuat::from_scaled_axis(motion.turn) * self.rotation,
+            lens: std::array::from_fn(|i| self.lens[i] + motion.lens[i]),
+        }
+    }
+
+    /// How long the way looks: the angle in radians, and the shift as a part of how far the keys are apart. On a circle,
+    /// and looking at its center, both are the same.
+    fn way_to(&self, other: &Self, spread: f64) -> f64 {
+        let Motion { turn, lens, .. } = self.motion_to(other);
+        let shift = if spread > 0.0 { self.eye().distance(other.eye()) / spread } else { 0.0 };
+        let zoom = lens[0].abs().max(lens[1].abs());
+        DVec3::new(shift, turn.length(), zoom).length()
+    }
+
+    fn toward(&self, other: &Self, part: f64) -> Self {
+        self.moved(&self.motion_to(other).times(part))
+    }
+}
+
+impl Motion {
+    fn times(&self, factor: f64) -> Self {
+        let lens = self.lens.map(|value| value * factor);
+        let (shift, turn) = (self.shift * factor, self.turn * factor);
+        Self { shift, distance: self.distance * factor, turn, lens }
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        Self {
+            shift: self.shift + other.shift,
+            distance: self.distance + other.distance,
+            turn: self.turn + other.turn,
+            lens: std::array::from_fn(|i| self.lens[i] + other.lens[i]),
+        }
+    }
+}
+
+/// Root mean square of the positions' distances from their center.
+fn spread(keys: &[State]) -> f64 {
+    let count = keys.len() as f64;
+    let center = keys.iter().map(|key| key.eye()).sum::<DVec3>() / count;
+    let squares = keys.iter().map(|key| key.eye().distance_squared(center));
+    (squares.sum::<f64>() / count).sqrt()
+}
+
+/// The time of each segment, as long as its way.
+fn spans(lengths: Vec<f64>) -> Vec<f64> {
+    let mean = lengths.iter().sum::<f64>() / lengths.len() as f64;
+    // a camera that stands still has all the time
+    let mean = if mean > 0.0 { mean } else { 1.0 };
+    lengths.into_iter().map(|length| length.max(SHORTEST * mean)).collect()
+}
+
+/// The tangent at each key: that of the parabola through it and its neighbors. `rates` are the mean velocities of the
+/// segments.
+fn tangents(rates: &[Motion], spans: &[f64], is_closed: bool) -> Vec<Motion> {
+    let inner = |before: usize, after: usize| {
+        let (a, b) = (spans[before], spans[after]);
+        rates[before].times(b / (a + b)).plus(&rates[after].times(a / (a + b)))
+    };
+    let last = rates.len() - 1;
+    if is_closed {
+        return (0..=last).map(|key| inner((key + last) % (last + 1), key)).collect();
+    }
+    if last == 0 {
+        return vec![rates[0].clone(); 2];
+    }
+    // the parabola through the first three keys, and that through the last three
+    let end = |rate: &Motion, tangent: &Motion| rate.times(2.0).plus(&tangent.times(-1.0));
+    let between: Vec<_> = (1..=last).map(|key| inner(key - 1, key)).collect();
+    let (first, final_one) = (end(&rates[0], &between[0]), end(&rates[last], &between[last - 1]));
+    std::iter::once(first).chain(between).chain([final_one]).collect()
+}
+
+fn argument<T>(reason: String) -> Result<T> {
+    Err(Error::Argument { reason })
+}
+
+#[cfg(test)]
+mod tests;

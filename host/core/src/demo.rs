@@ -1,0 +1,128 @@
+//! The built-in scene: a pearl in two sheets of organza, made from formulas alone.
+//!
+//! No file, no training and no random number: every Gaussian, grid entry and weight below is computed. The scene
+//! shows what the two fields are for. The transmittance field lets the pearl hide what lies behind it, and the
+//! cloth dim it. The color field is Blinn-Phong shading written out in ReLUs, and its grid holds the light that has
+//! come through the cloth.
+//!
+//! Lengths are in world units with z up; the pearl lies at the origin.
+
+mod color;
+mod drapery;
+mod lattice;
+mod light;
+mod network;
+mod pieces;
+mod transmittance;
+mod volume;
+
+use std::f64::consts::TAU;
+use std::sync::LazyLock;
+
+use glam::Vec3;
+
+use crate::camera::Camera;
+use crate::scene::{Contraction, Gaussians, GridConfig, MlpConfig, Scene, SceneConfig};
+use lattice::Splats;
+use light::Surroundings;
+pub use light::key as key_light;
+
+/// Half the side of the scene's box, which is a cube around the origin.
+const HALF_BOX: f32 = 1.2;
+/// Radius of the pearl.
+pub const PEARL: f32 = 0.42;
+/// Height of the floor, of which one sees the shadows alone.
+const FLOOR: f32 = -0.78;
+/// Warm paper.
+pub const BACKGROUND: [f64; 3] = [0.965, 0.955, 0.94];
+
+/// Where the turntable's cameras look.
+const TARGET: [f64; 3] = [0.0, 0.0, -0.11];
+/// Distance of the cameras from there.
+const DISTANCE: f64 = 4.7;
+/// Angle of the cameras above the horizon, in degrees.
+const ELEVATION: f64 = 17.0;
+/// Azimuth of the first camera, in degrees: the view for the front page.
+const AZIMUTH: f64 = 195.0;
+/// What a camera sees from left to right, in degrees.
+const ANGLE: f64 = 29.0;
+
+/// The built-in scene. Two calls give the same scene.
+#[must_use]
+pub fn scene() -> Scene {
+    // Its fields are sums over all of its pieces: the first call takes half a second.
+    static SCENE: LazyLock<Scene> = LazyLock::new(build);
+    SCENE.clone()
+}
+
+fn build() -> Scene {
+    let config = config();
+    let surroundings = Surroundings::new(&config);
+    let mut splats = Splats::default();
+    pieces::pearl(&mut splats);
+    pieces::cloth(&mut splats);
+    pieces::floor(&mut splats, &surroundings);
+    let gaussians: Gaussians = splats.into();
+    let mut scene = Scene::zeros(config, gaussians.len()).expect("the configuration is valid");
+    scene.gaussians = gaussians;
+    transmittance::fill(&mut scene, &surroundings);
+    color::fill(&mut scene, &surroundings);
+    scene
+}
+
+/// `views` cameras on a circle around the built-in scene, counterclockwise from its best side, with square images
+/// of `side` pixels.
+///
+/// # Panics
+/// Where `side` is no possible size of an image: 0, or more than
+/// [`MAX_IMAGE_SIDE`](crate::camera::MAX_IMAGE_SIDE).
+#[must_use]
+pub fn turntable(views: usize, side: u32) -> Vec<Camera> {
+    let (height, reach) = ELEVATION.to_radians().sin_cos();
+    let camera = |view: usize| {
+        let (sin, cos) = (AZIMUTH.to_radians() + TAU * view as f64 / views as f64).sin_cos();
+        let offset = [reach * cos, reach * sin, height];
+        let eye = std::array::from_fn(|axis| TARGET[axis] + DISTANCE * offset[axis]);
+        Camera::look_at(eye, TARGET, [0.0, 0.0, 1.0], ANGLE.to_radians(), [side, side])
+            .expect("the eye is away from the target, and the side is that of an image")
+    };
+    (0..views).map(camera).collect()
+}
+
+/// The configuration of the built-in scene.
+pub fn config() -> SceneConfig {
+    let half = f64::from(HALF_BOX);
+    // one dense level each: what the formulas say at a vertex is what the network reads there
+    let grid = |features, log2_table, base_resolution| GridConfig {
+        levels: 1,
+        features,
+        log2_table,
+        base_resolution,
+        growth: 1.0,
+    };
+    SceneConfig {
+        sh_degree: 1,
+        material: color::MATERIAL as u32,
+        extra: transmittance::EXTRA as u32,
+        color_grid: grid(color::FEATURES as u32, 17, 50.0),
+        transmittance_grid: grid(transmittance::FEATURES as u32, 21, 128.0),
+        color_mlp: MlpConfig { hidden: vec![128, 48] },
+        transmittance_mlp: MlpConfig { hidden: vec![16] },
+        step: 0.0065,
+        blur: 0.3,
+        background: BACKGROUND,
+        aabb: [[-half; 3], [half; 3]],
+        contraction: Contraction::None,
+    }
+}
+
+/// Signed distance from the pearl, negative inside.
+fn pearl_distance(position: Vec3) -> f32 {
+    position.length() - PEARL
+}
+
+/// 0 up to 0, 1 from 1 on, and smooth between: `x^2 (3 - 2x)`.
+fn smoothstep(x: f32) -> f32 {
+    let x = x.clamp(0.0, 1.0);
+    x * x * (3.0 - 2.0 * x)
+}

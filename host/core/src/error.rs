@@ -1,0 +1,381 @@
+//! What can go wrong, in words that say what happened, where, and what to do about it.
+//!
+//! The `Display` text of an [`Error`] does not repeat that of its source; [`chain`] joins them.
+
+#[cfg(test)]
+mod tests;
+
+use std::fmt::{self, Write as _};
+use std::io;
+use std::path::{Path, PathBuf};
+
+pub use organza_device::{Error as DeviceError, format_bytes};
+
+/// The result of every fallible operation of this crate.
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+/// The `origin` of an error about a value that did not come from a file.
+pub const IN_MEMORY: &str = "";
+
+/// Why an operation failed.
+///
+/// `origin` is the file a value came from; it is empty for a value that a caller built.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A file could not be opened or read.
+    #[error("cannot read {path}")]
+    ReadFile {
+        /// The file.
+        path: PathBuf,
+        /// Why, and what to do about it.
+        source: FileError,
+    },
+
+    /// A file could not be written. Whatever stood under its name before is untouched.
+    #[error("cannot write {path}")]
+    WriteFile {
+        /// The file.
+        path: PathBuf,
+        /// Why, and what to do about it.
+        source: FileError,
+    },
+
+    /// A file is not safetensors, or was cut short or damaged.
+    #[error("{origin} is not a whole safetensors file: {reason}")]
+    BadSafetensors {
+        /// The file.
+        origin: PathBuf,
+        /// What does not fit.
+        reason: String,
+    },
+
+    /// A safetensors file holds something other than a scene.
+    #[error(
+        "{origin} is not a scene: its metadata `format` is {found}, expected \"organza.scene\"; \
+         was another file meant?"
+    )]
+    WrongFormat {
+        /// The file.
+        origin: PathBuf,
+        /// The `format` it has, quoted, or `missing`.
+        found: String,
+    },
+
+    /// A scene was written by a version this one does not know.
+    #[error(
+        "{origin} has scene version {found}; this program reads version \"1\": use a program that \
+         matches the file, or write the scene again"
+    )]
+    UnknownVersion {
+        /// The file.
+        origin: PathBuf,
+        /// The `version` it has, quoted, or `missing`.
+        found: String,
+    },
+
+    /// Training, or a gradient, has left what numbers can hold.
+    #[error("{reason}: lower the learning rates, or look for values that are too large")]
+    Diverged {
+        /// What was found.
+        reason: String,
+    },
+
+    /// A tensor that the configuration asks for is absent.
+    #[error("{}tensor `{tensor}` is missing; it should be F32 {expected:?} ({why})", place(origin))]
+    MissingTensor {
+        /// The file.
+        origin: PathBuf,
+        /// The tensor's name.
+        tensor: String,
+        /// The shape it should have.
+        expected: Vec<usize>,
+        /// Where that shape comes from.
+        why: &'static str,
+    },
+
+    /// A tensor has the wrong element type.
+    #[error(
+        "{}tensor `{tensor}` is {found}, expected F32; convert it and save again",
+        place(origin)
+    )]
+    WrongDtype {
+        /// The file.
+        origin: PathBuf,
+        /// The tensor's name.
+        tensor: String,
+        /// The element type it has.
+        found: String,
+    },
+
+    /// A tensor's shape and the configuration disagree.
+    #[error(
+        "{}tensor `{tensor}` has shape {found:?}, expected {expected:?} ({why}); make the \
+         tensor and the config agree",
+        place(origin)
+    )]
+    WrongShape {
+        /// The file.
+        origin: PathBuf,
+        /// The tensor's name.
+        tensor: String,
+        /// The shape it has; a flat vector in memory counts as `[length]`.
+        found: Vec<usize>,
+        /// The shape it should have.
+        expected: Vec<usize>,
+        /// Where that shape comes from.
+        why: &'static str,
+    },
+
+    /// A tensor holds more values than the kernels can address.
+    #[error(
+        "{}tensor `{tensor}` would hold {values} values; the kernels address fewer than \
+         2^31 = 2147483648: use fewer Gaussians or smaller tables",
+        place(origin)
+    )]
+    TooManyValues {
+        /// The file.
+        origin: PathBuf,
+        /// The tensor's name.
+        tensor: String,
+        /// How many values it has.
+        values: usize,
+    },
+
+    /// A tensor holds a NaN or an infinity.
+    #[error(
+        "{}tensor `{tensor}` holds {value} at flat index {index}; every value must be \
+         finite (did the training diverge?)",
+        place(origin)
+    )]
+    NotFinite {
+        /// The file.
+        origin: PathBuf,
+        /// The tensor's name.
+        tensor: String,
+        /// The position of the first such value in row-major order.
+        index: usize,
+        /// The value.
+        value: f32,
+    },
+
+    /// A scene without Gaussians.
+    #[error("{}the scene holds no Gaussians; there is nothing to render", place(origin))]
+    EmptyScene {
+        /// The file.
+        origin: PathBuf,
+    },
+
+    /// A value of the scene's configuration is out of range.
+    #[error("{}config field `{field}`: {reason}", place(origin))]
+    BadConfig {
+        /// The file.
+        origin: PathBuf,
+        /// The field's path in the JSON, such as `color_grid.levels`.
+        field: String,
+        /// The value found, the values allowed, and why.
+        reason: String,
+    },
+
+    /// Text that is not JSON, or not of the expected structure.
+    #[error("{}{what}, line {line} column {column}: {reason}", place(origin))]
+    BadJson {
+        /// The file.
+        origin: PathBuf,
+        /// Which JSON of the file: the file itself or its `config` metadata.
+        what: &'static str,
+        /// 1-based line.
+        line: usize,
+        /// 1-based column, in bytes.
+        column: usize,
+        /// What the parser said, and the text in front of which it stopped.
+        reason: String,
+    },
+
+    /// A file or value that is wrong as a whole; `reason` says how.
+    #[error("{}{reason}", place(origin))]
+    Invalid {
+        /// The file.
+        origin: PathBuf,
+        /// What is wrong and what is allowed.
+        reason: String,
+    },
+
+    /// A frame of a cameras file does not describe a camera.
+    #[error("{}camera frame {frame}: {reason}", place(origin))]
+    Camera {
+        /// The file.
+        origin: PathBuf,
+        /// 0-based index into `frames`.
+        frame: usize,
+        /// What is wrong and what is allowed.
+        reason: String,
+    },
+
+    /// An element of a tiles file does not describe a tile.
+    #[error("{}tile {tile}: {reason}", place(origin))]
+    Tile {
+        /// The file.
+        origin: PathBuf,
+        /// 0-based index into `tiles`.
+        tile: usize,
+        /// What is wrong and what is allowed.
+        reason: String,
+    },
+
+    /// An argument of a call or of the command line makes no sense.
+    #[error("unexpected argument: {reason}")]
+    Argument {
+        /// What is wrong and what is allowed.
+        reason: String,
+    },
+
+    /// Another rank has failed, so that this one cannot go on.
+    #[error("rank {rank}: {message}")]
+    Rank {
+        /// The rank that has failed.
+        rank: usize,
+        /// What it said.
+        message: String,
+    },
+
+    /// A device could not be opened, ran out of memory, was lost, or could not run a kernel.
+    #[error(transparent)]
+    Device(#[from] organza_device::Error),
+}
+
+/// Why a file could not be read or written, and what to do about it.
+#[derive(Debug)]
+pub struct FileError {
+    text: String,
+    source: io::Error,
+}
+
+impl FileError {
+    /// What the operating system said. [`Display`](std::fmt::Display) says it in other words.
+    #[must_use]
+    pub fn io(&self) -> &io::Error {
+        &self.source
+    }
+}
+
+impl fmt::Display for FileError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.text)
+    }
+}
+
+impl std::error::Error for FileError {}
+
+/// An error's text and those of its sources, as one message.
+///
+/// ```
+/// use organza::{Scene, error};
+///
+/// let error = Scene::load("nowhere.safetensors").unwrap_err();
+/// assert_eq!(error.to_string(), "cannot read nowhere.safetensors");
+/// let message = error::chain(&error);
+/// assert_eq!(message, "cannot read nowhere.safetensors: there is no such file; check the path");
+/// ```
+#[must_use]
+pub fn chain(error: &dyn std::error::Error) -> String {
+    let mut message = error.to_string();
+    let mut source = error.source();
+    while let Some(error) = source {
+        // Writing to a String does not fail.
+        let _ = write!(message, ": {error}");
+        source = error.source();
+    }
+    message
+}
+
+impl Error {
+    /// Whether memory did not suffice, on the host or on the device.
+    #[must_use]
+    pub fn is_out_of_memory(&self) -> bool {
+        matches!(self, Self::Device(DeviceError::OutOfMemory { .. }))
+    }
+
+    /// A failure to read `path`.
+    #[must_use]
+    pub fn read(path: &Path, source: io::Error) -> Self {
+        let text = describe_read(&source);
+        Self::ReadFile { path: path.to_owned(), source: FileError { text, source } }
+    }
+
+    /// A failure to write `path`.
+    #[must_use]
+    pub fn write(path: &Path, source: io::Error) -> Self {
+        let text = describe_write(path, &source);
+        Self::WriteFile { path: path.to_owned(), source: FileError { text, source } }
+    }
+
+    /// Wraps what `serde_json` said about `text`, which is `what` of `origin`.
+    pub fn json(origin: &Path, what: &'static str, text: &[u8], error: &serde_json::Error) -> Self {
+        let (line, column) = (error.line(), error.column());
+        let suffix = format!(" at line {line} column {column}");
+        let mut reason = error.to_string();
+        if let Some(bare) = reason.strip_suffix(&suffix) {
+            reason.truncate(bare.len());
+        }
+        if let Some(before) = text_before(text, line, column) {
+            // Writing to a String does not fail.
+            let _ = write!(reason, ", after `{before}`");
+        }
+        Self::BadJson { origin: origin.to_owned(), what, line, column, reason }
+    }
+}
+
+/// The end of the text up to a parser's position: serde names no field, so this is what tells
+/// which.
+fn text_before(text: &[u8], line: usize, column: usize) -> Option<String> {
+    const LENGTH: usize = 48;
+    let bytes = text.split(|&byte| byte == b'\n').nth(line.checked_sub(1)?)?;
+    let bytes = bytes.get(..column.min(bytes.len()))?;
+    let bytes = &bytes[bytes.len().saturating_sub(LENGTH)..];
+    let before = String::from_utf8_lossy(bytes).trim().to_owned();
+    (!before.is_empty()).then_some(before)
+}
+
+/// The start of a message: the file, where there is one.
+fn place(origin: &Path) -> String {
+    if origin == Path::new(IN_MEMORY) {
+        return String::new();
+    }
+    format!("{}: ", origin.display())
+}
+
+fn describe_read(source: &io::Error) -> String {
+    match source.kind() {
+        io::ErrorKind::NotFound => "there is no such file; check the path".to_owned(),
+        io::ErrorKind::PermissionDenied => "permission denied; check the file's mode".to_owned(),
+        _ => source.to_string(),
+    }
+}
+
+fn describe_write(path: &Path, source: &io::Error) -> String {
+    match source.kind() {
+        io::ErrorKind::StorageFull => {
+            "the disk is full; free some space and run again (nothing was left behind)".to_owned()
+        }
+        io::ErrorKind::QuotaExceeded => {
+            "the disk quota is used up; free some space and run again (nothing was left behind)"
+                .to_owned()
+        }
+        io::ErrorKind::NotFound => match path.parent() {
+            // Such as /proc, whose files and folders only the system makes.
+            Some(folder) if folder.is_dir() => {
+                format!(
+                    "the file system of {} lets nobody make files there; choose another folder",
+                    folder.display()
+                )
+            }
+            Some(folder) => format!("folder {} does not exist; create it first", folder.display()),
+            None => source.to_string(),
+        },
+        io::ErrorKind::PermissionDenied => {
+            "permission denied; check the mode of the folder".to_owned()
+        }
+        _ => source.to_string(),
+    }
+}

@@ -1,0 +1,162 @@
+//! Opening what a user names, without trusting it.
+
+#[cfg(test)]
+pub(crate) mod nasty;
+
+use std::fs::{self, File, Metadata};
+use std::io::{self, Read};
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::error::{Error, Result, format_bytes};
+use organza_device::memory;
+
+/// More JSON than any camera or tile list has; what is larger was named by mistake.
+const MAX_JSON_BYTES: u64 = 256 << 20;
+
+/// Opens a regular file and returns it with its length in bytes.
+///
+/// Anything else is refused before it is opened: a pipe may block and a device may never end. What
+/// has been put in its place meanwhile is refused, too.
+pub fn open_regular(path: &Path) -> Result<(File, u64)> {
+    let check = |found: &Metadata| match found {
+        _ if found.is_dir() => Err(io::Error::other("it is a folder, expected a file")),
+        _ if !found.is_file() => {
+            Err(io::Error::other("it is a device or a pipe, expected a regular file"))
+        }
+        _ => Ok(()),
+    };
+    let open = || {
+        check(&fs::metadata(path)?)?;
+        let mut options = File::options();
+        options.read(true);
+        // Opening a pipe does not wait for its other end.
+        #[cfg(unix)]
+        std::os::unix::fs::OpenOptionsExt::custom_flags(&mut options, libc::O_NONBLOCK);
+        let file = options.open(path)?;
+        let found = file.metadata()?;
+        check(&found)?;
+        Ok((file, found.len()))
+    };
+    open().map_err(|source| Error::read(path, source))
+}
+
+/// Reads a regular file of at most `limit` bytes; `what` is what it should be, for the message.
+pub fn read_file(path: &Path, limit: u64, what: &str) -> Result<Vec<u8>> {
+    let (file, length) = open_regular(path)?;
+    if length > limit {
+        let (length, limit) = (format_bytes(length), format_bytes(limit));
+        let reason = format!(
+            "the file has {length}, too large for {what} (limit {limit}): is it the right file?"
+        );
+        return Err(Error::Invalid { origin: path.to_owned(), reason });
+    }
+    let mut bytes = memory::reserve(length as usize, what)?;
+    // No more than was checked, should the file grow.
+    file.take(length).read_to_end(&mut bytes).map_err(|source| Error::read(path, source))?;
+    Ok(bytes)
+}
+
+/// [`read_file`] of UTF-8 text.
+pub fn read_text(path: &Path, limit: u64, what: &str) -> Result<String> {
+    String::from_utf8(read_file(path, limit, what)?).map_err(|_| Error::Invalid {
+        origin: path.to_owned(),
+        reason: format!("the file is not UTF-8 text, so it is not {what}: is it the right file?"),
+    })
+}
+
+/// Reads and parses a JSON file.
+pub fn read_json(path: &Path) -> Result<Value> {
+    parse_json(&read_file(path, MAX_JSON_BYTES, "JSON")?, path)
+}
+
+/// The most that parsing JSON takes: an object has a node of a tree, and every value a place in one
+/// or in an array, which are up to twice as large as what they hold.
+fn bytes_to_parse(text: &[u8]) -> u64 {
+    let cost = |byte: &u8| match byte {
+        b'{' => 700,
+        b',' => 200,
+        b'[' => 160,
+        _ => 1,
+    };
+    text.iter().map(cost).sum()
+}
+
+/// Parses JSON. A byte order mark, which some editors leave, is skipped.
+pub fn parse_json(bytes: &[u8], origin: &Path) -> Result<Value> {
+    memory::check(bytes_to_parse(bytes), &format!("parsing {}", origin.display()))?;
+    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    serde_json::from_slice(text).map_err(|error| Error::json(origin, "JSON", text, &error))
+}
+
+/// What a JSON value is, for messages.
+pub fn kind(value: &Value) -> &'static str {
+    match value {
+        Value::Null => "null",
+        Value::Bool(_) => "a boolean",
+        Value::Number(_) => "a number",
+        Value::String(_) => "a string",
+        Value::Array(_) => "an array",
+        Value::Object(_) => "an object",
+    }
+}
+
+/// A JSON number without a fraction, whether written `3` or `3.0`.
+pub fn integer(value: &Value) -> Option<i64> {
+    /// Up to here every integer is an f64.
+    const EXACT: f64 = 9_007_199_254_740_992.0;
+    value.as_i64().or_else(|| {
+        let number = value.as_f64()?;
+        (number.fract() == 0.0 && number.abs() <= EXACT).then_some(number as i64)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::chain;
+    use serde_json::json;
+
+    #[test]
+    fn only_regular_files_are_opened() {
+        let folder = tempfile::tempdir().unwrap();
+        let text = chain(&open_regular(folder.path()).unwrap_err());
+        assert!(text.contains("folder"), "{text}");
+        let text = chain(&open_regular(&folder.path().join("absent")).unwrap_err());
+        assert!(text.contains("absent") && text.contains("no such file"), "{text}");
+        if cfg!(unix) {
+            let text = chain(&open_regular(Path::new("/dev/zero")).unwrap_err());
+            assert!(text.contains("device"), "{text}");
+        }
+    }
+
+    #[test]
+    fn json_is_read_with_and_without_a_mark() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.json");
+        for text in ["{\"a\": 1}", "\u{feff}{\"a\": 1}"] {
+            fs::write(&path, text).unwrap();
+            assert_eq!(read_json(&path).unwrap(), json!({"a": 1}));
+        }
+        fs::write(&path, "{\"a\": 1").unwrap();
+        assert!(matches!(read_json(&path), Err(Error::BadJson { line: 1, .. })));
+    }
+
+    #[test]
+    fn deep_nesting_is_an_error() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("deep.json");
+        fs::write(&path, "[".repeat(1 << 20)).unwrap();
+        assert!(matches!(read_json(&path), Err(Error::BadJson { .. })));
+    }
+
+    #[test]
+    fn integers_may_be_written_as_floats() {
+        assert_eq!(integer(&json!(-3)), Some(-3));
+        assert_eq!(integer(&json!(3.0)), Some(3));
+        assert_eq!(integer(&json!(3.5)), None);
+        assert_eq!(integer(&json!(1e300)), None);
+        assert_eq!(integer(&json!("3")), None);
+    }
+}

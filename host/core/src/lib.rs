@@ -1,0 +1,22 @@
+//! What everything else of organza is made of: scenes and their files, cameras, tiles, ranks, and errors.
+//!
+//! The crate [`organza`](https://crates.io/crates/organza) is the way to use it.
+
+mod atomic_file;
+pub mod camera;
+pub mod demo;
+pub mod error;
+pub mod halves;
+pub mod input;
+pub mod metrics;
+#[cfg(feature = "ndarray")]
+mod ndarray;
+pub mod ranks;
+pub mod scene;
+pub mod tile;
+
+pub use atomic_file::{check_writable, remove_leftovers, write_atomic};
+pub use camera::Camera;
+pub use error::{Error, Result};
+pub use scene::{Gradient, Scene};
+pub use tile::{Tile, TileBatch};

@@ -1,0 +1,358 @@
+//! The configuration of a scene: the `config` metadata of its file.
+
+use std::path::Path;
+
+pub use organza_shaders::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE, MAX_VECTOR};
+use serde::{Deserialize, Serialize};
+
+use super::grid::GridConfig;
+use crate::error::{Error, IN_MEMORY, Result};
+
+/// The most hidden layers a network may have.
+pub const MAX_HIDDEN_LAYERS: usize = 4;
+/// Outputs of the color network: red, green, blue.
+pub const COLOR_OUTPUTS: usize = 3;
+/// Outputs of the transmittance network: one logit.
+pub const TRANSMITTANCE_OUTPUTS: usize = 1;
+
+/// The length of the unit cube's diagonal, the longest segment there is.
+const DIAGONAL: f64 = 1.732_050_807_568_877_2;
+
+/// Everything about a scene but its tensors. Field names are those of the file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SceneConfig {
+    /// Degree of the spherical harmonics of the view direction, 0 to [`MAX_SH_DEGREE`].
+    pub sh_degree: u32,
+    /// Length of each Gaussian's material vector, 0 to [`MAX_VECTOR`].
+    pub material: u32,
+    /// Length of each Gaussian's extra vector, 0 to [`MAX_VECTOR`].
+    pub extra: u32,
+    /// The hash grid of the color network.
+    pub color_grid: GridConfig,
+    /// The hash grid of the transmittance network.
+    pub transmittance_grid: GridConfig,
+    /// The color network.
+    pub color_mlp: MlpConfig,
+    /// The transmittance network.
+    pub transmittance_mlp: MlpConfig,
+    /// Length of a transmittance step (sigma), in units of the unit cube.
+    pub step: f64,
+    /// What is added to the diagonal of a projected covariance, in square pixels.
+    pub blur: f64,
+    /// Background color: red, green, blue.
+    pub background: [f64; 3],
+    /// The scene's box in world space, `[lo, hi]`.
+    pub aabb: [[f64; 3]; 2],
+    /// What becomes of space outside this box. A file without this field has [`Contraction::None`].
+    #[serde(default, skip_serializing_if = "Contraction::is_none")]
+    pub contraction: Contraction,
+}
+
+/// What becomes of space outside the scene's box; `docs/conventions.md` has the equations.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Contraction {
+    /// Rays end at the unit cube, and the grids repeat its border.
+    #[default]
+    None,
+    /// All of space is contracted to the unit cube, as in Mip-NeRF 360. Rays are sampled from end to end, more coarsely the
+    /// farther they are from the box.
+    Cube,
+}
+
+impl Contraction {
+    /// Whether space outside the box is not contracted.
+    #[must_use]
+    pub fn is_none(&self) -> bool {
+        *self == Self::None
+    }
+
+    /// As kernels read it: 0 or 1.
+    #[must_use]
+    pub fn for_kernels(self) -> u32 {
+        u32::from(!self.is_none())
+    }
+}
+
+/// The shape of a network: ReLU hidden layers and a linear output.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct MlpConfig {
+    /// Widths of the hidden layers: 1 to [`MAX_HIDDEN_LAYERS`] of 1 to [`MAX_HIDDEN_WIDTH`].
+    pub hidden: Vec<u32>,
+}
+
+/// A field that is out of range, before it is known which file it came from.
+#[derive(Debug)]
+pub(super) struct Problem {
+    /// Path of the field in the JSON.
+    pub field: String,
+    /// The value found and the values allowed.
+    pub reason: String,
+}
+
+impl Problem {
+    fn new(field: &str, reason: impl Into<String>) -> Self {
+        Self { field: field.to_owned(), reason: reason.into() }
+    }
+
+    fn at(self, origin: &Path) -> Error {
+        Error::BadConfig { origin: origin.to_owned(), field: self.field, reason: self.reason }
+    }
+}
+
+impl SceneConfig {
+    /// Parses and validates the JSON of `origin`'s `config` metadata. Unknown fields are ignored.
+    ///
+    /// # Errors
+    /// [`Error::BadJson`] where the text is not JSON of the right structure, [`Error::BadConfig`]
+    /// where a value is out of range.
+    pub fn from_json(text: &str, origin: impl AsRef<Path>) -> Result<Self> {
+        let origin = origin.as_ref();
+        let config: Self = serde_json::from_str(text).map_err(|error| {
+            Error::json(origin, "JSON of the `config` metadata", text.as_bytes(), &error)
+        })?;
+        config.validate_at(origin)?;
+        Ok(config)
+    }
+
+    /// The text that [`SceneConfig::from_json`] parses.
+    pub fn to_json(&self) -> Result<String> {
+        serde_json::to_string(self).map_err(|error| Error::Argument { reason: error.to_string() })
+    }
+
+    /// Number of spherical harmonics, `(sh_degree + 1)^2`.
+    #[must_use]
+    pub fn sh_width(&self) -> usize {
+        (self.sh_degree as usize).saturating_add(1).saturating_pow(2)
+    }
+
+    /// Inputs of the color network: spherical harmonics, hash grid, material, in that order.
+    #[must_use]
+    pub fn color_inputs(&self) -> usize {
+        self.sh_width()
+            .saturating_add(self.color_grid.width())
+            .saturating_add(self.material as usize)
+    }
+
+    /// Inputs of the transmittance network: hash grid, extra, in that order.
+    #[must_use]
+    pub fn transmittance_inputs(&self) -> usize {
+        self.transmittance_grid.width().saturating_add(self.extra as usize)
+    }
+
+    /// Widths of the color network: its inputs, its hidden layers, its outputs.
+    #[must_use]
+    pub fn color_widths(&self) -> Vec<usize> {
+        self.color_mlp.widths(self.color_inputs(), COLOR_OUTPUTS)
+    }
+
+    /// Widths of the transmittance network: its inputs, its hidden layers, its output.
+    #[must_use]
+    pub fn transmittance_widths(&self) -> Vec<usize> {
+        self.transmittance_mlp.widths(self.transmittance_inputs(), TRANSMITTANCE_OUTPUTS)
+    }
+
+    /// Checks that every field is in range.
+    ///
+    /// # Errors
+    /// [`Error::BadConfig`] for the first field that is not.
+    pub fn validate(&self) -> Result<()> {
+        self.validate_at(Path::new(IN_MEMORY))
+    }
+
+    pub(super) fn validate_at(&self, origin: &Path) -> Result<()> {
+        self.check().map_err(|problem| problem.at(origin))
+    }
+
+    fn check(&self) -> Result<(), Problem> {
+        if self.sh_degree > MAX_SH_DEGREE {
+            let reason = format!("is {}, expected 0 to {MAX_SH_DEGREE}", self.sh_degree);
+            return Err(Problem::new("sh_degree", reason));
+        }
+        for (field, length) in self.vector_lengths() {
+            if length > MAX_VECTOR {
+                let reason = format!("is {length}, expected 0 to {MAX_VECTOR}");
+                return Err(Problem::new(field, reason));
+            }
+        }
+        self.color_grid.check("color_grid")?;
+        self.transmittance_grid.check("transmittance_grid")?;
+        self.color_mlp.check("color_mlp")?;
+        self.transmittance_mlp.check("transmittance_mlp")?;
+        self.check_step()?;
+        if !(self.blur >= 0.0 && fits_f32(self.blur)) {
+            let reason = format!("is {}, expected a finite number of at least 0", self.blur);
+            return Err(Problem::new("blur", reason));
+        }
+        if !self.background.into_iter().all(fits_f32) {
+            let reason = format!("is {:?}, expected three finite numbers", self.background);
+            return Err(Problem::new("background", reason));
+        }
+        self.check_aabb()
+    }
+
+    fn check_step(&self) -> Result<(), Problem> {
+        // The comparison must fail for NaN too.
+        let allowed = self.step > 0.0
+            && fits_f32(self.step)
+            && (DIAGONAL / self.step).ceil() <= f64::from(MAX_SAMPLES);
+        if allowed {
+            return Ok(());
+        }
+        let smallest = DIAGONAL / f64::from(MAX_SAMPLES);
+        let reason = format!(
+            "is {}, expected a finite number of at least {smallest:.4e}: a ray across the unit \
+             cube may take at most {MAX_SAMPLES} samples, ceil(sqrt(3) / step)",
+            self.step
+        );
+        Err(Problem::new("step", reason))
+    }
+
+    fn check_aabb(&self) -> Result<(), Problem> {
+        let [lo, hi] = self.aabb;
+        for (axis, (lo, hi)) in lo.into_iter().zip(hi).enumerate() {
+            let axis = ["x", "y", "z"][axis];
+            if !(fits_f32(lo) && fits_f32(hi)) {
+                let reason = format!("spans {lo} to {hi} in {axis}, expected finite numbers");
+                return Err(Problem::new("aabb", reason));
+            }
+            // In f32, as the kernels see it: a thinner box would divide by zero there.
+            if !(lo < hi && ((hi - lo) as f32).is_normal()) {
+                let reason =
+                    format!("spans {lo} to {hi} in {axis}, expected lo < hi on every axis");
+                return Err(Problem::new("aabb", reason));
+            }
+        }
+        Ok(())
+    }
+}
+
+impl MlpConfig {
+    fn widths(&self, inputs: usize, outputs: usize) -> Vec<usize> {
+        let hidden = self.hidden.iter().map(|&width| width as usize);
+        std::iter::once(inputs).chain(hidden).chain([outputs]).collect()
+    }
+
+    fn check(&self, name: &str) -> Result<(), Problem> {
+        let field = format!("{name}.hidden");
+        let layers = self.hidden.len();
+        if !(1..=MAX_HIDDEN_LAYERS).contains(&layers) {
+            let reason = format!("has {layers} layers, expected 1 to {MAX_HIDDEN_LAYERS}");
+            return Err(Problem { field, reason });
+        }
+        match self.hidden.iter().find(|width| !(1..=MAX_HIDDEN_WIDTH).contains(*width)) {
+            Some(width) => {
+                let reason = format!("has a layer {width} wide, expected 1 to {MAX_HIDDEN_WIDTH}");
+                Err(Problem { field, reason })
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+/// Whether the kernels, which compute in f32, can hold a number at all.
+fn fits_f32(value: f64) -> bool {
+    (value as f32).is_finite()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BASIC: &str = r#"{"sh_degree": 3, "material": 8, "extra": 2,
+        "color_grid": {"levels": 6, "features": 2, "log2_table": 11, "base_resolution": 8,
+            "growth": 1.7, "interpolation": "linear"},
+        "transmittance_grid": {"levels": 5, "features": 2, "log2_table": 11,
+            "base_resolution": 8.5, "growth": 1.7},
+        "color_mlp": {"hidden": [32, 16]}, "transmittance_mlp": {"hidden": [32]},
+        "step": 0.06, "blur": 0.3, "background": [0.129, 0.499, 0.601],
+        "aabb": [[-1.5, -1.2, -1.0], [1.5, 1.2, 1.4]], "a later field": {"ignored": true}}"#;
+
+    fn basic() -> SceneConfig {
+        SceneConfig::from_json(BASIC, "a.safetensors").unwrap()
+    }
+
+    #[test]
+    fn reads_every_field() {
+        let config = basic();
+        assert_eq!(config.transmittance_grid.base_resolution, 8.5);
+        assert_eq!((config.sh_width(), config.color_inputs()), (16, 16 + 12 + 8));
+        assert_eq!(config.transmittance_inputs(), 10 + 2);
+        assert_eq!(config.color_widths(), [36, 32, 16, 3]);
+        assert_eq!(config.transmittance_widths(), [12, 32, 1]);
+        let text = serde_json::to_string(&config).unwrap();
+        assert_eq!(SceneConfig::from_json(&text, "b").unwrap(), config);
+    }
+
+    #[test]
+    fn a_scene_without_a_contraction_has_none() {
+        assert_eq!(basic().contraction, Contraction::None);
+        assert!(!serde_json::to_string(&basic()).unwrap().contains("contraction"));
+        let cube = SceneConfig { contraction: Contraction::Cube, ..basic() };
+        let text = serde_json::to_string(&cube).unwrap();
+        assert!(text.contains(r#""contraction":"cube""#), "{text}");
+        assert_eq!(SceneConfig::from_json(&text, "b").unwrap(), cube);
+    }
+
+    #[test]
+    fn step_is_limited_by_samples() {
+        let smallest = DIAGONAL / f64::from(MAX_SAMPLES);
+        assert!(SceneConfig { step: smallest, ..basic() }.validate().is_ok());
+        let error = SceneConfig { step: smallest * 0.999, ..basic() }.validate().unwrap_err();
+        assert!(error.to_string().contains("16384"), "{error}");
+        assert!(error.to_string().contains("1.0572e-4"), "{error}");
+    }
+
+    #[test]
+    fn each_field_is_held_to_its_range() {
+        type Change = fn(&mut SceneConfig);
+        let changes: [(&str, Change); 16] = [
+            ("sh_degree", |config| config.sh_degree = 8),
+            ("material", |config| config.material = 257),
+            ("extra", |config| config.extra = u32::MAX),
+            ("color_grid.levels", |config| config.color_grid.levels = 0),
+            ("transmittance_grid.growth", |config| config.transmittance_grid.growth = 0.5),
+            ("color_mlp.hidden", |config| config.color_mlp.hidden.clear()),
+            ("color_mlp.hidden", |config| config.color_mlp.hidden = vec![8; 5]),
+            ("transmittance_mlp.hidden", |config| config.transmittance_mlp.hidden = vec![0]),
+            ("transmittance_mlp.hidden", |config| config.transmittance_mlp.hidden = vec![129]),
+            ("step", |config| config.step = 0.0),
+            ("step", |config| config.step = f64::NAN),
+            ("step", |config| config.step = f64::INFINITY),
+            ("blur", |config| config.blur = -0.1),
+            ("background", |config| config.background[1] = f64::NAN),
+            ("aabb", |config| config.aabb[1][2] = config.aabb[0][2]),
+            ("aabb", |config| config.aabb[0][0] = f64::NEG_INFINITY),
+        ];
+        for (expected, change) in changes {
+            let mut config = basic();
+            change(&mut config);
+            let error = config.validate().unwrap_err();
+            assert!(
+                matches!(&error, Error::BadConfig { field, .. } if field == expected),
+                "{error}"
+            );
+            assert!(error.to_string().contains(expected), "{error}");
+        }
+    }
+
+    #[test]
+    fn json_errors_say_where() {
+        let bad = [
+            (BASIC.replace("\"step\": 0.06,", ""), "missing field `step`"),
+            (BASIC.replace("0.06", "\"small\""), "\"step\": \"small\""),
+            (BASIC.replace("linear", "smoothstep"), "`smoothstep`, but grids are linear"),
+            (BASIC.replace("\"blur\"", "\"contraction\": \"sphere\", \"blur\""), "`sphere`"),
+            (BASIC.replace("\"material\": 8", "\"material\": -8"), "\"material\": -8"),
+            (BASIC.replace("0.06", "NaN"), "\"step\": N"),
+            (BASIC.replace("0.06", "1e999"), "out of range"),
+            (BASIC[..100].to_owned(), "EOF"),
+        ];
+        for (text, expected) in bad {
+            let error = SceneConfig::from_json(&text, "a.safetensors").unwrap_err();
+            assert!(matches!(error, Error::BadJson { .. }), "{error}");
+            let error = error.to_string();
+            assert!(error.contains(expected) && error.contains("a.safetensors"), "{error}");
+        }
+    }
+}

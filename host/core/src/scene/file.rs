@@ -1,0 +1,196 @@
+//! Scenes as safetensors files.
+
+use std::collections::{HashMap, HashSet};
+use std::io::{BufReader, Read};
+use std::path::Path;
+
+use super::config::SceneConfig;
+use super::spec::TensorSpec;
+use super::tensor_file::{Header, TensorRef, encode, write_tensors};
+use super::{Scene, validate};
+use crate::error::{Error, Result};
+use crate::input::open_regular;
+
+/// The `format` of a scene file's metadata.
+pub(super) const FORMAT: &str = "organza.scene";
+/// The `version` of a scene file's metadata.
+pub(super) const VERSION: &str = "1";
+
+impl Scene {
+    /// Reads and validates a scene file. Tensors the configuration does not ask for are ignored,
+    /// see [`Self::unused_tensors`].
+    ///
+    /// # Errors
+    /// Everything the file can have wrong, by kind: [`Error::ReadFile`], [`Error::BadSafetensors`],
+    /// [`Error::WrongFormat`], [`Error::UnknownVersion`], [`Error::BadJson`], [`Error::BadConfig`],
+    /// [`Error::EmptyScene`], [`Error::MissingTensor`], [`Error::WrongDtype`],
+    /// [`Error::WrongShape`], [`Error::TooManyValues`], [`Error::NotFinite`]. All but the last are
+    /// found before any tensor is read.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self> {
+        let path = path.as_ref();
+        let (file, length) = open_regular(path)?;
+        read_scene(&mut BufReader::new(file), length, path)
+    }
+
+    /// [`Self::load`] from memory; `origin` is the name errors give to the bytes.
+    ///
+    /// # Errors
+    /// As [`Self::load`].
+    pub fn from_bytes(bytes: &[u8], origin: impl AsRef<Path>) -> Result<Self> {
+        read_scene(&mut &bytes[..], bytes.len() as u64, origin.as_ref())
+    }
+
+    /// Validates the scene and writes it atomically. The same scene gives the same bytes.
+    ///
+    /// # Errors
+    /// As [`Self::validate`], and [`Error::WriteFile`].
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
+        self.with_encoding(|tensors, metadata| write_tensors(path, tensors, metadata))
+    }
+
+    /// [`Self::save`] with further tensors and metadata, which [`Self::load`] ignores.
+    pub fn save_with(
+        &self,
+        path: impl AsRef<Path>,
+        more: &[TensorRef<'_>],
+        more_metadata: &[(&str, &str)],
+    ) -> Result<()> {
+        self.with_encoding(|tensors, metadata| {
+            let tensors: Vec<_> = tensors.iter().chain(more).copied().collect();
+            write_tensors(path, &tensors, &[metadata, more_metadata].concat())
+        })
+    }
+
+    /// [`Self::save_with`] to memory.
+    pub fn to_bytes_with(
+        &self,
+        more: &[TensorRef<'_>],
+        more_metadata: &[(&str, &str)],
+    ) -> Result<Vec<u8>> {
+        self.with_encoding(|tensors, metadata| {
+            let tensors: Vec<_> = tensors.iter().chain(more).copied().collect();
+            encode(&tensors, &[metadata, more_metadata].concat())
+        })
+    }
+
+    /// [`Self::save`] to memory.
+    ///
+    /// # Errors
+    /// As [`Self::validate`].
+    pub fn to_bytes(&self) -> Result<Vec<u8>> {
+        self.with_encoding(encode)
+    }
+
+    /// The names of a scene file's tensors that [`Self::load`] ignores. Reads the header alone.
+    ///
+    /// # Errors
+    /// As [`Self::load`] for the header and the configuration.
+    pub fn unused_tensors(path: impl AsRef<Path>) -> Result<Vec<String>> {
+        let path = path.as_ref();
+        let (file, length) = open_regular(path)?;
+        let header = Header::read(&mut BufReader::new(file), length, path)?;
+        let used: HashSet<_> =
+            read_config(&header, path)?.tensors(1).into_iter().map(|spec| spec.name).collect();
+        let mut unused = header.names().to_vec();
+        unused.retain(|name| !used.contains(name));
+        unused.sort_unstable();
+        Ok(unused)
+    }
+
+    fn with_encoding<T>(
+        &self,
+        write: impl FnOnce(&[TensorRef<'_>], &[(&str, &str)]) -> Result<T>,
+    ) -> Result<T> {
+        self.validate()?;
+        let tensors = self.tensors();
+        let tensors: Vec<_> = tensors.iter().map(|(spec, data)| spec.of(data)).collect();
+        let config = self.config.to_json()?;
+        write(&tensors, &scene_metadata(&config))
+    }
+}
+
+/// What the metadata of a scene file says; `config` is [`SceneConfig::to_json`].
+pub fn scene_metadata(config: &str) -> [(&'static str, &str); 3] {
+    [("format", FORMAT), ("version", VERSION), ("config", config)]
+}
+
+/// [`Scene::load`] from what is `length` bytes long; `origin` is what errors name.
+pub fn read_scene(reader: &mut impl Read, length: u64, origin: &Path) -> Result<Scene> {
+    let header = Header::read(reader, length, origin)?;
+    let config = read_config(&header, origin)?;
+    let gaussians = count_gaussians(&header, &config, origin)?;
+    let specs = config.tensors(gaussians);
+    for spec in &specs {
+        check_declared(&header, spec, origin)?;
+    }
+    validate::check_sizes(specs.iter(), origin)?;
+    // The file declares every tensor with the size allocated here, so no header can ask for more
+    // memory than its file is long; what may be absent has no values.
+    let mut scene = Scene::zeros(config, gaussians)?;
+    let slices: HashMap<_, _> =
+        scene.tensors_mut().into_iter().map(|(spec, data)| (spec.name, data)).collect();
+    header.read_into(reader, slices, origin)?;
+    scene.validate_at(origin)?;
+    Ok(scene)
+}
+
+/// Format, version and configuration, in that order: a later version's configuration may differ.
+pub(super) fn read_config(header: &Header, origin: &Path) -> Result<SceneConfig> {
+    let quoted =
+        |found: Option<&str>| found.map_or("missing".to_owned(), |text| format!("{text:?}"));
+    let format = header.metadata("format");
+    if format != Some(FORMAT) {
+        return Err(Error::WrongFormat { origin: origin.to_owned(), found: quoted(format) });
+    }
+    let version = header.metadata("version");
+    if version != Some(VERSION) {
+        return Err(Error::UnknownVersion { origin: origin.to_owned(), found: quoted(version) });
+    }
+    let config = header.metadata("config").ok_or_else(|| Error::BadConfig {
+        origin: origin.to_owned(),
+        field: "config".to_owned(),
+        reason: "is missing from the metadata; write the scene again".to_owned(),
+    })?;
+    SceneConfig::from_json(config, origin)
+}
+
+/// N, the one size that no configuration tells.
+pub(super) fn count_gaussians(
+    header: &Header,
+    config: &SceneConfig,
+    origin: &Path,
+) -> Result<usize> {
+    let first = |gaussians| config.tensors(gaussians).swap_remove(0);
+    match header.shape(&first(1).name) {
+        Some([0, ..]) => Err(Error::EmptyScene { origin: origin.to_owned() }),
+        Some([gaussians, 3]) => Ok(*gaussians),
+        // With any count, this one cannot be right: let the common check word it.
+        other => {
+            let gaussians = other.and_then(|shape| shape.first()).copied().unwrap_or(1);
+            check_declared(header, &first(gaussians), origin).map(|()| gaussians)
+        }
+    }
+}
+
+/// Checks one tensor's presence, type and shape in the header.
+pub(super) fn check_declared(header: &Header, spec: &TensorSpec, origin: &Path) -> Result<()> {
+    let (tensor, why) = (&spec.name, spec.why);
+    match header.shape(tensor) {
+        // A vector of no length need not be there.
+        None if spec.values() == 0 => Ok(()),
+        None => Err(Error::MissingTensor {
+            origin: origin.to_owned(),
+            tensor: tensor.clone(),
+            expected: spec.shape.clone(),
+            why,
+        }),
+        Some(found) if found != spec.shape => Err(Error::WrongShape {
+            origin: origin.to_owned(),
+            tensor: tensor.clone(),
+            found: found.to_vec(),
+            expected: spec.shape.clone(),
+            why,
+        }),
+        Some(_) => header.require_f32(tensor, origin),
+    }
+}

@@ -1,0 +1,137 @@
+//! The gradient of a loss with respect to every tensor of a scene.
+
+use std::path::Path;
+
+use super::gaussians::Gaussians;
+use super::network::Field;
+use super::spec::TensorSpec;
+use super::tensor_file::write_tensors;
+use super::{Scene, SceneConfig};
+use crate::error::{Error, Result};
+use crate::ranks::Ranks;
+
+/// What the names of gradients begin with in a file.
+const PREFIX: &str = "grad.";
+
+/// dLoss/dtensor for every tensor of a scene, in the shape of the scene.
+///
+/// ```
+/// use organza::{DeviceOptions, Renderer, Tile, TileBatch, demo};
+///
+/// let renderer = Renderer::new(organza::open_device(&DeviceOptions::cpu(None))?);
+/// let scene = renderer.upload(&demo::scene())?;
+/// let cameras = demo::turntable(1, 32);
+/// let batch = TileBatch { side: 8, tiles: vec![Tile { camera: 0, origin: [12, 12] }] };
+///
+/// // the loss is the sum of all values, so dL/dY is 1 everywhere
+/// let ones = vec![1.0; batch.output_shape().iter().product()];
+/// let gradient = renderer.gradient(&scene, &cameras, &batch, &ones)?;
+/// assert_eq!(gradient.gaussians().position.len(), scene.len());
+/// assert!(gradient.tensor("gaussians.opacity").is_some_and(|g| g.iter().any(|&g| g != 0.0)));
+/// # Ok::<(), organza::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gradient(Scene);
+
+impl Gradient {
+    /// From values in the shape of a scene.
+    pub fn of(values: Scene) -> Self {
+        Self(values)
+    }
+
+    /// Of ranks' gradients of their [shares](super::SceneShare): that of the whole scene on rank 0, and nothing on the others.
+    ///
+    /// # Errors
+    /// As [`Scene::zeros`]; as [`Ranks::max`].
+    pub fn gather(self, ranks: &dyn Ranks) -> Result<Option<Self>> {
+        let mine = self.0.gaussians.tensors().into_vec();
+        let mut for_each = vec![Vec::new(); ranks.size()];
+        for_each[0] =
+            mine.iter().flat_map(|values| bytemuck::cast_slice(values)).copied().collect();
+        let all = ranks.exchange(for_each)?;
+        if ranks.rank() > 0 {
+            return Ok(None);
+        }
+        let widths = self.0.config.gaussian_specs(1).map(|spec| size_of::<f32>() * spec.values());
+        let widths = widths.into_vec();
+        let row: usize = widths.iter().sum();
+        let lens = all.iter().map(|bytes| bytes.len() / row);
+        let mut whole = Scene::zeros(self.0.config, lens.clone().sum())?;
+        let mut begin = 0;
+        for (bytes, len) in all.iter().zip(lens) {
+            let mut rest = &bytes[..];
+            for (target, width) in whole.gaussians.tensors_mut().into_vec().into_iter().zip(&widths)
+            {
+                let (values, after) = rest.split_at(width * len);
+                let target: &mut [u8] = bytemuck::cast_slice_mut(target);
+                target[begin * width..][..values.len()].copy_from_slice(values);
+                rest = after;
+            }
+            begin += len;
+        }
+        (whole.color, whole.transmittance) = (self.0.color, self.0.transmittance);
+        Ok(Some(Self(whole)))
+    }
+
+    /// The configuration of the scene that it is a gradient of.
+    #[must_use]
+    pub fn config(&self) -> &SceneConfig {
+        &self.0.config
+    }
+
+    /// Of the Gaussians.
+    #[must_use]
+    pub fn gaussians(&self) -> &Gaussians {
+        &self.0.gaussians
+    }
+
+    /// Of the color grid and network.
+    #[must_use]
+    pub fn color(&self) -> &Field {
+        &self.0.color
+    }
+
+    /// Of the transmittance grid and network.
+    #[must_use]
+    pub fn transmittance(&self) -> &Field {
+        &self.0.transmittance
+    }
+
+    /// The name and shape of every tensor of the scene, and its gradient, row-major.
+    #[must_use]
+    pub fn tensors(&self) -> Vec<(TensorSpec, &[f32])> {
+        self.0.tensors()
+    }
+
+    /// The gradient of the tensor with a name, such as `gaussians.position`, row-major.
+    #[must_use]
+    pub fn tensor(&self, name: &str) -> Option<&[f32]> {
+        self.tensors().into_iter().find(|(spec, _)| spec.name == name).map(|(_, values)| values)
+    }
+
+    /// The values, in the shape of the scene that it is a gradient of.
+    #[must_use]
+    pub fn into_values(self) -> Scene {
+        self.0
+    }
+
+    /// Writes a safetensors file with `grad.<tensor>` for each tensor of the scene, atomically.
+    ///
+    /// # Errors
+    /// [`Error::Diverged`] where a value is not finite; [`Error::WriteFile`].
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
+        for (spec, values) in self.tensors() {
+            if let Some(index) = values.iter().position(|value| !value.is_finite()) {
+                let (name, value) = (spec.name, values[index]);
+                let reason = format!(
+                    "the gradient of `{name}` holds {value} at flat index {index}, more than f32 \
+                     can hold; nothing was written"
+                );
+                return Err(Error::Diverged { reason });
+            }
+        }
+        let tensors = self.0.tensors_with_prefix(PREFIX);
+        let tensors: Vec<_> = tensors.iter().map(|(spec, data)| spec.of(data)).collect();
+        write_tensors(path, &tensors, &[])
+    }
+}

@@ -1,0 +1,125 @@
+//! A scene: Gaussians, two hash grids and two networks, and the file that holds them.
+
+mod config;
+mod file;
+mod gaussians;
+mod gradient;
+mod grid;
+mod network;
+mod share;
+mod spec;
+mod tensor_file;
+mod tensors;
+mod validate;
+mod warnings;
+
+#[cfg(test)]
+mod tests;
+
+pub use config::{
+    COLOR_OUTPUTS, Contraction, MAX_HIDDEN_LAYERS, MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE,
+    MAX_VECTOR, MlpConfig, SceneConfig, TRANSMITTANCE_OUTPUTS,
+};
+pub use file::{read_scene, scene_metadata};
+pub use gaussians::logit;
+pub use gaussians::{GaussianTensors, Gaussians};
+pub use gradient::Gradient;
+pub use grid::{
+    FEATURE_WIDTHS, GridConfig, GridLevelGeometry, MAX_LEVELS, MAX_LOG2_TABLE, MAX_RESOLUTION,
+};
+pub use network::{Field, Layer, Network};
+pub use share::range_of;
+pub use share::{SLICE, SceneShare};
+pub use spec::TensorSpec;
+pub use tensor_file::{Tensor, TensorRef, read_tensors, write_tensors};
+pub use tensor_file::{read_metadata, read_tensor, read_tensors_from, write_streamed};
+pub use tensors::{FieldTensors, Tensors};
+
+use crate::error::Result;
+use organza_device::memory;
+
+/// A scene: its configuration and all its tensors.
+///
+/// ```
+/// use organza::{Scene, demo};
+///
+/// let mut scene = demo::scene();
+/// // makes every Gaussian smaller by a tenth
+/// for log_scale in scene.gaussians.log_scale.as_flattened_mut() {
+///     *log_scale += 0.9_f32.ln();
+/// }
+///
+/// let folder = tempfile::tempdir().expect("a folder");
+/// let path = folder.path().join("scene.safetensors");
+/// scene.save(&path)?;
+/// assert_eq!(Scene::load(&path)?, scene);
+/// # Ok::<(), organza::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Shapes and constants.
+    pub config: SceneConfig,
+    /// What is splatted.
+    pub gaussians: Gaussians,
+    /// The color grid and network.
+    pub color: Field,
+    /// The transmittance grid and network.
+    pub transmittance: Field,
+}
+
+impl Scene {
+    /// A scene of `gaussians` Gaussians with every tensor zero: a start to fill in, or a place for
+    /// gradients. Zero quaternions are no rotations, so such a scene renders as background.
+    ///
+    /// # Errors
+    /// [`Error::BadConfig`](crate::error::Error::BadConfig);
+    /// [`Error::TooManyValues`](crate::error::Error::TooManyValues) where a tensor would be larger
+    /// than the kernels can address; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+    pub fn zeros(config: SceneConfig, gaussians: usize) -> Result<Self> {
+        config.validate()?;
+        let specs = config.tensors(gaussians);
+        validate::check_sizes(specs.iter(), crate::error::IN_MEMORY.as_ref())?;
+        let values: u64 = specs.iter().map(|spec| spec.values() as u64).sum();
+        // All at once: each tensor alone may fit.
+        memory::check(values * size_of::<f32>() as u64, "the scene")?;
+        let [color, transmittance] = config.fields().map(|spec| -> Result<Field> {
+            let table = spec.table();
+            let grid = memory::zeros(table.values(), &table.name)?;
+            Ok(Field { grid, network: Network::zeros(&spec.widths) })
+        });
+        Ok(Self {
+            gaussians: Gaussians::zeros(&config, gaussians)?,
+            color: color?,
+            transmittance: transmittance?,
+            config,
+        })
+    }
+
+    /// Every tensor of the scene's file and its values, row-major, in the order of
+    /// [`SceneConfig::tensors`].
+    #[must_use]
+    pub fn tensors(&self) -> Vec<(TensorSpec, &[f32])> {
+        let specs = self.config.tensors(self.gaussians.len());
+        let fields = [&self.color, &self.transmittance].into_iter().flat_map(Field::tensors);
+        let values = self.gaussians.tensors().into_vec().into_iter().chain(fields);
+        specs.into_iter().zip(values).collect()
+    }
+
+    /// Like [`Self::tensors`], with `prefix` before each name: for a file that is not a scene.
+    #[must_use]
+    pub fn tensors_with_prefix(&self, prefix: &str) -> Vec<(TensorSpec, &[f32])> {
+        let mut tensors = self.tensors();
+        tensors.iter_mut().for_each(|(spec, _)| spec.name.insert_str(0, prefix));
+        tensors
+    }
+
+    /// As [`Self::tensors`], for writing.
+    #[must_use]
+    pub fn tensors_mut(&mut self) -> Vec<(TensorSpec, &mut [f32])> {
+        let specs = self.config.tensors(self.gaussians.len());
+        let fields =
+            [&mut self.color, &mut self.transmittance].into_iter().flat_map(Field::tensors_mut);
+        let values = self.gaussians.tensors_mut().into_vec().into_iter().chain(fields);
+        specs.into_iter().zip(values).collect()
+    }
+}

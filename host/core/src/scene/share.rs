@@ -1,0 +1,157 @@
+//! A share of a scene: some of its Gaussians, and all of its fields.
+
+use std::collections::HashMap;
+use std::io::BufReader;
+use std::ops::Range;
+use std::path::Path;
+
+use super::Scene;
+use super::file::{check_declared, count_gaussians, read_config};
+use super::spec::TensorSpec;
+use super::tensor_file::Header;
+use crate::error::Result;
+use crate::input::open_regular;
+use organza_device::memory;
+
+/// Gaussians of a slice. A scene is cut into slices by index, and each rank has whole slices: so what is rounded does not
+/// depend on the number of ranks.
+pub const SLICE: usize = 1 << 14;
+
+/// The Gaussians of one rank, and the fields of the scene.
+///
+/// ```
+/// use organza::demo;
+/// use organza::scene::SceneShare;
+///
+/// let scene = demo::scene();
+/// let [first, second] = [0, 1].map(|rank| SceneShare::of(&scene, rank, 2));
+/// assert_eq!((first.range.start, first.range.end), (0, second.range.start));
+/// assert_eq!(second.range.end, scene.gaussians.len());
+/// assert_eq!(first.scene.gaussians.len() + second.scene.gaussians.len(), scene.gaussians.len());
+/// ```
+#[derive(Clone, Debug)]
+pub struct SceneShare {
+    /// The configuration, the fields, and the share's Gaussians. With more ranks than slices, some have no Gaussians.
+    pub scene: Scene,
+    /// The share's Gaussians among those of the whole scene.
+    pub range: Range<usize>,
+    /// Gaussians of the whole scene.
+    pub gaussians: usize,
+}
+
+impl SceneShare {
+    /// The share of a rank, of a scene in memory.
+    #[must_use]
+    pub fn of(scene: &Scene, rank: usize, ranks: usize) -> Self {
+        let gaussians = scene.gaussians.len();
+        let range = range_of(gaussians, rank, ranks);
+        let indices: Vec<_> = range.clone().collect();
+        let scene = Scene {
+            config: scene.config.clone(),
+            gaussians: scene.gaussians.select(&indices),
+            color: scene.color.clone(),
+            transmittance: scene.transmittance.clone(),
+        };
+        Self { scene, range, gaussians }
+    }
+
+    /// Reads the share of a rank from a scene file, and no more of it. A tensor of the whole file may be larger than what
+    /// kernels can address.
+    ///
+    /// # Errors
+    /// As [`Scene::load`], for the share.
+    pub fn load(path: impl AsRef<Path>, rank: usize, ranks: usize) -> Result<Self> {
+        Self::load_more(path, rank, ranks, [], None).map(|(share, ..)| share)
+    }
+
+    /// As [`SceneShare::load`], with what else the file has of the same Gaussians: scenes of the same shape, with these
+    /// prefixes before their tensors' names, and the rows of another tensor, of a name and a width.
+    pub fn load_more<const P: usize>(
+        path: impl AsRef<Path>,
+        rank: usize,
+        ranks: usize,
+        prefixes: [&str; P],
+        other: Option<(&str, usize)>,
+    ) -> Result<(Self, [Scene; P], Vec<f32>)> {
+        let path = path.as_ref();
+        let (file, length) = open_regular(path)?;
+        let mut reader = BufReader::new(file);
+        let header = Header::read(&mut reader, length, path)?;
+        let config = read_config(&header, path)?;
+        let gaussians = count_gaussians(&header, &config, path)?;
+        let range = range_of(gaussians, rank, ranks);
+        let mut scene = Scene::zeros(config, range.len())?;
+        let mut more = prefixes.map(|_| scene.clone());
+        let width = other.map_or(0, |(_, width)| width);
+        let mut rows = memory::zeros(range.len() * width, "rows of a share")?;
+        let mut targets = HashMap::new();
+        let scenes = std::iter::once(("", &mut scene)).chain(prefixes.into_iter().zip(&mut more));
+        for (prefix, scene) in scenes {
+            let specs = scene.config.tensors(gaussians);
+            for (whole, (spec, values)) in specs.into_iter().zip(scene.tensors_mut()) {
+                let is_row = spec.name.starts_with("gaussians.");
+                let row = if is_row { values.len() / range.len().max(1) } else { 0 };
+                let name = format!("{prefix}{}", spec.name);
+                check_declared(&header, &TensorSpec { name: name.clone(), ..whole }, path)?;
+                targets.insert(name, (row * range.start, values));
+            }
+        }
+        if let Some((name, width)) = other {
+            let (shape, why) = (vec![gaussians, width], "a row for each Gaussian");
+            check_declared(&header, &TensorSpec { name: name.to_owned(), shape, why }, path)?;
+            targets.insert(name.to_owned(), (width * range.start, &mut rows));
+        }
+        header.read_ranges(&mut reader, targets, path)?;
+        if !range.is_empty() {
+            scene.validate_at(path)?;
+        }
+        Ok((Self { scene, range, gaussians }, more, rows))
+    }
+}
+
+/// The Gaussians of a rank: whole slices, as many for each as can be.
+pub fn range_of(gaussians: usize, rank: usize, ranks: usize) -> Range<usize> {
+    let slices = gaussians.div_ceil(SLICE);
+    let begin = |rank: usize| (slices * rank / ranks * SLICE).min(gaussians);
+    begin(rank)..begin(rank + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranks_share_all_gaussians_in_whole_slices() {
+        for (gaussians, ranks) in
+            [(1, 1), (1, 3), (SLICE, 2), (10 * SLICE + 5, 4), (100_000_000, 64)]
+        {
+            let ranges: Vec<_> = (0..ranks).map(|rank| range_of(gaussians, rank, ranks)).collect();
+            assert_eq!((ranges[0].start, ranges[ranks - 1].end), (0, gaussians));
+            assert!(ranges.windows(2).all(|pair| pair[0].end == pair[1].start));
+            assert!(ranges.iter().all(|range| range.is_empty() || range.start % SLICE == 0));
+            let lengths = ranges.iter().map(|range| range.len().div_ceil(SLICE));
+            let (least, most) = (lengths.clone().min().unwrap(), lengths.max().unwrap());
+            assert!(most - least <= 1, "{gaussians} for {ranks}: {least} to {most} slices");
+        }
+    }
+
+    #[test]
+    fn a_share_that_is_read_is_that_of_the_whole_scene() {
+        let mut scene = crate::demo::scene();
+        let len = scene.gaussians.len();
+        let indices: Vec<_> = (0..SLICE + 10).map(|index| index * 7 % len).collect();
+        scene.gaussians = scene.gaussians.select(&indices);
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("scene.safetensors");
+        scene.save(&path).expect("a file");
+        let mut found = Vec::new();
+        for rank in 0..3 {
+            let share = SceneShare::load(&path, rank, 3).expect("a share");
+            let expected = SceneShare::of(&scene, rank, 3);
+            assert_eq!((&share.range, share.gaussians), (&expected.range, SLICE + 10));
+            assert!(share.scene == expected.scene, "rank {rank}");
+            found.extend(share.scene.gaussians.opacity);
+        }
+        assert!(found == scene.gaussians.opacity);
+    }
+}

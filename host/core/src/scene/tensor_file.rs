@@ -1,0 +1,344 @@
+//! Safetensors files of F32 tensors, whatever the tensors mean.
+
+use std::collections::{BTreeMap, HashMap};
+use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
+use std::path::Path;
+
+use safetensors::tensor::{Dtype, Metadata, TensorInfo};
+use serde_json::{Map, Value, json};
+
+use crate::atomic_file::write_atomic;
+use crate::error::{Error, Result};
+use crate::input::open_regular;
+use organza_device::memory;
+
+/// Far more header than the few dozen tensors of a scene need; safetensors itself allows 100 MB.
+const MAX_HEADER_BYTES: u64 = 16 << 20;
+/// Bytes of the number in front of the header, and what the data is aligned to.
+const WORD: usize = 8;
+
+/// One tensor in memory.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Tensor {
+    /// Its shape, row-major.
+    pub shape: Vec<usize>,
+    /// Its values; as many as the product of the shape.
+    pub data: Vec<f32>,
+}
+
+/// One tensor to be written.
+#[derive(Clone, Copy, Debug)]
+pub struct TensorRef<'a> {
+    /// Its name, unique in the file.
+    pub name: &'a str,
+    /// Its shape, row-major.
+    pub shape: &'a [usize],
+    /// Its values; as many as the product of the shape.
+    pub data: &'a [f32],
+}
+
+/// Reads every tensor of a safetensors file. All must be F32.
+///
+/// # Errors
+/// [`Error::ReadFile`], [`Error::BadSafetensors`] for a file that is cut short, damaged or
+/// something else, [`Error::WrongDtype`], [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+pub fn read_tensors(path: impl AsRef<Path>) -> Result<BTreeMap<String, Tensor>> {
+    let path = path.as_ref();
+    let (file, length) = open_regular(path)?;
+    read_tensors_from(&mut BufReader::new(file), length, path)
+}
+
+/// [`read_tensors`] from what is `length` bytes long; `origin` is what errors name.
+pub fn read_tensors_from(
+    reader: &mut impl Read,
+    length: u64,
+    origin: &Path,
+) -> Result<BTreeMap<String, Tensor>> {
+    let header = Header::read(reader, length, origin)?;
+    let mut tensors = BTreeMap::new();
+    for name in header.names() {
+        header.require_f32(name, origin)?;
+        let shape = header.shape(name).unwrap_or_default().to_vec();
+        // The header was held to the file's length, so this asks for no more than the file has.
+        let mut data = memory::zeros(shape.iter().product(), name)?;
+        read_values(reader, &mut data, origin)?;
+        tensors.insert(name.clone(), Tensor { shape, data });
+    }
+    Ok(tensors)
+}
+
+/// Reads one tensor of a safetensors file, and nothing else of it; none where the file has no tensor of that name.
+///
+/// # Errors
+/// As [`read_tensors`].
+pub fn read_tensor(path: &Path, name: &str) -> Result<Option<Tensor>> {
+    let (file, length) = open_regular(path)?;
+    let mut reader = BufReader::new(file);
+    let header = Header::read(&mut reader, length, path)?;
+    header.require_f32(name, path)?;
+    let Some(shape) = header.shape(name).map(<[usize]>::to_vec) else { return Ok(None) };
+    let mut data = memory::zeros(shape.iter().product(), name)?;
+    let wanted = HashMap::from([(name.to_owned(), (0, &mut data[..]))]);
+    header.read_ranges(&mut reader, wanted, path)?;
+    Ok(Some(Tensor { shape, data }))
+}
+
+/// An entry of the metadata of a safetensors file that is `length` bytes long.
+pub fn read_metadata(
+    reader: &mut impl Read,
+    length: u64,
+    origin: &Path,
+    key: &str,
+) -> Result<Option<String>> {
+    let header = Header::read(reader, length, origin)?;
+    Ok(header.metadata(key).map(str::to_owned))
+}
+
+/// Writes tensors and metadata to a safetensors file, atomically. The same input gives the same
+/// bytes.
+///
+/// # Errors
+/// [`Error::WriteFile`]; [`Error::Argument`] for a name that occurs twice or is empty, or a shape
+/// that does not fit its data.
+pub fn write_tensors(
+    path: impl AsRef<Path>,
+    tensors: &[TensorRef<'_>],
+    metadata: &[(&str, &str)],
+) -> Result<()> {
+    let (header, tensors) = encode_tensors(tensors, metadata)?;
+    write_atomic(path, |writer| write_all(writer, &header, &tensors))
+}
+
+/// As [`write_tensors`], for tensors that are not in memory: they are names and shapes, and `write` writes the values of
+/// each, in the order of the names.
+///
+/// # Errors
+/// As [`write_tensors`]; those of `write`.
+pub fn write_streamed(
+    path: impl AsRef<Path>,
+    tensors: &[(&str, &[usize])],
+    metadata: &[(&str, &str)],
+    write: impl FnOnce(&mut dyn FnMut(&[f32]) -> Result<()>) -> Result<()>,
+) -> Result<()> {
+    let path = path.as_ref();
+    let header = encode_header(tensors, metadata)?;
+    let mut failed = None;
+    let written = write_atomic(path, |writer| {
+        writer.write_all(&header)?;
+        let values = &mut |values: &[f32]| {
+            write_values(writer, values).map_err(|source| Error::write(path, source))
+        };
+        write(values).map_err(|error| {
+            failed = Some(error);
+            io::Error::other("the values were not there")
+        })
+    });
+    failed.map_or(written, Err)
+}
+
+/// [`write_tensors`] to memory.
+pub(super) fn encode(tensors: &[TensorRef<'_>], metadata: &[(&str, &str)]) -> Result<Vec<u8>> {
+    let (header, tensors) = encode_tensors(tensors, metadata)?;
+    let mut bytes = Vec::new();
+    write_all(&mut bytes, &header, &tensors)
+        .map_err(|error| Error::Argument { reason: error.to_string() })?;
+    Ok(bytes)
+}
+
+/// The header of a safetensors file, held to the file's length.
+pub(super) struct Header {
+    header: Metadata,
+    /// In the order of their data, which has no gaps.
+    names: Vec<String>,
+}
+
+impl Header {
+    /// Reads the header from the start of a file of `length` bytes and leaves `reader` at the data.
+    pub fn read(reader: &mut impl Read, length: u64, origin: &Path) -> Result<Self> {
+        let bad = |reason| Error::BadSafetensors { origin: origin.to_owned(), reason };
+        if length < WORD as u64 {
+            return Err(bad(format!("it has {length} bytes, too few for a header")));
+        }
+        let mut word = [0; WORD];
+        reader.read_exact(&mut word).map_err(|source| Error::read(origin, source))?;
+        let header_bytes = u64::from_le_bytes(word);
+        let rest = length - WORD as u64;
+        if header_bytes > MAX_HEADER_BYTES.min(rest) {
+            return Err(bad(format!(
+                "its first eight bytes announce a header of {header_bytes} bytes, but {rest} bytes \
+                 follow: it is another kind of file or was cut short"
+            )));
+        }
+        let mut text: Vec<u8> = memory::zeros(header_bytes as usize, "a header")?;
+        reader.read_exact(&mut text).map_err(|source| Error::read(origin, source))?;
+        let header: Metadata = serde_json::from_slice(&text)
+            .map_err(|error| bad(format!("its header does not parse: {error}")))?;
+        let (found, expected) = (rest - header_bytes, header.data_len() as u64);
+        if found < expected {
+            return Err(bad(format!(
+                "its header announces {expected} bytes of data and {found} are there: it was cut \
+                 short, so copy it again"
+            )));
+        }
+        if found > expected {
+            let extra = found - expected;
+            return Err(bad(format!("{extra} bytes follow the last tensor: it is damaged")));
+        }
+        let names = header.offset_keys();
+        Ok(Self { header, names })
+    }
+
+    /// The tensors' names in the order of their data.
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// The metadata entry of that name.
+    pub fn metadata(&self, key: &str) -> Option<&str> {
+        self.header.metadata().as_ref()?.get(key).map(String::as_str)
+    }
+
+    /// The tensor's shape, where there is one of that name.
+    pub fn shape(&self, name: &str) -> Option<&[usize]> {
+        self.header.info(name).map(|info| info.shape.as_slice())
+    }
+
+    /// Fails unless a tensor that is there is F32.
+    pub fn require_f32(&self, name: &str, origin: &Path) -> Result<()> {
+        match self.header.info(name) {
+            Some(TensorInfo { dtype, .. }) if *dtype != Dtype::F32 => Err(Error::WrongDtype {
+                origin: origin.to_owned(),
+                tensor: name.to_owned(),
+                found: format!("{dtype:?}"),
+            }),
+            _ => Ok(()),
+        }
+    }
+
+    /// Reads the data into the slices of that name, skipping tensors that have none.
+    ///
+    /// The slices' tensors must be F32 and have the file's number of values.
+    pub fn read_into(
+        &self,
+        reader: &mut impl Read,
+        mut slices: HashMap<String, &mut [f32]>,
+        origin: &Path,
+    ) -> Result<()> {
+        for name in &self.names {
+            match slices.remove(name) {
+                Some(slice) => read_values(reader, slice, origin)?,
+                None => self.skip(reader, name).map_err(|source| Error::read(origin, source))?,
+            }
+        }
+        Ok(())
+    }
+
+    /// As [`Header::read_into`], for ranges of the tensors: each slice comes with the tensor's values before it.
+    pub fn read_ranges(
+        &self,
+        reader: &mut (impl Read + Seek),
+        mut slices: HashMap<String, (usize, &mut [f32])>,
+        origin: &Path,
+    ) -> Result<()> {
+        for name in &self.names {
+            let (start, end) = self.header.info(name).map_or((0, 0), |info| info.data_offsets);
+            let (first, values) = slices.remove(name).unwrap_or((0, &mut []));
+            let before = first * size_of::<f32>();
+            let after = end - start - before - size_of_val(values);
+            let seek = |reader: &mut dyn Seek, bytes: usize| {
+                let found = reader.seek(SeekFrom::Current(bytes as i64));
+                found.map(drop).map_err(|source| Error::read(origin, source))
+            };
+            seek(reader, before)?;
+            read_values(reader, values, origin)?;
+            seek(reader, after)?;
+        }
+        Ok(())
+    }
+
+    fn skip(&self, reader: &mut impl Read, name: &str) -> io::Result<()> {
+        let (start, end) = self.header.info(name).map_or((0, 0), |info| info.data_offsets);
+        io::copy(&mut reader.take((end - start) as u64), &mut io::sink())?;
+        Ok(())
+    }
+}
+
+fn read_values(reader: &mut impl Read, values: &mut [f32], origin: &Path) -> Result<()> {
+    reader
+        .read_exact(bytemuck::cast_slice_mut(values))
+        .map_err(|source| Error::read(origin, source))?;
+    if cfg!(target_endian = "big") {
+        for value in values {
+            *value = f32::from_bits(value.to_bits().swap_bytes());
+        }
+    }
+    Ok(())
+}
+
+/// Returns the header's bytes, length included, and the tensors in the order of their data.
+fn encode_tensors<'a>(
+    tensors: &[TensorRef<'a>],
+    metadata: &[(&str, &str)],
+) -> Result<(Vec<u8>, Vec<TensorRef<'a>>)> {
+    let mut tensors = tensors.to_vec();
+    tensors.sort_by_key(|tensor| tensor.name);
+    for TensorRef { name, shape, data } in &tensors {
+        if count(shape) != Some(data.len()) {
+            let length = data.len();
+            let reason = format!("tensor `{name}` of shape {shape:?} has {length} values");
+            return Err(Error::Argument { reason });
+        }
+    }
+    let shapes: Vec<_> = tensors.iter().map(|tensor| (tensor.name, tensor.shape)).collect();
+    Ok((encode_header(&shapes, metadata)?, tensors))
+}
+
+/// The number of values of a shape.
+fn count(shape: &[usize]) -> Option<usize> {
+    shape.iter().try_fold(1_usize, |values, &size| values.checked_mul(size))
+}
+
+/// Returns the header's bytes, length included, for tensors in the order of their names.
+///
+/// The safetensors crate would do, but it writes metadata in an order that changes from run to run.
+fn encode_header(tensors: &[(&str, &[usize])], metadata: &[(&str, &str)]) -> Result<Vec<u8>> {
+    let argument = |reason| Err(Error::Argument { reason });
+    let mut header = Map::new();
+    let metadata: Map<_, _> =
+        metadata.iter().map(|&(key, value)| (key.to_owned(), Value::from(value))).collect();
+    if !metadata.is_empty() {
+        header.insert("__metadata__".to_owned(), Value::Object(metadata));
+    }
+    let mut start = 0;
+    for (name, shape) in tensors {
+        let bytes = count(shape).and_then(|values| values.checked_mul(size_of::<f32>()));
+        let Some(end) = bytes.and_then(|bytes| bytes.checked_add(start)) else {
+            return argument(format!("tensor `{name}` of shape {shape:?} is too large"));
+        };
+        let info = json!({"dtype": "F32", "shape": shape, "data_offsets": [start, end]});
+        if name.is_empty()
+            || *name == "__metadata__"
+            || header.insert((*name).to_owned(), info).is_some()
+        {
+            return argument(format!("the tensor name `{name}` is empty, reserved or used twice"));
+        }
+        start = end;
+    }
+    let mut text = Value::Object(header).to_string().into_bytes();
+    text.resize(text.len().next_multiple_of(WORD), b' ');
+    let mut bytes = (text.len() as u64).to_le_bytes().to_vec();
+    bytes.append(&mut text);
+    Ok(bytes)
+}
+
+fn write_all(writer: &mut dyn Write, header: &[u8], tensors: &[TensorRef<'_>]) -> io::Result<()> {
+    writer.write_all(header)?;
+    tensors.iter().try_for_each(|tensor| write_values(writer, tensor.data))
+}
+
+fn write_values(writer: &mut dyn Write, values: &[f32]) -> io::Result<()> {
+    if cfg!(target_endian = "little") {
+        return writer.write_all(bytemuck::cast_slice(values));
+    }
+    values.iter().try_for_each(|value| writer.write_all(&value.to_le_bytes()))
+}

@@ -1,0 +1,196 @@
+//! Scenes as files: the shared cases and round trips.
+
+mod bad;
+
+use std::path::{Path, PathBuf};
+
+use serde_json::{Map, Value, json};
+
+use super::*;
+use crate::error::Error;
+
+fn case_path(case: &str) -> PathBuf {
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/cases");
+    cases.join(case).join("scene.safetensors")
+}
+
+fn tiny_bytes() -> Vec<u8> {
+    std::fs::read(case_path("tiny")).unwrap()
+}
+
+fn tiny() -> Scene {
+    Scene::load(case_path("tiny")).unwrap()
+}
+
+/// The tiny case with its header edited; the data stays as it is.
+fn with_header(edit: impl FnOnce(&mut Map<String, Value>)) -> Vec<u8> {
+    let bytes = tiny_bytes();
+    let length = u64::from_le_bytes(bytes[..8].try_into().unwrap()) as usize;
+    let mut header = serde_json::from_slice(&bytes[8..8 + length]).unwrap();
+    edit(&mut header);
+    let header = serde_json::to_vec(&header).unwrap();
+    [&(header.len() as u64).to_le_bytes(), header.as_slice(), &bytes[8 + length..]].concat()
+}
+
+/// The tiny case with its configuration edited.
+fn with_config(edit: impl FnOnce(&mut Value)) -> Vec<u8> {
+    with_header(|header| {
+        let text = &mut header["__metadata__"]["config"];
+        let mut config = serde_json::from_str(text.as_str().unwrap()).unwrap();
+        edit(&mut config);
+        *text = Value::from(config.to_string());
+    })
+}
+
+fn load(bytes: &[u8]) -> Result<Scene> {
+    Scene::from_bytes(bytes, "scene.safetensors")
+}
+
+#[test]
+fn cases_load() {
+    for (case, gaussians, entries) in [
+        ("basic", 48, 10752),
+        ("contracted", 48, 5632),
+        ("crowded", 120, 10752),
+        ("narrow", 48, 3072),
+        ("tiny", 1, 512),
+        ("wide", 160, 14848),
+    ] {
+        let scene = Scene::load(case_path(case)).unwrap();
+        assert_eq!(
+            (scene.gaussians.len(), scene.config.color_grid.entries()),
+            (gaussians, entries)
+        );
+        assert_eq!(scene.warnings(), Vec::<String>::new(), "{case}");
+        assert_eq!(Scene::unused_tensors(case_path(case)).unwrap(), Vec::<String>::new());
+    }
+}
+
+/// The first values of the case as another reader of safetensors prints them.
+#[test]
+fn values_are_in_their_places() {
+    let scene = Scene::load(case_path("basic")).unwrap();
+    let bytes = std::fs::read(case_path("basic")).unwrap();
+    let file = safetensors::SafeTensors::deserialize(&bytes).unwrap();
+    for (spec, data) in scene.tensors() {
+        let expected = file.tensor(&spec.name).unwrap();
+        let bytes: &[u8] = bytemuck::cast_slice(data);
+        assert_eq!(bytes, expected.data(), "{spec:?}");
+    }
+}
+
+#[test]
+fn round_trip_is_exact_and_repeatable() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.safetensors");
+    for case in ["basic", "narrow", "tiny"] {
+        let scene = Scene::load(case_path(case)).unwrap();
+        scene.save(&path).unwrap();
+        assert_eq!(Scene::load(&path).unwrap(), scene);
+        let bytes = std::fs::read(&path).unwrap();
+        assert_eq!(scene.to_bytes().unwrap(), bytes);
+        assert_eq!(load(&bytes).unwrap(), scene);
+        // What other programs read must be a safetensors file too.
+        let file = safetensors::SafeTensors::deserialize(&bytes).unwrap();
+        assert_eq!(file.len(), scene.tensors().len());
+    }
+}
+
+#[test]
+fn tensors_are_as_the_configuration_says() {
+    let mut scene = Scene::load(case_path("basic")).unwrap();
+    let specs = scene.config.tensors(scene.gaussians.len());
+    let sizes = |specs: &[TensorSpec]| specs.iter().map(TensorSpec::values).collect::<Vec<_>>();
+    let (found, lengths): (Vec<_>, Vec<_>) =
+        scene.tensors().into_iter().map(|(spec, data)| (spec, data.len())).unzip();
+    assert_eq!((&found, lengths), (&specs, sizes(&specs)));
+    let (found, lengths): (Vec<_>, Vec<_>) =
+        scene.tensors_mut().into_iter().map(|(spec, data)| (spec, data.len())).unzip();
+    assert_eq!((&found, lengths), (&specs, sizes(&specs)));
+}
+
+#[test]
+fn empty_vectors_may_be_absent_or_present() {
+    let config = SceneConfig { material: 0, extra: 0, ..tiny().config };
+    let mut scene = Scene::zeros(config, 2).unwrap();
+    scene.gaussians.rotation.fill([1.0, 0.0, 0.0, 0.0]);
+    let bytes = scene.to_bytes().unwrap();
+    assert_eq!(load(&bytes).unwrap(), scene);
+    let all = scene.tensors();
+    let config = serde_json::to_string(&scene.config).unwrap();
+    let tensors: Vec<_> = all
+        .iter()
+        .filter(|(spec, _)| spec.values() > 0)
+        .map(|(spec, data)| spec.of(data))
+        .collect();
+    assert_eq!(tensors.len(), all.len() - 2);
+    let metadata = [("format", file::FORMAT), ("version", file::VERSION), ("config", &*config)];
+    let bytes = tensor_file::encode(&tensors, &metadata).unwrap();
+    assert_eq!(load(&bytes).unwrap(), scene);
+}
+
+#[test]
+fn unknown_tensors_are_ignored_and_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.safetensors");
+    let mut bytes = with_header(|header| {
+        let end =
+            header.values().filter_map(|info| info["data_offsets"][1].as_u64()).max().unwrap();
+        let info = json!({"dtype": "I64", "shape": [1], "data_offsets": [end, end + 8]});
+        header.insert("adam.step".to_owned(), info);
+    });
+    bytes.extend([7; 8]);
+    std::fs::write(&path, bytes).unwrap();
+    assert_eq!(Scene::load(&path).unwrap(), tiny());
+    assert_eq!(Scene::unused_tensors(&path).unwrap(), ["adam.step"]);
+}
+
+#[test]
+fn suspicious_scenes_are_warned_about() {
+    let mut scene = tiny();
+    scene.gaussians.position[0][0] = 1.6;
+    scene.gaussians.rotation[0] = [0.0; 4];
+    scene.gaussians.log_scale[0][2] = 2.0;
+    scene.config.transmittance_grid.base_resolution = 9000.0;
+    scene.config.blur = 0.0;
+    let warnings = scene.warnings();
+    let facts = ["1 of 1 Gaussians have their center", "zero", "scale larger", "9000", "blur is 0"];
+    assert_eq!(warnings.len(), facts.len());
+    for (warning, fact) in warnings.iter().zip(facts) {
+        assert!(warning.contains(fact), "{warning}");
+    }
+    // 1.6 away from a box of 3 x 2.4 x 2.4, a scale of 7.4 is too large all the same
+    scene.config.contraction = Contraction::Cube;
+    let outside = |scene: &Scene| {
+        let about = |fact: &str| scene.warnings().iter().any(|warning| warning.contains(fact));
+        [about("have their center"), about("scale larger")]
+    };
+    assert_eq!(outside(&scene), [false, true]);
+    scene.gaussians.position[0][0] = 8.0;
+    assert_eq!(outside(&scene), [false, false]);
+}
+
+#[test]
+fn batches_round_trip() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("batch.safetensors");
+    let data: Vec<f32> = (0..24).map(|value| value as f32 * 0.5).collect();
+    let tiles = TensorRef { name: "tiles", shape: &[2, 3, 2, 2], data: &data };
+    write_tensors(&path, &[tiles], &[("side", "2")]).unwrap();
+    let tensors = read_tensors(&path).unwrap();
+    assert_eq!(tensors["tiles"], Tensor { shape: vec![2, 3, 2, 2], data: data.clone() });
+    for bad in [TensorRef { shape: &[5], ..tiles }, TensorRef { name: "", ..tiles }] {
+        assert!(matches!(write_tensors(&path, &[bad], &[]), Err(Error::Argument { .. })));
+    }
+    let twice = write_tensors(&path, &[tiles, tiles], &[]).unwrap_err().to_string();
+    assert!(twice.contains("`tiles`") && twice.contains("twice"), "{twice}");
+    assert_eq!(read_tensors(&path).unwrap().len(), 1);
+}
+
+#[test]
+fn expected_files_of_the_cases_are_read() {
+    let path = case_path("tiny").with_file_name("expected.safetensors");
+    let tensors = read_tensors(path).unwrap();
+    assert_eq!(tensors["tiles"].shape, [4, 3, 8, 8]);
+    assert_eq!(tensors["grad.color.grid"].data.len(), 1024);
+}

@@ -1,0 +1,34 @@
+//! The equations in f64, one file per stage. [`Parity::exact`](organza_check::Parity::exact) of each case calls them, and so do the
+//! tests of whole scenes.
+//!
+//! They are written from docs/pipeline.md and docs/conventions.md, over plain numbers. They share no code and no constant with
+//! the kernels.
+
+pub mod adam;
+pub mod batch;
+pub mod channels;
+pub mod color;
+pub mod composite;
+pub mod dense;
+pub mod hash_grid;
+pub mod hash_grid_scale;
+pub mod loss;
+pub mod numeric;
+pub mod project;
+pub mod resolve;
+pub mod segment;
+pub mod spherical_harmonics;
+pub mod ssim;
+pub mod tile;
+pub mod transmittance;
+pub mod unit_cube;
+
+/// Integers that the equations give.
+pub(super) fn listed(values: impl IntoIterator<Item = u32>) -> Vec<Option<f64>> {
+    values.into_iter().map(|value| Some(f64::from(value))).collect()
+}
+
+/// The set bits of words, from the lowest on.
+pub(super) fn bits(words: &[u32]) -> impl Iterator<Item = usize> {
+    (0..32 * words.len()).filter(|&bit| words[bit / 32] >> (bit % 32) & 1 == 1)
+}

@@ -1,0 +1,366 @@
+//! The cases of `hash_grid_backward` and `hash_grid_gradient`.
+
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding, Values,
+    inputs::{self, Fill, ITEMS, Random},
+};
+use organza_kernel::math::TINY;
+use organza_shaders::hash_grid::Corners;
+use organza_shaders::hash_grid_backward::{
+    HashGridBackwardKernel, HashGridGradientKernel, HashGridGradientParams, VALUES_PER_FLAG,
+};
+use organza_shaders::unit_cube::Split;
+
+use super::exact::hash_grid::levels;
+use super::exact::hash_grid_scale::unit;
+use super::hash_grid::{exact_point, features, grid, params, positions, unrounded_point};
+use organza_core::scene::GridConfig;
+use organza_device::Result;
+
+/// Inputs of `hash_grid_backward`.
+#[derive(Clone, Debug)]
+pub struct HashGridBackward {
+    /// The grid.
+    pub grid: GridConfig,
+    /// Points.
+    pub points: Vec<[Split; 3]>,
+    /// `[rows, points]`
+    pub gradient: Vec<f32>,
+    /// The fixed point's unit, a power of two, as a multiple of which gradients are below 2^50.
+    pub scale: f32,
+    /// The largest gradient that is added.
+    pub limit: f32,
+    /// Whether every device computes the same terms, all of them multiples of the unit.
+    pub is_unrounded: bool,
+    /// For each value: the sizes of what is added to it, times the unit.
+    sizes: Vec<f64>,
+}
+
+/// The smallest normal f32: a GPU may flush smaller ones.
+const SMALLEST: f64 = 1.175_494_350_822_287_5e-38;
+
+impl HashGridBackward {
+    fn new(
+        grid: GridConfig,
+        count: u32,
+        points: Fill,
+        gradient: Fill,
+        random: &mut Random,
+    ) -> Self {
+        let x = points.values(random, 3 * count as usize, [-0.2, 1.2], 1e30);
+        let splits: Vec<_> = x.iter().map(|&x| Split::new(x, 0.0)).collect();
+        let (points, _) = splits.as_chunks::<3>();
+        let rows = grid.width() * count as usize;
+        let gradient = gradient.values(random, rows, [-1.0, 1.0], 1e30);
+        let largest = gradient.iter().fold(TINY, |a, b| a.max(b.abs()));
+        let scale = 2_f32.powi((50 - largest.log2().ceil() as i32).min(126));
+        Self::of(grid, points.to_vec(), gradient, scale)
+    }
+
+    fn of(grid: GridConfig, points: Vec<[Split; 3]>, gradient: Vec<f32>, scale: f32) -> Self {
+        let mut set = Self {
+            grid,
+            points,
+            gradient,
+            scale,
+            limit: f32::MAX,
+            is_unrounded: false,
+            sizes: Vec::new(),
+        };
+        set.sizes = set.sizes();
+        set
+    }
+
+    /// A grid of scale 4 in both levels, which are dense with 2^9 entries and hashed with 2^6.
+    fn grid_of_whole_scale(log2_table: u32) -> GridConfig {
+        let [base_resolution, growth] = [5.0, 1.0];
+        GridConfig { levels: 2, log2_table, base_resolution, growth, ..grid() }
+    }
+
+    /// Positions and gradients with so few bits that no term is rounded: all devices must have the same sums.
+    fn unrounded() -> Vec<(String, Self)> {
+        let mut random = Random::new(19);
+        let gradients = |len: usize, random: &mut Random| {
+            let zeros = [0.0, -0.0, TINY / 2.0, -TINY / 2.0];
+            let of = |index: usize, random: &mut Random| match index % 7 {
+                zero @ 0..4 => zeros[zero],
+                _ => random.below(9) as f32 / 4.0 - 1.0,
+            };
+            (0..len).map(|index| of(index, random)).collect::<Vec<_>>()
+        };
+        let mut sets: Vec<_> = [1, 63, 64, 65, 1000]
+            .into_iter()
+            .flat_map(|count| [9, 6].map(|log2_table| (count, log2_table)))
+            .map(|(count, log2_table)| {
+                let grid = Self::grid_of_whole_scale(log2_table);
+                let points = (0..count).map(|_| unrounded_point(7, &mut random)).collect();
+                let gradient = gradients(grid.width() * count, &mut random);
+                let set = Self::of(grid, points, gradient, 2_f32.powi(40));
+                (format!("unrounded, {count} points, 2^{log2_table}"), set)
+            })
+            .collect();
+        let grid = Self::grid_of_whole_scale(9);
+        let points = vec![unrounded_point(7, &mut random); 777];
+        let gradient = (0..grid.width() * 777).map(|at| (at / 777) as f32 + 0.25).collect();
+        let set = Self::of(grid, points, gradient, 2_f32.powi(40));
+        sets.push(("777 points at one place".into(), set));
+        sets.extend(Self::largest());
+        sets.iter_mut().for_each(|(_, set)| set.is_unrounded = true);
+        sets
+    }
+
+    /// The largest sums: as many samples as the unit allows, all with the limit as gradient, all in one entry.
+    fn largest() -> Vec<(String, Self)> {
+        const SAMPLES: u32 = 4096;
+        let of = |bound: f32, sign: f32| {
+            let (exponent, limit) = unit(&[bound], SAMPLES);
+            let grid = GridConfig { levels: 1, features: 1, base_resolution: 4.0, ..grid() };
+            // on a grid point, as the scale is 3
+            let points = vec![[Split::new(0.5, 0.0); 3]; SAMPLES as usize];
+            let gradient = vec![sign * limit; SAMPLES as usize];
+            let set = Self { limit, ..Self::of(grid, points, gradient, 2_f32.powi(exponent)) };
+            (format!("{SAMPLES} of {:e}", sign * limit), set)
+        };
+        let bounds = [1e-31, 3.7, 3e37];
+        bounds.into_iter().flat_map(|bound| [of(bound, 1.0), of(bound, -1.0)]).collect()
+    }
+
+    /// Gradients that are not finite or exceed the limit: the kernel skips the point in that level.
+    fn beyond() -> Vec<(String, Self)> {
+        let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1.01, -1.01];
+        let of = |bad: f32| {
+            let mut set = Self::new(grid(), 100, Fill::Random, Fill::Random, &mut Random::new(20));
+            set.limit = 1.0;
+            set.gradient[130] = bad;
+            set.sizes = set.sizes();
+            (format!("a gradient of {bad}"), set)
+        };
+        bad.map(of).into()
+    }
+
+    /// The gradients of a point's features in a level; `None` if one is not finite or exceeds the limit.
+    fn gradients(&self, level: usize, point: usize) -> Option<Vec<f64>> {
+        let features = self.grid.features as usize;
+        let row = |f: usize| (level * features + f) * self.points.len() + point;
+        let gradients = (0..features).map(|f| f64::from(self.gradient[row(f)]));
+        gradients.map(|g| (g.abs() <= f64::from(self.limit)).then_some(g)).collect()
+    }
+
+    fn values(&self) -> usize {
+        self.grid.entries() * self.grid.features as usize
+    }
+
+    /// The sums in units, `sum_points weight dL/dfeature`, the transpose of
+    /// [`encode`](super::exact::hash_grid::encode), and whether each block of 64 values is touched.
+    fn sums(&self) -> (Vec<f64>, Vec<bool>) {
+        let features = self.grid.features as usize;
+        let mut sums = vec![0.0; self.values()];
+        let mut touched = vec![false; sums.len().div_ceil(64)];
+        for (index, level) in levels(&self.grid).iter().enumerate() {
+            for (point, &place) in self.points.iter().enumerate() {
+                let Some(gradients) = self.gradients(index, point) else { continue };
+                // denormals count as 0: a GPU may flush them
+                let active: Vec<_> =
+                    gradients.iter().enumerate().filter(|(_, g)| g.abs() >= SMALLEST).collect();
+                if active.is_empty() {
+                    continue;
+                }
+                let corners = level.corners(exact_point(place));
+                for (entry, weight) in corners {
+                    touched[entry * features / 64] = true;
+                    for (f, gradient) in &active {
+                        sums[entry * features + f] += weight * *gradient * f64::from(self.scale);
+                    }
+                }
+            }
+        }
+        (sums, touched)
+    }
+
+    /// See the field.
+    fn sizes(&self) -> Vec<f64> {
+        let features = self.grid.features as usize;
+        let mut sizes = vec![0.0; self.values()];
+        for (index, level) in self.grid.levels_for_kernels().iter().enumerate() {
+            for (column, &point) in self.points.iter().enumerate() {
+                let entries = Corners::of(level, level.cell::<f32>(point)).entry;
+                if self.gradients(index, column).is_none() {
+                    continue;
+                }
+                for (entry, f) in entries.iter().flat_map(|e| (0..features).map(move |f| (e, f))) {
+                    let row = (index * features + f) * self.points.len();
+                    let size = f64::from(self.gradient[row + column].abs());
+                    let position = 2e-4 * f64::from(level.resolution);
+                    sizes[*entry as usize * features + f] +=
+                        size * f64::from(self.scale) * (1.0 + position);
+                }
+            }
+        }
+        sizes
+    }
+}
+
+impl Parity for HashGridBackward {
+    const KERNEL: &'static str = "hash_grid_backward";
+    const TOLERANCE: f64 = 5e-7;
+    const WHY: &'static str = "weights good to a few 6e-8, as in hash_grid, a rounding of the product, and one to an \
+        integer; flags are equal, as no point lies within rounding of a cell's plane";
+
+    fn sets() -> Vec<(String, Self)> {
+        let mut sets =
+            inputs::sets(|n, fill, random| Self::new(grid(), n, fill, Fill::Random, random));
+        for fill in Fill::ADVERSARIAL {
+            let set = Self::new(grid(), ITEMS, Fill::Random, fill, &mut Random::new(13));
+            sets.push((format!("gradients of {}", fill.name()), set));
+        }
+        for features in [1, 4, 8] {
+            let grid = GridConfig { features, ..grid() };
+            let mut random = Random::new(14);
+            let set = Self::new(grid, ITEMS, Fill::Random, Fill::Random, &mut random);
+            sets.push((format!("{features} features"), set));
+        }
+        sets.extend(Self::unrounded());
+        sets.extend(Self::beyond());
+        sets
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let count = self.points.len();
+        let gradient = features(&self.grid, count, &self.gradient);
+        let levels = self.grid.levels_for_kernels();
+        let sum = runner.output_of(&vec![0_u32; 2 * self.values()])?;
+        let blocks = self.values().div_ceil(VALUES_PER_FLAG as usize);
+        let touched = runner.output_of(&vec![0_u32; blocks])?;
+        let status = runner.output_of(&[0_u32])?;
+        let kernel = HashGridBackwardKernel {
+            params: params(&self.grid, count),
+            levels: &runner.upload(&levels)?,
+            position: &runner.upload(&positions(&self.points))?,
+            feature_gradient: &runner.upload(&gradient)?,
+            scale: &runner.upload(&[self.scale, 1.0 / self.scale, self.limit])?,
+            sum: &sum,
+            touched: &touched,
+            status: &status,
+        };
+        runner.items(&kernel, count as u32, levels.len() as u32)?;
+        let words = runner.read(&sum)?;
+        let words = words[..2 * self.values()].chunks_exact(2);
+        let integers = words.map(|w| (u64::from(w[1]) << 32 | u64::from(w[0])) as i64);
+        Ok(vec![
+            Output {
+                name: "sum",
+                values: Values::Float(integers.map(|integer| integer as f64).collect()),
+            },
+            Output::exact("touched", runner.read(&touched)?),
+            Output::exact("status", runner.read(&status)?),
+        ])
+    }
+
+    fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {
+        if self.is_unrounded {
+            return Bound { scale: 0.0, floor: 0.0 };
+        }
+        let size = self.sizes[index];
+        let regrouped = match rounding {
+            Rounding::AsWritten => 1.0,
+            // a position is good to 6e-8 of the resolution
+            Rounding::Regrouped => 300.0,
+        };
+        // an integer each
+        Bound { scale: regrouped * size, floor: if size > 0.0 { 8.0 * ITEMS as f64 } else { 0.0 } }
+    }
+
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+        let is_left_out =
+            |level| (0..self.points.len()).any(|point| self.gradients(level, point).is_none());
+        let flag = |flag: bool| Some(f64::from(u8::from(flag)));
+        let mut exact: Vec<_> = match output {
+            "sum" => self.sums().0.into_iter().map(Some).collect(),
+            "touched" => self.sums().1.into_iter().map(flag).collect(),
+            _ => vec![flag((0..self.grid.levels as usize).any(is_left_out))],
+        };
+        exact.resize(len, None);
+        exact
+    }
+}
+
+/// Inputs of `hash_grid_gradient`.
+#[derive(Clone, Debug)]
+pub struct HashGridGradient {
+    /// `[values]`
+    pub sum: Vec<i64>,
+    /// `[values]`
+    pub gradient: Vec<f32>,
+    /// A flag for each block.
+    pub touched: Vec<u32>,
+    /// The fixed point's unit.
+    pub scale: f32,
+}
+
+impl Parity for HashGridGradient {
+    const KERNEL: &'static str = "hash_grid_gradient";
+    const TOLERANCE: f64 = 3e-7;
+    const WHY: &'static str =
+        "three roundings of an integer of two words and one of the sum, of the terms' sizes";
+
+    fn sets() -> Vec<(String, Self)> {
+        inputs::sets(|count, fill, random| {
+            let integer = |value: f32| match fill {
+                Fill::Huge | Fill::Mixed => (f64::from(value) * 2_f64.powi(62)) as i64,
+                _ => (f64::from(value) * 2_f64.powi(40)) as i64,
+            };
+            let sum = fill.values(random, count as usize, [-1.0, 1.0], 1.0);
+            let blocks = count.div_ceil(VALUES_PER_FLAG) as usize;
+            Self {
+                sum: sum.into_iter().map(integer).collect(),
+                gradient: fill.values(random, count as usize, [-1.0, 1.0], 1e30),
+                touched: (0..blocks).map(|_| random.below(2)).collect(),
+                scale: 2_f32.powi(random.below(90) as i32 - 30),
+            }
+        })
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let words = |&sum: &i64| [sum as u32, (sum >> 32) as u32];
+        let sum = runner.output_of(&self.sum.iter().flat_map(words).collect::<Vec<_>>())?;
+        let gradient = runner.output_of(&self.gradient)?;
+        let values = self.sum.len() as u32;
+        let kernel = HashGridGradientKernel {
+            params: HashGridGradientParams { values },
+            scale: &runner.upload(&[self.scale, 1.0 / self.scale, 0.0])?,
+            // nothing is bound as nothing
+            touched: &runner.upload(&[&self.touched[..], &[0]].concat())?,
+            sum: &sum,
+            gradient: &gradient,
+        };
+        runner.items(&kernel, values, 1)?;
+        Ok(vec![
+            Output::float("gradient", runner.read(&gradient)?),
+            Output::exact("sum", runner.read(&sum)?),
+        ])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let sum = self.sum.get(index).map_or(0.0, |&sum| sum as f64 / f64::from(self.scale));
+        let before = self.gradient.get(index).map_or(0.0, |&value| f64::from(value));
+        Bound::of(sum.abs() + before.abs())
+    }
+
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+        let is_touched = |index: usize| self.touched[index / 64] != 0;
+        let exact = |index: usize| {
+            let value = if output == "gradient" { index } else { index / 2 };
+            let sum = *self.sum.get(value)?;
+            Some(match (output, is_touched(value)) {
+                ("gradient", true) => {
+                    f64::from(self.gradient[value]) + sum as f64 / f64::from(self.scale)
+                }
+                ("gradient", false) => f64::from(self.gradient[value]),
+                // the kernel clears the sums
+                (_, true) => 0.0,
+                (_, false) => f64::from((sum >> (32 * (index % 2))) as u32),
+            })
+        };
+        (0..len).map(exact).collect()
+    }
+}

@@ -1,0 +1,325 @@
+//! Cases of `ssim_rows`, `ssim_columns` and `ssim_rows_backward`.
+
+use glam::Vec4;
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding,
+    inputs::{Fill, Random},
+};
+use organza_kernel::math::TINY;
+use organza_shaders::ssim::{
+    C1, C2, MOMENTS, RADIUS, SLOPES, SsimColumnsKernel, SsimParams, SsimRowsBackwardKernel,
+    SsimRowsKernel, WINDOW,
+};
+
+use super::exact::numeric::{Dual, gradient};
+use super::exact::ssim::{dissimilarity, weighted_sum};
+use super::loss::{TILES, Terms, sets};
+use organza_core::metrics;
+use organza_device::Result;
+
+/// The window's weights, as kernels have them.
+#[must_use]
+pub fn window() -> [f32; WINDOW as usize] {
+    metrics::window().map(|weight| weight as f32)
+}
+
+/// The weighted sum of values around place `at` of `side`.
+#[must_use]
+pub fn tap_sum(at: usize, side: usize, value: impl Fn(usize) -> f64) -> f64 {
+    let radius = RADIUS as usize;
+    let weights = window();
+    let taps = at.saturating_sub(radius)..(at + radius + 1).min(side);
+    taps.map(|tap| f64::from(weights[tap + radius - at]) * value(tap)).sum()
+}
+
+/// Nothing may be different.
+const NOTHING: Bound = Bound { scale: 0.0, floor: 0.0 };
+
+/// Tile's first pixel, row and column of a pixel.
+fn place(pixel: usize, side: usize) -> [usize; 3] {
+    [pixel / (side * side) * side * side, pixel / side % side, pixel % side]
+}
+
+fn floats(values: Vec<Vec4>) -> impl Iterator<Item = f32> {
+    values.into_iter().flat_map(|value| value.to_array())
+}
+
+/// What a pixel adds to each sum, in f64.
+fn moment(terms: &Terms, pixel: usize, part: usize, channel: usize) -> f64 {
+    let [d, s] = [&terms.difference, &terms.sum].map(|values| f64::from(values[pixel][channel]));
+    [d, s, d * d, s * s][part]
+}
+
+/// Inputs of `ssim_rows`.
+#[derive(Clone, Debug)]
+pub struct SsimRows {
+    /// Pixels.
+    pub terms: Terms,
+}
+
+impl Parity for SsimRows {
+    const KERNEL: &'static str = "ssim_rows";
+    const TOLERANCE: f64 = 1e-6;
+    const WHY: &'static str = "roundings of eleven products and their sum, of the terms' sizes";
+
+    fn sets() -> Vec<(String, Self)> {
+        sets(|side, fill, random| Self { terms: Terms::new(side, fill, random) })
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let terms = &self.terms;
+        let moments = runner.output::<Vec4>(MOMENTS as usize * terms.sum.len())?;
+        let kernel = SsimRowsKernel {
+            params: SsimParams { side: terms.side },
+            window: &runner.upload(&window())?,
+            difference: &runner.upload(&terms.difference)?,
+            sum: &runner.upload(&terms.sum)?,
+            moments: &moments,
+        };
+        runner.pixels(&kernel, terms.side, TILES)?;
+        Ok(vec![Output::float("moments", floats(runner.read(&moments)?))])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let (pixel, part, channel) = (index / 16, index / 4 % 4, index % 4);
+        let side = self.terms.side as usize;
+        if pixel >= self.terms.sum.len() {
+            return NOTHING;
+        }
+        let [tile, row, column] = place(pixel, side);
+        let size = |tap| moment(&self.terms, tile + row * side + tap, part, channel).abs();
+        let floor = 2.0 * f64::from(WINDOW) * f64::from(TINY);
+        Bound { scale: tap_sum(column, side, size), floor }
+    }
+
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let side = self.terms.side as usize;
+        let exact = |index: usize| {
+            let (pixel, part, channel) = (index / 16, index / 4 % 4, index % 4);
+            self.terms.sum.get(pixel)?;
+            let [tile, row, column] = place(pixel, side);
+            let value = |tap| moment(&self.terms, tile + row * side + tap, part, channel);
+            Some(weighted_sum(column, (0..side).map(value)))
+        };
+        (0..len).map(exact).collect()
+    }
+}
+
+/// Inputs of `ssim_columns`.
+#[derive(Clone, Debug)]
+pub struct SsimColumns {
+    /// Pixels: the mask is read.
+    pub terms: Terms,
+    /// `[tiles, S, S, 4]`, those of the pixels.
+    pub moments: Vec<Vec4>,
+}
+
+impl SsimColumns {
+    fn new(side: u32, fill: Fill, random: &mut Random) -> Self {
+        let terms = Terms::new(side, fill, random);
+        let width = side as usize;
+        let vector = |index: usize| {
+            let (pixel, part) = (index / MOMENTS as usize, index % MOMENTS as usize);
+            let [tile, row, column] = place(pixel, width);
+            let sum = |channel: usize| {
+                let value = |tap| moment(&terms, tile + row * width + tap, part, channel);
+                tap_sum(column, width, value) as f32
+            };
+            Vec4::from_array([0, 1, 2, 3].map(sum))
+        };
+        let moments = (0..MOMENTS as usize * terms.sum.len()).map(vector).collect();
+        Self { terms, moments }
+    }
+
+    /// A window's sums of d, s, d^2, s^2 and the mask in f64, and of their terms' sizes.
+    #[must_use]
+    pub fn window(&self, pixel: usize, channel: usize) -> [[f64; 5]; 2] {
+        let side = self.terms.side as usize;
+        let [tile, row, column] = place(pixel, side);
+        let of = |sum: usize| {
+            let (part, channel) = if sum == 4 { (0, 3) } else { (sum, channel) };
+            move |tap: usize| {
+                let at = (tile + tap * side + column) * MOMENTS as usize + part;
+                f64::from(self.moments[at][channel])
+            }
+        };
+        let sums = [0, 1, 2, 3, 4].map(|sum| weighted_sum(row, (0..side).map(of(sum))));
+        let sizes = [0, 1, 2, 3, 4].map(|sum| tap_sum(row, side, |tap| of(sum)(tap).abs()));
+        [sums, sizes]
+    }
+}
+
+/// `1 - SSIM` and its three slopes in f64 from a window's sums, as [`organza_shaders::ssim`] has them, and the sizes of
+/// what they are sums of.
+fn similarity([d, s, dd, ss, weight]: [f64; 5]) -> [[f64; 4]; 2] {
+    let (mean_d, mean_s) = (d / weight, s / weight);
+    let variance_d = (dd / weight - mean_d * mean_d).max(0.0);
+    let variance_s = (ss / weight - mean_s * mean_s).max(0.0);
+    let center = mean_s + 1.0;
+    let q = (center * center + mean_d * mean_d) / 2.0 + f64::from(C1);
+    let t = (variance_s + variance_d) / 2.0 + f64::from(C2);
+    let (a, b) = (mean_d * mean_d / q, variance_d / t);
+    let by_difference = (1.0 - a) * (2.0 - b) / t;
+    let by_sum = -(1.0 - a) * b / t;
+    let of_means = (1.0 - b) * (mean_d * (2.0 - a) - center * a) / q;
+    let constant = of_means - by_difference * mean_d - by_sum * mean_s;
+    let sizes = [(1.0 + a) * (2.0 + b) / t, (1.0 + a) * b / t];
+    let size = (1.0 + b) * (mean_d.abs() * (2.0 + a) + center.abs() * a) / q;
+    let size = size + sizes[0] * mean_d.abs() + sizes[1] * mean_s.abs();
+    [
+        [a + b - a * b, constant / weight, by_difference / weight, by_sum / weight],
+        [a + b + a * b, size / weight, sizes[0] / weight, sizes[1] / weight],
+    ]
+}
+
+/// How far each of [`similarity`]'s results may be off, in units of the sums' roundings.
+fn conditioned([sums, sizes]: [[f64; 5]; 2]) -> [f64; 4] {
+    const STEP: f64 = 1e-5;
+    let [results, mut scales] = similarity(sums);
+    for sum in 0..5 {
+        for step in [-STEP, STEP] {
+            let mut moved = sums;
+            moved[sum] += step * sizes[sum];
+            let [others, _] = similarity(moved);
+            for (scale, (other, result)) in scales.iter_mut().zip(others.iter().zip(results)) {
+                *scale += (other - result).abs() / STEP;
+            }
+        }
+    }
+    scales
+}
+
+impl Parity for SsimColumns {
+    const KERNEL: &'static str = "ssim_columns";
+    const TOLERANCE: f64 = 1e-6;
+    const WHY: &'static str = "roundings of eleven products and their sums, divisions of 3 ulp, scaled by how the \
+        f64 similarity is conditioned: a variance is a difference; colors are at most 2";
+
+    fn sets() -> Vec<(String, Self)> {
+        sets(Self::new)
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let pixels = self.terms.sum.len();
+        let dissimilarity = runner.output(pixels)?;
+        let slopes = runner.output::<Vec4>(SLOPES as usize * pixels)?;
+        let kernel = SsimColumnsKernel {
+            params: SsimParams { side: self.terms.side },
+            window: &runner.upload(&window())?,
+            difference: &runner.upload(&self.terms.difference)?,
+            moments: &runner.upload(&self.moments)?,
+            dissimilarity: &dissimilarity,
+            slopes: &slopes,
+        };
+        runner.pixels(&kernel, self.terms.side, TILES)?;
+        Ok(vec![
+            Output::float("dissimilarity", runner.read(&dissimilarity)?),
+            Output::float("slopes", floats(runner.read(&slopes)?)),
+        ])
+    }
+
+    fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {
+        let values = if output.name == "slopes" { 4 * SLOPES as usize } else { 1 };
+        let (pixel, channel) = (index / values, index % 4);
+        let is_valid = self.terms.difference.get(pixel).is_some_and(|d| d.w > 0.0);
+        if !is_valid || values > 1 && channel == 3 {
+            return NOTHING;
+        }
+        let of = |channel| conditioned(self.window(pixel, channel));
+        let scale = match values {
+            1 => [0, 1, 2].map(|channel| of(channel)[0]).iter().sum(),
+            _ => of(channel)[1 + index / 4 % SLOPES as usize],
+        };
+        // 2 / Q W of a mean that is flushed
+        Bound { scale, floor: 1e6 * f64::from(TINY) }
+    }
+
+    /// A pixel of a window adds w (1, d, s, d^2, s^2) to its sums, and x enters d and s alike.
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+        let values = if output == "slopes" { 4 * SLOPES as usize } else { 1 };
+        let exact = |index: usize| {
+            let (pixel, channel) = (index / values, index % 4);
+            let is_valid = self.terms.difference.get(pixel)?.w > 0.0;
+            if !is_valid || values > 1 && channel == 3 {
+                return Some(0.0);
+            }
+            if values == 1 {
+                let of = |channel| dissimilarity(self.window(pixel, channel)[0]);
+                return Some([0, 1, 2].map(of).iter().sum());
+            }
+            let [by_d, by_s, by_dd, by_ss, _] =
+                gradient(self.window(pixel, channel)[0], dissimilarity::<Dual>);
+            Some([by_d + by_s, 2.0 * by_dd, 2.0 * by_ss][index / 4 % SLOPES as usize])
+        };
+        (0..len).map(exact).collect()
+    }
+}
+
+/// Inputs of `ssim_rows_backward`.
+#[derive(Clone, Debug)]
+pub struct SsimRowsBackward {
+    /// S
+    pub side: u32,
+    /// `[tiles, S, S, 3]`
+    pub slopes: Vec<Vec4>,
+}
+
+impl SsimRowsBackward {
+    fn new(side: u32, fill: Fill, random: &mut Random) -> Self {
+        let vectors = (SLOPES * TILES * side * side) as usize;
+        let numbers = fill.values(random, 4 * vectors, [-3e3, 3e3], 1e37);
+        Self { side, slopes: numbers.chunks_exact(4).map(Vec4::from_slice).collect() }
+    }
+}
+
+impl Parity for SsimRowsBackward {
+    const KERNEL: &'static str = "ssim_rows_backward";
+    const TOLERANCE: f64 = 1e-6;
+    const WHY: &'static str = "roundings of eleven products and their sum, of the terms' sizes";
+
+    fn sets() -> Vec<(String, Self)> {
+        sets(Self::new)
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let row_slopes = runner.output::<Vec4>(self.slopes.len())?;
+        let kernel = SsimRowsBackwardKernel {
+            params: SsimParams { side: self.side },
+            window: &runner.upload(&window())?,
+            slopes: &runner.upload(&self.slopes)?,
+            row_slopes: &row_slopes,
+        };
+        runner.pixels(&kernel, self.side, TILES)?;
+        Ok(vec![Output::float("row_slopes", floats(runner.read(&row_slopes)?))])
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let (vector, channel, side) = (index / 4, index % 4, self.side as usize);
+        if vector >= self.slopes.len() {
+            return NOTHING;
+        }
+        let (pixel, part) = (vector / SLOPES as usize, vector % SLOPES as usize);
+        let [tile, row, column] = place(pixel, side);
+        let size = |tap: usize| {
+            let at = (tile + row * side + tap) * SLOPES as usize + part;
+            f64::from(self.slopes[at][channel].abs())
+        };
+        let floor = 2.0 * f64::from(WINDOW) * f64::from(TINY);
+        Bound { scale: tap_sum(column, side, size), floor }
+    }
+
+    /// The transpose of a symmetric window is the window itself.
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+        let side = self.side as usize;
+        let exact = |index: usize| {
+            let (vector, channel) = (index / 4, index % 4);
+            self.slopes.get(vector)?;
+            let (pixel, part) = (vector / SLOPES as usize, vector % SLOPES as usize);
+            let [tile, row, column] = place(pixel, side);
+            let at = |tap: usize| (tile + row * side + tap) * SLOPES as usize + part;
+            let value = |tap| f64::from(self.slopes[at(tap)][channel]);
+            Some(weighted_sum(column, (0..side).map(value)))
+        };
+        (0..len).map(exact).collect()
+    }
+}

@@ -58,8 +58,8 @@ fn function_() {
     var phi_404_: u32;
     var phi_424_: u32;
     var phi_427_: u32;
-    var phi_425_: u32;
-    var phi_428_: u32;
+    var local: u32;
+    var local_1: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -227,8 +227,7 @@ fn function_() {
                 loop {
                     let _e366 = phi_424_;
                     let _e368 = phi_427_;
-                    let _e369 = (_e366 < _e351);
-                    if _e369 {
+                    if (_e366 < _e351) {
                         let _e374 = global_7.member[(((_e212 + _e47.member_3) * _e351) + _e366)];
                         let _e380 = global_7.member[(((_e230 + _e47.member_3) * _e351) + _e366)];
                         let _e386 = global_7.member[(((_e247 + _e47.member_3) * _e351) + _e366)];
@@ -238,19 +237,17 @@ fn function_() {
                         let _e410 = global_7.member[(((_e315 + _e47.member_3) * _e351) + _e366)];
                         let _e416 = global_7.member[(((_e332 + _e47.member_3) * _e351) + _e366)];
                         global_3.member[_e368] = ((((((((_e374 * (_e337 * _e336)) + (_e380 * (_e338 * _e336))) + (_e386 * (_e339 * _e336))) + (_e392 * (_e340 * _e336))) + (_e398 * (_e337 * _e190))) + (_e404 * (_e338 * _e190))) + (_e410 * (_e339 * _e190))) + (_e416 * (_e340 * _e190)));
-                        phi_425_ = (_e366 + 1u);
-                        phi_428_ = (_e368 + _e50);
+                        local = (_e366 + 1u);
+                        local_1 = (_e368 + _e50);
+                        continue;
                     } else {
-                        phi_425_ = u32();
-                        phi_428_ = u32();
+                        break;
                     }
-                    let _e430 = phi_425_;
-                    let _e432 = phi_428_;
-                    continue;
                     continuing {
-                        phi_424_ = _e430;
-                        phi_427_ = _e432;
-                        break if !(_e369);
+                        let _e442 = local;
+                        phi_424_ = _e442;
+                        let _e445 = local_1;
+                        phi_427_ = _e445;
                     }
                 }
             }

@@ -63,60 +63,60 @@ fn function_() {
     var phi_223_: u32;
     var phi_225_: f32;
     var phi_227_: f32;
-    var phi_221_: u32;
-    var phi_224_: u32;
-    var phi_226_: f32;
-    var phi_228_: f32;
     var local: f32;
     var local_1: f32;
     var local_2: f32;
-    var phi_311_: f32;
-    var phi_331_: f32;
-    var phi_351_: f32;
-    var phi_375_: u32;
-    var phi_395_: u32;
-    var phi_414_: u32;
-    var phi_433_: u32;
-    var phi_452_: u32;
-    var phi_471_: u32;
-    var phi_490_: u32;
-    var phi_509_: u32;
-    var phi_570_: u32;
-    var phi_573_: u32;
-    var phi_595_: f32;
-    var phi_613_: u32;
-    var phi_627_: u32;
-    var phi_629_: array<u32, 2>;
-    var phi_650_: f32;
-    var phi_668_: u32;
-    var phi_682_: u32;
-    var phi_684_: array<u32, 2>;
-    var phi_705_: f32;
-    var phi_723_: u32;
-    var phi_737_: u32;
-    var phi_739_: array<u32, 2>;
-    var phi_760_: f32;
-    var phi_778_: u32;
-    var phi_792_: u32;
-    var phi_794_: array<u32, 2>;
-    var phi_815_: f32;
-    var phi_833_: u32;
-    var phi_847_: u32;
-    var phi_849_: array<u32, 2>;
-    var phi_870_: f32;
-    var phi_888_: u32;
-    var phi_902_: u32;
-    var phi_904_: array<u32, 2>;
-    var phi_925_: f32;
-    var phi_943_: u32;
-    var phi_957_: u32;
-    var phi_959_: array<u32, 2>;
-    var phi_980_: f32;
-    var phi_998_: u32;
-    var phi_1012_: u32;
-    var phi_1014_: array<u32, 2>;
-    var phi_571_: u32;
-    var phi_574_: u32;
+    var phi_304_: f32;
+    var phi_324_: f32;
+    var phi_344_: f32;
+    var phi_368_: u32;
+    var phi_388_: u32;
+    var phi_407_: u32;
+    var phi_426_: u32;
+    var phi_445_: u32;
+    var phi_464_: u32;
+    var phi_483_: u32;
+    var phi_502_: u32;
+    var phi_563_: u32;
+    var phi_566_: u32;
+    var phi_585_: f32;
+    var phi_603_: u32;
+    var phi_617_: u32;
+    var phi_619_: array<u32, 2>;
+    var phi_640_: f32;
+    var phi_658_: u32;
+    var phi_672_: u32;
+    var phi_674_: array<u32, 2>;
+    var phi_695_: f32;
+    var phi_713_: u32;
+    var phi_727_: u32;
+    var phi_729_: array<u32, 2>;
+    var phi_750_: f32;
+    var phi_768_: u32;
+    var phi_782_: u32;
+    var phi_784_: array<u32, 2>;
+    var phi_805_: f32;
+    var phi_823_: u32;
+    var phi_837_: u32;
+    var phi_839_: array<u32, 2>;
+    var phi_860_: f32;
+    var phi_878_: u32;
+    var phi_892_: u32;
+    var phi_894_: array<u32, 2>;
+    var phi_915_: f32;
+    var phi_933_: u32;
+    var phi_947_: u32;
+    var phi_949_: array<u32, 2>;
+    var phi_970_: f32;
+    var phi_988_: u32;
+    var phi_1002_: u32;
+    var phi_1004_: array<u32, 2>;
+    var local_3: u32;
+    var local_4: u32;
+    var local_5: f32;
+    var local_6: f32;
+    var local_7: u32;
+    var local_8: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -154,525 +154,517 @@ fn function_() {
                     local = _e85;
                     local_1 = _e87;
                     local_2 = _e85;
-                    let _e88 = (_e81 < _e53);
-                    if _e88 {
+                    if (_e81 < _e53) {
                         let _e91 = global_6.member[_e83];
                         let _e92 = -(_e91);
                         let _e94 = select(_e92, _e91, (_e91 > _e92));
-                        phi_221_ = (_e81 + 1u);
-                        phi_224_ = (_e83 + _e70);
-                        phi_226_ = select(1f, _e85, (_e94 <= _e79));
-                        phi_228_ = select(_e94, _e87, (_e87 > _e94));
-                    } else {
-                        phi_221_ = u32();
-                        phi_224_ = u32();
-                        phi_226_ = f32();
-                        phi_228_ = f32();
-                    }
-                    let _e102 = phi_221_;
-                    let _e104 = phi_224_;
-                    let _e106 = phi_226_;
-                    let _e108 = phi_228_;
-                    continue;
-                    continuing {
-                        phi_220_ = _e102;
-                        phi_223_ = _e104;
-                        phi_225_ = _e106;
-                        phi_227_ = _e108;
-                        break if !(_e88);
-                    }
-                }
-                let _e111 = local;
-                if (0f < _e111) {
-                    let _e115 = atomicMax((&global_10.member[0u]), 1u);
-                }
-                let _e117 = local_1;
-                let _e120 = local_2;
-                let _e122 = select(false, (_e120 < 1f), (0.000000000000000000000000000000000000011754944f <= _e117));
-                if _e122 {
-                    let _e125 = global_5.member[_e37.z];
-                    let _e128 = global_4.member.member_6;
-                    if _e66 {
-                        break;
-                    }
-                    if _e66 {
-                        break;
-                    }
-                    let _e131 = ((_e67 * (_e128 * _e70)) + _e73);
-                    let _e134 = global_3.member[_e131];
-                    let _e135 = (3u * _e70);
-                    let _e139 = global_3.member[(_e131 + _e135)];
-                    let _e140 = (_e70 + _e131);
-                    let _e143 = global_3.member[_e140];
-                    let _e147 = global_3.member[(_e140 + _e135)];
-                    let _e149 = ((2u * _e70) + _e131);
-                    let _e152 = global_3.member[_e149];
-                    let _e156 = global_3.member[(_e149 + _e135)];
-                    let _e159 = global_4.member.member_4;
-                    let _e160 = (_e159 != 0u);
-                    let _e161 = (_e134 + _e139);
-                    let _e164 = select(false, (_e161 < 1f), (0f < _e161));
-                    let _e167 = select(select(0f, 1f, (1f <= _e161)), _e134, _e164);
-                    let _e170 = (_e167 * _e125.member);
-                    let _e173 = (_e125.member + _e125.member_1);
-                    let _e177 = trunc(_e170);
-                    let _e179 = ((_e170 - _e177) + (((_e167 * _e125.member_1) + (select(0f, _e139, _e164) * _e173)) + 0.5f));
-                    let _e181 = select(0f, _e179, (_e179 > 0f));
-                    let _e182 = trunc(_e181);
-                    let _e183 = (_e181 - _e182);
-                    let _e184 = (_e177 + _e182);
-                    let _e189 = select(select(u32(_e184), 0u, (_e184 < 0f)), 4294967295u, (_e184 > 4294967000f));
-                    if _e160 {
-                        phi_311_ = ((_e183 * _e183) * (3f - (2f * _e183)));
-                    } else {
-                        phi_311_ = _e183;
-                    }
-                    let _e195 = phi_311_;
-                    let _e196 = (_e143 + _e147);
-                    let _e199 = select(false, (_e196 < 1f), (0f < _e196));
-                    let _e202 = select(select(0f, 1f, (1f <= _e196)), _e143, _e199);
-                    let _e204 = (_e202 * _e125.member);
-                    let _e209 = trunc(_e204);
-                    let _e211 = ((_e204 - _e209) + (((_e202 * _e125.member_1) + (select(0f, _e147, _e199) * _e173)) + 0.5f));
-                    let _e213 = select(0f, _e211, (_e211 > 0f));
-                    let _e214 = trunc(_e213);
-                    let _e215 = (_e213 - _e214);
-                    let _e216 = (_e209 + _e214);
-                    let _e221 = select(select(u32(_e216), 0u, (_e216 < 0f)), 4294967295u, (_e216 > 4294967000f));
-                    if _e160 {
-                        phi_331_ = ((_e215 * _e215) * (3f - (2f * _e215)));
-                    } else {
-                        phi_331_ = _e215;
-                    }
-                    let _e227 = phi_331_;
-                    let _e228 = (_e152 + _e156);
-                    let _e231 = select(false, (_e228 < 1f), (0f < _e228));
-                    let _e234 = select(select(0f, 1f, (1f <= _e228)), _e152, _e231);
-                    let _e236 = (_e234 * _e125.member);
-                    let _e241 = trunc(_e236);
-                    let _e243 = ((_e236 - _e241) + (((_e234 * _e125.member_1) + (select(0f, _e156, _e231) * _e173)) + 0.5f));
-                    let _e245 = select(0f, _e243, (_e243 > 0f));
-                    let _e246 = trunc(_e245);
-                    let _e247 = (_e245 - _e246);
-                    let _e248 = (_e241 + _e246);
-                    let _e253 = select(select(u32(_e248), 0u, (_e248 < 0f)), 4294967295u, (_e248 > 4294967000f));
-                    if _e160 {
-                        phi_351_ = ((_e247 * _e247) * (3f - (2f * _e247)));
-                    } else {
-                        phi_351_ = _e247;
-                    }
-                    let _e259 = phi_351_;
-                    let _e260 = (_e189 + 1u);
-                    let _e261 = (_e221 + 1u);
-                    let _e262 = (_e253 + 1u);
-                    let _e265 = (_e125.member_5 == 0u);
-                    if _e265 {
-                        let _e276 = (_e189 + ((_e221 + (_e253 * _e125.member_2)) * _e125.member_2));
-                        phi_375_ = select((_e276 - _e125.member_4), _e276, (_e276 < _e125.member_4));
-                    } else {
-                        phi_375_ = (((_e189 ^ (_e221 * 2654435761u)) ^ (_e253 * 805459861u)) & (_e125.member_4 - 1u));
-                    }
-                    let _e281 = phi_375_;
-                    if _e265 {
-                        let _e294 = (_e260 + ((_e221 + (_e253 * _e125.member_2)) * _e125.member_2));
-                        phi_395_ = select((_e294 - _e125.member_4), _e294, (_e294 < _e125.member_4));
-                    } else {
-                        phi_395_ = (((_e260 ^ (_e221 * 2654435761u)) ^ (_e253 * 805459861u)) & (_e125.member_4 - 1u));
-                    }
-                    let _e299 = phi_395_;
-                    if _e265 {
-                        let _e311 = (_e189 + ((_e261 + (_e253 * _e125.member_2)) * _e125.member_2));
-                        phi_414_ = select((_e311 - _e125.member_4), _e311, (_e311 < _e125.member_4));
-                    } else {
-                        phi_414_ = (((_e189 ^ (_e261 * 2654435761u)) ^ (_e253 * 805459861u)) & (_e125.member_4 - 1u));
-                    }
-                    let _e316 = phi_414_;
-                    if _e265 {
-                        let _e328 = (_e260 + ((_e261 + (_e253 * _e125.member_2)) * _e125.member_2));
-                        phi_433_ = select((_e328 - _e125.member_4), _e328, (_e328 < _e125.member_4));
-                    } else {
-                        phi_433_ = (((_e260 ^ (_e261 * 2654435761u)) ^ (_e253 * 805459861u)) & (_e125.member_4 - 1u));
-                    }
-                    let _e333 = phi_433_;
-                    if _e265 {
-                        let _e345 = (_e189 + ((_e221 + (_e262 * _e125.member_2)) * _e125.member_2));
-                        phi_452_ = select((_e345 - _e125.member_4), _e345, (_e345 < _e125.member_4));
-                    } else {
-                        phi_452_ = (((_e189 ^ (_e221 * 2654435761u)) ^ (_e262 * 805459861u)) & (_e125.member_4 - 1u));
-                    }
-                    let _e350 = phi_452_;
-                    if _e265 {
-                        let _e362 = (_e260 + ((_e221 + (_e262 * _e125.member_2)) * _e125.member_2));
-                        phi_471_ = select((_e362 - _e125.member_4), _e362, (_e362 < _e125.member_4));
-                    } else {
-                        phi_471_ = (((_e260 ^ (_e221 * 2654435761u)) ^ (_e262 * 805459861u)) & (_e125.member_4 - 1u));
-                    }
-                    let _e367 = phi_471_;
-                    if _e265 {
-                        let _e379 = (_e189 + ((_e261 + (_e262 * _e125.member_2)) * _e125.member_2));
-                        phi_490_ = select((_e379 - _e125.member_4), _e379, (_e379 < _e125.member_4));
-                    } else {
-                        phi_490_ = (((_e189 ^ (_e261 * 2654435761u)) ^ (_e262 * 805459861u)) & (_e125.member_4 - 1u));
-                    }
-                    let _e384 = phi_490_;
-                    if _e265 {
-                        let _e396 = (_e260 + ((_e261 + (_e262 * _e125.member_2)) * _e125.member_2));
-                        phi_509_ = select((_e396 - _e125.member_4), _e396, (_e396 < _e125.member_4));
-                    } else {
-                        phi_509_ = (((_e260 ^ (_e261 * 2654435761u)) ^ (_e262 * 805459861u)) & (_e125.member_4 - 1u));
-                    }
-                    let _e401 = phi_509_;
-                    let _e403 = (1f - _e195);
-                    let _e404 = (1f - _e227);
-                    let _e405 = (1f - _e259);
-                    let _e406 = (_e403 * _e404);
-                    let _e407 = (_e195 * _e404);
-                    let _e408 = (_e403 * _e227);
-                    let _e409 = (_e195 * _e227);
-                    let _e418 = ((_e281 + _e125.member_3) * _e53);
-                    if _e122 {
-                        let _e422 = atomicMax((&global_9.member[(_e418 / 64u)]), 1u);
-                    }
-                    let _e423 = ((_e299 + _e125.member_3) * _e53);
-                    if _e122 {
-                        let _e427 = atomicMax((&global_9.member[(_e423 / 64u)]), 1u);
-                    }
-                    let _e428 = ((_e316 + _e125.member_3) * _e53);
-                    if _e122 {
-                        let _e432 = atomicMax((&global_9.member[(_e428 / 64u)]), 1u);
-                    }
-                    let _e433 = ((_e333 + _e125.member_3) * _e53);
-                    if _e122 {
-                        let _e437 = atomicMax((&global_9.member[(_e433 / 64u)]), 1u);
-                    }
-                    let _e438 = ((_e350 + _e125.member_3) * _e53);
-                    if _e122 {
-                        let _e442 = atomicMax((&global_9.member[(_e438 / 64u)]), 1u);
-                    }
-                    let _e443 = ((_e367 + _e125.member_3) * _e53);
-                    if _e122 {
-                        let _e447 = atomicMax((&global_9.member[(_e443 / 64u)]), 1u);
-                    }
-                    let _e448 = ((_e384 + _e125.member_3) * _e53);
-                    if _e122 {
-                        let _e452 = atomicMax((&global_9.member[(_e448 / 64u)]), 1u);
-                    }
-                    let _e453 = ((_e401 + _e125.member_3) * _e53);
-                    if _e122 {
-                        let _e457 = atomicMax((&global_9.member[(_e453 / 64u)]), 1u);
-                    }
-                    let _e460 = global_7.member[0u];
-                    phi_570_ = 0u;
-                    phi_573_ = _e76;
-                    loop {
-                        let _e462 = phi_570_;
-                        let _e464 = phi_573_;
-                        let _e465 = (_e462 < _e53);
-                        if _e465 {
-                            let _e468 = global_6.member[_e464];
-                            let _e469 = -(_e468);
-                            let _e474 = select(0f, (_e468 * _e460), (0.000000000000000000000000000000000000011754944f <= select(_e469, _e468, (_e468 > _e469))));
-                            let _e475 = (_e474 * (_e406 * _e405));
-                            if _e122 {
-                                let _e477 = (_e475 < 0f);
-                                if _e477 {
-                                    phi_595_ = -(_e475);
-                                } else {
-                                    phi_595_ = _e475;
-                                }
-                                let _e480 = phi_595_;
-                                let _e481 = (_e480 * 0.00000000023283064f);
-                                let _e486 = select(select(u32(_e481), 0u, (_e481 < 0f)), 4294967295u, (_e481 > 4294967000f));
-                                let _e489 = (_e480 - (f32(_e486) * 4294967300f));
-                                let _e494 = select(select(u32(_e489), 0u, (_e489 < 0f)), 4294967295u, (_e489 > 4294967000f));
-                                if ((_e489 - f32(_e494)) >= 0.5f) {
-                                    phi_613_ = (_e494 + 1u);
-                                } else {
-                                    phi_613_ = _e494;
-                                }
-                                let _e500 = phi_613_;
-                                if _e477 {
-                                    let _e503 = (~(_e500) + 1u);
-                                    if (_e503 == 0u) {
-                                        phi_627_ = (~(_e486) + 1u);
-                                    } else {
-                                        phi_627_ = ~(_e486);
-                                    }
-                                    let _e509 = phi_627_;
-                                    phi_629_ = array<u32, 2>(_e503, _e509);
-                                } else {
-                                    phi_629_ = array<u32, 2>(_e500, _e486);
-                                }
-                                let _e512 = phi_629_;
-                                let _e515 = (2u * (_e418 + _e462));
-                                let _e518 = atomicAdd((&global_8.member[_e515]), _e512[0]);
-                                let _e526 = atomicAdd((&global_8.member[(_e515 + 1u)]), (_e512[1] + select(0u, 1u, ((_e518 + _e512[0]) < _e512[0]))));
-                            }
-                            let _e527 = (_e474 * (_e407 * _e405));
-                            if _e122 {
-                                let _e529 = (_e527 < 0f);
-                                if _e529 {
-                                    phi_650_ = -(_e527);
-                                } else {
-                                    phi_650_ = _e527;
-                                }
-                                let _e532 = phi_650_;
-                                let _e533 = (_e532 * 0.00000000023283064f);
-                                let _e538 = select(select(u32(_e533), 0u, (_e533 < 0f)), 4294967295u, (_e533 > 4294967000f));
-                                let _e541 = (_e532 - (f32(_e538) * 4294967300f));
-                                let _e546 = select(select(u32(_e541), 0u, (_e541 < 0f)), 4294967295u, (_e541 > 4294967000f));
-                                if ((_e541 - f32(_e546)) >= 0.5f) {
-                                    phi_668_ = (_e546 + 1u);
-                                } else {
-                                    phi_668_ = _e546;
-                                }
-                                let _e552 = phi_668_;
-                                if _e529 {
-                                    let _e555 = (~(_e552) + 1u);
-                                    if (_e555 == 0u) {
-                                        phi_682_ = (~(_e538) + 1u);
-                                    } else {
-                                        phi_682_ = ~(_e538);
-                                    }
-                                    let _e561 = phi_682_;
-                                    phi_684_ = array<u32, 2>(_e555, _e561);
-                                } else {
-                                    phi_684_ = array<u32, 2>(_e552, _e538);
-                                }
-                                let _e564 = phi_684_;
-                                let _e567 = (2u * (_e423 + _e462));
-                                let _e570 = atomicAdd((&global_8.member[_e567]), _e564[0]);
-                                let _e578 = atomicAdd((&global_8.member[(_e567 + 1u)]), (_e564[1] + select(0u, 1u, ((_e570 + _e564[0]) < _e564[0]))));
-                            }
-                            let _e579 = (_e474 * (_e408 * _e405));
-                            if _e122 {
-                                let _e581 = (_e579 < 0f);
-                                if _e581 {
-                                    phi_705_ = -(_e579);
-                                } else {
-                                    phi_705_ = _e579;
-                                }
-                                let _e584 = phi_705_;
-                                let _e585 = (_e584 * 0.00000000023283064f);
-                                let _e590 = select(select(u32(_e585), 0u, (_e585 < 0f)), 4294967295u, (_e585 > 4294967000f));
-                                let _e593 = (_e584 - (f32(_e590) * 4294967300f));
-                                let _e598 = select(select(u32(_e593), 0u, (_e593 < 0f)), 4294967295u, (_e593 > 4294967000f));
-                                if ((_e593 - f32(_e598)) >= 0.5f) {
-                                    phi_723_ = (_e598 + 1u);
-                                } else {
-                                    phi_723_ = _e598;
-                                }
-                                let _e604 = phi_723_;
-                                if _e581 {
-                                    let _e607 = (~(_e604) + 1u);
-                                    if (_e607 == 0u) {
-                                        phi_737_ = (~(_e590) + 1u);
-                                    } else {
-                                        phi_737_ = ~(_e590);
-                                    }
-                                    let _e613 = phi_737_;
-                                    phi_739_ = array<u32, 2>(_e607, _e613);
-                                } else {
-                                    phi_739_ = array<u32, 2>(_e604, _e590);
-                                }
-                                let _e616 = phi_739_;
-                                let _e619 = (2u * (_e428 + _e462));
-                                let _e622 = atomicAdd((&global_8.member[_e619]), _e616[0]);
-                                let _e630 = atomicAdd((&global_8.member[(_e619 + 1u)]), (_e616[1] + select(0u, 1u, ((_e622 + _e616[0]) < _e616[0]))));
-                            }
-                            let _e631 = (_e474 * (_e409 * _e405));
-                            if _e122 {
-                                let _e633 = (_e631 < 0f);
-                                if _e633 {
-                                    phi_760_ = -(_e631);
-                                } else {
-                                    phi_760_ = _e631;
-                                }
-                                let _e636 = phi_760_;
-                                let _e637 = (_e636 * 0.00000000023283064f);
-                                let _e642 = select(select(u32(_e637), 0u, (_e637 < 0f)), 4294967295u, (_e637 > 4294967000f));
-                                let _e645 = (_e636 - (f32(_e642) * 4294967300f));
-                                let _e650 = select(select(u32(_e645), 0u, (_e645 < 0f)), 4294967295u, (_e645 > 4294967000f));
-                                if ((_e645 - f32(_e650)) >= 0.5f) {
-                                    phi_778_ = (_e650 + 1u);
-                                } else {
-                                    phi_778_ = _e650;
-                                }
-                                let _e656 = phi_778_;
-                                if _e633 {
-                                    let _e659 = (~(_e656) + 1u);
-                                    if (_e659 == 0u) {
-                                        phi_792_ = (~(_e642) + 1u);
-                                    } else {
-                                        phi_792_ = ~(_e642);
-                                    }
-                                    let _e665 = phi_792_;
-                                    phi_794_ = array<u32, 2>(_e659, _e665);
-                                } else {
-                                    phi_794_ = array<u32, 2>(_e656, _e642);
-                                }
-                                let _e668 = phi_794_;
-                                let _e671 = (2u * (_e433 + _e462));
-                                let _e674 = atomicAdd((&global_8.member[_e671]), _e668[0]);
-                                let _e682 = atomicAdd((&global_8.member[(_e671 + 1u)]), (_e668[1] + select(0u, 1u, ((_e674 + _e668[0]) < _e668[0]))));
-                            }
-                            let _e683 = (_e474 * (_e406 * _e259));
-                            if _e122 {
-                                let _e685 = (_e683 < 0f);
-                                if _e685 {
-                                    phi_815_ = -(_e683);
-                                } else {
-                                    phi_815_ = _e683;
-                                }
-                                let _e688 = phi_815_;
-                                let _e689 = (_e688 * 0.00000000023283064f);
-                                let _e694 = select(select(u32(_e689), 0u, (_e689 < 0f)), 4294967295u, (_e689 > 4294967000f));
-                                let _e697 = (_e688 - (f32(_e694) * 4294967300f));
-                                let _e702 = select(select(u32(_e697), 0u, (_e697 < 0f)), 4294967295u, (_e697 > 4294967000f));
-                                if ((_e697 - f32(_e702)) >= 0.5f) {
-                                    phi_833_ = (_e702 + 1u);
-                                } else {
-                                    phi_833_ = _e702;
-                                }
-                                let _e708 = phi_833_;
-                                if _e685 {
-                                    let _e711 = (~(_e708) + 1u);
-                                    if (_e711 == 0u) {
-                                        phi_847_ = (~(_e694) + 1u);
-                                    } else {
-                                        phi_847_ = ~(_e694);
-                                    }
-                                    let _e717 = phi_847_;
-                                    phi_849_ = array<u32, 2>(_e711, _e717);
-                                } else {
-                                    phi_849_ = array<u32, 2>(_e708, _e694);
-                                }
-                                let _e720 = phi_849_;
-                                let _e723 = (2u * (_e438 + _e462));
-                                let _e726 = atomicAdd((&global_8.member[_e723]), _e720[0]);
-                                let _e734 = atomicAdd((&global_8.member[(_e723 + 1u)]), (_e720[1] + select(0u, 1u, ((_e726 + _e720[0]) < _e720[0]))));
-                            }
-                            let _e735 = (_e474 * (_e407 * _e259));
-                            if _e122 {
-                                let _e737 = (_e735 < 0f);
-                                if _e737 {
-                                    phi_870_ = -(_e735);
-                                } else {
-                                    phi_870_ = _e735;
-                                }
-                                let _e740 = phi_870_;
-                                let _e741 = (_e740 * 0.00000000023283064f);
-                                let _e746 = select(select(u32(_e741), 0u, (_e741 < 0f)), 4294967295u, (_e741 > 4294967000f));
-                                let _e749 = (_e740 - (f32(_e746) * 4294967300f));
-                                let _e754 = select(select(u32(_e749), 0u, (_e749 < 0f)), 4294967295u, (_e749 > 4294967000f));
-                                if ((_e749 - f32(_e754)) >= 0.5f) {
-                                    phi_888_ = (_e754 + 1u);
-                                } else {
-                                    phi_888_ = _e754;
-                                }
-                                let _e760 = phi_888_;
-                                if _e737 {
-                                    let _e763 = (~(_e760) + 1u);
-                                    if (_e763 == 0u) {
-                                        phi_902_ = (~(_e746) + 1u);
-                                    } else {
-                                        phi_902_ = ~(_e746);
-                                    }
-                                    let _e769 = phi_902_;
-                                    phi_904_ = array<u32, 2>(_e763, _e769);
-                                } else {
-                                    phi_904_ = array<u32, 2>(_e760, _e746);
-                                }
-                                let _e772 = phi_904_;
-                                let _e775 = (2u * (_e443 + _e462));
-                                let _e778 = atomicAdd((&global_8.member[_e775]), _e772[0]);
-                                let _e786 = atomicAdd((&global_8.member[(_e775 + 1u)]), (_e772[1] + select(0u, 1u, ((_e778 + _e772[0]) < _e772[0]))));
-                            }
-                            let _e787 = (_e474 * (_e408 * _e259));
-                            if _e122 {
-                                let _e789 = (_e787 < 0f);
-                                if _e789 {
-                                    phi_925_ = -(_e787);
-                                } else {
-                                    phi_925_ = _e787;
-                                }
-                                let _e792 = phi_925_;
-                                let _e793 = (_e792 * 0.00000000023283064f);
-                                let _e798 = select(select(u32(_e793), 0u, (_e793 < 0f)), 4294967295u, (_e793 > 4294967000f));
-                                let _e801 = (_e792 - (f32(_e798) * 4294967300f));
-                                let _e806 = select(select(u32(_e801), 0u, (_e801 < 0f)), 4294967295u, (_e801 > 4294967000f));
-                                if ((_e801 - f32(_e806)) >= 0.5f) {
-                                    phi_943_ = (_e806 + 1u);
-                                } else {
-                                    phi_943_ = _e806;
-                                }
-                                let _e812 = phi_943_;
-                                if _e789 {
-                                    let _e815 = (~(_e812) + 1u);
-                                    if (_e815 == 0u) {
-                                        phi_957_ = (~(_e798) + 1u);
-                                    } else {
-                                        phi_957_ = ~(_e798);
-                                    }
-                                    let _e821 = phi_957_;
-                                    phi_959_ = array<u32, 2>(_e815, _e821);
-                                } else {
-                                    phi_959_ = array<u32, 2>(_e812, _e798);
-                                }
-                                let _e824 = phi_959_;
-                                let _e827 = (2u * (_e448 + _e462));
-                                let _e830 = atomicAdd((&global_8.member[_e827]), _e824[0]);
-                                let _e838 = atomicAdd((&global_8.member[(_e827 + 1u)]), (_e824[1] + select(0u, 1u, ((_e830 + _e824[0]) < _e824[0]))));
-                            }
-                            let _e839 = (_e474 * (_e409 * _e259));
-                            if _e122 {
-                                let _e841 = (_e839 < 0f);
-                                if _e841 {
-                                    phi_980_ = -(_e839);
-                                } else {
-                                    phi_980_ = _e839;
-                                }
-                                let _e844 = phi_980_;
-                                let _e845 = (_e844 * 0.00000000023283064f);
-                                let _e850 = select(select(u32(_e845), 0u, (_e845 < 0f)), 4294967295u, (_e845 > 4294967000f));
-                                let _e853 = (_e844 - (f32(_e850) * 4294967300f));
-                                let _e858 = select(select(u32(_e853), 0u, (_e853 < 0f)), 4294967295u, (_e853 > 4294967000f));
-                                if ((_e853 - f32(_e858)) >= 0.5f) {
-                                    phi_998_ = (_e858 + 1u);
-                                } else {
-                                    phi_998_ = _e858;
-                                }
-                                let _e864 = phi_998_;
-                                if _e841 {
-                                    let _e867 = (~(_e864) + 1u);
-                                    if (_e867 == 0u) {
-                                        phi_1012_ = (~(_e850) + 1u);
-                                    } else {
-                                        phi_1012_ = ~(_e850);
-                                    }
-                                    let _e873 = phi_1012_;
-                                    phi_1014_ = array<u32, 2>(_e867, _e873);
-                                } else {
-                                    phi_1014_ = array<u32, 2>(_e864, _e850);
-                                }
-                                let _e876 = phi_1014_;
-                                let _e879 = (2u * (_e453 + _e462));
-                                let _e882 = atomicAdd((&global_8.member[_e879]), _e876[0]);
-                                let _e890 = atomicAdd((&global_8.member[(_e879 + 1u)]), (_e876[1] + select(0u, 1u, ((_e882 + _e876[0]) < _e876[0]))));
-                            }
-                            phi_571_ = (_e462 + 1u);
-                            phi_574_ = (_e464 + _e70);
-                        } else {
-                            phi_571_ = u32();
-                            phi_574_ = u32();
-                        }
-                        let _e894 = phi_571_;
-                        let _e896 = phi_574_;
+                        local_3 = (_e81 + 1u);
+                        local_4 = (_e83 + _e70);
+                        local_5 = select(1f, _e85, (_e94 <= _e79));
+                        local_6 = select(_e94, _e87, (_e87 > _e94));
                         continue;
+                    } else {
+                        break;
+                    }
+                    continuing {
+                        let _e886 = local_3;
+                        phi_220_ = _e886;
+                        let _e889 = local_4;
+                        phi_223_ = _e889;
+                        let _e892 = local_5;
+                        phi_225_ = _e892;
+                        let _e895 = local_6;
+                        phi_227_ = _e895;
+                    }
+                }
+                let _e102 = local;
+                if (0f < _e102) {
+                    let _e106 = atomicMax((&global_10.member[0u]), 1u);
+                }
+                let _e108 = local_1;
+                let _e111 = local_2;
+                let _e113 = select(false, (_e111 < 1f), (0.000000000000000000000000000000000000011754944f <= _e108));
+                if _e113 {
+                    let _e116 = global_5.member[_e37.z];
+                    let _e119 = global_4.member.member_6;
+                    if _e66 {
+                        break;
+                    }
+                    if _e66 {
+                        break;
+                    }
+                    let _e122 = ((_e67 * (_e119 * _e70)) + _e73);
+                    let _e125 = global_3.member[_e122];
+                    let _e126 = (3u * _e70);
+                    let _e130 = global_3.member[(_e122 + _e126)];
+                    let _e131 = (_e70 + _e122);
+                    let _e134 = global_3.member[_e131];
+                    let _e138 = global_3.member[(_e131 + _e126)];
+                    let _e140 = ((2u * _e70) + _e122);
+                    let _e143 = global_3.member[_e140];
+                    let _e147 = global_3.member[(_e140 + _e126)];
+                    let _e150 = global_4.member.member_4;
+                    let _e151 = (_e150 != 0u);
+                    let _e152 = (_e125 + _e130);
+                    let _e155 = select(false, (_e152 < 1f), (0f < _e152));
+                    let _e158 = select(select(0f, 1f, (1f <= _e152)), _e125, _e155);
+                    let _e161 = (_e158 * _e116.member);
+                    let _e164 = (_e116.member + _e116.member_1);
+                    let _e168 = trunc(_e161);
+                    let _e170 = ((_e161 - _e168) + (((_e158 * _e116.member_1) + (select(0f, _e130, _e155) * _e164)) + 0.5f));
+                    let _e172 = select(0f, _e170, (_e170 > 0f));
+                    let _e173 = trunc(_e172);
+                    let _e174 = (_e172 - _e173);
+                    let _e175 = (_e168 + _e173);
+                    let _e180 = select(select(u32(_e175), 0u, (_e175 < 0f)), 4294967295u, (_e175 > 4294967000f));
+                    if _e151 {
+                        phi_304_ = ((_e174 * _e174) * (3f - (2f * _e174)));
+                    } else {
+                        phi_304_ = _e174;
+                    }
+                    let _e186 = phi_304_;
+                    let _e187 = (_e134 + _e138);
+                    let _e190 = select(false, (_e187 < 1f), (0f < _e187));
+                    let _e193 = select(select(0f, 1f, (1f <= _e187)), _e134, _e190);
+                    let _e195 = (_e193 * _e116.member);
+                    let _e200 = trunc(_e195);
+                    let _e202 = ((_e195 - _e200) + (((_e193 * _e116.member_1) + (select(0f, _e138, _e190) * _e164)) + 0.5f));
+                    let _e204 = select(0f, _e202, (_e202 > 0f));
+                    let _e205 = trunc(_e204);
+                    let _e206 = (_e204 - _e205);
+                    let _e207 = (_e200 + _e205);
+                    let _e212 = select(select(u32(_e207), 0u, (_e207 < 0f)), 4294967295u, (_e207 > 4294967000f));
+                    if _e151 {
+                        phi_324_ = ((_e206 * _e206) * (3f - (2f * _e206)));
+                    } else {
+                        phi_324_ = _e206;
+                    }
+                    let _e218 = phi_324_;
+                    let _e219 = (_e143 + _e147);
+                    let _e222 = select(false, (_e219 < 1f), (0f < _e219));
+                    let _e225 = select(select(0f, 1f, (1f <= _e219)), _e143, _e222);
+                    let _e227 = (_e225 * _e116.member);
+                    let _e232 = trunc(_e227);
+                    let _e234 = ((_e227 - _e232) + (((_e225 * _e116.member_1) + (select(0f, _e147, _e222) * _e164)) + 0.5f));
+                    let _e236 = select(0f, _e234, (_e234 > 0f));
+                    let _e237 = trunc(_e236);
+                    let _e238 = (_e236 - _e237);
+                    let _e239 = (_e232 + _e237);
+                    let _e244 = select(select(u32(_e239), 0u, (_e239 < 0f)), 4294967295u, (_e239 > 4294967000f));
+                    if _e151 {
+                        phi_344_ = ((_e238 * _e238) * (3f - (2f * _e238)));
+                    } else {
+                        phi_344_ = _e238;
+                    }
+                    let _e250 = phi_344_;
+                    let _e251 = (_e180 + 1u);
+                    let _e252 = (_e212 + 1u);
+                    let _e253 = (_e244 + 1u);
+                    let _e256 = (_e116.member_5 == 0u);
+                    if _e256 {
+                        let _e267 = (_e180 + ((_e212 + (_e244 * _e116.member_2)) * _e116.member_2));
+                        phi_368_ = select((_e267 - _e116.member_4), _e267, (_e267 < _e116.member_4));
+                    } else {
+                        phi_368_ = (((_e180 ^ (_e212 * 2654435761u)) ^ (_e244 * 805459861u)) & (_e116.member_4 - 1u));
+                    }
+                    let _e272 = phi_368_;
+                    if _e256 {
+                        let _e285 = (_e251 + ((_e212 + (_e244 * _e116.member_2)) * _e116.member_2));
+                        phi_388_ = select((_e285 - _e116.member_4), _e285, (_e285 < _e116.member_4));
+                    } else {
+                        phi_388_ = (((_e251 ^ (_e212 * 2654435761u)) ^ (_e244 * 805459861u)) & (_e116.member_4 - 1u));
+                    }
+                    let _e290 = phi_388_;
+                    if _e256 {
+                        let _e302 = (_e180 + ((_e252 + (_e244 * _e116.member_2)) * _e116.member_2));
+                        phi_407_ = select((_e302 - _e116.member_4), _e302, (_e302 < _e116.member_4));
+                    } else {
+                        phi_407_ = (((_e180 ^ (_e252 * 2654435761u)) ^ (_e244 * 805459861u)) & (_e116.member_4 - 1u));
+                    }
+                    let _e307 = phi_407_;
+                    if _e256 {
+                        let _e319 = (_e251 + ((_e252 + (_e244 * _e116.member_2)) * _e116.member_2));
+                        phi_426_ = select((_e319 - _e116.member_4), _e319, (_e319 < _e116.member_4));
+                    } else {
+                        phi_426_ = (((_e251 ^ (_e252 * 2654435761u)) ^ (_e244 * 805459861u)) & (_e116.member_4 - 1u));
+                    }
+                    let _e324 = phi_426_;
+                    if _e256 {
+                        let _e336 = (_e180 + ((_e212 + (_e253 * _e116.member_2)) * _e116.member_2));
+                        phi_445_ = select((_e336 - _e116.member_4), _e336, (_e336 < _e116.member_4));
+                    } else {
+                        phi_445_ = (((_e180 ^ (_e212 * 2654435761u)) ^ (_e253 * 805459861u)) & (_e116.member_4 - 1u));
+                    }
+                    let _e341 = phi_445_;
+                    if _e256 {
+                        let _e353 = (_e251 + ((_e212 + (_e253 * _e116.member_2)) * _e116.member_2));
+                        phi_464_ = select((_e353 - _e116.member_4), _e353, (_e353 < _e116.member_4));
+                    } else {
+                        phi_464_ = (((_e251 ^ (_e212 * 2654435761u)) ^ (_e253 * 805459861u)) & (_e116.member_4 - 1u));
+                    }
+                    let _e358 = phi_464_;
+                    if _e256 {
+                        let _e370 = (_e180 + ((_e252 + (_e253 * _e116.member_2)) * _e116.member_2));
+                        phi_483_ = select((_e370 - _e116.member_4), _e370, (_e370 < _e116.member_4));
+                    } else {
+                        phi_483_ = (((_e180 ^ (_e252 * 2654435761u)) ^ (_e253 * 805459861u)) & (_e116.member_4 - 1u));
+                    }
+                    let _e375 = phi_483_;
+                    if _e256 {
+                        let _e387 = (_e251 + ((_e252 + (_e253 * _e116.member_2)) * _e116.member_2));
+                        phi_502_ = select((_e387 - _e116.member_4), _e387, (_e387 < _e116.member_4));
+                    } else {
+                        phi_502_ = (((_e251 ^ (_e252 * 2654435761u)) ^ (_e253 * 805459861u)) & (_e116.member_4 - 1u));
+                    }
+                    let _e392 = phi_502_;
+                    let _e394 = (1f - _e186);
+                    let _e395 = (1f - _e218);
+                    let _e396 = (1f - _e250);
+                    let _e397 = (_e394 * _e395);
+                    let _e398 = (_e186 * _e395);
+                    let _e399 = (_e394 * _e218);
+                    let _e400 = (_e186 * _e218);
+                    let _e409 = ((_e272 + _e116.member_3) * _e53);
+                    if _e113 {
+                        let _e413 = atomicMax((&global_9.member[(_e409 / 64u)]), 1u);
+                    }
+                    let _e414 = ((_e290 + _e116.member_3) * _e53);
+                    if _e113 {
+                        let _e418 = atomicMax((&global_9.member[(_e414 / 64u)]), 1u);
+                    }
+                    let _e419 = ((_e307 + _e116.member_3) * _e53);
+                    if _e113 {
+                        let _e423 = atomicMax((&global_9.member[(_e419 / 64u)]), 1u);
+                    }
+                    let _e424 = ((_e324 + _e116.member_3) * _e53);
+                    if _e113 {
+                        let _e428 = atomicMax((&global_9.member[(_e424 / 64u)]), 1u);
+                    }
+                    let _e429 = ((_e341 + _e116.member_3) * _e53);
+                    if _e113 {
+                        let _e433 = atomicMax((&global_9.member[(_e429 / 64u)]), 1u);
+                    }
+                    let _e434 = ((_e358 + _e116.member_3) * _e53);
+                    if _e113 {
+                        let _e438 = atomicMax((&global_9.member[(_e434 / 64u)]), 1u);
+                    }
+                    let _e439 = ((_e375 + _e116.member_3) * _e53);
+                    if _e113 {
+                        let _e443 = atomicMax((&global_9.member[(_e439 / 64u)]), 1u);
+                    }
+                    let _e444 = ((_e392 + _e116.member_3) * _e53);
+                    if _e113 {
+                        let _e448 = atomicMax((&global_9.member[(_e444 / 64u)]), 1u);
+                    }
+                    let _e451 = global_7.member[0u];
+                    phi_563_ = 0u;
+                    phi_566_ = _e76;
+                    loop {
+                        let _e453 = phi_563_;
+                        let _e455 = phi_566_;
+                        if (_e453 < _e53) {
+                            let _e459 = global_6.member[_e455];
+                            let _e460 = -(_e459);
+                            let _e465 = select(0f, (_e459 * _e451), (0.000000000000000000000000000000000000011754944f <= select(_e460, _e459, (_e459 > _e460))));
+                            let _e466 = (_e465 * (_e397 * _e396));
+                            if _e113 {
+                                let _e468 = (_e466 < 0f);
+                                if _e468 {
+                                    phi_585_ = -(_e466);
+                                } else {
+                                    phi_585_ = _e466;
+                                }
+                                let _e471 = phi_585_;
+                                let _e472 = (_e471 * 0.00000000023283064f);
+                                let _e477 = select(select(u32(_e472), 0u, (_e472 < 0f)), 4294967295u, (_e472 > 4294967000f));
+                                let _e480 = (_e471 - (f32(_e477) * 4294967300f));
+                                let _e485 = select(select(u32(_e480), 0u, (_e480 < 0f)), 4294967295u, (_e480 > 4294967000f));
+                                if ((_e480 - f32(_e485)) >= 0.5f) {
+                                    phi_603_ = (_e485 + 1u);
+                                } else {
+                                    phi_603_ = _e485;
+                                }
+                                let _e491 = phi_603_;
+                                if _e468 {
+                                    let _e494 = (~(_e491) + 1u);
+                                    if (_e494 == 0u) {
+                                        phi_617_ = (~(_e477) + 1u);
+                                    } else {
+                                        phi_617_ = ~(_e477);
+                                    }
+                                    let _e500 = phi_617_;
+                                    phi_619_ = array<u32, 2>(_e494, _e500);
+                                } else {
+                                    phi_619_ = array<u32, 2>(_e491, _e477);
+                                }
+                                let _e503 = phi_619_;
+                                let _e506 = (2u * (_e409 + _e453));
+                                let _e509 = atomicAdd((&global_8.member[_e506]), _e503[0]);
+                                let _e517 = atomicAdd((&global_8.member[(_e506 + 1u)]), (_e503[1] + select(0u, 1u, ((_e509 + _e503[0]) < _e503[0]))));
+                            }
+                            let _e518 = (_e465 * (_e398 * _e396));
+                            if _e113 {
+                                let _e520 = (_e518 < 0f);
+                                if _e520 {
+                                    phi_640_ = -(_e518);
+                                } else {
+                                    phi_640_ = _e518;
+                                }
+                                let _e523 = phi_640_;
+                                let _e524 = (_e523 * 0.00000000023283064f);
+                                let _e529 = select(select(u32(_e524), 0u, (_e524 < 0f)), 4294967295u, (_e524 > 4294967000f));
+                                let _e532 = (_e523 - (f32(_e529) * 4294967300f));
+                                let _e537 = select(select(u32(_e532), 0u, (_e532 < 0f)), 4294967295u, (_e532 > 4294967000f));
+                                if ((_e532 - f32(_e537)) >= 0.5f) {
+                                    phi_658_ = (_e537 + 1u);
+                                } else {
+                                    phi_658_ = _e537;
+                                }
+                                let _e543 = phi_658_;
+                                if _e520 {
+                                    let _e546 = (~(_e543) + 1u);
+                                    if (_e546 == 0u) {
+                                        phi_672_ = (~(_e529) + 1u);
+                                    } else {
+                                        phi_672_ = ~(_e529);
+                                    }
+                                    let _e552 = phi_672_;
+                                    phi_674_ = array<u32, 2>(_e546, _e552);
+                                } else {
+                                    phi_674_ = array<u32, 2>(_e543, _e529);
+                                }
+                                let _e555 = phi_674_;
+                                let _e558 = (2u * (_e414 + _e453));
+                                let _e561 = atomicAdd((&global_8.member[_e558]), _e555[0]);
+                                let _e569 = atomicAdd((&global_8.member[(_e558 + 1u)]), (_e555[1] + select(0u, 1u, ((_e561 + _e555[0]) < _e555[0]))));
+                            }
+                            let _e570 = (_e465 * (_e399 * _e396));
+                            if _e113 {
+                                let _e572 = (_e570 < 0f);
+                                if _e572 {
+                                    phi_695_ = -(_e570);
+                                } else {
+                                    phi_695_ = _e570;
+                                }
+                                let _e575 = phi_695_;
+                                let _e576 = (_e575 * 0.00000000023283064f);
+                                let _e581 = select(select(u32(_e576), 0u, (_e576 < 0f)), 4294967295u, (_e576 > 4294967000f));
+                                let _e584 = (_e575 - (f32(_e581) * 4294967300f));
+                                let _e589 = select(select(u32(_e584), 0u, (_e584 < 0f)), 4294967295u, (_e584 > 4294967000f));
+                                if ((_e584 - f32(_e589)) >= 0.5f) {
+                                    phi_713_ = (_e589 + 1u);
+                                } else {
+                                    phi_713_ = _e589;
+                                }
+                                let _e595 = phi_713_;
+                                if _e572 {
+                                    let _e598 = (~(_e595) + 1u);
+                                    if (_e598 == 0u) {
+                                        phi_727_ = (~(_e581) + 1u);
+                                    } else {
+                                        phi_727_ = ~(_e581);
+                                    }
+                                    let _e604 = phi_727_;
+                                    phi_729_ = array<u32, 2>(_e598, _e604);
+                                } else {
+                                    phi_729_ = array<u32, 2>(_e595, _e581);
+                                }
+                                let _e607 = phi_729_;
+                                let _e610 = (2u * (_e419 + _e453));
+                                let _e613 = atomicAdd((&global_8.member[_e610]), _e607[0]);
+                                let _e621 = atomicAdd((&global_8.member[(_e610 + 1u)]), (_e607[1] + select(0u, 1u, ((_e613 + _e607[0]) < _e607[0]))));
+                            }
+                            let _e622 = (_e465 * (_e400 * _e396));
+                            if _e113 {
+                                let _e624 = (_e622 < 0f);
+                                if _e624 {
+                                    phi_750_ = -(_e622);
+                                } else {
+                                    phi_750_ = _e622;
+                                }
+                                let _e627 = phi_750_;
+                                let _e628 = (_e627 * 0.00000000023283064f);
+                                let _e633 = select(select(u32(_e628), 0u, (_e628 < 0f)), 4294967295u, (_e628 > 4294967000f));
+                                let _e636 = (_e627 - (f32(_e633) * 4294967300f));
+                                let _e641 = select(select(u32(_e636), 0u, (_e636 < 0f)), 4294967295u, (_e636 > 4294967000f));
+                                if ((_e636 - f32(_e641)) >= 0.5f) {
+                                    phi_768_ = (_e641 + 1u);
+                                } else {
+                                    phi_768_ = _e641;
+                                }
+                                let _e647 = phi_768_;
+                                if _e624 {
+                                    let _e650 = (~(_e647) + 1u);
+                                    if (_e650 == 0u) {
+                                        phi_782_ = (~(_e633) + 1u);
+                                    } else {
+                                        phi_782_ = ~(_e633);
+                                    }
+                                    let _e656 = phi_782_;
+                                    phi_784_ = array<u32, 2>(_e650, _e656);
+                                } else {
+                                    phi_784_ = array<u32, 2>(_e647, _e633);
+                                }
+                                let _e659 = phi_784_;
+                                let _e662 = (2u * (_e424 + _e453));
+                                let _e665 = atomicAdd((&global_8.member[_e662]), _e659[0]);
+                                let _e673 = atomicAdd((&global_8.member[(_e662 + 1u)]), (_e659[1] + select(0u, 1u, ((_e665 + _e659[0]) < _e659[0]))));
+                            }
+                            let _e674 = (_e465 * (_e397 * _e250));
+                            if _e113 {
+                                let _e676 = (_e674 < 0f);
+                                if _e676 {
+                                    phi_805_ = -(_e674);
+                                } else {
+                                    phi_805_ = _e674;
+                                }
+                                let _e679 = phi_805_;
+                                let _e680 = (_e679 * 0.00000000023283064f);
+                                let _e685 = select(select(u32(_e680), 0u, (_e680 < 0f)), 4294967295u, (_e680 > 4294967000f));
+                                let _e688 = (_e679 - (f32(_e685) * 4294967300f));
+                                let _e693 = select(select(u32(_e688), 0u, (_e688 < 0f)), 4294967295u, (_e688 > 4294967000f));
+                                if ((_e688 - f32(_e693)) >= 0.5f) {
+                                    phi_823_ = (_e693 + 1u);
+                                } else {
+                                    phi_823_ = _e693;
+                                }
+                                let _e699 = phi_823_;
+                                if _e676 {
+                                    let _e702 = (~(_e699) + 1u);
+                                    if (_e702 == 0u) {
+                                        phi_837_ = (~(_e685) + 1u);
+                                    } else {
+                                        phi_837_ = ~(_e685);
+                                    }
+                                    let _e708 = phi_837_;
+                                    phi_839_ = array<u32, 2>(_e702, _e708);
+                                } else {
+                                    phi_839_ = array<u32, 2>(_e699, _e685);
+                                }
+                                let _e711 = phi_839_;
+                                let _e714 = (2u * (_e429 + _e453));
+                                let _e717 = atomicAdd((&global_8.member[_e714]), _e711[0]);
+                                let _e725 = atomicAdd((&global_8.member[(_e714 + 1u)]), (_e711[1] + select(0u, 1u, ((_e717 + _e711[0]) < _e711[0]))));
+                            }
+                            let _e726 = (_e465 * (_e398 * _e250));
+                            if _e113 {
+                                let _e728 = (_e726 < 0f);
+                                if _e728 {
+                                    phi_860_ = -(_e726);
+                                } else {
+                                    phi_860_ = _e726;
+                                }
+                                let _e731 = phi_860_;
+                                let _e732 = (_e731 * 0.00000000023283064f);
+                                let _e737 = select(select(u32(_e732), 0u, (_e732 < 0f)), 4294967295u, (_e732 > 4294967000f));
+                                let _e740 = (_e731 - (f32(_e737) * 4294967300f));
+                                let _e745 = select(select(u32(_e740), 0u, (_e740 < 0f)), 4294967295u, (_e740 > 4294967000f));
+                                if ((_e740 - f32(_e745)) >= 0.5f) {
+                                    phi_878_ = (_e745 + 1u);
+                                } else {
+                                    phi_878_ = _e745;
+                                }
+                                let _e751 = phi_878_;
+                                if _e728 {
+                                    let _e754 = (~(_e751) + 1u);
+                                    if (_e754 == 0u) {
+                                        phi_892_ = (~(_e737) + 1u);
+                                    } else {
+                                        phi_892_ = ~(_e737);
+                                    }
+                                    let _e760 = phi_892_;
+                                    phi_894_ = array<u32, 2>(_e754, _e760);
+                                } else {
+                                    phi_894_ = array<u32, 2>(_e751, _e737);
+                                }
+                                let _e763 = phi_894_;
+                                let _e766 = (2u * (_e434 + _e453));
+                                let _e769 = atomicAdd((&global_8.member[_e766]), _e763[0]);
+                                let _e777 = atomicAdd((&global_8.member[(_e766 + 1u)]), (_e763[1] + select(0u, 1u, ((_e769 + _e763[0]) < _e763[0]))));
+                            }
+                            let _e778 = (_e465 * (_e399 * _e250));
+                            if _e113 {
+                                let _e780 = (_e778 < 0f);
+                                if _e780 {
+                                    phi_915_ = -(_e778);
+                                } else {
+                                    phi_915_ = _e778;
+                                }
+                                let _e783 = phi_915_;
+                                let _e784 = (_e783 * 0.00000000023283064f);
+                                let _e789 = select(select(u32(_e784), 0u, (_e784 < 0f)), 4294967295u, (_e784 > 4294967000f));
+                                let _e792 = (_e783 - (f32(_e789) * 4294967300f));
+                                let _e797 = select(select(u32(_e792), 0u, (_e792 < 0f)), 4294967295u, (_e792 > 4294967000f));
+                                if ((_e792 - f32(_e797)) >= 0.5f) {
+                                    phi_933_ = (_e797 + 1u);
+                                } else {
+                                    phi_933_ = _e797;
+                                }
+                                let _e803 = phi_933_;
+                                if _e780 {
+                                    let _e806 = (~(_e803) + 1u);
+                                    if (_e806 == 0u) {
+                                        phi_947_ = (~(_e789) + 1u);
+                                    } else {
+                                        phi_947_ = ~(_e789);
+                                    }
+                                    let _e812 = phi_947_;
+                                    phi_949_ = array<u32, 2>(_e806, _e812);
+                                } else {
+                                    phi_949_ = array<u32, 2>(_e803, _e789);
+                                }
+                                let _e815 = phi_949_;
+                                let _e818 = (2u * (_e439 + _e453));
+                                let _e821 = atomicAdd((&global_8.member[_e818]), _e815[0]);
+                                let _e829 = atomicAdd((&global_8.member[(_e818 + 1u)]), (_e815[1] + select(0u, 1u, ((_e821 + _e815[0]) < _e815[0]))));
+                            }
+                            let _e830 = (_e465 * (_e400 * _e250));
+                            if _e113 {
+                                let _e832 = (_e830 < 0f);
+                                if _e832 {
+                                    phi_970_ = -(_e830);
+                                } else {
+                                    phi_970_ = _e830;
+                                }
+                                let _e835 = phi_970_;
+                                let _e836 = (_e835 * 0.00000000023283064f);
+                                let _e841 = select(select(u32(_e836), 0u, (_e836 < 0f)), 4294967295u, (_e836 > 4294967000f));
+                                let _e844 = (_e835 - (f32(_e841) * 4294967300f));
+                                let _e849 = select(select(u32(_e844), 0u, (_e844 < 0f)), 4294967295u, (_e844 > 4294967000f));
+                                if ((_e844 - f32(_e849)) >= 0.5f) {
+                                    phi_988_ = (_e849 + 1u);
+                                } else {
+                                    phi_988_ = _e849;
+                                }
+                                let _e855 = phi_988_;
+                                if _e832 {
+                                    let _e858 = (~(_e855) + 1u);
+                                    if (_e858 == 0u) {
+                                        phi_1002_ = (~(_e841) + 1u);
+                                    } else {
+                                        phi_1002_ = ~(_e841);
+                                    }
+                                    let _e864 = phi_1002_;
+                                    phi_1004_ = array<u32, 2>(_e858, _e864);
+                                } else {
+                                    phi_1004_ = array<u32, 2>(_e855, _e841);
+                                }
+                                let _e867 = phi_1004_;
+                                let _e870 = (2u * (_e444 + _e453));
+                                let _e873 = atomicAdd((&global_8.member[_e870]), _e867[0]);
+                                let _e881 = atomicAdd((&global_8.member[(_e870 + 1u)]), (_e867[1] + select(0u, 1u, ((_e873 + _e867[0]) < _e867[0]))));
+                            }
+                            local_7 = (_e453 + 1u);
+                            local_8 = (_e455 + _e70);
+                            continue;
+                        } else {
+                            break;
+                        }
                         continuing {
-                            phi_570_ = _e894;
-                            phi_573_ = _e896;
-                            break if !(_e465);
+                            let _e912 = local_7;
+                            phi_563_ = _e912;
+                            let _e915 = local_8;
+                            phi_566_ = _e915;
                         }
                     }
                 }

@@ -63,8 +63,8 @@ fn function_() {
     var phi_457_: u32;
     var phi_474_: u32;
     var phi_477_: u32;
-    var phi_475_: u32;
-    var phi_478_: u32;
+    var local: u32;
+    var local_1: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -248,8 +248,7 @@ fn function_() {
                 loop {
                     let _e378 = phi_474_;
                     let _e380 = phi_477_;
-                    let _e381 = (_e378 < _e363);
-                    if _e381 {
+                    if (_e378 < _e363) {
                         let _e386 = global_7.member[(((_e218 + _e53.member_3) * _e363) + _e378)];
                         let _e387 = (_e386 & 65535u);
                         let _e398 = (_e386 >> bitcast<u32>(16i));
@@ -278,19 +277,17 @@ fn function_() {
                         if (((2u * _e378) + 1u) < _e357) {
                             global_3.member[(_e380 + _e56)] = (((((((((bitcast<f32>((((_e398 & 32768u) << bitcast<u32>(16i)) | ((_e398 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e347) + ((bitcast<f32>((((_e426 & 32768u) << bitcast<u32>(16i)) | ((_e426 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e348)) + ((bitcast<f32>((((_e454 & 32768u) << bitcast<u32>(16i)) | ((_e454 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e349)) + ((bitcast<f32>((((_e482 & 32768u) << bitcast<u32>(16i)) | ((_e482 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e350)) + ((bitcast<f32>((((_e510 & 32768u) << bitcast<u32>(16i)) | ((_e510 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e351)) + ((bitcast<f32>((((_e538 & 32768u) << bitcast<u32>(16i)) | ((_e538 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e352)) + ((bitcast<f32>((((_e566 & 32768u) << bitcast<u32>(16i)) | ((_e566 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e353)) + ((bitcast<f32>((((_e594 & 32768u) << bitcast<u32>(16i)) | ((_e594 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e354));
                         }
-                        phi_475_ = (_e378 + 1u);
-                        phi_478_ = (_e380 + _e85);
+                        local = (_e378 + 1u);
+                        local_1 = (_e380 + _e85);
+                        continue;
                     } else {
-                        phi_475_ = u32();
-                        phi_478_ = u32();
+                        break;
                     }
-                    let _e631 = phi_475_;
-                    let _e633 = phi_478_;
-                    continue;
                     continuing {
-                        phi_474_ = _e631;
-                        phi_477_ = _e633;
-                        break if !(_e381);
+                        let _e644 = local;
+                        phi_474_ = _e644;
+                        let _e647 = local_1;
+                        phi_477_ = _e647;
                     }
                 }
             }

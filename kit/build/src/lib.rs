@@ -10,6 +10,7 @@ mod compile;
 mod compiler;
 mod contraction;
 mod ids;
+mod loops;
 mod lower;
 mod memory_model;
 mod module;

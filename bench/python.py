@@ -87,7 +87,7 @@ class training:
             "run.tile_size": tiles.side,
             "run.tiles_per_view": len(tiles) // len(cameras),
             "start.gaussians": len(scene),
-            "growth.method": "none",
+            "growth.end": 0,
         }
         config = scene.config
         for name in ("sh_degree", "material", "extra", "step"):

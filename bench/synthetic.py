@@ -16,8 +16,7 @@ import numpy as np
 from safetensors.numpy import save_file
 
 VIEWS, WIDTH, HEIGHT, FOCAL = 16, 640, 480, 620.0
-GRID = {"levels": 16, "features": 2, "log2_table": 19, "base_resolution": 16, "growth": 1.4472692,
-        "interpolation": "linear"}
+GRID = {"levels": 16, "features": 2, "log2_table": 19, "base_resolution": 16, "growth": 1.4472692}
 MATERIAL, EXTRA, SH_DEGREE = 32, 2, 3
 
 

@@ -135,7 +135,7 @@ mod flops {
 mod samples {
     use divan::Bencher;
     use organza::InstructionSet;
-    use organza::scene::{GridConfig, Interpolation};
+    use organza::scene::GridConfig;
     use organza_shaders::hash_grid::{HashGridKernel, HashGridParams, POINT_ROWS};
     use organza_shaders::hash_grid_backward::{HashGridBackwardKernel, VALUES_PER_FLAG};
     use organza_shaders::segment::SEGMENT_VECTORS;
@@ -153,7 +153,6 @@ mod samples {
             log2_table: 19,
             base_resolution: 16.0,
             growth: 1.447_269_2,
-            interpolation: Interpolation::Linear,
         }
     }
 
@@ -163,7 +162,6 @@ mod samples {
             stride,
             first_row: 0,
             features: 2,
-            smoothstep: 0,
             chunk: samples,
             point_rows: POINT_ROWS,
             rows: 0,

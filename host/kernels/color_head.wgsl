@@ -1,4 +1,12 @@
-struct type_3 {
+struct type_5 {
+    member: array<f32>,
+}
+
+struct type_12 {
+    member: array<vec4<f32>>,
+}
+
+struct type_15 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -7,19 +15,11 @@ struct type_3 {
     member_5: u32,
 }
 
-struct type_4 {
-    member: type_3,
+struct type_16 {
+    member: type_15,
 }
 
-struct type_9 {
-    member: array<vec4<f32>>,
-}
-
-struct type_12 {
-    member: array<f32>,
-}
-
-struct type_17 {
+struct type_18 {
     member: f32,
     member_1: f32,
     member_2: f32,
@@ -30,25 +30,25 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_4;
+var<uniform> global_3: type_16;
 @group(0) @binding(1) 
-var<storage> global_4: type_9;
+var<storage> global_4: type_12;
 @group(0) @binding(2) 
-var<storage> global_5: type_12;
+var<storage> global_5: type_5;
 @group(0) @binding(3) 
-var<storage, read_write> global_6: type_12;
+var<storage, read_write> global_6: type_5;
 
 fn function_() {
     var phi_76_: u32;
     var phi_79_: u32;
-    var phi_81_: type_17;
+    var phi_81_: type_18;
     var phi_83_: u32;
-    var local: type_17;
-    var local_1: type_17;
-    var local_2: type_17;
+    var local: type_18;
+    var local_1: type_18;
+    var local_2: type_18;
     var local_3: u32;
     var local_4: u32;
-    var local_5: type_17;
+    var local_5: type_18;
     var local_6: u32;
 
     let _e18 = global;
@@ -64,7 +64,7 @@ fn function_() {
         let _e47 = global_4.member[_e44];
         phi_76_ = 0u;
         phi_79_ = _e41;
-        phi_81_ = type_17(_e47.x, _e47.y, _e47.z, _e47.w);
+        phi_81_ = type_18(_e47.x, _e47.y, _e47.z, _e47.w);
         phi_83_ = _e28;
         loop {
             let _e54 = phi_76_;
@@ -79,7 +79,7 @@ fn function_() {
                 let _e67 = global_5.member[_e60];
                 local_3 = (_e54 + 1u);
                 local_4 = (_e56 + 1u);
-                local_5 = type_17(((_e67 * _e64.x) + _e58.member), ((_e67 * _e64.y) + _e58.member_1), ((_e67 * _e64.z) + _e58.member_2), ((_e67 * _e64.w) + _e58.member_3));
+                local_5 = type_18(((_e67 * _e64.x) + _e58.member), ((_e67 * _e64.y) + _e58.member_1), ((_e67 * _e64.z) + _e58.member_2), ((_e67 * _e64.w) + _e58.member_3));
                 local_6 = (_e60 + _e35);
                 continue;
             } else {

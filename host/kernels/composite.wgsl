@@ -1,42 +1,42 @@
 struct type_6 {
-    member: array<vec4<f32>>,
+    member: array<i32>,
 }
 
 struct type_9 {
     member: array<f32>,
 }
 
-struct type_18 {
-    member: array<i32>,
-}
-
-struct type_21 {
+struct type_15 {
     member: u32,
     member_1: u32,
 }
 
-struct type_22 {
-    member: type_21,
+struct type_16 {
+    member: type_15,
+}
+
+struct type_19 {
+    member: array<u32>,
 }
 
 struct type_25 {
-    member: array<u32>,
+    member: array<vec4<f32>>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> global_2: type_18;
+var<storage> global_2: type_6;
 @group(0) @binding(0) 
-var<uniform> global_3: type_22;
+var<uniform> global_3: type_16;
 @group(0) @binding(2) 
-var<storage> global_4: type_25;
+var<storage> global_4: type_19;
 @group(0) @binding(3) 
-var<storage> global_5: type_25;
+var<storage> global_5: type_19;
 @group(0) @binding(4) 
-var<storage> global_6: type_25;
+var<storage> global_6: type_19;
 @group(0) @binding(5) 
-var<storage> global_7: type_6;
+var<storage> global_7: type_25;
 @group(0) @binding(6) 
 var<storage, read_write> global_8: type_9;
 

@@ -1,4 +1,20 @@
-struct type_3 {
+struct type_6 {
+    member: array<i32>,
+}
+
+struct type_9 {
+    member: array<f32>,
+}
+
+struct type_16 {
+    member: array<u32>,
+}
+
+struct type_21 {
+    member: array<vec4<f32>>,
+}
+
+struct type_24 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -7,43 +23,27 @@ struct type_3 {
     member_5: u32,
 }
 
-struct type_4 {
-    member: type_3,
-}
-
-struct type_9 {
-    member: array<vec4<f32>>,
-}
-
-struct type_12 {
-    member: array<f32>,
-}
-
-struct type_20 {
-    member: array<i32>,
-}
-
-struct type_24 {
-    member: array<u32>,
+struct type_25 {
+    member: type_24,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(0) 
-var<uniform> global_3: type_4;
 @group(0) @binding(1) 
-var<storage> global_4: type_20;
+var<storage> global_3: type_6;
 @group(0) @binding(2) 
-var<storage> global_5: type_24;
+var<storage> global_4: type_16;
 @group(0) @binding(3) 
-var<storage> global_6: type_24;
+var<storage> global_5: type_16;
 @group(0) @binding(4) 
-var<storage> global_7: type_9;
+var<storage> global_6: type_21;
+@group(0) @binding(0) 
+var<uniform> global_7: type_25;
 @group(0) @binding(5) 
-var<storage> global_8: type_12;
+var<storage> global_8: type_9;
 @group(0) @binding(6) 
-var<storage, read_write> global_9: type_9;
+var<storage, read_write> global_9: type_21;
 
 fn function_() {
     var phi_154_: u32;
@@ -107,9 +107,9 @@ fn function_() {
     let _e29 = global_1;
     let _e30 = global_2;
     let _e38 = (((_e29.x + (_e29.y * _e30.x)) * 64u) + _e28.x);
-    let _e41 = global_3.member.member;
+    let _e41 = global_7.member.member;
     if (_e38 < _e41) {
-        let _e45 = global_3.member.member_1;
+        let _e45 = global_7.member.member_1;
         phi_154_ = _e45;
         phi_157_ = 0u;
         loop {
@@ -118,7 +118,7 @@ fn function_() {
             local = _e49;
             if ((_e49 + 1u) < _e47) {
                 let _e53 = ((_e49 + _e47) / 2u);
-                let _e56 = global_5.member[_e53];
+                let _e56 = global_4.member[_e53];
                 let _e57 = (_e56 <= _e38);
                 local_16 = select(_e53, _e47, _e57);
                 local_17 = select(_e49, _e53, _e57);
@@ -135,14 +135,14 @@ fn function_() {
         }
         let _e61 = local;
         let _e62 = (_e61 * 4u);
-        let _e66 = global_4.member[(_e62 + 1u)];
-        let _e70 = global_4.member[(_e62 + 2u)];
-        let _e73 = global_6.member[_e38];
+        let _e66 = global_3.member[(_e62 + 1u)];
+        let _e70 = global_3.member[(_e62 + 2u)];
+        let _e73 = global_5.member[_e38];
         let _e74 = (_e73 * 3u);
-        let _e77 = global_7.member[_e74];
-        let _e81 = global_7.member[(_e74 + 1u)];
-        let _e85 = global_7.member[(_e74 + 2u)];
-        let _e88 = global_3.member.member_2;
+        let _e77 = global_6.member[_e74];
+        let _e81 = global_6.member[(_e74 + 1u)];
+        let _e85 = global_6.member[(_e74 + 2u)];
+        let _e88 = global_7.member.member_2;
         let _e91 = f32(_e88);
         let _e93 = f32(_e66);
         let _e96 = ceil((((_e77.x - _e77.w) - _e93) - 0.5f));
@@ -153,8 +153,8 @@ fn function_() {
         let _e107 = select(_e91, _e105, (_e105 < _e91));
         let _e112 = select(select(u32(_e100), 0u, (_e100 < 0f)), 4294967295u, (_e100 > 4294967000f));
         let _e117 = select(select(u32(_e107), 0u, (_e107 < 0f)), 4294967295u, (_e107 > 4294967000f));
-        let _e120 = global_3.member.member_3;
-        let _e123 = global_3.member.member_4;
+        let _e120 = global_7.member.member_3;
+        let _e123 = global_7.member.member_4;
         let _e127 = f32(_e120);
         let _e128 = f32((_e120 + _e123));
         let _e130 = f32(_e70);
@@ -326,7 +326,7 @@ fn function_() {
                 global_9.member[_e325] = (_e328 + vec4<f32>((_e77.z * ((_e81.x * _e298) + (_e81.y * _e301))), (_e77.z * ((_e81.y * _e306) + (_e81.z * _e309))), _e330, 0f));
                 let _e336 = global_9.member[(_e325 + 1u)];
                 global_9.member[(_e325 + 1u)] = (_e336 + vec4<f32>(((-0.5f * _e314) * _e77.z), ((-1f * _e317) * _e77.z), ((-0.5f * _e320) * _e77.z), 0f));
-                let _e341 = global_3.member.member_5;
+                let _e341 = global_7.member.member_5;
                 if (_e341 == 0u) {
                 } else {
                     let _e346 = global_9.member[(_e325 + 2u)];

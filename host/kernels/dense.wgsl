@@ -1,4 +1,12 @@
-struct type_3 {
+struct type_5 {
+    member: array<f32>,
+}
+
+struct type_12 {
+    member: array<vec4<f32>>,
+}
+
+struct type_15 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -7,19 +15,11 @@ struct type_3 {
     member_5: u32,
 }
 
-struct type_4 {
-    member: type_3,
+struct type_16 {
+    member: type_15,
 }
 
-struct type_9 {
-    member: array<vec4<f32>>,
-}
-
-struct type_12 {
-    member: array<f32>,
-}
-
-struct type_17 {
+struct type_18 {
     member: f32,
     member_1: f32,
     member_2: f32,
@@ -27,23 +27,23 @@ struct type_17 {
 }
 
 struct type_19 {
-    member: type_17,
-    member_1: type_17,
-    member_2: type_17,
-    member_3: type_17,
+    member: type_18,
+    member_1: type_18,
+    member_2: type_18,
+    member_3: type_18,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_4;
+var<uniform> global_3: type_16;
 @group(0) @binding(1) 
-var<storage> global_4: type_9;
+var<storage> global_4: type_12;
 @group(0) @binding(2) 
-var<storage> global_5: type_12;
+var<storage> global_5: type_5;
 @group(0) @binding(3) 
-var<storage, read_write> global_6: type_12;
+var<storage, read_write> global_6: type_5;
 
 fn function_() {
     var phi_119_: u32;
@@ -94,10 +94,10 @@ fn function_() {
         phi_119_ = 0u;
         phi_122_ = _e31;
         phi_124_ = (_e95 + _e37);
-        phi_126_ = type_19(type_17(_e83.x, _e83.x, _e83.x, _e83.x), type_17(_e83.y, _e83.y, _e83.y, _e83.y), type_17(_e83.z, _e83.z, _e83.z, _e83.z), type_17(_e83.w, _e83.w, _e83.w, _e83.w));
-        phi_128_ = type_19(type_17(_e70.x, _e70.x, _e70.x, _e70.x), type_17(_e70.y, _e70.y, _e70.y, _e70.y), type_17(_e70.z, _e70.z, _e70.z, _e70.z), type_17(_e70.w, _e70.w, _e70.w, _e70.w));
-        phi_130_ = type_19(type_17(_e57.x, _e57.x, _e57.x, _e57.x), type_17(_e57.y, _e57.y, _e57.y, _e57.y), type_17(_e57.z, _e57.z, _e57.z, _e57.z), type_17(_e57.w, _e57.w, _e57.w, _e57.w));
-        phi_132_ = type_19(type_17(_e44.x, _e44.x, _e44.x, _e44.x), type_17(_e44.y, _e44.y, _e44.y, _e44.y), type_17(_e44.z, _e44.z, _e44.z, _e44.z), type_17(_e44.w, _e44.w, _e44.w, _e44.w));
+        phi_126_ = type_19(type_18(_e83.x, _e83.x, _e83.x, _e83.x), type_18(_e83.y, _e83.y, _e83.y, _e83.y), type_18(_e83.z, _e83.z, _e83.z, _e83.z), type_18(_e83.w, _e83.w, _e83.w, _e83.w));
+        phi_128_ = type_19(type_18(_e70.x, _e70.x, _e70.x, _e70.x), type_18(_e70.y, _e70.y, _e70.y, _e70.y), type_18(_e70.z, _e70.z, _e70.z, _e70.z), type_18(_e70.w, _e70.w, _e70.w, _e70.w));
+        phi_130_ = type_19(type_18(_e57.x, _e57.x, _e57.x, _e57.x), type_18(_e57.y, _e57.y, _e57.y, _e57.y), type_18(_e57.z, _e57.z, _e57.z, _e57.z), type_18(_e57.w, _e57.w, _e57.w, _e57.w));
+        phi_132_ = type_19(type_18(_e44.x, _e44.x, _e44.x, _e44.x), type_18(_e44.y, _e44.y, _e44.y, _e44.y), type_18(_e44.z, _e44.z, _e44.z, _e44.z), type_18(_e44.w, _e44.w, _e44.w, _e44.w));
         loop {
             let _e98 = phi_119_;
             let _e100 = phi_122_;
@@ -137,10 +137,10 @@ fn function_() {
                 local_16 = (_e98 + 1u);
                 local_17 = (_e100 + _e395);
                 local_18 = (_e102 + _e391);
-                local_19 = type_19(type_17(((_e117 * _e327.x) + _e104.member.member), ((_e121 * _e327.x) + _e104.member.member_1), ((_e125 * _e327.x) + _e104.member.member_2), ((_e129 * _e327.x) + _e104.member.member_3)), type_17(((_e117 * _e327.y) + _e104.member_1.member), ((_e121 * _e327.y) + _e104.member_1.member_1), ((_e125 * _e327.y) + _e104.member_1.member_2), ((_e129 * _e327.y) + _e104.member_1.member_3)), type_17(((_e117 * _e327.z) + _e104.member_2.member), ((_e121 * _e327.z) + _e104.member_2.member_1), ((_e125 * _e327.z) + _e104.member_2.member_2), ((_e129 * _e327.z) + _e104.member_2.member_3)), type_17(((_e117 * _e327.w) + _e104.member_3.member), ((_e121 * _e327.w) + _e104.member_3.member_1), ((_e125 * _e327.w) + _e104.member_3.member_2), ((_e129 * _e327.w) + _e104.member_3.member_3)));
-                local_20 = type_19(type_17(((_e117 * _e262.x) + _e106.member.member), ((_e121 * _e262.x) + _e106.member.member_1), ((_e125 * _e262.x) + _e106.member.member_2), ((_e129 * _e262.x) + _e106.member.member_3)), type_17(((_e117 * _e262.y) + _e106.member_1.member), ((_e121 * _e262.y) + _e106.member_1.member_1), ((_e125 * _e262.y) + _e106.member_1.member_2), ((_e129 * _e262.y) + _e106.member_1.member_3)), type_17(((_e117 * _e262.z) + _e106.member_2.member), ((_e121 * _e262.z) + _e106.member_2.member_1), ((_e125 * _e262.z) + _e106.member_2.member_2), ((_e129 * _e262.z) + _e106.member_2.member_3)), type_17(((_e117 * _e262.w) + _e106.member_3.member), ((_e121 * _e262.w) + _e106.member_3.member_1), ((_e125 * _e262.w) + _e106.member_3.member_2), ((_e129 * _e262.w) + _e106.member_3.member_3)));
-                local_21 = type_19(type_17(((_e117 * _e197.x) + _e108.member.member), ((_e121 * _e197.x) + _e108.member.member_1), ((_e125 * _e197.x) + _e108.member.member_2), ((_e129 * _e197.x) + _e108.member.member_3)), type_17(((_e117 * _e197.y) + _e108.member_1.member), ((_e121 * _e197.y) + _e108.member_1.member_1), ((_e125 * _e197.y) + _e108.member_1.member_2), ((_e129 * _e197.y) + _e108.member_1.member_3)), type_17(((_e117 * _e197.z) + _e108.member_2.member), ((_e121 * _e197.z) + _e108.member_2.member_1), ((_e125 * _e197.z) + _e108.member_2.member_2), ((_e129 * _e197.z) + _e108.member_2.member_3)), type_17(((_e117 * _e197.w) + _e108.member_3.member), ((_e121 * _e197.w) + _e108.member_3.member_1), ((_e125 * _e197.w) + _e108.member_3.member_2), ((_e129 * _e197.w) + _e108.member_3.member_3)));
-                local_22 = type_19(type_17(((_e117 * _e132.x) + _e110.member.member), ((_e121 * _e132.x) + _e110.member.member_1), ((_e125 * _e132.x) + _e110.member.member_2), ((_e129 * _e132.x) + _e110.member.member_3)), type_17(((_e117 * _e132.y) + _e110.member_1.member), ((_e121 * _e132.y) + _e110.member_1.member_1), ((_e125 * _e132.y) + _e110.member_1.member_2), ((_e129 * _e132.y) + _e110.member_1.member_3)), type_17(((_e117 * _e132.z) + _e110.member_2.member), ((_e121 * _e132.z) + _e110.member_2.member_1), ((_e125 * _e132.z) + _e110.member_2.member_2), ((_e129 * _e132.z) + _e110.member_2.member_3)), type_17(((_e117 * _e132.w) + _e110.member_3.member), ((_e121 * _e132.w) + _e110.member_3.member_1), ((_e125 * _e132.w) + _e110.member_3.member_2), ((_e129 * _e132.w) + _e110.member_3.member_3)));
+                local_19 = type_19(type_18(((_e117 * _e327.x) + _e104.member.member), ((_e121 * _e327.x) + _e104.member.member_1), ((_e125 * _e327.x) + _e104.member.member_2), ((_e129 * _e327.x) + _e104.member.member_3)), type_18(((_e117 * _e327.y) + _e104.member_1.member), ((_e121 * _e327.y) + _e104.member_1.member_1), ((_e125 * _e327.y) + _e104.member_1.member_2), ((_e129 * _e327.y) + _e104.member_1.member_3)), type_18(((_e117 * _e327.z) + _e104.member_2.member), ((_e121 * _e327.z) + _e104.member_2.member_1), ((_e125 * _e327.z) + _e104.member_2.member_2), ((_e129 * _e327.z) + _e104.member_2.member_3)), type_18(((_e117 * _e327.w) + _e104.member_3.member), ((_e121 * _e327.w) + _e104.member_3.member_1), ((_e125 * _e327.w) + _e104.member_3.member_2), ((_e129 * _e327.w) + _e104.member_3.member_3)));
+                local_20 = type_19(type_18(((_e117 * _e262.x) + _e106.member.member), ((_e121 * _e262.x) + _e106.member.member_1), ((_e125 * _e262.x) + _e106.member.member_2), ((_e129 * _e262.x) + _e106.member.member_3)), type_18(((_e117 * _e262.y) + _e106.member_1.member), ((_e121 * _e262.y) + _e106.member_1.member_1), ((_e125 * _e262.y) + _e106.member_1.member_2), ((_e129 * _e262.y) + _e106.member_1.member_3)), type_18(((_e117 * _e262.z) + _e106.member_2.member), ((_e121 * _e262.z) + _e106.member_2.member_1), ((_e125 * _e262.z) + _e106.member_2.member_2), ((_e129 * _e262.z) + _e106.member_2.member_3)), type_18(((_e117 * _e262.w) + _e106.member_3.member), ((_e121 * _e262.w) + _e106.member_3.member_1), ((_e125 * _e262.w) + _e106.member_3.member_2), ((_e129 * _e262.w) + _e106.member_3.member_3)));
+                local_21 = type_19(type_18(((_e117 * _e197.x) + _e108.member.member), ((_e121 * _e197.x) + _e108.member.member_1), ((_e125 * _e197.x) + _e108.member.member_2), ((_e129 * _e197.x) + _e108.member.member_3)), type_18(((_e117 * _e197.y) + _e108.member_1.member), ((_e121 * _e197.y) + _e108.member_1.member_1), ((_e125 * _e197.y) + _e108.member_1.member_2), ((_e129 * _e197.y) + _e108.member_1.member_3)), type_18(((_e117 * _e197.z) + _e108.member_2.member), ((_e121 * _e197.z) + _e108.member_2.member_1), ((_e125 * _e197.z) + _e108.member_2.member_2), ((_e129 * _e197.z) + _e108.member_2.member_3)), type_18(((_e117 * _e197.w) + _e108.member_3.member), ((_e121 * _e197.w) + _e108.member_3.member_1), ((_e125 * _e197.w) + _e108.member_3.member_2), ((_e129 * _e197.w) + _e108.member_3.member_3)));
+                local_22 = type_19(type_18(((_e117 * _e132.x) + _e110.member.member), ((_e121 * _e132.x) + _e110.member.member_1), ((_e125 * _e132.x) + _e110.member.member_2), ((_e129 * _e132.x) + _e110.member.member_3)), type_18(((_e117 * _e132.y) + _e110.member_1.member), ((_e121 * _e132.y) + _e110.member_1.member_1), ((_e125 * _e132.y) + _e110.member_1.member_2), ((_e129 * _e132.y) + _e110.member_1.member_3)), type_18(((_e117 * _e132.z) + _e110.member_2.member), ((_e121 * _e132.z) + _e110.member_2.member_1), ((_e125 * _e132.z) + _e110.member_2.member_2), ((_e129 * _e132.z) + _e110.member_2.member_3)), type_18(((_e117 * _e132.w) + _e110.member_3.member), ((_e121 * _e132.w) + _e110.member_3.member_1), ((_e125 * _e132.w) + _e110.member_3.member_2), ((_e129 * _e132.w) + _e110.member_3.member_3)));
                 continue;
             } else {
                 break;

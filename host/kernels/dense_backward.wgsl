@@ -1,12 +1,12 @@
-struct type_6 {
-    member: array<vec4<f32>>,
-}
-
-struct type_9 {
+struct type_5 {
     member: array<f32>,
 }
 
-struct type_14 {
+struct type_12 {
+    member: array<vec4<f32>>,
+}
+
+struct type_15 {
     member: f32,
     member_1: f32,
     member_2: f32,
@@ -29,25 +29,25 @@ struct type_17 {
 }
 
 struct type_19 {
-    member: type_14,
-    member_1: type_14,
-    member_2: type_14,
-    member_3: type_14,
+    member: type_15,
+    member_1: type_15,
+    member_2: type_15,
+    member_3: type_15,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> global_3: type_6;
+var<storage> global_3: type_12;
 @group(0) @binding(0) 
 var<uniform> global_4: type_17;
 @group(0) @binding(2) 
-var<storage> global_5: type_9;
+var<storage> global_5: type_5;
 @group(0) @binding(3) 
-var<storage> global_6: type_9;
+var<storage> global_6: type_5;
 @group(0) @binding(4) 
-var<storage, read_write> global_7: type_9;
+var<storage, read_write> global_7: type_5;
 
 fn function_() {
     var phi_118_: u32;
@@ -55,21 +55,21 @@ fn function_() {
     var phi_123_: type_19;
     var phi_125_: type_19;
     var local: type_19;
-    var phi_584_: type_14;
+    var phi_584_: type_15;
     var local_1: type_19;
-    var phi_644_: type_14;
+    var phi_644_: type_15;
     var local_2: type_19;
-    var phi_704_: type_14;
+    var phi_704_: type_15;
     var local_3: type_19;
-    var phi_764_: type_14;
+    var phi_764_: type_15;
     var local_4: type_19;
-    var phi_825_: type_14;
+    var phi_825_: type_15;
     var local_5: type_19;
-    var phi_885_: type_14;
+    var phi_885_: type_15;
     var local_6: type_19;
-    var phi_945_: type_14;
+    var phi_945_: type_15;
     var local_7: type_19;
-    var phi_1005_: type_14;
+    var phi_1005_: type_15;
     var local_8: u32;
     var local_9: u32;
     var local_10: type_19;
@@ -96,8 +96,8 @@ fn function_() {
         let _e89 = (_e44 + 7u);
         phi_118_ = 0u;
         phi_121_ = _e34;
-        phi_123_ = type_19(type_14(0f, 0f, 0f, 0f), type_14(0f, 0f, 0f, 0f), type_14(0f, 0f, 0f, 0f), type_14(0f, 0f, 0f, 0f));
-        phi_125_ = type_19(type_14(0f, 0f, 0f, 0f), type_14(0f, 0f, 0f, 0f), type_14(0f, 0f, 0f, 0f), type_14(0f, 0f, 0f, 0f));
+        phi_123_ = type_19(type_15(0f, 0f, 0f, 0f), type_15(0f, 0f, 0f, 0f), type_15(0f, 0f, 0f, 0f), type_15(0f, 0f, 0f, 0f));
+        phi_125_ = type_19(type_15(0f, 0f, 0f, 0f), type_15(0f, 0f, 0f, 0f), type_15(0f, 0f, 0f, 0f), type_15(0f, 0f, 0f, 0f));
         loop {
             let _e95 = phi_118_;
             let _e97 = phi_121_;
@@ -142,8 +142,8 @@ fn function_() {
                 let _e371 = global_3.member[((_e51 + (select(_e48, _e89, (_e89 < _e48)) * _e54)) + _e95)];
                 local_8 = (_e95 + 1u);
                 local_9 = (_e97 + (4u * _e105));
-                local_10 = type_19(type_14(((_e158 * _e359.w) + ((_e141 * _e359.z) + ((_e124 * _e359.y) + ((_e108 * _e359.x) + _e99.member.member)))), ((_e162 * _e359.w) + ((_e145 * _e359.z) + ((_e128 * _e359.y) + ((_e112 * _e359.x) + _e99.member.member_1)))), ((_e166 * _e359.w) + ((_e149 * _e359.z) + ((_e132 * _e359.y) + ((_e116 * _e359.x) + _e99.member.member_2)))), ((_e170 * _e359.w) + ((_e153 * _e359.z) + ((_e136 * _e359.y) + ((_e120 * _e359.x) + _e99.member.member_3))))), type_14(((_e158 * _e363.w) + ((_e141 * _e363.z) + ((_e124 * _e363.y) + ((_e108 * _e363.x) + _e99.member_1.member)))), ((_e162 * _e363.w) + ((_e145 * _e363.z) + ((_e128 * _e363.y) + ((_e112 * _e363.x) + _e99.member_1.member_1)))), ((_e166 * _e363.w) + ((_e149 * _e363.z) + ((_e132 * _e363.y) + ((_e116 * _e363.x) + _e99.member_1.member_2)))), ((_e170 * _e363.w) + ((_e153 * _e363.z) + ((_e136 * _e363.y) + ((_e120 * _e363.x) + _e99.member_1.member_3))))), type_14(((_e158 * _e367.w) + ((_e141 * _e367.z) + ((_e124 * _e367.y) + ((_e108 * _e367.x) + _e99.member_2.member)))), ((_e162 * _e367.w) + ((_e145 * _e367.z) + ((_e128 * _e367.y) + ((_e112 * _e367.x) + _e99.member_2.member_1)))), ((_e166 * _e367.w) + ((_e149 * _e367.z) + ((_e132 * _e367.y) + ((_e116 * _e367.x) + _e99.member_2.member_2)))), ((_e170 * _e367.w) + ((_e153 * _e367.z) + ((_e136 * _e367.y) + ((_e120 * _e367.x) + _e99.member_2.member_3))))), type_14(((_e158 * _e371.w) + ((_e141 * _e371.z) + ((_e124 * _e371.y) + ((_e108 * _e371.x) + _e99.member_3.member)))), ((_e162 * _e371.w) + ((_e145 * _e371.z) + ((_e128 * _e371.y) + ((_e112 * _e371.x) + _e99.member_3.member_1)))), ((_e166 * _e371.w) + ((_e149 * _e371.z) + ((_e132 * _e371.y) + ((_e116 * _e371.x) + _e99.member_3.member_2)))), ((_e170 * _e371.w) + ((_e153 * _e371.z) + ((_e136 * _e371.y) + ((_e120 * _e371.x) + _e99.member_3.member_3))))));
-                local_11 = type_19(type_14(((_e158 * _e174.w) + ((_e141 * _e174.z) + ((_e124 * _e174.y) + ((_e108 * _e174.x) + _e101.member.member)))), ((_e162 * _e174.w) + ((_e145 * _e174.z) + ((_e128 * _e174.y) + ((_e112 * _e174.x) + _e101.member.member_1)))), ((_e166 * _e174.w) + ((_e149 * _e174.z) + ((_e132 * _e174.y) + ((_e116 * _e174.x) + _e101.member.member_2)))), ((_e170 * _e174.w) + ((_e153 * _e174.z) + ((_e136 * _e174.y) + ((_e120 * _e174.x) + _e101.member.member_3))))), type_14(((_e158 * _e178.w) + ((_e141 * _e178.z) + ((_e124 * _e178.y) + ((_e108 * _e178.x) + _e101.member_1.member)))), ((_e162 * _e178.w) + ((_e145 * _e178.z) + ((_e128 * _e178.y) + ((_e112 * _e178.x) + _e101.member_1.member_1)))), ((_e166 * _e178.w) + ((_e149 * _e178.z) + ((_e132 * _e178.y) + ((_e116 * _e178.x) + _e101.member_1.member_2)))), ((_e170 * _e178.w) + ((_e153 * _e178.z) + ((_e136 * _e178.y) + ((_e120 * _e178.x) + _e101.member_1.member_3))))), type_14(((_e158 * _e182.w) + ((_e141 * _e182.z) + ((_e124 * _e182.y) + ((_e108 * _e182.x) + _e101.member_2.member)))), ((_e162 * _e182.w) + ((_e145 * _e182.z) + ((_e128 * _e182.y) + ((_e112 * _e182.x) + _e101.member_2.member_1)))), ((_e166 * _e182.w) + ((_e149 * _e182.z) + ((_e132 * _e182.y) + ((_e116 * _e182.x) + _e101.member_2.member_2)))), ((_e170 * _e182.w) + ((_e153 * _e182.z) + ((_e136 * _e182.y) + ((_e120 * _e182.x) + _e101.member_2.member_3))))), type_14(((_e158 * _e186.w) + ((_e141 * _e186.z) + ((_e124 * _e186.y) + ((_e108 * _e186.x) + _e101.member_3.member)))), ((_e162 * _e186.w) + ((_e145 * _e186.z) + ((_e128 * _e186.y) + ((_e112 * _e186.x) + _e101.member_3.member_1)))), ((_e166 * _e186.w) + ((_e149 * _e186.z) + ((_e132 * _e186.y) + ((_e116 * _e186.x) + _e101.member_3.member_2)))), ((_e170 * _e186.w) + ((_e153 * _e186.z) + ((_e136 * _e186.y) + ((_e120 * _e186.x) + _e101.member_3.member_3))))));
+                local_10 = type_19(type_15(((_e158 * _e359.w) + ((_e141 * _e359.z) + ((_e124 * _e359.y) + ((_e108 * _e359.x) + _e99.member.member)))), ((_e162 * _e359.w) + ((_e145 * _e359.z) + ((_e128 * _e359.y) + ((_e112 * _e359.x) + _e99.member.member_1)))), ((_e166 * _e359.w) + ((_e149 * _e359.z) + ((_e132 * _e359.y) + ((_e116 * _e359.x) + _e99.member.member_2)))), ((_e170 * _e359.w) + ((_e153 * _e359.z) + ((_e136 * _e359.y) + ((_e120 * _e359.x) + _e99.member.member_3))))), type_15(((_e158 * _e363.w) + ((_e141 * _e363.z) + ((_e124 * _e363.y) + ((_e108 * _e363.x) + _e99.member_1.member)))), ((_e162 * _e363.w) + ((_e145 * _e363.z) + ((_e128 * _e363.y) + ((_e112 * _e363.x) + _e99.member_1.member_1)))), ((_e166 * _e363.w) + ((_e149 * _e363.z) + ((_e132 * _e363.y) + ((_e116 * _e363.x) + _e99.member_1.member_2)))), ((_e170 * _e363.w) + ((_e153 * _e363.z) + ((_e136 * _e363.y) + ((_e120 * _e363.x) + _e99.member_1.member_3))))), type_15(((_e158 * _e367.w) + ((_e141 * _e367.z) + ((_e124 * _e367.y) + ((_e108 * _e367.x) + _e99.member_2.member)))), ((_e162 * _e367.w) + ((_e145 * _e367.z) + ((_e128 * _e367.y) + ((_e112 * _e367.x) + _e99.member_2.member_1)))), ((_e166 * _e367.w) + ((_e149 * _e367.z) + ((_e132 * _e367.y) + ((_e116 * _e367.x) + _e99.member_2.member_2)))), ((_e170 * _e367.w) + ((_e153 * _e367.z) + ((_e136 * _e367.y) + ((_e120 * _e367.x) + _e99.member_2.member_3))))), type_15(((_e158 * _e371.w) + ((_e141 * _e371.z) + ((_e124 * _e371.y) + ((_e108 * _e371.x) + _e99.member_3.member)))), ((_e162 * _e371.w) + ((_e145 * _e371.z) + ((_e128 * _e371.y) + ((_e112 * _e371.x) + _e99.member_3.member_1)))), ((_e166 * _e371.w) + ((_e149 * _e371.z) + ((_e132 * _e371.y) + ((_e116 * _e371.x) + _e99.member_3.member_2)))), ((_e170 * _e371.w) + ((_e153 * _e371.z) + ((_e136 * _e371.y) + ((_e120 * _e371.x) + _e99.member_3.member_3))))));
+                local_11 = type_19(type_15(((_e158 * _e174.w) + ((_e141 * _e174.z) + ((_e124 * _e174.y) + ((_e108 * _e174.x) + _e101.member.member)))), ((_e162 * _e174.w) + ((_e145 * _e174.z) + ((_e128 * _e174.y) + ((_e112 * _e174.x) + _e101.member.member_1)))), ((_e166 * _e174.w) + ((_e149 * _e174.z) + ((_e132 * _e174.y) + ((_e116 * _e174.x) + _e101.member.member_2)))), ((_e170 * _e174.w) + ((_e153 * _e174.z) + ((_e136 * _e174.y) + ((_e120 * _e174.x) + _e101.member.member_3))))), type_15(((_e158 * _e178.w) + ((_e141 * _e178.z) + ((_e124 * _e178.y) + ((_e108 * _e178.x) + _e101.member_1.member)))), ((_e162 * _e178.w) + ((_e145 * _e178.z) + ((_e128 * _e178.y) + ((_e112 * _e178.x) + _e101.member_1.member_1)))), ((_e166 * _e178.w) + ((_e149 * _e178.z) + ((_e132 * _e178.y) + ((_e116 * _e178.x) + _e101.member_1.member_2)))), ((_e170 * _e178.w) + ((_e153 * _e178.z) + ((_e136 * _e178.y) + ((_e120 * _e178.x) + _e101.member_1.member_3))))), type_15(((_e158 * _e182.w) + ((_e141 * _e182.z) + ((_e124 * _e182.y) + ((_e108 * _e182.x) + _e101.member_2.member)))), ((_e162 * _e182.w) + ((_e145 * _e182.z) + ((_e128 * _e182.y) + ((_e112 * _e182.x) + _e101.member_2.member_1)))), ((_e166 * _e182.w) + ((_e149 * _e182.z) + ((_e132 * _e182.y) + ((_e116 * _e182.x) + _e101.member_2.member_2)))), ((_e170 * _e182.w) + ((_e153 * _e182.z) + ((_e136 * _e182.y) + ((_e120 * _e182.x) + _e101.member_2.member_3))))), type_15(((_e158 * _e186.w) + ((_e141 * _e186.z) + ((_e124 * _e186.y) + ((_e108 * _e186.x) + _e101.member_3.member)))), ((_e162 * _e186.w) + ((_e145 * _e186.z) + ((_e128 * _e186.y) + ((_e112 * _e186.x) + _e101.member_3.member_1)))), ((_e166 * _e186.w) + ((_e149 * _e186.z) + ((_e132 * _e186.y) + ((_e116 * _e186.x) + _e101.member_3.member_2)))), ((_e170 * _e186.w) + ((_e153 * _e186.z) + ((_e136 * _e186.y) + ((_e120 * _e186.x) + _e101.member_3.member_3))))));
                 continue;
             } else {
                 break;
@@ -173,7 +173,7 @@ fn function_() {
                 let _e567 = global_5.member[(_e549 + 1u)];
                 let _e571 = global_5.member[(_e549 + 2u)];
                 let _e575 = global_5.member[(_e549 + 3u)];
-                phi_584_ = type_14(select(0f, _e555.member.member, (0f < _e563)), select(0f, _e555.member.member_1, (0f < _e567)), select(0f, _e555.member.member_2, (0f < _e571)), select(0f, _e555.member.member_3, (0f < _e575)));
+                phi_584_ = type_15(select(0f, _e555.member.member, (0f < _e563)), select(0f, _e555.member.member_1, (0f < _e567)), select(0f, _e555.member.member_2, (0f < _e571)), select(0f, _e555.member.member_3, (0f < _e575)));
             }
             let _e590 = phi_584_;
             global_7.member[_e549] = _e590.member;
@@ -198,7 +198,7 @@ fn function_() {
                 let _e624 = global_5.member[(_e609 + 1u)];
                 let _e628 = global_5.member[(_e609 + 2u)];
                 let _e632 = global_5.member[(_e609 + 3u)];
-                phi_644_ = type_14(select(0f, _e612.member_1.member, (0f < _e620)), select(0f, _e612.member_1.member_1, (0f < _e624)), select(0f, _e612.member_1.member_2, (0f < _e628)), select(0f, _e612.member_1.member_3, (0f < _e632)));
+                phi_644_ = type_15(select(0f, _e612.member_1.member, (0f < _e620)), select(0f, _e612.member_1.member_1, (0f < _e624)), select(0f, _e612.member_1.member_2, (0f < _e628)), select(0f, _e612.member_1.member_3, (0f < _e632)));
             }
             let _e647 = phi_644_;
             global_7.member[_e609] = _e647.member;
@@ -223,7 +223,7 @@ fn function_() {
                 let _e681 = global_5.member[(_e666 + 1u)];
                 let _e685 = global_5.member[(_e666 + 2u)];
                 let _e689 = global_5.member[(_e666 + 3u)];
-                phi_704_ = type_14(select(0f, _e669.member_2.member, (0f < _e677)), select(0f, _e669.member_2.member_1, (0f < _e681)), select(0f, _e669.member_2.member_2, (0f < _e685)), select(0f, _e669.member_2.member_3, (0f < _e689)));
+                phi_704_ = type_15(select(0f, _e669.member_2.member, (0f < _e677)), select(0f, _e669.member_2.member_1, (0f < _e681)), select(0f, _e669.member_2.member_2, (0f < _e685)), select(0f, _e669.member_2.member_3, (0f < _e689)));
             }
             let _e704 = phi_704_;
             global_7.member[_e666] = _e704.member;
@@ -248,7 +248,7 @@ fn function_() {
                 let _e738 = global_5.member[(_e723 + 1u)];
                 let _e742 = global_5.member[(_e723 + 2u)];
                 let _e746 = global_5.member[(_e723 + 3u)];
-                phi_764_ = type_14(select(0f, _e726.member_3.member, (0f < _e734)), select(0f, _e726.member_3.member_1, (0f < _e738)), select(0f, _e726.member_3.member_2, (0f < _e742)), select(0f, _e726.member_3.member_3, (0f < _e746)));
+                phi_764_ = type_15(select(0f, _e726.member_3.member, (0f < _e734)), select(0f, _e726.member_3.member_1, (0f < _e738)), select(0f, _e726.member_3.member_2, (0f < _e742)), select(0f, _e726.member_3.member_3, (0f < _e746)));
             }
             let _e761 = phi_764_;
             global_7.member[_e723] = _e761.member;
@@ -273,7 +273,7 @@ fn function_() {
                 let _e796 = global_5.member[(_e781 + 1u)];
                 let _e800 = global_5.member[(_e781 + 2u)];
                 let _e804 = global_5.member[(_e781 + 3u)];
-                phi_825_ = type_14(select(0f, _e784.member.member, (0f < _e792)), select(0f, _e784.member.member_1, (0f < _e796)), select(0f, _e784.member.member_2, (0f < _e800)), select(0f, _e784.member.member_3, (0f < _e804)));
+                phi_825_ = type_15(select(0f, _e784.member.member, (0f < _e792)), select(0f, _e784.member.member_1, (0f < _e796)), select(0f, _e784.member.member_2, (0f < _e800)), select(0f, _e784.member.member_3, (0f < _e804)));
             }
             let _e819 = phi_825_;
             global_7.member[_e781] = _e819.member;
@@ -298,7 +298,7 @@ fn function_() {
                 let _e853 = global_5.member[(_e838 + 1u)];
                 let _e857 = global_5.member[(_e838 + 2u)];
                 let _e861 = global_5.member[(_e838 + 3u)];
-                phi_885_ = type_14(select(0f, _e841.member_1.member, (0f < _e849)), select(0f, _e841.member_1.member_1, (0f < _e853)), select(0f, _e841.member_1.member_2, (0f < _e857)), select(0f, _e841.member_1.member_3, (0f < _e861)));
+                phi_885_ = type_15(select(0f, _e841.member_1.member, (0f < _e849)), select(0f, _e841.member_1.member_1, (0f < _e853)), select(0f, _e841.member_1.member_2, (0f < _e857)), select(0f, _e841.member_1.member_3, (0f < _e861)));
             }
             let _e876 = phi_885_;
             global_7.member[_e838] = _e876.member;
@@ -323,7 +323,7 @@ fn function_() {
                 let _e910 = global_5.member[(_e895 + 1u)];
                 let _e914 = global_5.member[(_e895 + 2u)];
                 let _e918 = global_5.member[(_e895 + 3u)];
-                phi_945_ = type_14(select(0f, _e898.member_2.member, (0f < _e906)), select(0f, _e898.member_2.member_1, (0f < _e910)), select(0f, _e898.member_2.member_2, (0f < _e914)), select(0f, _e898.member_2.member_3, (0f < _e918)));
+                phi_945_ = type_15(select(0f, _e898.member_2.member, (0f < _e906)), select(0f, _e898.member_2.member_1, (0f < _e910)), select(0f, _e898.member_2.member_2, (0f < _e914)), select(0f, _e898.member_2.member_3, (0f < _e918)));
             }
             let _e933 = phi_945_;
             global_7.member[_e895] = _e933.member;
@@ -348,7 +348,7 @@ fn function_() {
                 let _e967 = global_5.member[(_e952 + 1u)];
                 let _e971 = global_5.member[(_e952 + 2u)];
                 let _e975 = global_5.member[(_e952 + 3u)];
-                phi_1005_ = type_14(select(0f, _e955.member_3.member, (0f < _e963)), select(0f, _e955.member_3.member_1, (0f < _e967)), select(0f, _e955.member_3.member_2, (0f < _e971)), select(0f, _e955.member_3.member_3, (0f < _e975)));
+                phi_1005_ = type_15(select(0f, _e955.member_3.member, (0f < _e963)), select(0f, _e955.member_3.member_1, (0f < _e967)), select(0f, _e955.member_3.member_2, (0f < _e971)), select(0f, _e955.member_3.member_3, (0f < _e975)));
             }
             let _e990 = phi_1005_;
             global_7.member[_e952] = _e990.member;

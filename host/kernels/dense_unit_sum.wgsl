@@ -1,25 +1,25 @@
 struct type_6 {
-    member: array<vec4<f32>>,
-}
-
-struct type_11 {
     member: u32,
     member_1: u32,
 }
 
-struct type_12 {
-    member: type_11,
+struct type_7 {
+    member: type_6,
+}
+
+struct type_11 {
+    member: array<vec4<f32>>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_12;
+var<uniform> global_3: type_7;
 @group(0) @binding(1) 
-var<storage> global_4: type_6;
+var<storage> global_4: type_11;
 @group(0) @binding(2) 
-var<storage, read_write> global_5: type_6;
+var<storage, read_write> global_5: type_11;
 
 fn function_() {
     var phi_51_: vec4<f32>;

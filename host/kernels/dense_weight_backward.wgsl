@@ -1,20 +1,20 @@
-struct type_6 {
-    member: array<vec4<f32>>,
-}
-
-struct type_9 {
+struct type_5 {
     member: array<f32>,
 }
 
-struct type_14 {
+struct type_11 {
+    member: array<u32>,
+}
+
+struct type_16 {
+    member: array<vec4<f32>>,
+}
+
+struct type_19 {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: f32,
-}
-
-struct type_17 {
-    member: array<u32>,
 }
 
 struct type_20 {
@@ -39,15 +39,15 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(2) 
-var<storage> global_3: type_9;
+var<storage> global_3: type_5;
 @group(0) @binding(3) 
-var<storage> global_4: type_9;
+var<storage> global_4: type_5;
 @group(0) @binding(1) 
-var<storage> global_5: type_17;
+var<storage> global_5: type_11;
 @group(0) @binding(0) 
 var<uniform> global_6: type_21;
 @group(0) @binding(4) 
-var<storage, read_write> global_7: type_6;
+var<storage, read_write> global_7: type_16;
 
 fn function_() {
     var phi_82_: u32;
@@ -61,78 +61,78 @@ fn function_() {
     var phi_158_: u32;
     var phi_204_: vec4<f32>;
     var phi_211_: u32;
-    var phi_214_: type_14;
-    var local_3: type_14;
-    var local_4: type_14;
-    var local_5: type_14;
-    var local_6: type_14;
+    var phi_214_: type_19;
+    var local_3: type_19;
+    var local_4: type_19;
+    var local_5: type_19;
+    var local_6: type_19;
     var phi_246_: u32;
-    var phi_249_: type_14;
-    var local_7: type_14;
-    var local_8: type_14;
-    var local_9: type_14;
-    var local_10: type_14;
+    var phi_249_: type_19;
+    var local_7: type_19;
+    var local_8: type_19;
+    var local_9: type_19;
+    var local_10: type_19;
     var phi_310_: vec4<f32>;
     var phi_321_: vec4<f32>;
     var phi_332_: vec4<f32>;
     var phi_343_: vec4<f32>;
-    var phi_363_: type_14;
-    var phi_366_: type_14;
-    var phi_368_: type_14;
-    var phi_370_: type_14;
+    var phi_363_: type_19;
+    var phi_366_: type_19;
+    var phi_368_: type_19;
+    var phi_370_: type_19;
     var phi_372_: u32;
-    var local_11: type_14;
-    var local_12: type_14;
-    var local_13: type_14;
-    var local_14: type_14;
-    var local_15: type_14;
-    var local_16: type_14;
-    var local_17: type_14;
-    var local_18: type_14;
-    var local_19: type_14;
-    var local_20: type_14;
-    var local_21: type_14;
-    var local_22: type_14;
-    var local_23: type_14;
-    var local_24: type_14;
-    var local_25: type_14;
-    var local_26: type_14;
-    var phi_468_: type_14;
-    var phi_471_: type_14;
-    var phi_473_: type_14;
-    var phi_475_: type_14;
+    var local_11: type_19;
+    var local_12: type_19;
+    var local_13: type_19;
+    var local_14: type_19;
+    var local_15: type_19;
+    var local_16: type_19;
+    var local_17: type_19;
+    var local_18: type_19;
+    var local_19: type_19;
+    var local_20: type_19;
+    var local_21: type_19;
+    var local_22: type_19;
+    var local_23: type_19;
+    var local_24: type_19;
+    var local_25: type_19;
+    var local_26: type_19;
+    var phi_468_: type_19;
+    var phi_471_: type_19;
+    var phi_473_: type_19;
+    var phi_475_: type_19;
     var phi_477_: u32;
-    var local_27: type_14;
-    var local_28: type_14;
-    var local_29: type_14;
-    var local_30: type_14;
-    var local_31: type_14;
-    var local_32: type_14;
-    var local_33: type_14;
-    var local_34: type_14;
-    var local_35: type_14;
-    var local_36: type_14;
-    var local_37: type_14;
-    var local_38: type_14;
-    var local_39: type_14;
-    var local_40: type_14;
-    var local_41: type_14;
-    var local_42: type_14;
+    var local_27: type_19;
+    var local_28: type_19;
+    var local_29: type_19;
+    var local_30: type_19;
+    var local_31: type_19;
+    var local_32: type_19;
+    var local_33: type_19;
+    var local_34: type_19;
+    var local_35: type_19;
+    var local_36: type_19;
+    var local_37: type_19;
+    var local_38: type_19;
+    var local_39: type_19;
+    var local_40: type_19;
+    var local_41: type_19;
+    var local_42: type_19;
     var local_43: u32;
     var local_44: u32;
     var local_45: u32;
     var local_46: u32;
-    var local_47: type_14;
+    var local_47: type_19;
     var local_48: u32;
-    var local_49: type_14;
-    var local_50: type_14;
-    var local_51: type_14;
-    var local_52: type_14;
-    var local_53: type_14;
-    var local_54: type_14;
-    var local_55: type_14;
-    var local_56: type_14;
-    var local_57: type_14;
+    var local_49: type_19;
+    var local_50: type_19;
+    var local_51: type_19;
+    var local_52: type_19;
+    var local_53: type_19;
+    var local_54: type_19;
+    var local_55: type_19;
+    var local_56: type_19;
+    var local_57: type_19;
     var local_58: u32;
 
     switch bitcast<i32>(0u) {
@@ -290,10 +290,10 @@ fn function_() {
                         let _e343 = (select(_e45, _e340, (_e340 < _e45)) * _e161);
                         let _e344 = (_e275 + 3u);
                         let _e347 = (select(_e45, _e344, (_e344 < _e45)) * _e161);
-                        phi_363_ = type_14(_e329.x, _e329.y, _e329.z, _e329.w);
-                        phi_366_ = type_14(_e319.x, _e319.y, _e319.z, _e319.w);
-                        phi_368_ = type_14(_e309.x, _e309.y, _e309.z, _e309.w);
-                        phi_370_ = type_14(_e299.x, _e299.y, _e299.z, _e299.w);
+                        phi_363_ = type_19(_e329.x, _e329.y, _e329.z, _e329.w);
+                        phi_366_ = type_19(_e319.x, _e319.y, _e319.z, _e319.w);
+                        phi_368_ = type_19(_e309.x, _e309.y, _e309.z, _e309.w);
+                        phi_370_ = type_19(_e299.x, _e299.y, _e299.z, _e299.w);
                         phi_372_ = _e129;
                         loop {
                             let _e349 = phi_363_;
@@ -329,10 +329,10 @@ fn function_() {
                                 let _e398 = global_3.member[(_e339 + _e357)];
                                 let _e415 = global_3.member[(_e343 + _e357)];
                                 let _e432 = global_3.member[(_e347 + _e357)];
-                                local_50 = type_14(((_e432 * _e363) + _e349.member), ((_e432 * _e367) + _e349.member_1), ((_e432 * _e372) + _e349.member_2), ((_e432 * _e377) + _e349.member_3));
-                                local_51 = type_14(((_e415 * _e363) + _e351.member), ((_e415 * _e367) + _e351.member_1), ((_e415 * _e372) + _e351.member_2), ((_e415 * _e377) + _e351.member_3));
-                                local_52 = type_14(((_e398 * _e363) + _e353.member), ((_e398 * _e367) + _e353.member_1), ((_e398 * _e372) + _e353.member_2), ((_e398 * _e377) + _e353.member_3));
-                                local_53 = type_14(((_e381 * _e363) + _e355.member), ((_e381 * _e367) + _e355.member_1), ((_e381 * _e372) + _e355.member_2), ((_e381 * _e377) + _e355.member_3));
+                                local_50 = type_19(((_e432 * _e363) + _e349.member), ((_e432 * _e367) + _e349.member_1), ((_e432 * _e372) + _e349.member_2), ((_e432 * _e377) + _e349.member_3));
+                                local_51 = type_19(((_e415 * _e363) + _e351.member), ((_e415 * _e367) + _e351.member_1), ((_e415 * _e372) + _e351.member_2), ((_e415 * _e377) + _e351.member_3));
+                                local_52 = type_19(((_e398 * _e363) + _e353.member), ((_e398 * _e367) + _e353.member_1), ((_e398 * _e372) + _e353.member_2), ((_e398 * _e377) + _e353.member_3));
+                                local_53 = type_19(((_e381 * _e363) + _e355.member), ((_e381 * _e367) + _e355.member_1), ((_e381 * _e372) + _e355.member_2), ((_e381 * _e377) + _e355.member_3));
                                 continue;
                             } else {
                                 break;
@@ -365,10 +365,10 @@ fn function_() {
                         let _e486 = local_24;
                         let _e489 = local_25;
                         let _e492 = local_26;
-                        phi_468_ = type_14(0f, 0f, 0f, 0f);
-                        phi_471_ = type_14(0f, 0f, 0f, 0f);
-                        phi_473_ = type_14(0f, 0f, 0f, 0f);
-                        phi_475_ = type_14(0f, 0f, 0f, 0f);
+                        phi_468_ = type_19(0f, 0f, 0f, 0f);
+                        phi_471_ = type_19(0f, 0f, 0f, 0f);
+                        phi_473_ = type_19(0f, 0f, 0f, 0f);
+                        phi_475_ = type_19(0f, 0f, 0f, 0f);
                         let _e754 = local_58;
                         phi_477_ = _e754;
                         loop {
@@ -404,10 +404,10 @@ fn function_() {
                                 let _e544 = global_3.member[(_e339 + _e503)];
                                 let _e561 = global_3.member[(_e343 + _e503)];
                                 let _e578 = global_3.member[(_e347 + _e503)];
-                                local_54 = type_14(((_e578 * _e509) + _e495.member), ((_e578 * _e513) + _e495.member_1), ((_e578 * _e518) + _e495.member_2), ((_e578 * _e523) + _e495.member_3));
-                                local_55 = type_14(((_e561 * _e509) + _e497.member), ((_e561 * _e513) + _e497.member_1), ((_e561 * _e518) + _e497.member_2), ((_e561 * _e523) + _e497.member_3));
-                                local_56 = type_14(((_e544 * _e509) + _e499.member), ((_e544 * _e513) + _e499.member_1), ((_e544 * _e518) + _e499.member_2), ((_e544 * _e523) + _e499.member_3));
-                                local_57 = type_14(((_e527 * _e509) + _e501.member), ((_e527 * _e513) + _e501.member_1), ((_e527 * _e518) + _e501.member_2), ((_e527 * _e523) + _e501.member_3));
+                                local_54 = type_19(((_e578 * _e509) + _e495.member), ((_e578 * _e513) + _e495.member_1), ((_e578 * _e518) + _e495.member_2), ((_e578 * _e523) + _e495.member_3));
+                                local_55 = type_19(((_e561 * _e509) + _e497.member), ((_e561 * _e513) + _e497.member_1), ((_e561 * _e518) + _e497.member_2), ((_e561 * _e523) + _e497.member_3));
+                                local_56 = type_19(((_e544 * _e509) + _e499.member), ((_e544 * _e513) + _e499.member_1), ((_e544 * _e518) + _e499.member_2), ((_e544 * _e523) + _e499.member_3));
+                                local_57 = type_19(((_e527 * _e509) + _e501.member), ((_e527 * _e513) + _e501.member_1), ((_e527 * _e518) + _e501.member_2), ((_e527 * _e523) + _e501.member_3));
                                 continue;
                             } else {
                                 break;
@@ -461,7 +461,7 @@ fn function_() {
                         }
                         let _e172 = phi_204_;
                         phi_211_ = _e129;
-                        phi_214_ = type_14(_e172.x, _e172.y, _e172.z, _e172.w);
+                        phi_214_ = type_19(_e172.x, _e172.y, _e172.z, _e172.w);
                         loop {
                             let _e179 = phi_211_;
                             let _e181 = phi_214_;
@@ -477,7 +477,7 @@ fn function_() {
                                 let _e191 = global_4.member[(_e184 + _e161)];
                                 let _e196 = global_4.member[(_e184 + (2u * _e161))];
                                 let _e201 = global_4.member[(_e184 + (3u * _e161))];
-                                local_47 = type_14((_e181.member + _e187), (_e181.member_1 + _e191), (_e181.member_2 + _e196), (_e181.member_3 + _e201));
+                                local_47 = type_19((_e181.member + _e187), (_e181.member_1 + _e191), (_e181.member_2 + _e196), (_e181.member_3 + _e201));
                                 continue;
                             } else {
                                 break;
@@ -494,7 +494,7 @@ fn function_() {
                         let _e221 = local_6;
                         let _e699 = local_48;
                         phi_246_ = _e699;
-                        phi_249_ = type_14(0f, 0f, 0f, 0f);
+                        phi_249_ = type_19(0f, 0f, 0f, 0f);
                         loop {
                             let _e224 = phi_246_;
                             let _e226 = phi_249_;
@@ -509,7 +509,7 @@ fn function_() {
                                 let _e236 = global_4.member[(_e229 + _e161)];
                                 let _e241 = global_4.member[(_e229 + (2u * _e161))];
                                 let _e246 = global_4.member[(_e229 + (3u * _e161))];
-                                local_49 = type_14((_e226.member + _e232), (_e226.member_1 + _e236), (_e226.member_2 + _e241), (_e226.member_3 + _e246));
+                                local_49 = type_19((_e226.member + _e232), (_e226.member_1 + _e236), (_e226.member_2 + _e241), (_e226.member_3 + _e246));
                                 continue;
                             } else {
                                 break;

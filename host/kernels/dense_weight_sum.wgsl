@@ -1,4 +1,12 @@
-struct type_3 {
+struct type_7 {
+    member: array<u32>,
+}
+
+struct type_12 {
+    member: array<vec4<f32>>,
+}
+
+struct type_15 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -7,29 +15,21 @@ struct type_3 {
     member_5: u32,
 }
 
-struct type_4 {
-    member: type_3,
-}
-
-struct type_9 {
-    member: array<vec4<f32>>,
-}
-
-struct type_15 {
-    member: array<u32>,
+struct type_16 {
+    member: type_15,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_4;
+var<uniform> global_3: type_16;
 @group(0) @binding(1) 
-var<storage> global_4: type_15;
+var<storage> global_4: type_7;
 @group(0) @binding(2) 
-var<storage> global_5: type_9;
+var<storage> global_5: type_12;
 @group(0) @binding(3) 
-var<storage, read_write> global_6: type_9;
+var<storage, read_write> global_6: type_12;
 
 fn function_() {
     var phi_75_: u32;

@@ -1,32 +1,32 @@
-struct type_5 {
-    member: array<f32>,
-}
-
-struct type_10 {
+struct type_4 {
     member: u32,
     member_1: f32,
 }
 
-struct type_11 {
-    member: type_10,
+struct type_5 {
+    member: type_4,
 }
 
-struct type_15 {
+struct type_9 {
     member: array<i32>,
+}
+
+struct type_12 {
+    member: array<f32>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_2: type_11;
+var<uniform> global_2: type_5;
 @group(0) @binding(1) 
-var<storage> global_3: type_15;
+var<storage> global_3: type_9;
 @group(0) @binding(2) 
-var<storage> global_4: type_5;
+var<storage> global_4: type_12;
 @group(0) @binding(3) 
-var<storage> global_5: type_5;
+var<storage> global_5: type_12;
 @group(0) @binding(4) 
-var<storage, read_write> global_6: type_5;
+var<storage, read_write> global_6: type_12;
 
 fn function_() {
     let _e20 = global;

@@ -10,7 +10,6 @@ struct type_10 {
     member_4: u32,
     member_5: u32,
     member_6: u32,
-    member_7: u32,
 }
 
 struct type_11 {
@@ -33,221 +32,198 @@ struct type_15 {
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(4) 
-var<storage, read_write> global_3: type_5;
 @group(0) @binding(3) 
-var<storage> global_4: type_5;
+var<storage> global_3: type_5;
 @group(0) @binding(0) 
-var<uniform> global_5: type_11;
+var<uniform> global_4: type_11;
 @group(0) @binding(1) 
-var<storage> global_6: type_15;
+var<storage> global_5: type_15;
+@group(0) @binding(4) 
+var<storage, read_write> global_6: type_5;
 @group(0) @binding(2) 
 var<storage> global_7: type_5;
 
 fn function_() {
-    var phi_206_: f32;
-    var phi_226_: f32;
-    var phi_246_: f32;
-    var phi_270_: u32;
-    var phi_290_: u32;
-    var phi_309_: u32;
-    var phi_328_: u32;
-    var phi_347_: u32;
-    var phi_366_: u32;
-    var phi_385_: u32;
-    var phi_404_: u32;
-    var phi_424_: u32;
-    var phi_427_: u32;
+    var phi_240_: u32;
+    var phi_260_: u32;
+    var phi_279_: u32;
+    var phi_298_: u32;
+    var phi_317_: u32;
+    var phi_336_: u32;
+    var phi_355_: u32;
+    var phi_374_: u32;
+    var phi_394_: u32;
+    var phi_397_: u32;
     var local: u32;
     var local_1: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e29 = global;
-            let _e30 = global_1;
-            let _e31 = global_2;
-            let _e39 = (((_e30.x + (_e30.y * _e31.x)) * 64u) + _e29.x);
-            let _e42 = global_5.member.member;
-            if (_e39 < _e42) {
-                let _e47 = global_6.member[_e30.z];
-                let _e50 = global_5.member.member_1;
-                let _e53 = global_5.member.member_6;
-                let _e56 = global_5.member.member_5;
-                let _e57 = (_e56 == 0u);
-                if _e57 {
+            let _e26 = global;
+            let _e27 = global_1;
+            let _e28 = global_2;
+            let _e36 = (((_e27.x + (_e27.y * _e28.x)) * 64u) + _e26.x);
+            let _e39 = global_4.member.member;
+            if (_e36 < _e39) {
+                let _e44 = global_5.member[_e27.z];
+                let _e47 = global_4.member.member_1;
+                let _e50 = global_4.member.member_5;
+                let _e53 = global_4.member.member_4;
+                let _e54 = (_e53 == 0u);
+                if _e54 {
                     break;
                 }
-                let _e58 = (_e39 / _e56);
-                if _e57 {
+                let _e55 = (_e36 / _e53);
+                if _e54 {
                     break;
                 }
-                let _e61 = (_e39 % _e56);
-                let _e62 = ((_e58 * (_e53 * _e50)) + _e61);
-                let _e65 = global_4.member[_e62];
-                let _e66 = (3u * _e50);
-                let _e70 = global_4.member[(_e62 + _e66)];
-                let _e71 = (_e50 + _e62);
-                let _e74 = global_4.member[_e71];
-                let _e78 = global_4.member[(_e71 + _e66)];
-                let _e80 = ((2u * _e50) + _e62);
-                let _e83 = global_4.member[_e80];
-                let _e87 = global_4.member[(_e80 + _e66)];
-                let _e90 = global_5.member.member_4;
-                let _e91 = (_e90 != 0u);
-                let _e92 = (_e65 + _e70);
-                let _e95 = select(false, (_e92 < 1f), (0f < _e92));
-                let _e98 = select(select(0f, 1f, (1f <= _e92)), _e65, _e95);
-                let _e101 = (_e98 * _e47.member);
-                let _e104 = (_e47.member + _e47.member_1);
-                let _e108 = trunc(_e101);
-                let _e110 = ((_e101 - _e108) + (((_e98 * _e47.member_1) + (select(0f, _e70, _e95) * _e104)) + 0.5f));
-                let _e112 = select(0f, _e110, (_e110 > 0f));
-                let _e113 = trunc(_e112);
-                let _e114 = (_e112 - _e113);
-                let _e115 = (_e108 + _e113);
-                let _e120 = select(select(u32(_e115), 0u, (_e115 < 0f)), 4294967295u, (_e115 > 4294967000f));
-                if _e91 {
-                    phi_206_ = ((_e114 * _e114) * (3f - (2f * _e114)));
+                let _e58 = (_e36 % _e53);
+                let _e59 = ((_e55 * (_e50 * _e47)) + _e58);
+                let _e62 = global_3.member[_e59];
+                let _e63 = (3u * _e47);
+                let _e67 = global_3.member[(_e59 + _e63)];
+                let _e68 = (_e47 + _e59);
+                let _e71 = global_3.member[_e68];
+                let _e75 = global_3.member[(_e68 + _e63)];
+                let _e77 = ((2u * _e47) + _e59);
+                let _e80 = global_3.member[_e77];
+                let _e84 = global_3.member[(_e77 + _e63)];
+                let _e85 = (_e62 + _e67);
+                let _e88 = select(false, (_e85 < 1f), (0f < _e85));
+                let _e91 = select(select(0f, 1f, (1f <= _e85)), _e62, _e88);
+                let _e94 = (_e91 * _e44.member);
+                let _e97 = (_e44.member + _e44.member_1);
+                let _e101 = trunc(_e94);
+                let _e103 = ((_e94 - _e101) + (((_e91 * _e44.member_1) + (select(0f, _e67, _e88) * _e97)) + 0.5f));
+                let _e105 = select(0f, _e103, (_e103 > 0f));
+                let _e106 = trunc(_e105);
+                let _e107 = (_e105 - _e106);
+                let _e108 = (_e101 + _e106);
+                let _e113 = select(select(u32(_e108), 0u, (_e108 < 0f)), 4294967295u, (_e108 > 4294967000f));
+                let _e114 = (_e71 + _e75);
+                let _e117 = select(false, (_e114 < 1f), (0f < _e114));
+                let _e120 = select(select(0f, 1f, (1f <= _e114)), _e71, _e117);
+                let _e122 = (_e120 * _e44.member);
+                let _e127 = trunc(_e122);
+                let _e129 = ((_e122 - _e127) + (((_e120 * _e44.member_1) + (select(0f, _e75, _e117) * _e97)) + 0.5f));
+                let _e131 = select(0f, _e129, (_e129 > 0f));
+                let _e132 = trunc(_e131);
+                let _e133 = (_e131 - _e132);
+                let _e134 = (_e127 + _e132);
+                let _e139 = select(select(u32(_e134), 0u, (_e134 < 0f)), 4294967295u, (_e134 > 4294967000f));
+                let _e140 = (_e80 + _e84);
+                let _e143 = select(false, (_e140 < 1f), (0f < _e140));
+                let _e146 = select(select(0f, 1f, (1f <= _e140)), _e80, _e143);
+                let _e148 = (_e146 * _e44.member);
+                let _e153 = trunc(_e148);
+                let _e155 = ((_e148 - _e153) + (((_e146 * _e44.member_1) + (select(0f, _e84, _e143) * _e97)) + 0.5f));
+                let _e157 = select(0f, _e155, (_e155 > 0f));
+                let _e158 = trunc(_e157);
+                let _e159 = (_e157 - _e158);
+                let _e160 = (_e153 + _e158);
+                let _e165 = select(select(u32(_e160), 0u, (_e160 < 0f)), 4294967295u, (_e160 > 4294967000f));
+                let _e166 = (_e113 + 1u);
+                let _e167 = (_e139 + 1u);
+                let _e168 = (_e165 + 1u);
+                let _e171 = (_e44.member_5 == 0u);
+                if _e171 {
+                    let _e176 = (_e113 + ((_e139 + (_e165 * _e44.member_2)) * _e44.member_2));
+                    phi_240_ = select((_e176 - _e44.member_4), _e176, (_e176 < _e44.member_4));
                 } else {
-                    phi_206_ = _e114;
+                    phi_240_ = (((_e113 ^ (_e139 * 2654435761u)) ^ (_e165 * 805459861u)) & (_e44.member_4 - 1u));
                 }
-                let _e126 = phi_206_;
-                let _e127 = (_e74 + _e78);
-                let _e130 = select(false, (_e127 < 1f), (0f < _e127));
-                let _e133 = select(select(0f, 1f, (1f <= _e127)), _e74, _e130);
-                let _e135 = (_e133 * _e47.member);
-                let _e140 = trunc(_e135);
-                let _e142 = ((_e135 - _e140) + (((_e133 * _e47.member_1) + (select(0f, _e78, _e130) * _e104)) + 0.5f));
-                let _e144 = select(0f, _e142, (_e142 > 0f));
-                let _e145 = trunc(_e144);
-                let _e146 = (_e144 - _e145);
-                let _e147 = (_e140 + _e145);
-                let _e152 = select(select(u32(_e147), 0u, (_e147 < 0f)), 4294967295u, (_e147 > 4294967000f));
-                if _e91 {
-                    phi_226_ = ((_e146 * _e146) * (3f - (2f * _e146)));
+                let _e187 = phi_240_;
+                if _e171 {
+                    let _e194 = (_e166 + ((_e139 + (_e165 * _e44.member_2)) * _e44.member_2));
+                    phi_260_ = select((_e194 - _e44.member_4), _e194, (_e194 < _e44.member_4));
                 } else {
-                    phi_226_ = _e146;
+                    phi_260_ = (((_e166 ^ (_e139 * 2654435761u)) ^ (_e165 * 805459861u)) & (_e44.member_4 - 1u));
                 }
-                let _e158 = phi_226_;
-                let _e159 = (_e83 + _e87);
-                let _e162 = select(false, (_e159 < 1f), (0f < _e159));
-                let _e165 = select(select(0f, 1f, (1f <= _e159)), _e83, _e162);
-                let _e167 = (_e165 * _e47.member);
-                let _e172 = trunc(_e167);
-                let _e174 = ((_e167 - _e172) + (((_e165 * _e47.member_1) + (select(0f, _e87, _e162) * _e104)) + 0.5f));
-                let _e176 = select(0f, _e174, (_e174 > 0f));
-                let _e177 = trunc(_e176);
-                let _e178 = (_e176 - _e177);
-                let _e179 = (_e172 + _e177);
-                let _e184 = select(select(u32(_e179), 0u, (_e179 < 0f)), 4294967295u, (_e179 > 4294967000f));
-                if _e91 {
-                    phi_246_ = ((_e178 * _e178) * (3f - (2f * _e178)));
+                let _e205 = phi_260_;
+                if _e171 {
+                    let _e211 = (_e113 + ((_e167 + (_e165 * _e44.member_2)) * _e44.member_2));
+                    phi_279_ = select((_e211 - _e44.member_4), _e211, (_e211 < _e44.member_4));
                 } else {
-                    phi_246_ = _e178;
+                    phi_279_ = (((_e113 ^ (_e167 * 2654435761u)) ^ (_e165 * 805459861u)) & (_e44.member_4 - 1u));
                 }
-                let _e190 = phi_246_;
-                let _e191 = (_e120 + 1u);
-                let _e192 = (_e152 + 1u);
-                let _e193 = (_e184 + 1u);
-                let _e196 = (_e47.member_5 == 0u);
-                if _e196 {
-                    let _e201 = (_e120 + ((_e152 + (_e184 * _e47.member_2)) * _e47.member_2));
-                    phi_270_ = select((_e201 - _e47.member_4), _e201, (_e201 < _e47.member_4));
+                let _e222 = phi_279_;
+                if _e171 {
+                    let _e228 = (_e166 + ((_e167 + (_e165 * _e44.member_2)) * _e44.member_2));
+                    phi_298_ = select((_e228 - _e44.member_4), _e228, (_e228 < _e44.member_4));
                 } else {
-                    phi_270_ = (((_e120 ^ (_e152 * 2654435761u)) ^ (_e184 * 805459861u)) & (_e47.member_4 - 1u));
+                    phi_298_ = (((_e166 ^ (_e167 * 2654435761u)) ^ (_e165 * 805459861u)) & (_e44.member_4 - 1u));
                 }
-                let _e212 = phi_270_;
-                if _e196 {
-                    let _e219 = (_e191 + ((_e152 + (_e184 * _e47.member_2)) * _e47.member_2));
-                    phi_290_ = select((_e219 - _e47.member_4), _e219, (_e219 < _e47.member_4));
+                let _e239 = phi_298_;
+                if _e171 {
+                    let _e245 = (_e113 + ((_e139 + (_e168 * _e44.member_2)) * _e44.member_2));
+                    phi_317_ = select((_e245 - _e44.member_4), _e245, (_e245 < _e44.member_4));
                 } else {
-                    phi_290_ = (((_e191 ^ (_e152 * 2654435761u)) ^ (_e184 * 805459861u)) & (_e47.member_4 - 1u));
+                    phi_317_ = (((_e113 ^ (_e139 * 2654435761u)) ^ (_e168 * 805459861u)) & (_e44.member_4 - 1u));
                 }
-                let _e230 = phi_290_;
-                if _e196 {
-                    let _e236 = (_e120 + ((_e192 + (_e184 * _e47.member_2)) * _e47.member_2));
-                    phi_309_ = select((_e236 - _e47.member_4), _e236, (_e236 < _e47.member_4));
+                let _e256 = phi_317_;
+                if _e171 {
+                    let _e262 = (_e166 + ((_e139 + (_e168 * _e44.member_2)) * _e44.member_2));
+                    phi_336_ = select((_e262 - _e44.member_4), _e262, (_e262 < _e44.member_4));
                 } else {
-                    phi_309_ = (((_e120 ^ (_e192 * 2654435761u)) ^ (_e184 * 805459861u)) & (_e47.member_4 - 1u));
+                    phi_336_ = (((_e166 ^ (_e139 * 2654435761u)) ^ (_e168 * 805459861u)) & (_e44.member_4 - 1u));
                 }
-                let _e247 = phi_309_;
-                if _e196 {
-                    let _e253 = (_e191 + ((_e192 + (_e184 * _e47.member_2)) * _e47.member_2));
-                    phi_328_ = select((_e253 - _e47.member_4), _e253, (_e253 < _e47.member_4));
+                let _e273 = phi_336_;
+                if _e171 {
+                    let _e279 = (_e113 + ((_e167 + (_e168 * _e44.member_2)) * _e44.member_2));
+                    phi_355_ = select((_e279 - _e44.member_4), _e279, (_e279 < _e44.member_4));
                 } else {
-                    phi_328_ = (((_e191 ^ (_e192 * 2654435761u)) ^ (_e184 * 805459861u)) & (_e47.member_4 - 1u));
+                    phi_355_ = (((_e113 ^ (_e167 * 2654435761u)) ^ (_e168 * 805459861u)) & (_e44.member_4 - 1u));
                 }
-                let _e264 = phi_328_;
-                if _e196 {
-                    let _e270 = (_e120 + ((_e152 + (_e193 * _e47.member_2)) * _e47.member_2));
-                    phi_347_ = select((_e270 - _e47.member_4), _e270, (_e270 < _e47.member_4));
+                let _e290 = phi_355_;
+                if _e171 {
+                    let _e296 = (_e166 + ((_e167 + (_e168 * _e44.member_2)) * _e44.member_2));
+                    phi_374_ = select((_e296 - _e44.member_4), _e296, (_e296 < _e44.member_4));
                 } else {
-                    phi_347_ = (((_e120 ^ (_e152 * 2654435761u)) ^ (_e193 * 805459861u)) & (_e47.member_4 - 1u));
+                    phi_374_ = (((_e166 ^ (_e167 * 2654435761u)) ^ (_e168 * 805459861u)) & (_e44.member_4 - 1u));
                 }
-                let _e281 = phi_347_;
-                if _e196 {
-                    let _e287 = (_e191 + ((_e152 + (_e193 * _e47.member_2)) * _e47.member_2));
-                    phi_366_ = select((_e287 - _e47.member_4), _e287, (_e287 < _e47.member_4));
-                } else {
-                    phi_366_ = (((_e191 ^ (_e152 * 2654435761u)) ^ (_e193 * 805459861u)) & (_e47.member_4 - 1u));
-                }
-                let _e298 = phi_366_;
-                if _e196 {
-                    let _e304 = (_e120 + ((_e192 + (_e193 * _e47.member_2)) * _e47.member_2));
-                    phi_385_ = select((_e304 - _e47.member_4), _e304, (_e304 < _e47.member_4));
-                } else {
-                    phi_385_ = (((_e120 ^ (_e192 * 2654435761u)) ^ (_e193 * 805459861u)) & (_e47.member_4 - 1u));
-                }
-                let _e315 = phi_385_;
-                if _e196 {
-                    let _e321 = (_e191 + ((_e192 + (_e193 * _e47.member_2)) * _e47.member_2));
-                    phi_404_ = select((_e321 - _e47.member_4), _e321, (_e321 < _e47.member_4));
-                } else {
-                    phi_404_ = (((_e191 ^ (_e192 * 2654435761u)) ^ (_e193 * 805459861u)) & (_e47.member_4 - 1u));
-                }
-                let _e332 = phi_404_;
-                let _e334 = (1f - _e126);
-                let _e335 = (1f - _e158);
-                let _e336 = (1f - _e190);
-                let _e337 = (_e334 * _e335);
-                let _e338 = (_e126 * _e335);
-                let _e339 = (_e334 * _e158);
-                let _e340 = (_e126 * _e158);
-                let _e351 = global_5.member.member_3;
-                let _e354 = global_5.member.member_2;
-                let _e359 = global_5.member.member_7;
-                if _e57 {
+                let _e307 = phi_374_;
+                let _e309 = (1f - _e107);
+                let _e310 = (1f - _e133);
+                let _e311 = (1f - _e159);
+                let _e312 = (_e309 * _e310);
+                let _e313 = (_e107 * _e310);
+                let _e314 = (_e309 * _e133);
+                let _e315 = (_e107 * _e133);
+                let _e326 = global_4.member.member_3;
+                let _e329 = global_4.member.member_2;
+                let _e334 = global_4.member.member_6;
+                if _e54 {
                     break;
                 }
-                if _e57 {
+                if _e54 {
                     break;
                 }
-                phi_424_ = 0u;
-                phi_427_ = (((_e58 * (_e359 * _e50)) + _e61) + ((_e354 + (_e30.z * _e351)) * _e50));
+                phi_394_ = 0u;
+                phi_397_ = (((_e55 * (_e334 * _e47)) + _e58) + ((_e329 + (_e27.z * _e326)) * _e47));
                 loop {
-                    let _e366 = phi_424_;
-                    let _e368 = phi_427_;
-                    if (_e366 < _e351) {
-                        let _e374 = global_7.member[(((_e212 + _e47.member_3) * _e351) + _e366)];
-                        let _e380 = global_7.member[(((_e230 + _e47.member_3) * _e351) + _e366)];
-                        let _e386 = global_7.member[(((_e247 + _e47.member_3) * _e351) + _e366)];
-                        let _e392 = global_7.member[(((_e264 + _e47.member_3) * _e351) + _e366)];
-                        let _e398 = global_7.member[(((_e281 + _e47.member_3) * _e351) + _e366)];
-                        let _e404 = global_7.member[(((_e298 + _e47.member_3) * _e351) + _e366)];
-                        let _e410 = global_7.member[(((_e315 + _e47.member_3) * _e351) + _e366)];
-                        let _e416 = global_7.member[(((_e332 + _e47.member_3) * _e351) + _e366)];
-                        global_3.member[_e368] = ((((((((_e374 * (_e337 * _e336)) + (_e380 * (_e338 * _e336))) + (_e386 * (_e339 * _e336))) + (_e392 * (_e340 * _e336))) + (_e398 * (_e337 * _e190))) + (_e404 * (_e338 * _e190))) + (_e410 * (_e339 * _e190))) + (_e416 * (_e340 * _e190)));
-                        local = (_e366 + 1u);
-                        local_1 = (_e368 + _e50);
+                    let _e341 = phi_394_;
+                    let _e343 = phi_397_;
+                    if (_e341 < _e326) {
+                        let _e349 = global_7.member[(((_e187 + _e44.member_3) * _e326) + _e341)];
+                        let _e355 = global_7.member[(((_e205 + _e44.member_3) * _e326) + _e341)];
+                        let _e361 = global_7.member[(((_e222 + _e44.member_3) * _e326) + _e341)];
+                        let _e367 = global_7.member[(((_e239 + _e44.member_3) * _e326) + _e341)];
+                        let _e373 = global_7.member[(((_e256 + _e44.member_3) * _e326) + _e341)];
+                        let _e379 = global_7.member[(((_e273 + _e44.member_3) * _e326) + _e341)];
+                        let _e385 = global_7.member[(((_e290 + _e44.member_3) * _e326) + _e341)];
+                        let _e391 = global_7.member[(((_e307 + _e44.member_3) * _e326) + _e341)];
+                        global_6.member[_e343] = ((((((((_e349 * (_e312 * _e311)) + (_e355 * (_e313 * _e311))) + (_e361 * (_e314 * _e311))) + (_e367 * (_e315 * _e311))) + (_e373 * (_e312 * _e159))) + (_e379 * (_e313 * _e159))) + (_e385 * (_e314 * _e159))) + (_e391 * (_e315 * _e159)));
+                        local = (_e341 + 1u);
+                        local_1 = (_e343 + _e47);
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e442 = local;
-                        phi_424_ = _e442;
-                        let _e445 = local_1;
-                        phi_427_ = _e445;
+                        let _e414 = local;
+                        phi_394_ = _e414;
+                        let _e417 = local_1;
+                        phi_397_ = _e417;
                     }
                 }
             }

@@ -14,7 +14,6 @@ struct type_14 {
     member_4: u32,
     member_5: u32,
     member_6: u32,
-    member_7: u32,
 }
 
 struct type_15 {
@@ -59,58 +58,55 @@ var<storage, read_write> global_9: type_25;
 var<storage, read_write> global_10: type_25;
 
 fn function_() {
-    var phi_220_: u32;
-    var phi_223_: u32;
-    var phi_225_: f32;
-    var phi_227_: f32;
+    var phi_205_: u32;
+    var phi_208_: u32;
+    var phi_210_: f32;
+    var phi_212_: f32;
     var local: f32;
     var local_1: f32;
     var local_2: f32;
-    var phi_304_: f32;
-    var phi_324_: f32;
-    var phi_344_: f32;
-    var phi_368_: u32;
-    var phi_388_: u32;
-    var phi_407_: u32;
-    var phi_426_: u32;
-    var phi_445_: u32;
-    var phi_464_: u32;
-    var phi_483_: u32;
-    var phi_502_: u32;
-    var phi_563_: u32;
-    var phi_566_: u32;
-    var phi_585_: f32;
-    var phi_603_: u32;
-    var phi_617_: u32;
-    var phi_619_: array<u32, 2>;
-    var phi_640_: f32;
-    var phi_658_: u32;
-    var phi_672_: u32;
-    var phi_674_: array<u32, 2>;
-    var phi_695_: f32;
-    var phi_713_: u32;
-    var phi_727_: u32;
-    var phi_729_: array<u32, 2>;
-    var phi_750_: f32;
-    var phi_768_: u32;
-    var phi_782_: u32;
-    var phi_784_: array<u32, 2>;
-    var phi_805_: f32;
-    var phi_823_: u32;
-    var phi_837_: u32;
-    var phi_839_: array<u32, 2>;
-    var phi_860_: f32;
-    var phi_878_: u32;
-    var phi_892_: u32;
-    var phi_894_: array<u32, 2>;
-    var phi_915_: f32;
-    var phi_933_: u32;
-    var phi_947_: u32;
-    var phi_949_: array<u32, 2>;
-    var phi_970_: f32;
-    var phi_988_: u32;
-    var phi_1002_: u32;
-    var phi_1004_: array<u32, 2>;
+    var phi_338_: u32;
+    var phi_358_: u32;
+    var phi_377_: u32;
+    var phi_396_: u32;
+    var phi_415_: u32;
+    var phi_434_: u32;
+    var phi_453_: u32;
+    var phi_472_: u32;
+    var phi_533_: u32;
+    var phi_536_: u32;
+    var phi_555_: f32;
+    var phi_573_: u32;
+    var phi_587_: u32;
+    var phi_589_: array<u32, 2>;
+    var phi_610_: f32;
+    var phi_628_: u32;
+    var phi_642_: u32;
+    var phi_644_: array<u32, 2>;
+    var phi_665_: f32;
+    var phi_683_: u32;
+    var phi_697_: u32;
+    var phi_699_: array<u32, 2>;
+    var phi_720_: f32;
+    var phi_738_: u32;
+    var phi_752_: u32;
+    var phi_754_: array<u32, 2>;
+    var phi_775_: f32;
+    var phi_793_: u32;
+    var phi_807_: u32;
+    var phi_809_: array<u32, 2>;
+    var phi_830_: f32;
+    var phi_848_: u32;
+    var phi_862_: u32;
+    var phi_864_: array<u32, 2>;
+    var phi_885_: f32;
+    var phi_903_: u32;
+    var phi_917_: u32;
+    var phi_919_: array<u32, 2>;
+    var phi_940_: f32;
+    var phi_958_: u32;
+    var phi_972_: u32;
+    var phi_974_: array<u32, 2>;
     var local_3: u32;
     var local_4: u32;
     var local_5: f32;
@@ -120,551 +116,531 @@ fn function_() {
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e36 = global;
-            let _e37 = global_1;
-            let _e38 = global_2;
-            let _e46 = (((_e37.x + (_e37.y * _e38.x)) * 64u) + _e36.x);
-            let _e49 = global_4.member.member;
-            if (_e46 < _e49) {
-                let _e53 = global_4.member.member_3;
-                let _e57 = global_4.member.member_2;
-                let _e62 = global_4.member.member_7;
-                let _e65 = global_4.member.member_5;
-                let _e66 = (_e65 == 0u);
-                if _e66 {
+            let _e33 = global;
+            let _e34 = global_1;
+            let _e35 = global_2;
+            let _e43 = (((_e34.x + (_e34.y * _e35.x)) * 64u) + _e33.x);
+            let _e46 = global_4.member.member;
+            if (_e43 < _e46) {
+                let _e50 = global_4.member.member_3;
+                let _e54 = global_4.member.member_2;
+                let _e59 = global_4.member.member_6;
+                let _e62 = global_4.member.member_4;
+                let _e63 = (_e62 == 0u);
+                if _e63 {
                     break;
                 }
-                let _e67 = (_e46 / _e65);
-                let _e70 = global_4.member.member_1;
-                if _e66 {
+                let _e64 = (_e43 / _e62);
+                let _e67 = global_4.member.member_1;
+                if _e63 {
                     break;
                 }
-                let _e73 = (_e46 % _e65);
-                let _e76 = (((_e67 * (_e62 * _e70)) + _e73) + ((_e57 + (_e37.z * _e53)) * _e70));
-                let _e79 = global_7.member[2u];
-                phi_220_ = 0u;
-                phi_223_ = _e76;
-                phi_225_ = 0f;
-                phi_227_ = 0f;
+                let _e70 = (_e43 % _e62);
+                let _e73 = (((_e64 * (_e59 * _e67)) + _e70) + ((_e54 + (_e34.z * _e50)) * _e67));
+                let _e76 = global_7.member[2u];
+                phi_205_ = 0u;
+                phi_208_ = _e73;
+                phi_210_ = 0f;
+                phi_212_ = 0f;
                 loop {
-                    let _e81 = phi_220_;
-                    let _e83 = phi_223_;
-                    let _e85 = phi_225_;
-                    let _e87 = phi_227_;
-                    local = _e85;
-                    local_1 = _e87;
-                    local_2 = _e85;
-                    if (_e81 < _e53) {
-                        let _e91 = global_6.member[_e83];
-                        let _e92 = -(_e91);
-                        let _e94 = select(_e92, _e91, (_e91 > _e92));
-                        local_3 = (_e81 + 1u);
-                        local_4 = (_e83 + _e70);
-                        local_5 = select(1f, _e85, (_e94 <= _e79));
-                        local_6 = select(_e94, _e87, (_e87 > _e94));
+                    let _e78 = phi_205_;
+                    let _e80 = phi_208_;
+                    let _e82 = phi_210_;
+                    let _e84 = phi_212_;
+                    local = _e82;
+                    local_1 = _e84;
+                    local_2 = _e82;
+                    if (_e78 < _e50) {
+                        let _e88 = global_6.member[_e80];
+                        let _e89 = -(_e88);
+                        let _e91 = select(_e89, _e88, (_e88 > _e89));
+                        local_3 = (_e78 + 1u);
+                        local_4 = (_e80 + _e67);
+                        local_5 = select(1f, _e82, (_e91 <= _e76));
+                        local_6 = select(_e91, _e84, (_e84 > _e91));
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e886 = local_3;
-                        phi_220_ = _e886;
-                        let _e889 = local_4;
-                        phi_223_ = _e889;
-                        let _e892 = local_5;
-                        phi_225_ = _e892;
-                        let _e895 = local_6;
-                        phi_227_ = _e895;
+                        let _e861 = local_3;
+                        phi_205_ = _e861;
+                        let _e864 = local_4;
+                        phi_208_ = _e864;
+                        let _e867 = local_5;
+                        phi_210_ = _e867;
+                        let _e870 = local_6;
+                        phi_212_ = _e870;
                     }
                 }
-                let _e102 = local;
-                if (0f < _e102) {
-                    let _e106 = atomicMax((&global_10.member[0u]), 1u);
+                let _e99 = local;
+                if (0f < _e99) {
+                    let _e103 = atomicMax((&global_10.member[0u]), 1u);
                 }
-                let _e108 = local_1;
-                let _e111 = local_2;
-                let _e113 = select(false, (_e111 < 1f), (0.000000000000000000000000000000000000011754944f <= _e108));
-                if _e113 {
-                    let _e116 = global_5.member[_e37.z];
-                    let _e119 = global_4.member.member_6;
-                    if _e66 {
+                let _e105 = local_1;
+                let _e108 = local_2;
+                let _e110 = select(false, (_e108 < 1f), (0.000000000000000000000000000000000000011754944f <= _e105));
+                if _e110 {
+                    let _e113 = global_5.member[_e34.z];
+                    let _e116 = global_4.member.member_5;
+                    if _e63 {
                         break;
                     }
-                    if _e66 {
+                    if _e63 {
                         break;
                     }
-                    let _e122 = ((_e67 * (_e119 * _e70)) + _e73);
-                    let _e125 = global_3.member[_e122];
-                    let _e126 = (3u * _e70);
-                    let _e130 = global_3.member[(_e122 + _e126)];
-                    let _e131 = (_e70 + _e122);
-                    let _e134 = global_3.member[_e131];
-                    let _e138 = global_3.member[(_e131 + _e126)];
-                    let _e140 = ((2u * _e70) + _e122);
-                    let _e143 = global_3.member[_e140];
-                    let _e147 = global_3.member[(_e140 + _e126)];
-                    let _e150 = global_4.member.member_4;
-                    let _e151 = (_e150 != 0u);
-                    let _e152 = (_e125 + _e130);
-                    let _e155 = select(false, (_e152 < 1f), (0f < _e152));
-                    let _e158 = select(select(0f, 1f, (1f <= _e152)), _e125, _e155);
-                    let _e161 = (_e158 * _e116.member);
-                    let _e164 = (_e116.member + _e116.member_1);
-                    let _e168 = trunc(_e161);
-                    let _e170 = ((_e161 - _e168) + (((_e158 * _e116.member_1) + (select(0f, _e130, _e155) * _e164)) + 0.5f));
-                    let _e172 = select(0f, _e170, (_e170 > 0f));
-                    let _e173 = trunc(_e172);
-                    let _e174 = (_e172 - _e173);
-                    let _e175 = (_e168 + _e173);
-                    let _e180 = select(select(u32(_e175), 0u, (_e175 < 0f)), 4294967295u, (_e175 > 4294967000f));
-                    if _e151 {
-                        phi_304_ = ((_e174 * _e174) * (3f - (2f * _e174)));
+                    let _e119 = ((_e64 * (_e116 * _e67)) + _e70);
+                    let _e122 = global_3.member[_e119];
+                    let _e123 = (3u * _e67);
+                    let _e127 = global_3.member[(_e119 + _e123)];
+                    let _e128 = (_e67 + _e119);
+                    let _e131 = global_3.member[_e128];
+                    let _e135 = global_3.member[(_e128 + _e123)];
+                    let _e137 = ((2u * _e67) + _e119);
+                    let _e140 = global_3.member[_e137];
+                    let _e144 = global_3.member[(_e137 + _e123)];
+                    let _e145 = (_e122 + _e127);
+                    let _e148 = select(false, (_e145 < 1f), (0f < _e145));
+                    let _e151 = select(select(0f, 1f, (1f <= _e145)), _e122, _e148);
+                    let _e154 = (_e151 * _e113.member);
+                    let _e157 = (_e113.member + _e113.member_1);
+                    let _e161 = trunc(_e154);
+                    let _e163 = ((_e154 - _e161) + (((_e151 * _e113.member_1) + (select(0f, _e127, _e148) * _e157)) + 0.5f));
+                    let _e165 = select(0f, _e163, (_e163 > 0f));
+                    let _e166 = trunc(_e165);
+                    let _e167 = (_e165 - _e166);
+                    let _e168 = (_e161 + _e166);
+                    let _e173 = select(select(u32(_e168), 0u, (_e168 < 0f)), 4294967295u, (_e168 > 4294967000f));
+                    let _e174 = (_e131 + _e135);
+                    let _e177 = select(false, (_e174 < 1f), (0f < _e174));
+                    let _e180 = select(select(0f, 1f, (1f <= _e174)), _e131, _e177);
+                    let _e182 = (_e180 * _e113.member);
+                    let _e187 = trunc(_e182);
+                    let _e189 = ((_e182 - _e187) + (((_e180 * _e113.member_1) + (select(0f, _e135, _e177) * _e157)) + 0.5f));
+                    let _e191 = select(0f, _e189, (_e189 > 0f));
+                    let _e192 = trunc(_e191);
+                    let _e193 = (_e191 - _e192);
+                    let _e194 = (_e187 + _e192);
+                    let _e199 = select(select(u32(_e194), 0u, (_e194 < 0f)), 4294967295u, (_e194 > 4294967000f));
+                    let _e200 = (_e140 + _e144);
+                    let _e203 = select(false, (_e200 < 1f), (0f < _e200));
+                    let _e206 = select(select(0f, 1f, (1f <= _e200)), _e140, _e203);
+                    let _e208 = (_e206 * _e113.member);
+                    let _e213 = trunc(_e208);
+                    let _e215 = ((_e208 - _e213) + (((_e206 * _e113.member_1) + (select(0f, _e144, _e203) * _e157)) + 0.5f));
+                    let _e217 = select(0f, _e215, (_e215 > 0f));
+                    let _e218 = trunc(_e217);
+                    let _e219 = (_e217 - _e218);
+                    let _e220 = (_e213 + _e218);
+                    let _e225 = select(select(u32(_e220), 0u, (_e220 < 0f)), 4294967295u, (_e220 > 4294967000f));
+                    let _e226 = (_e173 + 1u);
+                    let _e227 = (_e199 + 1u);
+                    let _e228 = (_e225 + 1u);
+                    let _e231 = (_e113.member_5 == 0u);
+                    if _e231 {
+                        let _e242 = (_e173 + ((_e199 + (_e225 * _e113.member_2)) * _e113.member_2));
+                        phi_338_ = select((_e242 - _e113.member_4), _e242, (_e242 < _e113.member_4));
                     } else {
-                        phi_304_ = _e174;
+                        phi_338_ = (((_e173 ^ (_e199 * 2654435761u)) ^ (_e225 * 805459861u)) & (_e113.member_4 - 1u));
                     }
-                    let _e186 = phi_304_;
-                    let _e187 = (_e134 + _e138);
-                    let _e190 = select(false, (_e187 < 1f), (0f < _e187));
-                    let _e193 = select(select(0f, 1f, (1f <= _e187)), _e134, _e190);
-                    let _e195 = (_e193 * _e116.member);
-                    let _e200 = trunc(_e195);
-                    let _e202 = ((_e195 - _e200) + (((_e193 * _e116.member_1) + (select(0f, _e138, _e190) * _e164)) + 0.5f));
-                    let _e204 = select(0f, _e202, (_e202 > 0f));
-                    let _e205 = trunc(_e204);
-                    let _e206 = (_e204 - _e205);
-                    let _e207 = (_e200 + _e205);
-                    let _e212 = select(select(u32(_e207), 0u, (_e207 < 0f)), 4294967295u, (_e207 > 4294967000f));
-                    if _e151 {
-                        phi_324_ = ((_e206 * _e206) * (3f - (2f * _e206)));
+                    let _e247 = phi_338_;
+                    if _e231 {
+                        let _e260 = (_e226 + ((_e199 + (_e225 * _e113.member_2)) * _e113.member_2));
+                        phi_358_ = select((_e260 - _e113.member_4), _e260, (_e260 < _e113.member_4));
                     } else {
-                        phi_324_ = _e206;
+                        phi_358_ = (((_e226 ^ (_e199 * 2654435761u)) ^ (_e225 * 805459861u)) & (_e113.member_4 - 1u));
                     }
-                    let _e218 = phi_324_;
-                    let _e219 = (_e143 + _e147);
-                    let _e222 = select(false, (_e219 < 1f), (0f < _e219));
-                    let _e225 = select(select(0f, 1f, (1f <= _e219)), _e143, _e222);
-                    let _e227 = (_e225 * _e116.member);
-                    let _e232 = trunc(_e227);
-                    let _e234 = ((_e227 - _e232) + (((_e225 * _e116.member_1) + (select(0f, _e147, _e222) * _e164)) + 0.5f));
-                    let _e236 = select(0f, _e234, (_e234 > 0f));
-                    let _e237 = trunc(_e236);
-                    let _e238 = (_e236 - _e237);
-                    let _e239 = (_e232 + _e237);
-                    let _e244 = select(select(u32(_e239), 0u, (_e239 < 0f)), 4294967295u, (_e239 > 4294967000f));
-                    if _e151 {
-                        phi_344_ = ((_e238 * _e238) * (3f - (2f * _e238)));
+                    let _e265 = phi_358_;
+                    if _e231 {
+                        let _e277 = (_e173 + ((_e227 + (_e225 * _e113.member_2)) * _e113.member_2));
+                        phi_377_ = select((_e277 - _e113.member_4), _e277, (_e277 < _e113.member_4));
                     } else {
-                        phi_344_ = _e238;
+                        phi_377_ = (((_e173 ^ (_e227 * 2654435761u)) ^ (_e225 * 805459861u)) & (_e113.member_4 - 1u));
                     }
-                    let _e250 = phi_344_;
-                    let _e251 = (_e180 + 1u);
-                    let _e252 = (_e212 + 1u);
-                    let _e253 = (_e244 + 1u);
-                    let _e256 = (_e116.member_5 == 0u);
-                    if _e256 {
-                        let _e267 = (_e180 + ((_e212 + (_e244 * _e116.member_2)) * _e116.member_2));
-                        phi_368_ = select((_e267 - _e116.member_4), _e267, (_e267 < _e116.member_4));
+                    let _e282 = phi_377_;
+                    if _e231 {
+                        let _e294 = (_e226 + ((_e227 + (_e225 * _e113.member_2)) * _e113.member_2));
+                        phi_396_ = select((_e294 - _e113.member_4), _e294, (_e294 < _e113.member_4));
                     } else {
-                        phi_368_ = (((_e180 ^ (_e212 * 2654435761u)) ^ (_e244 * 805459861u)) & (_e116.member_4 - 1u));
+                        phi_396_ = (((_e226 ^ (_e227 * 2654435761u)) ^ (_e225 * 805459861u)) & (_e113.member_4 - 1u));
                     }
-                    let _e272 = phi_368_;
-                    if _e256 {
-                        let _e285 = (_e251 + ((_e212 + (_e244 * _e116.member_2)) * _e116.member_2));
-                        phi_388_ = select((_e285 - _e116.member_4), _e285, (_e285 < _e116.member_4));
+                    let _e299 = phi_396_;
+                    if _e231 {
+                        let _e311 = (_e173 + ((_e199 + (_e228 * _e113.member_2)) * _e113.member_2));
+                        phi_415_ = select((_e311 - _e113.member_4), _e311, (_e311 < _e113.member_4));
                     } else {
-                        phi_388_ = (((_e251 ^ (_e212 * 2654435761u)) ^ (_e244 * 805459861u)) & (_e116.member_4 - 1u));
+                        phi_415_ = (((_e173 ^ (_e199 * 2654435761u)) ^ (_e228 * 805459861u)) & (_e113.member_4 - 1u));
                     }
-                    let _e290 = phi_388_;
-                    if _e256 {
-                        let _e302 = (_e180 + ((_e252 + (_e244 * _e116.member_2)) * _e116.member_2));
-                        phi_407_ = select((_e302 - _e116.member_4), _e302, (_e302 < _e116.member_4));
+                    let _e316 = phi_415_;
+                    if _e231 {
+                        let _e328 = (_e226 + ((_e199 + (_e228 * _e113.member_2)) * _e113.member_2));
+                        phi_434_ = select((_e328 - _e113.member_4), _e328, (_e328 < _e113.member_4));
                     } else {
-                        phi_407_ = (((_e180 ^ (_e252 * 2654435761u)) ^ (_e244 * 805459861u)) & (_e116.member_4 - 1u));
+                        phi_434_ = (((_e226 ^ (_e199 * 2654435761u)) ^ (_e228 * 805459861u)) & (_e113.member_4 - 1u));
                     }
-                    let _e307 = phi_407_;
-                    if _e256 {
-                        let _e319 = (_e251 + ((_e252 + (_e244 * _e116.member_2)) * _e116.member_2));
-                        phi_426_ = select((_e319 - _e116.member_4), _e319, (_e319 < _e116.member_4));
+                    let _e333 = phi_434_;
+                    if _e231 {
+                        let _e345 = (_e173 + ((_e227 + (_e228 * _e113.member_2)) * _e113.member_2));
+                        phi_453_ = select((_e345 - _e113.member_4), _e345, (_e345 < _e113.member_4));
                     } else {
-                        phi_426_ = (((_e251 ^ (_e252 * 2654435761u)) ^ (_e244 * 805459861u)) & (_e116.member_4 - 1u));
+                        phi_453_ = (((_e173 ^ (_e227 * 2654435761u)) ^ (_e228 * 805459861u)) & (_e113.member_4 - 1u));
                     }
-                    let _e324 = phi_426_;
-                    if _e256 {
-                        let _e336 = (_e180 + ((_e212 + (_e253 * _e116.member_2)) * _e116.member_2));
-                        phi_445_ = select((_e336 - _e116.member_4), _e336, (_e336 < _e116.member_4));
+                    let _e350 = phi_453_;
+                    if _e231 {
+                        let _e362 = (_e226 + ((_e227 + (_e228 * _e113.member_2)) * _e113.member_2));
+                        phi_472_ = select((_e362 - _e113.member_4), _e362, (_e362 < _e113.member_4));
                     } else {
-                        phi_445_ = (((_e180 ^ (_e212 * 2654435761u)) ^ (_e253 * 805459861u)) & (_e116.member_4 - 1u));
+                        phi_472_ = (((_e226 ^ (_e227 * 2654435761u)) ^ (_e228 * 805459861u)) & (_e113.member_4 - 1u));
                     }
-                    let _e341 = phi_445_;
-                    if _e256 {
-                        let _e353 = (_e251 + ((_e212 + (_e253 * _e116.member_2)) * _e116.member_2));
-                        phi_464_ = select((_e353 - _e116.member_4), _e353, (_e353 < _e116.member_4));
-                    } else {
-                        phi_464_ = (((_e251 ^ (_e212 * 2654435761u)) ^ (_e253 * 805459861u)) & (_e116.member_4 - 1u));
+                    let _e367 = phi_472_;
+                    let _e369 = (1f - _e167);
+                    let _e370 = (1f - _e193);
+                    let _e371 = (1f - _e219);
+                    let _e372 = (_e369 * _e370);
+                    let _e373 = (_e167 * _e370);
+                    let _e374 = (_e369 * _e193);
+                    let _e375 = (_e167 * _e193);
+                    let _e384 = ((_e247 + _e113.member_3) * _e50);
+                    if _e110 {
+                        let _e388 = atomicMax((&global_9.member[(_e384 / 64u)]), 1u);
                     }
-                    let _e358 = phi_464_;
-                    if _e256 {
-                        let _e370 = (_e180 + ((_e252 + (_e253 * _e116.member_2)) * _e116.member_2));
-                        phi_483_ = select((_e370 - _e116.member_4), _e370, (_e370 < _e116.member_4));
-                    } else {
-                        phi_483_ = (((_e180 ^ (_e252 * 2654435761u)) ^ (_e253 * 805459861u)) & (_e116.member_4 - 1u));
+                    let _e389 = ((_e265 + _e113.member_3) * _e50);
+                    if _e110 {
+                        let _e393 = atomicMax((&global_9.member[(_e389 / 64u)]), 1u);
                     }
-                    let _e375 = phi_483_;
-                    if _e256 {
-                        let _e387 = (_e251 + ((_e252 + (_e253 * _e116.member_2)) * _e116.member_2));
-                        phi_502_ = select((_e387 - _e116.member_4), _e387, (_e387 < _e116.member_4));
-                    } else {
-                        phi_502_ = (((_e251 ^ (_e252 * 2654435761u)) ^ (_e253 * 805459861u)) & (_e116.member_4 - 1u));
+                    let _e394 = ((_e282 + _e113.member_3) * _e50);
+                    if _e110 {
+                        let _e398 = atomicMax((&global_9.member[(_e394 / 64u)]), 1u);
                     }
-                    let _e392 = phi_502_;
-                    let _e394 = (1f - _e186);
-                    let _e395 = (1f - _e218);
-                    let _e396 = (1f - _e250);
-                    let _e397 = (_e394 * _e395);
-                    let _e398 = (_e186 * _e395);
-                    let _e399 = (_e394 * _e218);
-                    let _e400 = (_e186 * _e218);
-                    let _e409 = ((_e272 + _e116.member_3) * _e53);
-                    if _e113 {
+                    let _e399 = ((_e299 + _e113.member_3) * _e50);
+                    if _e110 {
+                        let _e403 = atomicMax((&global_9.member[(_e399 / 64u)]), 1u);
+                    }
+                    let _e404 = ((_e316 + _e113.member_3) * _e50);
+                    if _e110 {
+                        let _e408 = atomicMax((&global_9.member[(_e404 / 64u)]), 1u);
+                    }
+                    let _e409 = ((_e333 + _e113.member_3) * _e50);
+                    if _e110 {
                         let _e413 = atomicMax((&global_9.member[(_e409 / 64u)]), 1u);
                     }
-                    let _e414 = ((_e290 + _e116.member_3) * _e53);
-                    if _e113 {
+                    let _e414 = ((_e350 + _e113.member_3) * _e50);
+                    if _e110 {
                         let _e418 = atomicMax((&global_9.member[(_e414 / 64u)]), 1u);
                     }
-                    let _e419 = ((_e307 + _e116.member_3) * _e53);
-                    if _e113 {
+                    let _e419 = ((_e367 + _e113.member_3) * _e50);
+                    if _e110 {
                         let _e423 = atomicMax((&global_9.member[(_e419 / 64u)]), 1u);
                     }
-                    let _e424 = ((_e324 + _e116.member_3) * _e53);
-                    if _e113 {
-                        let _e428 = atomicMax((&global_9.member[(_e424 / 64u)]), 1u);
-                    }
-                    let _e429 = ((_e341 + _e116.member_3) * _e53);
-                    if _e113 {
-                        let _e433 = atomicMax((&global_9.member[(_e429 / 64u)]), 1u);
-                    }
-                    let _e434 = ((_e358 + _e116.member_3) * _e53);
-                    if _e113 {
-                        let _e438 = atomicMax((&global_9.member[(_e434 / 64u)]), 1u);
-                    }
-                    let _e439 = ((_e375 + _e116.member_3) * _e53);
-                    if _e113 {
-                        let _e443 = atomicMax((&global_9.member[(_e439 / 64u)]), 1u);
-                    }
-                    let _e444 = ((_e392 + _e116.member_3) * _e53);
-                    if _e113 {
-                        let _e448 = atomicMax((&global_9.member[(_e444 / 64u)]), 1u);
-                    }
-                    let _e451 = global_7.member[0u];
-                    phi_563_ = 0u;
-                    phi_566_ = _e76;
+                    let _e426 = global_7.member[0u];
+                    phi_533_ = 0u;
+                    phi_536_ = _e73;
                     loop {
-                        let _e453 = phi_563_;
-                        let _e455 = phi_566_;
-                        if (_e453 < _e53) {
-                            let _e459 = global_6.member[_e455];
-                            let _e460 = -(_e459);
-                            let _e465 = select(0f, (_e459 * _e451), (0.000000000000000000000000000000000000011754944f <= select(_e460, _e459, (_e459 > _e460))));
-                            let _e466 = (_e465 * (_e397 * _e396));
-                            if _e113 {
-                                let _e468 = (_e466 < 0f);
-                                if _e468 {
-                                    phi_585_ = -(_e466);
+                        let _e428 = phi_533_;
+                        let _e430 = phi_536_;
+                        if (_e428 < _e50) {
+                            let _e434 = global_6.member[_e430];
+                            let _e435 = -(_e434);
+                            let _e440 = select(0f, (_e434 * _e426), (0.000000000000000000000000000000000000011754944f <= select(_e435, _e434, (_e434 > _e435))));
+                            let _e441 = (_e440 * (_e372 * _e371));
+                            if _e110 {
+                                let _e443 = (_e441 < 0f);
+                                if _e443 {
+                                    phi_555_ = -(_e441);
                                 } else {
-                                    phi_585_ = _e466;
+                                    phi_555_ = _e441;
                                 }
-                                let _e471 = phi_585_;
-                                let _e472 = (_e471 * 0.00000000023283064f);
-                                let _e477 = select(select(u32(_e472), 0u, (_e472 < 0f)), 4294967295u, (_e472 > 4294967000f));
-                                let _e480 = (_e471 - (f32(_e477) * 4294967300f));
-                                let _e485 = select(select(u32(_e480), 0u, (_e480 < 0f)), 4294967295u, (_e480 > 4294967000f));
-                                if ((_e480 - f32(_e485)) >= 0.5f) {
-                                    phi_603_ = (_e485 + 1u);
+                                let _e446 = phi_555_;
+                                let _e447 = (_e446 * 0.00000000023283064f);
+                                let _e452 = select(select(u32(_e447), 0u, (_e447 < 0f)), 4294967295u, (_e447 > 4294967000f));
+                                let _e455 = (_e446 - (f32(_e452) * 4294967300f));
+                                let _e460 = select(select(u32(_e455), 0u, (_e455 < 0f)), 4294967295u, (_e455 > 4294967000f));
+                                if ((_e455 - f32(_e460)) >= 0.5f) {
+                                    phi_573_ = (_e460 + 1u);
                                 } else {
-                                    phi_603_ = _e485;
+                                    phi_573_ = _e460;
                                 }
-                                let _e491 = phi_603_;
-                                if _e468 {
-                                    let _e494 = (~(_e491) + 1u);
-                                    if (_e494 == 0u) {
-                                        phi_617_ = (~(_e477) + 1u);
+                                let _e466 = phi_573_;
+                                if _e443 {
+                                    let _e469 = (~(_e466) + 1u);
+                                    if (_e469 == 0u) {
+                                        phi_587_ = (~(_e452) + 1u);
                                     } else {
-                                        phi_617_ = ~(_e477);
+                                        phi_587_ = ~(_e452);
                                     }
-                                    let _e500 = phi_617_;
-                                    phi_619_ = array<u32, 2>(_e494, _e500);
+                                    let _e475 = phi_587_;
+                                    phi_589_ = array<u32, 2>(_e469, _e475);
                                 } else {
-                                    phi_619_ = array<u32, 2>(_e491, _e477);
+                                    phi_589_ = array<u32, 2>(_e466, _e452);
                                 }
-                                let _e503 = phi_619_;
-                                let _e506 = (2u * (_e409 + _e453));
-                                let _e509 = atomicAdd((&global_8.member[_e506]), _e503[0]);
-                                let _e517 = atomicAdd((&global_8.member[(_e506 + 1u)]), (_e503[1] + select(0u, 1u, ((_e509 + _e503[0]) < _e503[0]))));
+                                let _e478 = phi_589_;
+                                let _e481 = (2u * (_e384 + _e428));
+                                let _e484 = atomicAdd((&global_8.member[_e481]), _e478[0]);
+                                let _e492 = atomicAdd((&global_8.member[(_e481 + 1u)]), (_e478[1] + select(0u, 1u, ((_e484 + _e478[0]) < _e478[0]))));
                             }
-                            let _e518 = (_e465 * (_e398 * _e396));
-                            if _e113 {
-                                let _e520 = (_e518 < 0f);
-                                if _e520 {
-                                    phi_640_ = -(_e518);
+                            let _e493 = (_e440 * (_e373 * _e371));
+                            if _e110 {
+                                let _e495 = (_e493 < 0f);
+                                if _e495 {
+                                    phi_610_ = -(_e493);
                                 } else {
-                                    phi_640_ = _e518;
+                                    phi_610_ = _e493;
                                 }
-                                let _e523 = phi_640_;
-                                let _e524 = (_e523 * 0.00000000023283064f);
-                                let _e529 = select(select(u32(_e524), 0u, (_e524 < 0f)), 4294967295u, (_e524 > 4294967000f));
-                                let _e532 = (_e523 - (f32(_e529) * 4294967300f));
-                                let _e537 = select(select(u32(_e532), 0u, (_e532 < 0f)), 4294967295u, (_e532 > 4294967000f));
-                                if ((_e532 - f32(_e537)) >= 0.5f) {
-                                    phi_658_ = (_e537 + 1u);
+                                let _e498 = phi_610_;
+                                let _e499 = (_e498 * 0.00000000023283064f);
+                                let _e504 = select(select(u32(_e499), 0u, (_e499 < 0f)), 4294967295u, (_e499 > 4294967000f));
+                                let _e507 = (_e498 - (f32(_e504) * 4294967300f));
+                                let _e512 = select(select(u32(_e507), 0u, (_e507 < 0f)), 4294967295u, (_e507 > 4294967000f));
+                                if ((_e507 - f32(_e512)) >= 0.5f) {
+                                    phi_628_ = (_e512 + 1u);
                                 } else {
-                                    phi_658_ = _e537;
+                                    phi_628_ = _e512;
                                 }
-                                let _e543 = phi_658_;
-                                if _e520 {
-                                    let _e546 = (~(_e543) + 1u);
-                                    if (_e546 == 0u) {
-                                        phi_672_ = (~(_e529) + 1u);
+                                let _e518 = phi_628_;
+                                if _e495 {
+                                    let _e521 = (~(_e518) + 1u);
+                                    if (_e521 == 0u) {
+                                        phi_642_ = (~(_e504) + 1u);
                                     } else {
-                                        phi_672_ = ~(_e529);
+                                        phi_642_ = ~(_e504);
                                     }
-                                    let _e552 = phi_672_;
-                                    phi_674_ = array<u32, 2>(_e546, _e552);
+                                    let _e527 = phi_642_;
+                                    phi_644_ = array<u32, 2>(_e521, _e527);
                                 } else {
-                                    phi_674_ = array<u32, 2>(_e543, _e529);
+                                    phi_644_ = array<u32, 2>(_e518, _e504);
                                 }
-                                let _e555 = phi_674_;
-                                let _e558 = (2u * (_e414 + _e453));
-                                let _e561 = atomicAdd((&global_8.member[_e558]), _e555[0]);
-                                let _e569 = atomicAdd((&global_8.member[(_e558 + 1u)]), (_e555[1] + select(0u, 1u, ((_e561 + _e555[0]) < _e555[0]))));
+                                let _e530 = phi_644_;
+                                let _e533 = (2u * (_e389 + _e428));
+                                let _e536 = atomicAdd((&global_8.member[_e533]), _e530[0]);
+                                let _e544 = atomicAdd((&global_8.member[(_e533 + 1u)]), (_e530[1] + select(0u, 1u, ((_e536 + _e530[0]) < _e530[0]))));
                             }
-                            let _e570 = (_e465 * (_e399 * _e396));
-                            if _e113 {
-                                let _e572 = (_e570 < 0f);
-                                if _e572 {
-                                    phi_695_ = -(_e570);
+                            let _e545 = (_e440 * (_e374 * _e371));
+                            if _e110 {
+                                let _e547 = (_e545 < 0f);
+                                if _e547 {
+                                    phi_665_ = -(_e545);
                                 } else {
-                                    phi_695_ = _e570;
+                                    phi_665_ = _e545;
                                 }
-                                let _e575 = phi_695_;
-                                let _e576 = (_e575 * 0.00000000023283064f);
-                                let _e581 = select(select(u32(_e576), 0u, (_e576 < 0f)), 4294967295u, (_e576 > 4294967000f));
-                                let _e584 = (_e575 - (f32(_e581) * 4294967300f));
-                                let _e589 = select(select(u32(_e584), 0u, (_e584 < 0f)), 4294967295u, (_e584 > 4294967000f));
-                                if ((_e584 - f32(_e589)) >= 0.5f) {
-                                    phi_713_ = (_e589 + 1u);
+                                let _e550 = phi_665_;
+                                let _e551 = (_e550 * 0.00000000023283064f);
+                                let _e556 = select(select(u32(_e551), 0u, (_e551 < 0f)), 4294967295u, (_e551 > 4294967000f));
+                                let _e559 = (_e550 - (f32(_e556) * 4294967300f));
+                                let _e564 = select(select(u32(_e559), 0u, (_e559 < 0f)), 4294967295u, (_e559 > 4294967000f));
+                                if ((_e559 - f32(_e564)) >= 0.5f) {
+                                    phi_683_ = (_e564 + 1u);
                                 } else {
-                                    phi_713_ = _e589;
+                                    phi_683_ = _e564;
                                 }
-                                let _e595 = phi_713_;
-                                if _e572 {
-                                    let _e598 = (~(_e595) + 1u);
-                                    if (_e598 == 0u) {
-                                        phi_727_ = (~(_e581) + 1u);
+                                let _e570 = phi_683_;
+                                if _e547 {
+                                    let _e573 = (~(_e570) + 1u);
+                                    if (_e573 == 0u) {
+                                        phi_697_ = (~(_e556) + 1u);
                                     } else {
-                                        phi_727_ = ~(_e581);
+                                        phi_697_ = ~(_e556);
                                     }
-                                    let _e604 = phi_727_;
-                                    phi_729_ = array<u32, 2>(_e598, _e604);
+                                    let _e579 = phi_697_;
+                                    phi_699_ = array<u32, 2>(_e573, _e579);
                                 } else {
-                                    phi_729_ = array<u32, 2>(_e595, _e581);
+                                    phi_699_ = array<u32, 2>(_e570, _e556);
                                 }
-                                let _e607 = phi_729_;
-                                let _e610 = (2u * (_e419 + _e453));
-                                let _e613 = atomicAdd((&global_8.member[_e610]), _e607[0]);
-                                let _e621 = atomicAdd((&global_8.member[(_e610 + 1u)]), (_e607[1] + select(0u, 1u, ((_e613 + _e607[0]) < _e607[0]))));
+                                let _e582 = phi_699_;
+                                let _e585 = (2u * (_e394 + _e428));
+                                let _e588 = atomicAdd((&global_8.member[_e585]), _e582[0]);
+                                let _e596 = atomicAdd((&global_8.member[(_e585 + 1u)]), (_e582[1] + select(0u, 1u, ((_e588 + _e582[0]) < _e582[0]))));
                             }
-                            let _e622 = (_e465 * (_e400 * _e396));
-                            if _e113 {
-                                let _e624 = (_e622 < 0f);
-                                if _e624 {
-                                    phi_750_ = -(_e622);
+                            let _e597 = (_e440 * (_e375 * _e371));
+                            if _e110 {
+                                let _e599 = (_e597 < 0f);
+                                if _e599 {
+                                    phi_720_ = -(_e597);
                                 } else {
-                                    phi_750_ = _e622;
+                                    phi_720_ = _e597;
                                 }
-                                let _e627 = phi_750_;
-                                let _e628 = (_e627 * 0.00000000023283064f);
-                                let _e633 = select(select(u32(_e628), 0u, (_e628 < 0f)), 4294967295u, (_e628 > 4294967000f));
-                                let _e636 = (_e627 - (f32(_e633) * 4294967300f));
-                                let _e641 = select(select(u32(_e636), 0u, (_e636 < 0f)), 4294967295u, (_e636 > 4294967000f));
-                                if ((_e636 - f32(_e641)) >= 0.5f) {
-                                    phi_768_ = (_e641 + 1u);
+                                let _e602 = phi_720_;
+                                let _e603 = (_e602 * 0.00000000023283064f);
+                                let _e608 = select(select(u32(_e603), 0u, (_e603 < 0f)), 4294967295u, (_e603 > 4294967000f));
+                                let _e611 = (_e602 - (f32(_e608) * 4294967300f));
+                                let _e616 = select(select(u32(_e611), 0u, (_e611 < 0f)), 4294967295u, (_e611 > 4294967000f));
+                                if ((_e611 - f32(_e616)) >= 0.5f) {
+                                    phi_738_ = (_e616 + 1u);
                                 } else {
-                                    phi_768_ = _e641;
+                                    phi_738_ = _e616;
                                 }
-                                let _e647 = phi_768_;
-                                if _e624 {
-                                    let _e650 = (~(_e647) + 1u);
-                                    if (_e650 == 0u) {
-                                        phi_782_ = (~(_e633) + 1u);
+                                let _e622 = phi_738_;
+                                if _e599 {
+                                    let _e625 = (~(_e622) + 1u);
+                                    if (_e625 == 0u) {
+                                        phi_752_ = (~(_e608) + 1u);
                                     } else {
-                                        phi_782_ = ~(_e633);
+                                        phi_752_ = ~(_e608);
                                     }
-                                    let _e656 = phi_782_;
-                                    phi_784_ = array<u32, 2>(_e650, _e656);
+                                    let _e631 = phi_752_;
+                                    phi_754_ = array<u32, 2>(_e625, _e631);
                                 } else {
-                                    phi_784_ = array<u32, 2>(_e647, _e633);
+                                    phi_754_ = array<u32, 2>(_e622, _e608);
                                 }
-                                let _e659 = phi_784_;
-                                let _e662 = (2u * (_e424 + _e453));
-                                let _e665 = atomicAdd((&global_8.member[_e662]), _e659[0]);
-                                let _e673 = atomicAdd((&global_8.member[(_e662 + 1u)]), (_e659[1] + select(0u, 1u, ((_e665 + _e659[0]) < _e659[0]))));
+                                let _e634 = phi_754_;
+                                let _e637 = (2u * (_e399 + _e428));
+                                let _e640 = atomicAdd((&global_8.member[_e637]), _e634[0]);
+                                let _e648 = atomicAdd((&global_8.member[(_e637 + 1u)]), (_e634[1] + select(0u, 1u, ((_e640 + _e634[0]) < _e634[0]))));
                             }
-                            let _e674 = (_e465 * (_e397 * _e250));
-                            if _e113 {
-                                let _e676 = (_e674 < 0f);
-                                if _e676 {
-                                    phi_805_ = -(_e674);
+                            let _e649 = (_e440 * (_e372 * _e219));
+                            if _e110 {
+                                let _e651 = (_e649 < 0f);
+                                if _e651 {
+                                    phi_775_ = -(_e649);
                                 } else {
-                                    phi_805_ = _e674;
+                                    phi_775_ = _e649;
                                 }
-                                let _e679 = phi_805_;
-                                let _e680 = (_e679 * 0.00000000023283064f);
-                                let _e685 = select(select(u32(_e680), 0u, (_e680 < 0f)), 4294967295u, (_e680 > 4294967000f));
-                                let _e688 = (_e679 - (f32(_e685) * 4294967300f));
-                                let _e693 = select(select(u32(_e688), 0u, (_e688 < 0f)), 4294967295u, (_e688 > 4294967000f));
-                                if ((_e688 - f32(_e693)) >= 0.5f) {
-                                    phi_823_ = (_e693 + 1u);
+                                let _e654 = phi_775_;
+                                let _e655 = (_e654 * 0.00000000023283064f);
+                                let _e660 = select(select(u32(_e655), 0u, (_e655 < 0f)), 4294967295u, (_e655 > 4294967000f));
+                                let _e663 = (_e654 - (f32(_e660) * 4294967300f));
+                                let _e668 = select(select(u32(_e663), 0u, (_e663 < 0f)), 4294967295u, (_e663 > 4294967000f));
+                                if ((_e663 - f32(_e668)) >= 0.5f) {
+                                    phi_793_ = (_e668 + 1u);
                                 } else {
-                                    phi_823_ = _e693;
+                                    phi_793_ = _e668;
                                 }
-                                let _e699 = phi_823_;
-                                if _e676 {
-                                    let _e702 = (~(_e699) + 1u);
-                                    if (_e702 == 0u) {
-                                        phi_837_ = (~(_e685) + 1u);
+                                let _e674 = phi_793_;
+                                if _e651 {
+                                    let _e677 = (~(_e674) + 1u);
+                                    if (_e677 == 0u) {
+                                        phi_807_ = (~(_e660) + 1u);
                                     } else {
-                                        phi_837_ = ~(_e685);
+                                        phi_807_ = ~(_e660);
                                     }
-                                    let _e708 = phi_837_;
-                                    phi_839_ = array<u32, 2>(_e702, _e708);
+                                    let _e683 = phi_807_;
+                                    phi_809_ = array<u32, 2>(_e677, _e683);
                                 } else {
-                                    phi_839_ = array<u32, 2>(_e699, _e685);
+                                    phi_809_ = array<u32, 2>(_e674, _e660);
                                 }
-                                let _e711 = phi_839_;
-                                let _e714 = (2u * (_e429 + _e453));
-                                let _e717 = atomicAdd((&global_8.member[_e714]), _e711[0]);
-                                let _e725 = atomicAdd((&global_8.member[(_e714 + 1u)]), (_e711[1] + select(0u, 1u, ((_e717 + _e711[0]) < _e711[0]))));
+                                let _e686 = phi_809_;
+                                let _e689 = (2u * (_e404 + _e428));
+                                let _e692 = atomicAdd((&global_8.member[_e689]), _e686[0]);
+                                let _e700 = atomicAdd((&global_8.member[(_e689 + 1u)]), (_e686[1] + select(0u, 1u, ((_e692 + _e686[0]) < _e686[0]))));
                             }
-                            let _e726 = (_e465 * (_e398 * _e250));
-                            if _e113 {
-                                let _e728 = (_e726 < 0f);
-                                if _e728 {
-                                    phi_860_ = -(_e726);
+                            let _e701 = (_e440 * (_e373 * _e219));
+                            if _e110 {
+                                let _e703 = (_e701 < 0f);
+                                if _e703 {
+                                    phi_830_ = -(_e701);
                                 } else {
-                                    phi_860_ = _e726;
+                                    phi_830_ = _e701;
                                 }
-                                let _e731 = phi_860_;
-                                let _e732 = (_e731 * 0.00000000023283064f);
-                                let _e737 = select(select(u32(_e732), 0u, (_e732 < 0f)), 4294967295u, (_e732 > 4294967000f));
-                                let _e740 = (_e731 - (f32(_e737) * 4294967300f));
-                                let _e745 = select(select(u32(_e740), 0u, (_e740 < 0f)), 4294967295u, (_e740 > 4294967000f));
-                                if ((_e740 - f32(_e745)) >= 0.5f) {
-                                    phi_878_ = (_e745 + 1u);
+                                let _e706 = phi_830_;
+                                let _e707 = (_e706 * 0.00000000023283064f);
+                                let _e712 = select(select(u32(_e707), 0u, (_e707 < 0f)), 4294967295u, (_e707 > 4294967000f));
+                                let _e715 = (_e706 - (f32(_e712) * 4294967300f));
+                                let _e720 = select(select(u32(_e715), 0u, (_e715 < 0f)), 4294967295u, (_e715 > 4294967000f));
+                                if ((_e715 - f32(_e720)) >= 0.5f) {
+                                    phi_848_ = (_e720 + 1u);
                                 } else {
-                                    phi_878_ = _e745;
+                                    phi_848_ = _e720;
                                 }
-                                let _e751 = phi_878_;
-                                if _e728 {
-                                    let _e754 = (~(_e751) + 1u);
-                                    if (_e754 == 0u) {
-                                        phi_892_ = (~(_e737) + 1u);
+                                let _e726 = phi_848_;
+                                if _e703 {
+                                    let _e729 = (~(_e726) + 1u);
+                                    if (_e729 == 0u) {
+                                        phi_862_ = (~(_e712) + 1u);
                                     } else {
-                                        phi_892_ = ~(_e737);
+                                        phi_862_ = ~(_e712);
                                     }
-                                    let _e760 = phi_892_;
-                                    phi_894_ = array<u32, 2>(_e754, _e760);
+                                    let _e735 = phi_862_;
+                                    phi_864_ = array<u32, 2>(_e729, _e735);
                                 } else {
-                                    phi_894_ = array<u32, 2>(_e751, _e737);
+                                    phi_864_ = array<u32, 2>(_e726, _e712);
                                 }
-                                let _e763 = phi_894_;
-                                let _e766 = (2u * (_e434 + _e453));
-                                let _e769 = atomicAdd((&global_8.member[_e766]), _e763[0]);
-                                let _e777 = atomicAdd((&global_8.member[(_e766 + 1u)]), (_e763[1] + select(0u, 1u, ((_e769 + _e763[0]) < _e763[0]))));
+                                let _e738 = phi_864_;
+                                let _e741 = (2u * (_e409 + _e428));
+                                let _e744 = atomicAdd((&global_8.member[_e741]), _e738[0]);
+                                let _e752 = atomicAdd((&global_8.member[(_e741 + 1u)]), (_e738[1] + select(0u, 1u, ((_e744 + _e738[0]) < _e738[0]))));
                             }
-                            let _e778 = (_e465 * (_e399 * _e250));
-                            if _e113 {
-                                let _e780 = (_e778 < 0f);
-                                if _e780 {
-                                    phi_915_ = -(_e778);
+                            let _e753 = (_e440 * (_e374 * _e219));
+                            if _e110 {
+                                let _e755 = (_e753 < 0f);
+                                if _e755 {
+                                    phi_885_ = -(_e753);
                                 } else {
-                                    phi_915_ = _e778;
+                                    phi_885_ = _e753;
                                 }
-                                let _e783 = phi_915_;
-                                let _e784 = (_e783 * 0.00000000023283064f);
-                                let _e789 = select(select(u32(_e784), 0u, (_e784 < 0f)), 4294967295u, (_e784 > 4294967000f));
-                                let _e792 = (_e783 - (f32(_e789) * 4294967300f));
-                                let _e797 = select(select(u32(_e792), 0u, (_e792 < 0f)), 4294967295u, (_e792 > 4294967000f));
-                                if ((_e792 - f32(_e797)) >= 0.5f) {
-                                    phi_933_ = (_e797 + 1u);
+                                let _e758 = phi_885_;
+                                let _e759 = (_e758 * 0.00000000023283064f);
+                                let _e764 = select(select(u32(_e759), 0u, (_e759 < 0f)), 4294967295u, (_e759 > 4294967000f));
+                                let _e767 = (_e758 - (f32(_e764) * 4294967300f));
+                                let _e772 = select(select(u32(_e767), 0u, (_e767 < 0f)), 4294967295u, (_e767 > 4294967000f));
+                                if ((_e767 - f32(_e772)) >= 0.5f) {
+                                    phi_903_ = (_e772 + 1u);
                                 } else {
-                                    phi_933_ = _e797;
+                                    phi_903_ = _e772;
                                 }
-                                let _e803 = phi_933_;
-                                if _e780 {
-                                    let _e806 = (~(_e803) + 1u);
-                                    if (_e806 == 0u) {
-                                        phi_947_ = (~(_e789) + 1u);
+                                let _e778 = phi_903_;
+                                if _e755 {
+                                    let _e781 = (~(_e778) + 1u);
+                                    if (_e781 == 0u) {
+                                        phi_917_ = (~(_e764) + 1u);
                                     } else {
-                                        phi_947_ = ~(_e789);
+                                        phi_917_ = ~(_e764);
                                     }
-                                    let _e812 = phi_947_;
-                                    phi_949_ = array<u32, 2>(_e806, _e812);
+                                    let _e787 = phi_917_;
+                                    phi_919_ = array<u32, 2>(_e781, _e787);
                                 } else {
-                                    phi_949_ = array<u32, 2>(_e803, _e789);
+                                    phi_919_ = array<u32, 2>(_e778, _e764);
                                 }
-                                let _e815 = phi_949_;
-                                let _e818 = (2u * (_e439 + _e453));
-                                let _e821 = atomicAdd((&global_8.member[_e818]), _e815[0]);
-                                let _e829 = atomicAdd((&global_8.member[(_e818 + 1u)]), (_e815[1] + select(0u, 1u, ((_e821 + _e815[0]) < _e815[0]))));
+                                let _e790 = phi_919_;
+                                let _e793 = (2u * (_e414 + _e428));
+                                let _e796 = atomicAdd((&global_8.member[_e793]), _e790[0]);
+                                let _e804 = atomicAdd((&global_8.member[(_e793 + 1u)]), (_e790[1] + select(0u, 1u, ((_e796 + _e790[0]) < _e790[0]))));
                             }
-                            let _e830 = (_e465 * (_e400 * _e250));
-                            if _e113 {
-                                let _e832 = (_e830 < 0f);
-                                if _e832 {
-                                    phi_970_ = -(_e830);
+                            let _e805 = (_e440 * (_e375 * _e219));
+                            if _e110 {
+                                let _e807 = (_e805 < 0f);
+                                if _e807 {
+                                    phi_940_ = -(_e805);
                                 } else {
-                                    phi_970_ = _e830;
+                                    phi_940_ = _e805;
                                 }
-                                let _e835 = phi_970_;
-                                let _e836 = (_e835 * 0.00000000023283064f);
-                                let _e841 = select(select(u32(_e836), 0u, (_e836 < 0f)), 4294967295u, (_e836 > 4294967000f));
-                                let _e844 = (_e835 - (f32(_e841) * 4294967300f));
-                                let _e849 = select(select(u32(_e844), 0u, (_e844 < 0f)), 4294967295u, (_e844 > 4294967000f));
-                                if ((_e844 - f32(_e849)) >= 0.5f) {
-                                    phi_988_ = (_e849 + 1u);
+                                let _e810 = phi_940_;
+                                let _e811 = (_e810 * 0.00000000023283064f);
+                                let _e816 = select(select(u32(_e811), 0u, (_e811 < 0f)), 4294967295u, (_e811 > 4294967000f));
+                                let _e819 = (_e810 - (f32(_e816) * 4294967300f));
+                                let _e824 = select(select(u32(_e819), 0u, (_e819 < 0f)), 4294967295u, (_e819 > 4294967000f));
+                                if ((_e819 - f32(_e824)) >= 0.5f) {
+                                    phi_958_ = (_e824 + 1u);
                                 } else {
-                                    phi_988_ = _e849;
+                                    phi_958_ = _e824;
                                 }
-                                let _e855 = phi_988_;
-                                if _e832 {
-                                    let _e858 = (~(_e855) + 1u);
-                                    if (_e858 == 0u) {
-                                        phi_1002_ = (~(_e841) + 1u);
+                                let _e830 = phi_958_;
+                                if _e807 {
+                                    let _e833 = (~(_e830) + 1u);
+                                    if (_e833 == 0u) {
+                                        phi_972_ = (~(_e816) + 1u);
                                     } else {
-                                        phi_1002_ = ~(_e841);
+                                        phi_972_ = ~(_e816);
                                     }
-                                    let _e864 = phi_1002_;
-                                    phi_1004_ = array<u32, 2>(_e858, _e864);
+                                    let _e839 = phi_972_;
+                                    phi_974_ = array<u32, 2>(_e833, _e839);
                                 } else {
-                                    phi_1004_ = array<u32, 2>(_e855, _e841);
+                                    phi_974_ = array<u32, 2>(_e830, _e816);
                                 }
-                                let _e867 = phi_1004_;
-                                let _e870 = (2u * (_e444 + _e453));
-                                let _e873 = atomicAdd((&global_8.member[_e870]), _e867[0]);
-                                let _e881 = atomicAdd((&global_8.member[(_e870 + 1u)]), (_e867[1] + select(0u, 1u, ((_e873 + _e867[0]) < _e867[0]))));
+                                let _e842 = phi_974_;
+                                let _e845 = (2u * (_e419 + _e428));
+                                let _e848 = atomicAdd((&global_8.member[_e845]), _e842[0]);
+                                let _e856 = atomicAdd((&global_8.member[(_e845 + 1u)]), (_e842[1] + select(0u, 1u, ((_e848 + _e842[0]) < _e842[0]))));
                             }
-                            local_7 = (_e453 + 1u);
-                            local_8 = (_e455 + _e70);
+                            local_7 = (_e428 + 1u);
+                            local_8 = (_e430 + _e67);
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e912 = local_7;
-                            phi_563_ = _e912;
-                            let _e915 = local_8;
-                            phi_566_ = _e915;
+                            let _e884 = local_7;
+                            phi_533_ = _e884;
+                            let _e887 = local_8;
+                            phi_536_ = _e887;
                         }
                     }
                 }

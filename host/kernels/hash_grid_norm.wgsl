@@ -1,20 +1,20 @@
-struct type_6 {
-    member: array<vec4<f32>>,
-}
-
-struct type_12 {
+struct type_7 {
     member: array<u32>,
 }
 
-struct type_15 {
+struct type_10 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_16 {
-    member: type_15,
+struct type_11 {
+    member: type_10,
+}
+
+struct type_15 {
+    member: array<vec4<f32>>,
 }
 
 struct type_20 {
@@ -24,10 +24,10 @@ struct type_20 {
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(1) 
-var<storage> global_3: type_6;
 @group(0) @binding(0) 
-var<uniform> global_4: type_16;
+var<uniform> global_3: type_11;
+@group(0) @binding(1) 
+var<storage> global_4: type_15;
 @group(0) @binding(2) 
 var<storage, read_write> global_5: type_20;
 
@@ -46,10 +46,10 @@ fn function_() {
     let _e17 = global_1;
     let _e18 = global_2;
     let _e26 = (((_e17.x + (_e17.y * _e18.x)) * 64u) + _e16.x);
-    let _e29 = global_4.member.member;
+    let _e29 = global_3.member.member;
     if (_e26 < _e29) {
-        let _e33 = global_4.member.member_2;
-        let _e36 = global_4.member.member_1;
+        let _e33 = global_3.member.member_2;
+        let _e36 = global_3.member.member_1;
         phi_71_ = 0u;
         phi_74_ = 0f;
         loop {
@@ -57,7 +57,7 @@ fn function_() {
             let _e42 = phi_74_;
             local = _e42;
             if (_e40 < _e36) {
-                let _e47 = global_3.member[((_e33 + (_e26 * _e36)) + _e40)];
+                let _e47 = global_4.member[((_e33 + (_e26 * _e36)) + _e40)];
                 if (_e47.x < 0f) {
                     phi_86_ = -(_e47.x);
                 } else {
@@ -95,7 +95,7 @@ fn function_() {
                 phi_74_ = _e88;
             }
         }
-        let _e75 = global_4.member.member_3;
+        let _e75 = global_3.member.member_3;
         let _e77 = local;
         let _e82 = atomicMax((&global_5.member[_e75]), (bitcast<u32>(_e77) & 2147483647u));
     }

@@ -1,13 +1,13 @@
-struct type_6 {
-    member: array<vec4<f32>>,
-}
-
-struct type_9 {
+struct type_5 {
     member: array<f32>,
 }
 
-struct type_17 {
+struct type_12 {
     member: array<u32>,
+}
+
+struct type_17 {
+    member: array<vec4<f32>>,
 }
 
 struct type_20 {
@@ -30,9 +30,9 @@ var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_3: type_21;
 @group(0) @binding(1) 
-var<storage> global_4: type_6;
+var<storage> global_4: type_17;
 @group(0) @binding(2) 
-var<storage> global_5: type_9;
+var<storage> global_5: type_5;
 @group(0) @binding(3) 
 var<storage, read_write> global_6: type_25;
 

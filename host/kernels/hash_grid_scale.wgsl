@@ -1,4 +1,4 @@
-struct type_5 {
+struct type_6 {
     member: array<f32>,
 }
 
@@ -27,7 +27,7 @@ var<uniform> global_3: type_12;
 @group(0) @binding(1) 
 var<storage, read_write> global_4: type_15;
 @group(0) @binding(2) 
-var<storage, read_write> global_5: type_5;
+var<storage, read_write> global_5: type_6;
 @group(0) @binding(3) 
 var<storage, read_write> global_6: type_20;
 

@@ -1,9 +1,9 @@
-struct type_6 {
-    member: array<vec4<f32>>,
+struct type_5 {
+    member: array<f32>,
 }
 
-struct type_9 {
-    member: array<f32>,
+struct type_13 {
+    member: array<vec4<f32>>,
 }
 
 struct type_16 {
@@ -21,15 +21,15 @@ var<private> global_1: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_2: type_17;
 @group(0) @binding(1) 
-var<storage> global_3: type_9;
+var<storage> global_3: type_5;
 @group(0) @binding(2) 
-var<storage> global_4: type_6;
+var<storage> global_4: type_13;
 @group(0) @binding(3) 
-var<storage> global_5: type_6;
+var<storage> global_5: type_13;
 @group(0) @binding(4) 
-var<storage> global_6: type_6;
+var<storage> global_6: type_13;
 @group(0) @binding(5) 
-var<storage, read_write> global_7: type_9;
+var<storage, read_write> global_7: type_5;
 
 fn function_() {
     var phi_134_: vec4<f32>;

@@ -1,31 +1,31 @@
-struct type_6 {
-    member: array<vec4<f32>>,
-}
-
-struct type_9 {
+struct type_5 {
     member: array<f32>,
 }
 
-struct type_15 {
+struct type_10 {
     member: u32,
     member_1: u32,
 }
 
-struct type_16 {
-    member: type_15,
+struct type_11 {
+    member: type_10,
+}
+
+struct type_15 {
+    member: array<vec4<f32>>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_16;
+var<uniform> global_3: type_11;
 @group(0) @binding(1) 
-var<storage> global_4: type_6;
+var<storage> global_4: type_15;
 @group(0) @binding(2) 
-var<storage> global_5: type_9;
+var<storage> global_5: type_5;
 @group(0) @binding(3) 
-var<storage, read_write> global_6: type_6;
+var<storage, read_write> global_6: type_15;
 
 fn function_() {
     var phi_74_: vec4<f32>;

@@ -1,8 +1,8 @@
-struct type_6 {
+struct type_5 {
     member: array<f32>,
 }
 
-struct type_12 {
+struct type_11 {
     member: array<u32>,
 }
 
@@ -24,13 +24,13 @@ var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_3: type_16;
 @group(0) @binding(1) 
-var<storage> global_4: type_12;
+var<storage> global_4: type_11;
 @group(0) @binding(2) 
-var<storage> global_5: type_12;
+var<storage> global_5: type_11;
 @group(0) @binding(3) 
-var<storage> global_6: type_6;
+var<storage> global_6: type_5;
 @group(0) @binding(4) 
-var<storage, read_write> global_7: type_6;
+var<storage, read_write> global_7: type_5;
 
 fn function_() {
     var phi_68_: u32;

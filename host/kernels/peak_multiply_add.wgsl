@@ -2,7 +2,7 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_9 {
+struct type_11 {
     member: f32,
     member_1: f32,
     member_2: f32,
@@ -30,25 +30,25 @@ var<storage, read_write> global_4: type_5;
 
 fn function_() {
     var phi_82_: u32;
-    var phi_85_: type_9;
-    var phi_87_: type_9;
-    var phi_89_: type_9;
-    var local: type_9;
-    var local_1: type_9;
-    var local_2: type_9;
-    var local_3: type_9;
-    var local_4: type_9;
-    var local_5: type_9;
-    var local_6: type_9;
-    var local_7: type_9;
-    var local_8: type_9;
-    var local_9: type_9;
-    var local_10: type_9;
-    var local_11: type_9;
+    var phi_85_: type_11;
+    var phi_87_: type_11;
+    var phi_89_: type_11;
+    var local: type_11;
+    var local_1: type_11;
+    var local_2: type_11;
+    var local_3: type_11;
+    var local_4: type_11;
+    var local_5: type_11;
+    var local_6: type_11;
+    var local_7: type_11;
+    var local_8: type_11;
+    var local_9: type_11;
+    var local_10: type_11;
+    var local_11: type_11;
     var local_12: u32;
-    var local_13: type_9;
-    var local_14: type_9;
-    var local_15: type_9;
+    var local_13: type_11;
+    var local_14: type_11;
+    var local_15: type_11;
 
     let _e24 = global;
     let _e25 = global_1;
@@ -60,9 +60,9 @@ fn function_() {
         let _e43 = global_3.member.member_2;
         let _e46 = global_3.member.member_3;
         phi_82_ = 0u;
-        phi_85_ = type_9((_e40 + 8f), (_e40 + 9f), (_e40 + 10f), (_e40 + 11f));
-        phi_87_ = type_9((_e40 + 4f), (_e40 + 5f), (_e40 + 6f), (_e40 + 7f));
-        phi_89_ = type_9(_e40, (_e40 + 1f), (_e40 + 2f), (_e40 + 3f));
+        phi_85_ = type_11((_e40 + 8f), (_e40 + 9f), (_e40 + 10f), (_e40 + 11f));
+        phi_87_ = type_11((_e40 + 4f), (_e40 + 5f), (_e40 + 6f), (_e40 + 7f));
+        phi_89_ = type_11(_e40, (_e40 + 1f), (_e40 + 2f), (_e40 + 3f));
         loop {
             let _e62 = phi_82_;
             let _e64 = phi_85_;
@@ -83,9 +83,9 @@ fn function_() {
             local_11 = _e64;
             if (_e62 < _e71) {
                 local_12 = (_e62 + 1u);
-                local_13 = type_9(((((((((_e64.member * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e64.member_1 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e64.member_2 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e64.member_3 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46));
-                local_14 = type_9(((((((((_e66.member * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e66.member_1 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e66.member_2 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e66.member_3 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46));
-                local_15 = type_9(((((((((_e68.member * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e68.member_1 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e68.member_2 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e68.member_3 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46));
+                local_13 = type_11(((((((((_e64.member * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e64.member_1 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e64.member_2 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e64.member_3 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46));
+                local_14 = type_11(((((((((_e66.member * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e66.member_1 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e66.member_2 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e66.member_3 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46));
+                local_15 = type_11(((((((((_e68.member * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e68.member_1 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e68.member_2 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e68.member_3 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46));
                 continue;
             } else {
                 break;

@@ -1,22 +1,22 @@
-struct type_6 {
-    member: array<vec4<f32>>,
-}
-
-struct type_9 {
-    member: array<f32>,
-}
-
-struct type_15 {
+struct type_4 {
     member: u32,
     member_1: f32,
 }
 
-struct type_16 {
-    member: type_15,
+struct type_5 {
+    member: type_4,
 }
 
-struct type_20 {
+struct type_8 {
+    member: array<f32>,
+}
+
+struct type_15 {
     member: array<u32>,
+}
+
+struct type_22 {
+    member: array<vec4<f32>>,
 }
 
 struct type_25 {
@@ -34,19 +34,19 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_16;
+var<uniform> global_3: type_5;
 @group(0) @binding(3) 
-var<storage> global_4: type_9;
+var<storage> global_4: type_8;
 @group(0) @binding(1) 
-var<storage> global_5: type_9;
+var<storage> global_5: type_8;
 @group(0) @binding(2) 
-var<storage> global_6: type_9;
+var<storage> global_6: type_8;
 @group(0) @binding(4) 
-var<storage> global_7: type_9;
+var<storage> global_7: type_8;
 @group(0) @binding(5) 
-var<storage> global_8: type_9;
+var<storage> global_8: type_8;
 @group(0) @binding(6) 
-var<storage, read_write> global_9: type_6;
+var<storage, read_write> global_9: type_22;
 @group(0) @binding(7) 
 var<storage, read_write> global_10: type_28;
 

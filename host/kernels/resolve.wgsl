@@ -1,9 +1,9 @@
-struct type_5 {
-    member: array<f32>,
+struct type_6 {
+    member: array<i32>,
 }
 
-struct type_12 {
-    member: array<i32>,
+struct type_9 {
+    member: array<f32>,
 }
 
 struct type_16 {
@@ -21,13 +21,13 @@ struct type_17 {
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> global_2: type_12;
+var<storage> global_2: type_6;
 @group(0) @binding(2) 
-var<storage> global_3: type_5;
+var<storage> global_3: type_9;
 @group(0) @binding(0) 
 var<uniform> global_4: type_17;
 @group(0) @binding(3) 
-var<storage, read_write> global_5: type_5;
+var<storage, read_write> global_5: type_9;
 
 fn function_() {
     let _e13 = global;

@@ -1,14 +1,14 @@
-struct type_5 {
-    member: array<f32>,
-}
-
-struct type_10 {
+struct type_4 {
     member: u32,
     member_1: f32,
 }
 
-struct type_11 {
-    member: type_10,
+struct type_5 {
+    member: type_4,
+}
+
+struct type_8 {
+    member: array<f32>,
 }
 
 struct type_15 {
@@ -19,13 +19,13 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_11;
+var<uniform> global_3: type_5;
 @group(0) @binding(1) 
 var<storage> global_4: type_15;
 @group(0) @binding(2) 
-var<storage> global_5: type_5;
+var<storage> global_5: type_8;
 @group(0) @binding(3) 
-var<storage, read_write> global_6: type_5;
+var<storage, read_write> global_6: type_8;
 
 fn function_() {
     var phi_62_: f32;

@@ -1,13 +1,13 @@
 struct type_6 {
-    member: array<vec4<f32>>,
-}
-
-struct type_13 {
     member: array<i32>,
 }
 
-struct type_17 {
+struct type_12 {
     member: array<u32>,
+}
+
+struct type_17 {
+    member: array<vec4<f32>>,
 }
 
 struct type_20 {
@@ -24,17 +24,17 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> global_3: type_13;
+var<storage> global_3: type_6;
 @group(0) @binding(0) 
 var<uniform> global_4: type_21;
 @group(0) @binding(2) 
-var<storage> global_5: type_17;
+var<storage> global_5: type_12;
 @group(0) @binding(3) 
-var<storage> global_6: type_17;
+var<storage> global_6: type_12;
 @group(0) @binding(4) 
-var<storage> global_7: type_6;
+var<storage> global_7: type_17;
 @group(0) @binding(5) 
-var<storage, read_write> global_8: type_17;
+var<storage, read_write> global_8: type_12;
 
 fn function_() {
     var phi_80_: u32;

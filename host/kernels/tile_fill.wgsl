@@ -1,4 +1,4 @@
-struct type_7 {
+struct type_5 {
     member: array<i32>,
 }
 
@@ -18,7 +18,7 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> global_3: type_7;
+var<storage> global_3: type_5;
 @group(0) @binding(5) 
 var<storage> global_4: type_11;
 @group(0) @binding(0) 

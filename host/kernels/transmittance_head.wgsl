@@ -1,4 +1,12 @@
-struct type_3 {
+struct type_5 {
+    member: array<f32>,
+}
+
+struct type_12 {
+    member: array<vec4<f32>>,
+}
+
+struct type_15 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -7,19 +15,11 @@ struct type_3 {
     member_5: u32,
 }
 
-struct type_4 {
-    member: type_3,
+struct type_16 {
+    member: type_15,
 }
 
-struct type_9 {
-    member: array<vec4<f32>>,
-}
-
-struct type_12 {
-    member: array<f32>,
-}
-
-struct type_17 {
+struct type_18 {
     member: f32,
     member_1: f32,
     member_2: f32,
@@ -30,25 +30,25 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_4;
+var<uniform> global_3: type_16;
 @group(0) @binding(1) 
-var<storage> global_4: type_9;
-@group(0) @binding(3) 
-var<storage> global_5: type_12;
+var<storage> global_4: type_12;
 @group(0) @binding(2) 
-var<storage> global_6: type_12;
+var<storage> global_5: type_5;
+@group(0) @binding(3) 
+var<storage> global_6: type_5;
 @group(0) @binding(4) 
-var<storage, read_write> global_7: type_12;
+var<storage, read_write> global_7: type_5;
 
 fn function_() {
     var phi_85_: u32;
     var phi_88_: u32;
-    var phi_90_: type_17;
+    var phi_90_: type_18;
     var phi_92_: u32;
-    var local: type_17;
+    var local: type_18;
     var local_1: u32;
     var local_2: u32;
-    var local_3: type_17;
+    var local_3: type_18;
     var local_4: u32;
 
     let _e27 = global;
@@ -64,7 +64,7 @@ fn function_() {
         let _e56 = global_4.member[_e53];
         phi_85_ = 0u;
         phi_88_ = _e50;
-        phi_90_ = type_17(_e56.x, _e56.y, _e56.z, _e56.w);
+        phi_90_ = type_18(_e56.x, _e56.y, _e56.z, _e56.w);
         phi_92_ = _e37;
         loop {
             let _e63 = phi_85_;
@@ -74,10 +74,10 @@ fn function_() {
             local = _e67;
             if (_e63 < _e47) {
                 let _e73 = global_4.member[_e65];
-                let _e76 = global_5.member[_e69];
+                let _e76 = global_6.member[_e69];
                 local_1 = (_e63 + 1u);
                 local_2 = (_e65 + 1u);
-                local_3 = type_17(((_e76 * _e73.x) + _e67.member), ((_e76 * _e73.y) + _e67.member_1), ((_e76 * _e73.z) + _e67.member_2), ((_e76 * _e73.w) + _e67.member_3));
+                local_3 = type_18(((_e76 * _e73.x) + _e67.member), ((_e76 * _e73.y) + _e67.member_1), ((_e76 * _e73.z) + _e67.member_2), ((_e76 * _e73.w) + _e67.member_3));
                 local_4 = (_e69 + _e44);
                 continue;
             } else {
@@ -95,7 +95,7 @@ fn function_() {
             }
         }
         let _e98 = local;
-        let _e104 = global_6.member[((6u * _e44) + _e37)];
+        let _e104 = global_5.member[((6u * _e44) + _e37)];
         let _e105 = (_e98.member < 0f);
         let _e109 = exp(select(-(_e98.member), _e98.member, _e105));
         let _e111 = (_e109 / (2f + _e109));

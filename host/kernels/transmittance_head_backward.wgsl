@@ -1,4 +1,12 @@
-struct type_3 {
+struct type_5 {
+    member: array<f32>,
+}
+
+struct type_12 {
+    member: array<vec4<f32>>,
+}
+
+struct type_15 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -7,19 +15,11 @@ struct type_3 {
     member_5: u32,
 }
 
-struct type_4 {
-    member: type_3,
+struct type_16 {
+    member: type_15,
 }
 
-struct type_9 {
-    member: array<vec4<f32>>,
-}
-
-struct type_12 {
-    member: array<f32>,
-}
-
-struct type_17 {
+struct type_18 {
     member: f32,
     member_1: f32,
     member_2: f32,
@@ -30,27 +30,27 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_4;
+var<uniform> global_3: type_16;
 @group(0) @binding(1) 
-var<storage> global_4: type_9;
-@group(0) @binding(3) 
-var<storage> global_5: type_12;
+var<storage> global_4: type_12;
 @group(0) @binding(2) 
-var<storage> global_6: type_12;
+var<storage> global_5: type_5;
+@group(0) @binding(3) 
+var<storage> global_6: type_5;
 @group(0) @binding(4) 
-var<storage> global_7: type_12;
+var<storage> global_7: type_5;
 @group(0) @binding(5) 
-var<storage, read_write> global_8: type_12;
+var<storage, read_write> global_8: type_5;
 
 fn function_() {
     var phi_79_: u32;
     var phi_82_: u32;
-    var phi_84_: type_17;
+    var phi_84_: type_18;
     var phi_86_: u32;
-    var local: type_17;
+    var local: type_18;
     var local_1: u32;
     var local_2: u32;
-    var local_3: type_17;
+    var local_3: type_18;
     var local_4: u32;
 
     let _e21 = global;
@@ -66,7 +66,7 @@ fn function_() {
         let _e50 = global_4.member[_e47];
         phi_79_ = 0u;
         phi_82_ = _e44;
-        phi_84_ = type_17(_e50.x, _e50.y, _e50.z, _e50.w);
+        phi_84_ = type_18(_e50.x, _e50.y, _e50.z, _e50.w);
         phi_86_ = _e31;
         loop {
             let _e57 = phi_79_;
@@ -76,10 +76,10 @@ fn function_() {
             local = _e61;
             if (_e57 < _e41) {
                 let _e67 = global_4.member[_e59];
-                let _e70 = global_5.member[_e63];
+                let _e70 = global_6.member[_e63];
                 local_1 = (_e57 + 1u);
                 local_2 = (_e59 + 1u);
-                local_3 = type_17(((_e70 * _e67.x) + _e61.member), ((_e70 * _e67.y) + _e61.member_1), ((_e70 * _e67.z) + _e61.member_2), ((_e70 * _e67.w) + _e61.member_3));
+                local_3 = type_18(((_e70 * _e67.x) + _e61.member), ((_e70 * _e67.y) + _e61.member_1), ((_e70 * _e67.z) + _e61.member_2), ((_e70 * _e67.w) + _e61.member_3));
                 local_4 = (_e63 + _e38);
                 continue;
             } else {
@@ -97,7 +97,7 @@ fn function_() {
             }
         }
         let _e92 = local;
-        let _e98 = global_6.member[((6u * _e38) + _e31)];
+        let _e98 = global_5.member[((6u * _e38) + _e31)];
         let _e101 = global_7.member[_e31];
         let _e103 = -(_e92.member);
         let _e104 = (_e103 < 0f);

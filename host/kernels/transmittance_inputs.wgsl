@@ -1,13 +1,13 @@
-struct type_6 {
-    member: array<vec4<f32>>,
-}
-
-struct type_9 {
+struct type_5 {
     member: array<f32>,
 }
 
-struct type_16 {
+struct type_11 {
     member: array<u32>,
+}
+
+struct type_16 {
+    member: array<vec4<f32>>,
 }
 
 struct type_19 {
@@ -29,19 +29,19 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> global_3: type_16;
+var<storage> global_3: type_11;
 @group(0) @binding(0) 
 var<uniform> global_4: type_20;
 @group(0) @binding(2) 
-var<storage> global_5: type_16;
+var<storage> global_5: type_11;
 @group(0) @binding(3) 
-var<storage> global_6: type_6;
+var<storage> global_6: type_16;
 @group(0) @binding(4) 
-var<storage> global_7: type_9;
+var<storage> global_7: type_5;
 @group(0) @binding(5) 
-var<storage, read_write> global_8: type_9;
+var<storage, read_write> global_8: type_5;
 @group(0) @binding(6) 
-var<storage, read_write> global_9: type_9;
+var<storage, read_write> global_9: type_5;
 
 fn function_() {
     var phi_165_: u32;

@@ -19,13 +19,12 @@ mod transmittance;
 mod volume;
 
 use std::f64::consts::TAU;
+use std::sync::LazyLock;
 
 use glam::Vec3;
 
 use crate::camera::Camera;
-use crate::scene::{
-    Contraction, Gaussians, GridConfig, Interpolation, MlpConfig, Scene, SceneConfig,
-};
+use crate::scene::{Contraction, Gaussians, GridConfig, MlpConfig, Scene, SceneConfig};
 use lattice::Splats;
 use light::Surroundings;
 
@@ -52,6 +51,12 @@ const ANGLE: f64 = 29.0;
 /// The built-in scene. Two calls give the same scene.
 #[must_use]
 pub fn scene() -> Scene {
+    // Its fields are sums over all of its pieces: the first call takes half a second.
+    static SCENE: LazyLock<Scene> = LazyLock::new(build);
+    SCENE.clone()
+}
+
+fn build() -> Scene {
     let config = config();
     let surroundings = Surroundings::new(&config);
     let mut splats = Splats::default();
@@ -85,7 +90,8 @@ pub fn turntable(views: usize, side: u32) -> Vec<Camera> {
     (0..views).map(camera).collect()
 }
 
-fn config() -> SceneConfig {
+/// The configuration of the built-in scene.
+pub(crate) fn config() -> SceneConfig {
     let half = f64::from(HALF_BOX);
     // one dense level each: what the formulas say at a vertex is what the network reads there
     let grid = |features, log2_table, base_resolution| GridConfig {
@@ -94,7 +100,6 @@ fn config() -> SceneConfig {
         log2_table,
         base_resolution,
         growth: 1.0,
-        interpolation: Interpolation::Linear,
     };
     SceneConfig {
         sh_degree: 1,

@@ -40,8 +40,6 @@ pub struct HashGridParams {
     pub first_row: u32,
     /// Features of a level.
     pub features: u32,
-    /// 1 for smoothstep interpolation, 0 for linear.
-    pub smoothstep: u32,
     /// Points of a chunk; a multiple of 64, so that no lanes are of two.
     pub chunk: u32,
     /// Rows of a chunk in `position`.
@@ -90,17 +88,17 @@ impl GridLevel {
 
     /// The cell of a point, which is clamped to [0, 1] first.
     #[inline(always)]
-    pub fn cell<L: Lane>(&self, [x, y, z]: [Split<L>; 3], smoothstep: bool) -> Cell<L> {
-        let (cell_x, weight_x) = self.axis(x, smoothstep);
-        let (cell_y, weight_y) = self.axis(y, smoothstep);
-        let (cell_z, weight_z) = self.axis(z, smoothstep);
+    pub fn cell<L: Lane>(&self, [x, y, z]: [Split<L>; 3]) -> Cell<L> {
+        let (cell_x, weight_x) = self.axis(x);
+        let (cell_y, weight_y) = self.axis(y);
+        let (cell_z, weight_z) = self.axis(z);
         Cell { corner: [cell_x, cell_y, cell_z], weight: [weight_x, weight_y, weight_z] }
     }
 
     /// `x' * scale + 0.5`, its floor and its fraction.  The product of the leading parts is exact, so that the
     /// fraction keeps its digits however large the cell's number is.
     #[inline(always)]
-    fn axis<L: Lane>(&self, x: Split<L>, smoothstep: bool) -> (L::Index, L) {
+    fn axis<L: Lane>(&self, x: Split<L>) -> (L::Index, L) {
         let number = L::splat;
         let x = x.clamped();
         let main = x.coarse * number(self.scale);
@@ -111,8 +109,7 @@ impl GridLevel {
         let t = ((main - whole) + rest).max(number(0.0));
         let carry = t.truncate();
         let t = t - carry;
-        let cell = (whole + carry).index();
-        (cell, if smoothstep { t * t * (number(3.0) - number(2.0) * t) } else { t })
+        ((whole + carry).index(), t)
     }
 
     /// The entry of a grid point, counted from the table's begin.
@@ -263,15 +260,9 @@ fn read_split<L: Lane>(buffer: Read<f32>, stride: u32, coarse: u32) -> Split<L> 
 #[cfg(not(target_arch = "spirv"))]
 pub(crate) const POINT: u64 = 6 * NUMBER;
 
-/// Operations of a point in a level beside those of its features.
+/// Operations that place a point in a level: 9 an axis, and 15 for the weights of eight corners.
 #[cfg(not(target_arch = "spirv"))]
-pub(crate) fn cell_work(params: &HashGridParams) -> u64 {
-    /// Operations that place a point in a level: 9 an axis, and 15 for the weights of eight corners.
-    const CELL: u64 = 3 * 9 + 15;
-    /// Operations that smoothstep adds.
-    const SMOOTHSTEP: u64 = 3 * 4;
-    CELL + SMOOTHSTEP * u64::from(params.smoothstep)
-}
+pub(crate) const CELL: u64 = 3 * 9 + 15;
 
 /// What [`hash_grid`] computes and moves.
 #[cfg(not(target_arch = "spirv"))]
@@ -279,7 +270,7 @@ pub(crate) fn hash_grid_work(params: &HashGridParams, shape: Shape<'_>) -> Work 
     let [points, features] = wide([params.points, params.features]);
     let cells = points * shape.workgroups_z;
     Work {
-        flops: cells * (cell_work(params) + 15 * features),
+        flops: cells * (CELL + 15 * features),
         bytes: points * POINT + cells * (8 + 1) * features * NUMBER,
     }
 }
@@ -302,7 +293,7 @@ pub fn hash_grid<L: Lane>(
         let level = levels.read(id.workgroup.z);
         let stride = params.stride;
         let x = read_point::<L>(position, stride, params.point_column(point));
-        let corners = Corners::of(&level, level.cell(x, params.smoothstep != 0));
+        let corners = Corners::of(&level, level.cell(x));
         let features = params.features;
         let mut row = params.feature_column(point, id.workgroup.z);
         let mut f = 0;

@@ -4,9 +4,9 @@
 //! of threads change no bit. [`hash_grid_scale`](crate::hash_grid_scale) chooses the unit.
 
 #[cfg(not(target_arch = "spirv"))]
-use crate::hash_grid::POINT;
+use crate::hash_grid::CELL;
 #[cfg(not(target_arch = "spirv"))]
-use crate::hash_grid::cell_work;
+use crate::hash_grid::POINT;
 use crate::hash_grid::{Corners, GridLevel, HashGridParams, of_corners, read_point, value_at};
 use crate::hash_grid_scale::{INVERSE, LIMIT, SCALE, STATUS_LIMIT};
 use crate::limits::MAX_FEATURES;
@@ -27,7 +27,7 @@ fn hash_grid_backward_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
     let cells = points * shape.workgroups_z;
     // a feature's gradient is read, and eight sums of 64 bits are read and written
     Work {
-        flops: cells * (cell_work(params) + 17 * features),
+        flops: cells * (CELL + 17 * features),
         bytes: points * POINT + cells * (NUMBER + 8 * 2 * 2 * NUMBER) * features,
     }
 }
@@ -76,7 +76,7 @@ pub fn hash_grid_backward<L: Lane>(
         if L::any(active) {
             let level = levels.read(id.workgroup.z);
             let x = read_point::<L>(position, params.stride, params.point_column(point));
-            let corners = Corners::of(&level, level.cell(x, params.smoothstep != 0));
+            let corners = Corners::of(&level, level.cell(x));
             // the CPU does not look so far ahead by itself
             of_corners!(each corners, |entry, _weight| {
                 L::expect_fixed(sum, value_at::<L>(entry, features, 0))

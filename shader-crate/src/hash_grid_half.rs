@@ -40,7 +40,7 @@ pub fn hash_grid_half<L: Lane>(
     if point < params.points {
         let level = levels.read(id.workgroup.z);
         let x = read_point::<L>(position, params.stride, params.point_column(point));
-        let corners = Corners::of(&level, level.cell(x, params.smoothstep != 0));
+        let corners = Corners::of(&level, level.cell(x));
         let words = params.features.div_ceil(2);
         let mut row = params.feature_column(point, id.workgroup.z);
         let mut word = 0;

@@ -19,7 +19,6 @@ pub mod composite_backward;
 pub mod count;
 pub mod dense;
 pub mod dense_backward;
-pub mod dense_half;
 pub mod distortion;
 pub mod exposure;
 pub mod hash_grid;

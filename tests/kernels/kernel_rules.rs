@@ -134,8 +134,7 @@ fn modules_keep_the_rules() {
         assert_eq!(all.iter().filter(vulkan).count(), 0, "{name}: Vulkan's memory model");
         let of_halves =
             |i: &&_| is(i, op::CAPABILITY) && [FLOAT16, STORAGE_16_BIT].contains(&i.operands[0]);
-        let expected = if name.starts_with("dense_half") { 2 } else { 0 };
-        assert_eq!(all.iter().filter(of_halves).count(), expected, "{name}: asks for halves");
+        assert_eq!(all.iter().filter(of_halves).count(), 0, "{name}: asks for halves");
         let pow = |i: &&_| is(i, op::EXTENDED) && i.operands[3] == POW;
         assert_eq!(all.iter().filter(pow).count(), 0, "{name}: `pow` differs between devices");
         // local arrays: a variable whose type is a pointer to an array

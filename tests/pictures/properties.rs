@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3, Vec4};
 use organza::parity::exact::composite::Splat;
 use organza::parity::exact::project::cutoff;
-use organza::{Device, scene::GridConfig, scene::Interpolation};
+use organza::{Device, scene::GridConfig};
 use organza_device::Buffer;
 use organza_shaders::camera::Camera;
 use organza_shaders::composite::{CompositeKernel, CompositeParams};
@@ -98,11 +98,11 @@ proptest! {
         base in 1u32..40, growth in 1.0f64..2.2, log2_table in 3u32..20, levels in 1u32..10, x in vector(coordinate()),
     ) {
         let grid = GridConfig {
-            levels, features: 2, log2_table, base_resolution: f64::from(base), growth, interpolation: Interpolation::Linear,
+            levels, features: 2, log2_table, base_resolution: f64::from(base), growth
         };
         for level in grid.levels_geometry() {
             let kernel = level.for_kernels();
-            let cell = kernel.cell::<f32>(x.to_array().map(|x| Split::new(x, 0.0)), false);
+            let cell = kernel.cell::<f32>(x.to_array().map(|x| Split::new(x, 0.0)));
             prop_assert!(cell.weight.iter().all(|weight| (0.0..=1.0).contains(weight)));
             for corner in 0..8u32 {
                 let [x, y, z] = [0, 1, 2].map(|axis| cell.corner[axis] + (corner >> axis & 1));

@@ -9,8 +9,6 @@ use organza_tests::compare::{assert_close, assert_close_relative, difference};
 const TILES: f64 = 2e-4;
 /// Absolute, on the tiles of scenes whose grids are halves.
 const HALF_TILES: f32 = 2e-4;
-/// Absolute, on the tiles of scenes whose networks are computed with halves.
-const HALF_NETWORK_TILES: f32 = 5e-4;
 /// Relative, on each stage.
 const STAGE: f64 = 1e-4;
 
@@ -38,23 +36,6 @@ fn tiles_of_half_grids_are_close() {
         assert!(error < HALF_TILES, "{}: {error} on {backend}", case.name);
         let more = SceneGradient::new(renderer.device(), &scene);
         assert!(more.is_err(), "halves have gradients");
-    });
-}
-
-/// Each layer's outputs are off by up to 0.9% of the sum of their terms' sizes; what that does to a pixel is for the scene to
-/// say.
-#[test]
-fn tiles_of_half_networks_are_close() {
-    cases::on_every_device(|backend, renderer, case, _| {
-        let options = UploadOptions::default().half_networks(true);
-        let scene = renderer.upload_with(&case.scene, options).expect("it is uploaded");
-        let tiles = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
-        let expected = case.expected("tiles");
-        let error = tiles.data.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
-        println!("{}, tiles of half networks on {backend}: off by {error:.1e}", case.name);
-        assert!(error < HALF_NETWORK_TILES, "{}: {error} on {backend}", case.name);
-        let more = SceneGradient::new(renderer.device(), &scene);
-        assert!(more.is_err(), "networks of halves have gradients");
     });
 }
 

@@ -188,7 +188,7 @@ fn every_command_takes_a_run_for_a_scene() {
 #[test]
 fn a_run_on_the_built_in_scene_knows_its_views() {
     let sandbox = runs::sandbox();
-    sandbox.run(&format!("{} run --steps 1", runs::TINY)).assert_ok();
+    sandbox.run(&format!("{} run", runs::BUILT_IN)).assert_ok();
     sandbox.run("render run -o held --split held-out --backend cpu").assert_ok();
     assert_eq!(pictures(&sandbox, "held"), ["view-000.png", "view-003.png"]);
     sandbox.run("render run -o seen --split train --backend cpu").assert_ok();

@@ -2,19 +2,18 @@
 
 use organza_tests::devices;
 
-use crate::sandbox::{Outcome, Sandbox};
+use crate::sandbox::Outcome;
+use crate::train::runs;
 
 /// Mesa and libwayland look for a desktop's sockets in a folder that only a desktop has.
 #[test]
 fn without_a_desktop_nothing_is_said() {
-    let sandbox = Sandbox::new("tiny");
+    let sandbox = runs::sandbox();
     let backends = if devices::has_gpu() { &["auto", "gpu"][..] } else { &["auto"] };
     for backend in backends {
         for words in [
             format!("render scene.safetensors cameras.json -o images-{backend}"),
-            format!(
-                "train -o run-{backend} --steps 1 --set data.built_in_views=2 --set data.built_in_side=16"
-            ),
+            format!("train views --config tiny.toml -o run-{backend} --steps 1"),
         ] {
             let mut command = sandbox.command(&format!("{words} -q --backend {backend}"));
             command.env_remove("XDG_RUNTIME_DIR").env_remove("NODEVICE_SELECT");

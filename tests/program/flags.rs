@@ -61,7 +61,6 @@ fn the_short_help_is_short() {
         "--threads",
         "--instruction-set",
         "--half-grids",
-        "--half-networks",
     ];
     for command in ["render", "film", "tiles", "eval", "bench"] {
         let [short, long] = ["-h", "--help"]

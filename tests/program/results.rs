@@ -4,7 +4,7 @@ use std::fs;
 
 use organza::image::to_8_bit;
 use organza::scene::read_tensors;
-use organza::{DeviceOptions, Renderer, Scene};
+use organza::{DeviceOptions, Renderer};
 use organza_tests::cases::{self, Case};
 use organza_tests::compare::assert_close;
 use serde_json::{Value, json};
@@ -49,31 +49,6 @@ fn half_grids_are_close_and_have_no_gradients() {
     sandbox.assert_refuses(&format!("{TILES} {words}"), &["--half-grids", "--grad"]);
     let bench = "bench scene.safetensors cameras.json tiles.json --half-grids";
     sandbox.assert_refuses(bench, &["--half-grids", "--forward"]);
-}
-
-#[test]
-fn half_networks_are_close_and_have_no_gradients() {
-    let sandbox = Sandbox::new("basic");
-    sandbox.run(&format!("{TILES} -o full.safetensors")).assert_ok();
-    sandbox.run(&format!("{TILES} --half-networks -o half.safetensors")).assert_ok();
-    sandbox.run(&format!("{TILES} --half-networks --half-grids -o both.safetensors")).assert_ok();
-    let [full, half, both] = ["full", "half", "both"].map(|name| {
-        read_tensors(sandbox.path(&format!("{name}.safetensors"))).unwrap()["tiles"].data.clone()
-    });
-    assert!(full != half && half != both, "nothing was rounded");
-    assert_close("tiles", &half, &full, 5e-4);
-    assert_close("tiles", &both, &full, 5e-4);
-    let mut scene = Scene::load(sandbox.path("scene.safetensors")).unwrap();
-    scene.transmittance.network.layers[0].weight.fill(100.0);
-    scene.save(sandbox.path("steep.safetensors")).unwrap();
-    let steep = TILES.replace("scene.", "steep.") + " -o steep.tiles";
-    sandbox.run(&steep).assert_ok();
-    let facts = ["transmittance.mlp.0.weight", "62", "leave out `--half-networks`"];
-    sandbox.assert_refuses(&format!("{steep} --half-networks"), &facts);
-    let words = "--half-networks --grad-output full.safetensors --grad grad.safetensors";
-    sandbox.assert_refuses(&format!("{TILES} {words}"), &["--half-networks", "--grad"]);
-    let bench = "bench scene.safetensors cameras.json tiles.json --half-networks";
-    sandbox.assert_refuses(bench, &["--half-networks", "--forward"]);
 }
 
 #[test]

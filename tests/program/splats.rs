@@ -56,7 +56,7 @@ fn a_scene_goes_out_and_comes_back() {
     assert_eq!(round.gaussians.len(), back.gaussians.len());
     // and as the start of training
     let words = "train -o run --start thin.ply --steps 1 --set data.built_in_views=3 --set data.built_in_side=32 \
-                 --set growth.method=none --backend cpu";
+                 --set growth.end=0 --backend cpu";
     sandbox.run(words).assert_ok();
     let run = Scene::load(sandbox.path("run/checkpoint.safetensors")).expect("a scene");
     assert_eq!(run.gaussians.len(), back.gaussians.len());
@@ -128,7 +128,8 @@ fn what_cannot_be_is_refused() {
     )
     .unwrap();
     sandbox.assert_refuses("import points.ply -o new.safetensors", &["points.ply", "`f_dc_0`"]);
-    let train = "train -o run --start points.ply";
+    let train =
+        "train -o run --start points.ply --set data.built_in_views=2 --set data.built_in_side=16";
     sandbox.assert_refuses(train, &["points.ply", "`f_dc_0`"]);
     assert!(!sandbox.path("new.safetensors").exists());
 }

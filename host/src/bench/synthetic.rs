@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::scene::{
-    Contraction, Field, Gaussians, GridConfig, Interpolation, Layer, MlpConfig, Scene, SceneConfig,
+    Contraction, Field, Gaussians, GridConfig, Layer, MlpConfig, Scene, SceneConfig,
 };
 use crate::tile::{Tile, TileBatch};
 use organza_check::inputs::Random;
@@ -81,7 +81,6 @@ fn config() -> SceneConfig {
         log2_table: 19,
         base_resolution: 16.0,
         growth: 1.447_269_2,
-        interpolation: Interpolation::Linear,
     };
     let network = MlpConfig { hidden: vec![HIDDEN; 2] };
     SceneConfig {

@@ -72,7 +72,7 @@ fn another_size_shows_the_same_and_more() {
 #[test]
 fn case_cameras_see_the_origin() {
     let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/cases");
-    for case in ["basic", "crowded", "smooth", "tiny", "wide"] {
+    for case in ["basic", "crowded", "narrow", "tiny", "wide"] {
         let cameras = Camera::load_all(cases.join(case).join("cameras.json")).unwrap();
         assert_eq!(cameras.len(), 2);
         for camera in cameras {

@@ -122,11 +122,8 @@ impl Args {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let SceneArgs { half_grids, half_networks } = args.scene_args;
-    for (option, is_given) in [("--half-grids", half_grids), ("--half-networks", half_networks)] {
-        if is_given && !args.forward {
-            return refuse(format!("`{option}` has no gradients; add `--forward`"));
-        }
+    if args.scene_args.half_grids && !args.forward {
+        return refuse("`--half-grids` has no gradients; add `--forward`");
     }
     let workload = args.workload(console)?;
     if args.every_device {

@@ -19,11 +19,6 @@ pub struct SceneArgs {
     /// Store both hash grids in half precision: half their memory, each feature off by at most 1/2048; no gradients
     #[arg(long, help_heading = "Device", hide_short_help = true)]
     pub half_grids: bool,
-
-    /// Compute the hidden layers of both networks in half precision: for GPUs, slower on the CPU; each output off by at most
-    /// 0.9% of the sizes of its terms; no gradients
-    #[arg(long, help_heading = "Device", hide_short_help = true)]
-    pub half_networks: bool,
 }
 
 impl SceneArgs {
@@ -33,8 +28,7 @@ impl SceneArgs {
     }
 
     pub fn options(&self) -> UploadOptions {
-        let Self { half_grids, half_networks } = *self;
-        UploadOptions::default().half_grids(half_grids).half_networks(half_networks)
+        UploadOptions::default().half_grids(self.half_grids)
     }
 }
 

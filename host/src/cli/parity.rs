@@ -150,16 +150,7 @@ fn markdown(report: &Report) -> String {
     for row in &report.kernels {
         let _ = writeln!(text, "| {} |", cells(row).join(" | "));
     }
-    if let Some(line) = left_out(report) {
-        let _ = writeln!(text, "\n{line}");
-    }
     text
-}
-
-/// The kernels that were not run, and why.
-fn left_out(report: &Report) -> Option<String> {
-    let kernels = report.left_out.join(", ");
-    (!kernels.is_empty()).then(|| format!("Left out: {kernels}; the device has no 16-bit floats."))
 }
 
 const TITLES: [&str; 8] =
@@ -172,7 +163,6 @@ fn text(report: &Report) -> String {
     let (adapter, driver, path) = (&report.adapter, &report.driver, report.path);
     let mut text = format!("{adapter} ({driver}), {path}\n{table}");
     report.kernels.iter().filter(|row| !row.ok).for_each(|row| explain(&mut text, row));
-    text.extend(left_out(report).map(|line| line + "\n"));
     text
 }
 

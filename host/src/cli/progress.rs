@@ -13,9 +13,9 @@ use super::summary::{count, grouped};
 
 /// Seconds of training over which the speed is measured.
 const WINDOW: f64 = 15.0;
-/// Seconds between lines: a share of the seconds so far, within bounds. An hour gives some 80 lines.
+/// Seconds between lines: a share of the seconds so far, within bounds. An hour gives some 100 lines.
 const SHARE: f64 = 0.1;
-const SHORTEST: f64 = 5.0;
+const SHORTEST: f64 = 2.0;
 const LONGEST: f64 = 60.0;
 
 /// A training as the user sees it.
@@ -239,9 +239,9 @@ mod tests {
             })
             .collect();
         assert_eq!(due[0], (0.0, [0.0, 0.0]));
-        // the mean of steps 1 to 50
-        assert!((due[1].0 - 5.0).abs() < 0.15 && (due[1].1[0] - 25.5).abs() < 1.0, "{:?}", due[1]);
-        assert!((70..90).contains(&due.len()), "{} lines", due.len());
+        // the mean of steps 1 to 20
+        assert!((due[1].0 - 2.0).abs() < 0.15 && (due[1].1[0] - 10.5).abs() < 1.0, "{:?}", due[1]);
+        assert!((85..105).contains(&due.len()), "{} lines", due.len());
         let last = due[due.len() - 1].0 - due[due.len() - 2].0;
         assert!((last - 60.0).abs() < 0.2, "{last}");
     }

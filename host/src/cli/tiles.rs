@@ -53,7 +53,7 @@ pub struct Args {
     #[arg(long, value_name = "G", requires = "grad")]
     grad_output: Option<PathBuf>,
     /// Where to write the gradient of the loss with respect to every tensor of the scene, safetensors
-    #[arg(long, value_name = "GRAD", requires = "grad_output", conflicts_with_all = ["half_grids", "half_networks"])]
+    #[arg(long, value_name = "GRAD", requires = "grad_output", conflicts_with = "half_grids")]
     grad: Option<PathBuf>,
     /// Print JSON: the files, and what rendering took (docs/json.md)
     #[arg(long)]

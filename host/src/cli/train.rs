@@ -8,7 +8,6 @@ use clap::builder::PossibleValuesParser;
 use organza::Result;
 use organza::data::Background;
 use organza::error::{self, format_bytes};
-use organza::train::config::PoseMethod;
 use organza::train::{
     self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, RunFolder, Session, Split,
     TrainConfig,
@@ -34,7 +33,7 @@ Examples:
   organza train --resume run --steps 5000              extends a run, also one that is finished
   organza train data/fox -o quick --preset fast
   organza train data/fox -o other --config run/config.toml --seed 1
-  organza train data/fox -o small --set scene.color_mlp.hidden=16,16 --set growth.method=none
+  organza train data/fox -o small --set scene.color_mlp.hidden=16,16 --set growth.end=0
   organza train -o run --tensorboard                   then: tensorboard --logdir run
   organza train data/fox -o run --refine-poses         poses of a phone, off by some pixels
   organza train data/fox -o run --view                 look at it while it trains
@@ -457,9 +456,7 @@ impl SettingsArgs {
         set(&mut config.data.background, &self.background);
         config.data.allow_outside |= self.allow_outside;
         config.run.tensorboard |= self.tensorboard;
-        if self.refine_poses {
-            config.poses.method = PoseMethod::Refine;
-        }
+        config.poses.refine |= self.refine_poses;
         other(&mut config);
         // options are held to what files are held to
         TrainConfig::parse(&config.to_toml(), Path::new(""))

@@ -43,7 +43,7 @@ pub struct Args {
     data: Option<PathBuf>,
     /// Let the browser render, with its own GPU: serve the page of `organza export-web`. It needs WebGPU, which browsers have
     /// for pages of this machine, and for those that `ssh -L` brings here. The page has no photographs, and explains no pixels
-    #[arg(long, conflicts_with = "half_networks", help_heading = "Page")]
+    #[arg(long, help_heading = "Page")]
     client: bool,
     #[command(flatten)]
     server: ServerArgs,

@@ -9,7 +9,7 @@ use organza_shaders::hash_grid::{GridLevel, HashGridKernel, HashGridParams, POIN
 use organza_shaders::unit_cube::Split;
 
 use super::exact::hash_grid::encode;
-use crate::scene::{GridConfig, Interpolation};
+use crate::scene::GridConfig;
 use organza_device::Result;
 
 /// Rows before the features, which the kernel leaves alone.
@@ -34,14 +34,7 @@ pub struct HashGrid {
 
 /// A grid with dense and hashed levels.
 pub(super) fn grid() -> GridConfig {
-    GridConfig {
-        levels: 5,
-        features: 2,
-        log2_table: 9,
-        base_resolution: 5.0,
-        growth: 2.1,
-        interpolation: Interpolation::Linear,
-    }
+    GridConfig { levels: 5, features: 2, log2_table: 9, base_resolution: 5.0, growth: 2.1 }
 }
 
 /// A point whose coordinates are multiples of `2^-bits`.
@@ -77,7 +70,6 @@ pub(super) fn params(grid: &GridConfig, points: usize) -> HashGridParams {
         stride: STRIDE as u32,
         first_row: FIRST_ROW as u32,
         features: grid.features,
-        smoothstep: u32::from(grid.interpolation == Interpolation::Smoothstep),
         chunk: CHUNK as u32,
         point_rows: POINT_ROWS,
         rows: rows(grid) as u32,
@@ -124,24 +116,18 @@ impl HashGrid {
     fn unrounded() -> Vec<(String, Self)> {
         // the last one is 0.2% below the finest scale; its points have a fine part too
         let scales = [(1.0, 4), (8.0, 7), (64.0, 10), (2048.0, 15), (511.0 * 2048.0, 15)];
-        let set = |(scale, bits): (f64, i32), interpolation: Interpolation| {
-            let grid = GridConfig {
-                levels: 1,
-                base_resolution: scale + 1.0,
-                growth: 1.0,
-                interpolation,
-                ..grid()
-            };
+        let set = |(scale, bits): (f64, i32)| {
+            let grid =
+                GridConfig { levels: 1, base_resolution: scale + 1.0, growth: 1.0, ..grid() };
             let mut random = Random::new(bits as u64);
             let mut set = Self::new(grid, ITEMS, Fill::Random, Fill::Random, &mut random);
             for point in &mut set.points {
                 *point = unrounded_point(bits, &mut random);
             }
             set.is_unrounded = true;
-            (format!("unrounded, scale {scale}, {interpolation:?}"), set)
+            (format!("unrounded, scale {scale}"), set)
         };
-        let both = [Interpolation::Linear, Interpolation::Smoothstep];
-        scales.into_iter().flat_map(|scale| both.map(|kind| set(scale, kind))).collect()
+        scales.map(set).into()
     }
 
     /// A grid of each kind.
@@ -153,7 +139,6 @@ impl HashGrid {
             (name.to_owned(), Self::new(grid, ITEMS, Fill::Random, Fill::Random, &mut random))
         };
         vec![
-            of("smoothstep", |grid| grid.interpolation = Interpolation::Smoothstep),
             of("one feature", |grid| grid.features = 1),
             of("four features", |grid| grid.features = 4),
             of("eight features", |grid| grid.features = 8),
@@ -257,7 +242,7 @@ impl Parity for HashGrid {
             return Bound { scale: 0.0, floor: 0.0 };
         };
         let level = self.levels()[level];
-        let [x, y, z] = level.cell::<f32>(self.points[point], false).corner;
+        let [x, y, z] = level.cell::<f32>(self.points[point]).corner;
         let corner = |c: u32| {
             let entry = level.entry(x + (c & 1), y + (c >> 1 & 1), z + (c >> 2));
             let at = entry * self.grid.features + feature as u32;
@@ -336,11 +321,7 @@ mod tests {
             let exact = (*exact).filter(|_| of_level == level)?;
             let place = geometry.place(exact_point(set.points[point]));
             let cell = place.map(|x| x.floor() as u64);
-            let smooth = |t: f64| match set.grid.interpolation {
-                Interpolation::Linear => t,
-                Interpolation::Smoothstep => t * t * (3.0 - 2.0 * t),
-            };
-            let t = place.map(|x| smooth(x - x.floor()));
+            let t = place.map(|x| x - x.floor());
             let term = |at| {
                 let (entry, weight) = mistake(&geometry, cell, t, at);
                 weight * f64::from(set.table[entry * features + feature])

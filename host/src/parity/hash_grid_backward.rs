@@ -14,7 +14,7 @@ use organza_shaders::unit_cube::Split;
 use super::exact::hash_grid::levels;
 use super::exact::hash_grid_scale::unit;
 use super::hash_grid::{exact_point, features, grid, params, positions, unrounded_point};
-use crate::scene::{GridConfig, Interpolation};
+use crate::scene::GridConfig;
 use organza_device::Result;
 
 /// Inputs of `hash_grid_backward`.
@@ -72,9 +72,9 @@ impl HashGridBackward {
     }
 
     /// A grid of scale 4 in both levels, which are dense with 2^9 entries and hashed with 2^6.
-    fn grid_of_whole_scale(interpolation: Interpolation, log2_table: u32) -> GridConfig {
+    fn grid_of_whole_scale(log2_table: u32) -> GridConfig {
         let [base_resolution, growth] = [5.0, 1.0];
-        GridConfig { levels: 2, log2_table, base_resolution, growth, interpolation, ..grid() }
+        GridConfig { levels: 2, log2_table, base_resolution, growth, ..grid() }
     }
 
     /// Positions and gradients with so few bits that no term is rounded: all devices must have the same sums.
@@ -88,24 +88,18 @@ impl HashGridBackward {
             };
             (0..len).map(|index| of(index, random)).collect::<Vec<_>>()
         };
-        // a smoothstep has three times the bits
-        let kinds = [
-            (Interpolation::Linear, 9, 7),
-            (Interpolation::Linear, 6, 7),
-            (Interpolation::Smoothstep, 6, 4),
-        ];
         let mut sets: Vec<_> = [1, 63, 64, 65, 1000]
             .into_iter()
-            .flat_map(|count| kinds.map(|kind| (count, kind)))
-            .map(|(count, (interpolation, log2_table, bits))| {
-                let grid = Self::grid_of_whole_scale(interpolation, log2_table);
-                let points = (0..count).map(|_| unrounded_point(bits, &mut random)).collect();
+            .flat_map(|count| [9, 6].map(|log2_table| (count, log2_table)))
+            .map(|(count, log2_table)| {
+                let grid = Self::grid_of_whole_scale(log2_table);
+                let points = (0..count).map(|_| unrounded_point(7, &mut random)).collect();
                 let gradient = gradients(grid.width() * count, &mut random);
                 let set = Self::of(grid, points, gradient, 2_f32.powi(40));
-                (format!("unrounded, {count} points, {interpolation:?}, 2^{log2_table}"), set)
+                (format!("unrounded, {count} points, 2^{log2_table}"), set)
             })
             .collect();
-        let grid = Self::grid_of_whole_scale(Interpolation::Linear, 9);
+        let grid = Self::grid_of_whole_scale(9);
         let points = vec![unrounded_point(7, &mut random); 777];
         let gradient = (0..grid.width() * 777).map(|at| (at / 777) as f32 + 0.25).collect();
         let set = Self::of(grid, points, gradient, 2_f32.powi(40));
@@ -171,7 +165,7 @@ impl HashGridBackward {
                 if active.is_empty() {
                     continue;
                 }
-                let corners = level.corners(self.grid.interpolation, exact_point(place));
+                let corners = level.corners(exact_point(place));
                 for (entry, weight) in corners {
                     touched[entry * features / 64] = true;
                     for (f, gradient) in &active {
@@ -189,7 +183,7 @@ impl HashGridBackward {
         let mut sizes = vec![0.0; self.values()];
         for (index, level) in self.grid.levels_for_kernels().iter().enumerate() {
             for (column, &point) in self.points.iter().enumerate() {
-                let entries = Corners::of(level, level.cell::<f32>(point, false)).entry;
+                let entries = Corners::of(level, level.cell::<f32>(point)).entry;
                 if self.gradients(index, column).is_none() {
                     continue;
                 }
@@ -220,11 +214,10 @@ impl Parity for HashGridBackward {
             sets.push((format!("gradients of {}", fill.name()), set));
         }
         for features in [1, 4, 8] {
-            let mut grid = grid();
-            (grid.features, grid.interpolation) = (features, Interpolation::Smoothstep);
+            let grid = GridConfig { features, ..grid() };
             let mut random = Random::new(14);
             let set = Self::new(grid, ITEMS, Fill::Random, Fill::Random, &mut random);
-            sets.push((format!("smoothstep, {features} features"), set));
+            sets.push((format!("{features} features"), set));
         }
         sets.extend(Self::unrounded());
         sets.extend(Self::beyond());

@@ -13,7 +13,6 @@ pub mod composite_backward;
 pub mod count;
 pub mod dense;
 pub mod dense_backward;
-pub mod dense_half;
 pub mod distortion;
 pub mod exact;
 pub mod exposure;
@@ -60,7 +59,6 @@ pub fn cases() -> Vec<Case> {
         Case::of::<hash_grid::HashGrid>(),
         Case::of::<hash_grid_half::HashGridHalf>(),
         Case::of::<dense::Dense>(),
-        Case::of::<dense_half::DenseHalf>(),
         Case::of::<color::ColorHead>(),
         Case::of::<segment::Segment>(),
         Case::of::<transmittance::TransmittanceInputs>(),

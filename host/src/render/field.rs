@@ -1,17 +1,15 @@
 //! A hash grid and its network on a device: the grid block by block, the network chunk by chunk.
 
 use glam::Vec4;
-use organza_kernel::half::HalfVector;
 use organza_shaders::dense::{DenseKernel, DenseParams, OUTPUTS_PER_INVOCATION};
 use organza_shaders::hash_grid::{GridLevel, HashGridKernel, HashGridParams};
 use organza_shaders::hash_grid_half::HashGridHalfKernel;
 
 use super::block::{BlockOf, Chunk, Layout, ROWS_OF_POINT};
-use super::dense_half::{half_layer, half_weights};
 use super::hash_grid_half::pack_halves;
 use super::network::LayerPlace;
 use super::options::UploadOptions;
-use crate::scene::{Field, FieldTensors, GridConfig, Interpolation};
+use crate::scene::{Field, FieldTensors, GridConfig};
 use organza_device::{Buffer, Device, Result};
 
 /// A field whose tensors lie on a device: `table` and `parameters` are those of the scene.
@@ -22,10 +20,7 @@ pub struct DeviceField {
     /// Instead of `table`: the same as halves.
     pub(super) half_table: Option<Buffer<u32>>,
     pub parameters: Buffer<Vec4>,
-    /// Instead of the hidden layers' weights among `parameters`: the same as halves.
-    pub(super) half_weights: Option<Buffer<HalfVector>>,
     pub(super) features: u32,
-    pub(super) smoothstep: bool,
     pub(super) layers: Vec<LayerPlace>,
 }
 
@@ -46,18 +41,12 @@ impl DeviceField {
             let words = pack_halves(&field.grid, grid.features as usize, &format!("{name}.grid"))?;
             Ok(device.upload("hash grid of halves", &words)?)
         };
-        let half_weights = || -> crate::error::Result<_> {
-            let weights = half_weights(&field.network, name)?;
-            Ok(device.upload("network of halves", &weights)?)
-        };
         Ok(Self {
             levels: device.upload("grid levels", &grid.levels_for_kernels())?,
             table: tensors.grid.view(),
             half_table: options.half_grids.then(half_table).transpose()?,
             parameters: tensors.network.view(),
-            half_weights: options.half_networks.then(half_weights).transpose()?,
             features: grid.features,
-            smoothstep: grid.interpolation == Interpolation::Smoothstep,
             layers: LayerPlace::of(&field.network),
         })
     }
@@ -69,18 +58,14 @@ impl DeviceField {
             table: self.table.view(),
             half_table: self.half_table.as_ref().map(Buffer::view),
             parameters: self.parameters.view(),
-            half_weights: self.half_weights.as_ref().map(Buffer::view),
             features: self.features,
-            smoothstep: self.smoothstep,
             layers: self.layers.clone(),
         }
     }
 
     /// What it takes beside its tensors.
     pub fn bytes_beside_tensors(&self) -> u64 {
-        self.levels.bytes()
-            + self.half_table.as_ref().map_or(0, Buffer::bytes)
-            + self.half_weights.as_ref().map_or(0, Buffer::bytes)
+        self.levels.bytes() + self.half_table.as_ref().map_or(0, Buffer::bytes)
     }
 
     /// The last layer, which each head evaluates on its own.
@@ -102,7 +87,6 @@ impl DeviceField {
             stride: layout.stride,
             first_row,
             features: self.features,
-            smoothstep: u32::from(self.smoothstep),
             chunk: layout.chunk,
             point_rows: ROWS_OF_POINT,
             rows: block.rows,
@@ -164,10 +148,6 @@ impl DeviceField {
             weight: layer.weight,
             bias: layer.bias,
         };
-        if let Some(weights) = &self.half_weights {
-            let weights = (&self.parameters, weights);
-            return half_layer(device, params, &chunk.count, weights, [input, output]);
-        }
         let kernel = DenseKernel { params, parameters: &self.parameters, input, output };
         device.run(
             &kernel.counted(&chunk.count),

@@ -170,19 +170,13 @@ mod tests {
     use super::*;
     use crate::render::options::UploadOptions;
     use crate::render::packed::pack_field;
-    use crate::scene::{Field, GridConfig, Interpolation, Layer, Network};
+    use crate::scene::{Field, GridConfig, Layer, Network};
     use organza_device::DeviceOptions;
 
     /// A grid with a network of two inputs, one hidden layer and one output.
     fn field(device: &Device) -> DeviceField {
-        let grid = GridConfig {
-            levels: 2,
-            features: 2,
-            log2_table: 6,
-            base_resolution: 3.0,
-            growth: 3.0,
-            interpolation: Interpolation::Linear,
-        };
+        let grid =
+            GridConfig { levels: 2, features: 2, log2_table: 6, base_resolution: 3.0, growth: 3.0 };
         let layer = |inputs: usize, outputs: usize| Layer {
             weight: vec![0.5; inputs * outputs],
             bias: vec![0.0; outputs],
@@ -231,7 +225,6 @@ mod tests {
                     stride: STRIDE,
                     first_row: 1,
                     features: 2,
-                    smoothstep: 0,
                     chunk: 64,
                     point_rows: 6,
                     rows: 5,

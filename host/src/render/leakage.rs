@@ -182,7 +182,7 @@ mod tests {
     /// Gaussians on the axis of a camera with one pixel: weights are opacities where all light passes.
     #[test]
     fn a_view_has_the_shares_of_what_lies_on_its_axis() {
-        let mut scene = Scene::zeros(crate::demo::scene().config, 3).unwrap();
+        let mut scene = Scene::zeros(crate::demo::config(), 3).unwrap();
         let last = scene.transmittance.network.layers.last_mut().unwrap();
         last.bias[0] = 50.0;
         let gaussians = &mut scene.gaussians;

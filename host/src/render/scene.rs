@@ -81,7 +81,7 @@ impl DeviceScene {
     /// # Errors
     /// As [`Device::read`]; [`Error::Argument`](crate::Error::Argument) where the grids are halves.
     pub fn download(&self, device: &Device) -> Result<Scene> {
-        self.require_full_grids()?;
+        self.require_gradients()?;
         let read = |buffer: &Buffer<f32>, values: &mut [f32]| device.read_into(buffer, 0, values);
         unpack(&self.config, self.len(), self.tensors.as_ref(), read)
     }

@@ -30,11 +30,23 @@ fn tiles() -> TileBatch {
     TileBatch { side: 16, tiles: vec![at(0, 20, 30), at(0, 40, 32), at(1, 24, 24), at(1, -8, -8)] }
 }
 
-/// Every eighth Gaussian of the built-in scene.
-fn some() -> Scene {
+/// Every nth Gaussian of the built-in scene.
+fn every(nth: usize) -> Scene {
     let mut scene = demo::scene();
-    let indices: Vec<_> = (0..scene.gaussians.len()).step_by(8).collect();
+    let indices: Vec<_> = (0..scene.gaussians.len()).step_by(nth).collect();
     scene.gaussians = scene.gaussians.select(&indices);
+    scene
+}
+
+/// Every eighth, with small hash grids: going back looks at every entry, for each part.
+fn some() -> Scene {
+    let mut scene = every(8);
+    let config = &mut scene.config;
+    let grids = [&mut config.color_grid, &mut config.transmittance_grid];
+    for (grid, field) in grids.into_iter().zip([&mut scene.color, &mut scene.transmittance]) {
+        grid.log2_table = 8;
+        field.grid.truncate(grid.entries() * grid.features as usize);
+    }
     scene
 }
 

@@ -11,7 +11,7 @@ use super::options::UploadOptions;
 use super::packed::{pack, upload};
 use super::renderer::Renderer;
 use super::scene::DeviceScene;
-use crate::error::{Error, IN_MEMORY, Result};
+use crate::error::{Error, Result};
 use crate::scene::Scene;
 
 impl Renderer {
@@ -30,9 +30,6 @@ impl Renderer {
     pub fn upload_with(&self, scene: &Scene, options: UploadOptions) -> Result<DeviceScene> {
         scene.validate()?;
         let (device, config) = (self.device(), &scene.config);
-        if options.half_networks {
-            require_halves(device.computes_halves(), device.choice())?;
-        }
         let mut packed = pack(scene);
         if options.half_grids {
             // the halves are there instead
@@ -67,21 +64,8 @@ impl Renderer {
 }
 
 impl DeviceScene {
-    /// Fails if a part of the scene is halves, which have no gradients.
-    pub(crate) fn require_gradients(&self) -> Result<()> {
-        self.require_full_grids()?;
-        match self.color.half_weights {
-            None => Ok(()),
-            Some(_) => {
-                let reason = "the scene's networks are computed in half precision, which has no \
-                    gradients; upload it without `half_networks`";
-                Err(Error::Argument { reason: reason.into() })
-            }
-        }
-    }
-
     /// Fails where the grids are halves: the numbers that they were are not there.
-    pub(crate) fn require_full_grids(&self) -> Result<()> {
+    pub(crate) fn require_gradients(&self) -> Result<()> {
         match self.color.half_table {
             None => Ok(()),
             Some(_) => {
@@ -89,30 +73,5 @@ impl DeviceScene {
                 Err(Error::Argument { reason: reason.into() })
             }
         }
-    }
-}
-
-/// Fails if a device does not compute with halves.
-fn require_halves(computes_halves: bool, device: &str) -> Result<()> {
-    if computes_halves {
-        return Ok(());
-    }
-    Err(Error::Invalid {
-        origin: IN_MEMORY.into(),
-        reason: format!(
-            "{device} does not support halves (16-bit floats); leave out `--half-networks`"
-        ),
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_device_without_halves_is_refused() {
-        assert!(require_halves(true, "gpu: A").is_ok());
-        let text = require_halves(false, "gpu: A").unwrap_err().to_string();
-        assert!(text.contains("gpu: A") && text.contains("leave out `--half-networks`"), "{text}");
     }
 }

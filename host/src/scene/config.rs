@@ -257,12 +257,11 @@ fn fits_f32(value: f64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Interpolation;
     use super::*;
 
     const BASIC: &str = r#"{"sh_degree": 3, "material": 8, "extra": 2,
         "color_grid": {"levels": 6, "features": 2, "log2_table": 11, "base_resolution": 8,
-            "growth": 1.7, "interpolation": "smoothstep"},
+            "growth": 1.7, "interpolation": "linear"},
         "transmittance_grid": {"levels": 5, "features": 2, "log2_table": 11,
             "base_resolution": 8.5, "growth": 1.7},
         "color_mlp": {"hidden": [32, 16]}, "transmittance_mlp": {"hidden": [32]},
@@ -276,8 +275,6 @@ mod tests {
     #[test]
     fn reads_every_field() {
         let config = basic();
-        assert_eq!(config.color_grid.interpolation, Interpolation::Smoothstep);
-        assert_eq!(config.transmittance_grid.interpolation, Interpolation::Linear);
         assert_eq!(config.transmittance_grid.base_resolution, 8.5);
         assert_eq!((config.sh_width(), config.color_inputs()), (16, 16 + 12 + 8));
         assert_eq!(config.transmittance_inputs(), 10 + 2);
@@ -344,7 +341,7 @@ mod tests {
         let bad = [
             (BASIC.replace("\"step\": 0.06,", ""), "missing field `step`"),
             (BASIC.replace("0.06", "\"small\""), "\"step\": \"small\""),
-            (BASIC.replace("smoothstep", "cubic"), "`cubic`"),
+            (BASIC.replace("linear", "smoothstep"), "`smoothstep`, but grids are linear"),
             (BASIC.replace("\"blur\"", "\"contraction\": \"sphere\", \"blur\""), "`sphere`"),
             (BASIC.replace("\"material\": 8", "\"material\": -8"), "\"material\": -8"),
             (BASIC.replace("0.06", "NaN"), "\"step\": N"),

@@ -218,7 +218,7 @@ mod tests {
 
     #[test]
     fn rows_are_selected_from_every_tensor() {
-        let config = crate::demo::scene().config;
+        let config = crate::demo::config();
         let mut gaussians = Gaussians::zeros(&config, 3).unwrap();
         for values in gaussians.tensors_mut().into_vec() {
             values.iter_mut().zip(0..).for_each(|(value, i)| *value = i as f32);

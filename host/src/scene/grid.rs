@@ -16,19 +16,9 @@ pub const FEATURE_WIDTHS: [u32; 4] = [1, 2, 4, MAX_FEATURES];
 /// Below this the first level's scale is less than -0.5 and a position could land in cell -1.
 const MIN_BASE_RESOLUTION: f64 = 0.5;
 
-/// How a position between the eight corners of a cell is interpolated.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Interpolation {
-    /// Trilinear weights of the fraction t.
-    #[default]
-    Linear,
-    /// Trilinear weights of `t * t * (3 - 2 t)`.
-    Smoothstep,
-}
-
 /// The configuration of one hash grid, as in a scene's `color_grid` and `transmittance_grid`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "GridFile")]
 pub struct GridConfig {
     /// Number of levels, 1 to [`MAX_LEVELS`].
     pub levels: u32,
@@ -40,9 +30,35 @@ pub struct GridConfig {
     pub base_resolution: f64,
     /// Factor from one level's resolution to the next, at least 1.
     pub growth: f64,
-    /// How positions inside a cell are interpolated; linear where the file says nothing.
-    #[serde(default)]
-    pub interpolation: Interpolation,
+}
+
+/// A [`GridConfig`] in a file.
+#[derive(Deserialize)]
+struct GridFile {
+    levels: u32,
+    features: u32,
+    log2_table: u32,
+    base_resolution: f64,
+    growth: f64,
+    /// How positions inside a cell are interpolated. Older files say it.
+    interpolation: Option<String>,
+}
+
+impl TryFrom<GridFile> for GridConfig {
+    type Error = String;
+
+    fn try_from(file: GridFile) -> Result<Self, String> {
+        let GridFile { levels, features, log2_table, base_resolution, growth, interpolation } =
+            file;
+        match interpolation.as_deref() {
+            None | Some("linear") => {
+                Ok(Self { levels, features, log2_table, base_resolution, growth })
+            }
+            Some(other) => Err(format!(
+                "`interpolation` is `{other}`, but grids are linear; train the scene again"
+            )),
+        }
+    }
 }
 
 /// Where one level lies in its table and how positions map to its cells.
@@ -170,8 +186,7 @@ mod tests {
     use super::*;
 
     fn grid(levels: u32, log2_table: u32, base_resolution: f64, growth: f64) -> GridConfig {
-        let interpolation = Interpolation::Linear;
-        GridConfig { levels, features: 2, log2_table, base_resolution, growth, interpolation }
+        GridConfig { levels, features: 2, log2_table, base_resolution, growth }
     }
 
     /// Printed by `grid_levels` of tests/reference/reference.py for the grid of the case `basic`.

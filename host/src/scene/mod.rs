@@ -25,8 +25,7 @@ pub use gaussians::{GaussianTensors, Gaussians};
 pub(crate) use gaussians::{gaussian_tensors, logit};
 pub use gradient::Gradient;
 pub use grid::{
-    FEATURE_WIDTHS, GridConfig, GridLevelGeometry, Interpolation, MAX_LEVELS, MAX_LOG2_TABLE,
-    MAX_RESOLUTION,
+    FEATURE_WIDTHS, GridConfig, GridLevelGeometry, MAX_LEVELS, MAX_LOG2_TABLE, MAX_RESOLUTION,
 };
 pub use network::{Field, Layer, Network};
 pub(crate) use share::range_of;

@@ -11,7 +11,7 @@ use crate::error::Result;
 use crate::image::to_8_bit;
 use crate::render::Renderer;
 use crate::scene::Scene;
-use crate::train::config::{GrowthMethod, Rate};
+use crate::train::config::Rate;
 use crate::train::{Checkpoint, TrainConfig, Trainer, of_splats};
 
 /// The part of the centers that [`bounds`] leaves out at each end of an axis.
@@ -91,7 +91,7 @@ pub fn import(
 fn config(gaussians: usize, steps: u32) -> TrainConfig {
     let mut config = TrainConfig::default();
     config.run.steps = steps;
-    config.growth.method = GrowthMethod::None;
+    config.growth.end = 0.0;
     config.growth.max_gaussians = gaussians as u32;
     config.start.gaussians = gaussians as u32;
     config.optimizer.position = Rate { first: 1e-4, last: 1e-5 };

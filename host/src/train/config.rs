@@ -3,10 +3,9 @@
 mod assignment;
 mod builder;
 mod check;
-mod exposure;
 mod optimizer;
-mod pose;
 mod preset;
+mod retired;
 #[cfg(test)]
 mod tests;
 
@@ -14,9 +13,8 @@ use std::path::{Path, PathBuf};
 
 pub use assignment::defaults;
 pub use builder::ConfigBuilder;
-pub use exposure::{ExposureConfig, ExposureMethod};
+pub(super) use optimizer::EPSILON;
 pub use optimizer::{OptimizerConfig, Rate};
-pub use pose::{PoseMethod, PosesConfig};
 pub use preset::Preset;
 use serde::{Deserialize, Serialize};
 
@@ -24,7 +22,7 @@ use crate::atomic_file::write_atomic;
 use crate::data::{Alpha, Background, DatasetOptions, Keep};
 use crate::error::{Error, Result};
 use crate::input::read_text;
-use crate::scene::{Contraction, GridConfig, Interpolation, MlpConfig, SceneConfig};
+use crate::scene::{Contraction, GridConfig, MlpConfig, SceneConfig};
 
 /// Far more than all settings need; what is larger was named by mistake.
 const MAX_BYTES: u64 = 1 << 20;
@@ -139,6 +137,24 @@ pub struct LossConfig {
     pub distortion_weight: f32,
 }
 
+/// The exposure of each photograph.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+#[non_exhaustive]
+pub struct ExposureConfig {
+    /// Whether a gain and an offset are learned for each channel.
+    pub learn: bool,
+}
+
+/// The poses of the photographs' cameras.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+#[non_exhaustive]
+pub struct PosesConfig {
+    /// Whether a rotation and a shift are learned of each camera that is trained on.
+    pub refine: bool,
+}
+
 /// What experiments leave out, to see what it is worth.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
@@ -198,44 +214,28 @@ pub struct StartConfig {
     pub opacity: f32,
     /// Their scale, as a multiple of the distance to the nearest neighbors.
     pub scale: f32,
-    /// The transmittance network's last bias: a logit, large where space is empty.
-    pub transmittance_bias: f32,
     /// Half the range of random material and extra values.
     pub spread: f32,
 }
 
-/// How the number of Gaussians changes.
+/// How the number of Gaussians changes: those whose center feels the strongest gradient are split, transparent ones are taken
+/// away.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 #[non_exhaustive]
 pub struct GrowthConfig {
-    /// What is done.
-    pub method: GrowthMethod,
     /// The most Gaussians.
     pub max_gaussians: u32,
     /// Every so many steps.
     pub every: u32,
     /// The first time, as a part of all steps.
     pub begin: f64,
-    /// The last time, as a part of all steps.
+    /// The last time, as a part of all steps; before `begin`, the number never changes.
     pub end: f64,
     /// The part of the Gaussians that is added each time.
     pub rate: f64,
-    /// Gaussians whose opacity is less are taken away, or moved.
+    /// Gaussians whose opacity is less are taken away.
     pub min_opacity: f32,
-}
-
-/// How the number of Gaussians changes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum GrowthMethod {
-    /// Not at all.
-    None,
-    /// Those whose center feels the strongest gradient are split or cloned, transparent ones are taken away.
-    #[default]
-    Split,
-    /// Transparent ones move to opaque ones, and new ones are added there, chosen at random by opacity (MCMC).
-    Relocate,
 }
 
 impl DataConfig {
@@ -326,7 +326,6 @@ impl Default for ShapeConfig {
             log2_table: 14,
             base_resolution: 16.0,
             growth: 1.35,
-            interpolation: Interpolation::Linear,
         };
         Self {
             sh_degree: 2,
@@ -345,21 +344,13 @@ impl Default for ShapeConfig {
 
 impl Default for StartConfig {
     fn default() -> Self {
-        Self {
-            path: None,
-            gaussians: 12_000,
-            opacity: 0.1,
-            scale: 1.0,
-            transmittance_bias: 5.0,
-            spread: 0.1,
-        }
+        Self { path: None, gaussians: 12_000, opacity: 0.1, scale: 1.0, spread: 0.1 }
     }
 }
 
 impl Default for GrowthConfig {
     fn default() -> Self {
         Self {
-            method: GrowthMethod::default(),
             max_gaussians: 30_000,
             every: 100,
             begin: 0.1,
@@ -424,7 +415,9 @@ impl TrainConfig {
     /// Fails where a run's own file, which has every setting, lacks one.
     pub(super) fn check_complete(&self, path: &Path) -> Result<()> {
         let text = read_text(path, MAX_BYTES, "settings")?;
-        let found: toml::Table = toml::from_str(&text).unwrap_or_default();
+        let mut found: toml::Table = toml::from_str(&text).unwrap_or_default();
+        // what is wrong with one of these was said when the file was read
+        let _ = retired::replace(&mut found);
         let has = |name: &str| {
             let mut keys = name.split('.');
             let table = keys.next().and_then(|key| found.get(key));

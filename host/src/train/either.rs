@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::binding::Binding;
-use super::config::{PoseMethod, TrainConfig};
+use super::config::TrainConfig;
 use super::hooks::StepHooks;
 use super::ranks::{self, Order};
 use super::share::ShareTrainer;
@@ -56,7 +56,7 @@ impl EitherTrainer {
 
     /// The cameras of the frames to train on, if their poses are refined.
     pub fn refined_cameras(&self) -> Option<&[Camera]> {
-        let is_refined = self.config().poses.method != PoseMethod::None;
+        let is_refined = self.config().poses.refine;
         match self {
             Self::Whole(trainer) => is_refined.then(|| trainer.cameras()),
             Self::Share(_) => None,

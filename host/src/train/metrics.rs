@@ -79,8 +79,6 @@ pub enum Record {
         step: u64,
         /// Gaussians that were replaced by smaller ones.
         split: u64,
-        /// Gaussians that were doubled.
-        cloned: u64,
         /// Gaussians that were removed.
         pruned: u64,
         /// Gaussians of the scene afterwards.

@@ -2,7 +2,7 @@
 
 use organza_shaders::adam::{AdamKernel, AdamParams};
 
-use super::config::OptimizerConfig;
+use super::config::{EPSILON, OptimizerConfig};
 use crate::error::Result;
 use crate::render::{
     DeviceScene, DeviceShare, SceneGradient, ShareGradient, TensorGradient, in_slices, pack,
@@ -192,7 +192,7 @@ impl<'a> Adam<'a> {
                 decay1: self.config.beta1 as f32,
                 decay2: self.config.beta2 as f32,
                 correction2: self.correction2 as f32,
-                epsilon: self.config.epsilon as f32,
+                epsilon: EPSILON as f32,
                 kept: kept as f32,
             },
             touched: gradient.touched.as_ref().unwrap_or(self.always),

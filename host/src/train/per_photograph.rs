@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::config::OptimizerConfig;
+use super::config::{EPSILON, OptimizerConfig};
 use crate::error::{Error, Result};
 use crate::scene::Tensor;
 
@@ -66,7 +66,7 @@ impl PerPhotograph {
                 second[photograph][at] = mix(second[photograph][at], g * g, config.beta2);
                 let m = f64::from(first[photograph][at]) / corrections[0];
                 let v = f64::from(second[photograph][at]) / corrections[1];
-                let moved = rates[at] * m / (v.sqrt() + config.epsilon);
+                let moved = rates[at] * m / (v.sqrt() + EPSILON);
                 let value = &mut self.values[photograph][at];
                 *value = (f64::from(*value) - moved) as f32;
             }

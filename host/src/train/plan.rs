@@ -1,6 +1,6 @@
 //! How many steps fit into the time of a run: `organza train --minutes`.
 
-use super::config::{GrowthMethod, TrainConfig};
+use super::config::TrainConfig;
 use super::held_out;
 
 /// The part of a step's time that grows with the number of Gaussians. Pixels, rays of what is seen and the fields
@@ -93,9 +93,7 @@ impl Planner {
             }
             (used, steps) = (used + next, steps.saturating_add(growth.every));
             let share = (now.elapsed + used) / self.seconds;
-            let grows =
-                growth.method != GrowthMethod::None && (growth.begin..=growth.end).contains(&share);
-            if grows {
+            if (growth.begin..=growth.end).contains(&share) {
                 let most = f64::from(growth.max_gaussians);
                 gaussians = (gaussians * (1.0 + growth.rate)).min(most.max(gaussians));
             }

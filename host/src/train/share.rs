@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use super::checkpoint::{Checkpoint, Progress};
 use super::coarse::{Batches, Drawn};
-use super::config::{ExposureMethod, PoseMethod, TrainConfig};
+use super::config::TrainConfig;
 use super::optimizer::ShareOptimizer;
 use super::sampler::Target;
 use super::share_checkpoint::CheckpointShare;
 use super::share_growth::grow;
-use super::trainer::{StepReport, check, growth_random, is_time_to_grow};
+use super::trainer::{StepReport, check, is_time_to_grow};
 use crate::camera::Camera;
 use crate::data::Dataset;
 use crate::error::{Error, Result};
@@ -195,8 +195,7 @@ impl ShareTrainer {
 
     fn grow(&mut self) -> Result<super::Grown> {
         let mut checkpoint = self.checkpoint(0.0)?;
-        let random = growth_random(&self.config, self.step);
-        let grown = grow(&self.config.growth, &mut checkpoint, random, &self.grid().row())?;
+        let grown = grow(&self.config.growth, &mut checkpoint, &self.grid().row())?;
         self.state.replace_gaussians(&self.renderer, &checkpoint)?;
         Ok(grown)
     }
@@ -207,10 +206,10 @@ impl ShareTrainer {
 /// # Errors
 /// [`Error::Argument`] where the settings ask for more.
 pub(super) fn check_shares(config: &TrainConfig) -> Result<()> {
-    let [what, setting] = if config.exposure.method != ExposureMethod::None {
-        ["learn exposures", "exposure.method` to none"]
-    } else if config.poses.method != PoseMethod::None {
-        ["refine poses", "poses.method` to none"]
+    let [what, setting] = if config.exposure.learn {
+        ["learn exposures", "exposure.learn` to false"]
+    } else if config.poses.refine {
+        ["refine poses", "poses.refine` to false"]
     } else if config.loss.distortion_weight > 0.0 {
         ["weigh the distortion", "loss.distortion_weight` to 0"]
     } else {

@@ -9,16 +9,14 @@ use super::share_checkpoint::CheckpointShare;
 use crate::error::Result;
 use crate::ranks::Ranks;
 use crate::scene::{Gaussians, Scene, range_of};
-use rand_pcg::Pcg64;
 
 /// Changes the scene of all ranks, to the same bits for any number of them.
 pub fn grow(
     config: &GrowthConfig,
     share: &mut CheckpointShare,
-    random: Pcg64,
     ranks: &dyn Ranks,
 ) -> Result<Grown> {
-    let plan = plan(config, share, random, ranks)?;
+    let plan = plan(config, share, ranks)?;
     let Moves { wanted, children, parents } = Moves::of(&plan, share, ranks);
     let scene_config = share.state.scene.config.clone();
     let rows = wanted.iter().map(|indices| encode(share, indices)).collect();
@@ -43,12 +41,7 @@ pub fn grow(
 }
 
 /// The plan of the whole scene.
-fn plan(
-    config: &GrowthConfig,
-    share: &CheckpointShare,
-    random: Pcg64,
-    ranks: &dyn Ranks,
-) -> Result<Plan> {
+fn plan(config: &GrowthConfig, share: &CheckpointShare, ranks: &dyn Ranks) -> Result<Plan> {
     let opacity = &share.state.scene.gaussians.opacity;
     let strengths = share.state.statistics.iter().copied().map(strength);
     let mine: Vec<f32> = opacity.iter().copied().chain(strengths).collect();
@@ -60,7 +53,7 @@ fn plan(
         opacity.extend_from_slice(first);
         strength.extend_from_slice(second);
     }
-    Ok(Plan::new(config, &opacity, &strength, random))
+    Ok(Plan::new(config, &opacity, &strength))
 }
 
 /// Which rows go where.
@@ -142,19 +135,20 @@ fn decode(messages: &[Vec<u8>], zeros: impl Fn() -> Result<Gaussians>) -> Result
 #[cfg(test)]
 mod tests {
     use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64;
 
     use super::*;
     use crate::ranks::ThreadRanks;
     use crate::scene::SLICE;
     use crate::train::Checkpoint;
-    use crate::train::config::{GrowthMethod, TrainConfig};
+    use crate::train::config::TrainConfig;
     use crate::train::growth;
 
     /// Some more than one slice of random Gaussians and moments. Many of the first are to be taken away, and the last have the
     /// strongest gradients: most rows have another place afterwards.
     fn state() -> Checkpoint {
         let mut random = Pcg64::seed_from_u64(3);
-        let scene = Scene::zeros(crate::demo::scene().config, SLICE + 300).unwrap();
+        let scene = Scene::zeros(crate::demo::config(), SLICE + 300).unwrap();
         let mut state = Checkpoint::begin(scene, &TrainConfig::default()).unwrap();
         let Checkpoint { scene, moments: [first, second], statistics, .. } = &mut state;
         for scene in [scene, first, second] {
@@ -174,36 +168,27 @@ mod tests {
     #[test]
     fn ranks_grow_what_the_whole_scene_grows() {
         let begun = state();
-        for method in [GrowthMethod::Split, GrowthMethod::Relocate] {
-            let config = GrowthConfig {
-                method,
-                rate: 0.3,
-                max_gaussians: u32::MAX,
-                ..GrowthConfig::default()
-            };
-            let (mut whole, random) = (begun.clone(), Pcg64::seed_from_u64(5));
-            let Checkpoint { scene, moments: [first, second], statistics, .. } = &mut whole;
-            let moments = [first, second];
-            let counts = growth::grow(&config, scene, moments, statistics, random.clone());
-            assert!(counts.pruned > 1000 && counts.split + counts.cloned > 3000, "{counts:?}");
-            whole.statistics = vec![[0.0; 4]; whole.scene.gaussians.len()];
-            // the first of three has nothing
-            for size in [2, 3] {
-                std::thread::scope(|scope| {
-                    for ranks in ThreadRanks::new(size) {
-                        let (begun, whole) = (&begun, &whole);
-                        let (config, random) = (&config, random.clone());
-                        scope.spawn(move || {
-                            let rank = ranks.rank();
-                            let mut share = CheckpointShare::of(begun, rank, size);
-                            let found = grow(config, &mut share, random, &ranks).expect("it grows");
-                            let expected = CheckpointShare::of(whole, rank, size);
-                            assert!(share == expected, "{method:?}, rank {rank} of {size}");
-                            assert_eq!(found, counts);
-                        });
-                    }
-                });
-            }
+        let config = GrowthConfig { rate: 0.3, max_gaussians: u32::MAX, ..GrowthConfig::default() };
+        let mut whole = begun.clone();
+        let Checkpoint { scene, moments: [first, second], statistics, .. } = &mut whole;
+        let counts = growth::grow(&config, scene, [first, second], statistics);
+        assert!(counts.pruned > 1000 && counts.split > 3000, "{counts:?}");
+        whole.statistics = vec![[0.0; 4]; whole.scene.gaussians.len()];
+        // the first of three has nothing
+        for size in [2, 3] {
+            std::thread::scope(|scope| {
+                for ranks in ThreadRanks::new(size) {
+                    let (begun, whole, config) = (&begun, &whole, &config);
+                    scope.spawn(move || {
+                        let rank = ranks.rank();
+                        let mut share = CheckpointShare::of(begun, rank, size);
+                        let found = grow(config, &mut share, &ranks).expect("it grows");
+                        let expected = CheckpointShare::of(whole, rank, size);
+                        assert!(share == expected, "rank {rank} of {size}");
+                        assert_eq!(found, counts);
+                    });
+                }
+            });
         }
     }
 }

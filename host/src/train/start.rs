@@ -28,6 +28,8 @@ const FIELDS: u64 = 3;
 
 /// The part of the Gaussians that is spread along rays, behind what the cameras look at; the others fill a ball.
 const BEHIND: f64 = 0.25;
+/// The transmittance network's last bias: a logit, large as space is empty at first.
+const TRANSMITTANCE_BIAS: f32 = 5.0;
 
 /// The scene before the first step of a run.
 ///
@@ -281,7 +283,7 @@ fn fill_fields(config: &TrainConfig, scene: &mut Scene) {
         fill_network(&mut field.network, &mut random);
     }
     let last = scene.transmittance.network.layers.last_mut().expect("a network has layers");
-    last.bias[0] = config.start.transmittance_bias;
+    last.bias[0] = TRANSMITTANCE_BIAS;
 }
 
 fn fill_network(network: &mut Network, random: &mut Pcg64) {

@@ -3,17 +3,15 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use rand_pcg::Pcg64;
-
 use super::checkpoint::{Checkpoint, Progress};
 use super::coarse::{Batches, Drawn};
-use super::config::{ExposureMethod, GrowthMethod, PoseMethod, TrainConfig};
+use super::config::TrainConfig;
 use super::exposure::Exposures;
 use super::growth::{Grown, grow};
 use super::hooks::{StepGradient, StepHooks};
 use super::optimizer::Optimizer;
 use super::pose::PoseSet;
-use super::sampler::{Target, random};
+use super::sampler::Target;
 use super::start;
 use crate::camera::Camera;
 use crate::data::Dataset;
@@ -22,8 +20,6 @@ use crate::evaluate::{Evaluation, evaluate};
 use crate::metrics;
 use crate::ranks::Ranks;
 use crate::render::{DeviceScene, ExposureGradient, Loss, Renderer, SceneGradient, TileLoss};
-
-const GROWTH: u64 = 4;
 
 /// Why ranks do not train so.
 pub(super) const NO_HOOKS: &str =
@@ -136,15 +132,13 @@ impl Trainer {
         let mut cameras: Vec<_> =
             dataset.train_frames().map(|frame| frame.camera.clone()).collect();
         let batches = Batches::of_cameras(&cameras, &config.run)?;
-        let exposures = match config.exposure.method {
-            ExposureMethod::None => None,
-            ExposureMethod::Affine => Some(Exposures(checkpoint.exposures_of(cameras.len())?)),
+        let exposures = match config.exposure.learn {
+            false => None,
+            true => Some(Exposures(checkpoint.exposures_of(cameras.len())?)),
         };
-        let poses = match config.poses.method {
-            PoseMethod::None => None,
-            PoseMethod::Refine => {
-                Some(PoseSet::new(checkpoint.poses_of(cameras.len())?, cameras.clone()))
-            }
+        let poses = match config.poses.refine {
+            false => None,
+            true => Some(PoseSet::new(checkpoint.poses_of(cameras.len())?, cameras.clone())),
         };
         if let Some(poses) = &poses {
             cameras = poses.cameras();
@@ -328,7 +322,7 @@ impl Trainer {
         let reason = if self.ranks.is_some() && (hooks.loss.is_some() || hooks.gradient.is_some()) {
             NO_HOOKS
         } else if self.exposures.is_some() && hooks.loss.is_some() {
-            "a loss of your own does not know the photographs' exposures: set `exposure.method` to none"
+            "a loss of your own does not know the photographs' exposures: set `exposure.learn` to false"
         } else if self.config.loss.distortion_weight > 0.0 && hooks.loss.is_some() {
             "a loss of your own has no term for the distortion: set `loss.distortion_weight` to 0"
         } else {
@@ -340,11 +334,10 @@ impl Trainer {
     /// On the host: once in many steps.
     fn grow(&mut self) -> Result<Grown> {
         let mut state = self.checkpoint(0.0)?;
-        let random = growth_random(&self.config, self.step);
         let [first, second] = &mut state.moments;
         let statistics = std::mem::take(&mut state.statistics);
         let growth = &self.config.growth;
-        let grown = grow(growth, &mut state.scene, [first, second], &statistics, random);
+        let grown = grow(growth, &mut state.scene, [first, second], &statistics);
         state.statistics = vec![[0.0; 4]; state.scene.gaussians.len()];
         self.state = State::upload(&self.renderer, &self.config, &state, self.cameras.len())?;
         Ok(grown)
@@ -369,7 +362,7 @@ impl State {
         let statistics = checkpoint.statistics.iter().map(|&v| glam::Vec4::from_array(v));
         gradient.statistics = device.upload("statistics", &statistics.collect::<Vec<_>>())?;
         gradient.has_transmittance = config.ablation.learn_transmittance;
-        if config.poses.method == PoseMethod::Refine {
+        if config.poses.refine {
             gradient = gradient.with_poses(device, photographs)?;
         }
         Ok(Self { scene, optimizer, gradient })
@@ -405,14 +398,7 @@ impl StepReport {
 /// Whether the number of Gaussians changes after so many steps.
 pub(super) fn is_time_to_grow(config: &TrainConfig, step: u32) -> bool {
     let (growth, share) = (&config.growth, config.run.share(step));
-    growth.method != GrowthMethod::None
-        && step.is_multiple_of(growth.every)
-        && (growth.begin..=growth.end).contains(&share)
-}
-
-/// What growth after so many steps draws from.
-pub(super) fn growth_random(config: &TrainConfig, step: u32) -> Pcg64 {
-    random(config.run.seed, GROWTH, u64::from(step))
+    step.is_multiple_of(growth.every) && (growth.begin..=growth.end).contains(&share)
 }
 
 /// Settings that were made in code are held to what files are held to.

@@ -8,7 +8,7 @@ use anyhow::{Context, Result, bail};
 use organza_kernel::{EntryPoint, KernelInfo};
 use organza_manifest as manifest;
 use organza_manifest::{Interface, KernelEntry, Manifest, Translation};
-use spirv_builder::{Capability, ModuleResult, SpirvBuilder, SpirvMetadata};
+use spirv_builder::{ModuleResult, SpirvBuilder, SpirvMetadata};
 
 use crate::artifacts::Artifacts;
 use crate::compiler::Compiler;
@@ -90,9 +90,6 @@ pub fn build(
         .release(true)
         .multimodule(true)
         .spirv_metadata(SpirvMetadata::None)
-        // of all modules at first: `lower` takes them from those that need none
-        .capability(Capability::Float16)
-        .capability(Capability::StorageBuffer16BitAccess)
         .target_dir_path(target.join("spirv"));
     compiler.configure(&mut builder);
     let result = builder.build().context("the kernels do not compile")?;

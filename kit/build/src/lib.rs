@@ -5,7 +5,6 @@
 
 mod artifacts;
 mod atomic_arguments;
-mod capabilities;
 mod compile;
 mod compiler;
 mod contraction;

@@ -14,8 +14,6 @@ pub trait Parity: Sized + 'static {
     const TOLERANCE: f64 = 0.0;
     /// Where the tolerance comes from, and what the inputs stay away from.
     const WHY: &'static str = "integers";
-    /// Whether it computes with 16-bit floats: it is skipped on a GPU that [does not](Device::computes_halves).
-    const NEEDS_HALVES: bool = false;
     /// The part of each output's written elements that [`Parity::exact`] must give, over all sets.
     ///
     /// If a case lowers it, a comment says why.
@@ -68,7 +66,6 @@ pub struct Case {
     pub why: &'static str,
     /// See [`Parity::COMPARED`].
     pub compared: f64,
-    needs_halves: bool,
     measure: fn(&Device, &Device, Rounding) -> Result<Measure>,
     hold: fn(&Device, Rounding) -> Result<Measure>,
 }
@@ -82,16 +79,9 @@ impl Case {
             tolerance: P::TOLERANCE,
             why: P::WHY,
             compared: P::COMPARED,
-            needs_halves: P::NEEDS_HALVES,
             measure: measure::<P>,
             hold: hold::<P>,
         }
-    }
-
-    /// Whether a device can run the kernel.
-    #[must_use]
-    pub fn is_offered(&self, device: &Device) -> bool {
-        !self.needs_halves || device.computes_halves()
     }
 
     /// The name of the entry point that a device runs.

@@ -15,9 +15,7 @@ pub struct Report {
     pub driver: String,
     /// How the kernels reach it.
     pub path: &'static str,
-    /// Kernels that the device does not offer what they need.
-    pub left_out: Vec<&'static str>,
-    /// A row for each entry point of the others that the device can run.
+    /// A row for each entry point that the device can run.
     pub kernels: Vec<Row>,
 }
 
@@ -61,9 +59,9 @@ impl Report {
             SpirvPath::Passthrough => Rounding::AsWritten,
             SpirvPath::Naga => Rounding::Regrouped,
         };
-        let (kernels, left_out) = rows(cases, cpu, &[&plain, &variants], rounding, done)?;
+        let kernels = rows(cases, cpu, &[&plain, &variants], rounding, done)?;
         let (adapter, driver) = (adapter.name.clone(), adapter.driver.clone());
-        Ok(Self { adapter, driver, path: path.as_str(), left_out, kernels })
+        Ok(Self { adapter, driver, path: path.as_str(), kernels })
     }
 
     /// Runs cases on one thread of the CPU, and on all of them.
@@ -72,9 +70,9 @@ impl Report {
     /// What a device runs into.
     pub fn of_cpu(cases: &[Case], cpu: &Device, done: impl FnMut(&'static str)) -> Result<Self> {
         let one = Device::open(&DeviceOptions::cpu(Some(1)), Modules::none())?;
-        let (kernels, left_out) = rows(cases, cpu, &[&one], Rounding::AsWritten, done)?;
+        let kernels = rows(cases, cpu, &[&one], Rounding::AsWritten, done)?;
         let (adapter, driver) = ("cpu".into(), std::env::consts::ARCH.into());
-        Ok(Self { adapter, driver, path: "one thread", left_out, kernels })
+        Ok(Self { adapter, driver, path: "one thread", kernels })
     }
 
     /// Whether every kernel is within its tolerance.
@@ -91,23 +89,19 @@ fn rows(
     devices: &[&Device],
     rounding: Rounding,
     mut done: impl FnMut(&'static str),
-) -> Result<(Vec<Row>, Vec<&'static str>)> {
+) -> Result<Vec<Row>> {
     let mut rows: Vec<Row> = Vec::new();
-    let mut left_out = Vec::new();
     for case in cases {
         let Case { tolerance, why, .. } = *case;
         let first = rows.len();
-        for device in devices.iter().filter(|device| case.is_offered(device)) {
+        for device in devices {
             let kernel = case.entry_point(device);
             if rows[first..].iter().all(|row| row.kernel != kernel) {
                 let measure = case.measure(cpu, device, rounding)?;
                 rows.push(Row { kernel, tolerance, why, ok: measure.is_ok(), measure });
             }
         }
-        if rows.len() == first {
-            left_out.push(case.kernel);
-        }
         done(case.kernel);
     }
-    Ok((rows, left_out))
+    Ok(rows)
 }

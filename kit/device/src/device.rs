@@ -126,16 +126,6 @@ impl Device {
         }
     }
 
-    /// Whether kernels may compute with halves (16-bit floats): a GPU may lack that.
-    #[must_use]
-    pub fn computes_halves(&self) -> bool {
-        match &self.kind {
-            Kind::Cpu(_) => true,
-            Kind::Gpu(gpu) => gpu.computes_halves(),
-            Kind::Planner(_) => false,
-        }
-    }
-
     /// Runs a kernel over `workgroups`; on the GPU it is queued.  None of the sizes may pass 65,535.
     ///
     /// # Errors

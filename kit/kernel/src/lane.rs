@@ -9,7 +9,7 @@ use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
 #[cfg(target_arch = "spirv")]
 use spirv_std::num_traits::Float;
 
-use crate::half::{Halves, half_value};
+use crate::half::half_value;
 use crate::memory::{Read, Write};
 #[cfg(target_arch = "spirv")]
 use crate::memory::{ReadBuffer, WriteBuffer};
@@ -42,8 +42,6 @@ pub trait Lane:
     type Mask: Copy;
     /// One `u32` for each lane.
     type Index: LaneIndex<Mask = Self::Mask>;
-    /// Four numbers of half precision for each lane.
-    type Halves: Halves<Self>;
 
     /// The same value in every lane.
     fn splat(value: f32) -> Self;
@@ -128,10 +126,6 @@ impl Lane for f32 {
     type One = f32;
     type Mask = bool;
     type Index = u32;
-    #[cfg(target_arch = "spirv")]
-    type Halves = crate::half::HalfVector;
-    #[cfg(not(target_arch = "spirv"))]
-    type Halves = crate::half::Rounded<f32>;
 
     #[inline(always)]
     fn splat(value: f32) -> Self {

@@ -3,7 +3,7 @@
 use core::array::from_fn;
 use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
 
-use crate::half::{Rounded, half_value};
+use crate::half::half_value;
 use crate::lane::{Lane, LaneIndex};
 use crate::memory::{Read, Write};
 use crate::wide_math::{exp, fma, pairwise, wholes};
@@ -91,7 +91,6 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     type One = Wide<1, FUSED>;
     type Mask = WideMask<N>;
     type Index = WideIndex<N>;
-    type Halves = Rounded<Self>;
 
     #[inline(always)]
     fn splat(value: f32) -> Self {

@@ -4,7 +4,6 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Child;
-use std::sync::Arc;
 use std::time::{Duration, Instant};
 use std::{fs, thread};
 
@@ -12,12 +11,12 @@ use organza::Renderer;
 use organza::train::metrics::Record;
 use organza::train::{
     self, BEST, CHECKPOINT, CONFIG, Checkpoint, EVALUATIONS, METRICS, PICTURES, REPORT, RunFolder,
-    Session, TrainConfig, built_in,
+    Session, TrainConfig,
 };
 use organza_tests::devices;
 
 use super::processes::{self, start};
-use super::runs::{TINY, assert_same, bits, records, sandbox, without_times};
+use super::runs::{TINY, assert_same, bits, dataset, records, sandbox, without_times};
 use crate::sandbox::{Outcome, Sandbox};
 
 const LONGEST: Duration = Duration::from_secs(120);
@@ -102,10 +101,7 @@ fn a_run_at_its_time_limit_goes_on_to_the_same_bits() {
     let sandbox = sandbox();
     let config = TrainConfig::load(sandbox.path("tiny.toml")).unwrap();
     let renderer = Renderer::new(devices::cpu(None));
-    let data = &config.data;
-    let (views, side) = (data.built_in_views, data.built_in_side);
-    let dataset = built_in::dataset(&renderer, views, side, data.hold_out_every);
-    let dataset = Arc::new(dataset.expect("views"));
+    let dataset = dataset(&sandbox, &config);
     let train = |name: &str, resume: bool, time_limit: Option<f64>| {
         let folder = sandbox.path(name);
         fs::create_dir_all(&folder).unwrap();
@@ -182,7 +178,7 @@ fn a_run_that_is_killed_goes_on_to_the_same_bits() {
 fn a_run_of_so_many_minutes_that_is_killed_goes_on_as_it_was_planned() {
     let sandbox = sandbox();
     let folder = sandbox.path("run");
-    let mut child = start(&sandbox, &format!("{TINY} run --minutes 0.04"));
+    let mut child = start(&sandbox, &format!("{TINY} run --minutes 0.015"));
     wait_for_steps(&mut child, &folder, 30);
     assert!(child.try_wait().unwrap().is_none(), "it is there to be killed");
     let _ = child.kill();

@@ -5,7 +5,7 @@ use std::fs;
 use organza::train::metrics::Record;
 use serde_json::Value;
 
-use super::runs::{TINY, photographs, records, sandbox};
+use super::runs::{BUILT_IN, photographs, records, sandbox};
 use crate::sandbox::Sandbox;
 
 /// The names of the views and the mean PSNR that `organza eval` prints.
@@ -42,7 +42,7 @@ fn assert_like(found: (Vec<String>, f64), expected: (Vec<String>, f64)) {
 #[test]
 fn the_built_in_scene_is_measured_as_the_run_measured_it() {
     let sandbox = sandbox();
-    sandbox.run(&format!("{TINY} run --steps 5")).assert_ok();
+    sandbox.run(&format!("{BUILT_IN} run")).assert_ok();
     let expected = measured(&sandbox, "run");
     assert_eq!(expected.0, ["view-000", "view-003"]);
     assert_like(eval(&sandbox, "run"), expected);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use organza::data::Photograph;
-use organza::train::config::{ExposureMethod, Rate};
+use organza::train::config::Rate;
 use organza::train::{Trainer, built_in};
 use organza::{Dataset, Renderer};
 use organza_tests::devices;
@@ -39,9 +39,9 @@ fn exposures_are_learned_and_held_out_views_keep_their_colors() {
         *image = exposed(image, gains);
     }
     let dataset: Arc<Dataset> = Arc::new(dataset);
-    let [without, with] = [ExposureMethod::None, ExposureMethod::Affine].map(|method| {
+    let [without, with] = [false, true].map(|learn| {
         let mut config = config.clone();
-        config.exposure.method = method;
+        config.exposure.learn = learn;
         let mut trainer = Trainer::start(&renderer, config, dataset.clone()).expect("a trainer");
         while !trainer.is_finished() {
             trainer.step().expect("a step");
@@ -70,7 +70,7 @@ fn exposures_are_learned_and_held_out_views_keep_their_colors() {
 #[test]
 fn a_resumed_run_has_the_bits_of_one_that_never_stopped() {
     let sandbox = sandbox();
-    let settings = "--set exposure.method=affine";
+    let settings = "--set exposure.learn=true";
     sandbox.run(&format!("{TINY} whole {settings}")).assert_ok();
     stopped(&sandbox, "cut", "whole", 13);
     sandbox.run("train --resume cut --backend cpu").assert_ok();
@@ -87,7 +87,7 @@ fn a_resumed_run_has_the_bits_of_one_that_never_stopped() {
 #[test]
 fn ranks_with_some_of_the_gaussians_say_that_they_cannot() {
     let sandbox = sandbox();
-    let run = format!("{TINY} run --ranks 2 --split gaussians --set exposure.method=affine");
-    let message = "cannot learn exposures: set `exposure.method` to none, or share the views";
+    let run = format!("{TINY} run --ranks 2 --split gaussians --set exposure.learn=true");
+    let message = "cannot learn exposures: set `exposure.learn` to false, or share the views";
     sandbox.assert_refuses(&run, &[message]);
 }

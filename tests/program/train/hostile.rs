@@ -255,7 +255,7 @@ fn lines_of_text_models_are_bounded() {
 #[test]
 fn logs_are_read_line_by_line() {
     let sandbox = sandbox();
-    sandbox.run("train --config tiny.toml --steps 2 --backend cpu -o run").assert_ok();
+    sandbox.run("train views --config tiny.toml --steps 2 --backend cpu -o run").assert_ok();
     let path = sandbox.path("run/metrics.jsonl");
     let log = fs::read(&path).unwrap();
     fs::write(&path, [log.as_slice(), &[b'\n'; 60 << 20]].concat()).unwrap();

@@ -14,7 +14,7 @@ const SOON: Duration = Duration::from_secs(5);
 /// The color grid with something else in it.
 fn grid(from: &str, to: &str) -> String {
     let grid = "[scene.color_grid]\nlevels = 8\nfeatures = 2\nlog2_table = 14\nbase_resolution = 16.0\n\
-                growth = 1.35\ninterpolation = \"linear\"\n";
+                growth = 1.35\n";
     let changed = grid.replace(from, to);
     assert_ne!(changed, grid);
     changed

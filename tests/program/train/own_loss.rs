@@ -1,7 +1,6 @@
 //! Losses of a caller, on the host and on the device.
 
 use organza::render::{DeviceLossGradient, Loss, LossBatch, LossGradient, TileLoss};
-use organza::train::config::PoseMethod;
 use organza::train::{Checkpoint, StepHooks, Trainer};
 use organza::{Dataset, Error, Renderer};
 use organza_tests::devices;
@@ -12,7 +11,7 @@ use super::runs::{begun, state_bits};
 #[test]
 fn the_same_loss_on_the_device_gives_the_same_bits() {
     let (mut config, checkpoint, dataset) = begun();
-    config.poses.method = PoseMethod::Refine;
+    config.poses.refine = true;
     let weight = config.loss.ssim_weight;
     for (name, device) in devices::all() {
         let renderer = Renderer::new(device);

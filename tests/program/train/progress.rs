@@ -28,7 +28,7 @@ fn a_log_file_has_steps_evaluations_and_the_end() {
 #[test]
 fn a_longer_training_says_how_long_it_takes() {
     let sandbox = sandbox();
-    let words = format!("{TINY} run --steps 1000000 --evaluate-every 0 --time-limit 7");
+    let words = format!("{TINY} run --steps 1000000 --evaluate-every 0 --time-limit 3");
     let outcome = sandbox.run(&words).assert_ok();
     let second = outcome.stderr.lines().filter(|line| line.contains(" of 1,000,000: loss ")).nth(1);
     let second = second.unwrap_or_else(|| panic!("{outcome:?}"));

@@ -108,8 +108,8 @@ fn a_run_of_ranks_is_one_run() {
     assert_same("of-3", &bits(&sandbox, "of-3"), &one);
     assert_eq!(told("of-3"), told("one"));
     assert!(files("of-3") == files("one"), "the pictures");
-    run("exposed", "--set exposure.method=affine");
-    run("exposed-of-3", "--set exposure.method=affine --ranks 3 --threads 1");
+    run("exposed", "--set exposure.learn=true");
+    run("exposed-of-3", "--set exposure.learn=true --ranks 3 --threads 1");
     assert_same("exposed-of-3", &bits(&sandbox, "exposed-of-3"), &bits(&sandbox, "exposed"));
     // stopped, and continued by another number
     run("other", "--ranks 4 --time-limit 1");

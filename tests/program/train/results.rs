@@ -56,7 +56,7 @@ fn the_report_shows_the_run() {
     sandbox.run(&format!("{TINY} run --steps 5")).assert_ok();
     let page = fs::read_to_string(sandbox.path("run/report.html")).unwrap();
     for text in [
-        "<code>organza train --config tiny.toml --backend cpu -o run --steps 5</code>",
+        "<code>organza train views --config tiny.toml --backend cpu -o run --steps 5</code>",
         "<small>of 5</small>",
         "Photograph of view-000",
         "Error of view-003",

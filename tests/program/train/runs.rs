@@ -1,12 +1,12 @@
 //! Runs of seconds, and what they leave.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::Path;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
+use std::{fs, io};
 
-use organza::Renderer;
+use image::RgbImage;
 use organza::data::Dataset;
 use organza::scene::read_tensors;
 use organza::train::metrics::{MetricsLog, Record};
@@ -14,30 +14,93 @@ use organza::train::{
     CHECKPOINT, CONFIG, Checkpoint, Event, METRICS, Outcome, RunFolder, Session, TrainConfig,
     built_in,
 };
+use organza::{Camera, Renderer};
 use organza_tests::devices;
+use serde_json::Value;
 
 use crate::sandbox::Sandbox;
 
-/// A run of 40 steps.
-pub const TINY: &str = "train --config tiny.toml --backend cpu -o";
+/// A run of 40 steps on the photographs of [`sandbox`].
+pub const TINY: &str = "train views --config tiny.toml --backend cpu -o";
 
-/// A sandbox that has `tiny.toml`.
+/// Five steps on the built-in scene, whose views take their time to render.
+pub const BUILT_IN: &str = "train --config tiny.toml --backend cpu --steps 5 -o";
+
+/// How many photographs a sandbox has in `views`, and their width and height in pixels.
+pub const VIEWS: u32 = 6;
+pub const SIDE: u32 = 32;
+
+/// A sandbox that has `tiny.toml`, and photographs in `views`.
 pub fn sandbox() -> Sandbox {
     let sandbox = Sandbox::new("tiny");
     fs::write(sandbox.path("tiny.toml"), include_str!("tiny.toml")).unwrap();
+    fs::create_dir(sandbox.path("views")).unwrap();
+    for (name, content) in views() {
+        fs::write(sandbox.path("views").join(name), content).unwrap();
+    }
     sandbox
+}
+
+/// A data set of the built-in scene: names and contents of its files. Rendering takes longer than a run does, so all tests
+/// share the images.
+fn views() -> &'static [(String, Vec<u8>)] {
+    static FILES: OnceLock<Vec<(String, Vec<u8>)>> = OnceLock::new();
+    FILES.get_or_init(|| {
+        let renderer = Renderer::new(devices::cpu(None));
+        let dataset = built_in::dataset(&renderer, VIEWS, SIDE, 0).expect("views");
+        let folder = tempfile::tempdir().expect("a folder");
+        let cameras: Vec<_> =
+            built_in::cameras(VIEWS, SIDE, 0).into_iter().map(|pose| pose.camera).collect();
+        Camera::save_all(folder.path().join("transforms.json"), &cameras).expect("cameras");
+        for frame in &dataset.frames {
+            let pixels = frame.image.pixels().as_flattened().to_vec();
+            let image = RgbImage::from_raw(SIDE, SIDE, pixels).expect("all pixels");
+            image.save(folder.path().join(&frame.name).with_extension("png")).expect("a picture");
+        }
+        let file = |entry: io::Result<fs::DirEntry>| {
+            let entry = entry.unwrap();
+            (entry.file_name().into_string().unwrap(), fs::read(entry.path()).unwrap())
+        };
+        fs::read_dir(folder.path()).unwrap().map(file).collect()
+    })
+}
+
+/// More photographs in a sandbox: each is there again under other names, until there are `count`.
+pub fn add_views(sandbox: &Sandbox, count: u32) {
+    let path = sandbox.path("views/transforms.json");
+    let mut json: Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    let frames = json["frames"].as_array_mut().expect("a list");
+    for index in VIEWS..count {
+        let mut frame = frames[(index % VIEWS) as usize].clone();
+        let name = frame["file_path"].as_str().expect("a name").to_owned();
+        let [from, to] = [name, format!("view-{index:03}")];
+        let file = |name: &str| sandbox.path(&format!("views/{name}.png"));
+        fs::copy(file(&from), file(&to)).unwrap();
+        frame["file_path"] = to.into();
+        frames.push(frame);
+    }
+    fs::write(path, json.to_string()).unwrap();
+}
+
+/// The photographs of [`sandbox`], as the settings of a run have them.
+pub fn dataset(sandbox: &Sandbox, config: &TrainConfig) -> Arc<Dataset> {
+    let options = config.data.options();
+    Arc::new(Dataset::load(sandbox.path("views"), &options).expect("photographs"))
 }
 
 /// A run after five steps: its settings, its state, and what it is trained on.
 pub fn begun() -> (TrainConfig, Checkpoint, Arc<Dataset>) {
-    let sandbox = sandbox();
-    sandbox.run(&format!("{TINY} run --steps 5")).assert_ok();
-    let config = TrainConfig::load(sandbox.path("run/config.toml")).expect("settings");
-    let checkpoint = Checkpoint::load(sandbox.path("run").join(CHECKPOINT)).expect("a checkpoint");
-    let cpu = Renderer::new(devices::cpu(None));
-    let (views, side) = (config.data.built_in_views, config.data.built_in_side);
-    let dataset = built_in::dataset(&cpu, views, side, config.data.hold_out_every);
-    (config, checkpoint, Arc::new(dataset.expect("views")))
+    static BEGUN: OnceLock<(TrainConfig, Checkpoint, Arc<Dataset>)> = OnceLock::new();
+    let begun = BEGUN.get_or_init(|| {
+        let sandbox = sandbox();
+        sandbox.run(&format!("{TINY} run --steps 5")).assert_ok();
+        let config = TrainConfig::load(sandbox.path("run").join(CONFIG)).expect("settings");
+        let checkpoint = sandbox.path("run").join(CHECKPOINT);
+        let checkpoint = Checkpoint::load(checkpoint).expect("a checkpoint");
+        let dataset = dataset(&sandbox, &config);
+        (config, checkpoint, dataset)
+    });
+    begun.clone()
 }
 
 /// Begins a run with the settings of another, and stops it after some steps.
@@ -48,9 +111,8 @@ pub fn stopped(sandbox: &Sandbox, run: &str, settings_of: &str, steps: u32) {
     let config = sandbox.path(settings_of).join(CONFIG);
     let config = TrainConfig::load(config).expect("settings");
     let renderer = Renderer::new(devices::cpu(None));
-    let (views, side) = (config.data.built_in_views, config.data.built_in_side);
-    let dataset = built_in::dataset(&renderer, views, side, config.data.hold_out_every);
-    let (dataset, stop) = (Arc::new(dataset.expect("views")), AtomicBool::new(false));
+    let dataset = dataset(sandbox, &config);
+    let stop = AtomicBool::new(false);
     let session = Session::new(&renderer, &config, &dataset, &folder).with_stop(&stop);
     let outcome = session.run(false, &mut |event| {
         if matches!(event, Event::Step { step, .. } if step == steps) {

@@ -7,7 +7,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::processes::{signal, start, wait_for_end};
-use super::runs::{TINY, sandbox};
+use super::runs::{BUILT_IN, TINY, add_views, sandbox};
 use crate::sandbox::Outcome;
 
 fn wait_until(what: &str, mut is_so: impl FnMut() -> bool) {
@@ -36,7 +36,7 @@ fn a_signal_while_loading_ends_at_once_and_leaves_nothing() {
     fs::write(sandbox.path("tiny.toml"), long).unwrap();
     let before = sandbox.files();
     for (name, delay) in [("TERM", 0), ("INT", 100), ("HUP", 400)] {
-        let child = start(&sandbox, &format!("{TINY} deep/run"));
+        let child = start(&sandbox, &format!("{BUILT_IN} deep/run"));
         wait_until("the folder is locked", || sandbox.path("deep/run/.organza-lock").exists());
         thread::sleep(Duration::from_millis(delay));
         signal(&child, name);
@@ -71,11 +71,10 @@ fn a_signal_while_measuring_saves_and_stops() {
     let sandbox = sandbox();
     let config = fs::read_to_string(sandbox.path("tiny.toml")).unwrap();
     let long = config
-        .replace("built_in_views = 6", "built_in_views = 40")
-        .replace("built_in_side = 32", "built_in_side = 64")
         .replace("hold_out_every = 3", "hold_out_every = 2")
         .replace("evaluate_every = 20", "evaluate_every = 1");
     fs::write(sandbox.path("tiny.toml"), long).unwrap();
+    add_views(&sandbox, 60);
     let child = start(&sandbox, &format!("{TINY} run"));
     wait_until("a first step", || {
         let text = fs::read_to_string(sandbox.path("run/metrics.jsonl")).unwrap_or_default();

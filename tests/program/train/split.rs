@@ -264,5 +264,5 @@ fn a_run_of_shares_is_one_run() {
     let facts = ["`--shares` must divide the number of ranks, 4: found 3"];
     refuses("--ranks 4 --split gaussians --shares 3", &facts);
     refuses("--ranks 2 --split gaussians --view", &["`--view`", "leave out"]);
-    refuses("--ranks 2 --split gaussians --set exposure.method=affine", &["exposure.method"]);
+    refuses("--ranks 2 --split gaussians --set exposure.learn=true", &["exposure.learn"]);
 }

@@ -7,7 +7,6 @@ use organza::Result;
 use organza::ranks::{Ranks, ThreadRanks};
 use organza::render::share_bytes;
 use organza::scene::MlpConfig;
-use organza::train::config::PoseMethod;
 use organza::train::{CheckpointShare, ShareTrainer, TrainConfig, Trainer};
 use organza_tests::devices;
 
@@ -224,7 +223,7 @@ fn a_step_of_groups_hands_over_what_the_formulas_say() {
 fn a_step_hands_over_what_the_formulas_say() {
     const RANKS: u64 = 2;
     let (mut config, checkpoint, dataset) = begun();
-    config.poses.method = PoseMethod::Refine;
+    config.poses.refine = true;
     let sizes = Sizes::of(&config);
     let gaussians = checkpoint.scene.gaussians.len() as u64;
     let all = counted(RANKS, |renderer, ranks| {

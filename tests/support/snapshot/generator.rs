@@ -1,6 +1,6 @@
 //! Scenes from a recipe: small, built in code, the same on every system.
 
-use organza::scene::{Contraction, GridConfig, Interpolation, MlpConfig, Network, SceneConfig};
+use organza::scene::{Contraction, GridConfig, MlpConfig, Network, SceneConfig};
 use organza::{Camera, Scene};
 
 /// Numbers without a pattern, in [0, 1).
@@ -32,8 +32,6 @@ pub struct Recipe {
     pub gaussians: usize,
     /// Of the harmonics.
     pub degree: u32,
-    /// Of both grids.
-    pub interpolation: Interpolation,
     /// Width of the material.
     pub material: u32,
     /// Width of the extra vector.
@@ -52,7 +50,6 @@ impl Default for Recipe {
             seed: 1,
             gaussians: 40,
             degree: 2,
-            interpolation: Interpolation::Linear,
             material: 3,
             extra: 2,
             clearness: 3.0,
@@ -97,7 +94,6 @@ impl Recipe {
             log2_table,
             base_resolution,
             growth: 1.9,
-            interpolation: self.interpolation,
         };
         let config = SceneConfig {
             sh_degree: self.degree,

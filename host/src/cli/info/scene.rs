@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::Path;
 
 use organza::error::format_bytes;
-use organza::scene::{Contraction, GridConfig, Interpolation, SceneConfig, TensorSpec};
+use organza::scene::{Contraction, GridConfig, SceneConfig, TensorSpec};
 use organza::{DeviceScene, Result, Scene};
 use serde::Serialize;
 
@@ -153,13 +153,9 @@ fn write_grid(
     grid: &GridConfig,
     levels: &[Level],
 ) -> fmt::Result {
-    let interpolation = match grid.interpolation {
-        Interpolation::Linear => "linear",
-        Interpolation::Smoothstep => "smoothstep",
-    };
     let entries = grouped(grid.entries() as u64);
     let features = grid.features;
-    writeln!(f, "\n{name}: {entries} entries of {features}, {interpolation}")?;
+    writeln!(f, "\n{name}: {entries} entries of {features}")?;
     let mut table = Table::new(0, ["level", "resolution", "entries", "hashed"]);
     for (index, level) in levels.iter().enumerate() {
         let hashed = if level.hashed { "yes" } else { "no" };

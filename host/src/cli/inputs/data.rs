@@ -5,7 +5,7 @@ use std::path::Path;
 
 use clap::ValueEnum;
 use organza::data::{Background, Dataset, Point, Pose, Poses};
-use organza::train::config::{DataConfig, PoseMethod};
+use organza::train::config::DataConfig;
 use organza::train::{Checkpoint, built_in};
 use organza::view::Photographs;
 use organza::{Camera, Error, Renderer, Result};
@@ -147,7 +147,7 @@ impl DataSet {
     /// With the cameras where a run has moved them, if it has refined poses: those of the frames that it was trained on.
     /// Where the user has named a data set, its cameras are meant.
     pub fn refined(mut self, scene: &SceneSource, named: Option<&Path>) -> Result<Self> {
-        let run = scene.settings()?.filter(|run| run.poses.method != PoseMethod::None);
+        let run = scene.settings()?.filter(|run| run.poses.refine);
         let Some(run) = run.filter(|_| named.is_none()) else { return Ok(self) };
         let learned = Checkpoint::load_poses(scene.file())?;
         // those that the run was trained on, whatever is held out now

@@ -1,6 +1,6 @@
 //! The multiresolution hash grid (Eq. 1 and 9).
 
-use crate::scene::{GridConfig, Interpolation};
+use crate::scene::GridConfig;
 
 /// Where a level lies in the table, and how points of the unit cube map to its cells.
 #[derive(Clone, Copy, Debug)]
@@ -50,12 +50,9 @@ impl Level {
 
     /// The eight corners of a point's cell, x fastest: entries and trilinear weights.
     #[must_use]
-    pub fn corners(&self, interpolation: Interpolation, point: [f64; 3]) -> [(usize, f64); 8] {
+    pub fn corners(&self, point: [f64; 3]) -> [(usize, f64); 8] {
         let place = self.place(point);
-        let fraction = place.map(|x| x - x.floor()).map(|t| match interpolation {
-            Interpolation::Linear => t,
-            Interpolation::Smoothstep => t * t * (3.0 - 2.0 * t),
-        });
+        let fraction = place.map(|x| x - x.floor());
         std::array::from_fn(|corner| {
             let is_upper = [0, 1, 2].map(|axis| corner >> axis & 1 == 1);
             let at = [0, 1, 2].map(|axis| place[axis].floor() as u64 + u64::from(is_upper[axis]));
@@ -71,7 +68,7 @@ pub fn encode(grid: &GridConfig, table: &[f32], point: [f64; 3]) -> Vec<f64> {
     let features = grid.features as usize;
     let mut encoded = Vec::new();
     for level in levels(grid) {
-        let corners = level.corners(grid.interpolation, point);
+        let corners = level.corners(point);
         let feature = |f: usize| {
             let terms = corners.iter().map(|(at, w)| w * f64::from(table[at * features + f]));
             terms.sum::<f64>()

@@ -1,6 +1,6 @@
 //! The gradient of the distortion beside differences of it.
 
-use super::{all_devices, some, tiles};
+use super::{all_devices, every, tiles};
 use crate::demo;
 use crate::render::distortion::sums;
 use crate::render::part::Part;
@@ -94,7 +94,7 @@ fn largest(values: &[f64], count: usize) -> Vec<usize> {
 
 #[test]
 fn the_gradient_is_that_of_differences_with_distances_held_constant() {
-    let scene = some();
+    let scene = every(16);
     for device in all_devices() {
         let renderer = Renderer::new(device);
         let [opacity, log_scale, bias] = added(&renderer, &scene);
@@ -133,7 +133,7 @@ fn the_gradient_is_that_of_differences_with_distances_held_constant() {
 
 #[test]
 fn the_gradient_is_the_same_in_one_part_for_each_tile() {
-    let scene = some();
+    let scene = every(16);
     let of = |bytes| {
         let renderer = Renderer::new(organza_check::devices::cpu(Some(2)));
         gradients(&renderer.with_part_bytes(bytes), &scene, WEIGHT)

@@ -1,24 +1,12 @@
 //! A recorded batch beside one that is rendered and thrown away, and scenes that are written to.
 
-use super::{all_devices, some as large, tiles};
+use super::{all_devices, some, tiles};
 use crate::demo;
 use crate::render::{Channel, DeviceScene, Recording, Renderer, SceneGradient, UploadOptions};
 use crate::scene::{Gradient, Scene};
 
 /// One part of all tiles, and one for each tile: more than are kept.
 const PART_BYTES: [u64; 2] = [512 << 20, 1];
-
-/// A scene with small hash grids: going back looks at every entry, for each part.
-fn some() -> Scene {
-    let mut scene = large();
-    let config = &mut scene.config;
-    let grids = [&mut config.color_grid, &mut config.transmittance_grid];
-    for (grid, field) in grids.into_iter().zip([&mut scene.color, &mut scene.transmittance]) {
-        grid.log2_table = 8;
-        field.grid.truncate(grid.entries() * grid.features as usize);
-    }
-    scene
-}
 
 /// Any dL/dY.
 fn slopes(values: usize) -> Vec<f32> {

@@ -13,7 +13,7 @@ const PIXELS_PER_UNIT: f64 = 32.0;
 
 /// The variance of a lone Gaussian's image along x, in square pixels.
 fn variance(standard_deviation: f64, factor: u32) -> f64 {
-    let config = SceneConfig { background: [0.0; 3], ..demo::scene().config };
+    let config = SceneConfig { background: [0.0; 3], ..demo::config() };
     let mut scene = Scene::zeros(config, 1).expect("a scene");
     // gray, in empty space
     scene.transmittance.network.layers.last_mut().expect("a layer").bias[0] = 30.0;
@@ -41,7 +41,7 @@ fn variance(standard_deviation: f64, factor: u32) -> f64 {
 fn a_smaller_image_has_the_blur_of_its_pixels() {
     // a footprint ends where its falloff is 1/255: what a normal distribution of two dimensions has left
     let cut = 1.0 - 255f64.ln() / 254.0;
-    let blur = demo::scene().config.blur;
+    let blur = demo::config().blur;
     for standard_deviation in [1.0, 1.5, 3.0] {
         let whole = standard_deviation * standard_deviation + blur;
         for (factor, expected) in [(1, whole), (2, (whole + 0.25) / 4.0)] {

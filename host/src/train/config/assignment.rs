@@ -169,7 +169,7 @@ mod tests {
             (" loss.ssim_weight = 1 ", "[loss]\nssim_weight = 1.0\n"),
             ("data.allow_outside=true", "[data]\nallow_outside = true\n"),
             ("data.path=/a=b", "[data]\npath = \"/a=b\"\n"),
-            ("growth.method=\"none\"", "[growth]\nmethod = \"none\"\n"),
+            ("data.alpha=\"mask\"", "[data]\nalpha = \"mask\"\n"),
             ("scene.color_grid.levels=4", "[scene.color_grid]\nlevels = 4\n"),
             ("scene.color_mlp.hidden=64", "[scene.color_mlp]\nhidden = [64]\n"),
             ("scene.color_mlp.hidden=[64, 16]", "[scene.color_mlp]\nhidden = [64, 16]\n"),
@@ -198,7 +198,7 @@ mod tests {
             ("run.steps=", "`run.steps` is ``, expected a whole number"),
             ("loss.ssim_weight=x", "expected a number"),
             ("ablation.divide=yes", "expected true or false"),
-            ("growth.method=magic", "`growth.method` is `magic`: unknown variant"),
+            ("data.alpha=magic", "`data.alpha` is `magic`: unknown variant"),
             ("optimizer.grids=1,2,3", "expected the first and the last rate"),
         ] {
             let error = parse(assignment).unwrap_err();

@@ -7,6 +7,7 @@ use toml::{Table, Value};
 
 use super::assignment;
 use super::preset::Preset;
+use super::retired;
 use super::{MAX_BYTES, TrainConfig};
 use crate::error::{Error, Result};
 use crate::input::read_text;
@@ -17,8 +18,8 @@ use crate::input::read_text;
 /// use organza::train::{ConfigBuilder, Preset};
 ///
 /// # fn main() -> organza::Result<()> {
-/// let config = ConfigBuilder::new(Preset::Fast)?.set("growth.method=none")?.build()?;
-/// # assert_eq!(config.growth.method, organza::train::config::GrowthMethod::None);
+/// let config = ConfigBuilder::new(Preset::Fast)?.set("growth.end=0")?.build()?;
+/// # assert_eq!(config.growth.end, 0.0);
 /// # Ok(())
 /// # }
 /// ```
@@ -64,7 +65,8 @@ impl ConfigBuilder {
             let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
             format!("line {line}: {}", error.message())
         };
-        let table = toml::from_str(text).map_err(|error| invalid(at_line(error)))?;
+        let mut table = toml::from_str(text).map_err(|error| invalid(at_line(error)))?;
+        retired::replace(&mut table).map_err(invalid)?;
         merge(&mut self.table, table);
         let config = self.parse().map_err(|reason| {
             let alone = toml::from_str::<TrainConfig>(text).err();

@@ -31,7 +31,6 @@ impl TrainConfig {
         within("start.opacity", self.start.opacity, 1e-4, 0.9999)?;
         within("start.scale", self.start.scale, 1e-4, 1e4)?;
         within("start.spread", self.start.spread, 0.0, 1e3)?;
-        within("start.transmittance_bias", self.start.transmittance_bias, -50.0, 50.0)?;
         within("growth.rate", self.growth.rate, 0.0, 1.0)?;
         within("growth.begin", self.growth.begin, 0.0, 1.0)?;
         within("growth.end", self.growth.end, 0.0, 1.0)?;

@@ -5,6 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::check::within;
 use crate::scene::{FieldTensors, GaussianTensors, Tensors, gaussian_tensors};
 
+/// Adam's epsilon.
+pub(in crate::train) const EPSILON: f64 = 1e-12;
 /// Where the rates are at the end of their cooldown, as a part of what they would be without one.
 const COOLED: f64 = 0.02;
 
@@ -29,8 +31,6 @@ macro_rules! define {
             pub beta1: f64,
             /// beta2
             pub beta2: f64,
-            /// epsilon
-            pub epsilon: f64,
             /// The part of the run at its end, 0 to 1, in which all rates also fall linearly, to a fiftieth: what noise moved
             /// comes to rest (Hägele et al. 2024, "Scaling Laws and Compute-Optimal Training Beyond Fixed Training
             /// Durations").
@@ -82,7 +82,6 @@ impl Default for OptimizerConfig {
         Self {
             beta1: 0.9,
             beta2: 0.99,
-            epsilon: 1e-12,
             cooldown: 0.3,
             transmittance_decay: 1.0,
             position: rate(2e-3, 1e-4),
@@ -112,7 +111,6 @@ impl OptimizerConfig {
     pub(super) fn check(&self) -> Result<(), String> {
         within("optimizer.beta1", self.beta1, 0.0, 0.999_999)?;
         within("optimizer.beta2", self.beta2, 0.0, 0.999_999_9)?;
-        within("optimizer.epsilon", self.epsilon, 1e-30, 1.0)?;
         within("optimizer.cooldown", self.cooldown, 0.0, 1.0)?;
         within("optimizer.transmittance_decay", self.transmittance_decay, 0.0, 1.0)?;
         for (name, rate) in self.named_rates() {

@@ -11,7 +11,7 @@ fn a_file_reads_back() {
     let mut config = TrainConfig::default();
     config.data.path = Some("photographs".into());
     config.optimizer.grids.last = 1.234_567_890_123e-5;
-    config.growth.method = GrowthMethod::Relocate;
+    config.growth.rate = 0.3;
     assert_eq!(parse(&config.to_toml()).unwrap(), config);
     assert_eq!(parse("").unwrap(), TrainConfig::default());
 }
@@ -25,7 +25,7 @@ fn mistakes_are_named() {
         ("[loss]\nssim_weight = 1.5", "`loss.ssim_weight` is 1.5, expected 0 to 1"),
         ("[loss]\nssim_weight = nan", "`loss.ssim_weight` is NaN"),
         ("[optimizer.grids]\nfirst = 0.1\nlast = 0.0", "`optimizer.grids.last` is 0"),
-        ("[growth]\nmethod = 'magic'", "unknown variant `magic`"),
+        ("[data]\nalpha = 'magic'", "unknown variant `magic`"),
         ("[growth]\nmax_gaussians = 9", "`start.gaussians` is 12000, more than the 9 of"),
         ("[data]\nhold_out_every = 1", "`data.hold_out_every` is 1, which leaves nothing"),
         ("steps", "line 1:"),

@@ -24,7 +24,7 @@ fn timing(step: u64) -> Record {
 }
 
 fn growth(step: u64) -> Record {
-    Record::Growth { step, split: 1, cloned: 2, pruned: 3, gaussians: 10 }
+    Record::Growth { step, split: 1, pruned: 3, gaussians: 10 }
 }
 
 fn change(step: u64) -> Record {
@@ -60,7 +60,7 @@ fn records_are_lines_of_json() {
         r#"{"kind":"session","step":0,"date":"2026-01-31T09:30:00Z","command":"organza train -o run","version":"0.1.0","commit":null,"device":"cpu: 2 threads"}"#,
         r#"{"kind":"step","step":1,"seconds":0.3333333333333333,"loss":1.0,"l1":0.125,"ssim":0.75,"psnr":20.5,"tiles_per_second":1000.0,"gaussians":11,"rates":{"networks":0.001,"position":0.00025}}"#,
         r#"{"kind":"evaluation","step":2,"seconds":2.0,"psnr":null,"ssim":0.5,"views":[{"name":"a \"b\"\n.png","psnr":null,"ssim":0.5}]}"#,
-        r#"{"kind":"growth","step":3,"split":1,"cloned":2,"pruned":3,"gaussians":10}"#,
+        r#"{"kind":"growth","step":3,"split":1,"pruned":3,"gaussians":10}"#,
         r#"{"kind":"timing","step":3,"rows":[{"stage":"forward","seconds":1.5,"share":0.25}]}"#,
         r#"{"kind":"change","step":3,"name":"run.steps","from":40,"to":60}"#,
     ];

@@ -147,13 +147,13 @@ impl Run {
         self.records.iter().rev().find_map(timing).unwrap_or_default()
     }
 
-    /// How many were split, cloned and pruned, and in how many changes.
-    pub(super) fn growth(&self) -> ([u64; 3], usize) {
+    /// How many were split and pruned, and in how many changes.
+    pub(super) fn growth(&self) -> ([u64; 2], usize) {
         let events = self.records.iter().filter_map(|record| match record {
-            Record::Growth { split, cloned, pruned, .. } => Some([split, cloned, pruned]),
+            Record::Growth { split, pruned, .. } => Some([split, pruned]),
             _ => None,
         });
-        events.fold(([0; 3], 0), |(sums, times), event| {
+        events.fold(([0; 2], 0), |(sums, times), event| {
             (std::array::from_fn(|at| sums[at].saturating_add(*event[at])), times + 1)
         })
     }

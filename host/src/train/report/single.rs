@@ -89,14 +89,14 @@ fn header(run: &Run) -> Markup {
 
 /// What became of the Gaussians, in a sentence.
 fn growth(run: &Run) -> Markup {
-    let ([split, cloned, pruned], times) = run.growth();
+    let ([split, pruned], times) = run.growth();
     if times == 0 {
         return Markup::default();
     }
     let times = if times == 1 { "once".to_owned() } else { format!("{times} times") };
-    let [split, cloned, pruned] = [split, cloned, pruned].map(grouped);
+    let [split, pruned] = [split, pruned].map(grouped);
     html! { p.quiet.note {
-        "The set of Gaussians changed " (times) ": " (split) " split, " (cloned) " cloned, " (pruned) " pruned."
+        "The set of Gaussians changed " (times) ": " (split) " split, " (pruned) " pruned."
     } }
 }
 

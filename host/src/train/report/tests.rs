@@ -70,8 +70,8 @@ fn records(names: &[&str]) -> Vec<Record> {
     for at in (10..=1500).step_by(10) {
         records.push(step(at));
         if at % 500 == 0 && at < 1500 {
-            let (split, cloned, pruned) = (23_000, 500, 1_500);
-            records.push(Record::Growth { step: at, split, cloned, pruned, gaussians: 1000 + at });
+            let (split, pruned) = (23_000, 1_500);
+            records.push(Record::Growth { step: at, split, pruned, gaussians: 1000 + at });
             records.push(evaluation(at, names));
         }
     }
@@ -274,7 +274,7 @@ fn every_number_that_is_drawn_is_in_the_page() {
 #[test]
 fn the_page_says_what_ran_and_how_far_it_came() {
     let folder = tempfile::tempdir().unwrap();
-    let text = "[loss]\nssim_weight = 0.3\n[optimizer]\nepsilon = 1e-9\n";
+    let text = "[loss]\nssim_weight = 0.3\n[optimizer]\nbeta1 = 0.8\n";
     let run = run(&folder.path().join("garden run"), text, &records(&["a", "b", "c"]));
     let page = elements(&single::html_of(&run));
     // of the last evaluation, not of the last step

@@ -174,7 +174,6 @@ impl State<'_, '_, '_> {
             self.log.append(&Record::Growth {
                 step: numbers.0,
                 split: u64::from(grown.split),
-                cloned: u64::from(grown.cloned),
                 pruned: u64::from(grown.pruned),
                 gaussians: numbers.1,
             })?;

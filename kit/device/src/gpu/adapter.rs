@@ -145,8 +145,8 @@ pub fn request(adapter: &wgpu::Adapter, spirv: SpirvPath) -> Result<(wgpu::Devic
         }
         SpirvPath::Naga => (wgpu::Features::empty(), wgpu::ExperimentalFeatures::disabled()),
     };
-    // for who wants to know what kernels take, and for networks in half precision
-    let optional = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::SHADER_F16;
+    // for who wants to know what kernels take
+    let optional = wgpu::Features::TIMESTAMP_QUERY;
     let device = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
         label: Some("organza"),
         required_features: required_features | (adapter.features() & optional),

@@ -93,11 +93,6 @@ impl Gpu {
         self.info.device_type == wgpu::DeviceType::Cpu
     }
 
-    /// Whether modules with `Float16` are taken.
-    pub fn computes_halves(&self) -> bool {
-        self.device.features().contains(wgpu::Features::SHADER_F16)
-    }
-
     pub fn max_buffer_bytes(&self) -> u64 {
         self.limits.max_buffer_size.min(self.limits.max_storage_buffer_binding_size)
     }

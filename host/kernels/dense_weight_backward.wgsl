@@ -140,7 +140,7 @@ fn function_() {
             let _e28 = global;
             let _e29 = global_1;
             let _e30 = global_2;
-            let _e38 = (((_e29.x + (_e29.y * _e30.x)) * 16u) + _e28.x);
+            let _e38 = (((_e29.x + (_e29.y * _e30.x)) * 64u) + _e28.x);
             let _e41 = global_6.member.member_4;
             let _e44 = global_6.member.member_3;
             let _e45 = (_e44 - 1u);
@@ -534,7 +534,7 @@ fn function_() {
     return;
 }
 
-@compute @workgroup_size(16, 1, 1) 
+@compute @workgroup_size(64, 1, 1) 
 fn dense_weight_backward(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>, @builtin(num_workgroups) param_2: vec3<u32>) {
     global = param;
     global_1 = param_1;

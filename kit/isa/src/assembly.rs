@@ -11,7 +11,7 @@ pub struct Loop {
     pub moves: usize,
     /// Multiply-adds of floats.
     pub multiply_adds: usize,
-    /// Multiplications of 32-bit integers: they take four times as long as other instructions.
+    /// Multiplications of 32-bit integers.
     pub integer_multiplies: usize,
     /// Loads of one value for each invocation, from buffers and from workgroup memory.
     pub loads: usize,
@@ -55,6 +55,19 @@ pub fn loops(assembly: &str) -> Vec<Loop> {
     loops
 }
 
+/// The multiplications of integers that a GPU takes long for: products of numbers of 24 bits are not among them.
+pub fn integer_multiplies(assembly: &str) -> usize {
+    let all = blocks(assembly);
+    all.iter().map(|block| count(&block.lines, &INTEGER_MULTIPLIES)).sum()
+}
+
+const INTEGER_MULTIPLIES: [&str; 4] = ["v_mul_lo_", "v_mul_hi_", "v_mad_u64_", "v_mad_i64_"];
+
+/// How many lines begin with one of these names.
+fn count(lines: &[&str], names: &[&str]) -> usize {
+    lines.iter().filter(|line| names.iter().any(|name| line.starts_with(name))).count()
+}
+
 /// Splits a text such as `BB3:`, then lines such as `s_add_u32 s0, s6, s7 ; 80000706`.
 fn blocks(assembly: &str) -> Vec<Block<'_>> {
     let mut blocks: Vec<Block<'_>> = Vec::new();
@@ -69,19 +82,17 @@ fn blocks(assembly: &str) -> Vec<Block<'_>> {
 }
 
 fn measure(blocks: &[Block<'_>]) -> Loop {
-    let lines = || blocks.iter().flat_map(|block| &block.lines);
-    let count = |names: &[&str]| {
-        lines().filter(|line| names.iter().any(|name| line.starts_with(name))).count()
-    };
+    let lines: Vec<&str> = blocks.iter().flat_map(|block| &block.lines).copied().collect();
+    let count = |names: &[&str]| count(&lines, names);
     let text = blocks.iter().map(|block| {
         let lines: String = block.lines.iter().map(|line| format!("    {line}\n")).collect();
         format!("{}:\n{lines}", block.label)
     });
     Loop {
-        instructions: lines().count(),
+        instructions: lines.len(),
         moves: count(&["v_mov_"]),
         multiply_adds: count(&["v_fma", "v_mac_f", "v_mad_f", "v_pk_fma", "v_madmk", "v_madak"]),
-        integer_multiplies: count(&["v_mul_lo_", "v_mul_hi_", "v_mad_u64_", "v_mad_i64_"]),
+        integer_multiplies: count(&INTEGER_MULTIPLIES),
         loads: count(&["buffer_load", "global_load", "ds_read"]),
         scalar_loads: count(&["s_buffer_load", "s_load"]),
         text: text.collect(),
@@ -125,6 +136,7 @@ BB6:
         };
         assert_eq!(counts(inner), [0, 1, 1, 1, 0]);
         assert_eq!(counts(last), [0, 0, 0, 0, 1]);
+        assert_eq!(integer_multiplies(TWO_LOOPS), 1);
         assert!(inner.text.starts_with("BB2:\n    buffer_load_dword v2, v3, s[0:3], 0 offen\n"));
     }
 }

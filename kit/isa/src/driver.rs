@@ -84,6 +84,7 @@ impl Compiler {
             shared: value("LDS size")?,
             subgroups: value("Subgroups per SIMD")?,
             instructions: value("Instructions")?,
+            integer_multiplies: assembly::integer_multiplies(&assembly),
             loops: assembly::loops(&assembly),
         })
     }

@@ -66,6 +66,8 @@ pub struct Kernel {
     pub subgroups: u64,
     /// Instructions of the whole kernel.
     pub instructions: u64,
+    /// Multiplications of 32-bit integers of the whole kernel: they take four times as long as other instructions.
+    pub integer_multiplies: usize,
     /// Its innermost loops, the one with the most instructions first.
     pub loops: Vec<Loop>,
 }

@@ -14,7 +14,7 @@ impl fmt::Display for Report {
         )?;
         writeln!(
             f,
-            "{:28} {:>9} {:>6} {:>7} {:>6} {:>9} {:>12} | {:>12} {:>5} {:>4} {:>4} {:>5} {:>12}",
+            "{:28} {:>9} {:>6} {:>7} {:>6} {:>9} {:>12} {:>4} | {:>12} {:>5} {:>4} {:>4} {:>5} {:>12}",
             "kernel",
             "registers",
             "spills",
@@ -22,6 +22,7 @@ impl fmt::Display for Report {
             "shared",
             "subgroups",
             "instructions",
+            "imul",
             "instructions",
             "moves",
             "fma",
@@ -35,14 +36,14 @@ impl fmt::Display for Report {
 
 impl Kernel {
     fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { name, registers, spills, scratch, shared, subgroups, instructions, loops } =
-            self;
+        let Self { name, registers, spills, scratch, shared, subgroups, instructions, .. } = self;
         write!(
             f,
             "{name:28} {registers:>9} {spills:>6} {scratch:>7} {shared:>6} {subgroups:>9} \
-             {instructions:>12} |"
+             {instructions:>12} {:>4} |",
+            self.integer_multiplies
         )?;
-        if let Some(hot) = loops.first() {
+        if let Some(hot) = self.loops.first() {
             write!(
                 f,
                 " {:>12} {:>5} {:>4} {:>4} {:>5} {:>12}",

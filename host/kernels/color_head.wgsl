@@ -43,13 +43,13 @@ fn function_() {
     var phi_79_: u32;
     var phi_81_: type_18;
     var phi_83_: u32;
-    var phi_77_: u32;
-    var phi_80_: u32;
-    var phi_82_: type_18;
-    var phi_84_: u32;
     var local: type_18;
     var local_1: type_18;
     var local_2: type_18;
+    var local_3: u32;
+    var local_4: u32;
+    var local_5: type_18;
+    var local_6: u32;
 
     let _e18 = global;
     let _e19 = global_1;
@@ -74,50 +74,45 @@ fn function_() {
             local = _e58;
             local_1 = _e58;
             local_2 = _e58;
-            let _e61 = (_e54 < _e38);
-            if _e61 {
+            if (_e54 < _e38) {
                 let _e64 = global_4.member[_e56];
                 let _e67 = global_5.member[_e60];
-                phi_77_ = (_e54 + 1u);
-                phi_80_ = (_e56 + 1u);
-                phi_82_ = type_18(((_e67 * _e64.x) + _e58.member), ((_e67 * _e64.y) + _e58.member_1), ((_e67 * _e64.z) + _e58.member_2), ((_e67 * _e64.w) + _e58.member_3));
-                phi_84_ = (_e60 + _e35);
+                local_3 = (_e54 + 1u);
+                local_4 = (_e56 + 1u);
+                local_5 = type_18(((_e67 * _e64.x) + _e58.member), ((_e67 * _e64.y) + _e58.member_1), ((_e67 * _e64.z) + _e58.member_2), ((_e67 * _e64.w) + _e58.member_3));
+                local_6 = (_e60 + _e35);
+                continue;
             } else {
-                phi_77_ = u32();
-                phi_80_ = u32();
-                phi_82_ = type_18();
-                phi_84_ = u32();
+                break;
             }
-            let _e89 = phi_77_;
-            let _e91 = phi_80_;
-            let _e93 = phi_82_;
-            let _e95 = phi_84_;
-            continue;
             continuing {
-                phi_76_ = _e89;
-                phi_79_ = _e91;
-                phi_81_ = _e93;
-                phi_83_ = _e95;
-                break if !(_e61);
+                let _e136 = local_3;
+                phi_76_ = _e136;
+                let _e139 = local_4;
+                phi_79_ = _e139;
+                let _e142 = local_5;
+                phi_81_ = _e142;
+                let _e145 = local_6;
+                phi_83_ = _e145;
             }
         }
-        let _e99 = global_3.member.member_1;
-        let _e101 = ((_e99 + _e28) * 3u);
-        let _e103 = local;
-        let _e105 = (_e103.member < 0f);
-        let _e108 = exp(select(-(_e103.member), _e103.member, _e105));
-        let _e110 = (1f / (1f + _e108));
-        global_6.member[_e101] = select(_e110, (_e108 * _e110), _e105);
-        let _e117 = local_1;
-        let _e119 = (_e117.member_1 < 0f);
-        let _e122 = exp(select(-(_e117.member_1), _e117.member_1, _e119));
-        let _e124 = (1f / (1f + _e122));
-        global_6.member[(_e101 + 1u)] = select(_e124, (_e122 * _e124), _e119);
-        let _e131 = local_2;
-        let _e133 = (_e131.member_2 < 0f);
-        let _e136 = exp(select(-(_e131.member_2), _e131.member_2, _e133));
-        let _e138 = (1f / (1f + _e136));
-        global_6.member[(_e101 + 2u)] = select(_e138, (_e136 * _e138), _e133);
+        let _e90 = global_3.member.member_1;
+        let _e92 = ((_e90 + _e28) * 3u);
+        let _e94 = local;
+        let _e96 = (_e94.member < 0f);
+        let _e99 = exp(select(-(_e94.member), _e94.member, _e96));
+        let _e101 = (1f / (1f + _e99));
+        global_6.member[_e92] = select(_e101, (_e99 * _e101), _e96);
+        let _e108 = local_1;
+        let _e110 = (_e108.member_1 < 0f);
+        let _e113 = exp(select(-(_e108.member_1), _e108.member_1, _e110));
+        let _e115 = (1f / (1f + _e113));
+        global_6.member[(_e92 + 1u)] = select(_e115, (_e113 * _e115), _e110);
+        let _e122 = local_2;
+        let _e124 = (_e122.member_2 < 0f);
+        let _e127 = exp(select(-(_e122.member_2), _e122.member_2, _e124));
+        let _e129 = (1f / (1f + _e127));
+        global_6.member[(_e92 + 2u)] = select(_e129, (_e127 * _e129), _e124);
     }
     return;
 }

@@ -46,22 +46,22 @@ fn function_() {
     var phi_345_: u32;
     var phi_347_: f32;
     var phi_349_: f32;
-    var phi_363_: f32;
-    var phi_364_: f32;
-    var phi_365_: f32;
-    var phi_368_: f32;
-    var phi_371_: u32;
-    var phi_373_: f32;
-    var phi_388_: f32;
-    var phi_369_: f32;
-    var phi_372_: u32;
-    var phi_374_: f32;
     var phi_343_: f32;
-    var phi_346_: u32;
     var phi_348_: f32;
     var phi_350_: f32;
-    var phi_406_: u32;
-    var phi_407_: u32;
+    var phi_362_: f32;
+    var phi_365_: u32;
+    var phi_367_: f32;
+    var phi_363_: f32;
+    var phi_393_: u32;
+    var local: f32;
+    var local_1: u32;
+    var local_2: f32;
+    var local_3: f32;
+    var local_4: f32;
+    var local_5: u32;
+    var local_6: f32;
+    var local_7: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -176,108 +176,97 @@ fn function_() {
                     let _e321 = phi_345_;
                     let _e323 = phi_347_;
                     let _e325 = phi_349_;
-                    let _e326 = (_e321 <= _e317);
-                    if _e326 {
+                    if (_e321 <= _e317) {
                         let _e327 = f32(_e321);
                         let _e328 = (_e321 > 0u);
                         if _e328 {
                             let _e329 = (2f * _e327);
-                            phi_363_ = ((_e312 * _e319) + (_e313 * _e325));
-                            phi_364_ = (_e323 * -(sqrt(((_e329 + 1f) / _e329))));
-                            phi_365_ = ((_e312 * _e325) - (_e313 * _e319));
+                            phi_343_ = ((_e312 * _e319) + (_e313 * _e325));
+                            phi_348_ = (_e323 * -(sqrt(((_e329 + 1f) / _e329))));
+                            phi_350_ = ((_e312 * _e325) - (_e313 * _e319));
                         } else {
-                            phi_363_ = _e319;
-                            phi_364_ = _e323;
-                            phi_365_ = _e325;
+                            phi_343_ = _e319;
+                            phi_348_ = _e323;
+                            phi_350_ = _e325;
                         }
-                        let _e342 = phi_363_;
-                        let _e344 = phi_364_;
-                        let _e346 = phi_365_;
-                        phi_368_ = _e344;
-                        phi_371_ = _e321;
-                        phi_373_ = 0f;
+                        let _e342 = phi_343_;
+                        let _e344 = phi_348_;
+                        let _e346 = phi_350_;
+                        local = _e342;
+                        local_2 = _e344;
+                        local_3 = _e346;
+                        phi_362_ = _e344;
+                        phi_365_ = _e321;
+                        phi_367_ = 0f;
                         loop {
-                            let _e349 = phi_368_;
-                            let _e351 = phi_371_;
-                            let _e353 = phi_373_;
-                            let _e354 = (_e351 <= _e317);
-                            if _e354 {
+                            let _e349 = phi_362_;
+                            let _e351 = phi_365_;
+                            let _e353 = phi_367_;
+                            if (_e351 <= _e317) {
                                 let _e355 = (_e351 > _e321);
                                 if _e355 {
                                     let _e356 = f32(_e351);
                                     let _e357 = (_e356 - 1f);
                                     let _e362 = (_e327 * _e327);
-                                    phi_388_ = (sqrt(((((4f * _e356) * _e356) - 1f) / ((_e356 * _e356) - _e362))) * (((_e302 * _e311) * _e349) - (sqrt((((_e357 * _e357) - _e362) / (((4f * _e357) * _e357) - 1f))) * _e353)));
+                                    phi_363_ = (sqrt(((((4f * _e356) * _e356) - 1f) / ((_e356 * _e356) - _e362))) * (((_e302 * _e311) * _e349) - (sqrt((((_e357 * _e357) - _e362) / (((4f * _e357) * _e357) - 1f))) * _e353)));
                                 } else {
-                                    phi_388_ = _e349;
+                                    phi_363_ = _e349;
                                 }
-                                let _e378 = phi_388_;
+                                let _e378 = phi_363_;
                                 let _e381 = ((_e351 * _e351) + _e351);
                                 let _e385 = (select(1f, 1.4142135f, _e328) * _e378);
                                 global_10.member[(_e56 + ((_e381 + _e321) * _e101))] = (_e385 * _e346);
+                                local_4 = _e378;
+                                local_6 = select(_e353, _e349, _e355);
                                 if _e328 {
                                     global_10.member[(_e56 + ((_e381 - _e321) * _e101))] = (_e385 * _e342);
                                 }
-                                phi_369_ = _e378;
-                                phi_372_ = (_e351 + 1u);
-                                phi_374_ = select(_e353, _e349, _e355);
+                                local_5 = (_e351 + 1u);
+                                continue;
                             } else {
-                                phi_369_ = f32();
-                                phi_372_ = u32();
-                                phi_374_ = f32();
+                                break;
                             }
-                            let _e397 = phi_369_;
-                            let _e399 = phi_372_;
-                            let _e401 = phi_374_;
-                            continue;
                             continuing {
-                                phi_368_ = _e397;
-                                phi_371_ = _e399;
-                                phi_373_ = _e401;
-                                break if !(_e354);
+                                let _e434 = local_4;
+                                phi_362_ = _e434;
+                                let _e437 = local_5;
+                                phi_365_ = _e437;
+                                let _e440 = local_6;
+                                phi_367_ = _e440;
                             }
                         }
-                        phi_343_ = _e342;
-                        phi_346_ = (_e321 + 1u);
-                        phi_348_ = _e344;
-                        phi_350_ = _e346;
+                        local_1 = (_e321 + 1u);
+                        continue;
                     } else {
-                        phi_343_ = f32();
-                        phi_346_ = u32();
-                        phi_348_ = f32();
-                        phi_350_ = f32();
+                        break;
                     }
-                    let _e405 = phi_343_;
-                    let _e407 = phi_346_;
-                    let _e409 = phi_348_;
-                    let _e411 = phi_350_;
-                    continue;
                     continuing {
-                        phi_342_ = _e405;
-                        phi_345_ = _e407;
-                        phi_347_ = _e409;
-                        phi_349_ = _e411;
-                        break if !(_e326);
+                        let _e419 = local;
+                        phi_342_ = _e419;
+                        let _e422 = local_1;
+                        phi_345_ = _e422;
+                        let _e425 = local_2;
+                        phi_347_ = _e425;
+                        let _e428 = local_3;
+                        phi_349_ = _e428;
                     }
                 }
-                phi_406_ = 0u;
+                phi_393_ = 0u;
                 loop {
-                    let _e414 = phi_406_;
-                    let _e417 = global_5.member.member_5;
-                    let _e418 = (_e414 < _e417);
-                    if _e418 {
-                        let _e423 = global_8.member[((_e72 * _e417) + _e414)];
-                        let _e426 = global_5.member.member_6;
-                        global_10.member[(((_e426 + _e414) * _e101) + _e56)] = _e423;
-                        phi_407_ = (_e414 + 1u);
+                    let _e398 = phi_393_;
+                    let _e401 = global_5.member.member_5;
+                    if (_e398 < _e401) {
+                        let _e407 = global_8.member[((_e72 * _e401) + _e398)];
+                        let _e410 = global_5.member.member_6;
+                        global_10.member[(((_e410 + _e398) * _e101) + _e56)] = _e407;
+                        local_7 = (_e398 + 1u);
+                        continue;
                     } else {
-                        phi_407_ = u32();
+                        break;
                     }
-                    let _e434 = phi_407_;
-                    continue;
                     continuing {
-                        phi_406_ = _e434;
-                        break if !(_e418);
+                        let _e444 = local_7;
+                        phi_393_ = _e444;
                     }
                 }
             }

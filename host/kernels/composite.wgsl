@@ -53,32 +53,23 @@ fn function_() {
     var phi_202_: f32;
     var phi_204_: f32;
     var phi_206_: u32;
-    var phi_216_: u32;
-    var phi_219_: f32;
-    var phi_221_: f32;
-    var phi_223_: f32;
-    var phi_225_: f32;
-    var phi_264_: f32;
-    var phi_267_: bool;
-    var phi_268_: bool;
-    var phi_269_: bool;
-    var phi_295_: f32;
-    var phi_296_: f32;
-    var phi_297_: f32;
-    var phi_298_: f32;
-    var phi_299_: f32;
-    var phi_300_: f32;
-    var phi_301_: f32;
-    var phi_302_: f32;
-    var phi_217_: u32;
-    var phi_220_: f32;
-    var phi_222_: f32;
-    var phi_224_: f32;
-    var phi_226_: f32;
+    var phi_212_: u32;
     var phi_198_: f32;
     var phi_201_: f32;
     var phi_203_: f32;
     var phi_205_: f32;
+    var phi_253_: f32;
+    var phi_256_: bool;
+    var phi_257_: bool;
+    var phi_258_: bool;
+    var phi_284_: f32;
+    var phi_285_: f32;
+    var phi_286_: f32;
+    var phi_287_: f32;
+    var phi_215_: f32;
+    var phi_216_: f32;
+    var phi_217_: f32;
+    var phi_218_: f32;
     var local: f32;
     var local_1: f32;
     var local_2: f32;
@@ -87,6 +78,11 @@ fn function_() {
     var local_5: f32;
     var local_6: f32;
     var local_7: f32;
+    var local_8: u32;
+    var local_9: f32;
+    var local_10: f32;
+    var local_11: f32;
+    var local_12: f32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -172,32 +168,30 @@ fn function_() {
                     local_1 = _e141;
                     local_2 = _e139;
                     local_3 = _e137;
-                    let _e146 = (_e145 < _e83);
-                    if _e146 {
-                        phi_216_ = 0u;
-                        phi_219_ = _e137;
-                        phi_221_ = _e139;
-                        phi_223_ = _e141;
-                        phi_225_ = _e143;
+                    if (_e145 < _e83) {
+                        phi_212_ = 0u;
+                        phi_198_ = _e137;
+                        phi_201_ = _e139;
+                        phi_203_ = _e141;
+                        phi_205_ = _e143;
                         loop {
-                            let _e149 = phi_216_;
-                            let _e151 = phi_219_;
-                            let _e153 = phi_221_;
-                            let _e155 = phi_223_;
-                            let _e157 = phi_225_;
+                            let _e149 = phi_212_;
+                            let _e151 = phi_198_;
+                            let _e153 = phi_201_;
+                            let _e155 = phi_203_;
+                            let _e157 = phi_205_;
                             local_4 = _e151;
                             local_5 = _e153;
                             local_6 = _e155;
                             local_7 = _e157;
-                            let _e158 = (_e149 < (_e83 - _e145));
-                            if _e158 {
+                            if (_e149 < (_e83 - _e145)) {
                                 let _e159 = (_e145 + _e149);
                                 let _e161 = global_6.member[_e159];
                                 if ((_e161 & (1u << bitcast<u32>(((((_e50 / _e126) * 4u) + (_e51 / _e120)) & 31u)))) == 0u) {
-                                    phi_299_ = _e151;
-                                    phi_300_ = _e153;
-                                    phi_301_ = _e155;
-                                    phi_302_ = _e157;
+                                    phi_215_ = _e151;
+                                    phi_216_ = _e153;
+                                    phi_217_ = _e155;
+                                    phi_218_ = _e157;
                                 } else {
                                     let _e165 = global_5.member[_e159];
                                     let _e166 = (_e165 * 3u);
@@ -205,121 +199,104 @@ fn function_() {
                                     let _e171 = global_7.member[(_e166 + 1u)];
                                     let _e173 = (_e65 - _e168.x);
                                     if (_e173 > _e168.w) {
-                                        phi_268_ = bool();
-                                        phi_269_ = true;
+                                        phi_257_ = bool();
+                                        phi_258_ = true;
                                     } else {
                                         let _e177 = ((_e168.x - _e65) > _e168.w);
                                         if _e177 {
-                                            phi_267_ = bool();
+                                            phi_256_ = bool();
                                         } else {
                                             let _e179 = (_e69 - _e168.y);
                                             if (_e179 < 0f) {
-                                                phi_264_ = -(_e179);
+                                                phi_253_ = -(_e179);
                                             } else {
-                                                phi_264_ = _e179;
+                                                phi_253_ = _e179;
                                             }
-                                            let _e183 = phi_264_;
-                                            phi_267_ = (_e183 > _e171.w);
+                                            let _e183 = phi_253_;
+                                            phi_256_ = (_e183 > _e171.w);
                                         }
-                                        let _e187 = phi_267_;
-                                        phi_268_ = _e187;
-                                        phi_269_ = _e177;
+                                        let _e187 = phi_256_;
+                                        phi_257_ = _e187;
+                                        phi_258_ = _e177;
                                     }
-                                    let _e189 = phi_268_;
-                                    let _e191 = phi_269_;
+                                    let _e189 = phi_257_;
+                                    let _e191 = phi_258_;
                                     if !(select(_e189, true, _e191)) {
                                         let _e195 = (_e69 - _e168.y);
                                         let _e207 = ((((_e171.x * _e173) * _e173) + (((2f * _e171.y) * _e173) * _e195)) + ((_e171.z * _e195) * _e195));
                                         let _e213 = (_e207 <= 11.082527f);
                                         let _e215 = (_e168.z * select(0f, exp((-0.5f * select(0f, _e207, (_e207 > 0f)))), _e213));
                                         let _e218 = global_7.member[(_e166 + 2u)];
-                                        phi_295_ = (_e151 + select(0f, _e215, _e213));
-                                        phi_296_ = (_e153 + select(0f, (_e215 * _e218.z), _e213));
-                                        phi_297_ = (_e155 + select(0f, (_e215 * _e218.y), _e213));
-                                        phi_298_ = (_e157 + select(0f, (_e215 * _e218.x), _e213));
+                                        phi_284_ = (_e151 + select(0f, _e215, _e213));
+                                        phi_285_ = (_e153 + select(0f, (_e215 * _e218.z), _e213));
+                                        phi_286_ = (_e155 + select(0f, (_e215 * _e218.y), _e213));
+                                        phi_287_ = (_e157 + select(0f, (_e215 * _e218.x), _e213));
                                     } else {
-                                        phi_295_ = _e151;
-                                        phi_296_ = _e153;
-                                        phi_297_ = _e155;
-                                        phi_298_ = _e157;
+                                        phi_284_ = _e151;
+                                        phi_285_ = _e153;
+                                        phi_286_ = _e155;
+                                        phi_287_ = _e157;
                                     }
-                                    let _e234 = phi_295_;
-                                    let _e236 = phi_296_;
-                                    let _e238 = phi_297_;
-                                    let _e240 = phi_298_;
-                                    phi_299_ = _e234;
-                                    phi_300_ = _e236;
-                                    phi_301_ = _e238;
-                                    phi_302_ = _e240;
+                                    let _e234 = phi_284_;
+                                    let _e236 = phi_285_;
+                                    let _e238 = phi_286_;
+                                    let _e240 = phi_287_;
+                                    phi_215_ = _e234;
+                                    phi_216_ = _e236;
+                                    phi_217_ = _e238;
+                                    phi_218_ = _e240;
                                 }
-                                let _e242 = phi_299_;
-                                let _e244 = phi_300_;
-                                let _e246 = phi_301_;
-                                let _e248 = phi_302_;
-                                phi_217_ = (_e149 + 1u);
-                                phi_220_ = _e242;
-                                phi_222_ = _e244;
-                                phi_224_ = _e246;
-                                phi_226_ = _e248;
+                                let _e242 = phi_215_;
+                                let _e244 = phi_216_;
+                                let _e246 = phi_217_;
+                                let _e248 = phi_218_;
+                                local_8 = (_e149 + 1u);
+                                local_9 = _e242;
+                                local_10 = _e244;
+                                local_11 = _e246;
+                                local_12 = _e248;
+                                continue;
                             } else {
-                                phi_217_ = u32();
-                                phi_220_ = f32();
-                                phi_222_ = f32();
-                                phi_224_ = f32();
-                                phi_226_ = f32();
+                                break;
                             }
-                            let _e251 = phi_217_;
-                            let _e253 = phi_220_;
-                            let _e255 = phi_222_;
-                            let _e257 = phi_224_;
-                            let _e259 = phi_226_;
-                            continue;
                             continuing {
-                                phi_216_ = _e251;
-                                phi_219_ = _e253;
-                                phi_221_ = _e255;
-                                phi_223_ = _e257;
-                                phi_225_ = _e259;
-                                break if !(_e158);
+                                let _e293 = local_8;
+                                phi_212_ = _e293;
+                                let _e296 = local_9;
+                                phi_198_ = _e296;
+                                let _e299 = local_10;
+                                phi_201_ = _e299;
+                                let _e302 = local_11;
+                                phi_203_ = _e302;
+                                let _e305 = local_12;
+                                phi_205_ = _e305;
                             }
                         }
-                        let _e328 = local_4;
-                        phi_198_ = _e328;
-                        let _e331 = local_5;
-                        phi_201_ = _e331;
-                        let _e334 = local_6;
-                        phi_203_ = _e334;
-                        let _e337 = local_7;
-                        phi_205_ = _e337;
+                        continue;
                     } else {
-                        phi_198_ = f32();
-                        phi_201_ = f32();
-                        phi_203_ = f32();
-                        phi_205_ = f32();
+                        break;
                     }
-                    let _e262 = phi_198_;
-                    let _e264 = phi_201_;
-                    let _e266 = phi_203_;
-                    let _e268 = phi_205_;
-                    continue;
                     continuing {
-                        phi_197_ = _e262;
-                        phi_200_ = _e264;
-                        phi_202_ = _e266;
-                        phi_204_ = _e268;
-                        phi_206_ = select(u32(), _e83, _e146);
-                        break if !(_e146);
+                        let _e280 = local_4;
+                        phi_197_ = _e280;
+                        let _e283 = local_5;
+                        phi_200_ = _e283;
+                        let _e286 = local_6;
+                        phi_202_ = _e286;
+                        let _e289 = local_7;
+                        phi_204_ = _e289;
+                        phi_206_ = _e83;
                     }
                 }
                 if _e49 {
-                    let _e274 = local;
-                    global_8.member[_e88] = _e274;
-                    let _e279 = local_1;
-                    global_8.member[(_e88 + _e84)] = _e279;
-                    let _e285 = local_2;
-                    global_8.member[(_e88 + (2u * _e84))] = _e285;
-                    let _e291 = local_3;
-                    global_8.member[(_e88 + (3u * _e84))] = _e291;
+                    let _e253 = local;
+                    global_8.member[_e88] = _e253;
+                    let _e258 = local_1;
+                    global_8.member[(_e88 + _e84)] = _e258;
+                    let _e264 = local_2;
+                    global_8.member[(_e88 + (2u * _e84))] = _e264;
+                    let _e270 = local_3;
+                    global_8.member[(_e88 + (3u * _e84))] = _e270;
                 }
             }
             break;

@@ -53,13 +53,6 @@ fn function_() {
     var phi_128_: type_19;
     var phi_130_: type_19;
     var phi_132_: type_19;
-    var phi_120_: u32;
-    var phi_123_: u32;
-    var phi_125_: u32;
-    var phi_127_: type_19;
-    var phi_129_: type_19;
-    var phi_131_: type_19;
-    var phi_133_: type_19;
     var local: type_19;
     var local_1: type_19;
     var local_2: type_19;
@@ -76,6 +69,13 @@ fn function_() {
     var local_13: type_19;
     var local_14: type_19;
     var local_15: type_19;
+    var local_16: u32;
+    var local_17: u32;
+    var local_18: u32;
+    var local_19: type_19;
+    var local_20: type_19;
+    var local_21: type_19;
+    var local_22: type_19;
 
     let _e20 = global;
     let _e21 = global_1;
@@ -106,6 +106,7 @@ fn function_() {
             let _e106 = phi_128_;
             let _e108 = phi_130_;
             let _e110 = phi_132_;
+            let _e113 = global_3.member.member_2;
             local = _e110;
             local_1 = _e110;
             local_2 = _e110;
@@ -122,9 +123,7 @@ fn function_() {
             local_13 = _e104;
             local_14 = _e104;
             local_15 = _e104;
-            let _e113 = global_3.member.member_2;
-            let _e114 = (_e98 < _e113);
-            if _e114 {
+            if (_e98 < _e113) {
                 let _e117 = global_5.member[_e100];
                 let _e121 = global_5.member[(_e100 + 1u)];
                 let _e125 = global_5.member[(_e100 + 2u)];
@@ -135,240 +134,233 @@ fn function_() {
                 let _e327 = global_4.member[(_e102 + 3u)];
                 let _e391 = global_3.member.member_3;
                 let _e395 = global_3.member.member_1;
-                phi_120_ = (_e98 + 1u);
-                phi_123_ = (_e100 + _e395);
-                phi_125_ = (_e102 + _e391);
-                phi_127_ = type_19(type_18(((_e117 * _e327.x) + _e104.member.member), ((_e121 * _e327.x) + _e104.member.member_1), ((_e125 * _e327.x) + _e104.member.member_2), ((_e129 * _e327.x) + _e104.member.member_3)), type_18(((_e117 * _e327.y) + _e104.member_1.member), ((_e121 * _e327.y) + _e104.member_1.member_1), ((_e125 * _e327.y) + _e104.member_1.member_2), ((_e129 * _e327.y) + _e104.member_1.member_3)), type_18(((_e117 * _e327.z) + _e104.member_2.member), ((_e121 * _e327.z) + _e104.member_2.member_1), ((_e125 * _e327.z) + _e104.member_2.member_2), ((_e129 * _e327.z) + _e104.member_2.member_3)), type_18(((_e117 * _e327.w) + _e104.member_3.member), ((_e121 * _e327.w) + _e104.member_3.member_1), ((_e125 * _e327.w) + _e104.member_3.member_2), ((_e129 * _e327.w) + _e104.member_3.member_3)));
-                phi_129_ = type_19(type_18(((_e117 * _e262.x) + _e106.member.member), ((_e121 * _e262.x) + _e106.member.member_1), ((_e125 * _e262.x) + _e106.member.member_2), ((_e129 * _e262.x) + _e106.member.member_3)), type_18(((_e117 * _e262.y) + _e106.member_1.member), ((_e121 * _e262.y) + _e106.member_1.member_1), ((_e125 * _e262.y) + _e106.member_1.member_2), ((_e129 * _e262.y) + _e106.member_1.member_3)), type_18(((_e117 * _e262.z) + _e106.member_2.member), ((_e121 * _e262.z) + _e106.member_2.member_1), ((_e125 * _e262.z) + _e106.member_2.member_2), ((_e129 * _e262.z) + _e106.member_2.member_3)), type_18(((_e117 * _e262.w) + _e106.member_3.member), ((_e121 * _e262.w) + _e106.member_3.member_1), ((_e125 * _e262.w) + _e106.member_3.member_2), ((_e129 * _e262.w) + _e106.member_3.member_3)));
-                phi_131_ = type_19(type_18(((_e117 * _e197.x) + _e108.member.member), ((_e121 * _e197.x) + _e108.member.member_1), ((_e125 * _e197.x) + _e108.member.member_2), ((_e129 * _e197.x) + _e108.member.member_3)), type_18(((_e117 * _e197.y) + _e108.member_1.member), ((_e121 * _e197.y) + _e108.member_1.member_1), ((_e125 * _e197.y) + _e108.member_1.member_2), ((_e129 * _e197.y) + _e108.member_1.member_3)), type_18(((_e117 * _e197.z) + _e108.member_2.member), ((_e121 * _e197.z) + _e108.member_2.member_1), ((_e125 * _e197.z) + _e108.member_2.member_2), ((_e129 * _e197.z) + _e108.member_2.member_3)), type_18(((_e117 * _e197.w) + _e108.member_3.member), ((_e121 * _e197.w) + _e108.member_3.member_1), ((_e125 * _e197.w) + _e108.member_3.member_2), ((_e129 * _e197.w) + _e108.member_3.member_3)));
-                phi_133_ = type_19(type_18(((_e117 * _e132.x) + _e110.member.member), ((_e121 * _e132.x) + _e110.member.member_1), ((_e125 * _e132.x) + _e110.member.member_2), ((_e129 * _e132.x) + _e110.member.member_3)), type_18(((_e117 * _e132.y) + _e110.member_1.member), ((_e121 * _e132.y) + _e110.member_1.member_1), ((_e125 * _e132.y) + _e110.member_1.member_2), ((_e129 * _e132.y) + _e110.member_1.member_3)), type_18(((_e117 * _e132.z) + _e110.member_2.member), ((_e121 * _e132.z) + _e110.member_2.member_1), ((_e125 * _e132.z) + _e110.member_2.member_2), ((_e129 * _e132.z) + _e110.member_2.member_3)), type_18(((_e117 * _e132.w) + _e110.member_3.member), ((_e121 * _e132.w) + _e110.member_3.member_1), ((_e125 * _e132.w) + _e110.member_3.member_2), ((_e129 * _e132.w) + _e110.member_3.member_3)));
+                local_16 = (_e98 + 1u);
+                local_17 = (_e100 + _e395);
+                local_18 = (_e102 + _e391);
+                local_19 = type_19(type_18(((_e117 * _e327.x) + _e104.member.member), ((_e121 * _e327.x) + _e104.member.member_1), ((_e125 * _e327.x) + _e104.member.member_2), ((_e129 * _e327.x) + _e104.member.member_3)), type_18(((_e117 * _e327.y) + _e104.member_1.member), ((_e121 * _e327.y) + _e104.member_1.member_1), ((_e125 * _e327.y) + _e104.member_1.member_2), ((_e129 * _e327.y) + _e104.member_1.member_3)), type_18(((_e117 * _e327.z) + _e104.member_2.member), ((_e121 * _e327.z) + _e104.member_2.member_1), ((_e125 * _e327.z) + _e104.member_2.member_2), ((_e129 * _e327.z) + _e104.member_2.member_3)), type_18(((_e117 * _e327.w) + _e104.member_3.member), ((_e121 * _e327.w) + _e104.member_3.member_1), ((_e125 * _e327.w) + _e104.member_3.member_2), ((_e129 * _e327.w) + _e104.member_3.member_3)));
+                local_20 = type_19(type_18(((_e117 * _e262.x) + _e106.member.member), ((_e121 * _e262.x) + _e106.member.member_1), ((_e125 * _e262.x) + _e106.member.member_2), ((_e129 * _e262.x) + _e106.member.member_3)), type_18(((_e117 * _e262.y) + _e106.member_1.member), ((_e121 * _e262.y) + _e106.member_1.member_1), ((_e125 * _e262.y) + _e106.member_1.member_2), ((_e129 * _e262.y) + _e106.member_1.member_3)), type_18(((_e117 * _e262.z) + _e106.member_2.member), ((_e121 * _e262.z) + _e106.member_2.member_1), ((_e125 * _e262.z) + _e106.member_2.member_2), ((_e129 * _e262.z) + _e106.member_2.member_3)), type_18(((_e117 * _e262.w) + _e106.member_3.member), ((_e121 * _e262.w) + _e106.member_3.member_1), ((_e125 * _e262.w) + _e106.member_3.member_2), ((_e129 * _e262.w) + _e106.member_3.member_3)));
+                local_21 = type_19(type_18(((_e117 * _e197.x) + _e108.member.member), ((_e121 * _e197.x) + _e108.member.member_1), ((_e125 * _e197.x) + _e108.member.member_2), ((_e129 * _e197.x) + _e108.member.member_3)), type_18(((_e117 * _e197.y) + _e108.member_1.member), ((_e121 * _e197.y) + _e108.member_1.member_1), ((_e125 * _e197.y) + _e108.member_1.member_2), ((_e129 * _e197.y) + _e108.member_1.member_3)), type_18(((_e117 * _e197.z) + _e108.member_2.member), ((_e121 * _e197.z) + _e108.member_2.member_1), ((_e125 * _e197.z) + _e108.member_2.member_2), ((_e129 * _e197.z) + _e108.member_2.member_3)), type_18(((_e117 * _e197.w) + _e108.member_3.member), ((_e121 * _e197.w) + _e108.member_3.member_1), ((_e125 * _e197.w) + _e108.member_3.member_2), ((_e129 * _e197.w) + _e108.member_3.member_3)));
+                local_22 = type_19(type_18(((_e117 * _e132.x) + _e110.member.member), ((_e121 * _e132.x) + _e110.member.member_1), ((_e125 * _e132.x) + _e110.member.member_2), ((_e129 * _e132.x) + _e110.member.member_3)), type_18(((_e117 * _e132.y) + _e110.member_1.member), ((_e121 * _e132.y) + _e110.member_1.member_1), ((_e125 * _e132.y) + _e110.member_1.member_2), ((_e129 * _e132.y) + _e110.member_1.member_3)), type_18(((_e117 * _e132.z) + _e110.member_2.member), ((_e121 * _e132.z) + _e110.member_2.member_1), ((_e125 * _e132.z) + _e110.member_2.member_2), ((_e129 * _e132.z) + _e110.member_2.member_3)), type_18(((_e117 * _e132.w) + _e110.member_3.member), ((_e121 * _e132.w) + _e110.member_3.member_1), ((_e125 * _e132.w) + _e110.member_3.member_2), ((_e129 * _e132.w) + _e110.member_3.member_3)));
+                continue;
             } else {
-                phi_120_ = u32();
-                phi_123_ = u32();
-                phi_125_ = u32();
-                phi_127_ = type_19();
-                phi_129_ = type_19();
-                phi_131_ = type_19();
-                phi_133_ = type_19();
+                break;
             }
-            let _e399 = phi_120_;
-            let _e401 = phi_123_;
-            let _e403 = phi_125_;
-            let _e405 = phi_127_;
-            let _e407 = phi_129_;
-            let _e409 = phi_131_;
-            let _e411 = phi_133_;
-            continue;
             continuing {
-                phi_119_ = _e399;
-                phi_122_ = _e401;
-                phi_124_ = _e403;
-                phi_126_ = _e405;
-                phi_128_ = _e407;
-                phi_130_ = _e409;
-                phi_132_ = _e411;
-                break if !(_e114);
+                let _e849 = local_16;
+                phi_119_ = _e849;
+                let _e852 = local_17;
+                phi_122_ = _e852;
+                let _e855 = local_18;
+                phi_124_ = _e855;
+                let _e858 = local_19;
+                phi_126_ = _e858;
+                let _e861 = local_20;
+                phi_128_ = _e861;
+                let _e864 = local_21;
+                phi_130_ = _e864;
+                let _e867 = local_22;
+                phi_132_ = _e867;
             }
         }
-        let _e413 = (_e21.z * 16u);
-        let _e416 = global_3.member.member_1;
-        let _e417 = (_e34 - _e31);
-        let _e419 = ((_e413 * _e416) + _e31);
-        let _e421 = local;
-        global_6.member[_e419] = select(0f, _e421.member.member, (_e421.member.member > 0f));
-        let _e437 = (_e417 > 1u);
-        if _e437 {
-            global_6.member[(_e419 + 1u)] = select(0f, _e421.member.member_1, (_e421.member.member_1 > 0f));
+        let _e398 = (_e21.z * 16u);
+        let _e401 = global_3.member.member_1;
+        let _e402 = (_e34 - _e31);
+        let _e404 = ((_e398 * _e401) + _e31);
+        let _e406 = local;
+        global_6.member[_e404] = select(0f, _e406.member.member, (_e406.member.member > 0f));
+        let _e422 = (_e402 > 1u);
+        if _e422 {
+            global_6.member[(_e404 + 1u)] = select(0f, _e406.member.member_1, (_e406.member.member_1 > 0f));
         }
-        let _e441 = (_e417 > 2u);
-        if _e441 {
-            global_6.member[(_e419 + 2u)] = select(0f, _e421.member.member_2, (_e421.member.member_2 > 0f));
+        let _e426 = (_e402 > 2u);
+        if _e426 {
+            global_6.member[(_e404 + 2u)] = select(0f, _e406.member.member_2, (_e406.member.member_2 > 0f));
         }
-        let _e445 = (_e417 > 3u);
-        if _e445 {
-            global_6.member[(_e419 + 3u)] = select(0f, _e421.member.member_3, (_e421.member.member_3 > 0f));
+        let _e430 = (_e402 > 3u);
+        if _e430 {
+            global_6.member[(_e404 + 3u)] = select(0f, _e406.member.member_3, (_e406.member.member_3 > 0f));
         }
-        let _e450 = local_1;
-        let _e464 = (_e419 + _e416);
-        global_6.member[_e464] = select(0f, _e450.member_1.member, (_e450.member_1.member > 0f));
-        if _e437 {
-            global_6.member[(_e464 + 1u)] = select(0f, _e450.member_1.member_1, (_e450.member_1.member_1 > 0f));
+        let _e435 = local_1;
+        let _e449 = (_e404 + _e401);
+        global_6.member[_e449] = select(0f, _e435.member_1.member, (_e435.member_1.member > 0f));
+        if _e422 {
+            global_6.member[(_e449 + 1u)] = select(0f, _e435.member_1.member_1, (_e435.member_1.member_1 > 0f));
         }
-        if _e441 {
-            global_6.member[(_e464 + 2u)] = select(0f, _e450.member_1.member_2, (_e450.member_1.member_2 > 0f));
+        if _e426 {
+            global_6.member[(_e449 + 2u)] = select(0f, _e435.member_1.member_2, (_e435.member_1.member_2 > 0f));
         }
-        if _e445 {
-            global_6.member[(_e464 + 3u)] = select(0f, _e450.member_1.member_3, (_e450.member_1.member_3 > 0f));
+        if _e430 {
+            global_6.member[(_e449 + 3u)] = select(0f, _e435.member_1.member_3, (_e435.member_1.member_3 > 0f));
         }
-        let _e477 = local_2;
-        let _e491 = (2u * _e416);
-        let _e492 = (_e419 + _e491);
-        global_6.member[_e492] = select(0f, _e477.member_2.member, (_e477.member_2.member > 0f));
-        if _e437 {
-            global_6.member[(_e492 + 1u)] = select(0f, _e477.member_2.member_1, (_e477.member_2.member_1 > 0f));
+        let _e462 = local_2;
+        let _e476 = (2u * _e401);
+        let _e477 = (_e404 + _e476);
+        global_6.member[_e477] = select(0f, _e462.member_2.member, (_e462.member_2.member > 0f));
+        if _e422 {
+            global_6.member[(_e477 + 1u)] = select(0f, _e462.member_2.member_1, (_e462.member_2.member_1 > 0f));
         }
-        if _e441 {
-            global_6.member[(_e492 + 2u)] = select(0f, _e477.member_2.member_2, (_e477.member_2.member_2 > 0f));
+        if _e426 {
+            global_6.member[(_e477 + 2u)] = select(0f, _e462.member_2.member_2, (_e462.member_2.member_2 > 0f));
         }
-        if _e445 {
-            global_6.member[(_e492 + 3u)] = select(0f, _e477.member_2.member_3, (_e477.member_2.member_3 > 0f));
+        if _e430 {
+            global_6.member[(_e477 + 3u)] = select(0f, _e462.member_2.member_3, (_e462.member_2.member_3 > 0f));
         }
-        let _e505 = local_3;
-        let _e519 = (3u * _e416);
-        let _e520 = (_e419 + _e519);
-        global_6.member[_e520] = select(0f, _e505.member_3.member, (_e505.member_3.member > 0f));
-        if _e437 {
-            global_6.member[(_e520 + 1u)] = select(0f, _e505.member_3.member_1, (_e505.member_3.member_1 > 0f));
+        let _e490 = local_3;
+        let _e504 = (3u * _e401);
+        let _e505 = (_e404 + _e504);
+        global_6.member[_e505] = select(0f, _e490.member_3.member, (_e490.member_3.member > 0f));
+        if _e422 {
+            global_6.member[(_e505 + 1u)] = select(0f, _e490.member_3.member_1, (_e490.member_3.member_1 > 0f));
         }
-        if _e441 {
-            global_6.member[(_e520 + 2u)] = select(0f, _e505.member_3.member_2, (_e505.member_3.member_2 > 0f));
+        if _e426 {
+            global_6.member[(_e505 + 2u)] = select(0f, _e490.member_3.member_2, (_e490.member_3.member_2 > 0f));
         }
-        if _e445 {
-            global_6.member[(_e520 + 3u)] = select(0f, _e505.member_3.member_3, (_e505.member_3.member_3 > 0f));
+        if _e430 {
+            global_6.member[(_e505 + 3u)] = select(0f, _e490.member_3.member_3, (_e490.member_3.member_3 > 0f));
         }
-        let _e534 = (((_e413 + 4u) * _e416) + _e31);
-        let _e536 = local_4;
-        global_6.member[_e534] = select(0f, _e536.member.member, (_e536.member.member > 0f));
-        if _e437 {
-            global_6.member[(_e534 + 1u)] = select(0f, _e536.member.member_1, (_e536.member.member_1 > 0f));
+        let _e519 = (((_e398 + 4u) * _e401) + _e31);
+        let _e521 = local_4;
+        global_6.member[_e519] = select(0f, _e521.member.member, (_e521.member.member > 0f));
+        if _e422 {
+            global_6.member[(_e519 + 1u)] = select(0f, _e521.member.member_1, (_e521.member.member_1 > 0f));
         }
-        if _e441 {
-            global_6.member[(_e534 + 2u)] = select(0f, _e536.member.member_2, (_e536.member.member_2 > 0f));
+        if _e426 {
+            global_6.member[(_e519 + 2u)] = select(0f, _e521.member.member_2, (_e521.member.member_2 > 0f));
         }
-        if _e445 {
-            global_6.member[(_e534 + 3u)] = select(0f, _e536.member.member_3, (_e536.member.member_3 > 0f));
+        if _e430 {
+            global_6.member[(_e519 + 3u)] = select(0f, _e521.member.member_3, (_e521.member.member_3 > 0f));
         }
-        let _e562 = local_5;
-        let _e576 = (_e534 + _e416);
-        global_6.member[_e576] = select(0f, _e562.member_1.member, (_e562.member_1.member > 0f));
-        if _e437 {
-            global_6.member[(_e576 + 1u)] = select(0f, _e562.member_1.member_1, (_e562.member_1.member_1 > 0f));
+        let _e547 = local_5;
+        let _e561 = (_e519 + _e401);
+        global_6.member[_e561] = select(0f, _e547.member_1.member, (_e547.member_1.member > 0f));
+        if _e422 {
+            global_6.member[(_e561 + 1u)] = select(0f, _e547.member_1.member_1, (_e547.member_1.member_1 > 0f));
         }
-        if _e441 {
-            global_6.member[(_e576 + 2u)] = select(0f, _e562.member_1.member_2, (_e562.member_1.member_2 > 0f));
+        if _e426 {
+            global_6.member[(_e561 + 2u)] = select(0f, _e547.member_1.member_2, (_e547.member_1.member_2 > 0f));
         }
-        if _e445 {
-            global_6.member[(_e576 + 3u)] = select(0f, _e562.member_1.member_3, (_e562.member_1.member_3 > 0f));
+        if _e430 {
+            global_6.member[(_e561 + 3u)] = select(0f, _e547.member_1.member_3, (_e547.member_1.member_3 > 0f));
         }
-        let _e589 = local_6;
-        let _e603 = (_e534 + _e491);
-        global_6.member[_e603] = select(0f, _e589.member_2.member, (_e589.member_2.member > 0f));
-        if _e437 {
-            global_6.member[(_e603 + 1u)] = select(0f, _e589.member_2.member_1, (_e589.member_2.member_1 > 0f));
+        let _e574 = local_6;
+        let _e588 = (_e519 + _e476);
+        global_6.member[_e588] = select(0f, _e574.member_2.member, (_e574.member_2.member > 0f));
+        if _e422 {
+            global_6.member[(_e588 + 1u)] = select(0f, _e574.member_2.member_1, (_e574.member_2.member_1 > 0f));
         }
-        if _e441 {
-            global_6.member[(_e603 + 2u)] = select(0f, _e589.member_2.member_2, (_e589.member_2.member_2 > 0f));
+        if _e426 {
+            global_6.member[(_e588 + 2u)] = select(0f, _e574.member_2.member_2, (_e574.member_2.member_2 > 0f));
         }
-        if _e445 {
-            global_6.member[(_e603 + 3u)] = select(0f, _e589.member_2.member_3, (_e589.member_2.member_3 > 0f));
+        if _e430 {
+            global_6.member[(_e588 + 3u)] = select(0f, _e574.member_2.member_3, (_e574.member_2.member_3 > 0f));
         }
-        let _e616 = local_7;
-        let _e630 = (_e534 + _e519);
-        global_6.member[_e630] = select(0f, _e616.member_3.member, (_e616.member_3.member > 0f));
-        if _e437 {
-            global_6.member[(_e630 + 1u)] = select(0f, _e616.member_3.member_1, (_e616.member_3.member_1 > 0f));
+        let _e601 = local_7;
+        let _e615 = (_e519 + _e504);
+        global_6.member[_e615] = select(0f, _e601.member_3.member, (_e601.member_3.member > 0f));
+        if _e422 {
+            global_6.member[(_e615 + 1u)] = select(0f, _e601.member_3.member_1, (_e601.member_3.member_1 > 0f));
         }
-        if _e441 {
-            global_6.member[(_e630 + 2u)] = select(0f, _e616.member_3.member_2, (_e616.member_3.member_2 > 0f));
+        if _e426 {
+            global_6.member[(_e615 + 2u)] = select(0f, _e601.member_3.member_2, (_e601.member_3.member_2 > 0f));
         }
-        if _e445 {
-            global_6.member[(_e630 + 3u)] = select(0f, _e616.member_3.member_3, (_e616.member_3.member_3 > 0f));
+        if _e430 {
+            global_6.member[(_e615 + 3u)] = select(0f, _e601.member_3.member_3, (_e601.member_3.member_3 > 0f));
         }
-        let _e644 = (((_e413 + 8u) * _e416) + _e31);
-        let _e646 = local_8;
-        global_6.member[_e644] = select(0f, _e646.member.member, (_e646.member.member > 0f));
-        if _e437 {
-            global_6.member[(_e644 + 1u)] = select(0f, _e646.member.member_1, (_e646.member.member_1 > 0f));
+        let _e629 = (((_e398 + 8u) * _e401) + _e31);
+        let _e631 = local_8;
+        global_6.member[_e629] = select(0f, _e631.member.member, (_e631.member.member > 0f));
+        if _e422 {
+            global_6.member[(_e629 + 1u)] = select(0f, _e631.member.member_1, (_e631.member.member_1 > 0f));
         }
-        if _e441 {
-            global_6.member[(_e644 + 2u)] = select(0f, _e646.member.member_2, (_e646.member.member_2 > 0f));
+        if _e426 {
+            global_6.member[(_e629 + 2u)] = select(0f, _e631.member.member_2, (_e631.member.member_2 > 0f));
         }
-        if _e445 {
-            global_6.member[(_e644 + 3u)] = select(0f, _e646.member.member_3, (_e646.member.member_3 > 0f));
+        if _e430 {
+            global_6.member[(_e629 + 3u)] = select(0f, _e631.member.member_3, (_e631.member.member_3 > 0f));
         }
-        let _e672 = local_9;
-        let _e686 = (_e644 + _e416);
-        global_6.member[_e686] = select(0f, _e672.member_1.member, (_e672.member_1.member > 0f));
-        if _e437 {
-            global_6.member[(_e686 + 1u)] = select(0f, _e672.member_1.member_1, (_e672.member_1.member_1 > 0f));
+        let _e657 = local_9;
+        let _e671 = (_e629 + _e401);
+        global_6.member[_e671] = select(0f, _e657.member_1.member, (_e657.member_1.member > 0f));
+        if _e422 {
+            global_6.member[(_e671 + 1u)] = select(0f, _e657.member_1.member_1, (_e657.member_1.member_1 > 0f));
         }
-        if _e441 {
-            global_6.member[(_e686 + 2u)] = select(0f, _e672.member_1.member_2, (_e672.member_1.member_2 > 0f));
+        if _e426 {
+            global_6.member[(_e671 + 2u)] = select(0f, _e657.member_1.member_2, (_e657.member_1.member_2 > 0f));
         }
-        if _e445 {
-            global_6.member[(_e686 + 3u)] = select(0f, _e672.member_1.member_3, (_e672.member_1.member_3 > 0f));
+        if _e430 {
+            global_6.member[(_e671 + 3u)] = select(0f, _e657.member_1.member_3, (_e657.member_1.member_3 > 0f));
         }
-        let _e699 = local_10;
-        let _e713 = (_e644 + _e491);
-        global_6.member[_e713] = select(0f, _e699.member_2.member, (_e699.member_2.member > 0f));
-        if _e437 {
-            global_6.member[(_e713 + 1u)] = select(0f, _e699.member_2.member_1, (_e699.member_2.member_1 > 0f));
+        let _e684 = local_10;
+        let _e698 = (_e629 + _e476);
+        global_6.member[_e698] = select(0f, _e684.member_2.member, (_e684.member_2.member > 0f));
+        if _e422 {
+            global_6.member[(_e698 + 1u)] = select(0f, _e684.member_2.member_1, (_e684.member_2.member_1 > 0f));
         }
-        if _e441 {
-            global_6.member[(_e713 + 2u)] = select(0f, _e699.member_2.member_2, (_e699.member_2.member_2 > 0f));
+        if _e426 {
+            global_6.member[(_e698 + 2u)] = select(0f, _e684.member_2.member_2, (_e684.member_2.member_2 > 0f));
         }
-        if _e445 {
-            global_6.member[(_e713 + 3u)] = select(0f, _e699.member_2.member_3, (_e699.member_2.member_3 > 0f));
+        if _e430 {
+            global_6.member[(_e698 + 3u)] = select(0f, _e684.member_2.member_3, (_e684.member_2.member_3 > 0f));
         }
-        let _e726 = local_11;
-        let _e740 = (_e644 + _e519);
-        global_6.member[_e740] = select(0f, _e726.member_3.member, (_e726.member_3.member > 0f));
-        if _e437 {
-            global_6.member[(_e740 + 1u)] = select(0f, _e726.member_3.member_1, (_e726.member_3.member_1 > 0f));
+        let _e711 = local_11;
+        let _e725 = (_e629 + _e504);
+        global_6.member[_e725] = select(0f, _e711.member_3.member, (_e711.member_3.member > 0f));
+        if _e422 {
+            global_6.member[(_e725 + 1u)] = select(0f, _e711.member_3.member_1, (_e711.member_3.member_1 > 0f));
         }
-        if _e441 {
-            global_6.member[(_e740 + 2u)] = select(0f, _e726.member_3.member_2, (_e726.member_3.member_2 > 0f));
+        if _e426 {
+            global_6.member[(_e725 + 2u)] = select(0f, _e711.member_3.member_2, (_e711.member_3.member_2 > 0f));
         }
-        if _e445 {
-            global_6.member[(_e740 + 3u)] = select(0f, _e726.member_3.member_3, (_e726.member_3.member_3 > 0f));
+        if _e430 {
+            global_6.member[(_e725 + 3u)] = select(0f, _e711.member_3.member_3, (_e711.member_3.member_3 > 0f));
         }
-        let _e754 = (((_e413 + 12u) * _e416) + _e31);
-        let _e756 = local_12;
-        global_6.member[_e754] = select(0f, _e756.member.member, (_e756.member.member > 0f));
-        if _e437 {
-            global_6.member[(_e754 + 1u)] = select(0f, _e756.member.member_1, (_e756.member.member_1 > 0f));
+        let _e739 = (((_e398 + 12u) * _e401) + _e31);
+        let _e741 = local_12;
+        global_6.member[_e739] = select(0f, _e741.member.member, (_e741.member.member > 0f));
+        if _e422 {
+            global_6.member[(_e739 + 1u)] = select(0f, _e741.member.member_1, (_e741.member.member_1 > 0f));
         }
-        if _e441 {
-            global_6.member[(_e754 + 2u)] = select(0f, _e756.member.member_2, (_e756.member.member_2 > 0f));
+        if _e426 {
+            global_6.member[(_e739 + 2u)] = select(0f, _e741.member.member_2, (_e741.member.member_2 > 0f));
         }
-        if _e445 {
-            global_6.member[(_e754 + 3u)] = select(0f, _e756.member.member_3, (_e756.member.member_3 > 0f));
+        if _e430 {
+            global_6.member[(_e739 + 3u)] = select(0f, _e741.member.member_3, (_e741.member.member_3 > 0f));
         }
-        let _e782 = local_13;
-        let _e796 = (_e754 + _e416);
-        global_6.member[_e796] = select(0f, _e782.member_1.member, (_e782.member_1.member > 0f));
-        if _e437 {
-            global_6.member[(_e796 + 1u)] = select(0f, _e782.member_1.member_1, (_e782.member_1.member_1 > 0f));
+        let _e767 = local_13;
+        let _e781 = (_e739 + _e401);
+        global_6.member[_e781] = select(0f, _e767.member_1.member, (_e767.member_1.member > 0f));
+        if _e422 {
+            global_6.member[(_e781 + 1u)] = select(0f, _e767.member_1.member_1, (_e767.member_1.member_1 > 0f));
         }
-        if _e441 {
-            global_6.member[(_e796 + 2u)] = select(0f, _e782.member_1.member_2, (_e782.member_1.member_2 > 0f));
+        if _e426 {
+            global_6.member[(_e781 + 2u)] = select(0f, _e767.member_1.member_2, (_e767.member_1.member_2 > 0f));
         }
-        if _e445 {
-            global_6.member[(_e796 + 3u)] = select(0f, _e782.member_1.member_3, (_e782.member_1.member_3 > 0f));
+        if _e430 {
+            global_6.member[(_e781 + 3u)] = select(0f, _e767.member_1.member_3, (_e767.member_1.member_3 > 0f));
         }
-        let _e809 = local_14;
-        let _e823 = (_e754 + _e491);
-        global_6.member[_e823] = select(0f, _e809.member_2.member, (_e809.member_2.member > 0f));
-        if _e437 {
-            global_6.member[(_e823 + 1u)] = select(0f, _e809.member_2.member_1, (_e809.member_2.member_1 > 0f));
+        let _e794 = local_14;
+        let _e808 = (_e739 + _e476);
+        global_6.member[_e808] = select(0f, _e794.member_2.member, (_e794.member_2.member > 0f));
+        if _e422 {
+            global_6.member[(_e808 + 1u)] = select(0f, _e794.member_2.member_1, (_e794.member_2.member_1 > 0f));
         }
-        if _e441 {
-            global_6.member[(_e823 + 2u)] = select(0f, _e809.member_2.member_2, (_e809.member_2.member_2 > 0f));
+        if _e426 {
+            global_6.member[(_e808 + 2u)] = select(0f, _e794.member_2.member_2, (_e794.member_2.member_2 > 0f));
         }
-        if _e445 {
-            global_6.member[(_e823 + 3u)] = select(0f, _e809.member_2.member_3, (_e809.member_2.member_3 > 0f));
+        if _e430 {
+            global_6.member[(_e808 + 3u)] = select(0f, _e794.member_2.member_3, (_e794.member_2.member_3 > 0f));
         }
-        let _e836 = local_15;
-        let _e850 = (_e754 + _e519);
-        global_6.member[_e850] = select(0f, _e836.member_3.member, (_e836.member_3.member > 0f));
-        if _e437 {
-            global_6.member[(_e850 + 1u)] = select(0f, _e836.member_3.member_1, (_e836.member_3.member_1 > 0f));
+        let _e821 = local_15;
+        let _e835 = (_e739 + _e504);
+        global_6.member[_e835] = select(0f, _e821.member_3.member, (_e821.member_3.member > 0f));
+        if _e422 {
+            global_6.member[(_e835 + 1u)] = select(0f, _e821.member_3.member_1, (_e821.member_3.member_1 > 0f));
         }
-        if _e441 {
-            global_6.member[(_e850 + 2u)] = select(0f, _e836.member_3.member_2, (_e836.member_3.member_2 > 0f));
+        if _e426 {
+            global_6.member[(_e835 + 2u)] = select(0f, _e821.member_3.member_2, (_e821.member_3.member_2 > 0f));
         }
-        if _e445 {
-            global_6.member[(_e850 + 3u)] = select(0f, _e836.member_3.member_3, (_e836.member_3.member_3 > 0f));
+        if _e430 {
+            global_6.member[(_e835 + 3u)] = select(0f, _e821.member_3.member_3, (_e821.member_3.member_3 > 0f));
         }
     }
     return;

@@ -54,26 +54,26 @@ fn function_() {
     var phi_121_: u32;
     var phi_123_: type_19;
     var phi_125_: type_19;
-    var phi_119_: u32;
-    var phi_122_: u32;
-    var phi_124_: type_19;
-    var phi_126_: type_19;
     var local: type_19;
-    var phi_591_: type_15;
+    var phi_584_: type_15;
     var local_1: type_19;
-    var phi_651_: type_15;
+    var phi_644_: type_15;
     var local_2: type_19;
-    var phi_711_: type_15;
+    var phi_704_: type_15;
     var local_3: type_19;
-    var phi_771_: type_15;
+    var phi_764_: type_15;
     var local_4: type_19;
-    var phi_832_: type_15;
+    var phi_825_: type_15;
     var local_5: type_19;
-    var phi_892_: type_15;
+    var phi_885_: type_15;
     var local_6: type_19;
-    var phi_952_: type_15;
+    var phi_945_: type_15;
     var local_7: type_19;
-    var phi_1012_: type_15;
+    var phi_1005_: type_15;
+    var local_8: u32;
+    var local_9: u32;
+    var local_10: type_19;
+    var local_11: type_19;
 
     let _e23 = global;
     let _e24 = global_1;
@@ -111,8 +111,7 @@ fn function_() {
             local_5 = _e99;
             local_6 = _e99;
             local_7 = _e99;
-            let _e102 = (_e95 < _e54);
-            if _e102 {
+            if (_e95 < _e54) {
                 let _e105 = global_4.member.member_1;
                 let _e108 = global_6.member[_e97];
                 let _e112 = global_6.member[(_e97 + 1u)];
@@ -141,230 +140,226 @@ fn function_() {
                 let _e363 = global_3.member[((_e51 + (select(_e48, _e79, (_e79 < _e48)) * _e54)) + _e95)];
                 let _e367 = global_3.member[((_e51 + (select(_e48, _e84, (_e84 < _e48)) * _e54)) + _e95)];
                 let _e371 = global_3.member[((_e51 + (select(_e48, _e89, (_e89 < _e48)) * _e54)) + _e95)];
-                phi_119_ = (_e95 + 1u);
-                phi_122_ = (_e97 + (4u * _e105));
-                phi_124_ = type_19(type_15(((_e158 * _e359.w) + ((_e141 * _e359.z) + ((_e124 * _e359.y) + ((_e108 * _e359.x) + _e99.member.member)))), ((_e162 * _e359.w) + ((_e145 * _e359.z) + ((_e128 * _e359.y) + ((_e112 * _e359.x) + _e99.member.member_1)))), ((_e166 * _e359.w) + ((_e149 * _e359.z) + ((_e132 * _e359.y) + ((_e116 * _e359.x) + _e99.member.member_2)))), ((_e170 * _e359.w) + ((_e153 * _e359.z) + ((_e136 * _e359.y) + ((_e120 * _e359.x) + _e99.member.member_3))))), type_15(((_e158 * _e363.w) + ((_e141 * _e363.z) + ((_e124 * _e363.y) + ((_e108 * _e363.x) + _e99.member_1.member)))), ((_e162 * _e363.w) + ((_e145 * _e363.z) + ((_e128 * _e363.y) + ((_e112 * _e363.x) + _e99.member_1.member_1)))), ((_e166 * _e363.w) + ((_e149 * _e363.z) + ((_e132 * _e363.y) + ((_e116 * _e363.x) + _e99.member_1.member_2)))), ((_e170 * _e363.w) + ((_e153 * _e363.z) + ((_e136 * _e363.y) + ((_e120 * _e363.x) + _e99.member_1.member_3))))), type_15(((_e158 * _e367.w) + ((_e141 * _e367.z) + ((_e124 * _e367.y) + ((_e108 * _e367.x) + _e99.member_2.member)))), ((_e162 * _e367.w) + ((_e145 * _e367.z) + ((_e128 * _e367.y) + ((_e112 * _e367.x) + _e99.member_2.member_1)))), ((_e166 * _e367.w) + ((_e149 * _e367.z) + ((_e132 * _e367.y) + ((_e116 * _e367.x) + _e99.member_2.member_2)))), ((_e170 * _e367.w) + ((_e153 * _e367.z) + ((_e136 * _e367.y) + ((_e120 * _e367.x) + _e99.member_2.member_3))))), type_15(((_e158 * _e371.w) + ((_e141 * _e371.z) + ((_e124 * _e371.y) + ((_e108 * _e371.x) + _e99.member_3.member)))), ((_e162 * _e371.w) + ((_e145 * _e371.z) + ((_e128 * _e371.y) + ((_e112 * _e371.x) + _e99.member_3.member_1)))), ((_e166 * _e371.w) + ((_e149 * _e371.z) + ((_e132 * _e371.y) + ((_e116 * _e371.x) + _e99.member_3.member_2)))), ((_e170 * _e371.w) + ((_e153 * _e371.z) + ((_e136 * _e371.y) + ((_e120 * _e371.x) + _e99.member_3.member_3))))));
-                phi_126_ = type_19(type_15(((_e158 * _e174.w) + ((_e141 * _e174.z) + ((_e124 * _e174.y) + ((_e108 * _e174.x) + _e101.member.member)))), ((_e162 * _e174.w) + ((_e145 * _e174.z) + ((_e128 * _e174.y) + ((_e112 * _e174.x) + _e101.member.member_1)))), ((_e166 * _e174.w) + ((_e149 * _e174.z) + ((_e132 * _e174.y) + ((_e116 * _e174.x) + _e101.member.member_2)))), ((_e170 * _e174.w) + ((_e153 * _e174.z) + ((_e136 * _e174.y) + ((_e120 * _e174.x) + _e101.member.member_3))))), type_15(((_e158 * _e178.w) + ((_e141 * _e178.z) + ((_e124 * _e178.y) + ((_e108 * _e178.x) + _e101.member_1.member)))), ((_e162 * _e178.w) + ((_e145 * _e178.z) + ((_e128 * _e178.y) + ((_e112 * _e178.x) + _e101.member_1.member_1)))), ((_e166 * _e178.w) + ((_e149 * _e178.z) + ((_e132 * _e178.y) + ((_e116 * _e178.x) + _e101.member_1.member_2)))), ((_e170 * _e178.w) + ((_e153 * _e178.z) + ((_e136 * _e178.y) + ((_e120 * _e178.x) + _e101.member_1.member_3))))), type_15(((_e158 * _e182.w) + ((_e141 * _e182.z) + ((_e124 * _e182.y) + ((_e108 * _e182.x) + _e101.member_2.member)))), ((_e162 * _e182.w) + ((_e145 * _e182.z) + ((_e128 * _e182.y) + ((_e112 * _e182.x) + _e101.member_2.member_1)))), ((_e166 * _e182.w) + ((_e149 * _e182.z) + ((_e132 * _e182.y) + ((_e116 * _e182.x) + _e101.member_2.member_2)))), ((_e170 * _e182.w) + ((_e153 * _e182.z) + ((_e136 * _e182.y) + ((_e120 * _e182.x) + _e101.member_2.member_3))))), type_15(((_e158 * _e186.w) + ((_e141 * _e186.z) + ((_e124 * _e186.y) + ((_e108 * _e186.x) + _e101.member_3.member)))), ((_e162 * _e186.w) + ((_e145 * _e186.z) + ((_e128 * _e186.y) + ((_e112 * _e186.x) + _e101.member_3.member_1)))), ((_e166 * _e186.w) + ((_e149 * _e186.z) + ((_e132 * _e186.y) + ((_e116 * _e186.x) + _e101.member_3.member_2)))), ((_e170 * _e186.w) + ((_e153 * _e186.z) + ((_e136 * _e186.y) + ((_e120 * _e186.x) + _e101.member_3.member_3))))));
+                local_8 = (_e95 + 1u);
+                local_9 = (_e97 + (4u * _e105));
+                local_10 = type_19(type_15(((_e158 * _e359.w) + ((_e141 * _e359.z) + ((_e124 * _e359.y) + ((_e108 * _e359.x) + _e99.member.member)))), ((_e162 * _e359.w) + ((_e145 * _e359.z) + ((_e128 * _e359.y) + ((_e112 * _e359.x) + _e99.member.member_1)))), ((_e166 * _e359.w) + ((_e149 * _e359.z) + ((_e132 * _e359.y) + ((_e116 * _e359.x) + _e99.member.member_2)))), ((_e170 * _e359.w) + ((_e153 * _e359.z) + ((_e136 * _e359.y) + ((_e120 * _e359.x) + _e99.member.member_3))))), type_15(((_e158 * _e363.w) + ((_e141 * _e363.z) + ((_e124 * _e363.y) + ((_e108 * _e363.x) + _e99.member_1.member)))), ((_e162 * _e363.w) + ((_e145 * _e363.z) + ((_e128 * _e363.y) + ((_e112 * _e363.x) + _e99.member_1.member_1)))), ((_e166 * _e363.w) + ((_e149 * _e363.z) + ((_e132 * _e363.y) + ((_e116 * _e363.x) + _e99.member_1.member_2)))), ((_e170 * _e363.w) + ((_e153 * _e363.z) + ((_e136 * _e363.y) + ((_e120 * _e363.x) + _e99.member_1.member_3))))), type_15(((_e158 * _e367.w) + ((_e141 * _e367.z) + ((_e124 * _e367.y) + ((_e108 * _e367.x) + _e99.member_2.member)))), ((_e162 * _e367.w) + ((_e145 * _e367.z) + ((_e128 * _e367.y) + ((_e112 * _e367.x) + _e99.member_2.member_1)))), ((_e166 * _e367.w) + ((_e149 * _e367.z) + ((_e132 * _e367.y) + ((_e116 * _e367.x) + _e99.member_2.member_2)))), ((_e170 * _e367.w) + ((_e153 * _e367.z) + ((_e136 * _e367.y) + ((_e120 * _e367.x) + _e99.member_2.member_3))))), type_15(((_e158 * _e371.w) + ((_e141 * _e371.z) + ((_e124 * _e371.y) + ((_e108 * _e371.x) + _e99.member_3.member)))), ((_e162 * _e371.w) + ((_e145 * _e371.z) + ((_e128 * _e371.y) + ((_e112 * _e371.x) + _e99.member_3.member_1)))), ((_e166 * _e371.w) + ((_e149 * _e371.z) + ((_e132 * _e371.y) + ((_e116 * _e371.x) + _e99.member_3.member_2)))), ((_e170 * _e371.w) + ((_e153 * _e371.z) + ((_e136 * _e371.y) + ((_e120 * _e371.x) + _e99.member_3.member_3))))));
+                local_11 = type_19(type_15(((_e158 * _e174.w) + ((_e141 * _e174.z) + ((_e124 * _e174.y) + ((_e108 * _e174.x) + _e101.member.member)))), ((_e162 * _e174.w) + ((_e145 * _e174.z) + ((_e128 * _e174.y) + ((_e112 * _e174.x) + _e101.member.member_1)))), ((_e166 * _e174.w) + ((_e149 * _e174.z) + ((_e132 * _e174.y) + ((_e116 * _e174.x) + _e101.member.member_2)))), ((_e170 * _e174.w) + ((_e153 * _e174.z) + ((_e136 * _e174.y) + ((_e120 * _e174.x) + _e101.member.member_3))))), type_15(((_e158 * _e178.w) + ((_e141 * _e178.z) + ((_e124 * _e178.y) + ((_e108 * _e178.x) + _e101.member_1.member)))), ((_e162 * _e178.w) + ((_e145 * _e178.z) + ((_e128 * _e178.y) + ((_e112 * _e178.x) + _e101.member_1.member_1)))), ((_e166 * _e178.w) + ((_e149 * _e178.z) + ((_e132 * _e178.y) + ((_e116 * _e178.x) + _e101.member_1.member_2)))), ((_e170 * _e178.w) + ((_e153 * _e178.z) + ((_e136 * _e178.y) + ((_e120 * _e178.x) + _e101.member_1.member_3))))), type_15(((_e158 * _e182.w) + ((_e141 * _e182.z) + ((_e124 * _e182.y) + ((_e108 * _e182.x) + _e101.member_2.member)))), ((_e162 * _e182.w) + ((_e145 * _e182.z) + ((_e128 * _e182.y) + ((_e112 * _e182.x) + _e101.member_2.member_1)))), ((_e166 * _e182.w) + ((_e149 * _e182.z) + ((_e132 * _e182.y) + ((_e116 * _e182.x) + _e101.member_2.member_2)))), ((_e170 * _e182.w) + ((_e153 * _e182.z) + ((_e136 * _e182.y) + ((_e120 * _e182.x) + _e101.member_2.member_3))))), type_15(((_e158 * _e186.w) + ((_e141 * _e186.z) + ((_e124 * _e186.y) + ((_e108 * _e186.x) + _e101.member_3.member)))), ((_e162 * _e186.w) + ((_e145 * _e186.z) + ((_e128 * _e186.y) + ((_e112 * _e186.x) + _e101.member_3.member_1)))), ((_e166 * _e186.w) + ((_e149 * _e186.z) + ((_e132 * _e186.y) + ((_e116 * _e186.x) + _e101.member_3.member_2)))), ((_e170 * _e186.w) + ((_e153 * _e186.z) + ((_e136 * _e186.y) + ((_e120 * _e186.x) + _e101.member_3.member_3))))));
+                continue;
             } else {
-                phi_119_ = u32();
-                phi_122_ = u32();
-                phi_124_ = type_19();
-                phi_126_ = type_19();
+                break;
             }
-            let _e545 = phi_119_;
-            let _e547 = phi_122_;
-            let _e549 = phi_124_;
-            let _e551 = phi_126_;
-            continue;
             continuing {
-                phi_118_ = _e545;
-                phi_121_ = _e547;
-                phi_123_ = _e549;
-                phi_125_ = _e551;
-                break if !(_e102);
+                let _e1011 = local_8;
+                phi_118_ = _e1011;
+                let _e1014 = local_9;
+                phi_121_ = _e1014;
+                let _e1017 = local_10;
+                phi_123_ = _e1017;
+                let _e1020 = local_11;
+                phi_125_ = _e1020;
             }
         }
-        let _e553 = (_e37 - _e34);
-        let _e556 = global_4.member.member_1;
-        let _e558 = ((_e44 * _e556) + _e34);
-        let _e561 = global_4.member.member_6;
-        if (_e44 < _e561) {
-            let _e564 = local;
-            let _e568 = global_4.member.member_7;
-            if (_e568 == 0u) {
-                phi_591_ = _e564.member;
+        let _e544 = (_e37 - _e34);
+        let _e547 = global_4.member.member_1;
+        let _e549 = ((_e44 * _e547) + _e34);
+        let _e552 = global_4.member.member_6;
+        if (_e44 < _e552) {
+            let _e555 = local;
+            let _e559 = global_4.member.member_7;
+            if (_e559 == 0u) {
+                phi_584_ = _e555.member;
             } else {
-                let _e572 = global_5.member[_e558];
-                let _e576 = global_5.member[(_e558 + 1u)];
-                let _e580 = global_5.member[(_e558 + 2u)];
-                let _e584 = global_5.member[(_e558 + 3u)];
-                phi_591_ = type_15(select(0f, _e564.member.member, (0f < _e572)), select(0f, _e564.member.member_1, (0f < _e576)), select(0f, _e564.member.member_2, (0f < _e580)), select(0f, _e564.member.member_3, (0f < _e584)));
+                let _e563 = global_5.member[_e549];
+                let _e567 = global_5.member[(_e549 + 1u)];
+                let _e571 = global_5.member[(_e549 + 2u)];
+                let _e575 = global_5.member[(_e549 + 3u)];
+                phi_584_ = type_15(select(0f, _e555.member.member, (0f < _e563)), select(0f, _e555.member.member_1, (0f < _e567)), select(0f, _e555.member.member_2, (0f < _e571)), select(0f, _e555.member.member_3, (0f < _e575)));
             }
-            let _e599 = phi_591_;
-            global_7.member[_e558] = _e599.member;
-            if (_e553 > 1u) {
-                global_7.member[(_e558 + 1u)] = _e599.member_1;
+            let _e590 = phi_584_;
+            global_7.member[_e549] = _e590.member;
+            if (_e544 > 1u) {
+                global_7.member[(_e549 + 1u)] = _e590.member_1;
             }
-            if (_e553 > 2u) {
-                global_7.member[(_e558 + 2u)] = _e599.member_2;
+            if (_e544 > 2u) {
+                global_7.member[(_e549 + 2u)] = _e590.member_2;
             }
-            if (_e553 > 3u) {
-                global_7.member[(_e558 + 3u)] = _e599.member_3;
+            if (_e544 > 3u) {
+                global_7.member[(_e549 + 3u)] = _e590.member_3;
             }
         }
-        let _e618 = (_e558 + _e556);
-        if (_e59 < _e561) {
-            let _e621 = local_1;
-            let _e625 = global_4.member.member_7;
-            if (_e625 == 0u) {
-                phi_651_ = _e621.member_1;
+        let _e609 = (_e549 + _e547);
+        if (_e59 < _e552) {
+            let _e612 = local_1;
+            let _e616 = global_4.member.member_7;
+            if (_e616 == 0u) {
+                phi_644_ = _e612.member_1;
             } else {
-                let _e629 = global_5.member[_e618];
-                let _e633 = global_5.member[(_e618 + 1u)];
-                let _e637 = global_5.member[(_e618 + 2u)];
-                let _e641 = global_5.member[(_e618 + 3u)];
-                phi_651_ = type_15(select(0f, _e621.member_1.member, (0f < _e629)), select(0f, _e621.member_1.member_1, (0f < _e633)), select(0f, _e621.member_1.member_2, (0f < _e637)), select(0f, _e621.member_1.member_3, (0f < _e641)));
+                let _e620 = global_5.member[_e609];
+                let _e624 = global_5.member[(_e609 + 1u)];
+                let _e628 = global_5.member[(_e609 + 2u)];
+                let _e632 = global_5.member[(_e609 + 3u)];
+                phi_644_ = type_15(select(0f, _e612.member_1.member, (0f < _e620)), select(0f, _e612.member_1.member_1, (0f < _e624)), select(0f, _e612.member_1.member_2, (0f < _e628)), select(0f, _e612.member_1.member_3, (0f < _e632)));
             }
-            let _e656 = phi_651_;
-            global_7.member[_e618] = _e656.member;
-            if (_e553 > 1u) {
-                global_7.member[(_e618 + 1u)] = _e656.member_1;
+            let _e647 = phi_644_;
+            global_7.member[_e609] = _e647.member;
+            if (_e544 > 1u) {
+                global_7.member[(_e609 + 1u)] = _e647.member_1;
             }
-            if (_e553 > 2u) {
-                global_7.member[(_e618 + 2u)] = _e656.member_2;
+            if (_e544 > 2u) {
+                global_7.member[(_e609 + 2u)] = _e647.member_2;
             }
-            if (_e553 > 3u) {
-                global_7.member[(_e618 + 3u)] = _e656.member_3;
+            if (_e544 > 3u) {
+                global_7.member[(_e609 + 3u)] = _e647.member_3;
             }
         }
-        let _e675 = (_e618 + _e556);
-        if (_e64 < _e561) {
-            let _e678 = local_2;
-            let _e682 = global_4.member.member_7;
-            if (_e682 == 0u) {
-                phi_711_ = _e678.member_2;
+        let _e666 = (_e609 + _e547);
+        if (_e64 < _e552) {
+            let _e669 = local_2;
+            let _e673 = global_4.member.member_7;
+            if (_e673 == 0u) {
+                phi_704_ = _e669.member_2;
             } else {
-                let _e686 = global_5.member[_e675];
-                let _e690 = global_5.member[(_e675 + 1u)];
-                let _e694 = global_5.member[(_e675 + 2u)];
-                let _e698 = global_5.member[(_e675 + 3u)];
-                phi_711_ = type_15(select(0f, _e678.member_2.member, (0f < _e686)), select(0f, _e678.member_2.member_1, (0f < _e690)), select(0f, _e678.member_2.member_2, (0f < _e694)), select(0f, _e678.member_2.member_3, (0f < _e698)));
+                let _e677 = global_5.member[_e666];
+                let _e681 = global_5.member[(_e666 + 1u)];
+                let _e685 = global_5.member[(_e666 + 2u)];
+                let _e689 = global_5.member[(_e666 + 3u)];
+                phi_704_ = type_15(select(0f, _e669.member_2.member, (0f < _e677)), select(0f, _e669.member_2.member_1, (0f < _e681)), select(0f, _e669.member_2.member_2, (0f < _e685)), select(0f, _e669.member_2.member_3, (0f < _e689)));
             }
-            let _e713 = phi_711_;
-            global_7.member[_e675] = _e713.member;
-            if (_e553 > 1u) {
-                global_7.member[(_e675 + 1u)] = _e713.member_1;
+            let _e704 = phi_704_;
+            global_7.member[_e666] = _e704.member;
+            if (_e544 > 1u) {
+                global_7.member[(_e666 + 1u)] = _e704.member_1;
             }
-            if (_e553 > 2u) {
-                global_7.member[(_e675 + 2u)] = _e713.member_2;
+            if (_e544 > 2u) {
+                global_7.member[(_e666 + 2u)] = _e704.member_2;
             }
-            if (_e553 > 3u) {
-                global_7.member[(_e675 + 3u)] = _e713.member_3;
+            if (_e544 > 3u) {
+                global_7.member[(_e666 + 3u)] = _e704.member_3;
             }
         }
-        let _e732 = (_e675 + _e556);
-        if (_e69 < _e561) {
-            let _e735 = local_3;
-            let _e739 = global_4.member.member_7;
-            if (_e739 == 0u) {
-                phi_771_ = _e735.member_3;
+        let _e723 = (_e666 + _e547);
+        if (_e69 < _e552) {
+            let _e726 = local_3;
+            let _e730 = global_4.member.member_7;
+            if (_e730 == 0u) {
+                phi_764_ = _e726.member_3;
             } else {
-                let _e743 = global_5.member[_e732];
-                let _e747 = global_5.member[(_e732 + 1u)];
-                let _e751 = global_5.member[(_e732 + 2u)];
-                let _e755 = global_5.member[(_e732 + 3u)];
-                phi_771_ = type_15(select(0f, _e735.member_3.member, (0f < _e743)), select(0f, _e735.member_3.member_1, (0f < _e747)), select(0f, _e735.member_3.member_2, (0f < _e751)), select(0f, _e735.member_3.member_3, (0f < _e755)));
+                let _e734 = global_5.member[_e723];
+                let _e738 = global_5.member[(_e723 + 1u)];
+                let _e742 = global_5.member[(_e723 + 2u)];
+                let _e746 = global_5.member[(_e723 + 3u)];
+                phi_764_ = type_15(select(0f, _e726.member_3.member, (0f < _e734)), select(0f, _e726.member_3.member_1, (0f < _e738)), select(0f, _e726.member_3.member_2, (0f < _e742)), select(0f, _e726.member_3.member_3, (0f < _e746)));
             }
-            let _e770 = phi_771_;
-            global_7.member[_e732] = _e770.member;
-            if (_e553 > 1u) {
-                global_7.member[(_e732 + 1u)] = _e770.member_1;
+            let _e761 = phi_764_;
+            global_7.member[_e723] = _e761.member;
+            if (_e544 > 1u) {
+                global_7.member[(_e723 + 1u)] = _e761.member_1;
             }
-            if (_e553 > 2u) {
-                global_7.member[(_e732 + 2u)] = _e770.member_2;
+            if (_e544 > 2u) {
+                global_7.member[(_e723 + 2u)] = _e761.member_2;
             }
-            if (_e553 > 3u) {
-                global_7.member[(_e732 + 3u)] = _e770.member_3;
+            if (_e544 > 3u) {
+                global_7.member[(_e723 + 3u)] = _e761.member_3;
             }
         }
-        let _e790 = ((_e74 * _e556) + _e34);
-        if (_e74 < _e561) {
-            let _e793 = local_4;
-            let _e797 = global_4.member.member_7;
-            if (_e797 == 0u) {
-                phi_832_ = _e793.member;
+        let _e781 = ((_e74 * _e547) + _e34);
+        if (_e74 < _e552) {
+            let _e784 = local_4;
+            let _e788 = global_4.member.member_7;
+            if (_e788 == 0u) {
+                phi_825_ = _e784.member;
             } else {
-                let _e801 = global_5.member[_e790];
-                let _e805 = global_5.member[(_e790 + 1u)];
-                let _e809 = global_5.member[(_e790 + 2u)];
-                let _e813 = global_5.member[(_e790 + 3u)];
-                phi_832_ = type_15(select(0f, _e793.member.member, (0f < _e801)), select(0f, _e793.member.member_1, (0f < _e805)), select(0f, _e793.member.member_2, (0f < _e809)), select(0f, _e793.member.member_3, (0f < _e813)));
+                let _e792 = global_5.member[_e781];
+                let _e796 = global_5.member[(_e781 + 1u)];
+                let _e800 = global_5.member[(_e781 + 2u)];
+                let _e804 = global_5.member[(_e781 + 3u)];
+                phi_825_ = type_15(select(0f, _e784.member.member, (0f < _e792)), select(0f, _e784.member.member_1, (0f < _e796)), select(0f, _e784.member.member_2, (0f < _e800)), select(0f, _e784.member.member_3, (0f < _e804)));
             }
-            let _e828 = phi_832_;
-            global_7.member[_e790] = _e828.member;
-            if (_e553 > 1u) {
-                global_7.member[(_e790 + 1u)] = _e828.member_1;
+            let _e819 = phi_825_;
+            global_7.member[_e781] = _e819.member;
+            if (_e544 > 1u) {
+                global_7.member[(_e781 + 1u)] = _e819.member_1;
             }
-            if (_e553 > 2u) {
-                global_7.member[(_e790 + 2u)] = _e828.member_2;
+            if (_e544 > 2u) {
+                global_7.member[(_e781 + 2u)] = _e819.member_2;
             }
-            if (_e553 > 3u) {
-                global_7.member[(_e790 + 3u)] = _e828.member_3;
+            if (_e544 > 3u) {
+                global_7.member[(_e781 + 3u)] = _e819.member_3;
             }
         }
-        let _e847 = (_e790 + _e556);
-        if (_e79 < _e561) {
-            let _e850 = local_5;
-            let _e854 = global_4.member.member_7;
-            if (_e854 == 0u) {
-                phi_892_ = _e850.member_1;
+        let _e838 = (_e781 + _e547);
+        if (_e79 < _e552) {
+            let _e841 = local_5;
+            let _e845 = global_4.member.member_7;
+            if (_e845 == 0u) {
+                phi_885_ = _e841.member_1;
             } else {
-                let _e858 = global_5.member[_e847];
-                let _e862 = global_5.member[(_e847 + 1u)];
-                let _e866 = global_5.member[(_e847 + 2u)];
-                let _e870 = global_5.member[(_e847 + 3u)];
-                phi_892_ = type_15(select(0f, _e850.member_1.member, (0f < _e858)), select(0f, _e850.member_1.member_1, (0f < _e862)), select(0f, _e850.member_1.member_2, (0f < _e866)), select(0f, _e850.member_1.member_3, (0f < _e870)));
+                let _e849 = global_5.member[_e838];
+                let _e853 = global_5.member[(_e838 + 1u)];
+                let _e857 = global_5.member[(_e838 + 2u)];
+                let _e861 = global_5.member[(_e838 + 3u)];
+                phi_885_ = type_15(select(0f, _e841.member_1.member, (0f < _e849)), select(0f, _e841.member_1.member_1, (0f < _e853)), select(0f, _e841.member_1.member_2, (0f < _e857)), select(0f, _e841.member_1.member_3, (0f < _e861)));
             }
-            let _e885 = phi_892_;
-            global_7.member[_e847] = _e885.member;
-            if (_e553 > 1u) {
-                global_7.member[(_e847 + 1u)] = _e885.member_1;
+            let _e876 = phi_885_;
+            global_7.member[_e838] = _e876.member;
+            if (_e544 > 1u) {
+                global_7.member[(_e838 + 1u)] = _e876.member_1;
             }
-            if (_e553 > 2u) {
-                global_7.member[(_e847 + 2u)] = _e885.member_2;
+            if (_e544 > 2u) {
+                global_7.member[(_e838 + 2u)] = _e876.member_2;
             }
-            if (_e553 > 3u) {
-                global_7.member[(_e847 + 3u)] = _e885.member_3;
+            if (_e544 > 3u) {
+                global_7.member[(_e838 + 3u)] = _e876.member_3;
             }
         }
-        let _e904 = (_e847 + _e556);
-        if (_e84 < _e561) {
-            let _e907 = local_6;
-            let _e911 = global_4.member.member_7;
-            if (_e911 == 0u) {
-                phi_952_ = _e907.member_2;
+        let _e895 = (_e838 + _e547);
+        if (_e84 < _e552) {
+            let _e898 = local_6;
+            let _e902 = global_4.member.member_7;
+            if (_e902 == 0u) {
+                phi_945_ = _e898.member_2;
             } else {
-                let _e915 = global_5.member[_e904];
-                let _e919 = global_5.member[(_e904 + 1u)];
-                let _e923 = global_5.member[(_e904 + 2u)];
-                let _e927 = global_5.member[(_e904 + 3u)];
-                phi_952_ = type_15(select(0f, _e907.member_2.member, (0f < _e915)), select(0f, _e907.member_2.member_1, (0f < _e919)), select(0f, _e907.member_2.member_2, (0f < _e923)), select(0f, _e907.member_2.member_3, (0f < _e927)));
+                let _e906 = global_5.member[_e895];
+                let _e910 = global_5.member[(_e895 + 1u)];
+                let _e914 = global_5.member[(_e895 + 2u)];
+                let _e918 = global_5.member[(_e895 + 3u)];
+                phi_945_ = type_15(select(0f, _e898.member_2.member, (0f < _e906)), select(0f, _e898.member_2.member_1, (0f < _e910)), select(0f, _e898.member_2.member_2, (0f < _e914)), select(0f, _e898.member_2.member_3, (0f < _e918)));
             }
-            let _e942 = phi_952_;
-            global_7.member[_e904] = _e942.member;
-            if (_e553 > 1u) {
-                global_7.member[(_e904 + 1u)] = _e942.member_1;
+            let _e933 = phi_945_;
+            global_7.member[_e895] = _e933.member;
+            if (_e544 > 1u) {
+                global_7.member[(_e895 + 1u)] = _e933.member_1;
             }
-            if (_e553 > 2u) {
-                global_7.member[(_e904 + 2u)] = _e942.member_2;
+            if (_e544 > 2u) {
+                global_7.member[(_e895 + 2u)] = _e933.member_2;
             }
-            if (_e553 > 3u) {
-                global_7.member[(_e904 + 3u)] = _e942.member_3;
+            if (_e544 > 3u) {
+                global_7.member[(_e895 + 3u)] = _e933.member_3;
             }
         }
-        let _e961 = (_e904 + _e556);
-        if (_e89 < _e561) {
-            let _e964 = local_7;
-            let _e968 = global_4.member.member_7;
-            if (_e968 == 0u) {
-                phi_1012_ = _e964.member_3;
+        let _e952 = (_e895 + _e547);
+        if (_e89 < _e552) {
+            let _e955 = local_7;
+            let _e959 = global_4.member.member_7;
+            if (_e959 == 0u) {
+                phi_1005_ = _e955.member_3;
             } else {
-                let _e972 = global_5.member[_e961];
-                let _e976 = global_5.member[(_e961 + 1u)];
-                let _e980 = global_5.member[(_e961 + 2u)];
-                let _e984 = global_5.member[(_e961 + 3u)];
-                phi_1012_ = type_15(select(0f, _e964.member_3.member, (0f < _e972)), select(0f, _e964.member_3.member_1, (0f < _e976)), select(0f, _e964.member_3.member_2, (0f < _e980)), select(0f, _e964.member_3.member_3, (0f < _e984)));
+                let _e963 = global_5.member[_e952];
+                let _e967 = global_5.member[(_e952 + 1u)];
+                let _e971 = global_5.member[(_e952 + 2u)];
+                let _e975 = global_5.member[(_e952 + 3u)];
+                phi_1005_ = type_15(select(0f, _e955.member_3.member, (0f < _e963)), select(0f, _e955.member_3.member_1, (0f < _e967)), select(0f, _e955.member_3.member_2, (0f < _e971)), select(0f, _e955.member_3.member_3, (0f < _e975)));
             }
-            let _e999 = phi_1012_;
-            global_7.member[_e961] = _e999.member;
-            if (_e553 > 1u) {
-                global_7.member[(_e961 + 1u)] = _e999.member_1;
+            let _e990 = phi_1005_;
+            global_7.member[_e952] = _e990.member;
+            if (_e544 > 1u) {
+                global_7.member[(_e952 + 1u)] = _e990.member_1;
             }
-            if (_e553 > 2u) {
-                global_7.member[(_e961 + 2u)] = _e999.member_2;
+            if (_e544 > 2u) {
+                global_7.member[(_e952 + 2u)] = _e990.member_2;
             }
-            if (_e553 > 3u) {
-                global_7.member[(_e961 + 3u)] = _e999.member_3;
+            if (_e544 > 3u) {
+                global_7.member[(_e952 + 3u)] = _e990.member_3;
             }
         }
     }

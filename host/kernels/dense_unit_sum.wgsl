@@ -23,10 +23,10 @@ var<storage, read_write> global_5: type_11;
 
 fn function_() {
     var phi_51_: vec4<f32>;
-    var phi_54_: u32;
-    var phi_52_: vec4<f32>;
-    var phi_55_: u32;
+    var phi_53_: u32;
     var local: vec4<f32>;
+    var local_1: vec4<f32>;
+    var local_2: u32;
 
     let _e11 = global;
     let _e12 = global_1;
@@ -36,32 +36,29 @@ fn function_() {
     if (_e21 < _e24) {
         let _e28 = global_5.member[_e21];
         phi_51_ = _e28;
-        phi_54_ = 0u;
+        phi_53_ = 0u;
         loop {
             let _e30 = phi_51_;
-            let _e32 = phi_54_;
-            local = _e30;
+            let _e32 = phi_53_;
             let _e35 = global_3.member.member_1;
-            let _e36 = (_e32 < _e35);
-            if _e36 {
+            local = _e30;
+            if (_e32 < _e35) {
                 let _e41 = global_4.member[((_e32 * _e24) + _e21)];
-                phi_52_ = (_e30 + _e41);
-                phi_55_ = (_e32 + 1u);
+                local_1 = (_e30 + _e41);
+                local_2 = (_e32 + 1u);
+                continue;
             } else {
-                phi_52_ = vec4<f32>();
-                phi_55_ = u32();
+                break;
             }
-            let _e45 = phi_52_;
-            let _e47 = phi_55_;
-            continue;
             continuing {
-                phi_51_ = _e45;
-                phi_54_ = _e47;
-                break if !(_e36);
+                let _e48 = local_1;
+                phi_51_ = _e48;
+                let _e51 = local_2;
+                phi_53_ = _e51;
             }
         }
-        let _e50 = local;
-        global_5.member[_e21] = _e50;
+        let _e45 = local;
+        global_5.member[_e21] = _e45;
     }
     return;
 }

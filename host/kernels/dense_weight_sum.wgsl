@@ -34,33 +34,28 @@ var<storage, read_write> global_6: type_12;
 fn function_() {
     var phi_75_: u32;
     var phi_78_: u32;
-    var phi_76_: u32;
-    var phi_79_: u32;
     var local: u32;
-    var phi_108_: u32;
-    var phi_111_: u32;
-    var phi_109_: u32;
-    var phi_112_: u32;
-    var phi_130_: bool;
-    var phi_133_: u32;
-    var phi_135_: u32;
-    var phi_169_: u32;
-    var phi_175_: vec4<f32>;
-    var phi_178_: u32;
-    var phi_176_: vec4<f32>;
-    var phi_179_: u32;
-    var phi_197_: bool;
+    var phi_103_: u32;
+    var phi_106_: u32;
+    var phi_120_: bool;
+    var phi_123_: u32;
+    var phi_125_: u32;
+    var phi_153_: u32;
+    var phi_159_: vec4<f32>;
+    var phi_126_: u32;
+    var phi_121_: bool;
     var local_1: vec4<f32>;
-    var phi_199_: bool;
-    var phi_200_: u32;
-    var phi_201_: u32;
-    var phi_131_: bool;
-    var phi_134_: u32;
-    var phi_136_: u32;
-    var phi_202_: bool;
-    var phi_203_: bool;
+    var phi_176_: bool;
     var local_2: u32;
     var local_3: u32;
+    var local_4: u32;
+    var local_5: u32;
+    var local_6: bool;
+    var local_7: u32;
+    var local_8: u32;
+    var local_9: u32;
+    var local_10: vec4<f32>;
+    var local_11: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -82,165 +77,140 @@ fn function_() {
                         let _e49 = phi_75_;
                         let _e51 = phi_78_;
                         local = _e49;
-                        let _e53 = ((_e49 + 1u) < _e51);
-                        if _e53 {
+                        if ((_e49 + 1u) < _e51) {
                             let _e55 = ((_e49 + _e51) / 2u);
                             let _e59 = global_4.member[(2u * _e55)];
                             let _e60 = (_e59 <= _e40);
-                            phi_76_ = select(_e49, _e55, _e60);
-                            phi_79_ = select(_e55, _e51, _e60);
+                            local_2 = select(_e49, _e55, _e60);
+                            local_3 = select(_e55, _e51, _e60);
+                            continue;
                         } else {
-                            phi_76_ = u32();
-                            phi_79_ = u32();
+                            break;
                         }
-                        let _e64 = phi_76_;
-                        let _e66 = phi_79_;
-                        continue;
                         continuing {
-                            phi_75_ = _e64;
-                            phi_78_ = _e66;
-                            break if !(_e53);
+                            let _e154 = local_2;
+                            phi_75_ = _e154;
+                            let _e157 = local_3;
+                            phi_78_ = _e157;
                         }
                     }
-                    let _e69 = local;
-                    let _e70 = (2u * _e69);
-                    let _e74 = global_4.member[(_e70 + 1u)];
-                    let _e77 = global_4.member[_e70];
-                    let _e79 = (_e47 == 0u);
-                    if _e79 {
+                    let _e64 = local;
+                    let _e65 = (2u * _e64);
+                    let _e69 = global_4.member[(_e65 + 1u)];
+                    let _e72 = global_4.member[_e65];
+                    let _e74 = (_e47 == 0u);
+                    if _e74 {
                         break;
                     }
-                    let _e81 = (_e74 + ((_e40 - _e77) / _e47));
-                    phi_108_ = 0u;
-                    phi_111_ = _e44;
+                    let _e76 = (_e69 + ((_e40 - _e72) / _e47));
+                    phi_103_ = 0u;
+                    phi_106_ = _e44;
                     loop {
-                        let _e83 = phi_108_;
-                        let _e85 = phi_111_;
-                        local_2 = _e83;
-                        let _e87 = ((_e83 + 1u) < _e85);
-                        if _e87 {
-                            let _e89 = ((_e83 + _e85) / 2u);
-                            let _e94 = global_4.member[((2u * _e89) + 1u)];
-                            let _e95 = (_e94 <= _e81);
-                            phi_109_ = select(_e83, _e89, _e95);
-                            phi_112_ = select(_e89, _e85, _e95);
+                        let _e78 = phi_103_;
+                        let _e80 = phi_106_;
+                        local_7 = _e78;
+                        if ((_e78 + 1u) < _e80) {
+                            let _e84 = ((_e78 + _e80) / 2u);
+                            let _e89 = global_4.member[((2u * _e84) + 1u)];
+                            let _e90 = (_e89 <= _e76);
+                            local_4 = select(_e78, _e84, _e90);
+                            local_5 = select(_e84, _e80, _e90);
+                            continue;
                         } else {
-                            phi_109_ = u32();
-                            phi_112_ = u32();
+                            break;
                         }
-                        let _e99 = phi_109_;
-                        let _e101 = phi_112_;
-                        continue;
                         continuing {
-                            phi_108_ = _e99;
-                            phi_111_ = _e101;
-                            break if !(_e87);
+                            let _e161 = local_4;
+                            phi_103_ = _e161;
+                            let _e164 = local_5;
+                            phi_106_ = _e164;
                         }
                     }
-                    phi_130_ = false;
-                    let _e194 = local_2;
-                    phi_133_ = _e194;
-                    phi_135_ = _e81;
+                    phi_120_ = false;
+                    let _e170 = local_7;
+                    phi_123_ = _e170;
+                    phi_125_ = _e76;
                     loop {
-                        let _e104 = phi_130_;
-                        let _e106 = phi_133_;
-                        let _e108 = phi_135_;
-                        if (_e106 < _e44) {
-                            let _e110 = (2u * _e106);
-                            let _e113 = global_4.member[_e110];
-                            let _e114 = (_e113 < _e41);
-                            if _e114 {
-                                let _e115 = (_e106 + 1u);
-                                let _e116 = (2u * _e115);
-                                let _e119 = global_4.member[_e116];
-                                let _e124 = global_4.member[(_e110 + 1u)];
-                                if _e79 {
-                                    phi_203_ = true;
+                        let _e94 = phi_120_;
+                        let _e96 = phi_123_;
+                        let _e98 = phi_125_;
+                        phi_176_ = _e94;
+                        if (_e96 < _e44) {
+                            let _e100 = (2u * _e96);
+                            let _e103 = global_4.member[_e100];
+                            phi_176_ = _e94;
+                            if (_e103 < _e41) {
+                                let _e105 = (_e96 + 1u);
+                                let _e106 = (2u * _e105);
+                                let _e109 = global_4.member[_e106];
+                                let _e114 = global_4.member[(_e100 + 1u)];
+                                local_8 = _e105;
+                                if _e74 {
+                                    phi_176_ = true;
                                     break;
                                 }
-                                if (_e119 <= _e41) {
-                                    let _e131 = global_4.member[(_e116 + 1u)];
-                                    phi_169_ = _e131;
+                                if (_e109 <= _e41) {
+                                    let _e121 = global_4.member[(_e106 + 1u)];
+                                    phi_153_ = _e121;
                                 } else {
-                                    phi_169_ = (_e124 + ((_e41 - _e113) / _e47));
+                                    phi_153_ = (_e114 + ((_e41 - _e103) / _e47));
                                 }
-                                let _e133 = phi_169_;
-                                let _e138 = global_6.member[((_e106 * _e32) + _e29)];
-                                phi_175_ = _e138;
-                                phi_178_ = _e108;
+                                let _e123 = phi_153_;
+                                let _e128 = global_6.member[((_e96 * _e32) + _e29)];
+                                phi_159_ = _e128;
+                                phi_126_ = _e98;
                                 loop {
-                                    let _e140 = phi_175_;
-                                    let _e142 = phi_178_;
-                                    local_1 = _e140;
-                                    local_3 = _e142;
-                                    let _e143 = (_e142 < _e133);
-                                    if _e143 {
-                                        let _e146 = global_3.member.member_5;
-                                        if (_e146 == 0u) {
-                                            phi_197_ = true;
+                                    let _e130 = phi_159_;
+                                    let _e132 = phi_126_;
+                                    local_9 = _e132;
+                                    phi_121_ = _e94;
+                                    local_1 = _e130;
+                                    if (_e132 < _e123) {
+                                        let _e136 = global_3.member.member_5;
+                                        if (_e136 == 0u) {
+                                            phi_121_ = true;
                                             break;
                                         }
-                                        let _e153 = global_5.member[(((_e142 % _e146) * _e32) + _e29)];
-                                        phi_176_ = (_e140 + _e153);
-                                        phi_179_ = (_e142 + 1u);
+                                        let _e143 = global_5.member[(((_e132 % _e136) * _e32) + _e29)];
+                                        local_10 = (_e130 + _e143);
+                                        local_11 = (_e132 + 1u);
+                                        continue;
                                     } else {
-                                        phi_176_ = vec4<f32>();
-                                        phi_179_ = u32();
+                                        break;
                                     }
-                                    let _e157 = phi_176_;
-                                    let _e159 = phi_179_;
-                                    continue;
                                     continuing {
-                                        phi_175_ = _e157;
-                                        phi_178_ = _e159;
-                                        phi_197_ = _e104;
-                                        break if !(_e143);
+                                        let _e179 = local_10;
+                                        phi_159_ = _e179;
+                                        let _e182 = local_11;
+                                        phi_126_ = _e182;
                                     }
                                 }
-                                let _e162 = phi_197_;
-                                phi_203_ = _e162;
-                                if _e162 {
+                                let _e147 = phi_121_;
+                                local_6 = _e147;
+                                phi_176_ = _e147;
+                                if _e147 {
                                     break;
                                 }
-                                let _e164 = local_1;
-                                global_6.member[((_e106 * _e32) + _e29)] = _e164;
-                                phi_199_ = _e162;
-                                phi_200_ = _e115;
-                                let _e207 = local_3;
-                                phi_201_ = _e207;
+                                let _e149 = local_1;
+                                global_6.member[((_e96 * _e32) + _e29)] = _e149;
+                                continue;
                             } else {
-                                phi_199_ = _e104;
-                                phi_200_ = u32();
-                                phi_201_ = u32();
+                                break;
                             }
-                            let _e166 = phi_199_;
-                            let _e168 = phi_200_;
-                            let _e170 = phi_201_;
-                            phi_131_ = _e166;
-                            phi_134_ = _e168;
-                            phi_136_ = _e170;
-                            phi_202_ = _e114;
                         } else {
-                            phi_131_ = _e104;
-                            phi_134_ = u32();
-                            phi_136_ = u32();
-                            phi_202_ = false;
+                            break;
                         }
-                        let _e172 = phi_131_;
-                        let _e174 = phi_134_;
-                        let _e176 = phi_136_;
-                        let _e178 = phi_202_;
-                        continue;
                         continuing {
-                            phi_130_ = _e172;
-                            phi_133_ = _e174;
-                            phi_135_ = _e176;
-                            phi_203_ = _e172;
-                            break if !(_e178);
+                            let _e167 = local_6;
+                            phi_120_ = _e167;
+                            let _e172 = local_8;
+                            phi_123_ = _e172;
+                            let _e175 = local_9;
+                            phi_125_ = _e175;
                         }
                     }
-                    let _e181 = phi_203_;
-                    if _e181 {
+                    let _e151 = phi_176_;
+                    if _e151 {
                         break;
                     }
                 }

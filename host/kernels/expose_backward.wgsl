@@ -28,12 +28,12 @@ var<storage, read_write> global_7: type_5;
 fn function_() {
     var phi_69_: u32;
     var phi_72_: f32;
-    var phi_74_: f32;
-    var phi_70_: u32;
     var phi_73_: f32;
-    var phi_75_: f32;
     var local: f32;
     var local_1: f32;
+    var local_2: u32;
+    var local_3: f32;
+    var local_4: f32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -51,42 +51,38 @@ fn function_() {
                 let _e41 = (_e26 * _e32);
                 phi_69_ = _e41;
                 phi_72_ = 0f;
-                phi_74_ = 0f;
+                phi_73_ = 0f;
                 loop {
                     let _e44 = phi_69_;
                     let _e46 = phi_72_;
-                    let _e48 = phi_74_;
+                    let _e48 = phi_73_;
                     local = _e48;
                     local_1 = _e46;
-                    let _e49 = (_e44 < (_e41 + _e32));
-                    if _e49 {
+                    if (_e44 < (_e41 + _e32)) {
                         let _e52 = global_4.member[_e44];
                         let _e55 = global_5.member[_e44];
                         global_4.member[_e44] = (_e52 * _e40);
-                        phi_70_ = (_e44 + 1u);
-                        phi_73_ = (_e46 + _e52);
-                        phi_75_ = (_e48 + (_e52 * _e55));
+                        local_2 = (_e44 + 1u);
+                        local_3 = (_e46 + _e52);
+                        local_4 = (_e48 + (_e52 * _e55));
+                        continue;
                     } else {
-                        phi_70_ = u32();
-                        phi_73_ = f32();
-                        phi_75_ = f32();
+                        break;
                     }
-                    let _e62 = phi_70_;
-                    let _e64 = phi_73_;
-                    let _e66 = phi_75_;
-                    continue;
                     continuing {
-                        phi_69_ = _e62;
-                        phi_72_ = _e64;
-                        phi_74_ = _e66;
-                        break if !(_e49);
+                        let _e73 = local_2;
+                        phi_69_ = _e73;
+                        let _e76 = local_3;
+                        phi_72_ = _e76;
+                        let _e79 = local_4;
+                        phi_73_ = _e79;
                     }
                 }
-                let _e68 = (2u * _e26);
-                let _e72 = local;
-                global_7.member[_e68] = _e72;
-                let _e77 = local_1;
-                global_7.member[(_e68 + 1u)] = _e77;
+                let _e61 = (2u * _e26);
+                let _e65 = local;
+                global_7.member[_e61] = _e65;
+                let _e70 = local_1;
+                global_7.member[(_e61 + 1u)] = _e70;
             }
             break;
         }

@@ -35,13 +35,13 @@ var<storage, read_write> global_6: type_5;
 fn function_() {
     var phi_97_: u32;
     var phi_100_: f32;
-    var phi_101_: f32;
-    var phi_112_: u32;
-    var phi_115_: f32;
-    var phi_116_: f32;
+    var phi_107_: u32;
+    var phi_110_: f32;
     var local: f32;
     var local_1: f32;
-    var local_2: u32;
+    var local_2: f32;
+    var local_3: u32;
+    var local_4: f32;
 
     let _e18 = global;
     let _e19 = global_1;
@@ -68,50 +68,46 @@ fn function_() {
         loop {
             let _e79 = phi_97_;
             let _e81 = phi_100_;
-            local_2 = _e79;
-            local = _e81;
             let _e82 = (_e79 + 1u);
-            let _e83 = (_e82 <= _e77);
-            if _e83 {
+            local_3 = _e79;
+            local = _e81;
+            if (_e82 <= _e77) {
                 let _e86 = global_5.member[_e79];
-                phi_101_ = (_e81 + _e86);
+                local_2 = (_e81 + _e86);
+                continue;
             } else {
-                phi_101_ = f32();
+                break;
             }
-            let _e89 = phi_101_;
-            continue;
             continuing {
-                phi_97_ = select(u32(), _e82, _e83);
-                phi_100_ = _e89;
-                break if !(_e83);
+                phi_97_ = _e82;
+                let _e106 = local_2;
+                phi_100_ = _e106;
             }
         }
-        let _e116 = local_2;
-        phi_112_ = _e116;
-        phi_115_ = 0f;
+        let _e109 = local_3;
+        phi_107_ = _e109;
+        phi_110_ = 0f;
         loop {
-            let _e93 = phi_112_;
-            let _e95 = phi_115_;
-            local_1 = _e95;
-            let _e96 = (_e93 + 1u);
-            let _e97 = (_e96 <= _e77);
-            if _e97 {
-                let _e100 = global_5.member[_e93];
-                phi_116_ = (_e95 + _e100);
+            let _e89 = phi_107_;
+            let _e91 = phi_110_;
+            let _e92 = (_e89 + 1u);
+            local_1 = _e91;
+            if (_e92 <= _e77) {
+                let _e96 = global_5.member[_e89];
+                local_4 = (_e91 + _e96);
+                continue;
             } else {
-                phi_116_ = f32();
+                break;
             }
-            let _e103 = phi_116_;
-            continue;
             continuing {
-                phi_112_ = select(u32(), _e96, _e97);
-                phi_115_ = _e103;
-                break if !(_e97);
+                phi_107_ = _e92;
+                let _e112 = local_4;
+                phi_110_ = _e112;
             }
         }
-        let _e107 = local;
-        let _e109 = local_1;
-        global_6.member[((_e36 * _e70) + _e19.z)] = (_e107 + _e109);
+        let _e99 = local;
+        let _e101 = local_1;
+        global_6.member[((_e36 * _e70) + _e19.z)] = (_e99 + _e101);
     }
     return;
 }

@@ -44,189 +44,151 @@ var<storage, read_write> global_6: type_5;
 var<storage> global_7: type_5;
 
 fn function_() {
-    var phi_240_: u32;
-    var phi_260_: u32;
-    var phi_279_: u32;
-    var phi_298_: u32;
-    var phi_317_: u32;
-    var phi_336_: u32;
-    var phi_355_: u32;
-    var phi_374_: u32;
-    var phi_394_: u32;
-    var phi_397_: u32;
-    var phi_395_: u32;
-    var phi_398_: u32;
+    var phi_213_: u32;
+    var phi_219_: u32;
+    var phi_306_: array<u32, 8>;
+    var phi_338_: u32;
+    var phi_341_: u32;
+    var local: u32;
+    var local_1: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e26 = global;
-            let _e27 = global_1;
-            let _e28 = global_2;
-            let _e36 = (((_e27.x + (_e27.y * _e28.x)) * 64u) + _e26.x);
-            let _e39 = global_4.member.member;
-            if (_e36 < _e39) {
-                let _e44 = global_5.member[_e27.z];
-                let _e47 = global_4.member.member_1;
-                let _e50 = global_4.member.member_5;
-                let _e53 = global_4.member.member_4;
-                let _e54 = (_e53 == 0u);
-                if _e54 {
+            let _e25 = global;
+            let _e26 = global_1;
+            let _e27 = global_2;
+            let _e33 = ((_e26.x + (_e26.y * _e27.x)) * 64u);
+            let _e38 = global_4.member.member;
+            if ((_e33 + _e25.x) < _e38) {
+                let _e43 = global_5.member[_e26.z];
+                let _e46 = global_4.member.member_1;
+                let _e49 = global_4.member.member_5;
+                let _e52 = global_4.member.member_4;
+                let _e53 = (_e52 == 0u);
+                if _e53 {
                     break;
                 }
-                let _e55 = (_e36 / _e53);
-                if _e54 {
-                    break;
-                }
-                let _e58 = (_e36 % _e53);
-                let _e59 = ((_e55 * (_e50 * _e47)) + _e58);
-                let _e62 = global_3.member[_e59];
-                let _e63 = (3u * _e47);
-                let _e67 = global_3.member[(_e59 + _e63)];
-                let _e68 = (_e47 + _e59);
-                let _e71 = global_3.member[_e68];
-                let _e75 = global_3.member[(_e68 + _e63)];
-                let _e77 = ((2u * _e47) + _e59);
-                let _e80 = global_3.member[_e77];
-                let _e84 = global_3.member[(_e77 + _e63)];
-                let _e85 = (_e62 + _e67);
-                let _e88 = select(false, (_e85 < 1f), (0f < _e85));
-                let _e91 = select(select(0f, 1f, (1f <= _e85)), _e62, _e88);
-                let _e94 = (_e91 * _e44.member);
-                let _e97 = (_e44.member + _e44.member_1);
-                let _e101 = trunc(_e94);
-                let _e103 = ((_e94 - _e101) + (((_e91 * _e44.member_1) + (select(0f, _e67, _e88) * _e97)) + 0.5f));
-                let _e105 = select(0f, _e103, (_e103 > 0f));
-                let _e106 = trunc(_e105);
-                let _e107 = (_e105 - _e106);
-                let _e108 = (_e101 + _e106);
-                let _e113 = select(select(u32(_e108), 0u, (_e108 < 0f)), 4294967295u, (_e108 > 4294967000f));
-                let _e114 = (_e71 + _e75);
+                let _e54 = (_e33 / _e52);
+                let _e58 = (_e33 - (_e54 * _e52));
+                let _e60 = (((_e54 * (_e49 * _e46)) + _e58) + _e25.x);
+                let _e63 = global_3.member[_e60];
+                let _e64 = (3u * _e46);
+                let _e68 = global_3.member[(_e60 + _e64)];
+                let _e69 = (_e46 + _e60);
+                let _e72 = global_3.member[_e69];
+                let _e76 = global_3.member[(_e69 + _e64)];
+                let _e78 = ((2u * _e46) + _e60);
+                let _e81 = global_3.member[_e78];
+                let _e85 = global_3.member[(_e78 + _e64)];
+                let _e88 = global_4.member.member_3;
+                let _e89 = (_e63 + _e68);
+                let _e92 = select(false, (_e89 < 1f), (0f < _e89));
+                let _e95 = select(select(0f, 1f, (1f <= _e89)), _e63, _e92);
+                let _e98 = (_e95 * _e43.member);
+                let _e101 = (_e43.member + _e43.member_1);
+                let _e105 = trunc(_e98);
+                let _e107 = ((_e98 - _e105) + (((_e95 * _e43.member_1) + (select(0f, _e68, _e92) * _e101)) + 0.5f));
+                let _e109 = select(0f, _e107, (_e107 > 0f));
+                let _e110 = trunc(_e109);
+                let _e111 = (_e109 - _e110);
+                let _e113 = u32((_e105 + _e110));
+                let _e114 = (_e72 + _e76);
                 let _e117 = select(false, (_e114 < 1f), (0f < _e114));
-                let _e120 = select(select(0f, 1f, (1f <= _e114)), _e71, _e117);
-                let _e122 = (_e120 * _e44.member);
+                let _e120 = select(select(0f, 1f, (1f <= _e114)), _e72, _e117);
+                let _e122 = (_e120 * _e43.member);
                 let _e127 = trunc(_e122);
-                let _e129 = ((_e122 - _e127) + (((_e120 * _e44.member_1) + (select(0f, _e75, _e117) * _e97)) + 0.5f));
+                let _e129 = ((_e122 - _e127) + (((_e120 * _e43.member_1) + (select(0f, _e76, _e117) * _e101)) + 0.5f));
                 let _e131 = select(0f, _e129, (_e129 > 0f));
                 let _e132 = trunc(_e131);
                 let _e133 = (_e131 - _e132);
-                let _e134 = (_e127 + _e132);
-                let _e139 = select(select(u32(_e134), 0u, (_e134 < 0f)), 4294967295u, (_e134 > 4294967000f));
-                let _e140 = (_e80 + _e84);
-                let _e143 = select(false, (_e140 < 1f), (0f < _e140));
-                let _e146 = select(select(0f, 1f, (1f <= _e140)), _e80, _e143);
-                let _e148 = (_e146 * _e44.member);
-                let _e153 = trunc(_e148);
-                let _e155 = ((_e148 - _e153) + (((_e146 * _e44.member_1) + (select(0f, _e84, _e143) * _e97)) + 0.5f));
-                let _e157 = select(0f, _e155, (_e155 > 0f));
-                let _e158 = trunc(_e157);
-                let _e159 = (_e157 - _e158);
-                let _e160 = (_e153 + _e158);
-                let _e165 = select(select(u32(_e160), 0u, (_e160 < 0f)), 4294967295u, (_e160 > 4294967000f));
-                let _e166 = (_e113 + 1u);
-                let _e167 = (_e139 + 1u);
-                let _e168 = (_e165 + 1u);
-                let _e171 = (_e44.member_5 == 0u);
-                if _e171 {
-                    let _e176 = (_e113 + ((_e139 + (_e165 * _e44.member_2)) * _e44.member_2));
-                    phi_240_ = select((_e176 - _e44.member_4), _e176, (_e176 < _e44.member_4));
+                let _e136 = (_e81 + _e85);
+                let _e139 = select(false, (_e136 < 1f), (0f < _e136));
+                let _e142 = select(select(0f, 1f, (1f <= _e136)), _e81, _e139);
+                let _e144 = (_e142 * _e43.member);
+                let _e149 = trunc(_e144);
+                let _e151 = ((_e144 - _e149) + (((_e142 * _e43.member_1) + (select(0f, _e85, _e139) * _e101)) + 0.5f));
+                let _e153 = select(0f, _e151, (_e151 > 0f));
+                let _e154 = trunc(_e153);
+                let _e155 = (_e153 - _e154);
+                let _e158 = (1f - _e111);
+                let _e159 = (1f - _e133);
+                let _e160 = (1f - _e155);
+                let _e161 = (_e158 * _e159);
+                let _e162 = (_e111 * _e159);
+                let _e163 = (_e158 * _e133);
+                let _e164 = (_e111 * _e133);
+                let _e174 = (_e43.member_5 != 0u);
+                if _e174 {
+                    phi_213_ = 2654435761u;
                 } else {
-                    phi_240_ = (((_e113 ^ (_e139 * 2654435761u)) ^ (_e165 * 805459861u)) & (_e44.member_4 - 1u));
+                    phi_213_ = _e43.member_2;
                 }
-                let _e187 = phi_240_;
-                if _e171 {
-                    let _e194 = (_e166 + ((_e139 + (_e165 * _e44.member_2)) * _e44.member_2));
-                    phi_260_ = select((_e194 - _e44.member_4), _e194, (_e194 < _e44.member_4));
+                let _e177 = phi_213_;
+                if _e174 {
+                    phi_219_ = 805459861u;
                 } else {
-                    phi_260_ = (((_e166 ^ (_e139 * 2654435761u)) ^ (_e165 * 805459861u)) & (_e44.member_4 - 1u));
+                    phi_219_ = (_e43.member_2 * _e43.member_2);
                 }
-                let _e205 = phi_260_;
-                if _e171 {
-                    let _e211 = (_e113 + ((_e167 + (_e165 * _e44.member_2)) * _e44.member_2));
-                    phi_279_ = select((_e211 - _e44.member_4), _e211, (_e211 < _e44.member_4));
+                let _e181 = phi_219_;
+                let _e182 = (_e113 + 1u);
+                let _e183 = (u32((_e127 + _e132)) * _e177);
+                let _e184 = (_e183 + _e177);
+                let _e185 = (u32((_e149 + _e154)) * _e181);
+                let _e186 = (_e185 + _e181);
+                if _e174 {
+                    let _e189 = (_e43.member_4 - 1u);
+                    let _e190 = (_e113 ^ _e183);
+                    let _e194 = (_e182 ^ _e183);
+                    let _e198 = (_e113 ^ _e184);
+                    let _e202 = (_e182 ^ _e184);
+                    phi_306_ = array<u32, 8>((((_e190 ^ _e185) & _e189) + _e43.member_3), (((_e194 ^ _e185) & _e189) + _e43.member_3), (((_e198 ^ _e185) & _e189) + _e43.member_3), (((_e202 ^ _e185) & _e189) + _e43.member_3), (((_e190 ^ _e186) & _e189) + _e43.member_3), (((_e194 ^ _e186) & _e189) + _e43.member_3), (((_e198 ^ _e186) & _e189) + _e43.member_3), (((_e202 ^ _e186) & _e189) + _e43.member_3));
                 } else {
-                    phi_279_ = (((_e113 ^ (_e167 * 2654435761u)) ^ (_e165 * 805459861u)) & (_e44.member_4 - 1u));
+                    let _e220 = (_e113 + _e183);
+                    let _e221 = (_e220 + _e185);
+                    let _e226 = (_e182 + _e183);
+                    let _e227 = (_e226 + _e185);
+                    let _e232 = (_e113 + _e184);
+                    let _e233 = (_e232 + _e185);
+                    let _e238 = (_e182 + _e184);
+                    let _e239 = (_e238 + _e185);
+                    let _e244 = (_e220 + _e186);
+                    let _e249 = (_e226 + _e186);
+                    let _e254 = (_e232 + _e186);
+                    let _e259 = (_e238 + _e186);
+                    phi_306_ = array<u32, 8>((select((_e221 - _e43.member_4), _e221, (_e221 < _e43.member_4)) + _e43.member_3), (select((_e227 - _e43.member_4), _e227, (_e227 < _e43.member_4)) + _e43.member_3), (select((_e233 - _e43.member_4), _e233, (_e233 < _e43.member_4)) + _e43.member_3), (select((_e239 - _e43.member_4), _e239, (_e239 < _e43.member_4)) + _e43.member_3), (select((_e244 - _e43.member_4), _e244, (_e244 < _e43.member_4)) + _e43.member_3), (select((_e249 - _e43.member_4), _e249, (_e249 < _e43.member_4)) + _e43.member_3), (select((_e254 - _e43.member_4), _e254, (_e254 < _e43.member_4)) + _e43.member_3), (select((_e259 - _e43.member_4), _e259, (_e259 < _e43.member_4)) + _e43.member_3));
                 }
-                let _e222 = phi_279_;
-                if _e171 {
-                    let _e228 = (_e166 + ((_e167 + (_e165 * _e44.member_2)) * _e44.member_2));
-                    phi_298_ = select((_e228 - _e44.member_4), _e228, (_e228 < _e44.member_4));
-                } else {
-                    phi_298_ = (((_e166 ^ (_e167 * 2654435761u)) ^ (_e165 * 805459861u)) & (_e44.member_4 - 1u));
-                }
-                let _e239 = phi_298_;
-                if _e171 {
-                    let _e245 = (_e113 + ((_e139 + (_e168 * _e44.member_2)) * _e44.member_2));
-                    phi_317_ = select((_e245 - _e44.member_4), _e245, (_e245 < _e44.member_4));
-                } else {
-                    phi_317_ = (((_e113 ^ (_e139 * 2654435761u)) ^ (_e168 * 805459861u)) & (_e44.member_4 - 1u));
-                }
-                let _e256 = phi_317_;
-                if _e171 {
-                    let _e262 = (_e166 + ((_e139 + (_e168 * _e44.member_2)) * _e44.member_2));
-                    phi_336_ = select((_e262 - _e44.member_4), _e262, (_e262 < _e44.member_4));
-                } else {
-                    phi_336_ = (((_e166 ^ (_e139 * 2654435761u)) ^ (_e168 * 805459861u)) & (_e44.member_4 - 1u));
-                }
-                let _e273 = phi_336_;
-                if _e171 {
-                    let _e279 = (_e113 + ((_e167 + (_e168 * _e44.member_2)) * _e44.member_2));
-                    phi_355_ = select((_e279 - _e44.member_4), _e279, (_e279 < _e44.member_4));
-                } else {
-                    phi_355_ = (((_e113 ^ (_e167 * 2654435761u)) ^ (_e168 * 805459861u)) & (_e44.member_4 - 1u));
-                }
-                let _e290 = phi_355_;
-                if _e171 {
-                    let _e296 = (_e166 + ((_e167 + (_e168 * _e44.member_2)) * _e44.member_2));
-                    phi_374_ = select((_e296 - _e44.member_4), _e296, (_e296 < _e44.member_4));
-                } else {
-                    phi_374_ = (((_e166 ^ (_e167 * 2654435761u)) ^ (_e168 * 805459861u)) & (_e44.member_4 - 1u));
-                }
-                let _e307 = phi_374_;
-                let _e309 = (1f - _e107);
-                let _e310 = (1f - _e133);
-                let _e311 = (1f - _e159);
-                let _e312 = (_e309 * _e310);
-                let _e313 = (_e107 * _e310);
-                let _e314 = (_e309 * _e133);
-                let _e315 = (_e107 * _e133);
-                let _e326 = global_4.member.member_3;
-                let _e329 = global_4.member.member_2;
-                let _e334 = global_4.member.member_6;
-                if _e54 {
+                let _e266 = phi_306_;
+                let _e285 = global_4.member.member_2;
+                let _e290 = global_4.member.member_6;
+                if _e53 {
                     break;
                 }
-                if _e54 {
-                    break;
-                }
-                phi_394_ = 0u;
-                phi_397_ = (((_e55 * (_e334 * _e47)) + _e58) + ((_e329 + (_e27.z * _e326)) * _e47));
+                phi_338_ = 0u;
+                phi_341_ = ((((_e54 * (_e290 * _e46)) + _e58) + _e25.x) + ((_e285 + (_e26.z * _e88)) * _e46));
                 loop {
-                    let _e341 = phi_394_;
-                    let _e343 = phi_397_;
-                    let _e344 = (_e341 < _e326);
-                    if _e344 {
-                        let _e349 = global_7.member[(((_e187 + _e44.member_3) * _e326) + _e341)];
-                        let _e355 = global_7.member[(((_e205 + _e44.member_3) * _e326) + _e341)];
-                        let _e361 = global_7.member[(((_e222 + _e44.member_3) * _e326) + _e341)];
-                        let _e367 = global_7.member[(((_e239 + _e44.member_3) * _e326) + _e341)];
-                        let _e373 = global_7.member[(((_e256 + _e44.member_3) * _e326) + _e341)];
-                        let _e379 = global_7.member[(((_e273 + _e44.member_3) * _e326) + _e341)];
-                        let _e385 = global_7.member[(((_e290 + _e44.member_3) * _e326) + _e341)];
-                        let _e391 = global_7.member[(((_e307 + _e44.member_3) * _e326) + _e341)];
-                        global_6.member[_e343] = ((((((((_e349 * (_e312 * _e311)) + (_e355 * (_e313 * _e311))) + (_e361 * (_e314 * _e311))) + (_e367 * (_e315 * _e311))) + (_e373 * (_e312 * _e159))) + (_e379 * (_e313 * _e159))) + (_e385 * (_e314 * _e159))) + (_e391 * (_e315 * _e159)));
-                        phi_395_ = (_e341 + 1u);
-                        phi_398_ = (_e343 + _e47);
+                    let _e298 = phi_338_;
+                    let _e300 = phi_341_;
+                    if (_e298 < _e88) {
+                        let _e305 = global_7.member[((_e266[0] * _e88) + _e298)];
+                        let _e310 = global_7.member[((_e266[1] * _e88) + _e298)];
+                        let _e315 = global_7.member[((_e266[2] * _e88) + _e298)];
+                        let _e320 = global_7.member[((_e266[3] * _e88) + _e298)];
+                        let _e325 = global_7.member[((_e266[4] * _e88) + _e298)];
+                        let _e330 = global_7.member[((_e266[5] * _e88) + _e298)];
+                        let _e335 = global_7.member[((_e266[6] * _e88) + _e298)];
+                        let _e340 = global_7.member[((_e266[7] * _e88) + _e298)];
+                        global_6.member[_e300] = ((((((((_e305 * (_e161 * _e160)) + (_e310 * (_e162 * _e160))) + (_e315 * (_e163 * _e160))) + (_e320 * (_e164 * _e160))) + (_e325 * (_e161 * _e155))) + (_e330 * (_e162 * _e155))) + (_e335 * (_e163 * _e155))) + (_e340 * (_e164 * _e155)));
+                        local = (_e298 + 1u);
+                        local_1 = (_e300 + _e46);
+                        continue;
                     } else {
-                        phi_395_ = u32();
-                        phi_398_ = u32();
+                        break;
                     }
-                    let _e405 = phi_395_;
-                    let _e407 = phi_398_;
-                    continue;
                     continuing {
-                        phi_394_ = _e405;
-                        phi_397_ = _e407;
-                        break if !(_e344);
+                        let _e358 = local;
+                        phi_338_ = _e358;
+                        let _e361 = local_1;
+                        phi_341_ = _e361;
                     }
                 }
             }

@@ -34,13 +34,13 @@ var<storage, read_write> global_5: type_20;
 fn function_() {
     var phi_71_: u32;
     var phi_74_: f32;
-    var phi_90_: f32;
-    var phi_96_: f32;
-    var phi_102_: f32;
-    var phi_108_: f32;
-    var phi_72_: u32;
-    var phi_75_: f32;
+    var phi_86_: f32;
+    var phi_92_: f32;
+    var phi_98_: f32;
+    var phi_104_: f32;
     var local: f32;
+    var local_1: u32;
+    var local_2: f32;
 
     let _e16 = global;
     let _e17 = global_1;
@@ -56,51 +56,48 @@ fn function_() {
             let _e40 = phi_71_;
             let _e42 = phi_74_;
             local = _e42;
-            let _e43 = (_e40 < _e36);
-            if _e43 {
+            if (_e40 < _e36) {
                 let _e47 = global_4.member[((_e33 + (_e26 * _e36)) + _e40)];
                 if (_e47.x < 0f) {
-                    phi_90_ = -(_e47.x);
+                    phi_86_ = -(_e47.x);
                 } else {
-                    phi_90_ = _e47.x;
+                    phi_86_ = _e47.x;
                 }
-                let _e52 = phi_90_;
+                let _e52 = phi_86_;
                 if (_e47.y < 0f) {
-                    phi_96_ = -(_e47.y);
+                    phi_92_ = -(_e47.y);
                 } else {
-                    phi_96_ = _e47.y;
+                    phi_92_ = _e47.y;
                 }
-                let _e57 = phi_96_;
+                let _e57 = phi_92_;
                 if (_e47.z < 0f) {
-                    phi_102_ = -(_e47.z);
+                    phi_98_ = -(_e47.z);
                 } else {
-                    phi_102_ = _e47.z;
+                    phi_98_ = _e47.z;
                 }
-                let _e63 = phi_102_;
+                let _e63 = phi_98_;
                 if (_e47.w < 0f) {
-                    phi_108_ = -(_e47.w);
+                    phi_104_ = -(_e47.w);
                 } else {
-                    phi_108_ = _e47.w;
+                    phi_104_ = _e47.w;
                 }
-                let _e69 = phi_108_;
-                phi_72_ = (_e40 + 1u);
-                phi_75_ = (_e42 + (((_e52 + _e57) + _e63) + _e69));
+                let _e69 = phi_104_;
+                local_1 = (_e40 + 1u);
+                local_2 = (_e42 + (((_e52 + _e57) + _e63) + _e69));
+                continue;
             } else {
-                phi_72_ = u32();
-                phi_75_ = f32();
+                break;
             }
-            let _e74 = phi_72_;
-            let _e76 = phi_75_;
-            continue;
             continuing {
-                phi_71_ = _e74;
-                phi_74_ = _e76;
-                break if !(_e43);
+                let _e85 = local_1;
+                phi_71_ = _e85;
+                let _e88 = local_2;
+                phi_74_ = _e88;
             }
         }
-        let _e80 = global_3.member.member_3;
-        let _e82 = local;
-        let _e87 = atomicMax((&global_5.member[_e80]), (bitcast<u32>(_e82) & 2147483647u));
+        let _e75 = global_3.member.member_3;
+        let _e77 = local;
+        let _e82 = atomicMax((&global_5.member[_e75]), (bitcast<u32>(_e77) & 2147483647u));
     }
     return;
 }

@@ -36,14 +36,14 @@ fn function_() {
     var phi_72_: u32;
     var phi_74_: i32;
     var phi_76_: f32;
-    var phi_70_: u32;
-    var phi_73_: u32;
-    var phi_75_: i32;
-    var phi_77_: f32;
     var local: f32;
     var local_1: i32;
-    var phi_120_: u32;
+    var phi_113_: u32;
     var local_2: u32;
+    var local_3: u32;
+    var local_4: u32;
+    var local_5: i32;
+    var local_6: f32;
 
     let _e29 = global;
     let _e30 = global_1;
@@ -58,60 +58,55 @@ fn function_() {
             let _e43 = phi_72_;
             let _e45 = phi_74_;
             let _e47 = phi_76_;
+            let _e50 = global_3.member.member;
             local = _e47;
             local_1 = _e45;
             local_2 = _e43;
-            let _e50 = global_3.member.member;
-            let _e51 = (_e41 <= _e50);
-            if _e51 {
+            if (_e41 <= _e50) {
                 let _e54 = global_4.member[_e41];
                 global_4.member[_e41] = 0u;
-                phi_70_ = (_e41 + 1u);
-                phi_73_ = select(_e54, _e43, (_e43 > _e54));
-                phi_75_ = (_e45 + (bitcast<i32>((_e54 >> bitcast<u32>(23i))) - 127i));
-                phi_77_ = (_e47 * bitcast<f32>(((_e54 & 8388607u) | 1065353216u)));
+                local_3 = (_e41 + 1u);
+                local_4 = select(_e54, _e43, (_e43 > _e54));
+                local_5 = (_e45 + (bitcast<i32>((_e54 >> bitcast<u32>(23i))) - 127i));
+                local_6 = (_e47 * bitcast<f32>(((_e54 & 8388607u) | 1065353216u)));
+                continue;
             } else {
-                phi_70_ = u32();
-                phi_73_ = u32();
-                phi_75_ = i32();
-                phi_77_ = f32();
+                break;
             }
-            let _e68 = phi_70_;
-            let _e70 = phi_73_;
-            let _e72 = phi_75_;
-            let _e74 = phi_77_;
-            continue;
             continuing {
-                phi_69_ = _e68;
-                phi_72_ = _e70;
-                phi_74_ = _e72;
-                phi_76_ = _e74;
-                break if !(_e51);
+                let _e131 = local_3;
+                phi_69_ = _e131;
+                let _e134 = local_4;
+                phi_72_ = _e134;
+                let _e137 = local_5;
+                phi_74_ = _e137;
+                let _e140 = local_6;
+                phi_76_ = _e140;
             }
         }
-        let _e77 = local;
-        let _e84 = local_1;
-        let _e86 = ((_e84 + (bitcast<i32>((bitcast<u32>(_e77) >> bitcast<u32>(23i))) - 127i)) + 1i);
-        let _e88 = select(_e86, 128i, (_e86 > 128i));
-        let _e90 = select(_e88, -125i, (_e88 < -125i));
-        let _e93 = global_3.member.member_1;
-        if (_e93 > 1u) {
-            let _e95 = (_e93 - 1u);
-            phi_120_ = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e95)), 32u, (_e95 == 0u)));
+        let _e68 = local;
+        let _e75 = local_1;
+        let _e77 = ((_e75 + (bitcast<i32>((bitcast<u32>(_e68) >> bitcast<u32>(23i))) - 127i)) + 1i);
+        let _e79 = select(_e77, 128i, (_e77 > 128i));
+        let _e81 = select(_e79, -125i, (_e79 < -125i));
+        let _e84 = global_3.member.member_1;
+        if (_e84 > 1u) {
+            let _e86 = (_e84 - 1u);
+            phi_113_ = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e86)), 32u, (_e86 == 0u)));
         } else {
-            phi_120_ = 0u;
+            phi_113_ = 0u;
         }
-        let _e103 = phi_120_;
-        let _e106 = ((62i - _e90) - bitcast<i32>(_e103));
-        let _e108 = select(_e106, 126i, (_e106 > 126i));
-        global_5.member[0u] = bitcast<f32>((bitcast<u32>((_e108 + 127i)) << bitcast<u32>(23i)));
-        global_5.member[1u] = bitcast<f32>((bitcast<u32>((127i - _e108)) << bitcast<u32>(23i)));
-        let _e124 = local_2;
-        let _e125 = (_e124 < 2139095040u);
-        global_5.member[2u] = select(0f, bitcast<f32>(((bitcast<u32>((_e90 + 127i)) << bitcast<u32>(23i)) - 1u)), _e125);
-        if _e125 {
+        let _e94 = phi_113_;
+        let _e97 = ((62i - _e81) - bitcast<i32>(_e94));
+        let _e99 = select(_e97, 126i, (_e97 > 126i));
+        global_5.member[0u] = bitcast<f32>((bitcast<u32>((_e99 + 127i)) << bitcast<u32>(23i)));
+        global_5.member[1u] = bitcast<f32>((bitcast<u32>((127i - _e99)) << bitcast<u32>(23i)));
+        let _e115 = local_2;
+        let _e116 = (_e115 < 2139095040u);
+        global_5.member[2u] = select(0f, bitcast<f32>(((bitcast<u32>((_e81 + 127i)) << bitcast<u32>(23i)) - 1u)), _e116);
+        if _e116 {
         } else {
-            let _e137 = atomicMax((&global_6.member[0u]), 2u);
+            let _e128 = atomicMax((&global_6.member[0u]), 2u);
         }
     }
     return;

@@ -37,11 +37,6 @@ fn function_() {
     var phi_139_: vec4<f32>;
     var phi_141_: u32;
     var phi_143_: u32;
-    var phi_135_: vec4<f32>;
-    var phi_138_: vec4<f32>;
-    var phi_140_: vec4<f32>;
-    var phi_142_: u32;
-    var phi_144_: u32;
     var local: vec4<f32>;
     var local_1: vec4<f32>;
     var local_2: vec4<f32>;
@@ -51,9 +46,14 @@ fn function_() {
     var local_6: vec4<f32>;
     var local_7: vec4<f32>;
     var local_8: vec4<f32>;
-    var phi_226_: f32;
-    var phi_235_: f32;
-    var phi_245_: f32;
+    var phi_218_: f32;
+    var phi_227_: f32;
+    var phi_237_: f32;
+    var local_9: vec4<f32>;
+    var local_10: vec4<f32>;
+    var local_11: vec4<f32>;
+    var local_12: u32;
+    var local_13: u32;
 
     let _e23 = global;
     let _e24 = global_1;
@@ -86,76 +86,70 @@ fn function_() {
                 local_6 = _e57;
                 local_7 = _e57;
                 local_8 = _e57;
-                let _e66 = (_e63 < (((_e40 + (select(_e44, _e35, (_e35 < _e44)) * _e35)) + _e30) * 3u));
-                if _e66 {
+                if (_e63 < (((_e40 + (select(_e44, _e35, (_e35 < _e44)) * _e35)) + _e30) * 3u)) {
                     let _e69 = global_3.member[_e65];
                     let _e72 = global_6.member[_e63];
                     let _e93 = global_6.member[(_e63 + 1u)];
                     let _e114 = global_6.member[(_e63 + 2u)];
-                    phi_135_ = vec4<f32>((_e57.x + (_e114.x * _e69)), (_e57.y + (_e114.y * _e69)), (_e57.z + (_e114.z * _e69)), (_e57.w + (_e114.w * _e69)));
-                    phi_138_ = vec4<f32>((_e59.x + (_e93.x * _e69)), (_e59.y + (_e93.y * _e69)), (_e59.z + (_e93.z * _e69)), (_e59.w + (_e93.w * _e69)));
-                    phi_140_ = vec4<f32>((_e61.x + (_e72.x * _e69)), (_e61.y + (_e72.y * _e69)), (_e61.z + (_e72.z * _e69)), (_e61.w + (_e72.w * _e69)));
-                    phi_142_ = (_e63 + (_e35 * 3u));
-                    phi_144_ = (_e65 + 1u);
+                    local_9 = vec4<f32>((_e57.x + (_e114.x * _e69)), (_e57.y + (_e114.y * _e69)), (_e57.z + (_e114.z * _e69)), (_e57.w + (_e114.w * _e69)));
+                    local_10 = vec4<f32>((_e59.x + (_e93.x * _e69)), (_e59.y + (_e93.y * _e69)), (_e59.z + (_e93.z * _e69)), (_e59.w + (_e93.w * _e69)));
+                    local_11 = vec4<f32>((_e61.x + (_e72.x * _e69)), (_e61.y + (_e72.y * _e69)), (_e61.z + (_e72.z * _e69)), (_e61.w + (_e72.w * _e69)));
+                    local_12 = (_e63 + (_e35 * 3u));
+                    local_13 = (_e65 + 1u);
+                    continue;
                 } else {
-                    phi_135_ = vec4<f32>();
-                    phi_138_ = vec4<f32>();
-                    phi_140_ = vec4<f32>();
-                    phi_142_ = u32();
-                    phi_144_ = u32();
+                    break;
                 }
-                let _e136 = phi_135_;
-                let _e138 = phi_138_;
-                let _e140 = phi_140_;
-                let _e142 = phi_142_;
-                let _e144 = phi_144_;
-                continue;
                 continuing {
-                    phi_134_ = _e136;
-                    phi_137_ = _e138;
-                    phi_139_ = _e140;
-                    phi_141_ = _e142;
-                    phi_143_ = _e144;
-                    break if !(_e66);
+                    let _e236 = local_9;
+                    phi_134_ = _e236;
+                    let _e239 = local_10;
+                    phi_137_ = _e239;
+                    let _e242 = local_11;
+                    phi_139_ = _e242;
+                    let _e245 = local_12;
+                    phi_141_ = _e245;
+                    let _e248 = local_13;
+                    phi_143_ = _e248;
                 }
             }
-            let _e147 = ((_e32 * _e35) + _e30);
-            let _e148 = (_e40 + _e147);
-            let _e151 = global_4.member[_e148];
-            let _e154 = local;
-            let _e159 = local_1;
-            let _e164 = local_2;
-            let _e168 = local_3;
-            let _e172 = local_4;
-            let _e176 = local_5;
-            let _e181 = global_5.member[_e148];
-            let _e184 = local_6;
-            let _e189 = local_7;
-            let _e194 = local_8;
-            let _e202 = global_2.member.member_2;
-            let _e208 = global_2.member.member_1;
-            let _e210 = ((_e40 * 3u) + _e147);
-            if (_e151.x >= 0.000000000000000000000000000000000000011754944f) {
-                phi_226_ = 1f;
+            let _e136 = ((_e32 * _e35) + _e30);
+            let _e137 = (_e40 + _e136);
+            let _e140 = global_4.member[_e137];
+            let _e143 = local;
+            let _e148 = local_1;
+            let _e153 = local_2;
+            let _e157 = local_3;
+            let _e161 = local_4;
+            let _e165 = local_5;
+            let _e170 = global_5.member[_e137];
+            let _e173 = local_6;
+            let _e178 = local_7;
+            let _e183 = local_8;
+            let _e191 = global_2.member.member_2;
+            let _e197 = global_2.member.member_1;
+            let _e199 = ((_e40 * 3u) + _e136);
+            if (_e140.x >= 0.000000000000000000000000000000000000011754944f) {
+                phi_218_ = 1f;
             } else {
-                phi_226_ = select(0f, -1f, (_e151.x <= -0.000000000000000000000000000000000000011754944f));
+                phi_218_ = select(0f, -1f, (_e140.x <= -0.000000000000000000000000000000000000011754944f));
             }
-            let _e216 = phi_226_;
-            global_7.member[_e210] = (_e151.w * ((((_e168.x + (_e151.x * _e154.x)) + (_e181.x * _e184.x)) * _e202) + (_e208 * _e216)));
-            if (_e151.y >= 0.000000000000000000000000000000000000011754944f) {
-                phi_235_ = 1f;
+            let _e205 = phi_218_;
+            global_7.member[_e199] = (_e140.w * ((((_e157.x + (_e140.x * _e143.x)) + (_e170.x * _e173.x)) * _e191) + (_e197 * _e205)));
+            if (_e140.y >= 0.000000000000000000000000000000000000011754944f) {
+                phi_227_ = 1f;
             } else {
-                phi_235_ = select(0f, -1f, (_e151.y <= -0.000000000000000000000000000000000000011754944f));
+                phi_227_ = select(0f, -1f, (_e140.y <= -0.000000000000000000000000000000000000011754944f));
             }
-            let _e227 = phi_235_;
-            global_7.member[(_e210 + _e38)] = (_e151.w * ((((_e172.y + (_e151.y * _e159.y)) + (_e181.y * _e189.y)) * _e202) + (_e208 * _e227)));
-            if (_e151.z >= 0.000000000000000000000000000000000000011754944f) {
-                phi_245_ = 1f;
+            let _e216 = phi_227_;
+            global_7.member[(_e199 + _e38)] = (_e140.w * ((((_e161.y + (_e140.y * _e148.y)) + (_e170.y * _e178.y)) * _e191) + (_e197 * _e216)));
+            if (_e140.z >= 0.000000000000000000000000000000000000011754944f) {
+                phi_237_ = 1f;
             } else {
-                phi_245_ = select(0f, -1f, (_e151.z <= -0.000000000000000000000000000000000000011754944f));
+                phi_237_ = select(0f, -1f, (_e140.z <= -0.000000000000000000000000000000000000011754944f));
             }
-            let _e239 = phi_245_;
-            global_7.member[(_e210 + (2u * _e38))] = (_e151.w * ((((_e176.z + (_e151.z * _e164.z)) + (_e181.z * _e194.z)) * _e202) + (_e208 * _e239)));
+            let _e228 = phi_237_;
+            global_7.member[(_e199 + (2u * _e38))] = (_e140.w * ((((_e165.z + (_e140.z * _e153.z)) + (_e170.z * _e183.z)) * _e191) + (_e197 * _e228)));
         }
     }
     return;

@@ -30,12 +30,12 @@ var<storage, read_write> global_6: type_15;
 fn function_() {
     var phi_74_: vec4<f32>;
     var phi_77_: u32;
-    var phi_92_: f32;
-    var phi_98_: f32;
-    var phi_104_: f32;
-    var phi_75_: vec4<f32>;
-    var phi_78_: u32;
+    var phi_89_: f32;
+    var phi_95_: f32;
+    var phi_101_: f32;
     var local: vec4<f32>;
+    var local_1: vec4<f32>;
+    var local_2: u32;
 
     let _e14 = global;
     let _e15 = global_1;
@@ -51,45 +51,42 @@ fn function_() {
             let _e36 = phi_74_;
             let _e38 = phi_77_;
             local = _e36;
-            let _e39 = (_e38 < (_e33 + _e30));
-            if _e39 {
+            if (_e38 < (_e33 + _e30)) {
                 let _e42 = global_4.member[_e38];
                 if (_e42.x < 0f) {
-                    phi_92_ = -(_e42.x);
+                    phi_89_ = -(_e42.x);
                 } else {
-                    phi_92_ = _e42.x;
+                    phi_89_ = _e42.x;
                 }
-                let _e47 = phi_92_;
+                let _e47 = phi_89_;
                 if (_e42.y < 0f) {
-                    phi_98_ = -(_e42.y);
+                    phi_95_ = -(_e42.y);
                 } else {
-                    phi_98_ = _e42.y;
+                    phi_95_ = _e42.y;
                 }
-                let _e52 = phi_98_;
+                let _e52 = phi_95_;
                 if (_e42.z < 0f) {
-                    phi_104_ = -(_e42.z);
+                    phi_101_ = -(_e42.z);
                 } else {
-                    phi_104_ = _e42.z;
+                    phi_101_ = _e42.z;
                 }
-                let _e58 = phi_104_;
+                let _e58 = phi_101_;
                 let _e62 = global_5.member[_e38];
-                phi_75_ = vec4<f32>((_e36.x + ((_e47 + _e52) + _e58)), (_e36.y + _e62), (_e36.z + (((_e42.x * _e42.x) + (_e42.y * _e42.y)) + (_e42.z * _e42.z))), (_e36.w + _e42.w));
-                phi_78_ = (_e38 + 1u);
+                local_1 = vec4<f32>((_e36.x + ((_e47 + _e52) + _e58)), (_e36.y + _e62), (_e36.z + (((_e42.x * _e42.x) + (_e42.y * _e42.y)) + (_e42.z * _e42.z))), (_e36.w + _e42.w));
+                local_2 = (_e38 + 1u);
+                continue;
             } else {
-                phi_75_ = vec4<f32>();
-                phi_78_ = u32();
+                break;
             }
-            let _e80 = phi_75_;
-            let _e82 = phi_78_;
-            continue;
             continuing {
-                phi_74_ = _e80;
-                phi_77_ = _e82;
-                break if !(_e39);
+                let _e85 = local_1;
+                phi_74_ = _e85;
+                let _e88 = local_2;
+                phi_77_ = _e88;
             }
         }
-        let _e87 = local;
-        global_6.member[_e24] = _e87;
+        let _e82 = local;
+        global_6.member[_e24] = _e82;
     }
     return;
 }

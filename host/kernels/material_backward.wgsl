@@ -27,8 +27,8 @@ var<storage, read_write> global_5: type_5;
 fn function_() {
     var phi_61_: u32;
     var phi_64_: u32;
-    var phi_62_: u32;
-    var phi_65_: u32;
+    var local: u32;
+    var local_1: u32;
 
     let _e13 = global;
     let _e14 = global_1;
@@ -45,23 +45,20 @@ fn function_() {
         loop {
             let _e45 = phi_61_;
             let _e47 = phi_64_;
-            let _e48 = (_e45 < _e34);
-            if _e48 {
+            if (_e45 < _e34) {
                 let _e52 = global_4.member[_e47];
                 global_5.member[(((_e30 + _e23) * _e34) + _e45)] = _e52;
-                phi_62_ = (_e45 + 1u);
-                phi_65_ = (_e47 + _e41);
+                local = (_e45 + 1u);
+                local_1 = (_e47 + _e41);
+                continue;
             } else {
-                phi_62_ = u32();
-                phi_65_ = u32();
+                break;
             }
-            let _e58 = phi_62_;
-            let _e60 = phi_65_;
-            continue;
             continuing {
-                phi_61_ = _e58;
-                phi_64_ = _e60;
-                break if !(_e48);
+                let _e59 = local;
+                phi_61_ = _e59;
+                let _e62 = local_1;
+                phi_64_ = _e62;
             }
         }
     }

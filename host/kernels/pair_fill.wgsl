@@ -26,9 +26,9 @@ var<storage, read_write> global_6: type_9;
 fn function_() {
     var phi_55_: u32;
     var phi_58_: u32;
-    var phi_81_: u32;
-    var phi_56_: u32;
     var phi_59_: u32;
+    var local: u32;
+    var local_1: u32;
 
     let _e13 = global;
     let _e14 = global_1;
@@ -44,29 +44,26 @@ fn function_() {
         loop {
             let _e38 = phi_55_;
             let _e40 = phi_58_;
-            let _e41 = (_e38 < 32u);
-            if _e41 {
+            if (_e38 < 32u) {
                 if (((_e33 >> bitcast<u32>((_e38 & 31u))) & 1u) == 0u) {
-                    phi_81_ = _e40;
+                    phi_59_ = _e40;
                 } else {
                     let _e49 = global_3.member.member_1;
                     global_6.member[_e40] = (((_e14.z * _e49) + (_e23 * 32u)) + _e38);
-                    phi_81_ = (_e40 + 1u);
+                    phi_59_ = (_e40 + 1u);
                 }
-                let _e58 = phi_81_;
-                phi_56_ = (_e38 + 1u);
-                phi_59_ = _e58;
+                let _e58 = phi_59_;
+                local = (_e38 + 1u);
+                local_1 = _e58;
+                continue;
             } else {
-                phi_56_ = u32();
-                phi_59_ = u32();
+                break;
             }
-            let _e61 = phi_56_;
-            let _e63 = phi_59_;
-            continue;
             continuing {
-                phi_55_ = _e61;
-                phi_58_ = _e63;
-                break if !(_e41);
+                let _e62 = local;
+                phi_55_ = _e62;
+                let _e65 = local_1;
+                phi_58_ = _e65;
             }
         }
     }

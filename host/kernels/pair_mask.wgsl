@@ -27,10 +27,10 @@ var<storage, read_write> global_7: type_6;
 fn function_() {
     var phi_53_: u32;
     var phi_56_: u32;
-    var phi_54_: u32;
-    var phi_57_: u32;
     var local: u32;
     var local_1: u32;
+    var local_2: u32;
+    var local_3: u32;
 
     let _e12 = global;
     let _e13 = global_1;
@@ -47,29 +47,26 @@ fn function_() {
             let _e38 = phi_56_;
             local = _e36;
             local_1 = _e36;
-            let _e39 = (_e38 < _e31);
-            if _e39 {
+            if (_e38 < _e31) {
                 let _e44 = global_5.member[((_e38 * _e25) + _e22)];
-                phi_54_ = (_e36 | _e44);
-                phi_57_ = (_e38 + 1u);
+                local_2 = (_e36 | _e44);
+                local_3 = (_e38 + 1u);
+                continue;
             } else {
-                phi_54_ = u32();
-                phi_57_ = u32();
+                break;
             }
-            let _e48 = phi_54_;
-            let _e50 = phi_57_;
-            continue;
             continuing {
-                phi_53_ = _e48;
-                phi_56_ = _e50;
-                break if !(_e39);
+                let _e60 = local_2;
+                phi_53_ = _e60;
+                let _e63 = local_3;
+                phi_56_ = _e63;
             }
         }
-        let _e53 = ((_e13.z * _e25) + _e22);
-        let _e57 = local;
-        global_6.member[_e53] = _e57;
-        let _e59 = local_1;
-        global_7.member[_e53] = countOneBits(_e59);
+        let _e48 = ((_e13.z * _e25) + _e22);
+        let _e52 = local;
+        global_6.member[_e48] = _e52;
+        let _e54 = local_1;
+        global_7.member[_e48] = countOneBits(_e54);
     }
     return;
 }

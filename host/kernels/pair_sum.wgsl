@@ -40,17 +40,17 @@ fn function_() {
     var phi_128_: u32;
     var phi_131_: vec4<f32>;
     var phi_133_: u32;
-    var phi_173_: vec4<f32>;
-    var phi_182_: vec4<f32>;
-    var phi_191_: vec4<f32>;
-    var phi_192_: vec4<f32>;
-    var phi_129_: u32;
+    var phi_170_: vec4<f32>;
+    var phi_179_: vec4<f32>;
+    var phi_188_: vec4<f32>;
     var phi_132_: vec4<f32>;
-    var phi_134_: u32;
     var local: vec4<f32>;
     var local_1: vec4<f32>;
     var local_2: vec4<f32>;
     var local_3: vec4<f32>;
+    var local_4: u32;
+    var local_5: vec4<f32>;
+    var local_6: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -112,17 +112,16 @@ fn function_() {
                     let _e101 = phi_128_;
                     let _e103 = phi_131_;
                     let _e105 = phi_133_;
+                    let _e108 = global_3.member.member_2;
                     local = _e103;
                     local_1 = _e103;
                     local_2 = _e103;
                     local_3 = _e103;
-                    let _e108 = global_3.member.member_2;
-                    let _e109 = (_e101 < _e108);
-                    if _e109 {
+                    if (_e101 < _e108) {
                         let _e112 = global_4.member[_e105];
                         let _e113 = ((_e46 % 32u) & 31u);
                         if (((_e112 >> bitcast<u32>(_e113)) & 1u) == 0u) {
-                            phi_192_ = _e103;
+                            phi_132_ = _e103;
                         } else {
                             let _e120 = global_5.member[_e105];
                             let _e128 = (((_e120 + countOneBits((_e112 & ((1u << bitcast<u32>(_e113)) - 1u)))) * _e33) + _e48);
@@ -130,60 +129,57 @@ fn function_() {
                             let _e138 = vec4<f32>((_e103.x + _e131), _e103.y, _e103.z, _e103.w);
                             if _e50 {
                                 let _e142 = global_6.member[(_e128 + 1u)];
-                                phi_173_ = vec4<f32>(_e138.x, (_e103.y + _e142), _e138.z, _e138.w);
+                                phi_170_ = vec4<f32>(_e138.x, (_e103.y + _e142), _e138.z, _e138.w);
                             } else {
-                                phi_173_ = _e138;
+                                phi_170_ = _e138;
                             }
-                            let _e151 = phi_173_;
+                            let _e151 = phi_170_;
                             if _e52 {
                                 let _e155 = global_6.member[(_e128 + 2u)];
-                                phi_182_ = vec4<f32>(_e151.x, _e151.y, (_e151.z + _e155), _e151.w);
+                                phi_179_ = vec4<f32>(_e151.x, _e151.y, (_e151.z + _e155), _e151.w);
                             } else {
-                                phi_182_ = _e151;
+                                phi_179_ = _e151;
                             }
-                            let _e164 = phi_182_;
+                            let _e164 = phi_179_;
                             if _e54 {
                                 let _e168 = global_6.member[(_e128 + 3u)];
-                                phi_191_ = vec4<f32>(_e164.x, _e164.y, _e164.z, (_e164.w + _e168));
+                                phi_188_ = vec4<f32>(_e164.x, _e164.y, _e164.z, (_e164.w + _e168));
                             } else {
-                                phi_191_ = _e164;
+                                phi_188_ = _e164;
                             }
-                            let _e177 = phi_191_;
-                            phi_192_ = _e177;
+                            let _e177 = phi_188_;
+                            phi_132_ = _e177;
                         }
-                        let _e179 = phi_192_;
-                        phi_129_ = (_e101 + 1u);
-                        phi_132_ = _e179;
-                        phi_134_ = (_e105 + _e61);
+                        let _e179 = phi_132_;
+                        local_4 = (_e101 + 1u);
+                        local_5 = _e179;
+                        local_6 = (_e105 + _e61);
+                        continue;
                     } else {
-                        phi_129_ = u32();
-                        phi_132_ = vec4<f32>();
-                        phi_134_ = u32();
+                        break;
                     }
-                    let _e183 = phi_129_;
-                    let _e185 = phi_132_;
-                    let _e187 = phi_134_;
-                    continue;
                     continuing {
-                        phi_128_ = _e183;
-                        phi_131_ = _e185;
-                        phi_133_ = _e187;
-                        break if !(_e109);
+                        let _e209 = local_4;
+                        phi_128_ = _e209;
+                        let _e212 = local_5;
+                        phi_131_ = _e212;
+                        let _e215 = local_6;
+                        phi_133_ = _e215;
                     }
                 }
-                let _e190 = local;
-                global_7.member[_e66] = _e190.x;
+                let _e183 = local;
+                global_7.member[_e66] = _e183.x;
                 if _e50 {
-                    let _e194 = local_1;
-                    global_7.member[(_e66 + 1u)] = _e194.y;
+                    let _e187 = local_1;
+                    global_7.member[(_e66 + 1u)] = _e187.y;
                 }
                 if _e52 {
-                    let _e200 = local_2;
-                    global_7.member[(_e66 + 2u)] = _e200.z;
+                    let _e193 = local_2;
+                    global_7.member[(_e66 + 2u)] = _e193.z;
                 }
                 if _e54 {
-                    let _e206 = local_3;
-                    global_7.member[(_e66 + 3u)] = _e206.w;
+                    let _e199 = local_3;
+                    global_7.member[(_e66 + 3u)] = _e199.w;
                 }
             }
             break;

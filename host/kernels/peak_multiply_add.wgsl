@@ -33,10 +33,6 @@ fn function_() {
     var phi_85_: type_11;
     var phi_87_: type_11;
     var phi_89_: type_11;
-    var phi_83_: u32;
-    var phi_86_: type_11;
-    var phi_88_: type_11;
-    var phi_90_: type_11;
     var local: type_11;
     var local_1: type_11;
     var local_2: type_11;
@@ -49,6 +45,10 @@ fn function_() {
     var local_9: type_11;
     var local_10: type_11;
     var local_11: type_11;
+    var local_12: u32;
+    var local_13: type_11;
+    var local_14: type_11;
+    var local_15: type_11;
 
     let _e24 = global;
     let _e25 = global_1;
@@ -68,6 +68,7 @@ fn function_() {
             let _e64 = phi_85_;
             let _e66 = phi_87_;
             let _e68 = phi_89_;
+            let _e71 = global_3.member.member_1;
             local = _e68;
             local_1 = _e68;
             local_2 = _e68;
@@ -80,45 +81,39 @@ fn function_() {
             local_9 = _e64;
             local_10 = _e64;
             local_11 = _e64;
-            let _e71 = global_3.member.member_1;
-            let _e72 = (_e62 < _e71);
-            if _e72 {
-                phi_83_ = (_e62 + 1u);
-                phi_86_ = type_11(((((((((_e64.member * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e64.member_1 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e64.member_2 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e64.member_3 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46));
-                phi_88_ = type_11(((((((((_e66.member * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e66.member_1 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e66.member_2 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e66.member_3 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46));
-                phi_90_ = type_11(((((((((_e68.member * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e68.member_1 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e68.member_2 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e68.member_3 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46));
+            if (_e62 < _e71) {
+                local_12 = (_e62 + 1u);
+                local_13 = type_11(((((((((_e64.member * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e64.member_1 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e64.member_2 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e64.member_3 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46));
+                local_14 = type_11(((((((((_e66.member * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e66.member_1 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e66.member_2 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e66.member_3 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46));
+                local_15 = type_11(((((((((_e68.member * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e68.member_1 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e68.member_2 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e68.member_3 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46));
+                continue;
             } else {
-                phi_83_ = u32();
-                phi_86_ = type_11();
-                phi_88_ = type_11();
-                phi_90_ = type_11();
+                break;
             }
-            let _e186 = phi_83_;
-            let _e188 = phi_86_;
-            let _e190 = phi_88_;
-            let _e192 = phi_90_;
-            continue;
             continuing {
-                phi_82_ = _e186;
-                phi_85_ = _e188;
-                phi_87_ = _e190;
-                phi_89_ = _e192;
-                break if !(_e72);
+                let _e236 = local_12;
+                phi_82_ = _e236;
+                let _e239 = local_13;
+                phi_85_ = _e239;
+                let _e242 = local_14;
+                phi_87_ = _e242;
+                let _e245 = local_15;
+                phi_89_ = _e245;
             }
         }
-        let _e195 = local;
-        let _e198 = local_1;
-        let _e201 = local_2;
-        let _e204 = local_3;
-        let _e207 = local_4;
-        let _e210 = local_5;
-        let _e213 = local_6;
-        let _e216 = local_7;
-        let _e219 = local_8;
-        let _e222 = local_9;
-        let _e225 = local_10;
-        let _e228 = local_11;
-        global_4.member[_e34] = ((((_e195.member + _e198.member_1) + (_e201.member_2 + _e204.member_3)) + ((_e207.member + _e210.member_1) + (_e213.member_2 + _e216.member_3))) + ((_e219.member + _e222.member_1) + (_e225.member_2 + _e228.member_3)));
+        let _e186 = local;
+        let _e189 = local_1;
+        let _e192 = local_2;
+        let _e195 = local_3;
+        let _e198 = local_4;
+        let _e201 = local_5;
+        let _e204 = local_6;
+        let _e207 = local_7;
+        let _e210 = local_8;
+        let _e213 = local_9;
+        let _e216 = local_10;
+        let _e219 = local_11;
+        global_4.member[_e34] = ((((_e186.member + _e189.member_1) + (_e192.member_2 + _e195.member_3)) + ((_e198.member + _e201.member_1) + (_e204.member_2 + _e207.member_3))) + ((_e210.member + _e213.member_1) + (_e216.member_2 + _e219.member_3)));
     }
     return;
 }

@@ -24,20 +24,20 @@ var<storage, read_write> global_5: type_5;
 fn function_() {
     var phi_63_: u32;
     var phi_66_: f32;
-    var phi_68_: f32;
-    var phi_70_: f32;
-    var phi_72_: f32;
-    var phi_74_: u32;
-    var phi_64_: u32;
     var phi_67_: f32;
+    var phi_68_: f32;
     var phi_69_: f32;
-    var phi_71_: f32;
-    var phi_73_: f32;
-    var phi_75_: u32;
+    var phi_70_: u32;
     var local: f32;
     var local_1: f32;
     var local_2: f32;
     var local_3: f32;
+    var local_4: u32;
+    var local_5: f32;
+    var local_6: f32;
+    var local_7: f32;
+    var local_8: f32;
+    var local_9: u32;
 
     let _e15 = global;
     let _e16 = global_1;
@@ -49,63 +49,56 @@ fn function_() {
         let _e32 = global_3.member.member_1;
         phi_63_ = 0u;
         phi_66_ = 0f;
+        phi_67_ = 0f;
         phi_68_ = 0f;
-        phi_70_ = 0f;
-        phi_72_ = 0f;
-        phi_74_ = (((_e22 * _e32) * 256u) + _e15.x);
+        phi_69_ = 0f;
+        phi_70_ = (((_e22 * _e32) * 256u) + _e15.x);
         loop {
             let _e37 = phi_63_;
             let _e39 = phi_66_;
-            let _e41 = phi_68_;
-            let _e43 = phi_70_;
-            let _e45 = phi_72_;
-            let _e47 = phi_74_;
+            let _e41 = phi_67_;
+            let _e43 = phi_68_;
+            let _e45 = phi_69_;
+            let _e47 = phi_70_;
             local = _e43;
             local_1 = _e41;
             local_2 = _e39;
             local_3 = _e45;
-            let _e48 = (_e37 < _e32);
-            if _e48 {
+            if (_e37 < _e32) {
                 let _e51 = global_4.member[_e47];
                 let _e56 = global_4.member[(_e47 + 64u)];
                 let _e61 = global_4.member[(_e47 + 128u)];
                 let _e66 = global_4.member[(_e47 + 192u)];
-                phi_64_ = (_e37 + 1u);
-                phi_67_ = (_e39 + _e61);
-                phi_69_ = (_e41 + _e56);
-                phi_71_ = (_e43 + _e51);
-                phi_73_ = (_e45 + _e66);
-                phi_75_ = (_e47 + 256u);
+                local_4 = (_e37 + 1u);
+                local_5 = (_e39 + _e61);
+                local_6 = (_e41 + _e56);
+                local_7 = (_e43 + _e51);
+                local_8 = (_e45 + _e66);
+                local_9 = (_e47 + 256u);
+                continue;
             } else {
-                phi_64_ = u32();
-                phi_67_ = f32();
-                phi_69_ = f32();
-                phi_71_ = f32();
-                phi_73_ = f32();
-                phi_75_ = u32();
+                break;
             }
-            let _e71 = phi_64_;
-            let _e73 = phi_67_;
-            let _e75 = phi_69_;
-            let _e77 = phi_71_;
-            let _e79 = phi_73_;
-            let _e81 = phi_75_;
-            continue;
             continuing {
-                phi_63_ = _e71;
-                phi_66_ = _e73;
-                phi_68_ = _e75;
-                phi_70_ = _e77;
-                phi_72_ = _e79;
-                phi_74_ = _e81;
-                break if !(_e48);
+                let _e85 = local_4;
+                phi_63_ = _e85;
+                let _e88 = local_5;
+                phi_66_ = _e88;
+                let _e91 = local_6;
+                phi_67_ = _e91;
+                let _e94 = local_7;
+                phi_68_ = _e94;
+                let _e97 = local_8;
+                phi_69_ = _e97;
+                let _e100 = local_9;
+                phi_70_ = _e100;
             }
         }
-        let _e84 = local;
-        let _e86 = local_1;
-        let _e89 = local_2;
-        let _e91 = local_3;
-        global_5.member[_e25] = ((_e84 + _e86) + (_e89 + _e91));
+        let _e71 = local;
+        let _e73 = local_1;
+        let _e76 = local_2;
+        let _e78 = local_3;
+        global_5.member[_e25] = ((_e71 + _e73) + (_e76 + _e78));
     }
     return;
 }

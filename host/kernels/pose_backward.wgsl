@@ -47,15 +47,15 @@ fn function_() {
     var phi_547_: vec3<f32>;
     var phi_550_: vec3<f32>;
     var phi_552_: u32;
-    var phi_548_: vec3<f32>;
-    var phi_551_: vec3<f32>;
-    var phi_553_: u32;
     var local: vec3<f32>;
     var local_1: vec3<f32>;
     var local_2: vec3<f32>;
     var local_3: vec3<f32>;
     var local_4: vec3<f32>;
     var local_5: vec3<f32>;
+    var local_6: vec3<f32>;
+    var local_7: vec3<f32>;
+    var local_8: u32;
 
     let _e44 = global;
     let _e45 = global_1;
@@ -100,8 +100,7 @@ fn function_() {
             local_3 = _e150;
             local_4 = _e150;
             local_5 = _e150;
-            let _e155 = (_e154 < select(_e139, _e146, (_e146 < _e139)));
-            if _e155 {
+            if (_e154 < select(_e139, _e146, (_e146 < _e139))) {
                 let _e158 = global_9.member[_e154];
                 let _e161 = global_3.member.member;
                 let _e163 = (_e158 - (_e45.z * _e161));
@@ -227,38 +226,35 @@ fn function_() {
                 let _e585 = (((_e506 * _e259) - (_e507 * _e258)) + ((_e521 * _e268) - (_e522 * _e267)));
                 let _e586 = (((_e507 * _e257) - (_e505 * _e259)) + ((_e522 * _e266) - (_e520 * _e268)));
                 let _e587 = (((_e505 * _e258) - (_e506 * _e257)) + ((_e520 * _e267) - (_e521 * _e266)));
-                phi_548_ = vec3<f32>((_e150.x + _e546), (_e150.y + _e549), (_e150.z + _e566));
-                phi_551_ = vec3<f32>((_e152.x + (((_e213 * _e566) - (_e218 * _e549)) + (((_e63 * _e585) + (_e67 * _e586)) + (_e71 * _e587)))), (_e152.y + (((_e218 * _e546) - (_e208 * _e566)) + (((_e75 * _e585) + (_e79 * _e586)) + (_e83 * _e587)))), (_e152.z + (((_e208 * _e549) - (_e213 * _e546)) + (((_e87 * _e585) + (_e91 * _e586)) + (_e95 * _e587)))));
-                phi_553_ = (_e154 + 1u);
+                local_6 = vec3<f32>((_e150.x + _e546), (_e150.y + _e549), (_e150.z + _e566));
+                local_7 = vec3<f32>((_e152.x + (((_e213 * _e566) - (_e218 * _e549)) + (((_e63 * _e585) + (_e67 * _e586)) + (_e71 * _e587)))), (_e152.y + (((_e218 * _e546) - (_e208 * _e566)) + (((_e75 * _e585) + (_e79 * _e586)) + (_e83 * _e587)))), (_e152.z + (((_e208 * _e549) - (_e213 * _e546)) + (((_e87 * _e585) + (_e91 * _e586)) + (_e95 * _e587)))));
+                local_8 = (_e154 + 1u);
+                continue;
             } else {
-                phi_548_ = vec3<f32>();
-                phi_551_ = vec3<f32>();
-                phi_553_ = u32();
+                break;
             }
-            let _e631 = phi_548_;
-            let _e633 = phi_551_;
-            let _e635 = phi_553_;
-            continue;
             continuing {
-                phi_547_ = _e631;
-                phi_550_ = _e633;
-                phi_552_ = _e635;
-                break if !(_e155);
+                let _e670 = local_6;
+                phi_547_ = _e670;
+                let _e673 = local_7;
+                phi_550_ = _e673;
+                let _e676 = local_8;
+                phi_552_ = _e676;
             }
         }
-        let _e639 = (6u * ((_e45.z * _e57) + _e54));
-        let _e641 = local;
-        global_11.member[_e639] = _e641.x;
-        let _e647 = local_1;
-        global_11.member[(_e639 + 1u)] = _e647.y;
-        let _e653 = local_2;
-        global_11.member[(_e639 + 2u)] = _e653.z;
-        let _e659 = local_3;
-        global_11.member[(_e639 + 3u)] = _e659.x;
-        let _e665 = local_4;
-        global_11.member[(_e639 + 4u)] = _e665.y;
-        let _e671 = local_5;
-        global_11.member[(_e639 + 5u)] = _e671.z;
+        let _e632 = (6u * ((_e45.z * _e57) + _e54));
+        let _e634 = local;
+        global_11.member[_e632] = _e634.x;
+        let _e640 = local_1;
+        global_11.member[(_e632 + 1u)] = _e640.y;
+        let _e646 = local_2;
+        global_11.member[(_e632 + 2u)] = _e646.z;
+        let _e652 = local_3;
+        global_11.member[(_e632 + 3u)] = _e652.x;
+        let _e658 = local_4;
+        global_11.member[(_e632 + 4u)] = _e658.y;
+        let _e664 = local_5;
+        global_11.member[(_e632 + 5u)] = _e664.z;
     }
     return;
 }

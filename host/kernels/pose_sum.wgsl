@@ -32,9 +32,9 @@ var<storage, read_write> global_6: type_5;
 fn function_() {
     var phi_67_: u32;
     var phi_70_: f32;
-    var phi_68_: u32;
-    var phi_71_: f32;
     var local: f32;
+    var local_1: u32;
+    var local_2: f32;
 
     let _e15 = global;
     let _e16 = global_1;
@@ -52,29 +52,26 @@ fn function_() {
         loop {
             let _e45 = phi_67_;
             let _e47 = phi_70_;
-            local = _e47;
             let _e50 = global_3.member.member_3;
-            let _e51 = (_e45 < _e50);
-            if _e51 {
+            local = _e47;
+            if (_e45 < _e50) {
                 let _e54 = global_3.member.member_1;
                 let _e61 = global_5.member[((6u * ((_e31 * _e54) + _e45)) + _e32)];
-                phi_68_ = (_e45 + 1u);
-                phi_71_ = (_e47 + _e61);
+                local_1 = (_e45 + 1u);
+                local_2 = (_e47 + _e61);
+                continue;
             } else {
-                phi_68_ = u32();
-                phi_71_ = f32();
+                break;
             }
-            let _e65 = phi_68_;
-            let _e67 = phi_71_;
-            continue;
             continuing {
-                phi_67_ = _e65;
-                phi_70_ = _e67;
-                break if !(_e51);
+                let _e68 = local_1;
+                phi_67_ = _e68;
+                let _e71 = local_2;
+                phi_70_ = _e71;
             }
         }
-        let _e70 = local;
-        global_6.member[((6u * _e35) + _e32)] = _e70;
+        let _e65 = local;
+        global_6.member[((6u * _e35) + _e32)] = _e65;
     }
     return;
 }

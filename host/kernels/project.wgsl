@@ -52,22 +52,22 @@ var<storage, read_write> global_10: type_28;
 
 fn function_() {
     var phi_474_: u32;
-    var phi_541_: f32;
-    var phi_546_: f32;
-    var phi_551_: f32;
-    var phi_556_: f32;
-    var phi_561_: f32;
-    var phi_566_: f32;
-    var phi_575_: f32;
+    var phi_538_: f32;
+    var phi_543_: f32;
+    var phi_548_: f32;
+    var phi_553_: f32;
+    var phi_558_: f32;
+    var phi_563_: f32;
+    var phi_572_: f32;
+    var phi_578_: bool;
+    var phi_580_: bool;
     var phi_581_: bool;
-    var phi_583_: bool;
-    var phi_584_: bool;
-    var phi_589_: f32;
-    var phi_602_: type_25;
-    var phi_604_: type_25;
-    var phi_605_: bool;
-    var phi_610_: type_25;
-    var phi_475_: u32;
+    var phi_586_: f32;
+    var phi_599_: type_25;
+    var phi_601_: type_25;
+    var phi_602_: bool;
+    var phi_607_: type_25;
+    var local: u32;
 
     let _e53 = global;
     let _e54 = global_1;
@@ -140,8 +140,7 @@ fn function_() {
         phi_474_ = 0u;
         loop {
             let _e275 = phi_474_;
-            let _e276 = (_e275 < 1u);
-            if _e276 {
+            if (_e275 < 1u) {
                 let _e277 = (_e63 + _e275);
                 let _e280 = (2u * ((_e54.z * _e66) + _e277));
                 if (_e273 == 0u) {
@@ -231,93 +230,93 @@ fn function_() {
                     let _e500 = (0.5f * (_e472 - _e473));
                     let _e509 = sqrt((11.082527f * ((0.5f * (_e472 + _e473)) + sqrt(((_e500 * _e500) + (_e466 * _e466))))));
                     if (_e495 < 0f) {
-                        phi_541_ = -(_e495);
+                        phi_538_ = -(_e495);
                     } else {
-                        phi_541_ = _e495;
+                        phi_538_ = _e495;
                     }
-                    let _e521 = phi_541_;
+                    let _e521 = phi_538_;
                     if (_e496 < 0f) {
-                        phi_546_ = -(_e496);
+                        phi_543_ = -(_e496);
                     } else {
-                        phi_546_ = _e496;
+                        phi_543_ = _e496;
                     }
-                    let _e525 = phi_546_;
+                    let _e525 = phi_543_;
                     if (_e497 < 0f) {
-                        phi_551_ = -(_e497);
+                        phi_548_ = -(_e497);
                     } else {
-                        phi_551_ = _e497;
+                        phi_548_ = _e497;
                     }
-                    let _e530 = phi_551_;
+                    let _e530 = phi_548_;
                     if (_e341 < 0f) {
-                        phi_556_ = -(_e341);
+                        phi_553_ = -(_e341);
                     } else {
-                        phi_556_ = _e341;
+                        phi_553_ = _e341;
                     }
-                    let _e535 = phi_556_;
+                    let _e535 = phi_553_;
                     if (_e344 < 0f) {
-                        phi_561_ = -(_e344);
+                        phi_558_ = -(_e344);
                     } else {
-                        phi_561_ = _e344;
+                        phi_558_ = _e344;
                     }
-                    let _e540 = phi_561_;
+                    let _e540 = phi_558_;
                     let _e542 = (((((_e521 + _e525) + _e530) + _e535) + _e540) + _e509);
                     let _e543 = (_e336 < 0f);
                     if _e543 {
-                        phi_566_ = -(_e336);
+                        phi_563_ = -(_e336);
                     } else {
-                        phi_566_ = _e336;
+                        phi_563_ = _e336;
                     }
-                    let _e546 = phi_566_;
+                    let _e546 = phi_563_;
                     if (_e546 <= 0x1.fffffep+127f) {
                         if (_e542 < 0f) {
-                            phi_575_ = -(_e542);
+                            phi_572_ = -(_e542);
                         } else {
-                            phi_575_ = _e542;
+                            phi_572_ = _e542;
                         }
-                        let _e551 = phi_575_;
+                        let _e551 = phi_572_;
                         let _e552 = (_e551 <= 0x1.fffffep+127f);
                         if _e552 {
-                            phi_581_ = (_e492 > 0f);
+                            phi_578_ = (_e492 > 0f);
                         } else {
-                            phi_581_ = bool();
+                            phi_578_ = bool();
                         }
-                        let _e555 = phi_581_;
-                        phi_583_ = _e555;
-                        phi_584_ = select(true, false, _e552);
+                        let _e555 = phi_578_;
+                        phi_580_ = _e555;
+                        phi_581_ = select(true, false, _e552);
                     } else {
-                        phi_583_ = bool();
-                        phi_584_ = true;
+                        phi_580_ = bool();
+                        phi_581_ = true;
                     }
-                    let _e558 = phi_583_;
-                    let _e560 = phi_584_;
+                    let _e558 = phi_580_;
+                    let _e560 = phi_581_;
                     let _e561 = select(_e558, false, _e560);
                     if _e543 {
-                        phi_589_ = -(_e336);
+                        phi_586_ = -(_e336);
                     } else {
-                        phi_589_ = _e336;
+                        phi_586_ = _e336;
                     }
-                    let _e564 = phi_589_;
+                    let _e564 = phi_586_;
                     if _e337 {
                         if _e561 {
-                            phi_602_ = type_25(vec2<f32>(_e341, _e344), vec2<f32>(((sqrt((11.082527f * _e472)) * 1.001f) + 0.01f), ((sqrt((11.082527f * _e473)) * 1.001f) + 0.01f)), vec3<f32>(_e495, _e496, _e497), _e509);
+                            phi_599_ = type_25(vec2<f32>(_e341, _e344), vec2<f32>(((sqrt((11.082527f * _e472)) * 1.001f) + 0.01f), ((sqrt((11.082527f * _e473)) * 1.001f) + 0.01f)), vec3<f32>(_e495, _e496, _e497), _e509);
                         } else {
-                            phi_602_ = type_25();
+                            phi_599_ = type_25();
                         }
-                        let _e572 = phi_602_;
-                        phi_604_ = _e572;
-                        phi_605_ = select(true, false, _e561);
+                        let _e572 = phi_599_;
+                        phi_601_ = _e572;
+                        phi_602_ = select(true, false, _e561);
                     } else {
-                        phi_604_ = type_25();
-                        phi_605_ = true;
+                        phi_601_ = type_25();
+                        phi_602_ = true;
                     }
-                    let _e575 = phi_604_;
-                    let _e577 = phi_605_;
+                    let _e575 = phi_601_;
+                    let _e577 = phi_602_;
                     if _e577 {
-                        phi_610_ = type_25(vec2<f32>(0f, 0f), vec2<f32>(0f, 0f), vec3<f32>(0f, 0f, 0f), select(-1f, -2f, select(true, _e337, (_e564 <= 0x1.fffffep+127f))));
+                        phi_607_ = type_25(vec2<f32>(0f, 0f), vec2<f32>(0f, 0f), vec3<f32>(0f, 0f, 0f), select(-1f, -2f, select(true, _e337, (_e564 <= 0x1.fffffep+127f))));
                     } else {
-                        phi_610_ = _e575;
+                        phi_607_ = _e575;
                     }
-                    let _e580 = phi_610_;
+                    let _e580 = phi_607_;
                     global_9.member[_e280] = vec4<f32>(_e580.member.x, _e580.member.y, _e580.member_3, _e580.member_1.x);
                     global_9.member[(_e280 + 1u)] = vec4<f32>(_e580.member_2.x, _e580.member_2.y, _e580.member_2.z, _e580.member_1.y);
                     if (_e580.member_3 == -2f) {
@@ -327,15 +326,14 @@ fn function_() {
                     global_9.member[_e280] = vec4<f32>(0f, 0f, -(f32(_e273)), 0f);
                     global_9.member[(_e280 + 1u)] = vec4<f32>(0f, 0f, 0f, 0f);
                 }
-                phi_475_ = (_e275 + 1u);
+                local = (_e275 + 1u);
+                continue;
             } else {
-                phi_475_ = u32();
+                break;
             }
-            let _e615 = phi_475_;
-            continue;
             continuing {
-                phi_474_ = _e615;
-                break if !(_e276);
+                let _e616 = local;
+                phi_474_ = _e616;
             }
         }
     }

@@ -47,7 +47,7 @@ var<storage, read_write> global_11: type_5;
 
 fn function_() {
     var phi_581_: u32;
-    var phi_582_: u32;
+    var local: u32;
 
     let _e43 = global;
     let _e44 = global_1;
@@ -75,8 +75,7 @@ fn function_() {
         phi_581_ = _e102;
         loop {
             let _e108 = phi_581_;
-            let _e109 = (_e108 < (_e102 + _e105));
-            if _e109 {
+            if (_e108 < (_e102 + _e105)) {
                 let _e112 = global_8.member.member_1;
                 let _e114 = ((_e108 * _e112) + (_e53 / 32u));
                 let _e117 = global_9.member[_e114];
@@ -258,15 +257,14 @@ fn function_() {
                     let _e771 = global_11.member[((10u * _e56) + _e53)];
                     global_11.member[((10u * _e56) + _e53)] = (_e771 + bitcast<f32>((bitcast<u32>(_e130.z) & _e680)));
                 }
-                phi_582_ = (_e108 + 1u);
+                local = (_e108 + 1u);
+                continue;
             } else {
-                phi_582_ = u32();
+                break;
             }
-            let _e775 = phi_582_;
-            continue;
             continuing {
-                phi_581_ = _e775;
-                break if !(_e109);
+                let _e776 = local;
+                phi_581_ = _e776;
             }
         }
     }

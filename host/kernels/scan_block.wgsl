@@ -26,24 +26,24 @@ var<workgroup> global_7: array<u32, 64>;
 fn function_() {
     var phi_50_: u32;
     var phi_53_: u32;
-    var phi_71_: u32;
-    var phi_51_: u32;
     var phi_54_: u32;
     var local: u32;
-    var phi_75_: u32;
-    var phi_78_: u32;
-    var phi_94_: u32;
-    var phi_76_: u32;
-    var phi_79_: u32;
+    var phi_70_: u32;
+    var phi_73_: u32;
+    var phi_74_: u32;
     var local_1: u32;
     var local_2: u32;
-    var phi_98_: u32;
-    var phi_101_: u32;
-    var phi_124_: u32;
-    var phi_99_: u32;
-    var phi_102_: u32;
+    var phi_88_: u32;
+    var phi_91_: u32;
+    var phi_92_: u32;
     var local_3: u32;
     var local_4: u32;
+    var local_5: u32;
+    var local_6: u32;
+    var local_7: u32;
+    var local_8: u32;
+    var local_9: u32;
+    var local_10: u32;
 
     let _e17 = global;
     let _e18 = global_1;
@@ -56,113 +56,104 @@ fn function_() {
         let _e30 = phi_50_;
         let _e32 = phi_53_;
         local = _e32;
-        local_4 = _e32;
+        local_7 = _e32;
         local_2 = _e32;
-        let _e33 = (_e30 < 16u);
-        if _e33 {
+        if (_e30 < 16u) {
             let _e34 = (_e28 + _e30);
             let _e37 = global_3.member.member;
             if (_e34 < _e37) {
                 let _e41 = global_5.member[_e34];
-                phi_71_ = (_e32 + _e41);
+                phi_54_ = (_e32 + _e41);
             } else {
-                phi_71_ = _e32;
+                phi_54_ = _e32;
             }
-            let _e44 = phi_71_;
-            phi_51_ = (_e30 + 1u);
-            phi_54_ = _e44;
+            let _e44 = phi_54_;
+            local_4 = (_e30 + 1u);
+            local_5 = _e44;
+            continue;
         } else {
-            phi_51_ = u32();
-            phi_54_ = u32();
+            break;
         }
-        let _e47 = phi_51_;
-        let _e49 = phi_54_;
-        continue;
         continuing {
-            phi_50_ = _e47;
-            phi_53_ = _e49;
-            break if !(_e33);
+            let _e99 = local_4;
+            phi_50_ = _e99;
+            let _e102 = local_5;
+            phi_53_ = _e102;
         }
     }
-    let _e53 = local;
-    global_7[_e17.x] = _e53;
+    let _e48 = local;
+    global_7[_e17.x] = _e48;
     workgroupBarrier();
-    phi_75_ = 1u;
-    let _e121 = local_4;
-    phi_78_ = _e121;
+    phi_70_ = 1u;
+    let _e110 = local_7;
+    phi_73_ = _e110;
     loop {
-        let _e55 = phi_75_;
-        let _e57 = phi_78_;
-        local_1 = _e57;
-        local_3 = _e57;
-        let _e58 = (_e55 < 64u);
-        if _e58 {
-            if (_e17.x >= _e55) {
-                let _e62 = global_7[(_e17.x - _e55)];
-                phi_94_ = (_e57 + _e62);
+        let _e50 = phi_70_;
+        let _e52 = phi_73_;
+        local_1 = _e52;
+        local_3 = _e52;
+        if (_e50 < 64u) {
+            if (_e17.x >= _e50) {
+                let _e57 = global_7[(_e17.x - _e50)];
+                phi_74_ = (_e52 + _e57);
             } else {
-                phi_94_ = _e57;
+                phi_74_ = _e52;
             }
-            let _e65 = phi_94_;
+            let _e60 = phi_74_;
             workgroupBarrier();
-            global_7[_e17.x] = _e65;
+            global_7[_e17.x] = _e60;
             workgroupBarrier();
-            phi_76_ = (_e55 * 2u);
-            phi_79_ = _e65;
+            local_6 = (_e50 * 2u);
+            local_8 = _e60;
+            continue;
         } else {
-            phi_76_ = u32();
-            phi_79_ = u32();
+            break;
         }
-        let _e68 = phi_76_;
-        let _e70 = phi_79_;
-        continue;
         continuing {
-            phi_75_ = _e68;
-            phi_78_ = _e70;
-            break if !(_e58);
+            let _e107 = local_6;
+            phi_70_ = _e107;
+            let _e112 = local_8;
+            phi_73_ = _e112;
         }
     }
-    let _e73 = local_1;
-    let _e75 = local_2;
-    phi_98_ = 0u;
-    phi_101_ = (_e73 - _e75);
+    let _e63 = local_1;
+    let _e65 = local_2;
+    phi_88_ = 0u;
+    phi_91_ = (_e63 - _e65);
     loop {
-        let _e78 = phi_98_;
-        let _e80 = phi_101_;
-        let _e81 = (_e78 < 16u);
-        if _e81 {
-            let _e82 = (_e28 + _e78);
-            let _e85 = global_3.member.member;
-            if (_e82 <= _e85) {
-                global_4.member[_e82] = _e80;
+        let _e68 = phi_88_;
+        let _e70 = phi_91_;
+        if (_e68 < 16u) {
+            let _e72 = (_e28 + _e68);
+            let _e75 = global_3.member.member;
+            if (_e72 <= _e75) {
+                global_4.member[_e72] = _e70;
             }
-            if (_e82 < _e85) {
-                let _e92 = global_5.member[_e82];
-                phi_124_ = (_e80 + _e92);
+            if (_e72 < _e75) {
+                let _e82 = global_5.member[_e72];
+                phi_92_ = (_e70 + _e82);
             } else {
-                phi_124_ = _e80;
+                phi_92_ = _e70;
             }
-            let _e95 = phi_124_;
-            phi_99_ = (_e78 + 1u);
-            phi_102_ = _e95;
+            let _e85 = phi_92_;
+            local_9 = (_e68 + 1u);
+            local_10 = _e85;
+            continue;
         } else {
-            phi_99_ = u32();
-            phi_102_ = u32();
+            break;
         }
-        let _e98 = phi_99_;
-        let _e100 = phi_102_;
-        continue;
         continuing {
-            phi_98_ = _e98;
-            phi_101_ = _e100;
-            break if !(_e81);
+            let _e118 = local_9;
+            phi_88_ = _e118;
+            let _e121 = local_10;
+            phi_91_ = _e121;
         }
     }
     if (_e17.x == 63u) {
-        let _e106 = global_3.member.member;
-        if ((_e25 * 1024u) <= _e106) {
-            let _e111 = local_3;
-            global_6.member[_e25] = _e111;
+        let _e91 = global_3.member.member;
+        if ((_e25 * 1024u) <= _e91) {
+            let _e96 = local_3;
+            global_6.member[_e25] = _e96;
         }
     }
     return;

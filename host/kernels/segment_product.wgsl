@@ -29,10 +29,10 @@ var<storage, read_write> global_6: type_8;
 
 fn function_() {
     var phi_62_: f32;
-    var phi_65_: u32;
-    var phi_63_: f32;
-    var phi_66_: u32;
+    var phi_64_: u32;
     var local: f32;
+    var local_1: f32;
+    var local_2: u32;
 
     let _e13 = global;
     let _e14 = global_1;
@@ -43,32 +43,29 @@ fn function_() {
         let _e31 = global_4.member[(_e23 + 1u)];
         let _e34 = global_4.member[_e23];
         phi_62_ = 0f;
-        phi_65_ = _e34;
+        phi_64_ = _e34;
         loop {
             let _e36 = phi_62_;
-            let _e38 = phi_65_;
+            let _e38 = phi_64_;
             local = _e36;
-            let _e39 = (_e38 < _e31);
-            if _e39 {
+            if (_e38 < _e31) {
                 let _e42 = global_5.member[_e38];
-                phi_63_ = (_e36 + _e42);
-                phi_66_ = (_e38 + 1u);
+                local_1 = (_e36 + _e42);
+                local_2 = (_e38 + 1u);
+                continue;
             } else {
-                phi_63_ = f32();
-                phi_66_ = u32();
+                break;
             }
-            let _e46 = phi_63_;
-            let _e48 = phi_66_;
-            continue;
             continuing {
-                phi_62_ = _e46;
-                phi_65_ = _e48;
-                break if !(_e39);
+                let _e56 = local_1;
+                phi_62_ = _e56;
+                let _e59 = local_2;
+                phi_64_ = _e59;
             }
         }
-        let _e52 = global_3.member.member_1;
-        let _e54 = local;
-        global_6.member[_e23] = exp((_e52 * _e54));
+        let _e47 = global_3.member.member_1;
+        let _e49 = local;
+        global_6.member[_e23] = exp((_e47 * _e49));
     }
     return;
 }

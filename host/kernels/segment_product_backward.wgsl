@@ -38,7 +38,7 @@ var<storage, read_write> global_7: type_5;
 
 fn function_() {
     var phi_92_: u32;
-    var phi_93_: u32;
+    var local: u32;
 
     let _e15 = global;
     let _e16 = global_1;
@@ -60,18 +60,16 @@ fn function_() {
         phi_92_ = (select(_e36, _e42, (_e42 > _e36)) - _e36);
         loop {
             let _e70 = phi_92_;
-            let _e71 = (_e70 < (select(_e36, _e51, (_e51 > _e36)) - _e36));
-            if _e71 {
+            if (_e70 < (select(_e36, _e51, (_e51 > _e36)) - _e36)) {
                 global_7.member[_e70] = (_e67 * (_e59.w * _e63));
-                phi_93_ = (_e70 + 1u);
+                local = (_e70 + 1u);
+                continue;
             } else {
-                phi_93_ = u32();
+                break;
             }
-            let _e76 = phi_93_;
-            continue;
             continuing {
-                phi_92_ = _e76;
-                break if !(_e71);
+                let _e77 = local;
+                phi_92_ = _e77;
             }
         }
     }

@@ -47,18 +47,18 @@ fn function_() {
     var phi_108_: vec4<f32>;
     var phi_110_: vec4<f32>;
     var phi_112_: u32;
-    var phi_146_: vec4<f32>;
-    var phi_147_: vec4<f32>;
-    var phi_148_: vec4<f32>;
     var phi_106_: vec4<f32>;
     var phi_109_: vec4<f32>;
     var phi_111_: vec4<f32>;
-    var phi_113_: u32;
     var local: vec4<f32>;
     var local_1: vec4<f32>;
     var local_2: vec4<f32>;
     var local_3: vec4<f32>;
     var local_4: vec4<f32>;
+    var local_5: vec4<f32>;
+    var local_6: vec4<f32>;
+    var local_7: vec4<f32>;
+    var local_8: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -96,70 +96,65 @@ fn function_() {
                     local_2 = _e66;
                     local_3 = _e64;
                     local_4 = _e62;
-                    let _e69 = (_e68 < _e57);
-                    if _e69 {
+                    if (_e68 < _e57) {
                         let _e72 = global_4.member.member_2;
                         let _e74 = ((_e68 * _e72) + (_e48 / 32u));
                         let _e77 = global_6.member[_e74];
                         if ((_e77 & _e53) == 0u) {
-                            phi_146_ = _e62;
-                            phi_147_ = _e64;
-                            phi_148_ = _e66;
+                            phi_106_ = _e62;
+                            phi_109_ = _e64;
+                            phi_111_ = _e66;
                         } else {
                             let _e85 = global_7.member[_e74];
                             let _e87 = (3u * (_e85 + countOneBits((_e77 & (_e53 - 1u)))));
                             let _e90 = global_10.member[_e87];
                             let _e95 = global_10.member[(_e87 + 1u)];
                             let _e100 = global_10.member[(_e87 + 2u)];
-                            phi_146_ = (_e62 + _e100);
-                            phi_147_ = (_e64 + _e95);
-                            phi_148_ = (_e66 + _e90);
+                            phi_106_ = (_e62 + _e100);
+                            phi_109_ = (_e64 + _e95);
+                            phi_111_ = (_e66 + _e90);
                         }
-                        let _e103 = phi_146_;
-                        let _e105 = phi_147_;
-                        let _e107 = phi_148_;
-                        phi_106_ = _e103;
-                        phi_109_ = _e105;
-                        phi_111_ = _e107;
-                        phi_113_ = (_e68 + 1u);
+                        let _e103 = phi_106_;
+                        let _e105 = phi_109_;
+                        let _e107 = phi_111_;
+                        local_5 = _e103;
+                        local_6 = _e105;
+                        local_7 = _e107;
+                        local_8 = (_e68 + 1u);
+                        continue;
                     } else {
-                        phi_106_ = vec4<f32>();
-                        phi_109_ = vec4<f32>();
-                        phi_111_ = vec4<f32>();
-                        phi_113_ = u32();
+                        break;
                     }
-                    let _e110 = phi_106_;
-                    let _e112 = phi_109_;
-                    let _e114 = phi_111_;
-                    let _e116 = phi_113_;
-                    continue;
                     continuing {
-                        phi_105_ = _e110;
-                        phi_108_ = _e112;
-                        phi_110_ = _e114;
-                        phi_112_ = _e116;
-                        break if !(_e69);
+                        let _e158 = local_5;
+                        phi_105_ = _e158;
+                        let _e161 = local_6;
+                        phi_108_ = _e161;
+                        let _e164 = local_7;
+                        phi_110_ = _e164;
+                        let _e167 = local_8;
+                        phi_112_ = _e167;
                     }
                 }
-                let _e120 = global_8.member[_e48];
-                let _e122 = local;
-                let _e124 = (_e120 < 0f);
-                let _e125 = -(_e120);
-                let _e127 = exp(select(_e125, _e120, _e124));
-                let _e129 = (1f / (1f + _e127));
-                let _e132 = (_e122.z * select(_e129, (_e127 * _e129), _e124));
-                let _e135 = global_9.member[_e35];
-                let _e137 = (_e125 < 0f);
-                let _e139 = exp(select(_e120, _e125, _e137));
-                let _e141 = (1f / (1f + _e139));
-                let _e145 = (3u * _e35);
-                let _e147 = local_1;
-                let _e150 = local_2;
-                global_11.member[_e145] = vec4<f32>(_e147.x, _e150.y, ((_e132 * _e135) * select(_e141, (_e139 * _e141), _e137)), _e132);
-                let _e159 = local_3;
-                global_11.member[(_e145 + 1u)] = _e159;
-                let _e164 = local_4;
-                global_11.member[(_e145 + 2u)] = _e164;
+                let _e111 = global_8.member[_e48];
+                let _e113 = local;
+                let _e115 = (_e111 < 0f);
+                let _e116 = -(_e111);
+                let _e118 = exp(select(_e116, _e111, _e115));
+                let _e120 = (1f / (1f + _e118));
+                let _e123 = (_e113.z * select(_e120, (_e118 * _e120), _e115));
+                let _e126 = global_9.member[_e35];
+                let _e128 = (_e116 < 0f);
+                let _e130 = exp(select(_e111, _e116, _e128));
+                let _e132 = (1f / (1f + _e130));
+                let _e136 = (3u * _e35);
+                let _e138 = local_1;
+                let _e141 = local_2;
+                global_11.member[_e136] = vec4<f32>(_e138.x, _e141.y, ((_e123 * _e126) * select(_e132, (_e130 * _e132), _e128)), _e123);
+                let _e150 = local_3;
+                global_11.member[(_e136 + 1u)] = _e150;
+                let _e155 = local_4;
+                global_11.member[(_e136 + 2u)] = _e155;
             }
             break;
         }

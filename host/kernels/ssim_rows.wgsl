@@ -34,16 +34,16 @@ fn function_() {
     var phi_113_: vec4<f32>;
     var phi_115_: u32;
     var phi_117_: u32;
-    var phi_107_: vec4<f32>;
-    var phi_110_: vec4<f32>;
-    var phi_112_: vec4<f32>;
-    var phi_114_: vec4<f32>;
-    var phi_116_: u32;
-    var phi_118_: u32;
     var local: vec4<f32>;
     var local_1: vec4<f32>;
     var local_2: vec4<f32>;
     var local_3: vec4<f32>;
+    var local_4: vec4<f32>;
+    var local_5: vec4<f32>;
+    var local_6: vec4<f32>;
+    var local_7: vec4<f32>;
+    var local_8: u32;
+    var local_9: u32;
 
     let _e19 = global;
     let _e20 = global_1;
@@ -72,8 +72,7 @@ fn function_() {
                 local_1 = _e50;
                 local_2 = _e48;
                 local_3 = _e46;
-                let _e57 = (_e54 < select(_e41, _e31, (_e31 < _e41)));
-                if _e57 {
+                if (_e54 < select(_e41, _e31, (_e31 < _e41))) {
                     let _e60 = global_3.member[_e56];
                     let _e61 = (_e37 + _e54);
                     let _e64 = global_4.member[_e61];
@@ -86,46 +85,40 @@ fn function_() {
                     let _e79 = (_e67.y * _e60);
                     let _e81 = (_e67.z * _e60);
                     let _e83 = (_e67.w * _e60);
-                    phi_107_ = vec4<f32>((_e46.x + (_e77 * _e67.x)), (_e46.y + (_e79 * _e67.y)), (_e46.z + (_e81 * _e67.z)), (_e46.w + (_e83 * _e67.w)));
-                    phi_110_ = vec4<f32>((_e48.x + (_e69 * _e64.x)), (_e48.y + (_e71 * _e64.y)), (_e48.z + (_e73 * _e64.z)), (_e48.w + (_e75 * _e64.w)));
-                    phi_112_ = vec4<f32>((_e50.x + _e77), (_e50.y + _e79), (_e50.z + _e81), (_e50.w + _e83));
-                    phi_114_ = vec4<f32>((_e52.x + _e69), (_e52.y + _e71), (_e52.z + _e73), (_e52.w + _e75));
-                    phi_116_ = (_e54 + 1u);
-                    phi_118_ = (_e56 + 1u);
+                    local_4 = vec4<f32>((_e46.x + (_e77 * _e67.x)), (_e46.y + (_e79 * _e67.y)), (_e46.z + (_e81 * _e67.z)), (_e46.w + (_e83 * _e67.w)));
+                    local_5 = vec4<f32>((_e48.x + (_e69 * _e64.x)), (_e48.y + (_e71 * _e64.y)), (_e48.z + (_e73 * _e64.z)), (_e48.w + (_e75 * _e64.w)));
+                    local_6 = vec4<f32>((_e50.x + _e77), (_e50.y + _e79), (_e50.z + _e81), (_e50.w + _e83));
+                    local_7 = vec4<f32>((_e52.x + _e69), (_e52.y + _e71), (_e52.z + _e73), (_e52.w + _e75));
+                    local_8 = (_e54 + 1u);
+                    local_9 = (_e56 + 1u);
+                    continue;
                 } else {
-                    phi_107_ = vec4<f32>();
-                    phi_110_ = vec4<f32>();
-                    phi_112_ = vec4<f32>();
-                    phi_114_ = vec4<f32>();
-                    phi_116_ = u32();
-                    phi_118_ = u32();
+                    break;
                 }
-                let _e131 = phi_107_;
-                let _e133 = phi_110_;
-                let _e135 = phi_112_;
-                let _e137 = phi_114_;
-                let _e139 = phi_116_;
-                let _e141 = phi_118_;
-                continue;
                 continuing {
-                    phi_106_ = _e131;
-                    phi_109_ = _e133;
-                    phi_111_ = _e135;
-                    phi_113_ = _e137;
-                    phi_115_ = _e139;
-                    phi_117_ = _e141;
-                    break if !(_e57);
+                    let _e153 = local_4;
+                    phi_106_ = _e153;
+                    let _e156 = local_5;
+                    phi_109_ = _e156;
+                    let _e159 = local_6;
+                    phi_111_ = _e159;
+                    let _e162 = local_7;
+                    phi_113_ = _e162;
+                    let _e165 = local_8;
+                    phi_115_ = _e165;
+                    let _e168 = local_9;
+                    phi_117_ = _e168;
                 }
             }
-            let _e144 = ((_e37 + _e26) * 4u);
-            let _e148 = local;
-            global_6.member[_e144] = _e148;
-            let _e153 = local_1;
-            global_6.member[(_e144 + 1u)] = _e153;
-            let _e158 = local_2;
-            global_6.member[(_e144 + 2u)] = _e158;
-            let _e163 = local_3;
-            global_6.member[(_e144 + 3u)] = _e163;
+            let _e131 = ((_e37 + _e26) * 4u);
+            let _e135 = local;
+            global_6.member[_e131] = _e135;
+            let _e140 = local_1;
+            global_6.member[(_e131 + 1u)] = _e140;
+            let _e145 = local_2;
+            global_6.member[(_e131 + 2u)] = _e145;
+            let _e150 = local_3;
+            global_6.member[(_e131 + 3u)] = _e150;
         }
     }
     return;

@@ -31,14 +31,14 @@ fn function_() {
     var phi_105_: vec4<f32>;
     var phi_107_: u32;
     var phi_109_: u32;
-    var phi_101_: vec4<f32>;
-    var phi_104_: vec4<f32>;
-    var phi_106_: vec4<f32>;
-    var phi_108_: u32;
-    var phi_110_: u32;
     var local: vec4<f32>;
     var local_1: vec4<f32>;
     var local_2: vec4<f32>;
+    var local_3: vec4<f32>;
+    var local_4: vec4<f32>;
+    var local_5: vec4<f32>;
+    var local_6: u32;
+    var local_7: u32;
 
     let _e17 = global;
     let _e18 = global_1;
@@ -64,46 +64,40 @@ fn function_() {
                 local = _e52;
                 local_1 = _e50;
                 local_2 = _e48;
-                let _e57 = (_e54 < ((_e35 + select(_e39, _e29, (_e29 < _e39))) * 3u));
-                if _e57 {
+                if (_e54 < ((_e35 + select(_e39, _e29, (_e29 < _e39))) * 3u)) {
                     let _e60 = global_3.member[_e56];
                     let _e63 = global_4.member[_e54];
                     let _e84 = global_4.member[(_e54 + 1u)];
                     let _e105 = global_4.member[(_e54 + 2u)];
-                    phi_101_ = vec4<f32>((_e48.x + (_e105.x * _e60)), (_e48.y + (_e105.y * _e60)), (_e48.z + (_e105.z * _e60)), (_e48.w + (_e105.w * _e60)));
-                    phi_104_ = vec4<f32>((_e50.x + (_e84.x * _e60)), (_e50.y + (_e84.y * _e60)), (_e50.z + (_e84.z * _e60)), (_e50.w + (_e84.w * _e60)));
-                    phi_106_ = vec4<f32>((_e52.x + (_e63.x * _e60)), (_e52.y + (_e63.y * _e60)), (_e52.z + (_e63.z * _e60)), (_e52.w + (_e63.w * _e60)));
-                    phi_108_ = (_e54 + 3u);
-                    phi_110_ = (_e56 + 1u);
+                    local_3 = vec4<f32>((_e48.x + (_e105.x * _e60)), (_e48.y + (_e105.y * _e60)), (_e48.z + (_e105.z * _e60)), (_e48.w + (_e105.w * _e60)));
+                    local_4 = vec4<f32>((_e50.x + (_e84.x * _e60)), (_e50.y + (_e84.y * _e60)), (_e50.z + (_e84.z * _e60)), (_e50.w + (_e84.w * _e60)));
+                    local_5 = vec4<f32>((_e52.x + (_e63.x * _e60)), (_e52.y + (_e63.y * _e60)), (_e52.z + (_e63.z * _e60)), (_e52.w + (_e63.w * _e60)));
+                    local_6 = (_e54 + 3u);
+                    local_7 = (_e56 + 1u);
+                    continue;
                 } else {
-                    phi_101_ = vec4<f32>();
-                    phi_104_ = vec4<f32>();
-                    phi_106_ = vec4<f32>();
-                    phi_108_ = u32();
-                    phi_110_ = u32();
+                    break;
                 }
-                let _e126 = phi_101_;
-                let _e128 = phi_104_;
-                let _e130 = phi_106_;
-                let _e132 = phi_108_;
-                let _e134 = phi_110_;
-                continue;
                 continuing {
-                    phi_100_ = _e126;
-                    phi_103_ = _e128;
-                    phi_105_ = _e130;
-                    phi_107_ = _e132;
-                    phi_109_ = _e134;
-                    break if !(_e57);
+                    let _e143 = local_3;
+                    phi_100_ = _e143;
+                    let _e146 = local_4;
+                    phi_103_ = _e146;
+                    let _e149 = local_5;
+                    phi_105_ = _e149;
+                    let _e152 = local_6;
+                    phi_107_ = _e152;
+                    let _e155 = local_7;
+                    phi_109_ = _e155;
                 }
             }
-            let _e137 = ((_e35 + _e24) * 3u);
-            let _e141 = local;
-            global_5.member[_e137] = _e141;
-            let _e146 = local_1;
-            global_5.member[(_e137 + 1u)] = _e146;
-            let _e151 = local_2;
-            global_5.member[(_e137 + 2u)] = _e151;
+            let _e126 = ((_e35 + _e24) * 3u);
+            let _e130 = local;
+            global_5.member[_e126] = _e130;
+            let _e135 = local_1;
+            global_5.member[(_e126 + 1u)] = _e135;
+            let _e140 = local_2;
+            global_5.member[(_e126 + 2u)] = _e140;
         }
     }
     return;

@@ -38,10 +38,6 @@ fn function_() {
     var phi_83_: f32;
     var phi_85_: f32;
     var phi_87_: f32;
-    var phi_126_: f32;
-    var phi_127_: f32;
-    var phi_128_: f32;
-    var phi_81_: u32;
     var phi_84_: f32;
     var phi_86_: f32;
     var phi_88_: f32;
@@ -49,6 +45,10 @@ fn function_() {
     var local_1: f32;
     var local_2: f32;
     var local_3: f32;
+    var local_4: u32;
+    var local_5: f32;
+    var local_6: f32;
+    var local_7: f32;
 
     let _e19 = global;
     let _e20 = global_1;
@@ -73,55 +73,50 @@ fn function_() {
             local_1 = _e59;
             local_2 = _e57;
             local_3 = _e55;
-            let _e60 = (_e53 < (_e47 + _e50));
-            if _e60 {
+            if (_e53 < (_e47 + _e50)) {
                 let _e63 = global_3.member.member_1;
                 let _e65 = ((_e53 * _e63) + (_e29 / 32u));
                 let _e68 = global_5.member[_e65];
                 if ((_e68 & _e38) == 0u) {
-                    phi_126_ = _e55;
-                    phi_127_ = _e57;
-                    phi_128_ = _e59;
+                    phi_84_ = _e55;
+                    phi_86_ = _e57;
+                    phi_88_ = _e59;
                 } else {
                     let _e76 = global_6.member[_e65];
                     let _e81 = global_7.member[(3u * (_e76 + countOneBits((_e68 & (_e38 - 1u)))))];
                     let _e95 = global_4.member[(2u * ((_e53 * _e32) + _e29))];
-                    phi_126_ = select(_e95.z, _e55, (_e55 > _e95.z));
-                    phi_127_ = (_e57 + 1f);
-                    phi_128_ = (_e59 + sqrt(((_e81.x * _e81.x) + (_e81.y * _e81.y))));
+                    phi_84_ = select(_e95.z, _e55, (_e55 > _e95.z));
+                    phi_86_ = (_e57 + 1f);
+                    phi_88_ = (_e59 + sqrt(((_e81.x * _e81.x) + (_e81.y * _e81.y))));
                 }
-                let _e100 = phi_126_;
-                let _e102 = phi_127_;
-                let _e104 = phi_128_;
-                phi_81_ = (_e53 + 1u);
-                phi_84_ = _e100;
-                phi_86_ = _e102;
-                phi_88_ = _e104;
+                let _e100 = phi_84_;
+                let _e102 = phi_86_;
+                let _e104 = phi_88_;
+                local_4 = (_e53 + 1u);
+                local_5 = _e100;
+                local_6 = _e102;
+                local_7 = _e104;
+                continue;
             } else {
-                phi_81_ = u32();
-                phi_84_ = f32();
-                phi_86_ = f32();
-                phi_88_ = f32();
+                break;
             }
-            let _e107 = phi_81_;
-            let _e109 = phi_84_;
-            let _e111 = phi_86_;
-            let _e113 = phi_88_;
-            continue;
             continuing {
-                phi_80_ = _e107;
-                phi_83_ = _e109;
-                phi_85_ = _e111;
-                phi_87_ = _e113;
-                break if !(_e60);
+                let _e119 = local_4;
+                phi_80_ = _e119;
+                let _e122 = local_5;
+                phi_83_ = _e122;
+                let _e125 = local_6;
+                phi_85_ = _e125;
+                let _e128 = local_7;
+                phi_87_ = _e128;
             }
         }
-        let _e116 = local;
-        if (_e116 > _e41.y) {
-            let _e120 = local_1;
-            let _e122 = local_2;
-            let _e124 = local_3;
-            global_8.member[_e29] = vec4<f32>(_e120, _e122, _e124, _e41.w);
+        let _e107 = local;
+        if (_e107 > _e41.y) {
+            let _e111 = local_1;
+            let _e113 = local_2;
+            let _e115 = local_3;
+            global_8.member[_e29] = vec4<f32>(_e111, _e113, _e115, _e41.w);
         }
     }
     return;

@@ -39,22 +39,22 @@ var<storage, read_write> global_8: type_12;
 fn function_() {
     var phi_80_: u32;
     var phi_83_: u32;
-    var phi_81_: u32;
-    var phi_84_: u32;
     var local: u32;
-    var phi_123_: u32;
+    var phi_118_: u32;
+    var phi_127_: u32;
+    var phi_129_: u32;
     var phi_132_: u32;
-    var phi_134_: u32;
-    var phi_137_: u32;
-    var phi_172_: f32;
-    var phi_187_: f32;
-    var phi_190_: bool;
-    var phi_191_: bool;
-    var phi_192_: bool;
-    var phi_201_: u32;
-    var phi_135_: u32;
-    var phi_138_: u32;
+    var phi_164_: f32;
+    var phi_179_: f32;
+    var phi_182_: bool;
+    var phi_183_: bool;
+    var phi_184_: bool;
+    var phi_133_: u32;
     var local_1: u32;
+    var local_2: u32;
+    var local_3: u32;
+    var local_4: u32;
+    var local_5: u32;
 
     let _e24 = global;
     let _e25 = global_1;
@@ -69,114 +69,108 @@ fn function_() {
             let _e43 = phi_80_;
             let _e45 = phi_83_;
             local = _e45;
-            let _e47 = ((_e45 + 1u) < _e43);
-            if _e47 {
+            if ((_e45 + 1u) < _e43) {
                 let _e49 = ((_e45 + _e43) / 2u);
                 let _e52 = global_5.member[_e49];
                 let _e53 = (_e52 <= _e34);
-                phi_81_ = select(_e49, _e43, _e53);
-                phi_84_ = select(_e45, _e49, _e53);
+                local_2 = select(_e49, _e43, _e53);
+                local_3 = select(_e45, _e49, _e53);
+                continue;
             } else {
-                phi_81_ = u32();
-                phi_84_ = u32();
+                break;
             }
-            let _e57 = phi_81_;
-            let _e59 = phi_84_;
-            continue;
             continuing {
-                phi_80_ = _e57;
-                phi_83_ = _e59;
-                break if !(_e47);
+                let _e163 = local_2;
+                phi_80_ = _e163;
+                let _e166 = local_3;
+                phi_83_ = _e166;
             }
         }
-        let _e62 = local;
-        let _e63 = (_e62 * 4u);
-        let _e67 = global_3.member[(_e63 + 1u)];
-        let _e71 = global_3.member[(_e63 + 2u)];
-        let _e74 = global_6.member[_e34];
-        let _e75 = (_e74 * 3u);
-        let _e78 = global_7.member[_e75];
-        let _e82 = global_7.member[(_e75 + 1u)];
-        let _e85 = global_4.member.member_2;
-        let _e86 = (_e85 / 64u);
-        if ((_e85 % 64u) > 0u) {
-            phi_123_ = (_e86 + 1u);
+        let _e57 = local;
+        let _e58 = (_e57 * 4u);
+        let _e62 = global_3.member[(_e58 + 1u)];
+        let _e66 = global_3.member[(_e58 + 2u)];
+        let _e69 = global_6.member[_e34];
+        let _e70 = (_e69 * 3u);
+        let _e73 = global_7.member[_e70];
+        let _e77 = global_7.member[(_e70 + 1u)];
+        let _e80 = global_4.member.member_2;
+        let _e81 = (_e80 / 64u);
+        if ((_e80 % 64u) > 0u) {
+            phi_118_ = (_e81 + 1u);
         } else {
-            phi_123_ = _e86;
+            phi_118_ = _e81;
         }
-        let _e91 = phi_123_;
-        let _e92 = (_e91 * 16u);
-        let _e93 = (_e85 / 8u);
-        if ((_e85 % 8u) > 0u) {
-            phi_132_ = (_e93 + 1u);
+        let _e86 = phi_118_;
+        let _e87 = (_e86 * 16u);
+        let _e88 = (_e80 / 8u);
+        if ((_e80 % 8u) > 0u) {
+            phi_127_ = (_e88 + 1u);
         } else {
-            phi_132_ = _e93;
+            phi_127_ = _e88;
         }
-        let _e98 = phi_132_;
-        phi_134_ = 0u;
-        phi_137_ = 0u;
+        let _e93 = phi_127_;
+        phi_129_ = 0u;
+        phi_132_ = 0u;
         loop {
-            let _e100 = phi_134_;
-            let _e102 = phi_137_;
-            local_1 = _e102;
-            let _e103 = (_e100 < 32u);
-            if _e103 {
-                let _e105 = ((_e100 % 4u) * _e92);
-                let _e107 = ((_e100 / 4u) * _e98);
-                let _e115 = (f32((_e71 + bitcast<i32>(_e107))) + 0.5f);
-                let _e127 = (f32((_e71 + bitcast<i32>(((_e107 + _e98) - 1u)))) + 0.5f);
-                if (_e78.y < _e115) {
-                    phi_172_ = _e115;
+            let _e95 = phi_129_;
+            let _e97 = phi_132_;
+            local_1 = _e97;
+            if (_e95 < 32u) {
+                let _e100 = ((_e95 % 4u) * _e87);
+                let _e102 = ((_e95 / 4u) * _e93);
+                let _e110 = (f32((_e66 + bitcast<i32>(_e102))) + 0.5f);
+                let _e122 = (f32((_e66 + bitcast<i32>(((_e102 + _e93) - 1u)))) + 0.5f);
+                if (_e73.y < _e110) {
+                    phi_164_ = _e110;
                 } else {
-                    phi_172_ = select(_e78.y, _e127, (_e78.y > _e127));
+                    phi_164_ = select(_e73.y, _e122, (_e73.y > _e122));
                 }
-                let _e133 = phi_172_;
-                if (((f32((_e67 + bitcast<i32>(_e105))) + 0.5f) - _e78.x) > _e78.w) {
-                    phi_191_ = bool();
-                    phi_192_ = true;
+                let _e128 = phi_164_;
+                if (((f32((_e62 + bitcast<i32>(_e100))) + 0.5f) - _e73.x) > _e73.w) {
+                    phi_183_ = bool();
+                    phi_184_ = true;
                 } else {
-                    let _e139 = ((_e78.x - (f32((_e67 + bitcast<i32>(((_e105 + _e92) - 1u)))) + 0.5f)) > _e78.w);
-                    if _e139 {
-                        phi_190_ = bool();
+                    let _e134 = ((_e73.x - (f32((_e62 + bitcast<i32>(((_e100 + _e87) - 1u)))) + 0.5f)) > _e73.w);
+                    if _e134 {
+                        phi_182_ = bool();
                     } else {
-                        let _e140 = (_e133 - _e78.y);
-                        if (_e140 < 0f) {
-                            phi_187_ = -(_e140);
+                        let _e135 = (_e128 - _e73.y);
+                        if (_e135 < 0f) {
+                            phi_179_ = -(_e135);
                         } else {
-                            phi_187_ = _e140;
+                            phi_179_ = _e135;
                         }
-                        let _e144 = phi_187_;
-                        phi_190_ = (_e144 > _e82.w);
+                        let _e139 = phi_179_;
+                        phi_182_ = (_e139 > _e77.w);
                     }
-                    let _e148 = phi_190_;
-                    phi_191_ = _e148;
-                    phi_192_ = _e139;
+                    let _e143 = phi_182_;
+                    phi_183_ = _e143;
+                    phi_184_ = _e134;
                 }
-                let _e150 = phi_191_;
-                let _e152 = phi_192_;
-                if !(select(_e150, true, _e152)) {
-                    phi_201_ = (_e102 | (1u << bitcast<u32>((_e100 & 31u))));
+                let _e145 = phi_183_;
+                let _e147 = phi_184_;
+                if !(select(_e145, true, _e147)) {
+                    phi_133_ = (_e97 | (1u << bitcast<u32>((_e95 & 31u))));
                 } else {
-                    phi_201_ = _e102;
+                    phi_133_ = _e97;
                 }
-                let _e160 = phi_201_;
-                phi_135_ = (_e100 + 1u);
-                phi_138_ = _e160;
+                let _e155 = phi_133_;
+                local_4 = (_e95 + 1u);
+                local_5 = _e155;
+                continue;
             } else {
-                phi_135_ = u32();
-                phi_138_ = u32();
+                break;
             }
-            let _e163 = phi_135_;
-            let _e165 = phi_138_;
-            continue;
             continuing {
-                phi_134_ = _e163;
-                phi_137_ = _e165;
-                break if !(_e103);
+                let _e172 = local_4;
+                phi_129_ = _e172;
+                let _e175 = local_5;
+                phi_132_ = _e175;
             }
         }
-        let _e170 = local_1;
-        global_8.member[_e34] = _e170;
+        let _e160 = local_1;
+        global_8.member[_e34] = _e160;
     }
     return;
 }

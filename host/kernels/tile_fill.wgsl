@@ -35,9 +35,9 @@ var<storage, read_write> global_9: type_11;
 fn function_() {
     var phi_77_: i32;
     var phi_80_: u32;
-    var phi_102_: u32;
-    var phi_78_: i32;
     var phi_81_: u32;
+    var local: i32;
+    var local_1: u32;
 
     let _e20 = global;
     let _e21 = global_1;
@@ -57,29 +57,26 @@ fn function_() {
         loop {
             let _e58 = phi_77_;
             let _e60 = phi_80_;
-            let _e61 = (_e58 < 32i);
-            if _e61 {
+            if (_e58 < 32i) {
                 let _e62 = (_e58 & 31i);
                 if (((_e40 >> bitcast<u32>(_e62)) & 1u) == 0u) {
-                    phi_102_ = _e60;
+                    phi_81_ = _e60;
                 } else {
                     global_9.member[_e60] = (_e53 + countOneBits((_e50 & ((1u << bitcast<u32>(_e62)) - 1u))));
-                    phi_102_ = (_e60 + 1u);
+                    phi_81_ = (_e60 + 1u);
                 }
-                let _e77 = phi_102_;
-                phi_78_ = (_e58 + 1i);
-                phi_81_ = _e77;
+                let _e77 = phi_81_;
+                local = (_e58 + 1i);
+                local_1 = _e77;
+                continue;
             } else {
-                phi_78_ = i32();
-                phi_81_ = u32();
+                break;
             }
-            let _e80 = phi_78_;
-            let _e82 = phi_81_;
-            continue;
             continuing {
-                phi_77_ = _e80;
-                phi_80_ = _e82;
-                break if !(_e61);
+                let _e81 = local;
+                phi_77_ = _e81;
+                let _e84 = local_1;
+                phi_80_ = _e84;
             }
         }
     }

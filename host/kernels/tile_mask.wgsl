@@ -37,13 +37,13 @@ var<storage> global_7: type_17;
 fn function_() {
     var phi_95_: u32;
     var phi_98_: u32;
-    var phi_132_: bool;
-    var phi_139_: u32;
-    var phi_140_: u32;
-    var phi_96_: u32;
+    var phi_129_: bool;
+    var phi_136_: u32;
     var phi_99_: u32;
     var local: u32;
     var local_1: u32;
+    var local_2: u32;
+    var local_3: u32;
 
     let _e20 = global;
     let _e21 = global_1;
@@ -67,8 +67,7 @@ fn function_() {
             let _e62 = phi_98_;
             local = _e62;
             local_1 = _e62;
-            let _e63 = (_e60 < 32u);
-            if _e63 {
+            if (_e60 < 32u) {
                 let _e65 = ((_e30 * 32u) + _e60);
                 if (_e65 < _e57) {
                     let _e71 = global_7.member[(2u * ((bitcast<u32>(_e39) * _e57) + _e65))];
@@ -80,42 +79,40 @@ fn function_() {
                         let _e84 = (_e50 + _e54);
                         let _e86 = select(_e50, _e71.y, (_e71.y > _e50));
                         let _e89 = (_e71.y - select(_e84, _e86, (_e86 < _e84)));
-                        phi_132_ = (((_e83 * _e83) + (_e89 * _e89)) <= (_e76 * _e76));
+                        phi_129_ = (((_e83 * _e83) + (_e89 * _e89)) <= (_e76 * _e76));
                     } else {
-                        phi_132_ = false;
+                        phi_129_ = false;
                     }
-                    let _e96 = phi_132_;
+                    let _e96 = phi_129_;
                     if _e96 {
-                        phi_139_ = (_e62 | (1u << bitcast<u32>((_e60 & 31u))));
+                        phi_136_ = (_e62 | (1u << bitcast<u32>((_e60 & 31u))));
                     } else {
-                        phi_139_ = _e62;
+                        phi_136_ = _e62;
                     }
-                    let _e102 = phi_139_;
-                    phi_140_ = _e102;
+                    let _e102 = phi_136_;
+                    phi_99_ = _e102;
                 } else {
-                    phi_140_ = _e62;
+                    phi_99_ = _e62;
                 }
-                let _e104 = phi_140_;
-                phi_96_ = (_e60 + 1u);
-                phi_99_ = _e104;
+                let _e104 = phi_99_;
+                local_2 = (_e60 + 1u);
+                local_3 = _e104;
+                continue;
             } else {
-                phi_96_ = u32();
-                phi_99_ = u32();
+                break;
             }
-            let _e107 = phi_96_;
-            let _e109 = phi_99_;
-            continue;
             continuing {
-                phi_95_ = _e107;
-                phi_98_ = _e109;
-                break if !(_e63);
+                let _e119 = local_2;
+                phi_95_ = _e119;
+                let _e122 = local_3;
+                phi_98_ = _e122;
             }
         }
-        let _e112 = ((_e21.z * _e33) + _e30);
-        let _e116 = local;
-        global_5.member[_e112] = _e116;
-        let _e118 = local_1;
-        global_6.member[_e112] = countOneBits(_e118);
+        let _e107 = ((_e21.z * _e33) + _e30);
+        let _e111 = local;
+        global_5.member[_e107] = _e111;
+        let _e113 = local_1;
+        global_6.member[_e107] = countOneBits(_e113);
     }
     return;
 }

@@ -45,11 +45,11 @@ fn function_() {
     var phi_88_: u32;
     var phi_90_: type_18;
     var phi_92_: u32;
-    var phi_86_: u32;
-    var phi_89_: u32;
-    var phi_91_: type_18;
-    var phi_93_: u32;
     var local: type_18;
+    var local_1: u32;
+    var local_2: u32;
+    var local_3: type_18;
+    var local_4: u32;
 
     let _e27 = global;
     let _e28 = global_1;
@@ -72,41 +72,36 @@ fn function_() {
             let _e67 = phi_90_;
             let _e69 = phi_92_;
             local = _e67;
-            let _e70 = (_e63 < _e47);
-            if _e70 {
+            if (_e63 < _e47) {
                 let _e73 = global_4.member[_e65];
                 let _e76 = global_6.member[_e69];
-                phi_86_ = (_e63 + 1u);
-                phi_89_ = (_e65 + 1u);
-                phi_91_ = type_18(((_e76 * _e73.x) + _e67.member), ((_e76 * _e73.y) + _e67.member_1), ((_e76 * _e73.z) + _e67.member_2), ((_e76 * _e73.w) + _e67.member_3));
-                phi_93_ = (_e69 + _e44);
+                local_1 = (_e63 + 1u);
+                local_2 = (_e65 + 1u);
+                local_3 = type_18(((_e76 * _e73.x) + _e67.member), ((_e76 * _e73.y) + _e67.member_1), ((_e76 * _e73.z) + _e67.member_2), ((_e76 * _e73.w) + _e67.member_3));
+                local_4 = (_e69 + _e44);
+                continue;
             } else {
-                phi_86_ = u32();
-                phi_89_ = u32();
-                phi_91_ = type_18();
-                phi_93_ = u32();
+                break;
             }
-            let _e98 = phi_86_;
-            let _e100 = phi_89_;
-            let _e102 = phi_91_;
-            let _e104 = phi_93_;
-            continue;
             continuing {
-                phi_85_ = _e98;
-                phi_88_ = _e100;
-                phi_90_ = _e102;
-                phi_92_ = _e104;
-                break if !(_e70);
+                let _e137 = local_1;
+                phi_85_ = _e137;
+                let _e140 = local_2;
+                phi_88_ = _e140;
+                let _e143 = local_3;
+                phi_90_ = _e143;
+                let _e146 = local_4;
+                phi_92_ = _e146;
             }
         }
-        let _e107 = local;
-        let _e113 = global_5.member[((6u * _e44) + _e37)];
-        let _e114 = (_e107.member < 0f);
-        let _e118 = exp(select(-(_e107.member), _e107.member, _e114));
-        let _e120 = (_e118 / (2f + _e118));
-        let _e121 = (_e120 * _e120);
-        let _e140 = global_3.member.member_1;
-        global_7.member[(_e140 + _e37)] = (_e113 * (select(0f, _e107.member, _e114) - ((2f * _e120) * (1f + (_e121 * (0.33333334f + (_e121 * (0.2f + (_e121 * (0.14285715f + (_e121 * (0.11111111f + (_e121 * (0.09090909f + (_e121 * 0.07692308f)))))))))))))));
+        let _e98 = local;
+        let _e104 = global_5.member[((6u * _e44) + _e37)];
+        let _e105 = (_e98.member < 0f);
+        let _e109 = exp(select(-(_e98.member), _e98.member, _e105));
+        let _e111 = (_e109 / (2f + _e109));
+        let _e112 = (_e111 * _e111);
+        let _e131 = global_3.member.member_1;
+        global_7.member[(_e131 + _e37)] = (_e104 * (select(0f, _e98.member, _e105) - ((2f * _e111) * (1f + (_e112 * (0.33333334f + (_e112 * (0.2f + (_e112 * (0.14285715f + (_e112 * (0.11111111f + (_e112 * (0.09090909f + (_e112 * 0.07692308f)))))))))))))));
     }
     return;
 }

@@ -47,11 +47,11 @@ fn function_() {
     var phi_82_: u32;
     var phi_84_: type_18;
     var phi_86_: u32;
-    var phi_80_: u32;
-    var phi_83_: u32;
-    var phi_85_: type_18;
-    var phi_87_: u32;
     var local: type_18;
+    var local_1: u32;
+    var local_2: u32;
+    var local_3: type_18;
+    var local_4: u32;
 
     let _e21 = global;
     let _e22 = global_1;
@@ -74,41 +74,36 @@ fn function_() {
             let _e61 = phi_84_;
             let _e63 = phi_86_;
             local = _e61;
-            let _e64 = (_e57 < _e41);
-            if _e64 {
+            if (_e57 < _e41) {
                 let _e67 = global_4.member[_e59];
                 let _e70 = global_6.member[_e63];
-                phi_80_ = (_e57 + 1u);
-                phi_83_ = (_e59 + 1u);
-                phi_85_ = type_18(((_e70 * _e67.x) + _e61.member), ((_e70 * _e67.y) + _e61.member_1), ((_e70 * _e67.z) + _e61.member_2), ((_e70 * _e67.w) + _e61.member_3));
-                phi_87_ = (_e63 + _e38);
+                local_1 = (_e57 + 1u);
+                local_2 = (_e59 + 1u);
+                local_3 = type_18(((_e70 * _e67.x) + _e61.member), ((_e70 * _e67.y) + _e61.member_1), ((_e70 * _e67.z) + _e61.member_2), ((_e70 * _e67.w) + _e61.member_3));
+                local_4 = (_e63 + _e38);
+                continue;
             } else {
-                phi_80_ = u32();
-                phi_83_ = u32();
-                phi_85_ = type_18();
-                phi_87_ = u32();
+                break;
             }
-            let _e92 = phi_80_;
-            let _e94 = phi_83_;
-            let _e96 = phi_85_;
-            let _e98 = phi_87_;
-            continue;
             continuing {
-                phi_79_ = _e92;
-                phi_82_ = _e94;
-                phi_84_ = _e96;
-                phi_86_ = _e98;
-                break if !(_e64);
+                let _e116 = local_1;
+                phi_79_ = _e116;
+                let _e119 = local_2;
+                phi_82_ = _e119;
+                let _e122 = local_3;
+                phi_84_ = _e122;
+                let _e125 = local_4;
+                phi_86_ = _e125;
             }
         }
-        let _e101 = local;
-        let _e107 = global_5.member[((6u * _e38) + _e31)];
-        let _e110 = global_7.member[_e31];
-        let _e112 = -(_e101.member);
-        let _e113 = (_e112 < 0f);
-        let _e115 = exp(select(_e101.member, _e112, _e113));
-        let _e117 = (1f / (1f + _e115));
-        global_8.member[_e31] = ((_e110 * _e107) * select(_e117, (_e115 * _e117), _e113));
+        let _e92 = local;
+        let _e98 = global_5.member[((6u * _e38) + _e31)];
+        let _e101 = global_7.member[_e31];
+        let _e103 = -(_e92.member);
+        let _e104 = (_e103 < 0f);
+        let _e106 = exp(select(_e92.member, _e103, _e104));
+        let _e108 = (1f / (1f + _e106));
+        global_8.member[_e31] = ((_e101 * _e98) * select(_e108, (_e106 * _e108), _e104));
     }
     return;
 }

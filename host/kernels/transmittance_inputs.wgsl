@@ -46,15 +46,15 @@ var<storage, read_write> global_9: type_5;
 fn function_() {
     var phi_165_: u32;
     var phi_168_: u32;
-    var phi_166_: u32;
-    var phi_169_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_325_: u32;
-    var phi_326_: u32;
+    var phi_320_: u32;
+    var local_5: u32;
+    var local_6: u32;
+    var local_7: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -72,127 +72,122 @@ fn function_() {
                 loop {
                     let _e55 = phi_165_;
                     let _e57 = phi_168_;
+                    let _e58 = (_e57 + 1u);
                     local = _e57;
+                    local_1 = _e58;
                     local_2 = _e57;
                     local_3 = _e57;
                     local_4 = _e57;
-                    let _e58 = (_e57 + 1u);
-                    let _e59 = (_e58 < _e55);
-                    local_1 = _e58;
-                    if _e59 {
+                    if (_e58 < _e55) {
                         let _e61 = ((_e57 + _e55) / 2u);
                         let _e64 = global_5.member[_e61];
                         let _e65 = (_e64 <= _e50);
-                        phi_166_ = select(_e61, _e55, _e65);
-                        phi_169_ = select(_e57, _e61, _e65);
+                        local_5 = select(_e61, _e55, _e65);
+                        local_6 = select(_e57, _e61, _e65);
+                        continue;
                     } else {
-                        phi_166_ = u32();
-                        phi_169_ = u32();
+                        break;
                     }
-                    let _e69 = phi_166_;
-                    let _e71 = phi_169_;
-                    continue;
                     continuing {
-                        phi_165_ = _e69;
-                        phi_168_ = _e71;
-                        break if !(_e59);
+                        let _e343 = local_5;
+                        phi_165_ = _e343;
+                        let _e346 = local_6;
+                        phi_168_ = _e346;
                     }
                 }
-                let _e75 = local;
+                let _e70 = local;
+                let _e72 = global_5.member[_e70];
+                let _e75 = local_1;
                 let _e77 = global_5.member[_e75];
-                let _e80 = local_1;
-                let _e82 = global_5.member[_e80];
-                let _e86 = (f32((_e50 - _e77)) + 0.5f);
-                let _e87 = f32((_e82 - _e77));
-                let _e88 = (_e86 / _e87);
-                let _e90 = select(0f, _e88, (_e88 > 0f));
-                let _e92 = select(1f, _e90, (_e90 < 1f));
-                let _e95 = (trunc((_e92 * 1024f)) * 0.0009765625f);
-                let _e102 = select(0f, ((_e86 - (_e95 * _e87)) / _e87), select(false, (_e92 < 1f), (0f < _e92)));
-                let _e105 = global_4.member.member_2;
-                let _e108 = global_4.member.member_7;
-                if (_e108 == 0u) {
-                    let _e111 = local_2;
-                    let _e112 = (_e111 * 4u);
-                    let _e115 = global_6.member[_e112];
-                    let _e119 = global_6.member[(_e112 + 1u)];
-                    let _e123 = global_6.member[(_e112 + 2u)];
-                    let _e127 = global_6.member[(_e112 + 3u)];
-                    let _e145 = (_e123.x + ((_e95 * _e127.x) + (_e102 * (_e119.x + _e127.x))));
-                    let _e147 = (_e115.x + (_e95 * _e119.x));
-                    let _e151 = (trunc(((_e147 + _e145) * 4096f)) * 0.00024414063f);
-                    let _e158 = (_e123.y + ((_e95 * _e127.y) + (_e102 * (_e119.y + _e127.y))));
-                    let _e160 = (_e115.y + (_e95 * _e119.y));
-                    let _e164 = (trunc(((_e160 + _e158) * 4096f)) * 0.00024414063f);
-                    let _e171 = (_e123.z + ((_e95 * _e127.z) + (_e102 * (_e119.z + _e127.z))));
-                    let _e173 = (_e115.z + (_e95 * _e119.z));
-                    let _e177 = (trunc(((_e173 + _e171) * 4096f)) * 0.00024414063f);
-                    global_8.member[_e42] = _e151;
-                    global_8.member[(_e105 + _e42)] = _e164;
-                    global_8.member[((2u * _e105) + _e42)] = _e177;
-                    global_8.member[((3u * _e105) + _e42)] = ((_e147 - _e151) + _e145);
-                    global_8.member[((4u * _e105) + _e42)] = ((_e160 - _e164) + _e158);
-                    global_8.member[((5u * _e105) + _e42)] = ((_e173 - _e177) + _e171);
-                    global_8.member[((6u * _e105) + _e42)] = _e115.w;
+                let _e81 = (f32((_e50 - _e72)) + 0.5f);
+                let _e82 = f32((_e77 - _e72));
+                let _e83 = (_e81 / _e82);
+                let _e85 = select(0f, _e83, (_e83 > 0f));
+                let _e87 = select(1f, _e85, (_e85 < 1f));
+                let _e90 = (trunc((_e87 * 1024f)) * 0.0009765625f);
+                let _e97 = select(0f, ((_e81 - (_e90 * _e82)) / _e82), select(false, (_e87 < 1f), (0f < _e87)));
+                let _e100 = global_4.member.member_2;
+                let _e103 = global_4.member.member_7;
+                if (_e103 == 0u) {
+                    let _e106 = local_2;
+                    let _e107 = (_e106 * 4u);
+                    let _e110 = global_6.member[_e107];
+                    let _e114 = global_6.member[(_e107 + 1u)];
+                    let _e118 = global_6.member[(_e107 + 2u)];
+                    let _e122 = global_6.member[(_e107 + 3u)];
+                    let _e140 = (_e118.x + ((_e90 * _e122.x) + (_e97 * (_e114.x + _e122.x))));
+                    let _e142 = (_e110.x + (_e90 * _e114.x));
+                    let _e146 = (trunc(((_e142 + _e140) * 4096f)) * 0.00024414063f);
+                    let _e153 = (_e118.y + ((_e90 * _e122.y) + (_e97 * (_e114.y + _e122.y))));
+                    let _e155 = (_e110.y + (_e90 * _e114.y));
+                    let _e159 = (trunc(((_e155 + _e153) * 4096f)) * 0.00024414063f);
+                    let _e166 = (_e118.z + ((_e90 * _e122.z) + (_e97 * (_e114.z + _e122.z))));
+                    let _e168 = (_e110.z + (_e90 * _e114.z));
+                    let _e172 = (trunc(((_e168 + _e166) * 4096f)) * 0.00024414063f);
+                    global_8.member[_e42] = _e146;
+                    global_8.member[(_e100 + _e42)] = _e159;
+                    global_8.member[((2u * _e100) + _e42)] = _e172;
+                    global_8.member[((3u * _e100) + _e42)] = ((_e142 - _e146) + _e140);
+                    global_8.member[((4u * _e100) + _e42)] = ((_e155 - _e159) + _e153);
+                    global_8.member[((5u * _e100) + _e42)] = ((_e168 - _e172) + _e166);
+                    global_8.member[((6u * _e100) + _e42)] = _e110.w;
                 } else {
-                    let _e206 = local_3;
-                    let _e207 = (_e206 * 4u);
-                    let _e210 = global_6.member[_e207];
-                    let _e214 = global_6.member[(_e207 + 1u)];
-                    let _e218 = global_6.member[(_e207 + 2u)];
-                    let _e230 = (_e218.x + ((_e95 + _e102) * _e218.y));
-                    let _e231 = (_e230 < 0f);
-                    let _e233 = select(_e230, -(_e230), _e231);
-                    let _e238 = (_e214.w / (2f - (select(_e214.w, _e233, (_e233 > _e214.w)) / _e214.w)));
-                    let _e242 = select(select(_e238, -(_e238), _e231), _e230, (_e233 <= _e214.w));
-                    let _e244 = (_e210.x + (_e242 * _e214.x));
-                    let _e246 = (_e210.y + (_e242 * _e214.y));
-                    let _e248 = (_e210.z + (_e242 * _e214.z));
-                    let _e251 = select(_e244, -(_e244), (_e244 < 0f));
-                    let _e254 = select(_e246, -(_e246), (_e246 < 0f));
+                    let _e201 = local_3;
+                    let _e202 = (_e201 * 4u);
+                    let _e205 = global_6.member[_e202];
+                    let _e209 = global_6.member[(_e202 + 1u)];
+                    let _e213 = global_6.member[(_e202 + 2u)];
+                    let _e225 = (_e213.x + ((_e90 + _e97) * _e213.y));
+                    let _e226 = (_e225 < 0f);
+                    let _e228 = select(_e225, -(_e225), _e226);
+                    let _e233 = (_e209.w / (2f - (select(_e209.w, _e228, (_e228 > _e209.w)) / _e209.w)));
+                    let _e237 = select(select(_e233, -(_e233), _e226), _e225, (_e228 <= _e209.w));
+                    let _e239 = (_e205.x + (_e237 * _e209.x));
+                    let _e241 = (_e205.y + (_e237 * _e209.y));
+                    let _e243 = (_e205.z + (_e237 * _e209.z));
+                    let _e246 = select(_e239, -(_e239), (_e239 < 0f));
+                    let _e249 = select(_e241, -(_e241), (_e241 < 0f));
+                    let _e251 = select(_e249, _e246, (_e246 > _e249));
+                    let _e254 = select(_e243, -(_e243), (_e243 < 0f));
                     let _e256 = select(_e254, _e251, (_e251 > _e254));
-                    let _e259 = select(_e248, -(_e248), (_e248 < 0f));
-                    let _e261 = select(_e259, _e256, (_e256 > _e259));
-                    let _e263 = select(0.25f, _e261, (_e261 > 0.25f));
-                    let _e268 = select(1f, ((0.5f - (0.0625f / _e263)) / _e263), (0.25f < _e263));
-                    let _e269 = (_e244 * _e268);
-                    let _e273 = (trunc(((0.5f + _e269) * 4096f)) * 0.00024414063f);
-                    let _e276 = (_e246 * _e268);
-                    let _e280 = (trunc(((0.5f + _e276) * 4096f)) * 0.00024414063f);
-                    let _e283 = (_e248 * _e268);
-                    let _e287 = (trunc(((0.5f + _e283) * 4096f)) * 0.00024414063f);
-                    global_8.member[_e42] = _e273;
-                    global_8.member[(_e105 + _e42)] = _e280;
-                    global_8.member[((2u * _e105) + _e42)] = _e287;
-                    global_8.member[((3u * _e105) + _e42)] = ((0.5f - _e273) + _e269);
-                    global_8.member[((4u * _e105) + _e42)] = ((0.5f - _e280) + _e276);
-                    global_8.member[((5u * _e105) + _e42)] = ((0.5f - _e287) + _e283);
-                    global_8.member[((6u * _e105) + _e42)] = _e210.w;
+                    let _e258 = select(0.25f, _e256, (_e256 > 0.25f));
+                    let _e263 = select(1f, ((0.5f - (0.0625f / _e258)) / _e258), (0.25f < _e258));
+                    let _e264 = (_e239 * _e263);
+                    let _e268 = (trunc(((0.5f + _e264) * 4096f)) * 0.00024414063f);
+                    let _e271 = (_e241 * _e263);
+                    let _e275 = (trunc(((0.5f + _e271) * 4096f)) * 0.00024414063f);
+                    let _e278 = (_e243 * _e263);
+                    let _e282 = (trunc(((0.5f + _e278) * 4096f)) * 0.00024414063f);
+                    global_8.member[_e42] = _e268;
+                    global_8.member[(_e100 + _e42)] = _e275;
+                    global_8.member[((2u * _e100) + _e42)] = _e282;
+                    global_8.member[((3u * _e100) + _e42)] = ((0.5f - _e268) + _e264);
+                    global_8.member[((4u * _e100) + _e42)] = ((0.5f - _e275) + _e271);
+                    global_8.member[((5u * _e100) + _e42)] = ((0.5f - _e282) + _e278);
+                    global_8.member[((6u * _e100) + _e42)] = _e205.w;
                 }
-                let _e318 = local_4;
-                let _e320 = global_3.member[_e318];
-                let _e323 = global_4.member.member_4;
-                if (_e323 == 0u) {
+                let _e313 = local_4;
+                let _e315 = global_3.member[_e313];
+                let _e318 = global_4.member.member_4;
+                if (_e318 == 0u) {
                     break;
                 }
-                phi_325_ = 0u;
+                phi_320_ = 0u;
                 loop {
-                    let _e327 = phi_325_;
-                    let _e330 = global_4.member.member_5;
-                    let _e331 = (_e327 < _e330);
-                    if _e331 {
-                        let _e336 = global_7.member[(((_e320 % _e323) * _e330) + _e327)];
-                        let _e339 = global_4.member.member_6;
-                        global_9.member[(((_e339 + _e327) * _e105) + _e42)] = _e336;
-                        phi_326_ = (_e327 + 1u);
+                    let _e322 = phi_320_;
+                    let _e325 = global_4.member.member_5;
+                    if (_e322 < _e325) {
+                        let _e331 = global_7.member[(((_e315 % _e318) * _e325) + _e322)];
+                        let _e334 = global_4.member.member_6;
+                        global_9.member[(((_e334 + _e322) * _e100) + _e42)] = _e331;
+                        local_7 = (_e322 + 1u);
+                        continue;
                     } else {
-                        phi_326_ = u32();
+                        break;
                     }
-                    let _e347 = phi_326_;
-                    continue;
                     continuing {
-                        phi_325_ = _e347;
-                        break if !(_e331);
+                        let _e354 = local_7;
+                        phi_320_ = _e354;
                     }
                 }
             }

@@ -29,12 +29,12 @@ fn function_() {
     var phi_48_: u32;
     var phi_51_: u32;
     var phi_53_: u32;
-    var phi_76_: u32;
-    var phi_92_: u32;
-    var phi_49_: u32;
-    var phi_52_: u32;
     var phi_54_: u32;
-    var phi_99_: bool;
+    var phi_88_: u32;
+    var phi_93_: bool;
+    var local: u32;
+    var local_1: u32;
+    var local_2: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -50,62 +50,58 @@ fn function_() {
                     let _e29 = phi_51_;
                     let _e31 = phi_53_;
                     let _e34 = global_3.member.member;
-                    let _e35 = (_e27 <= _e34);
-                    if _e35 {
+                    phi_93_ = false;
+                    if (_e27 <= _e34) {
                         let _e38 = global_3.member.member_1;
                         let _e42 = global_5.member[(_e27 * _e38)];
                         let _e45 = global_3.member.member_3;
                         if (_e45 == 0u) {
-                            phi_76_ = _e42;
+                            phi_54_ = _e42;
                         } else {
                             let _e49 = global_4.member[_e42];
-                            phi_76_ = _e49;
+                            phi_54_ = _e49;
                         }
-                        let _e51 = phi_76_;
+                        let _e51 = phi_54_;
                         let _e52 = (_e51 - _e31);
                         let _e55 = global_3.member.member_2;
                         let _e56 = (_e55 == 0u);
+                        local_2 = _e51;
                         if _e56 {
-                            phi_99_ = true;
+                            phi_93_ = true;
                             break;
                         }
                         let _e57 = (_e52 / _e55);
                         if _e56 {
-                            phi_99_ = true;
+                            phi_93_ = true;
                             break;
                         }
                         if ((_e52 % _e55) > 0u) {
-                            phi_92_ = (_e57 + 1u);
+                            phi_88_ = (_e57 + 1u);
                         } else {
-                            phi_92_ = _e57;
+                            phi_88_ = _e57;
                         }
-                        let _e62 = phi_92_;
+                        let _e62 = phi_88_;
                         let _e63 = (_e29 + _e62);
                         let _e64 = (2u * _e27);
                         global_6.member[_e64] = _e51;
                         global_6.member[(_e64 + 1u)] = _e63;
-                        phi_49_ = (_e27 + 1u);
-                        phi_52_ = _e63;
-                        phi_54_ = _e51;
+                        local = (_e27 + 1u);
+                        local_1 = _e63;
+                        continue;
                     } else {
-                        phi_49_ = u32();
-                        phi_52_ = u32();
-                        phi_54_ = u32();
+                        break;
                     }
-                    let _e72 = phi_49_;
-                    let _e74 = phi_52_;
-                    let _e76 = phi_54_;
-                    continue;
                     continuing {
-                        phi_48_ = _e72;
-                        phi_51_ = _e74;
-                        phi_53_ = _e76;
-                        phi_99_ = false;
-                        break if !(_e35);
+                        let _e75 = local;
+                        phi_48_ = _e75;
+                        let _e78 = local_1;
+                        phi_51_ = _e78;
+                        let _e81 = local_2;
+                        phi_53_ = _e81;
                     }
                 }
-                let _e79 = phi_99_;
-                if _e79 {
+                let _e72 = phi_93_;
+                if _e72 {
                     break;
                 }
             }

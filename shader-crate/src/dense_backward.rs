@@ -263,7 +263,7 @@ fn dense_weight_backward_work(params: &DenseWeightBackwardParams, shape: Shape<'
 /// `unit [units + 1, 2]`, see [`unit_begin`](crate::unit::unit_begin()); `input [inputs, stride]`, `output_gradient
 /// [4 columns, stride]`, `partial [places, parameters]`. The slices are those that have a sample in the chunk. One that
 /// began in the chunk before goes on from its sums there.
-#[kernel(threads(16), iterations = MAX_SLICE + 2 * SEARCH, fused, lanes, counts(samples), work(dense_weight_backward_work))]
+#[kernel(threads(64), iterations = MAX_SLICE + 2 * SEARCH, fused, lanes, counts(samples), work(dense_weight_backward_work))]
 pub fn dense_weight_backward<L: Lane>(
     id: Invocation,
     params: &DenseWeightBackwardParams,

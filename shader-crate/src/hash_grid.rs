@@ -49,22 +49,25 @@ pub struct HashGridParams {
 }
 
 impl HashGridParams {
-    /// Where a point's column begins in `position`.
+    /// Where the column of an invocation's point begins in `position`.
     #[inline(always)]
-    pub fn point_column(&self, point: u32) -> u32 {
-        self.column(point, self.point_rows)
+    pub fn point_column(&self, id: Invocation) -> u32 {
+        self.column(id, self.point_rows)
     }
 
-    /// Where a point's features of a level begin in `output`.
+    /// Where the features of an invocation's point begin in `output`, for a level.
     #[inline(always)]
-    pub fn feature_column(&self, point: u32, level: u32) -> u32 {
+    pub fn feature_column(&self, id: Invocation, level: u32) -> u32 {
         let row = self.first_row + level * self.features;
-        self.column(point, self.rows) + row * self.stride
+        self.column(id, self.rows) + row * self.stride
     }
 
+    /// The points of a workgroup are in one chunk, so a GPU divides once for all of them.
     #[inline(always)]
-    fn column(&self, point: u32, rows: u32) -> u32 {
-        point / self.chunk * (rows * self.stride) + point % self.chunk
+    fn column(&self, id: Invocation, rows: u32) -> u32 {
+        let first = id.workgroup_index() * id.size.x;
+        let chunk = first / self.chunk;
+        chunk * (rows * self.stride) + (first - chunk * self.chunk) + id.local.x
     }
 }
 
@@ -112,24 +115,51 @@ impl GridLevel {
         ((whole + carry).index(), t)
     }
 
-    /// The entry of a grid point, counted from the table's begin.
+    /// The entries of a cell's corners, x fastest, counted from the table's begin.
+    ///
+    /// A GPU takes as long for a product as for four sums. So the upper corners of an axis add a factor to the product of the
+    /// lower ones.
     #[inline(always)]
-    pub fn entry<I: LaneIndex>(&self, x: I, y: I, z: I) -> I {
+    pub fn entries<I: LaneIndex>(&self, [x, y, z]: [I; 3]) -> [I; 8] {
         let number = I::splat;
-        let count = number(self.count);
-        let index = if self.hashed != 0 {
+        let hashed = self.hashed != 0;
+        let row = if hashed { 2_654_435_761 } else { self.resolution };
+        let layer =
+            if hashed { 805_459_861 } else { self.resolution.wrapping_mul(self.resolution) };
+        let axis = |lower: I, factor: u32| [lower, lower.wrapping_add(number(factor))];
+        let x = axis(x, 1);
+        let y = axis(y.wrapping_mul(number(row)), row);
+        let z = axis(z.wrapping_mul(number(layer)), layer);
+        let first = number(self.first);
+        if hashed {
             // modulo a power of two
-            let (y, z) =
-                (y.wrapping_mul(number(2_654_435_761)), z.wrapping_mul(number(805_459_861)));
-            (x ^ y ^ z) & number(self.count - 1)
+            let mask = number(self.count - 1);
+            at_corners(x, y, z, |x, y, z| ((x ^ y ^ z) & mask).wrapping_add(first))
         } else {
             // modulo: a corner is at most `resolution`, so that once is enough
-            let rows = y.wrapping_add(z.wrapping_mul(number(self.resolution)));
-            let index = x.wrapping_add(rows.wrapping_mul(number(self.resolution)));
-            I::select(index.less(count), index, index.wrapping_sub(count))
-        };
-        index.wrapping_add(number(self.first))
+            let count = number(self.count);
+            at_corners(x, y, z, |x, y, z| {
+                let index = x.wrapping_add(y).wrapping_add(z);
+                let index = I::select(index.less(count), index, index.wrapping_sub(count));
+                index.wrapping_add(first)
+            })
+        }
     }
+}
+
+/// A function of the corners of a cell, x fastest.
+#[inline(always)]
+fn at_corners<I: LaneIndex>(x: [I; 2], y: [I; 2], z: [I; 2], f: impl Fn(I, I, I) -> I) -> [I; 8] {
+    [
+        f(x[0], y[0], z[0]),
+        f(x[1], y[0], z[0]),
+        f(x[0], y[1], z[0]),
+        f(x[1], y[1], z[0]),
+        f(x[0], y[0], z[1]),
+        f(x[1], y[0], z[1]),
+        f(x[0], y[1], z[1]),
+        f(x[1], y[1], z[1]),
+    ]
 }
 
 /// The eight corners of a cell: their entries and their weights, x fastest.
@@ -145,19 +175,6 @@ impl<L: Lane> Corners<L> {
     /// The corners of a cell.  All eight are written out: a local array that is indexed would stay in memory.
     #[inline(always)]
     pub fn of(level: &GridLevel, cell: Cell<L>) -> Self {
-        let one = <L::Index as LaneIndex>::splat(1);
-        let [x0, y0, z0] = cell.corner;
-        let (x1, y1, z1) = (x0.wrapping_add(one), y0.wrapping_add(one), z0.wrapping_add(one));
-        let entry = [
-            level.entry(x0, y0, z0),
-            level.entry(x1, y0, z0),
-            level.entry(x0, y1, z0),
-            level.entry(x1, y1, z0),
-            level.entry(x0, y0, z1),
-            level.entry(x1, y0, z1),
-            level.entry(x0, y1, z1),
-            level.entry(x1, y1, z1),
-        ];
         let [upper_x, upper_y, upper_z] = cell.weight;
         let one = L::splat(1.0);
         let (lower_x, lower_y, lower_z) = (one - upper_x, one - upper_y, one - upper_z);
@@ -173,7 +190,25 @@ impl<L: Lane> Corners<L> {
             lu * upper_z,
             uu * upper_z,
         ];
-        Self { entry, weight }
+        Self { entry: level.entries(cell.corner), weight }
+    }
+
+    /// The same corners, with the place of each one's first value in a table `[entries, width]` instead of its entry.
+    #[inline(always)]
+    pub fn places(self, width: u32) -> Self {
+        let width = <L::Index as LaneIndex>::splat(width);
+        let [a, b, c, d, e, f, g, h] = self.entry;
+        let entry = [
+            a.wrapping_mul(width),
+            b.wrapping_mul(width),
+            c.wrapping_mul(width),
+            d.wrapping_mul(width),
+            e.wrapping_mul(width),
+            f.wrapping_mul(width),
+            g.wrapping_mul(width),
+            h.wrapping_mul(width),
+        ];
+        Self { entry, ..self }
     }
 }
 
@@ -214,11 +249,10 @@ pub fn sum<L: Lane>([a, b, c, d, e, f, g, h]: [L; 8]) -> L {
     a + b + c + d + e + f + g + h
 }
 
-/// Index of a value of each lane's entry in a table `[entries, width]`.
+/// Index of a value whose first neighbor is at a [place](Corners::places).
 #[inline(always)]
-pub fn value_at<L: Lane>(entry: L::Index, width: u32, value: u32) -> L::Index {
-    let number = <L::Index as LaneIndex>::splat;
-    entry.wrapping_mul(number(width)).wrapping_add(number(value))
+pub fn value_at<L: Lane>(place: L::Index, value: u32) -> L::Index {
+    place.wrapping_add(<L::Index as LaneIndex>::splat(value))
 }
 
 /// Rows that a point takes in a buffer `[rows, stride]`.
@@ -292,14 +326,14 @@ pub fn hash_grid<L: Lane>(
     if point < params.points {
         let level = levels.read(id.workgroup.z);
         let stride = params.stride;
-        let x = read_point::<L>(position, stride, params.point_column(point));
-        let corners = Corners::of(&level, level.cell(x));
+        let x = read_point::<L>(position, stride, params.point_column(id));
         let features = params.features;
-        let mut row = params.feature_column(point, id.workgroup.z);
+        let corners = Corners::of(&level, level.cell(x)).places(features);
+        let mut row = params.feature_column(id, id.workgroup.z);
         let mut f = 0;
         while f < features {
-            let value = sum(of_corners!(corners, |entry, weight| {
-                L::gather(table, value_at::<L>(entry, features, f)) * weight
+            let value = sum(of_corners!(corners, |place, weight| {
+                L::gather(table, value_at::<L>(place, f)) * weight
             }));
             value.write(output, row);
             row += stride;

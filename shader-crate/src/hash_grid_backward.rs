@@ -54,7 +54,7 @@ pub fn hash_grid_backward<L: Lane>(
     let point = id.index();
     if point < params.points {
         let features = params.features;
-        let first = params.feature_column(point, id.workgroup.z);
+        let first = params.feature_column(id, id.workgroup.z);
         let (zero, one, tiny) = (L::splat(0.0), L::splat(1.0), L::splat(TINY));
         let limit = L::splat(scale.read(LIMIT));
         let (mut largest, mut excess) = (zero, zero);
@@ -75,15 +75,13 @@ pub fn hash_grid_backward<L: Lane>(
         let active = L::both(tiny.at_most(largest), excess.less(one));
         if L::any(active) {
             let level = levels.read(id.workgroup.z);
-            let x = read_point::<L>(position, params.stride, params.point_column(point));
-            let corners = Corners::of(&level, level.cell(x));
+            let x = read_point::<L>(position, params.stride, params.point_column(id));
+            let corners = Corners::of(&level, level.cell(x)).places(features);
             // the CPU does not look so far ahead by itself
-            of_corners!(each corners, |entry, _weight| {
-                L::expect_fixed(sum, value_at::<L>(entry, features, 0))
-            });
+            of_corners!(each corners, |place, _weight| L::expect_fixed(sum, place));
             // one flag for each corner: a block holds whole entries
-            of_corners!(each corners, |entry, _weight| {
-                L::flag(active, touched, value_at::<L>(entry, features, 0), VALUES_PER_FLAG)
+            of_corners!(each corners, |place, _weight| {
+                L::flag(active, touched, place, VALUES_PER_FLAG)
             });
             let unit = L::splat(scale.read(SCALE));
             let mut row = first;
@@ -91,8 +89,8 @@ pub fn hash_grid_backward<L: Lane>(
             while L::ADDS_TWO && f + 2 <= features {
                 let first = scaled(L::read(feature_gradient, row), unit);
                 let second = scaled(L::read(feature_gradient, row + params.stride), unit);
-                of_corners!(each corners, |entry, weight| {
-                    let at = value_at::<L>(entry, features, f);
+                of_corners!(each corners, |place, weight| {
+                    let at = value_at::<L>(place, f);
                     L::add_fixed_two([first * weight, second * weight], active, sum, at)
                 });
                 row += 2 * params.stride;
@@ -100,8 +98,8 @@ pub fn hash_grid_backward<L: Lane>(
             }
             while f < features {
                 let gradient = scaled(L::read(feature_gradient, row), unit);
-                of_corners!(each corners, |entry, weight| {
-                    (gradient * weight).add_fixed(active, sum, value_at::<L>(entry, features, f))
+                of_corners!(each corners, |place, weight| {
+                    (gradient * weight).add_fixed(active, sum, value_at::<L>(place, f))
                 });
                 row += params.stride;
                 f += 1;

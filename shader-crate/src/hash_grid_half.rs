@@ -39,13 +39,13 @@ pub fn hash_grid_half<L: Lane>(
     let point = id.index();
     if point < params.points {
         let level = levels.read(id.workgroup.z);
-        let x = read_point::<L>(position, params.stride, params.point_column(point));
-        let corners = Corners::of(&level, level.cell(x));
+        let x = read_point::<L>(position, params.stride, params.point_column(id));
         let words = params.features.div_ceil(2);
-        let mut row = params.feature_column(point, id.workgroup.z);
+        let corners = Corners::of(&level, level.cell(x)).places(words);
+        let mut row = params.feature_column(id, id.workgroup.z);
         let mut word = 0;
         while word < words {
-            let [first, second] = interpolated(table, &corners, words, word);
+            let [first, second] = interpolated(table, &corners, word);
             first.write(output, row);
             if 2 * word + 1 < params.features {
                 second.write(output, row + params.stride);
@@ -58,10 +58,10 @@ pub fn hash_grid_half<L: Lane>(
 
 /// Two features between the corners of a cell, summed as [`hash_grid`](crate::hash_grid) does.
 #[inline(always)]
-fn interpolated<L: Lane>(table: Read<u32>, corners: &Corners<L>, words: u32, word: u32) -> [L; 2] {
+fn interpolated<L: Lane>(table: Read<u32>, corners: &Corners<L>, word: u32) -> [L; 2] {
     let [[a0, b0], [a1, b1], [a2, b2], [a3, b3], [a4, b4], [a5, b5], [a6, b6], [a7, b7]] =
-        of_corners!(corners, |entry, weight| {
-            let [first, second] = L::gather_halves(table, value_at::<L>(entry, words, word));
+        of_corners!(corners, |place, weight| {
+            let [first, second] = L::gather_halves(table, value_at::<L>(place, word));
             [first * weight, second * weight]
         });
     [sum([a0, a1, a2, a3, a4, a5, a6, a7]), sum([b0, b1, b2, b3, b4, b5, b6, b7])]

@@ -28,6 +28,9 @@ mod op {
     pub const BARRIER: u32 = 224;
     pub const FUNCTION: u32 = 54;
     pub const VARIABLE: u32 = 59;
+    pub const LOOP_MERGE: u32 = 246;
+    pub const LABEL: u32 = 248;
+    pub const BRANCH: u32 = 249;
     pub const DECORATE: u32 = 71;
     pub const RETURNS: [u32; 2] = [253, 254];
     pub const FLOAT_ATOMICS: [u32; 3] = [5614, 5615, 6035];
@@ -148,6 +151,23 @@ fn modules_keep_the_rules() {
                 && pointers.contains(&i.operands[0])
         });
         assert_eq!(local.count(), 0, "{name}: a local array stays in memory");
+    }
+}
+
+/// What a loop's last block does is to branch to the first one: it has no condition of its own.
+#[test]
+fn loops_end_at_their_conditions() {
+    for kernel in MODULES.all() {
+        let words = kernel.spirv_words();
+        let all: Vec<_> = instructions(&words).collect();
+        for merge in all.iter().filter(|i| is(i, op::LOOP_MERGE)) {
+            let is_last = |i: &organza_tests::spirv::Instruction<'_>| {
+                is(i, op::LABEL) && i.operands[0] == merge.operands[1]
+            };
+            let last = all.iter().position(is_last).expect("a loop has a last block");
+            let name = &kernel.entry().name;
+            assert!(is(&all[last + 1], op::BRANCH), "{name}: docs/kernels.md#loops");
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 
 mod atomics;
 mod compiled;
+mod isa;
 mod kernel_rules;
 mod large;
 mod parity;

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use organza_build::{Options, Project};
+use organza_build::{IsaOptions, Options, Project};
 // the registry of kernels has what the program is linked with
 use organza_shaders as _;
 
@@ -23,6 +23,8 @@ struct Cli {
 enum Task {
     /// Compile the kernels to SPIR-V and WGSL, into host/kernels
     Kernels(Options),
+    /// Show what the compiler of an AMD GPU makes of the kernels, without the GPU
+    Isa(IsaOptions),
     /// Make a project of its own in a new folder: kernels, tests on the CPU and two ways on a GPU, a picture
     New {
         /// The folder: it must not exist, or be empty
@@ -47,5 +49,6 @@ fn main() -> ExitCode {
         Task::Guide => guide::run(&project()),
         Task::New { folder } => new::run(&project(), &folder),
         Task::Kernels(options) => organza_build::run(&project(), options),
+        Task::Isa(options) => organza_build::isa(&project(), &options),
     })
 }

@@ -242,13 +242,12 @@ impl Parity for HashGrid {
             return Bound { scale: 0.0, floor: 0.0 };
         };
         let level = self.levels()[level];
-        let [x, y, z] = level.cell::<f32>(self.points[point]).corner;
-        let corner = |c: u32| {
-            let entry = level.entry(x + (c & 1), y + (c >> 1 & 1), z + (c >> 2));
+        let entries = level.entries(level.cell::<f32>(self.points[point]).corner);
+        let value = |entry: u32| {
             let at = entry * self.grid.features + feature as u32;
             f64::from(self.table[at as usize].abs())
         };
-        let corners: f64 = (0..8).map(corner).sum();
+        let corners: f64 = entries.into_iter().map(value).sum();
         let position = match rounding {
             _ if self.is_unrounded => 0.0,
             Rounding::AsWritten => 2e-4 * f64::from(level.resolution),

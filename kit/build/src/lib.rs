@@ -9,6 +9,8 @@ mod compile;
 mod compiler;
 mod contraction;
 mod ids;
+mod isa;
+mod loops;
 mod lower;
 mod memory_model;
 mod module;
@@ -27,6 +29,7 @@ use clap::{Args, Parser};
 pub use artifacts::Artifacts;
 pub use compile::{build, compile};
 pub use compiler::{Compiler, isolate};
+pub use isa::{IsaOptions, isa};
 pub use lower::lower;
 
 /// A workspace with a crate of kernels.
@@ -71,16 +74,18 @@ impl Project {
     }
 }
 
-/// What an xtask that only compiles kernels understands.
+/// What an xtask that has only to do with kernels understands.
 #[derive(Parser)]
 #[command(bin_name = "cargo xtask")]
 enum Task {
     /// Compile the kernels to SPIR-V
     Kernels(Options),
+    /// Show what the compiler of an AMD GPU makes of the kernels, without the GPU
+    Isa(IsaOptions),
 }
 
-/// The whole xtask of a project: `cargo xtask kernels`, with [`Options`]. It names the crate of kernels and the crate's folder
-/// in the workspace.
+/// The whole xtask of a project: `cargo xtask kernels`, with [`Options`], and `cargo xtask isa`, with [`IsaOptions`]. It names the crate
+/// of kernels and the crate's folder in the workspace.
 ///
 /// ```ignore
 /// organza_build::xtask!(my_kernels in "kernels");
@@ -100,8 +105,10 @@ macro_rules! xtask {
 /// The `main` of an [`xtask`].
 #[must_use]
 pub fn main(project: &Project) -> ExitCode {
-    let Task::Kernels(options) = Task::parse();
-    exit_code(run(project, options))
+    exit_code(match Task::parse() {
+        Task::Kernels(options) => run(project, options),
+        Task::Isa(options) => isa(project, &options),
+    })
 }
 
 /// Prints an error, if there is one.

@@ -4,7 +4,7 @@ use anyhow::{Result, anyhow};
 use rspirv::binary::Assemble;
 use rspirv::dr;
 
-use crate::{atomic_arguments, contraction, ids, memory_model};
+use crate::{atomic_arguments, contraction, ids, loops, memory_model};
 
 /// The module as drivers get it; `fused` lets them regroup its arithmetic.
 ///
@@ -13,6 +13,7 @@ use crate::{atomic_arguments, contraction, ids, memory_model};
 pub fn lower(spirv: &[u8], fused: bool) -> Result<Vec<u8>> {
     let mut module = dr::load_bytes(spirv).map_err(|error| anyhow!("a broken module: {error}"))?;
     memory_model::lower(&mut module)?;
+    loops::end_at_conditions(&mut module)?;
     atomic_arguments::copy(&mut module)?;
     if !fused {
         contraction::forbid(&mut module)?;

@@ -2,7 +2,7 @@
 //!
 //! Not every GPU has 64-bit integers. So a sum is two words in two's complement, the low one first.
 
-use crate::math::abs;
+use crate::math::{abs, to_u32};
 use crate::memory::Write;
 #[cfg(target_arch = "spirv")]
 use crate::memory::{ReadBuffer, WriteBuffer};
@@ -16,9 +16,9 @@ const WORD: f32 = 4_294_967_296.0;
 #[inline(always)]
 pub fn words(x: f32) -> [u32; 2] {
     let size = abs(x);
-    let high = (size * (1.0 / WORD)) as u32;
+    let high = to_u32(size * (1.0 / WORD));
     let rest = size - high as f32 * WORD;
-    let low = rest as u32;
+    let low = to_u32(rest);
     // a number with a fraction is below 2^23
     let low = if rest - low as f32 >= 0.5 { low + 1 } else { low };
     if x < 0.0 { negated([low, high]) } else { [low, high] }

@@ -201,7 +201,7 @@ impl Lane for f32 {
 
     #[inline(always)]
     fn index(self) -> u32 {
-        self as u32
+        crate::math::to_u32(self)
     }
 
     #[inline(always)]

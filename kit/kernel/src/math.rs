@@ -56,6 +56,21 @@ pub fn truncate(x: f32) -> f32 {
     }
 }
 
+/// x without its fraction, for x from 0 to below 2^32. Anything else gives some number, and on the CPU the nearest.
+#[inline(always)]
+pub fn to_u32(x: f32) -> u32 {
+    // `as` is four instructions more on a GPU: it compares with both limits
+    #[cfg(target_arch = "spirv")]
+    {
+        // SAFETY: SPIR-V's conversion has an undefined result there, but no undefined behavior
+        unsafe { x.to_int_unchecked() }
+    }
+    #[cfg(not(target_arch = "spirv"))]
+    {
+        x as u32
+    }
+}
+
 /// |x|
 #[inline(always)]
 pub fn abs(x: f32) -> f32 {

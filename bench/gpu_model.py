@@ -1,0 +1,83 @@
+"""A model of what a GPU would take for a batch: counts over published rates. Nothing here has run on that GPU.
+
+    organza bench --backend cpu --json > bench.json
+    python bench/gpu_model.py bench.json
+
+The numbers of operations and bytes come from `organza bench`, the instructions from host/kernels/navi21.snap. For each kernel the model takes
+the longest of three times: to issue its instructions, to move its bytes from memory, and to fetch the cache lines that its random accesses
+touch. So these are floors: a kernel that waits for memory, or that cannot fill the GPU, takes longer.
+"""
+
+import argparse
+import json
+from pathlib import Path
+
+# AMD's numbers for the RX 6800: 60 compute units of 2 x 32 lanes at 2.105 GHz, 512 GB/s, and a cache of 128 MB at 2 TB/s.
+LANES = 60 * 2 * 32
+CLOCK = 2.105e9
+MEMORY = 512e9
+CACHE = 2e12
+LINE = 64
+# 32-bit integer products take four times as long as other instructions.
+PRODUCT = 3
+
+# For each kernel: counted operations of one turn of its largest loop (docs/performance.md), turns of that loop for one item with what is outside
+# of it, or nothing if the loop is all, and random cache lines of an item.
+FEATURES = 2
+KERNELS = {
+    "dense": (128, None, 0),
+    "dense_backward": (256, None, 0),
+    "dense_weight_backward": (33, None, 0),
+    "composite": (20, None, 0),
+    "composite_backward": (30, None, 0),
+    "hash_grid": (42 + 15 * FEATURES, FEATURES, 8),
+    "hash_grid_backward": (42 + 17 * FEATURES, FEATURES, 8),
+}
+
+
+def machine_code():
+    """Instructions and integer products of each kernel and of its largest loop, from the accepted table."""
+    lines = (Path(__file__).parent.parent / "host/kernels/navi21.snap").read_text().splitlines()
+    table = {}
+    for line in lines[5:]:
+        whole, _, loop = line.partition("|")
+        words, loop = whole.split(), [int(word) for word in loop.split()] or [0] * 6
+        table[words[0]] = {"all": int(words[6]), "products": int(words[7]), "loop": loop[0], "loop_products": loop[3]}
+    return table
+
+
+def floors(kernel, code):
+    """Seconds to issue a kernel's instructions, to move its bytes and to fetch its lines."""
+    operations, moved = (1e9 * (kernel[rate] or 0) * kernel["seconds"] for rate in ("gflops", "gbs"))
+    times = {"memory": moved / MEMORY}
+    if kernel["name"] in KERNELS:
+        counted, turns, lines = KERNELS[kernel["name"]]
+        items = operations / counted
+        loop = code["loop"] + PRODUCT * code["loop_products"]
+        outside = code["all"] + PRODUCT * code["products"] - loop
+        times["instructions"] = items * (loop if turns is None else outside + turns * loop) / LANES / CLOCK
+        times["cache lines"] = items * lines * LINE / CACHE
+    return times
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("bench", type=Path, help="what `organza bench --json` prints")
+    code = machine_code()
+    rows = []
+    for kernel in json.loads(parser.parse_args().bench.read_text())["kernels"]:
+        times = floors(kernel, code.get(kernel["name"]))
+        bound = max(times, key=times.get)
+        rows.append((times[bound], bound, kernel["name"], times))
+    rows.sort(reverse=True)
+    total = sum(row[0] for row in rows)
+    print("| kernel | instructions, ms | memory, ms | cache lines, ms | bound by | share |")
+    print("| --- | ---: | ---: | ---: | --- | ---: |")
+    for time, bound, name, times in rows:
+        if time > 0.005 * total:
+            cells = (f"{1e3 * times[key]:.3f}" if times.get(key) else "" for key in ("instructions", "memory", "cache lines"))
+            print(f"| {name} | {' | '.join(cells)} | {bound} | {time / total:.0%} |")
+    print(f"\n{1e3 * total:.2f} ms for all")
+
+
+main()

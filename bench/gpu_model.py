@@ -1,7 +1,6 @@
 """A model of what a GPU would take for a batch: counts over published rates. Nothing here has run on that GPU.
 
-    organza bench --backend cpu --json > bench.json
-    python bench/gpu_model.py bench.json
+    python bench/gpu_model.py --organza target/release/organza
 
 The numbers of operations and bytes come from `organza bench`, the instructions from host/kernels/navi21.snap. For each kernel the model takes
 the longest of three times: to issue its instructions, to move its bytes from memory, and to fetch the cache lines that its random accesses
@@ -10,6 +9,7 @@ touch. So these are floors: a kernel that waits for memory, or that cannot fill 
 
 import argparse
 import json
+import subprocess
 from pathlib import Path
 
 # AMD's numbers for the RX 6800: 60 compute units of 2 x 32 lanes at 2.105 GHz, 512 GB/s, and a cache of 128 MB at 2 TB/s.
@@ -62,10 +62,12 @@ def floors(kernel, code):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("bench", type=Path, help="what `organza bench --json` prints")
+    parser.add_argument("--organza", default="organza", help="the program")
+    command = [parser.parse_args().organza, "bench", "--backend", "cpu", "--repeat", "1", "--json", "--quiet"]
+    bench = json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout)
     code = machine_code()
     rows = []
-    for kernel in json.loads(parser.parse_args().bench.read_text())["kernels"]:
+    for kernel in bench["kernels"]:
         times = floors(kernel, code.get(kernel["name"]))
         bound = max(times, key=times.get)
         rows.append((times[bound], bound, kernel["name"], times))

@@ -13,7 +13,7 @@ use organza_tests::devices;
 use super::runs::begun;
 
 /// Numbers of a scene that the formulas are made of.
-pub struct Sizes {
+struct Sizes {
     /// Values of a Gaussian.
     pub d: u64,
     /// Values of each grid.
@@ -258,4 +258,16 @@ fn a_step_hands_over_what_the_formulas_say() {
     assert_eq!(all[0][6], all[1][6], "all ranks add the same blocks");
     assert_eq!(tiles, u64::from(config.run.tiles_per_step));
     assert!((2..=tiles).contains(&units), "{units}");
+}
+
+/// The page has the sizes of the default settings.
+#[test]
+fn the_page_has_the_sizes() {
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/cluster.md");
+    let page = std::fs::read_to_string(page).expect("the page");
+    let Sizes { d, grids, p, .. } = Sizes::of(&TrainConfig::default());
+    for fact in [format!("V = {} for each grid", grids[0]), format!("P = {p}"), format!("d = {d}")]
+    {
+        assert!(page.contains(&fact), "docs/cluster.md lacks `{fact}`");
+    }
 }

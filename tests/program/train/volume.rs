@@ -7,7 +7,7 @@ use organza::Result;
 use organza::ranks::{Ranks, ThreadRanks};
 use organza::render::share_bytes;
 use organza::scene::MlpConfig;
-use organza::train::{CheckpointShare, ShareTrainer, TrainConfig, Trainer};
+use organza::train::{CheckpointShare, TrainConfig, Trainer};
 use organza_tests::devices;
 
 use super::runs::begun;
@@ -141,7 +141,8 @@ fn a_step_of_shares_hands_over_what_the_formulas_say() {
     let all = counted(RANKS, |renderer, ranks| {
         let share = CheckpointShare::of(&checkpoint, ranks.rank(), RANKS as usize);
         let (config, dataset) = (config.clone(), dataset.clone());
-        let trainer = ShareTrainer::resume(renderer, config, dataset, &share, ranks);
+        let shares = RANKS as usize;
+        let trainer = Trainer::resume_share(renderer, config, dataset, &share, ranks, shares);
         let report = trainer.expect("a trainer").step().expect("a step");
         assert!(report.grown.is_some());
     });
@@ -179,9 +180,9 @@ fn a_step_of_groups_hands_over_what_the_formulas_say() {
         let share = ranks.rank() % SHARES as usize;
         let share = CheckpointShare::of(&checkpoint, share, SHARES as usize);
         let (config, dataset) = (config.clone(), dataset.clone());
-        let trainer = ShareTrainer::resume(renderer, config, dataset, &share, ranks);
-        let trainer = trainer.expect("a trainer").with_shares(SHARES as usize);
-        let report = trainer.expect("groups").step().expect("a step");
+        let shares = SHARES as usize;
+        let trainer = Trainer::resume_share(renderer, config, dataset, &share, ranks, shares);
+        let report = trainer.expect("a trainer").step().expect("a step");
         assert!(report.grown.is_some());
     });
     let side = u64::from(config.run.tile_size);

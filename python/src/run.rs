@@ -148,7 +148,8 @@ impl Run {
                 return Ok("stopped");
             }
             let report = trainer.step_with(&mut self.hooks())?;
-            let (step, scene) = (trainer.steps(), trainer.scene());
+            let step = trainer.steps();
+            let scene = trainer.scene().expect("a trainer alone has the whole scene");
             let (loss, psnr) = (report.loss, report.psnr);
             let (gaussians, grown) = (scene.len(), report.grown.is_some());
             let seconds = Some(begin.elapsed().as_secs_f64());

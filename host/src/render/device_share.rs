@@ -1,4 +1,4 @@
-//! A share of a scene on a device.
+//! A scene on a device as training has it: whole, or a share of its Gaussians.
 
 use std::sync::Arc;
 
@@ -9,12 +9,14 @@ use crate::error::{Error, Result};
 use crate::scene::{GaussianTensors, Gaussians, SLICE, Scene, SceneConfig, SceneShare};
 use organza_device::{Buffer, Device};
 
-/// A [share](SceneShare) of a scene on a device: slices of Gaussians, which have the fields in common.
+/// A [share](SceneShare) of a scene on a device: slices of Gaussians, which have the fields in common. A whole scene is in one
+/// piece.
 #[derive(Debug)]
 pub struct DeviceShare {
-    /// The fields, and a Gaussian that is never rendered: a share may have none.
+    /// A whole scene. Otherwise the fields, and a Gaussian that is never rendered: a share may have none.
     pub(super) fields: DeviceScene,
     pub(super) slices: Vec<DeviceScene>,
+    is_whole: bool,
     /// Slices of the whole scene.
     pub(super) slices_of_all: usize,
 }
@@ -37,9 +39,25 @@ impl DeviceShare {
         let mut fields = Scene::zeros(config.clone(), 1)?;
         (fields.color, fields.transmittance) = (color.clone(), transmittance.clone());
         let fields = renderer.upload_with(&fields, options)?;
-        let mut uploaded = Self { fields, slices: Vec::new(), slices_of_all: 0 };
+        let mut uploaded = Self { fields, slices: Vec::new(), is_whole: false, slices_of_all: 0 };
         uploaded.replace_gaussians(renderer.device(), gaussians, of_all)?;
         Ok(uploaded)
+    }
+
+    /// A whole scene.
+    pub(crate) fn of_whole(scene: DeviceScene) -> Self {
+        Self { fields: scene, slices: Vec::new(), is_whole: true, slices_of_all: 1 }
+    }
+
+    /// The scene, if it is whole.
+    #[must_use]
+    pub fn whole(&self) -> Option<&DeviceScene> {
+        self.is_whole.then_some(&self.fields)
+    }
+
+    /// The pieces of the Gaussians that are here, each of which is a scene with the same fields.
+    pub(crate) fn blocks(&self) -> &[DeviceScene] {
+        if self.is_whole { std::slice::from_ref(&self.fields) } else { &self.slices }
     }
 
     /// The configuration of the scene.
@@ -51,13 +69,13 @@ impl DeviceShare {
     /// Gaussians of the share.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.slices.iter().map(DeviceScene::len).sum()
+        self.blocks().iter().map(DeviceScene::len).sum()
     }
 
     /// Whether the share has no Gaussians.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.slices.is_empty()
+        self.blocks().is_empty()
     }
 
     /// The share has these Gaussians from now on, of so many of the whole scene.
@@ -70,6 +88,10 @@ impl DeviceShare {
         gaussians: &Gaussians,
         of_all: usize,
     ) -> Result<()> {
+        if self.is_whole {
+            self.fields = self.fields.with_gaussians(device, gaussians)?;
+            return Ok(());
+        }
         // not both at once
         self.slices.clear();
         self.slices_of_all = of_all.div_ceil(SLICE);
@@ -83,7 +105,7 @@ impl DeviceShare {
     pub(crate) fn coarser(&self, factor: u32, ray_steps: u32) -> Self {
         let of = |scene: &DeviceScene| scene.coarser(factor, ray_steps);
         let slices = self.slices.iter().map(of).collect();
-        Self { fields: of(&self.fields), slices, slices_of_all: self.slices_of_all }
+        Self { fields: of(&self.fields), slices, ..*self }
     }
 
     /// Eq. 13 divides no sum.
@@ -98,20 +120,18 @@ impl DeviceShare {
     /// As [`DeviceScene::download`].
     pub fn download(&self, device: &Device) -> Result<Scene> {
         let mut scene = self.fields.download(device)?;
+        if self.is_whole {
+            return Ok(scene);
+        }
         scene.gaussians = Gaussians::zeros(self.config(), self.len())?;
         let slices = self.slices.iter().map(|slice| slice.tensors.gaussians.as_ref());
         read_slices(device, slices, &mut scene.gaussians)?;
         Ok(scene)
     }
 
-    /// The fields, with a Gaussian that is never rendered.
+    /// A scene with the fields. Its Gaussians are those of a whole scene; otherwise there is one that is never rendered.
     pub(crate) fn fields(&self) -> &DeviceScene {
         &self.fields
-    }
-
-    /// The slices, each of which is a scene with the same fields.
-    pub(crate) fn slices(&self) -> &[DeviceScene] {
-        &self.slices
     }
 }
 

@@ -68,9 +68,14 @@ impl SceneGradient {
         Self::of_fields(device, scene, color, transmittance)
     }
 
-    /// Zeros, for other Gaussians of the same fields, whose gradients are those of this.
+    /// Zeros, for other Gaussians of the same fields and cameras, whose gradients are those of this.
     pub(super) fn of_slice(&self, device: &Device, slice: &DeviceScene) -> Result<Self> {
-        Self::of_fields(device, slice, self.color.view(), self.transmittance.view())
+        let fields = [&self.color, &self.transmittance].map(FieldGradient::view);
+        let [color, transmittance] = fields;
+        let mut gradient = Self::of_fields(device, slice, color, transmittance)?;
+        gradient.has_transmittance = self.has_transmittance;
+        gradient.poses = self.poses.as_ref().map(PoseGradient::view);
+        Ok(gradient)
     }
 
     fn of_fields(

@@ -28,6 +28,21 @@ impl PoseGradient {
         Ok(Self { sum: device.zeros("gradients of poses", POSE * cameras)? })
     }
 
+    /// The same gradients, on the same memory.
+    pub fn view(&self) -> Self {
+        Self { sum: self.sum.view() }
+    }
+
+    /// Numbers of all poses.
+    pub fn len(&self) -> usize {
+        self.sum.len()
+    }
+
+    /// Replaces the gradients `[cameras, 6]`.
+    pub fn write(&self, device: &Device, values: &[f32]) -> Result<()> {
+        device.write(&self.sum, 0, values)
+    }
+
     /// Adds what `pair_gradient [pairs, 3]` makes of the poses of a part's cameras.
     pub fn add(
         &self,
@@ -82,7 +97,7 @@ impl PoseGradient {
                 all[camera].iter_mut().zip(found).for_each(|(sum, value)| *sum += value);
             }
         }
-        Ok(device.write(&self.sum, 0, all.as_flattened())?)
+        Ok(self.write(device, all.as_flattened())?)
     }
 
     /// The gradients, by camera; waits for the device.

@@ -7,6 +7,7 @@
 //! - **hash grids** are 64-bit integers of one scale for all ranks, as in [a step over views](super::units).
 //! - **networks** are 64-bit integers, too: those of each slice and camera are rounded. Their unit follows from the largest
 //!   value of all.
+//! - **poses** likewise, those of each part of a slice.
 //!
 //! In a [grid](Grid) of ranks, each group renders the tiles of some cameras. The ranks that have the same share add up its
 //! Gaussians' gradients camera by camera, as [`Rows`].
@@ -95,7 +96,8 @@ impl ShareRecording<'_> {
             return Err(Error::Argument { reason });
         }
         let device = self.renderer.device();
-        let gradient = ShareGradient::new(device, self.share, true)?;
+        let fields = SceneGradient::new(device, &self.share.fields)?;
+        let gradient = ShareGradient::new(device, self.share, fields)?;
         self.add(grad_output, &gradient)?;
         gradient.check(device)?;
         self.download(&gradient)
@@ -109,7 +111,7 @@ impl ShareRecording<'_> {
         let has_groups = self.grid.groups() > 1;
         let mut rows =
             has_groups.then(|| Rows::new(device, &column, &gradient.slices)).transpose()?;
-        let (mut networks, mut kept) = (Vec::new(), kept.into_iter());
+        let (mut networks, mut poses, mut kept) = (Vec::new(), Vec::new(), kept.into_iter());
         for (index, (scene, parts)) in self.parts().enumerate() {
             let gradient = &gradient.slices[index];
             for (at, part) in parts.iter().enumerate() {
@@ -123,6 +125,8 @@ impl ShareRecording<'_> {
                     };
                     let part = rendered.get();
                     let spread = part.spread(device, scene, &pairs, gradient)?;
+                    poses.push(gradient.read_poses(device)?.concat());
+                    gradient.clear_poses(device);
                     let count = part.bins.cameras.len() as u32;
                     networks.push(spread.read_networks(device, count, gradient)?);
                     let Some(rows) = &mut rows else {
@@ -150,6 +154,10 @@ impl ShareRecording<'_> {
         let (ranks, most) = (self.grid.all, self.share.slices_of_all * tiles);
         let len = 4 * (fields.color.parameters.len() + fields.transmittance.parameters.len());
         write_networks(device, fields, &sum_in_fixed_point(ranks, &networks, len, most)?)?;
+        if let Some(gradient) = &fields.poses {
+            let sum = sum_in_fixed_point(ranks, &poses, gradient.len(), most)?;
+            gradient.write(device, &sum)?;
+        }
         add_grids(device, Some(ranks), fields)
     }
 
@@ -215,7 +223,7 @@ impl ShareRecording<'_> {
     }
 
     fn download(&self, gradient: &ShareGradient) -> Result<Gradient> {
-        let ShareGradient { fields, slices } = gradient;
+        let ShareGradient { fields, slices, .. } = gradient;
         let (device, config) = (self.renderer.device(), self.share.config());
         let mut values = Scene::zeros(config.clone(), self.share.len())?;
         let of_fields = fields.download(device, config, 1)?.into_values();
@@ -234,34 +242,44 @@ impl ShareRecording<'_> {
     }
 }
 
-/// Gradients of the tensors of a share; kernels add to them.
+/// Gradients of the tensors of a share, or of a whole scene; kernels add to them.
 #[derive(Debug)]
 pub(crate) struct ShareGradient {
-    /// Those of the fields.
+    /// Those of the fields, and of a whole scene's Gaussians.
     pub fields: SceneGradient,
     /// Those of each slice's Gaussians; those of the fields are the same.
     pub slices: Vec<SceneGradient>,
+    is_whole: bool,
 }
 
 impl ShareGradient {
-    /// Zeros. `has_transmittance` says whether the transmittance field and the extra vectors are wanted at all.
-    pub fn new(device: &Device, share: &DeviceShare, has_transmittance: bool) -> Result<Self> {
-        let mut fields = SceneGradient::new(device, &share.fields)?;
-        fields.has_transmittance = has_transmittance;
-        let mut gradient = Self { fields, slices: Vec::new() };
-        gradient.replace_slices(device, share)?;
+    /// Zeros for a share's Gaussians; `fields` are the gradients of [`DeviceShare::fields`].
+    pub fn new(device: &Device, share: &DeviceShare, fields: SceneGradient) -> Result<Self> {
+        let is_whole = share.whole().is_some();
+        let mut gradient = Self { fields, slices: Vec::new(), is_whole };
+        gradient.add_slices(device, share)?;
         Ok(gradient)
     }
 
     /// Zeros for the Gaussians that a share has now.
-    pub fn replace_slices(&mut self, device: &Device, share: &DeviceShare) -> Result<()> {
+    pub fn replace_gaussians(&mut self, device: &Device, share: &DeviceShare) -> Result<()> {
+        if let Some(scene) = share.whole() {
+            self.fields = self.fields.of_slice(device, scene)?;
+        }
         self.slices.clear();
+        self.add_slices(device, share)
+    }
+
+    fn add_slices(&mut self, device: &Device, share: &DeviceShare) -> Result<()> {
         for slice in &share.slices {
-            let mut gradient = self.fields.of_slice(device, slice)?;
-            gradient.has_transmittance = self.fields.has_transmittance;
-            self.slices.push(gradient);
+            self.slices.push(self.fields.of_slice(device, slice)?);
         }
         Ok(())
+    }
+
+    /// Those of each of [`DeviceShare::blocks`].
+    pub fn blocks(&self) -> &[SceneGradient] {
+        if self.is_whole { std::slice::from_ref(&self.fields) } else { &self.slices }
     }
 
     /// As [`SceneGradient::check`].
@@ -312,7 +330,7 @@ fn sum_in_fixed_point(
     let mut largest = [largest];
     ranks.max(&mut largest)?;
     if !f32::from_bits(largest[0]).is_finite() {
-        let reason = "a gradient of a network is NaN or infinite".to_owned();
+        let reason = "a gradient of a network or of a pose is NaN or infinite".to_owned();
         return Err(Error::Diverged { reason });
     }
     // every value is less than 2^exponent, and all of them less than 2^61 units

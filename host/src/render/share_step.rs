@@ -4,11 +4,13 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::backward::{LossTarget, of_tiles};
 use super::device_share::DeviceShare;
+use super::exposure::{self, Exposed, ExposureGradient};
 use super::loss::{Loss, LossInputs, TileLoss};
 use super::plan::PlannedTile;
 use super::renderer::Renderer;
 use super::results::RenderedTiles;
 use super::share_gradient::ShareGradient;
+use super::units::Compared;
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::ranks::Grid;
@@ -41,7 +43,7 @@ impl Deal {
 impl Renderer {
     /// Adds the gradients of a batch's loss to `gradient`, as [`Renderer::add_loss_gradient`] does, together with other
     /// ranks: each has its share of the same scene, and the same batch. Each group renders some of it. Returns the losses of
-    /// all tiles, in their order.
+    /// all tiles and the gradients of their exposures, in their order.
     ///
     /// # Errors
     /// As [`Renderer::record_share`]; [`Error::Diverged`](crate::Error::Diverged) where a network's gradient is not finite.
@@ -54,7 +56,7 @@ impl Renderer {
         loss: &mut Option<Loss>,
         target: &LossTarget<'_>,
         gradient: &ShareGradient,
-    ) -> Result<Vec<TileLoss>> {
+    ) -> Result<Compared> {
         batch.validate(cameras)?;
         let deal = Deal::new(batch, grid.groups());
         let mine = &deal.tiles[grid.group()];
@@ -62,56 +64,77 @@ impl Renderer {
         let of_group = TileBatch { side: batch.side, tiles };
         let of_step = (deal.units, batch.tiles.len());
         let recording = self.record_group((share, grid), cameras, &of_group, of_step)?;
-        let (losses, grad_output) = self.compare(recording.tiles(), mine, loss, target)?;
+        let (found, grad_output) = self.compare(recording.tiles(), mine, loss, target)?;
         let device = self.device();
         gradient.begin(device);
-        let added = recording.add(&grad_output, gradient).and_then(|()| deal.all(losses, grid));
+        let added = recording.add(&grad_output, gradient).and_then(|()| deal.all(found, grid));
         added.inspect_err(|_| gradient.restart(device))
     }
 
-    /// The losses of rendered tiles, and dLoss/dY.
+    /// The losses of rendered tiles, the gradients of their exposures, and dLoss/dY.
     fn compare(
         &self,
         rendered: &RenderedTiles,
         tiles: &[PlannedTile],
         loss: &mut Option<Loss>,
         target: &LossTarget<'_>,
-    ) -> Result<(Vec<TileLoss>, Vec<f32>)> {
+    ) -> Result<(Compared, Vec<f32>)> {
         let device = self.device();
         let area = (rendered.side * rendered.side) as usize;
         let most = (COMPARED_PIXELS / area).max(1);
-        let (mut losses, mut gradient) = (Vec::with_capacity(tiles.len()), Vec::new());
+        let ((mut losses, mut exposures), mut gradient) = (Compared::default(), Vec::new());
         for (tiles, pixels) in tiles.chunks(most).zip(rendered.data.chunks(most * 3 * area)) {
             let loss = Loss::of_tiles(loss, device, rendered.side, tiles.len())?;
+            let image = device.upload("rendered tiles", pixels)?;
+            let expose = |all: &[f32]| {
+                let exposure = of_tiles(all, tiles, exposure::VALUES);
+                device.run_in_pool(|| Exposed::new(device, &image, rendered.side, &exposure))
+            };
+            let exposed = target.exposure.map(expose).transpose()?;
             let inputs = LossInputs {
-                image: &device.upload("rendered tiles", pixels)?,
+                image: exposed.as_ref().map_or(&image, |exposed| &exposed.image),
                 target: &device.upload("photographs", &of_tiles(target.image, tiles, 3 * area))?,
                 valid: &device.upload("masks", &of_tiles(target.valid, tiles, area))?,
                 valid_pixels: target.valid_pixels,
                 ssim_weight: target.ssim_weight,
             };
             let output = device.run_in_pool(|| loss.evaluate(device, &inputs))?;
+            if let Some(exposed) = &exposed {
+                let back = || exposed.backward(device, &image, &output.grad_image);
+                let rows = device.read(&device.run_in_pool(back)?)?;
+                exposures.extend(exposure::gradients(&rows, rendered.side, tiles));
+            }
             losses.extend(output.sums(device)?);
             gradient.extend(device.read(&output.grad_image)?);
         }
-        Ok((losses, gradient))
+        Ok(((losses, exposures), gradient))
     }
 }
 
 impl Deal {
-    /// The losses of all groups' tiles, in the order of the batch. All ranks of a group have the same: one sends them.
-    fn all(&self, mine: Vec<TileLoss>, grid: Grid<'_>) -> Result<Vec<TileLoss>> {
+    /// What all groups have found, in the order of the batch. All ranks of a group have the same: one sends it.
+    fn all(&self, mine: Compared, grid: Grid<'_>) -> Result<Compared> {
         if grid.groups() == 1 {
             return Ok(mine);
         }
-        let mine = if grid.share() == 0 { mine } else { Vec::new() };
-        let all = grid.all.gather(bytemuck::cast_slice(&mine).to_vec())?;
-        let mut losses = Vec::new();
+        let (losses, exposures) = if grid.share() == 0 { mine } else { Compared::default() };
+        let gradients: Vec<_> = exposures.iter().map(|exposure| exposure.gradient).collect();
+        let mut bytes = bytemuck::cast_slice(&losses).to_vec();
+        bytes.extend_from_slice(bytemuck::cast_slice(gradients.as_flattened()));
+        let all = grid.all.gather(bytes)?;
+        let (mut losses, mut exposures) = (Vec::new(), Vec::new());
         for (tiles, bytes) in self.tiles.iter().zip(all.iter().step_by(grid.shares)) {
-            let found: Vec<TileLoss> = bytemuck::pod_collect_to_vec(bytes);
+            let (of_losses, rest) = bytes.split_at(tiles.len() * size_of::<TileLoss>());
+            let found: Vec<TileLoss> = bytemuck::pod_collect_to_vec(of_losses);
             losses.extend(tiles.iter().map(|tile| tile.place).zip(found));
+            let gradients: Vec<[[f64; 2]; 3]> = bytemuck::pod_collect_to_vec(rest);
+            exposures.extend(tiles.iter().zip(gradients).map(|(tile, gradient)| {
+                let (place, camera) = (tile.place, tile.tile.camera);
+                ExposureGradient { place, camera, gradient }
+            }));
         }
         losses.sort_by_key(|(place, _)| *place);
-        Ok(losses.into_iter().map(|(_, loss)| loss).collect())
+        exposures.sort_by_key(|exposure| exposure.place);
+        Ok((losses.into_iter().map(|(_, loss)| loss).collect(), exposures))
     }
 }

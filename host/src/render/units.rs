@@ -33,7 +33,7 @@ use organza_device::{Buffer, Device};
 const KEPT_SAMPLES: u64 = 1 << 24;
 
 /// What tiles were compared with, and what came out: in the same order, by camera.
-type Compared = (Vec<TileLoss>, Vec<ExposureGradient>);
+pub(super) type Compared = (Vec<TileLoss>, Vec<ExposureGradient>);
 
 /// A part that was rendered and compared.
 #[derive(Debug)]

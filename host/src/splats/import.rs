@@ -84,7 +84,7 @@ pub fn import(
         progress(trainer.steps() as usize)?;
     }
     let psnr = trainer.evaluate()?.mean.psnr;
-    Ok(Imported { scene: trainer.scene().download(renderer.device())?, psnr })
+    Ok(Imported { scene: trainer.share().download(renderer.device())?, psnr })
 }
 
 /// The settings of training: no Gaussian is added or removed, and their places and shapes move slowly.

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::binding::{BINDING, Binding};
 use super::config::TrainConfig;
-use super::per_photograph::{PerPhotograph, VALUES_PREFIX};
+use super::per_photograph::{PerPhotograph, VALUES_PREFIX, names};
 use crate::error::{Error, IN_MEMORY, Result};
 use crate::input::open_regular;
 use crate::scene::{
@@ -214,15 +214,35 @@ impl Checkpoint {
             return Err(lacks(STATISTICS));
         }
         let statistics = statistics.to_vec();
-        let mut of_photographs = |name| PerPhotograph::of_tensors(name, &mut tensors, path);
-        let (exposures, poses) = (of_photographs(EXPOSURE)?, of_photographs(POSE)?);
-        let checkpoint = Self { statistics, scene, moments, exposures, poses, progress };
+        let mut checkpoint = Self::of_scene(scene, moments, statistics, progress);
+        checkpoint.set_photographs(&mut tensors, path)?;
         checkpoint.check(path)?;
         Ok(checkpoint)
     }
 
+    /// Reads what is learned of each photograph, and nothing else of a file.
+    pub(super) fn read_photographs(&mut self, path: &Path) -> Result<()> {
+        let mut tensors = BTreeMap::new();
+        for name in [EXPOSURE, POSE].into_iter().flat_map(names) {
+            if let Some(tensor) = read_tensor(path, &name)? {
+                tensors.insert(name, tensor);
+            }
+        }
+        self.set_photographs(&mut tensors, path)
+    }
+
+    fn set_photographs(
+        &mut self,
+        tensors: &mut BTreeMap<String, Tensor>,
+        path: &Path,
+    ) -> Result<()> {
+        self.exposures = PerPhotograph::of_tensors(EXPOSURE, tensors, path)?;
+        self.poses = PerPhotograph::of_tensors(POSE, tensors, path)?;
+        Ok(())
+    }
+
     /// What is learned of each photograph, by the names of the tensors.
-    fn of_photographs(&self) -> Vec<(String, Tensor)> {
+    pub(super) fn of_photographs(&self) -> Vec<(String, Tensor)> {
         let exposures = self.exposures.iter().flat_map(|found| found.tensors(EXPOSURE, &[3, 2]));
         exposures.chain(self.poses.iter().flat_map(|found| found.tensors(POSE, &[6]))).collect()
     }

@@ -5,8 +5,7 @@ use organza_shaders::adam::{AdamKernel, AdamParams};
 use super::config::{EPSILON, OptimizerConfig};
 use crate::error::Result;
 use crate::render::{
-    DeviceScene, DeviceShare, SceneGradient, ShareGradient, TensorGradient, in_slices, pack,
-    read_slices, unpack, upload,
+    DeviceShare, ShareGradient, TensorGradient, in_slices, pack, read_slices, unpack, upload,
 };
 use crate::scene::{GaussianTensors, Gaussians, Scene, Tensors};
 use organza_device::{Buffer, Device};
@@ -14,33 +13,82 @@ use organza_device::{Buffer, Device};
 /// Both moments of every parameter, and the flag of tensors that are never sparse.
 #[derive(Debug)]
 pub struct Optimizer {
-    /// m and v.
-    moments: [Tensors<Buffer<f32>>; 2],
+    /// m and v of [`DeviceShare::fields`]: with the Gaussians of a whole scene.
+    fields: [Tensors<Buffer<f32>>; 2],
+    /// Those of each slice of a share.
+    slices: Vec<[GaussianTensors<Buffer<f32>>; 2]>,
+    is_whole: bool,
     always: Buffer<u32>,
 }
 
 impl Optimizer {
-    /// From the moments of an earlier run, or zeros.
+    /// From the moments of a share's tensors, of an earlier run or zeros.
     ///
     /// # Errors
     /// As [`Device::upload`].
-    pub fn new(device: &Device, [first, second]: &[Scene; 2]) -> Result<Self> {
-        let moments = [upload(device, pack(first))?, upload(device, pack(second))?];
-        Ok(Self { moments, always: device.upload("touched", &[1])? })
+    pub fn new(device: &Device, share: &DeviceShare, moments: &[Scene; 2]) -> Result<Self> {
+        let is_whole = share.whole().is_some();
+        let fields = |moment: &Scene| -> Result<_> {
+            if is_whole {
+                return Ok(upload(device, pack(moment))?);
+            }
+            let mut fields = Scene::zeros(moment.config.clone(), 1)?;
+            fields.color.clone_from(&moment.color);
+            fields.transmittance.clone_from(&moment.transmittance);
+            Ok(upload(device, pack(&fields))?)
+        };
+        let [first, second] = moments;
+        let fields = [fields(first)?, fields(second)?];
+        let always = device.upload("touched", &[1])?;
+        let mut optimizer = Self { fields, slices: Vec::new(), is_whole, always };
+        if !is_whole {
+            optimizer.replace_gaussians(device, moments)?;
+        }
+        Ok(optimizer)
+    }
+
+    /// The moments of the Gaussians are these from now on.
+    ///
+    /// # Errors
+    /// As [`Device::upload`].
+    pub fn replace_gaussians(&mut self, device: &Device, moments: &[Scene; 2]) -> Result<()> {
+        let upload = |moment: &Gaussians| {
+            moment.tensors().try_map(|name, values| device.upload(name, values))
+        };
+        if self.is_whole {
+            for (fields, moment) in self.fields.iter_mut().zip(moments) {
+                fields.gaussians = upload(&moment.gaussians)?;
+            }
+            return Ok(());
+        }
+        // not both at once
+        self.slices.clear();
+        let [first, second] = moments;
+        for (first, second) in in_slices(&first.gaussians).zip(in_slices(&second.gaussians)) {
+            self.slices.push([upload(&first)?, upload(&second)?]);
+        }
+        Ok(())
     }
 
     /// The moments as they are now, as scenes.
     ///
     /// # Errors
     /// As [`Device::read`].
-    pub fn moments(&self, device: &Device, scene: &DeviceScene) -> Result<[Scene; 2]> {
-        let read = |moment: &Tensors<Buffer<f32>>| {
-            unpack(scene.config(), scene.len(), moment.as_ref(), |buffer, values| {
-                device.read_into(buffer, 0, values)
-            })
+    pub fn moments(&self, device: &Device, share: &DeviceShare) -> Result<[Scene; 2]> {
+        let read = |place: usize| -> Result<Scene> {
+            let moment = self.fields[place].as_ref();
+            let mut scene =
+                unpack(share.config(), share.fields().len(), moment, |buffer, values| {
+                    device.read_into(buffer, 0, values)
+                })?;
+            if !self.is_whole {
+                scene.gaussians = Gaussians::zeros(share.config(), share.len())?;
+                let slices = self.slices.iter().map(|moments| moments[place].as_ref());
+                read_slices(device, slices, &mut scene.gaussians)?;
+            }
+            Ok(scene)
         };
-        let [first, second] = &self.moments;
-        Ok([read(first)?, read(second)?])
+        Ok([read(0)?, read(1)?])
     }
 
     /// Moves every parameter, and clears the gradient.  `step` counts from 0; `share` is the part of the run that is
@@ -51,92 +99,19 @@ impl Optimizer {
     pub fn step(
         &self,
         device: &Device,
-        scene: &DeviceScene,
-        gradient: &SceneGradient,
-        config: &OptimizerConfig,
-        now: (u32, f64),
-    ) -> Result<()> {
-        let adam = Adam::new(device, config, &self.always, now, scene.extent());
-        let [first, second] = self.moments.each_ref().map(Tensors::as_ref);
-        let tensors = scene.tensors().as_ref().zip(gradient.tensors().as_ref());
-        let all = tensors.zip(adam.rates).zip(first.zip(second));
-        all.try_map(|_, ((tensor, rate), moments)| adam.step(tensor, rate, moments))?;
-        Ok(())
-    }
-}
-
-/// Adam for a share of a scene: the fields' moments, and those of each slice's Gaussians.
-#[derive(Debug)]
-pub struct ShareOptimizer {
-    fields: Optimizer,
-    slices: Vec<[GaussianTensors<Buffer<f32>>; 2]>,
-}
-
-impl ShareOptimizer {
-    /// From the moments of a share's tensors.
-    ///
-    /// # Errors
-    /// As [`Device::upload`].
-    pub fn new(device: &Device, moments: &[Scene; 2]) -> Result<Self> {
-        let fields = |moment: &Scene| -> Result<Scene> {
-            let mut fields = Scene::zeros(moment.config.clone(), 1)?;
-            fields.color.clone_from(&moment.color);
-            fields.transmittance.clone_from(&moment.transmittance);
-            Ok(fields)
-        };
-        let [first, second] = moments;
-        let fields = Optimizer::new(device, &[fields(first)?, fields(second)?])?;
-        let mut optimizer = Self { fields, slices: Vec::new() };
-        optimizer.replace_slices(device, moments)?;
-        Ok(optimizer)
-    }
-
-    /// The moments of the Gaussians are these from now on.
-    ///
-    /// # Errors
-    /// As [`Device::upload`].
-    pub fn replace_slices(&mut self, device: &Device, [first, second]: &[Scene; 2]) -> Result<()> {
-        // not both at once
-        self.slices.clear();
-        for (first, second) in in_slices(&first.gaussians).zip(in_slices(&second.gaussians)) {
-            let upload = |moment: &Gaussians| {
-                moment.tensors().try_map(|name, values| device.upload(name, values))
-            };
-            self.slices.push([upload(&first)?, upload(&second)?]);
-        }
-        Ok(())
-    }
-
-    /// The moments as they are now.
-    ///
-    /// # Errors
-    /// As [`Device::read`].
-    pub fn moments(&self, device: &Device, share: &DeviceShare) -> Result<[Scene; 2]> {
-        let mut moments = self.fields.moments(device, share.fields())?;
-        for (place, moment) in moments.iter_mut().enumerate() {
-            moment.gaussians = Gaussians::zeros(share.config(), share.len())?;
-            let slices = self.slices.iter().map(|moments| moments[place].as_ref());
-            read_slices(device, slices, &mut moment.gaussians)?;
-        }
-        Ok(moments)
-    }
-
-    /// As [`Optimizer::step`].
-    ///
-    /// # Errors
-    /// As [`Optimizer::step`].
-    pub fn step(
-        &self,
-        device: &Device,
-        share: &DeviceShare,
+        scene: &DeviceShare,
         gradient: &ShareGradient,
         config: &OptimizerConfig,
         now: (u32, f64),
     ) -> Result<()> {
-        let fields = share.fields();
-        self.fields.step(device, fields, &gradient.fields, config, now)?;
-        let adam = Adam::new(device, config, &self.fields.always, now, fields.extent());
-        let slices = share.slices().iter().zip(&gradient.slices).zip(&self.slices);
+        let fields = scene.fields();
+        let adam = Adam::new(device, config, &self.always, now, fields.extent());
+        let [first, second] = self.fields.each_ref().map(Tensors::as_ref);
+        let tensors = fields.tensors().as_ref().zip(gradient.fields.tensors().as_ref());
+        let all = tensors.zip(adam.rates).zip(first.zip(second));
+        all.try_map(|_, ((tensor, rate), moments)| adam.step(tensor, rate, moments))?;
+        // a whole scene has no slices
+        let slices = scene.blocks().iter().zip(gradient.blocks()).zip(&self.slices);
         for ((slice, gradient), [first, second]) in slices {
             let gradient = gradient.tensors().gaussians.as_ref();
             let tensors = slice.tensors().gaussians.as_ref().zip(gradient);

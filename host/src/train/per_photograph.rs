@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use serde::{Deserialize, Serialize};
+
 use super::config::{EPSILON, OptimizerConfig};
 use crate::error::{Error, Result};
 use crate::scene::Tensor;
@@ -17,7 +19,7 @@ pub const VALUES: usize = 6;
 ///
 /// A step moves the photographs that it shows, and each counts its own steps: Adam's moments of a photograph do not decay
 /// while others are shown.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PerPhotograph {
     /// `[photographs, 6]`
     pub values: Vec<[f32; VALUES]>,
@@ -121,7 +123,7 @@ impl PerPhotograph {
 }
 
 /// Names in a checkpoint: the values, Adam's moments of them, and the steps.
-fn names(name: &str) -> [String; 4] {
+pub(super) fn names(name: &str) -> [String; 4] {
     [VALUES_PREFIX, "adam.first.", "adam.second.", "adam.steps."]
         .map(|prefix| format!("{prefix}{name}"))
 }

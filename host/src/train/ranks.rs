@@ -4,10 +4,7 @@ use std::sync::Arc;
 
 use super::checkpoint::Checkpoint;
 use super::config::TrainConfig;
-use super::either::EitherTrainer;
 use super::held_out;
-use super::hooks::StepHooks;
-use super::share::ShareTrainer;
 use super::share_checkpoint::CheckpointShare;
 use super::trainer::Trainer;
 use crate::data::{Dataset, Frame};
@@ -24,7 +21,7 @@ pub enum Split {
     #[default]
     Views,
     /// Each rank has some of the Gaussians, and computes their part of all of a step's views: see
-    /// [`ShareTrainer`].
+    /// [`Trainer::resume_share`].
     Gaussians,
 }
 
@@ -104,12 +101,11 @@ pub(super) fn lead_shares(
     mine: &CheckpointShare,
     share: impl Fn(usize) -> Result<CheckpointShare>,
     mixed: bool,
-) -> Result<ShareTrainer> {
+) -> Result<Trainer> {
     meet(&**ranks, renderer, dataset, mixed)?;
     tell(&**ranks, [Split::Gaussians as u64, shares as u64], config)?;
     mine.deal(Grid::new(&**ranks, shares)?, share)?;
-    ShareTrainer::resume(renderer, config.clone(), dataset.clone(), mine, ranks.clone())?
-        .with_shares(shares)
+    Trainer::resume_share(renderer, config.clone(), dataset.clone(), mine, ranks.clone(), shares)
 }
 
 /// Tells the other ranks how to train: what they share, and in how many shares.
@@ -140,12 +136,10 @@ pub fn follow(
     {
         let shares = shares as usize;
         let share = CheckpointShare::receive(Grid::new(&**ranks, shares)?)?;
-        let trainer = ShareTrainer::resume(renderer, config, data, &share, ranks.clone())?;
-        EitherTrainer::Share(Box::new(trainer.with_shares(shares)?))
+        Trainer::resume_share(renderer, config, data, &share, ranks.clone(), shares)?
     } else {
         let checkpoint = Checkpoint::from_bytes(&ranks.broadcast(Vec::new())?, IN_MEMORY)?;
-        let trainer = Trainer::resume(renderer, config, data, &checkpoint)?;
-        EitherTrainer::Whole(Box::new(trainer.with_ranks(ranks.clone())))
+        Trainer::resume(renderer, config, data, &checkpoint)?.with_ranks(ranks.clone())
     };
     loop {
         match Order::receive(&**ranks)? {
@@ -153,15 +147,15 @@ pub fn follow(
                 if steps != trainer.config().run.steps {
                     trainer.replan(steps);
                 }
-                trainer.step_with(&mut StepHooks::new())?;
+                trainer.step()?;
             }
             Order::Evaluate { first, all } => {
                 let frames = held_out::frames(dataset, trainer.config().run.evaluate_views, all);
-                trainer.measure(Some(&**ranks), renderer, &frames, first)?;
+                trainer.measure(&frames, first)?;
             }
             Order::Save => {
-                if let EitherTrainer::Share(trainer) = &trainer {
-                    trainer.checkpoint(0.0)?.hand_over(&trainer.grid().row())?;
+                if let Some(grid) = trainer.grid() {
+                    trainer.checkpoint_share(0.0)?.hand_over(&grid.row())?;
                 }
             }
             Order::End => return Ok(()),

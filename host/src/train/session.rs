@@ -10,7 +10,6 @@ use std::time::Instant;
 use super::binding::Change;
 use super::checkpoint::{CHECKPOINT, Checkpoint, Progress};
 use super::config::TrainConfig;
-use super::either::EitherTrainer;
 use super::folder::{EVALUATIONS, RunFolder};
 use super::hooks::StepHooks;
 use super::metrics::Record;
@@ -21,8 +20,9 @@ use super::resume::OpenLog;
 use super::share::check_shares;
 use super::share_checkpoint::CheckpointShare;
 use super::start::first_scene;
+use super::step_report::StepReport;
 use super::tensorboard::EventLog;
-use super::trainer::{StepReport, Trainer};
+use super::trainer::Trainer;
 use crate::data::Dataset;
 use crate::error::{self, Result};
 use crate::evaluate::Evaluation;
@@ -127,7 +127,7 @@ pub enum Outcome {
 }
 
 /// A trainer, how far its run has come, and which settings have changed.
-type Begun = (EitherTrainer, Progress, Vec<Change>);
+type Begun = (Trainer, Progress, Vec<Change>);
 
 /// Nothing sets it.
 static NEVER: AtomicBool = AtomicBool::new(false);
@@ -296,7 +296,7 @@ impl<'a> Session<'a> {
             Some(ranks) => ranks::lead(ranks, self.renderer, trainer, self.mixed)?,
             None => trainer,
         };
-        Ok((EitherTrainer::Whole(Box::new(trainer)), progress, changes))
+        Ok((trainer, progress, changes))
     }
 
     /// As [`Session::begin_whole`], where each rank has a share of the Gaussians.
@@ -325,7 +325,7 @@ impl<'a> Session<'a> {
         }
         let (of, run) = ((ranks, shares), (self.config, self.dataset));
         let trainer = ranks::lead_shares(of, self.renderer, run, &mine, share, self.mixed)?;
-        Ok((EitherTrainer::Share(Box::new(trainer)), progress, changes))
+        Ok((trainer, progress, changes))
     }
 
     fn open_events(&self, resume: bool, step: u64) -> Result<Option<EventLog>> {

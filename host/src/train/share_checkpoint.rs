@@ -9,9 +9,10 @@ use serde::{Deserialize, Serialize};
 use super::binding::{BINDING, Binding};
 use super::checkpoint::{Checkpoint, MOMENTS, PROGRESS, Progress, STATISTICS};
 use super::config::TrainConfig;
+use super::per_photograph::PerPhotograph;
 use crate::error::{Error, IN_MEMORY, Result};
 use crate::ranks::{Grid, Ranks};
-use crate::scene::{Scene, SceneConfig, SceneShare, TensorSpec, range_of};
+use crate::scene::{Scene, SceneConfig, SceneShare, Tensor, TensorSpec, range_of};
 use crate::scene::{scene_metadata, write_streamed};
 
 /// Where training stands, for one rank: the state of its [share](SceneShare) of the Gaussians, and of all fields.
@@ -31,6 +32,8 @@ struct Outline {
     config: SceneConfig,
     gaussians: usize,
     progress: Progress,
+    exposures: Option<PerPhotograph>,
+    poses: Option<PerPhotograph>,
 }
 
 impl CheckpointShare {
@@ -41,7 +44,9 @@ impl CheckpointShare {
         let moments =
             whole.moments.each_ref().map(|moment| SceneShare::of(moment, rank, ranks).scene);
         let statistics = whole.statistics[range.clone()].to_vec();
-        let state = Checkpoint::of_scene(scene, moments, statistics, whole.progress);
+        let mut state = Checkpoint::of_scene(scene, moments, statistics, whole.progress);
+        state.exposures.clone_from(&whole.exposures);
+        state.poses.clone_from(&whole.poses);
         Self { state, range, gaussians }
     }
 
@@ -76,7 +81,8 @@ impl CheckpointShare {
             SceneShare::load_more(path, rank, ranks, MOMENTS, other)?;
         let statistics = statistics.as_chunks().0.to_vec();
         let SceneShare { scene, range, gaussians } = share;
-        let state = Checkpoint::of_scene(scene, moments, statistics, progress);
+        let mut state = Checkpoint::of_scene(scene, moments, statistics, progress);
+        state.read_photographs(path)?;
         state.check(path)?;
         Ok(Self { state, range, gaussians })
     }
@@ -88,8 +94,13 @@ impl CheckpointShare {
         share: impl Fn(usize) -> Result<Self>,
     ) -> Result<()> {
         let Self { state, gaussians, .. } = self;
-        let (config, progress) = (state.scene.config.clone(), state.progress);
-        let outline = Outline { config, gaussians: *gaussians, progress };
+        let outline = Outline {
+            config: state.scene.config.clone(),
+            gaussians: *gaussians,
+            progress: state.progress,
+            exposures: state.exposures.clone(),
+            poses: state.poses.clone(),
+        };
         let outline = serde_json::to_vec(&outline)
             .map_err(|error| Error::Argument { reason: error.to_string() })?;
         ranks.broadcast(outline)?;
@@ -111,11 +122,11 @@ impl CheckpointShare {
         let outline = ranks.broadcast(Vec::new())?;
         let outline: Outline = serde_json::from_slice(&outline)
             .map_err(|error| Error::Argument { reason: format!("rank 0 has sent {error}") })?;
-        let Outline { config, gaussians, progress } = outline;
+        let Outline { config, gaussians, progress, exposures, poses } = outline;
         let range = range_of(gaussians, grid.share(), grid.shares);
         let scene = Scene::zeros(config, range.len())?;
         let (moments, statistics) = ([scene.clone(), scene.clone()], vec![[0.0; 4]; range.len()]);
-        let state = Checkpoint::of_scene(scene, moments, statistics, progress);
+        let state = Checkpoint { scene, moments, statistics, exposures, poses, progress };
         let mut share = Self { state, range, gaussians };
         for rank in 1..ranks.size() {
             let bytes = ranks.exchange(vec![Vec::new(); ranks.size()])?.swap_remove(0);
@@ -159,7 +170,8 @@ impl CheckpointShare {
         let mut metadata = scene_metadata(&config).to_vec();
         metadata.push((PROGRESS, &progress));
         metadata.extend(binding.as_deref().map(|binding| (BINDING, binding)));
-        let specs: Vec<_> = self.tensors().into_iter().map(|(spec, _)| spec).collect();
+        let photographs = self.state.of_photographs();
+        let specs: Vec<_> = self.tensors(&photographs).into_iter().map(|(spec, _)| spec).collect();
         let of_all: Vec<Vec<usize>> = specs
             .iter()
             .map(|spec| match is_row(&spec.name) {
@@ -187,7 +199,8 @@ impl CheckpointShare {
             self.state.scene.validate()?;
         }
         self.state.check(origin)?;
-        for (spec, values) in self.tensors() {
+        let photographs = self.state.of_photographs();
+        for (spec, values) in self.tensors(&photographs) {
             write(values)?;
             if !is_row(&spec.name) {
                 continue;
@@ -207,8 +220,8 @@ impl CheckpointShare {
         Ok(())
     }
 
-    /// The tensors of the file, in its order.
-    fn tensors(&self) -> Vec<(TensorSpec, &[f32])> {
+    /// The tensors of the file, in its order; `photographs` are those of [`Checkpoint::of_photographs`].
+    fn tensors<'a>(&'a self, photographs: &'a [(String, Tensor)]) -> Vec<(TensorSpec, &'a [f32])> {
         let Checkpoint { scene, moments, statistics, .. } = &self.state;
         let mut tensors = scene.tensors();
         for (moment, prefix) in moments.iter().zip(MOMENTS) {
@@ -216,6 +229,9 @@ impl CheckpointShare {
         }
         let (name, shape) = (STATISTICS.to_owned(), vec![statistics.len(), 4]);
         tensors.push((TensorSpec { name, shape, why: "" }, statistics.as_flattened()));
+        tensors.extend(photographs.iter().map(|(name, Tensor { shape, data })| {
+            (TensorSpec { name: name.clone(), shape: shape.clone(), why: "" }, &data[..])
+        }));
         tensors.sort_by(|(a, _), (b, _)| a.name.cmp(&b.name));
         tensors
     }

@@ -9,17 +9,21 @@ use super::config::TrainConfig;
 use super::exposure::Exposures;
 use super::growth::{Grown, grow};
 use super::hooks::{StepGradient, StepHooks};
-use super::optimizer::Optimizer;
 use super::pose::PoseSet;
 use super::sampler::Target;
+use super::share::grid_of;
+use super::share_checkpoint::CheckpointShare;
+use super::share_growth;
 use super::start;
+use super::state::State;
+use super::step_report::StepReport;
 use crate::camera::Camera;
 use crate::data::Dataset;
 use crate::error::{Error, IN_MEMORY, Result};
 use crate::evaluate::{Evaluation, evaluate};
 use crate::metrics;
 use crate::ranks::Ranks;
-use crate::render::{DeviceScene, ExposureGradient, Loss, Renderer, SceneGradient, TileLoss};
+use crate::render::{DeviceScene, DeviceShare, ExposureGradient, Loss, Renderer};
 
 /// Why ranks do not train so.
 pub(super) const NO_HOOKS: &str =
@@ -53,14 +57,14 @@ pub(super) const NO_HOOKS: &str =
 /// assert_eq!(evaluation.views.len(), 2);
 /// assert!(evaluation.mean.psnr.is_some_and(|psnr| psnr > 3.0));
 ///
-/// let scene = trainer.scene().download(renderer.device())?;
+/// let scene = trainer.share().download(renderer.device())?;
 /// assert_eq!(scene.gaussians.len(), 100);
 /// # Ok::<(), organza::Error>(())
 /// ```
 #[derive(Debug)]
 pub struct Trainer {
-    renderer: Renderer,
-    config: TrainConfig,
+    pub(super) renderer: Renderer,
+    pub(super) config: TrainConfig,
     dataset: Arc<Dataset>,
     /// Of the frames to train on; where poses are refined, as they are now.
     cameras: Vec<Camera>,
@@ -70,36 +74,12 @@ pub struct Trainer {
     exposures: Option<Exposures>,
     /// Of the photographs to train on, where they are refined.
     poses: Option<PoseSet>,
-    state: State,
-    step: u32,
-    /// See [`Trainer::with_ranks`].
-    ranks: Option<Arc<dyn Ranks>>,
-}
-
-/// What a step changes.
-#[derive(Debug)]
-struct State {
-    scene: DeviceScene,
-    optimizer: Optimizer,
-    gradient: SceneGradient,
-}
-
-/// What a step has measured, before it moved anything.
-#[derive(Clone, Copy, Debug)]
-#[non_exhaustive]
-pub struct StepReport {
-    /// The loss of the batch.
-    pub loss: f64,
-    /// The mean absolute difference of the batch's values, the first part of the loss; NaN with a loss of your own.
-    pub l1: f64,
-    /// The mean SSIM of the batch, the second part of the loss; NaN with a loss of your own.
-    pub ssim: f64,
-    /// The PSNR of the batch's pixels, in decibels.
-    pub psnr: f64,
-    /// Tiles of the batch.
-    pub tiles: usize,
-    /// How the Gaussians changed, where they did.
-    pub grown: Option<Grown>,
+    pub(super) state: State,
+    pub(super) step: u32,
+    /// See [`Trainer::with_ranks`] and [`Trainer::resume_share`].
+    pub(super) ranks: Option<Arc<dyn Ranks>>,
+    /// See [`Trainer::resume_share`]: none where this rank has the whole scene.
+    pub(super) shares: Option<usize>,
 }
 
 impl Trainer {
@@ -128,6 +108,22 @@ impl Trainer {
         checkpoint: &Checkpoint,
     ) -> Result<Self> {
         let dataset = dataset.into();
+        let gaussians = checkpoint.scene.gaussians.len();
+        let state = |config: &TrainConfig, photographs: usize| {
+            let share = DeviceShare::of_whole(renderer.upload(&checkpoint.scene)?);
+            State::new(renderer, config, share, (checkpoint, gaussians), photographs)
+        };
+        Self::with_state(renderer, config, dataset, checkpoint, state)
+    }
+
+    /// Continues from a checkpoint whose scene `state` brings to the device, for so many photographs.
+    pub(super) fn with_state(
+        renderer: &Renderer,
+        config: TrainConfig,
+        dataset: Arc<Dataset>,
+        checkpoint: &Checkpoint,
+        state: impl FnOnce(&TrainConfig, usize) -> Result<State>,
+    ) -> Result<Self> {
         check(&config, &dataset)?;
         let mut cameras: Vec<_> =
             dataset.train_frames().map(|frame| frame.camera.clone()).collect();
@@ -143,7 +139,7 @@ impl Trainer {
         if let Some(poses) = &poses {
             cameras = poses.cameras();
         }
-        let state = State::upload(renderer, &config, checkpoint, cameras.len())?;
+        let state = state(&config, cameras.len())?;
         let (renderer, step) = (renderer.clone(), checkpoint.progress.step);
         Ok(Self {
             renderer,
@@ -157,6 +153,7 @@ impl Trainer {
             state,
             step,
             ranks: None,
+            shares: None,
         })
     }
 
@@ -204,33 +201,49 @@ impl Trainer {
         &self.cameras
     }
 
-    /// The scene as it is now.
+    /// The scene as it is now, if this rank has the whole of it.
     #[must_use]
-    pub fn scene(&self) -> &DeviceScene {
-        &self.state.scene
+    pub fn scene(&self) -> Option<&DeviceScene> {
+        self.state.share.whole()
+    }
+
+    /// What this rank has of the scene as it is now: without ranks that split the Gaussians, the whole of it.
+    #[must_use]
+    pub fn share(&self) -> &DeviceShare {
+        &self.state.share
+    }
+
+    /// Gaussians of the whole scene.
+    #[must_use]
+    pub fn gaussians(&self) -> usize {
+        self.state.gaussians
     }
 
     /// Renders the held-out frames and compares them with their photographs.
     ///
     /// # Errors
-    /// As [`evaluate`](crate::evaluate()).
+    /// As [`evaluate`](crate::evaluate()); [`Error::Argument`] where this rank has a share of the scene.
     pub fn evaluate(&self) -> Result<Evaluation> {
         let frames: Vec<_> = self.dataset.held_out_frames().collect();
-        evaluate(&self.renderer, &self.state.scene, &frames)
+        let Some(scene) = self.scene() else {
+            let reason = "a rank with a share of the scene cannot render it alone".to_owned();
+            return Err(Error::Argument { reason });
+        };
+        evaluate(&self.renderer, scene, &frames)
     }
 
-    /// Everything that training needs to go on. `seconds` is the time of training to write down.
+    /// Everything that training needs to go on, with the Gaussians of this rank's share. `seconds` is the time of training to
+    /// write down.
     ///
     /// # Errors
     /// As [`Device::read`](crate::Device::read); [`Error::Diverged`] where a gradient was not finite.
     pub fn checkpoint(&self, seconds: f64) -> Result<Checkpoint> {
         let (device, state) = (self.renderer.device(), &self.state);
         state.gradient.check(device)?;
-        let statistics = device.read(&state.gradient.statistics)?;
         Ok(Checkpoint {
-            scene: state.scene.download(device)?,
-            moments: state.optimizer.moments(device, &state.scene)?,
-            statistics: statistics.iter().map(|v| v.to_array()).collect(),
+            scene: state.share.download(device)?,
+            moments: state.optimizer.moments(device, &state.share)?,
+            statistics: state.statistics(device)?,
             exposures: self.exposures.as_ref().map(|exposures| exposures.0.clone()),
             poses: self.poses.as_ref().map(|poses| poses.learned.clone()),
             progress: Progress { step: self.step, seconds },
@@ -260,28 +273,30 @@ impl Trainer {
         let (report, exposures) = self.add_gradient(&drawn, hooks)?;
         report.check(self.step).inspect_err(|_| restart(self))?;
         let device = self.renderer.device();
-        let State { scene, optimizer, gradient } = &self.state;
+        let State { share, optimizer, gradient, .. } = &self.state;
+        let scene = share.fields();
         if let Some(hook) = &mut hooks.gradient {
-            let between = StepGradient { device, step: self.step, scene, gradient };
+            let between =
+                StepGradient { device, step: self.step, scene, gradient: &gradient.fields };
             hook(&between).inspect_err(|_| restart(self))?;
         }
-        let share = self.config.run.share(self.step);
-        let (settings, now) = (&self.config.optimizer, (self.step, share));
+        let done = self.config.run.share(self.step);
+        let (settings, now) = (&self.config.optimizer, (self.step, done));
         if let Some(learned) = &mut self.exposures {
-            let rate = settings.rate_at(settings.exposure, share);
+            let rate = settings.rate_at(settings.exposure, done);
             let moved = learned.step(&exposures, settings, rate);
             moved.inspect_err(|_| gradient.restart(device))?;
         }
         if let Some(poses) = &mut self.poses {
-            let found = gradient.read_poses(device)?;
+            let found = gradient.fields.read_poses(device)?;
             let shown = drawn.batch.tiles.iter().map(|tile| tile.camera);
-            let rate = settings.rate_at(settings.pose, share);
+            let rate = settings.rate_at(settings.pose, done);
             let moved = poses.step(&found, shown, settings, rate, scene.extent());
             moved.inspect_err(|_| gradient.restart(device))?;
-            gradient.clear_poses(device);
+            gradient.fields.clear_poses(device);
             self.cameras = poses.cameras();
         }
-        device.run_in_pool(|| optimizer.step(device, scene, gradient, settings, now))?;
+        device.run_in_pool(|| optimizer.step(device, share, gradient, settings, now))?;
         gradient.clear_touched(device);
         self.step += 1;
         let grows = is_time_to_grow(&self.config, self.step);
@@ -301,9 +316,17 @@ impl Trainer {
         let target = Target::of(batch, *factor, &frames)?;
         let exposure = self.exposures.as_ref().map(|exposures| exposures.of_tiles(batch));
         let target = target.of_loss(&self.config.loss, exposure.as_deref());
-        let State { scene, gradient, .. } = &self.state;
-        let scene = &scene.coarser(*factor, *ray_steps);
+        let State { share, gradient, .. } = &self.state;
         let (renderer, cameras) = (&self.renderer, &drawn.cameras(&self.cameras)[..]);
+        if let Some(grid) = grid_of(&self.ranks, self.shares) {
+            let seen = &share.coarser(*factor, *ray_steps);
+            let (shared, kept) = ((seen, grid), &mut self.loss);
+            let (losses, exposures) =
+                renderer.add_share_gradient(shared, cameras, batch, kept, &target, gradient)?;
+            return Ok((StepReport::of(&losses, target.ssim_weight), exposures));
+        }
+        let scene = &share.fields().coarser(*factor, *ray_steps);
+        let gradient = &gradient.fields;
         if let Some(own) = &mut hooks.loss {
             let (loss, squared) =
                 renderer.add_own_loss_gradient(scene, cameras, batch, own, &target, gradient)?;
@@ -333,65 +356,22 @@ impl Trainer {
 
     /// On the host: once in many steps.
     fn grow(&mut self) -> Result<Grown> {
-        let mut state = self.checkpoint(0.0)?;
-        let [first, second] = &mut state.moments;
-        let statistics = std::mem::take(&mut state.statistics);
+        let mut checkpoint = self.checkpoint_share(0.0)?;
         let growth = &self.config.growth;
-        let grown = grow(growth, &mut state.scene, [first, second], &statistics);
-        state.statistics = vec![[0.0; 4]; state.scene.gaussians.len()];
-        self.state = State::upload(&self.renderer, &self.config, &state, self.cameras.len())?;
+        let grown = match self.grid() {
+            Some(grid) => share_growth::grow(growth, &mut checkpoint, &grid.row())?,
+            None => {
+                let CheckpointShare { state, gaussians, .. } = &mut checkpoint;
+                let Checkpoint { scene, moments: [first, second], statistics, .. } = state;
+                let grown = grow(growth, scene, [first, second], statistics);
+                *gaussians = scene.gaussians.len();
+                *statistics = vec![[0.0; 4]; *gaussians];
+                grown
+            }
+        };
+        let CheckpointShare { state, gaussians, .. } = &checkpoint;
+        self.state.replace_gaussians(self.renderer.device(), (state, *gaussians))?;
         Ok(grown)
-    }
-}
-
-impl State {
-    /// `photographs` is the number of those to train on.
-    fn upload(
-        renderer: &Renderer,
-        config: &TrainConfig,
-        checkpoint: &Checkpoint,
-        photographs: usize,
-    ) -> Result<Self> {
-        let device = renderer.device();
-        let mut scene = renderer.upload(&checkpoint.scene)?;
-        if !config.ablation.divide {
-            scene.divide_above = f32::MAX;
-        }
-        let optimizer = Optimizer::new(device, &checkpoint.moments)?;
-        let mut gradient = SceneGradient::new(device, &scene)?;
-        let statistics = checkpoint.statistics.iter().map(|&v| glam::Vec4::from_array(v));
-        gradient.statistics = device.upload("statistics", &statistics.collect::<Vec<_>>())?;
-        gradient.has_transmittance = config.ablation.learn_transmittance;
-        if config.poses.refine {
-            gradient = gradient.with_poses(device, photographs)?;
-        }
-        Ok(Self { scene, optimizer, gradient })
-    }
-}
-
-impl StepReport {
-    /// That of a batch's losses.
-    pub(super) fn of(losses: &[TileLoss], ssim_weight: f32) -> Self {
-        let total = TileLoss::total(losses);
-        let pixels = (3.0 * total.valid).max(1.0);
-        Self {
-            loss: total.value(ssim_weight),
-            // each part of the loss alone
-            l1: total.value(0.0),
-            ssim: 1.0 - total.value(1.0),
-            psnr: metrics::psnr_of(total.squared / pixels),
-            tiles: losses.len(),
-            grown: None,
-        }
-    }
-
-    /// Fails where the loss of the step is not finite.
-    pub(super) fn check(&self, step: u32) -> Result<()> {
-        if self.loss.is_finite() {
-            return Ok(());
-        }
-        let reason = format!("the loss of step {step} is {}", self.loss);
-        Err(Error::Diverged { reason })
     }
 }
 

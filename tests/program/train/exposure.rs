@@ -83,11 +83,3 @@ fn a_resumed_run_has_the_bits_of_one_that_never_stopped() {
     });
     assert_eq!(whole, cut);
 }
-
-#[test]
-fn ranks_with_some_of_the_gaussians_say_that_they_cannot() {
-    let sandbox = sandbox();
-    let run = format!("{TINY} run --ranks 2 --split gaussians --set exposure.learn=true");
-    let message = "cannot learn exposures: set `exposure.learn` to false, or share the views";
-    sandbox.assert_refuses(&run, &[message]);
-}

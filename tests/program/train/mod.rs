@@ -13,7 +13,6 @@ mod hook;
 mod hostile;
 mod memory;
 mod mistakes;
-mod model;
 mod monstrous;
 mod mpi;
 mod own_loss;

@@ -154,11 +154,3 @@ fn cameras_are_those_of_the_checkpoint(sandbox: &crate::sandbox::Sandbox, refine
     assert_eq!(scores("train"), [1, 2, 4, 5].map(|view| all[view].clone()));
     assert_eq!(scores("held-out"), [0, 3].map(|view| all[view].clone()));
 }
-
-#[test]
-fn ranks_with_some_of_the_gaussians_say_that_they_cannot() {
-    let sandbox = sandbox();
-    let run = format!("{TINY} run --ranks 2 --split gaussians --refine-poses");
-    let message = "cannot refine poses: set `poses.refine` to false, or share the views";
-    sandbox.assert_refuses(&run, &[message]);
-}

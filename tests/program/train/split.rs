@@ -7,7 +7,7 @@ use organza::data::Dataset;
 use organza::ranks::{Ranks, ThreadRanks};
 use organza::scene::SLICE;
 use organza::train::metrics::Record;
-use organza::train::{Checkpoint, CheckpointShare, ShareTrainer, TrainConfig, Trainer};
+use organza::train::{Checkpoint, CheckpointShare, TrainConfig, Trainer};
 use organza::{Error, Renderer};
 use organza_tests::devices;
 
@@ -25,6 +25,8 @@ fn begun_of_slices() -> Begun {
     config.run.steps = 40;
     // sums of this step's terms hardly cancel
     config.run.coarse = 0.0;
+    config.exposure.learn = true;
+    config.poses.refine = true;
     config.growth.max_gaussians = 2 * SLICE as u32 + 200;
     let mut scene = checkpoint.scene;
     let len = scene.gaussians.len();
@@ -55,7 +57,7 @@ fn on_ranks<R: Send>(size: usize, work: impl Fn(Arc<dyn Ranks>) -> R + Sync) -> 
 }
 
 /// The trainer of a rank, in groups of so many.
-fn trainer(begun: &Begun, name: &str, ranks: Arc<dyn Ranks>, shares: usize) -> ShareTrainer {
+fn trainer(begun: &Begun, name: &str, ranks: Arc<dyn Ranks>, shares: usize) -> Trainer {
     let (config, checkpoint, dataset) = begun;
     let device = match name {
         "cpu" | "a part a camera" | "a part a tile" => devices::cpu(Some(1)),
@@ -70,8 +72,8 @@ fn trainer(begun: &Begun, name: &str, ranks: Arc<dyn Ranks>, shares: usize) -> S
     };
     let share = CheckpointShare::of(checkpoint, ranks.rank() % shares, shares);
     let (config, dataset) = (config.clone(), dataset.clone());
-    let trainer = ShareTrainer::resume(&renderer, config, dataset, &share, ranks);
-    trainer.expect("a trainer").with_shares(shares).expect("groups")
+    let trainer = Trainer::resume_share(&renderer, config, dataset, &share, ranks, shares);
+    trainer.expect("a trainer")
 }
 
 /// Trains so many steps on so many ranks in groups of so many, and joins the shares of a group, which all have; a file of the
@@ -88,12 +90,12 @@ fn train(
         for _ in 0..steps {
             trainer.step().expect("a step");
         }
-        let share = trainer.checkpoint(0.0).expect("a state");
+        let share = trainer.checkpoint_share(0.0).expect("a state");
         match file {
             Some(path) if ranks.rank() == 0 => {
-                share.save(path, None, &trainer.group()).expect("a file");
+                share.save(path, None, &trainer.group().expect("a group")).expect("a file");
             }
-            Some(_) => share.hand_over(&trainer.group()).expect("a file"),
+            Some(_) => share.hand_over(&trainer.group().expect("a group")).expect("a file"),
             None => {}
         }
         share
@@ -137,6 +139,7 @@ fn any_number_of_ranks_and_groups_gives_the_same_bits_on_every_device() {
         for &grid in grids {
             let many = train(&begun, name, grid, 3, None);
             assert!(state_bits(&many) == state_bits(&one), "{name}: {grid:?}");
+            assert!(many.exposures == one.exposures && many.poses == one.poses, "{name}: {grid:?}");
         }
     }
 }
@@ -151,6 +154,7 @@ fn parts_of_slices_give_the_same_bits() {
     for grid in [[1, 1], [2, 1]] {
         let parts = train(&begun, "a part a camera", grid, 1, None);
         assert!(state_bits(&parts) == state_bits(&one), "{grid:?}");
+        assert!(parts.exposures == one.exposures && parts.poses == one.poses, "{grid:?}");
         let cut = train(&begun, "a part a tile", grid, 1, None);
         for (a, b) in cut.moments[0].tensors().into_iter().zip(one.moments[0].tensors()) {
             let largest = b.1.iter().fold(0.0_f32, |most, value| most.max(value.abs()));
@@ -218,6 +222,17 @@ fn ranks_train_what_a_trainer_alone_trains() {
             }
         }
     }
+    let of_photographs = |state: &Checkpoint| {
+        let both = [&state.exposures, &state.poses];
+        both.map(|found| found.as_ref().expect("they are learned").moments[0].concat())
+    };
+    for (alone, shared) in of_photographs(&alone).iter().zip(of_photographs(&shared)) {
+        let largest = alone.iter().fold(0.0_f32, |most, value| most.max(value.abs()));
+        assert!(largest > 0.0, "no photograph has moved");
+        for (a, b) in alone.iter().zip(&shared) {
+            assert!((a - b).abs() <= 1e-4 * largest, "{a} {b}");
+        }
+    }
     for (a, b) in alone.statistics.iter().zip(&shared.statistics) {
         let near = |a: f32, b: f32| (a - b).abs() <= 1e-3 * a.abs() + 1e-9;
         assert!(a.iter().zip(b).all(|(a, b)| near(*a, *b)), "{a:?} {b:?}");
@@ -229,7 +244,8 @@ fn ranks_train_what_a_trainer_alone_trains() {
 fn a_run_of_shares_is_one_run() {
     let sandbox = sandbox();
     let run = |name: &str, words: &str| {
-        let words = format!("{TINY} {name} --steps 24 --split gaussians {words}");
+        let learned = "--set exposure.learn=true --refine-poses";
+        let words = format!("{TINY} {name} --steps 24 --split gaussians {learned} {words}");
         sandbox.run(&words).assert_ok();
     };
     let told = |run: &str| without_times(&records(&sandbox.path(run)));
@@ -264,5 +280,6 @@ fn a_run_of_shares_is_one_run() {
     let facts = ["`--shares` must divide the number of ranks, 4: found 3"];
     refuses("--ranks 4 --split gaussians --shares 3", &facts);
     refuses("--ranks 2 --split gaussians --view", &["`--view`", "leave out"]);
-    refuses("--ranks 2 --split gaussians --set exposure.learn=true", &["exposure.learn"]);
+    let distortion = "--ranks 2 --split gaussians --set loss.distortion_weight=0.1";
+    refuses(distortion, &["loss.distortion_weight", "share the views"]);
 }

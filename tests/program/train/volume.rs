@@ -7,13 +7,13 @@ use organza::Result;
 use organza::ranks::{Ranks, ThreadRanks};
 use organza::render::share_bytes;
 use organza::scene::MlpConfig;
-use organza::train::{CheckpointShare, ShareTrainer, TrainConfig, Trainer};
+use organza::train::{CheckpointShare, TrainConfig, Trainer};
 use organza_tests::devices;
 
 use super::runs::begun;
 
 /// Numbers of a scene that the formulas are made of.
-pub struct Sizes {
+struct Sizes {
     /// Values of a Gaussian.
     pub d: u64,
     /// Values of each grid.
@@ -141,7 +141,8 @@ fn a_step_of_shares_hands_over_what_the_formulas_say() {
     let all = counted(RANKS, |renderer, ranks| {
         let share = CheckpointShare::of(&checkpoint, ranks.rank(), RANKS as usize);
         let (config, dataset) = (config.clone(), dataset.clone());
-        let trainer = ShareTrainer::resume(renderer, config, dataset, &share, ranks);
+        let shares = RANKS as usize;
+        let trainer = Trainer::resume_share(renderer, config, dataset, &share, ranks, shares);
         let report = trainer.expect("a trainer").step().expect("a step");
         assert!(report.grown.is_some());
     });
@@ -179,9 +180,9 @@ fn a_step_of_groups_hands_over_what_the_formulas_say() {
         let share = ranks.rank() % SHARES as usize;
         let share = CheckpointShare::of(&checkpoint, share, SHARES as usize);
         let (config, dataset) = (config.clone(), dataset.clone());
-        let trainer = ShareTrainer::resume(renderer, config, dataset, &share, ranks);
-        let trainer = trainer.expect("a trainer").with_shares(SHARES as usize);
-        let report = trainer.expect("groups").step().expect("a step");
+        let shares = SHARES as usize;
+        let trainer = Trainer::resume_share(renderer, config, dataset, &share, ranks, shares);
+        let report = trainer.expect("a trainer").step().expect("a step");
         assert!(report.grown.is_some());
     });
     let side = u64::from(config.run.tile_size);
@@ -258,4 +259,16 @@ fn a_step_hands_over_what_the_formulas_say() {
     assert_eq!(all[0][6], all[1][6], "all ranks add the same blocks");
     assert_eq!(tiles, u64::from(config.run.tiles_per_step));
     assert!((2..=tiles).contains(&units), "{units}");
+}
+
+/// The page has the sizes of the default settings.
+#[test]
+fn the_page_has_the_sizes() {
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/cluster.md");
+    let page = std::fs::read_to_string(page).expect("the page");
+    let Sizes { d, grids, p, .. } = Sizes::of(&TrainConfig::default());
+    for fact in [format!("V = {} for each grid", grids[0]), format!("P = {p}"), format!("d = {d}")]
+    {
+        assert!(page.contains(&fact), "docs/cluster.md lacks `{fact}`");
+    }
 }

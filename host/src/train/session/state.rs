@@ -13,7 +13,6 @@ use crate::evaluate::Evaluation;
 use crate::image::Image;
 use crate::train::binding::{Binding, Change};
 use crate::train::checkpoint::{BEST, CHECKPOINT};
-use crate::train::either::EitherTrainer;
 use crate::train::folder::{CAMERAS, CONFIG, REPORT};
 use crate::train::held_out;
 use crate::train::hooks::StepHooks;
@@ -21,13 +20,14 @@ use crate::train::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
 use crate::train::plan::{Now, Planner};
 use crate::train::ranks::Order;
 use crate::train::report::{Pictures, Run, write_report};
+use crate::train::step_report::StepReport;
 use crate::train::tensorboard::{EventLog, MAX_VIEWS};
-use crate::train::trainer::StepReport;
+use crate::train::trainer::Trainer;
 
 /// What changes while a run goes on.
 pub(super) struct State<'a, 'w, 'h> {
     pub session: &'a Session<'a>,
-    pub trainer: EitherTrainer,
+    pub trainer: Trainer,
     pub log: MetricsLog,
     /// How the settings changed, in this resume and in earlier ones.
     pub changes: Vec<Change>,
@@ -135,13 +135,16 @@ impl State<'_, '_, '_> {
         // one view, so that a report shows where training began
         let frames: Vec<_> = self.session.dataset.held_out_frames().take(1).collect();
         if !frames.is_empty() {
-            // where ranks have the whole scene, one is enough
-            let ranks = self.session.ranks.as_deref().filter(|_| self.trainer.scene().is_none());
-            if let Some(ranks) = ranks {
-                Order::Evaluate { first: 0, all: true }.give(ranks)?;
-            }
             let begin = Instant::now();
-            for (_, image) in self.trainer.measure(ranks, renderer, &frames, 0)? {
+            // where ranks have the whole scene, one is enough
+            let found = match self.trainer.scene() {
+                Some(_) => self.trainer.measure_alone(frames[0])?,
+                None => {
+                    self.order(Order::Evaluate { first: 0, all: true })?;
+                    self.trainer.measure(&frames, 0)?
+                }
+            };
+            for (_, image) in found {
                 self.pictures.write_first(&image)?;
             }
             if let Some(planner) = &mut self.planner {
@@ -272,14 +275,13 @@ impl State<'_, '_, '_> {
         (self.watch)(Event::Evaluating);
         let begin = Instant::now();
         let step = u64::from(self.trainer.steps());
-        let (renderer, ranks) = (self.session.renderer, self.session.ranks.as_deref());
         let (mut parts, mut images) = (Vec::with_capacity(frames.len()), Vec::new());
-        for first in (0..frames.len()).step_by(self.trainer.views_at_once(ranks)) {
+        for first in (0..frames.len()).step_by(self.trainer.views_at_once()) {
             if self.session.stop.load(Ordering::Relaxed) {
                 return Ok(false);
             }
             self.order(Order::Evaluate { first, all })?;
-            let found = self.trainer.measure(ranks, renderer, &frames, first)?;
+            let found = self.trainer.measure(&frames, first)?;
             for (index, (part, image)) in (first..).zip(found) {
                 self.pictures.write(index, step, &frames[index].image, &image)?;
                 let frame = frames[index];
@@ -308,7 +310,7 @@ impl State<'_, '_, '_> {
             planner.evaluated(begin.elapsed().as_secs_f64(), frames.len());
         }
         // what evaluating took is no part of training
-        let _ = renderer.device().take_timings();
+        let _ = self.session.renderer.device().take_timings();
         self.report().map(|()| true)
     }
 

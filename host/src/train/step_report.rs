@@ -1,0 +1,50 @@
+//! What a step has measured.
+
+use super::growth::Grown;
+use crate::error::{Error, Result};
+use crate::metrics;
+use crate::render::TileLoss;
+
+/// What a step has measured, before it moved anything.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub struct StepReport {
+    /// The loss of the batch.
+    pub loss: f64,
+    /// The mean absolute difference of the batch's values, the first part of the loss; NaN with a loss of your own.
+    pub l1: f64,
+    /// The mean SSIM of the batch, the second part of the loss; NaN with a loss of your own.
+    pub ssim: f64,
+    /// The PSNR of the batch's pixels, in decibels.
+    pub psnr: f64,
+    /// Tiles of the batch.
+    pub tiles: usize,
+    /// How the Gaussians changed, where they did.
+    pub grown: Option<Grown>,
+}
+
+impl StepReport {
+    /// That of a batch's losses.
+    pub(super) fn of(losses: &[TileLoss], ssim_weight: f32) -> Self {
+        let total = TileLoss::total(losses);
+        let pixels = (3.0 * total.valid).max(1.0);
+        Self {
+            loss: total.value(ssim_weight),
+            // each part of the loss alone
+            l1: total.value(0.0),
+            ssim: 1.0 - total.value(1.0),
+            psnr: metrics::psnr_of(total.squared / pixels),
+            tiles: losses.len(),
+            grown: None,
+        }
+    }
+
+    /// Fails where the loss of the step is not finite.
+    pub(super) fn check(&self, step: u32) -> Result<()> {
+        if self.loss.is_finite() {
+            return Ok(());
+        }
+        let reason = format!("the loss of step {step} is {}", self.loss);
+        Err(Error::Diverged { reason })
+    }
+}

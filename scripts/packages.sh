@@ -17,7 +17,7 @@ value() { sed -n "s/^$2 = \"\(.*\)\"$/\1/p" "$1" | head -n 1; }
 
 version=$(value Cargo.toml version)
 manifests=()
-for manifest in host/Cargo.toml shader-crate/Cargo.toml kit/*/Cargo.toml tests/Cargo.toml xtask/Cargo.toml; do
+for manifest in host/Cargo.toml host/*/Cargo.toml shader-crate/Cargo.toml kit/*/Cargo.toml tests/Cargo.toml xtask/Cargo.toml; do
   grep -q '^publish = false' "$manifest" || manifests+=("$manifest")
 done
 packages=()

@@ -1,4 +1,4 @@
-"""The numbers that host/src/metrics/tests.rs is held to, by scikit-image: python3 metrics.py
+"""The numbers that host/core/src/metrics/tests.rs is held to, by scikit-image: python3 metrics.py
 
 Images are made of integers, so that Rust makes the same ones to the bit.
 """

@@ -6,11 +6,11 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use numpy::{IntoPyArray, PyArray4, PyArrayMethods, PyReadonlyArray4, PyUntypedArrayMethods};
 use organza::bench::{BenchOptions, measure};
 use organza::error::DeviceError;
-use organza_parity::cases;
 use organza::render::SceneGradient;
 use organza::{BackendChoice, Channel, DeviceOptions, RenderedTiles, SpirvPath};
 use organza_check::Report;
 use organza_device::adapters;
+use organza_parity::cases;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

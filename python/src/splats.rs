@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use organza::camera::Orbit;
-use organza_core::check_writable;
 use organza::data::Background;
 use organza::splats::{self, Fit, Format, Import, Views};
+use organza_core::check_writable;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

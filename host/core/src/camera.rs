@@ -30,7 +30,7 @@ const ORTHONORMAL_TOLERANCE: f64 = 1e-3;
 /// A camera: where it stands and how it projects.
 ///
 /// ```
-/// use organza::Camera;
+/// use organza_core::Camera;
 ///
 /// // from (0, -4, 1) toward the origin, 0.8 radians wide, with z up in the image
 /// let camera = Camera::look_at([0.0, -4.0, 1.0], [0.0; 3], [0.0, 0.0, 1.0], 0.8, [640, 480])?;
@@ -41,7 +41,7 @@ const ORTHONORMAL_TOLERANCE: f64 = 1e-3;
 /// let path = folder.path().join("cameras.json");
 /// Camera::save_all(&path, &[camera.clone()])?;
 /// assert_eq!(Camera::load_all(&path)?, [camera]);
-/// # Ok::<(), organza::Error>(())
+/// # Ok::<(), organza_core::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {

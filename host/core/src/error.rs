@@ -270,7 +270,7 @@ impl std::error::Error for FileError {}
 /// An error's text and those of its sources, as one message.
 ///
 /// ```
-/// use organza::{Scene, error};
+/// use organza_core::{Scene, error};
 ///
 /// let error = Scene::load("nowhere.safetensors").unwrap_err();
 /// assert_eq!(error.to_string(), "cannot read nowhere.safetensors");

@@ -42,7 +42,7 @@ pub fn window() -> [f64; WINDOW] {
 /// Infinite ([`f64::INFINITY`]) for equal images; none where no pixel is valid.
 ///
 /// ```
-/// use organza::metrics::{psnr, ssim};
+/// use organza_core::metrics::{psnr, ssim};
 ///
 /// let (image, truth) = (vec![[0.5; 3]; 16 * 16], vec![[0.6; 3]; 16 * 16]);
 /// assert!((psnr(&image, &truth, None).unwrap() - 20.0).abs() < 1e-5);

@@ -34,7 +34,7 @@ pub struct Tile {
 /// Tiles of one size, rendered together into `[K, 3, S, S]`.
 ///
 /// ```
-/// use organza::{Tile, TileBatch};
+/// use organza_core::{Tile, TileBatch};
 ///
 /// // tiles may be anywhere in the images of any cameras
 /// let tiles = vec![Tile { camera: 0, origin: [96, 32] }, Tile { camera: 3, origin: [0, 0] }];
@@ -44,7 +44,7 @@ pub struct Tile {
 /// // or cover the whole image of a camera
 /// let batch = TileBatch::cover(0, 640, 480, 64)?;
 /// assert_eq!(batch.tiles.len(), 10 * 8);
-/// # Ok::<(), organza::Error>(())
+/// # Ok::<(), organza_core::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct TileBatch {

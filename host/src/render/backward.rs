@@ -233,6 +233,22 @@ impl Renderer {
     /// The networks see positions and directions as constants: position, rotation and scale have the gradient of the
     /// projection alone. [`Renderer::record`] gives the tiles, too.
     ///
+    /// ```
+    /// use organza::{DeviceOptions, Renderer, Tile, TileBatch, demo};
+    ///
+    /// let renderer = Renderer::new(organza::open_device(&DeviceOptions::cpu(None))?);
+    /// let scene = renderer.upload(&demo::scene())?;
+    /// let cameras = demo::turntable(1, 32);
+    /// let batch = TileBatch { side: 8, tiles: vec![Tile { camera: 0, origin: [12, 12] }] };
+    ///
+    /// // the loss is the sum of all values, so dL/dY is 1 everywhere
+    /// let ones = vec![1.0; batch.output_shape().iter().product()];
+    /// let gradient = renderer.gradient(&scene, &cameras, &batch, &ones)?;
+    /// assert_eq!(gradient.gaussians().position.len(), scene.len());
+    /// assert!(gradient.tensor("gaussians.opacity").is_some_and(|g| g.iter().any(|&g| g != 0.0)));
+    /// # Ok::<(), organza::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`Recording::backward`](super::Recording::backward).
     pub fn gradient(

@@ -8,13 +8,13 @@ impl Camera {
     /// its own center.
     ///
     /// ```
-    /// use organza::Camera;
+    /// use organza_core::Camera;
     ///
     /// let camera = Camera::look_at([0.0, -4.0, 1.0], [0.0; 3], [0.0, 0.0, 1.0], 0.8, [640, 480])?;
     /// // what the camera sees comes half a unit nearer: the camera has moved half a unit forward
     /// let moved = camera.moved([0.0, 0.0, 0.0, 0.0, 0.0, -0.5]);
     /// assert!((moved.depth([0.0; 3]) - camera.depth([0.0; 3]) + 0.5).abs() < 1e-12);
-    /// # Ok::<(), organza::Error>(())
+    /// # Ok::<(), organza_core::Error>(())
     /// ```
     #[must_use]
     pub fn moved(&self, [wx, wy, wz, vx, vy, vz]: [f64; 6]) -> Self {

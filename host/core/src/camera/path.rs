@@ -25,8 +25,8 @@ const FORWARD: DVec3 = DVec3::NEG_Z;
 /// continuous velocities everywhere.
 ///
 /// ```
-/// use organza::Camera;
-/// use organza::camera::CameraPath;
+/// use organza_core::Camera;
+/// use organza_core::camera::CameraPath;
 ///
 /// let camera = |x, angle| Camera::look_at([x, -4.0, 1.0], [0.0; 3], [0.0, 0.0, 1.0], angle, [64, 48]);
 /// let keys = [camera(-1.0, 0.8)?, camera(0.0, 0.6)?, camera(1.0, 0.8)?];
@@ -34,7 +34,7 @@ const FORWARD: DVec3 = DVec3::NEG_Z;
 /// assert_eq!(path.times()[0], 0.0);
 /// assert!((path.at(0.5).eye()[0] - 0.0).abs() < 1e-9);
 /// assert_eq!(path.cameras(120).len(), 120);
-/// # Ok::<(), organza::Error>(())
+/// # Ok::<(), organza_core::Error>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct CameraPath {

@@ -12,19 +12,19 @@ type Message = Arc<Vec<Vec<u8>>>;
 /// A rank that is a thread: give each thread one of [`ThreadRanks::new`].
 ///
 /// ```
-/// use organza::ranks::{Ranks, ThreadRanks};
+/// use organza_core::ranks::{Ranks, ThreadRanks};
 ///
 /// let threads = ThreadRanks::new(3).into_iter().map(|ranks| {
 ///     std::thread::spawn(move || {
 ///         let mut values = [1_i64 << ranks.rank()];
 ///         ranks.sum(&mut values)?;
-///         Ok::<_, organza::Error>(values)
+///         Ok::<_, organza_core::Error>(values)
 ///     })
 /// });
 /// for thread in threads.collect::<Vec<_>>() {
 ///     assert_eq!(thread.join().expect("a thread that ends")?, [7]);
 /// }
-/// # Ok::<(), organza::Error>(())
+/// # Ok::<(), organza_core::Error>(())
 /// ```
 #[derive(Debug)]
 pub struct ThreadRanks {

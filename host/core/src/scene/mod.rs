@@ -41,7 +41,7 @@ use organza_device::memory;
 /// A scene: its configuration and all its tensors.
 ///
 /// ```
-/// use organza::{Scene, demo};
+/// use organza_core::{Scene, demo};
 ///
 /// let mut scene = demo::scene();
 /// // makes every Gaussian smaller by a tenth
@@ -53,7 +53,7 @@ use organza_device::memory;
 /// let path = folder.path().join("scene.safetensors");
 /// scene.save(&path)?;
 /// assert_eq!(Scene::load(&path)?, scene);
-/// # Ok::<(), organza::Error>(())
+/// # Ok::<(), organza_core::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {

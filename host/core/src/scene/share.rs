@@ -20,8 +20,8 @@ pub const SLICE: usize = 1 << 14;
 /// The Gaussians of one rank, and the fields of the scene.
 ///
 /// ```
-/// use organza::demo;
-/// use organza::scene::SceneShare;
+/// use organza_core::demo;
+/// use organza_core::scene::SceneShare;
 ///
 /// let scene = demo::scene();
 /// let [first, second] = [0, 1].map(|rank| SceneShare::of(&scene, rank, 2));

@@ -3,6 +3,7 @@
 use std::fs;
 
 use organza::{Camera, Scene, demo};
+use organza_tests::cases;
 use serde_json::Value;
 
 use crate::sandbox::Sandbox;
@@ -11,10 +12,7 @@ const SIDE: u32 = 40;
 
 /// A sandbox with some Gaussians of the built-in scene, enlarged so that they cover it, and cameras around them.
 fn sandbox() -> Sandbox {
-    let (sandbox, mut scene) = (Sandbox::new("tiny"), demo::scene());
-    let some: Vec<_> = (0..scene.gaussians.len()).step_by(80).collect();
-    scene.gaussians = scene.gaussians.select(&some);
-    scene.gaussians.log_scale.as_flattened_mut().iter_mut().for_each(|scale| *scale += 1.4);
+    let (sandbox, scene) = (Sandbox::new("tiny"), cases::thinned(80, 1.4));
     scene.save(sandbox.path("thin.safetensors")).expect("a scene");
     Camera::save_all(sandbox.path("around.json"), &demo::turntable(16, SIDE)).expect("cameras");
     sandbox

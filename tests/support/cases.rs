@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use organza::scene::{Tensor, read_tensors};
-use organza::{Camera, DeviceScene, Renderer, Scene, TileBatch};
+use organza::{Camera, DeviceScene, Renderer, Scene, TileBatch, demo};
 
 use crate::devices;
 
@@ -83,6 +83,16 @@ pub fn on_every_device(check: impl Fn(&str, &Renderer, &Case, &DeviceScene)) {
             check(backend, &renderer, &case, &scene);
         }
     }
+}
+
+/// Every nth Gaussian of the built-in scene, its log scales `wider` so that they cover it.
+#[must_use]
+pub fn thinned(nth: usize, wider: f32) -> Scene {
+    let mut scene = demo::scene();
+    let some: Vec<_> = (0..scene.gaussians.len()).step_by(nth).collect();
+    scene.gaussians = scene.gaussians.select(&some);
+    scene.gaussians.log_scale.as_flattened_mut().iter_mut().for_each(|scale| *scale += wider);
+    scene
 }
 
 fn subfolders(folder: &Path) -> Vec<PathBuf> {

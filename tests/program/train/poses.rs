@@ -4,7 +4,7 @@ use organza::data::{Dataset, Frame, Photograph};
 use organza::train::config::{OptimizerConfig, Rate};
 use organza::train::{Checkpoint, Trainer, built_in};
 use organza::{Camera, Renderer, Scene, demo};
-use organza_tests::devices;
+use organza_tests::{cases, devices};
 use serde_json::Value;
 
 use super::runs::{TINY, assert_same, begun, bits, records, sandbox, stopped, without_times};
@@ -33,15 +33,6 @@ fn distance(a: &Camera, b: &Camera) -> f64 {
         (ax - bx).hypot(ay - by)
     });
     distances.sum::<f64>() / 8.0
-}
-
-/// Some Gaussians of the built-in scene, enlarged so that they cover it.
-fn thinned() -> Scene {
-    let mut scene = demo::scene();
-    let some: Vec<_> = (0..scene.gaussians.len()).step_by(40).collect();
-    scene.gaussians = scene.gaussians.select(&some);
-    scene.gaussians.log_scale.as_flattened_mut().iter_mut().for_each(|scale| *scale += 1.2);
-    scene
 }
 
 /// Five photographs around a scene, of which the first is held out.
@@ -77,7 +68,7 @@ fn cameras_come_back_to_where_they_were() {
         ..config.optimizer
     };
     let renderer = Renderer::new(devices::cpu(None));
-    let scene = thinned();
+    let scene = cases::thinned(40, 1.2);
     let mut dataset = dataset_of(&renderer, &scene);
     let true_cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
     for (index, frame) in dataset.train.clone().into_iter().enumerate() {

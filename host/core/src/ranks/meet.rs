@@ -5,8 +5,8 @@ use crate::error::{Error, Result};
 use organza_device::Device;
 
 /// Makes sure that all ranks compute the same bits from the same input: that they are the same version of the program, on
-/// devices that round alike. `commit` is what the program was built from. `input` is what the ranks have read, and what identifies it, such as a hash. `mixed` allows
-/// other programs and devices.
+/// devices that round alike. `commit` is what the program was built from. `input` is what the ranks have read, and what
+/// identifies it, such as a hash. `mixed` allows other programs and devices.
 ///
 /// # Errors
 /// [`Error::Rank`], on every rank, of the first that differs from rank 0; as [`Ranks::max`].

@@ -10,8 +10,9 @@ use serde::Serialize;
 
 use crate::camera::Camera;
 use crate::error::Result;
-use crate::render::{DeviceScene, RenderReport, Renderer, SceneGradient};
+use crate::render::{DeviceScene, Renderer, SceneGradient};
 use crate::tile::TileBatch;
+use organza_core::RenderReport;
 use organza_device::{Device, KernelTime, memory};
 use organza_kernel::work::Work;
 

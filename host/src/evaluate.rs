@@ -19,8 +19,9 @@ use crate::image::{Image, TILE_SIDE, bands};
 use crate::metrics::lpips::Lpips;
 use crate::metrics::{psnr, ssim};
 use crate::ranks::Ranks;
-use crate::render::{DeviceScene, DeviceShare, RenderedTiles, Renderer};
+use crate::render::{DeviceScene, DeviceShare, Renderer};
 use crate::tile::TileBatch;
+use organza_core::RenderedTiles;
 use organza_device::memory;
 
 /// What a comparison of an image with its photograph gave.

@@ -38,13 +38,11 @@
 
 #[doc(hidden)]
 pub mod bench;
-pub mod data;
 pub mod evaluate;
 #[doc(hidden)]
 pub mod film;
 #[doc(hidden)]
 pub mod fuzz;
-pub mod image;
 #[cfg(feature = "ndarray")]
 pub mod ndarray;
 pub mod render;
@@ -58,20 +56,19 @@ pub mod web;
 
 pub use data::{Dataset, DatasetOptions};
 pub use evaluate::{Evaluation, evaluate};
-pub use image::Image;
 use organza_core::input;
 pub use organza_core::{
-    Camera, Error, Gradient, Result, Scene, Tile, TileBatch, camera, demo, error, metrics, ranks,
-    scene, tile,
+    Camera, Channel, Error, Gradient, Image, RenderReport, RenderedTiles, Result, Scene, Tile,
+    TileBatch, camera, demo, error, image, metrics, ranks, scene, tile,
 };
+pub use organza_data as data;
 pub use organza_device::{
     BackendChoice, Buffer, Device, DeviceOptions, InstructionSet, Modules, SpirvPath,
 };
 #[doc(hidden)]
 pub use render::Stages;
 pub use render::{
-    Channel, DeviceScene, DeviceShare, Inspection, Recording, RenderReport, RenderedTiles,
-    Renderer, ShareRecording, UploadOptions,
+    DeviceScene, DeviceShare, Inspection, Recording, Renderer, ShareRecording, UploadOptions,
 };
 pub use train::{TrainConfig, Trainer};
 

@@ -25,41 +25,13 @@
 //! # Ok::<(), organza::Error>(())
 //! ```
 
-use ::ndarray::{Array4, ArrayView4};
+use ::ndarray::ArrayView4;
 
 use crate::camera::Camera;
 use crate::error::{Error, Result};
-use crate::render::{DeviceScene, LossGradient, RenderedTiles, Renderer};
+use crate::render::{DeviceScene, LossGradient, Renderer};
 use crate::scene::Gradient;
 use crate::tile::TileBatch;
-
-impl RenderedTiles {
-    /// Y `[K, 3, S, S]`: tile, channel, row, column.
-    ///
-    /// # Panics
-    /// Where the number of values is not that of `count` tiles of side `side`.
-    #[must_use]
-    pub fn array(&self) -> ArrayView4<'_, f32> {
-        let side = self.side as usize;
-        let view = ArrayView4::from_shape((self.count, 3, side, side), &self.data);
-        view.expect("K tiles of S x S pixels")
-    }
-}
-
-impl TryFrom<Array4<f32>> for RenderedTiles {
-    type Error = Error;
-
-    /// From Y `[K, 3, S, S]`.
-    fn try_from(array: Array4<f32>) -> Result<Self> {
-        let (count, channels, height, width) = array.dim();
-        let side = u32::try_from(width).ok().filter(|_| channels == 3 && height == width);
-        let Some(side) = side else {
-            let reason = format!("tiles are [K, 3, S, S], not {:?}", array.shape());
-            return Err(Error::Argument { reason });
-        };
-        Ok(Self { side, count, data: values(array.view()), ..Self::default() })
-    }
-}
 
 impl Renderer {
     /// As [`Renderer::gradient`], with dLoss/dY `[K, 3, S, S]` in an array.
@@ -97,29 +69,21 @@ fn values(array: ArrayView4<'_, f32>) -> Vec<f32> {
 
 #[cfg(test)]
 mod tests {
+    use ::ndarray::Array4;
+
     use super::*;
 
-    /// The value of each place says where it is.
-    fn numbered() -> Array4<f32> {
-        Array4::from_shape_fn((2, 3, 4, 4), |(tile, channel, row, column)| {
-            (1000 * tile + 100 * channel + 10 * row + column) as f32
-        })
-    }
-
     #[test]
-    fn tiles_come_back_whatever_their_order_in_memory() {
-        let tiles = RenderedTiles::try_from(numbered()).unwrap();
-        assert_eq!((tiles.side, tiles.count, tiles.array()), (4, 2, numbered().view()));
-        assert_eq!(tiles.rgb(1, 3, 2), [1023.0, 1123.0, 1223.0]);
+    fn a_loss_takes_a_gradient_whatever_its_order_in_memory() {
+        let gradient = Array4::from_shape_fn((1, 3, 2, 2), |(_, channel, row, column)| {
+            (100 * channel + 10 * row + column) as f32
+        });
+        let expected =
+            vec![0.0, 1.0, 10.0, 11.0, 100.0, 101.0, 110.0, 111.0, 200.0, 201.0, 210.0, 211.0];
         // as another program may have it: columns first
-        let turned = numbered().permuted_axes([0, 1, 3, 2]).as_standard_layout().into_owned();
+        let turned = gradient.permuted_axes([0, 1, 3, 2]).as_standard_layout().into_owned();
         let turned = turned.permuted_axes([0, 1, 3, 2]);
         assert!(!turned.is_standard_layout());
-        assert_eq!(RenderedTiles::try_from(turned.clone()).unwrap(), tiles);
-        assert_eq!(LossGradient::from_array(1.0, turned.view()).grad_output, tiles.data);
-        for shape in [(2, 4, 4, 4), (2, 3, 4, 5)] {
-            let error = RenderedTiles::try_from(Array4::zeros(shape)).unwrap_err().to_string();
-            assert!(error.contains("[K, 3, S, S], not [2, "), "{error}");
-        }
+        assert_eq!(LossGradient::from_array(1.0, turned.view()).grad_output, expected);
     }
 }

@@ -7,16 +7,22 @@ pub mod camera;
 pub mod demo;
 pub mod error;
 pub mod halves;
+pub mod image;
 pub mod input;
 pub mod metrics;
 #[cfg(feature = "ndarray")]
 mod ndarray;
+mod random;
 pub mod ranks;
+mod rendered;
 pub mod scene;
 pub mod tile;
 
 pub use atomic_file::{check_writable, remove_leftovers, write_atomic};
 pub use camera::Camera;
 pub use error::{Error, Result};
+pub use image::Image;
+pub use random::random;
+pub use rendered::{Channel, RenderReport, RenderedTiles};
 pub use scene::{Gradient, Scene};
 pub use tile::{Tile, TileBatch};

@@ -7,23 +7,8 @@ use organza_shaders::composite::SUM_PLANES;
 use super::bin::Bins;
 use super::composite::{Composite, weighted_sum};
 use super::scene::DeviceScene;
+use organza_core::Channel;
 use organza_device::{Buffer, Device, Result};
-
-/// What a pixel can have beside its color. All are 0 where no Gaussian has a weight. `docs/conventions.md` has the
-/// definitions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Channel {
-    /// The mean of the Gaussians' depths by their weights. A depth is the coordinate of a center along the camera's axis,
-    /// in world units.
-    Depth,
-    /// S of Eq. 12, the sum of the weights. It can be above 1.
-    Alpha,
-    /// The mean of the Gaussians' transmittances T by their weights, 0 to 1.
-    Visibility,
-    /// The sum of the Gaussians' normals by their weights, scaled to length 1: x, y, z in world space. A Gaussian's normal
-    /// is its shortest axis, turned toward the camera.
-    Normal,
-}
 
 /// The sums that a channel is made of.
 #[derive(Clone, Copy, PartialEq)]
@@ -33,59 +18,37 @@ enum Source {
     Normals,
 }
 
-impl Channel {
-    /// Every channel.
-    pub const ALL: [Self; 4] = [Self::Depth, Self::Alpha, Self::Visibility, Self::Normal];
-
-    /// Its name: `depth`, `alpha`, `visibility` or `normal`.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Depth => "depth",
-            Self::Alpha => "alpha",
-            Self::Visibility => "visibility",
-            Self::Normal => "normal",
-        }
+fn source(channel: Channel) -> Source {
+    match channel {
+        Channel::Alpha => Source::Color,
+        Channel::Depth | Channel::Visibility => Source::Measure,
+        Channel::Normal => Source::Normals,
     }
+}
 
-    /// Values of a pixel: 3 of a normal, 1 of all others.
-    #[must_use]
-    pub fn planes(self) -> usize {
-        if self == Self::Normal { 3 } else { 1 }
-    }
-
-    fn source(self) -> Source {
-        match self {
-            Self::Alpha => Source::Color,
-            Self::Depth | Self::Visibility => Source::Measure,
-            Self::Normal => Source::Normals,
-        }
-    }
-
-    /// The channel of one tile, `[planes, S, S]`, of its sums `[4, S, S]`.
-    fn resolve(self, sum: &[f32], area: usize) -> Vec<f32> {
-        let weight = &sum[3 * area..];
-        let mean = |plane: usize| {
-            let sum = &sum[plane * area..][..area];
-            let mean = |(sum, &weight): (&f32, &f32)| if weight > 0.0 { sum / weight } else { 0.0 };
-            sum.iter().zip(weight).map(mean).collect()
-        };
-        match self {
-            Self::Depth => mean(0),
-            Self::Visibility => mean(1),
-            Self::Alpha => weight.to_vec(),
-            Self::Normal => {
-                let mut normals = sum[..3 * area].to_vec();
-                for at in 0..area {
-                    let sum = Vec3::from([0, 1, 2].map(|axis| normals[axis * area + at]));
-                    // the squares of small weights would be 0
-                    let normal = (sum / sum.abs().max_element()).normalize_or_zero();
-                    for axis in 0..3 {
-                        normals[axis * area + at] = normal[axis];
-                    }
+/// The channel of one tile, `[planes, S, S]`, of its sums `[4, S, S]`.
+fn resolve(channel: Channel, sum: &[f32], area: usize) -> Vec<f32> {
+    let weight = &sum[3 * area..];
+    let mean = |plane: usize| {
+        let sum = &sum[plane * area..][..area];
+        let mean = |(sum, &weight): (&f32, &f32)| if weight > 0.0 { sum / weight } else { 0.0 };
+        sum.iter().zip(weight).map(mean).collect()
+    };
+    match channel {
+        Channel::Depth => mean(0),
+        Channel::Visibility => mean(1),
+        Channel::Alpha => weight.to_vec(),
+        Channel::Normal => {
+            let mut normals = sum[..3 * area].to_vec();
+            for at in 0..area {
+                let sum = Vec3::from([0, 1, 2].map(|axis| normals[axis * area + at]));
+                // the squares of small weights would be 0
+                let normal = (sum / sum.abs().max_element()).normalize_or_zero();
+                for axis in 0..3 {
+                    normals[axis * area + at] = normal[axis];
                 }
-                normals
             }
+            normals
         }
     }
 }
@@ -110,7 +73,7 @@ impl ChannelSums {
         Seen { bins, transmittance, composite }: Seen<'_>,
         channels: &[Channel],
     ) -> Result<Self> {
-        let is_needed = |source: &Source| channels.iter().any(|c| c.source() == *source);
+        let is_needed = |wanted: &Source| channels.iter().any(|c| source(*c) == *wanted);
         let mut sums = Vec::new();
         if is_needed(&Source::Color) {
             sums.push((Source::Color, composite.sum.view()));
@@ -153,10 +116,10 @@ impl ChannelSums {
         let area = (side * side) as usize;
         let channel = |channel: &Channel| {
             let mut sums = self.0.iter().zip(words);
-            let found = sums.find(|((source, _), _)| *source == channel.source());
+            let found = sums.find(|((found, _), _)| *found == source(*channel));
             let (_, sum) = found.expect("its source is among those needed");
             let tiles = bytemuck::cast_slice(sum).chunks_exact(SUM_PLANES as usize * area);
-            tiles.flat_map(|sum| channel.resolve(sum, area)).collect()
+            tiles.flat_map(|sum| resolve(*channel, sum, area)).collect()
         };
         channels.iter().map(channel).collect()
     }

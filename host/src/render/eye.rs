@@ -2,6 +2,7 @@
 //!
 //! Looking around, zooming and resizing then take the projection and the composite alone.
 
+use organza_core::{Channel, RenderReport, RenderedTiles};
 use std::time::Instant;
 
 use organza_shaders::composite::splat_distance;
@@ -9,13 +10,12 @@ use organza_shaders::project::{EVERYWHERE, in_support};
 use rayon::prelude::*;
 
 use super::bin::{Bins, Pairs, kernel_camera, project};
-use super::channels::{Channel, ChannelSums, Seen};
+use super::channels::{ChannelSums, Seen};
 use super::color::Color;
 use super::composite::Composite;
 use super::part::RenderedPart;
 use super::plan::Plan;
 use super::renderer::Renderer;
-use super::results::{RenderReport, RenderedTiles};
 use super::scene::DeviceScene;
 use super::transmittance::Transmittance;
 use crate::camera::Camera;

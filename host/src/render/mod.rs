@@ -49,7 +49,6 @@ mod upload;
 
 pub use backward::LossTarget;
 pub(crate) use bin::kernel_camera;
-pub use channels::Channel;
 pub use device_share::DeviceShare;
 pub(crate) use device_share::{in_slices, read_slices};
 pub(crate) use exposure::ExposureGradient;
@@ -69,7 +68,6 @@ pub(crate) use part_counts::Capacity;
 pub use pose::POSE;
 pub use recording::Recording;
 pub use renderer::Renderer;
-pub use results::{RenderReport, RenderedTiles};
 pub use scene::DeviceScene;
 pub use share::share_bytes;
 pub(crate) use share_gradient::ShareGradient;

@@ -7,11 +7,11 @@ use super::part::Part;
 use super::part_counts::{Capacity, Needed};
 use super::plan::Plan;
 use super::renderer::Renderer;
-use super::results::RenderedTiles;
 use super::scene::DeviceScene;
 use crate::camera::Camera;
 use crate::error::{Error, Result};
 use crate::tile::TileBatch;
+use organza_core::RenderedTiles;
 use organza_device::{Buffer, Device};
 
 /// The tiles of a step, and what they should look like: the argument of a loss on the host.

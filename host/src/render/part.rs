@@ -1,15 +1,16 @@
 //! Renders one part of a batch, stage by stage.
 
 use super::bin::Bins;
-use super::channels::{Channel, ChannelSums, Seen};
+use super::channels::{ChannelSums, Seen};
 use super::color::Color;
 use super::composite::Composite;
 use super::part_counts::{Capacity, Needed};
 use super::plan::Plan;
-use super::results::RenderReport;
+use super::results::report_of_part;
 use super::scene::DeviceScene;
 use super::transmittance::Transmittance;
 use crate::camera::Camera;
+use organza_core::{Channel, RenderReport};
 use organza_device::{Buffer, Device, Result};
 
 /// Everything that the stages have written on the device.
@@ -101,7 +102,7 @@ pub fn render(
     buffers.extend(sums.buffers());
     let (mut values, needed) = part.read(device, buffers)?;
     let sums = sums.resolve(&values.split_off(2), plan.side, channels);
-    let report = RenderReport::of_part(values[1][0], needed);
+    let report = report_of_part(values[1][0], needed);
     let pixels = bytemuck::pod_collect_to_vec(&values[0]);
     Ok(((part, RenderedPart { pixels, channels: sums, report }), needed))
 }

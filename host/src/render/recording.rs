@@ -1,15 +1,15 @@
 //! A rendered batch that keeps what its gradient needs, so that nothing is rendered twice.
 
+use organza_core::{Channel, RenderedTiles};
 use std::sync::atomic::Ordering;
 
 use super::backward::of_tiles;
-use super::channels::Channel;
 use super::gradient::SceneGradient;
 use super::part::Part;
 use super::plan::Plan;
 use super::pose::POSE;
 use super::renderer::Renderer;
-use super::results::RenderedTiles;
+use super::results::place;
 use super::scene::DeviceScene;
 use crate::camera::Camera;
 use crate::error::{Error, Result};
@@ -92,7 +92,7 @@ impl Renderer {
                     }
                     rendered => rendered?,
                 };
-                tiles.place(plan, &rendered, channels);
+                place(&mut tiles, plan, &rendered, channels);
                 let kept = (parts.len() < most).then_some(part);
                 parts.push((plan.clone(), kept));
             }

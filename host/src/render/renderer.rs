@@ -1,14 +1,14 @@
 //! Renders batches of tiles, part by part.
 
+use organza_core::{Channel, RenderedTiles};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::capacity::CapacityPredictor;
-use super::channels::Channel;
 use super::part::{self, Part, RenderedPart};
 use super::part_counts::{Capacity, Needed};
 use super::plan::{Limits, PART_BYTES, Plan};
-use super::results::RenderedTiles;
+use super::results::place;
 use super::scene::DeviceScene;
 use crate::camera::Camera;
 use crate::error::Result;
@@ -138,7 +138,7 @@ impl Renderer {
             match render(&plan) {
                 Ok(None) => return Ok(None),
                 Ok(Some(part)) => {
-                    tiles.place(&plan, &part, channels);
+                    place(&mut tiles, &plan, &part, channels);
                     done += plan.tiles.len();
                     progress(done, batch.tiles.len());
                 }

@@ -11,13 +11,14 @@ use super::part::Part;
 use super::part_counts::Capacity;
 use super::plan::{Plan, PlannedTile};
 use super::renderer::Renderer;
-use super::results::{RenderReport, RenderedTiles};
+use super::results::{REPORT_NUMBERS, report_from_numbers, report_of_part, report_to_numbers};
 use super::scene::DeviceScene;
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::ranks::Ranks;
 use crate::scene::SLICE;
 use crate::tile::TileBatch;
+use organza_core::{RenderReport, RenderedTiles};
 use organza_device::memory;
 
 /// Planes of a tile's sums: C and S.
@@ -113,7 +114,7 @@ impl Renderer {
                 };
                 let work = || self.with_predicted_capacity(slice, plan, render);
                 let (part, values, needed) = device.run_in_pool(work)?;
-                let found = RenderReport::of_part(values[1][0], needed);
+                let found = report_of_part(values[1][0], needed);
                 let values: &[f32] = bytemuck::cast_slice(&values[0]);
                 for (values, tile) in values.chunks_exact(len).zip(&plan.tiles) {
                     sums[tile.place * len..][..len].copy_from_slice(values);
@@ -227,13 +228,12 @@ impl FixedSums {
         report: RenderReport,
     ) -> Result<(Vec<f32>, RenderReport)> {
         let len = self.values.len();
-        self.values.extend(report.to_numbers().map(|number| number as i64));
+        self.values.extend(report_to_numbers(report).map(|number| number as i64));
         ranks.sum(&mut self.values)?;
         ranks.or(&mut self.odd)?;
         let (values, numbers) = self.values.split_at(len);
-        let numbers: [i64; RenderReport::NUMBERS] =
-            numbers.try_into().expect("as many as were added");
-        let report = RenderReport::of_numbers(numbers.map(|number| number as u64));
+        let numbers: [i64; REPORT_NUMBERS] = numbers.try_into().expect("as many as were added");
+        let report = report_from_numbers(numbers.map(|number| number as u64));
         let value = |(index, &sum): (usize, &i64)| {
             let is_odd = self.odd[index / 32] >> (index % 32) & 1 == 1;
             // the product is exact
@@ -247,7 +247,7 @@ impl FixedSums {
 #[must_use]
 pub fn share_bytes(tiles: usize, side: u32) -> u64 {
     let values = tiles * PLANES * (side * side) as usize;
-    (8 * (values + RenderReport::NUMBERS) + 4 * values.div_ceil(32)) as u64
+    (8 * (values + REPORT_NUMBERS) + 4 * values.div_ceil(32)) as u64
 }
 
 #[cfg(test)]

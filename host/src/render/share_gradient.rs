@@ -13,6 +13,7 @@
 //! Gaussians' gradients camera by camera, as [`Rows`].
 
 use glam::Vec4;
+use organza_core::RenderedTiles;
 
 use super::backward::of_tiles;
 use super::device_share::DeviceShare;
@@ -21,7 +22,6 @@ use super::gradient::SceneGradient;
 use super::part::Part;
 use super::part_counts::Capacity;
 use super::renderer::Renderer;
-use super::results::RenderedTiles;
 use super::rows::Rows;
 use super::scene::DeviceScene;
 use super::share::{PLANES, ShareForward, SharePart};

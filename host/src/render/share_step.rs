@@ -1,5 +1,6 @@
 //! The gradient of a training step whose Gaussians are dealt to ranks.
 
+use organza_core::RenderedTiles;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::backward::{LossTarget, of_tiles};
@@ -8,7 +9,6 @@ use super::exposure::{self, Exposed, ExposureGradient};
 use super::loss::{Loss, LossInputs, TileLoss};
 use super::plan::PlannedTile;
 use super::renderer::Renderer;
-use super::results::RenderedTiles;
 use super::share_gradient::ShareGradient;
 use super::units::Compared;
 use crate::camera::Camera;

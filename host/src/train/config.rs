@@ -242,14 +242,13 @@ impl DataConfig {
     /// How the data set is read.
     #[must_use]
     pub fn options(&self) -> DatasetOptions {
-        DatasetOptions {
-            downscale: self.downscale,
-            hold_out_every: self.hold_out_every,
-            background: self.background,
-            alpha: self.alpha,
-            allow_outside: self.allow_outside,
-            keep: self.keep,
-        }
+        DatasetOptions::default()
+            .downscale(self.downscale)
+            .hold_out_every(self.hold_out_every)
+            .background(self.background)
+            .alpha(self.alpha)
+            .allow_outside(self.allow_outside)
+            .keep(self.keep)
     }
 }
 

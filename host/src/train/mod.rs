@@ -28,7 +28,6 @@ mod space;
 mod start;
 mod state;
 mod step_report;
-mod sweep;
 mod tensorboard;
 mod trainer;
 

@@ -1,27 +1,16 @@
 //! Which tiles a step trains on.
 
 use rand::seq::SliceRandom;
-use rand::{RngExt, SeedableRng};
-use rand_pcg::Pcg64;
+use rand::{Rng, RngExt};
 
 use super::config::{LossConfig, RunConfig};
 use crate::camera::Camera;
-use crate::data::develop::mean;
-use crate::data::{Frame, Photograph};
+use crate::data::{Frame, Photograph, mean};
 use crate::error::Result;
 use crate::render::LossTarget;
 use crate::tile::{Tile, TileBatch};
+use organza_core::random;
 use organza_device::memory;
-
-/// Independent random numbers for each purpose and time: whoever resumes draws the same.
-#[must_use]
-pub fn random(seed: u64, purpose: u64, time: u64) -> Pcg64 {
-    // splitmix64's increment and an odd constant keep neighbors apart; the generator's own seeding mixes them
-    let mixed = seed
-        .wrapping_add(purpose.wrapping_mul(0x9e37_79b9_7f4a_7c15))
-        .wrapping_add(time.wrapping_mul(0xd134_2543_de82_ef95));
-    Pcg64::seed_from_u64(mixed)
-}
 
 const SHUFFLE: u64 = 1;
 
@@ -111,7 +100,7 @@ impl Sampler {
     }
 
     /// The cells of an image's grid, shifted at random, row by row.
-    fn grid(&self, camera: usize, random: &mut Pcg64) -> Vec<Tile> {
+    fn grid(&self, camera: usize, random: &mut impl Rng) -> Vec<Tile> {
         let side = self.side as i32;
         let [(columns, x), (rows, y)] = self.sizes[camera].map(|length| {
             let shift = random.random_range(0..side);

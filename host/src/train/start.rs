@@ -13,15 +13,14 @@ use rayon::prelude::*;
 
 use super::config::TrainConfig;
 use super::needs;
-use super::sampler::random;
 use super::space::{depth, scene_box};
-use super::sweep;
 use super::trainer::check;
 use crate::camera::{Camera, Target};
-use crate::data::{Dataset, Frame, Point};
+use crate::data::{Dataset, Frame, Point, sweep};
 use crate::error::{Error, Result};
 use crate::scene::{Network, Scene, logit};
 use crate::splats::{self, Splat};
+use organza_core::random;
 
 const PLACES: u64 = 2;
 const FIELDS: u64 = 3;

@@ -16,8 +16,9 @@ use super::picture::{self, Range};
 use crate::data::Photograph;
 use crate::error::{self, Result};
 use crate::image::{ChannelImage, Image, TILE_SIDE};
-use crate::render::{DeviceScene, EyeCache, EyeOptions, RenderReport, Renderer};
+use crate::render::{DeviceScene, EyeCache, EyeOptions, Renderer};
 use crate::tile::TileBatch;
+use organza_core::RenderReport;
 
 /// Clients for whom what their eyes have seen is kept.
 const MAX_EYES: usize = 8;

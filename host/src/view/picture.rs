@@ -9,8 +9,9 @@ use crate::camera::Camera;
 use crate::data::Photograph;
 use crate::error::Result;
 use crate::image::{ChannelImage, Image};
-use crate::render::{Channel, DeviceScene};
+use crate::render::DeviceScene;
 use crate::train::error_levels;
+use organza_core::Channel;
 
 /// JPEG's quality of images that are not exact, of 100.
 const QUALITY: u8 = 85;

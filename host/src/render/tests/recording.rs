@@ -2,8 +2,9 @@
 
 use super::{all_devices, some, tiles};
 use crate::demo;
-use crate::render::{Channel, DeviceScene, Recording, Renderer, SceneGradient, UploadOptions};
+use crate::render::{DeviceScene, Recording, Renderer, SceneGradient, UploadOptions};
 use crate::scene::{Gradient, Scene};
+use organza_core::Channel;
 
 /// One part of all tiles, and one for each tile: more than are kept.
 const PART_BYTES: [u64; 2] = [512 << 20, 1];

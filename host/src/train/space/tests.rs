@@ -6,9 +6,9 @@ use rand::RngExt;
 use rand_pcg::Pcg64;
 
 use super::super::config::TrainConfig;
-use super::super::sampler::random;
 use super::super::start::start;
 use super::*;
+use organza_core::random;
 
 fn numbers() -> Pcg64 {
     random(7, 0, 0)

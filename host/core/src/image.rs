@@ -1,0 +1,253 @@
+//! Whole images: cut into tiles to be rendered, put together again, and written as PNG.
+//!
+//! An image does not depend on how it was cut.
+
+mod channel;
+#[cfg(test)]
+mod tests;
+
+use std::io;
+use std::path::Path;
+
+pub use channel::{ChannelFormat, ChannelImage, PNG_DEPTH_SCALE};
+
+use ::image::codecs::png::PngEncoder;
+use ::image::{ExtendedColorType, ImageEncoder, ImageError};
+
+use crate::error::{Error, Result};
+use crate::rendered::RenderedTiles;
+use crate::tile::TileBatch;
+use crate::write_atomic;
+use organza_device::memory;
+
+/// Side of the tiles that a whole image is cut into, in pixels. No image depends on it.
+pub const TILE_SIDE: u32 = 64;
+/// Pixels of one band: 400 MB of rendered values, enough to keep every device busy.
+const BAND_PIXELS: u64 = 1 << 25;
+
+/// An image of 8-bit red, green and blue.
+///
+/// A `Renderer` of the crate `organza` renders one.
+///
+/// ```
+/// use organza_core::Image;
+///
+/// let image = Image::new(64, 48)?; // black
+/// let folder = tempfile::tempdir().expect("a folder");
+/// image.shrink(2)?.save_png(folder.path().join("small.png"))?;
+/// assert_eq!(image.shrink(2)?.size(), [32, 24]);
+/// # Ok::<(), organza_core::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Image {
+    width: u32,
+    height: u32,
+    /// Row by row.
+    pixels: Vec<[u8; 3]>,
+    not_finite: u64,
+}
+
+impl Image {
+    /// A black image.
+    ///
+    /// # Errors
+    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+    pub fn new(width: u32, height: u32) -> Result<Self> {
+        let what = format!("an image of {width} x {height} pixels");
+        let len = usize::try_from(u64::from(width) * u64::from(height)).unwrap_or(usize::MAX);
+        Ok(Self { width, height, pixels: memory::zeros(len, &what)?, not_finite: 0 })
+    }
+
+    /// Fails where an image cannot be made and written: PNG's encoder may take as much again.
+    ///
+    /// # Errors
+    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+    pub fn check_memory(width: u32, height: u32) -> Result<()> {
+        let what = format!("an image of {width} x {height} pixels");
+        let bytes = 3 * u64::from(width) * u64::from(height);
+        memory::check(bytes, &what)?;
+        Ok(memory::check(2 * bytes, &format!("{what} and writing it"))?)
+    }
+
+    /// An image of a photograph's pixels, row by row.
+    ///
+    /// # Panics
+    /// Where there are not width times height pixels.
+    #[must_use]
+    pub fn of_pixels([width, height]: [u32; 2], pixels: &[[u8; 3]]) -> Self {
+        assert_eq!(pixels.len(), width as usize * height as usize, "pixels of an image");
+        Self { width, height, pixels: pixels.to_vec(), not_finite: 0 }
+    }
+
+    /// Width and height in pixels.
+    #[must_use]
+    pub fn size(&self) -> [u32; 2] {
+        [self.width, self.height]
+    }
+
+    /// Red, green and blue of every pixel, row by row.
+    #[must_use]
+    pub fn pixels(&self) -> &[[u8; 3]] {
+        &self.pixels
+    }
+
+    /// Pixels that were rendered as a NaN or an infinity: networks with huge weights can do that.
+    #[must_use]
+    pub fn not_finite(&self) -> u64 {
+        self.not_finite
+    }
+
+    /// Puts rendered tiles where `batch` has them; what hangs over the edge is cut off. The camera
+    /// of a tile does not matter.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] where the tiles are not those of the batch.
+    pub fn paste(&mut self, batch: &TileBatch, tiles: &RenderedTiles) -> Result<()> {
+        let side = batch.side as usize;
+        let values = batch.output_shape().iter().product::<usize>();
+        if tiles.side != batch.side || tiles.data.len() != values {
+            let reason = format!(
+                "{} tiles of side {} are not those of a batch of {} tiles of side {side}",
+                tiles.count,
+                tiles.side,
+                batch.tiles.len()
+            );
+            return Err(Error::Argument { reason });
+        }
+        visible_pixels(batch, self.size(), |tile, at, place| {
+            let color = tiles.rgb(tile, at % side, at / side);
+            self.not_finite += u64::from(!color.iter().all(|value| value.is_finite()));
+            self.pixels[place] = color.map(to_8_bit);
+        });
+        Ok(())
+    }
+
+    /// Copies `other` to column `left` and row `top`; what hangs over the edge is cut off.
+    pub fn paste_image(&mut self, other: &Self, [left, top]: [u32; 2]) {
+        let columns = other.width.min(self.width.saturating_sub(left)) as usize;
+        let rows = other.height.min(self.height.saturating_sub(top)) as usize;
+        for row in 0..rows {
+            let from = row * other.width as usize;
+            let to = (top as usize + row) * self.width as usize + left as usize;
+            self.pixels[to..to + columns].copy_from_slice(&other.pixels[from..from + columns]);
+        }
+    }
+
+    /// A smaller image whose pixels are the means of squares of `factor` by `factor` pixels; what
+    /// is left over at the right and the lower edge is cut off.
+    ///
+    /// # Errors
+    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+    pub fn shrink(&self, factor: u32) -> Result<Self> {
+        let factor = factor.max(1);
+        let mut small = Self::new(self.width / factor, self.height / factor)?;
+        let (width, area) = (small.width.max(1) as usize, factor * factor);
+        for (index, pixel) in small.pixels.iter_mut().enumerate() {
+            let (left, top) = (index % width * factor as usize, index / width * factor as usize);
+            let mut sum = [0_u32; 3];
+            for row in top..top + factor as usize {
+                let first = row * self.width as usize + left;
+                for color in &self.pixels[first..first + factor as usize] {
+                    sum.iter_mut().zip(color).for_each(|(sum, &value)| *sum += u32::from(value));
+                }
+            }
+            *pixel = sum.map(|sum| ((sum + area / 2) / area) as u8);
+        }
+        Ok(small)
+    }
+
+    /// Writes the image as PNG, atomically.
+    ///
+    /// # Errors
+    /// [`Error::WriteFile`].
+    pub fn save_png(&self, path: impl AsRef<Path>) -> Result<()> {
+        save_png(path, self.pixels.as_flattened(), self.size(), ExtendedColorType::Rgb8)
+    }
+
+    /// The bytes of a PNG file.
+    ///
+    /// # Errors
+    /// Where the encoder fails; it writes to memory.
+    pub fn encode_png(&self) -> io::Result<Vec<u8>> {
+        let mut bytes = Vec::new();
+        let pixels = self.pixels.as_flattened();
+        write_png(&mut bytes, pixels, self.size(), ExtendedColorType::Rgb8)?;
+        Ok(bytes)
+    }
+}
+
+/// Writes pixels as PNG, atomically.
+fn save_png(
+    path: impl AsRef<Path>,
+    bytes: &[u8],
+    [width, height]: [u32; 2],
+    color: ExtendedColorType,
+) -> Result<()> {
+    write_atomic(path, |writer| write_png(writer, bytes, [width, height], color))
+}
+
+fn write_png(
+    writer: impl io::Write,
+    bytes: &[u8],
+    [width, height]: [u32; 2],
+    color: ExtendedColorType,
+) -> io::Result<()> {
+    PngEncoder::new(writer).write_image(bytes, width, height, color).map_err(|error| match error {
+        ImageError::IoError(error) => error,
+        other => io::Error::other(other),
+    })
+}
+
+/// The nearest of 256 levels to a value of 0 to 1; what lies outside is clamped, and NaN is 0.
+#[must_use]
+pub fn to_8_bit(value: f32) -> u8 {
+    (value.clamp(0.0, 1.0) * 255.0).round() as u8
+}
+
+/// Cuts an image of `width` by `height` pixels into tiles of one side, in batches of whole rows of
+/// tiles: an image of any size is rendered in memory that does not grow with its height.
+///
+/// # Errors
+/// As [`TileBatch::cover`], each batch on its own.
+pub fn bands(
+    camera: usize,
+    [width, height]: [u32; 2],
+    side: u32,
+) -> impl Iterator<Item = Result<TileBatch>> {
+    // A wrong side is for `cover` to tell.
+    let side = side.max(1);
+    let row = u64::from(width.div_ceil(side)) * u64::from(side) * u64::from(side);
+    let rows = (BAND_PIXELS / row.max(1)).clamp(1, u64::from(height.div_ceil(side).max(1)));
+    let step = rows as u32 * side;
+    (0..height.max(1)).step_by(step as usize).map(move |top| {
+        let mut batch = TileBatch::cover(camera, width, step.min(height - top), side)?;
+        for tile in &mut batch.tiles {
+            tile.origin[1] += top as i32;
+        }
+        Ok(batch)
+    })
+}
+
+/// Calls `visit(tile, at, place)` for each pixel of a batch's tiles that lies in an image: the tile's index, the pixel's
+/// in the tile and its in the image, row by row.
+fn visible_pixels(
+    batch: &TileBatch,
+    [width, height]: [u32; 2],
+    mut visit: impl FnMut(usize, usize, usize),
+) {
+    let side = batch.side as usize;
+    for (index, tile) in batch.tiles.iter().enumerate() {
+        let [left, top] = tile.origin.map(i64::from);
+        for y in visible(top, side, height) {
+            for x in visible(left, side, width) {
+                let at = (y - top) as usize * side + (x - left) as usize;
+                visit(index, at, y as usize * width as usize + x as usize);
+            }
+        }
+    }
+}
+
+/// The coordinates inside an image of `size` pixels that a tile covers.
+fn visible(origin: i64, side: usize, size: u32) -> std::ops::Range<i64> {
+    origin.clamp(0, i64::from(size))..(origin + side as i64).clamp(0, i64::from(size))
+}

@@ -1,0 +1,206 @@
+//! Channels beside color as images: 16-bit PNG, or OpenEXR.
+
+use std::io::{self, Cursor};
+use std::path::Path;
+
+use ::image::ExtendedColorType;
+use exr::prelude::{AnyChannel, AnyChannels, Encoding, FlatSamples, SmallVec, WritableImage};
+
+use super::{Image, save_png, to_8_bit, visible_pixels};
+use crate::error::{Error, Result};
+use crate::rendered::{Channel, RenderedTiles};
+use crate::tile::TileBatch;
+use crate::write_atomic;
+use organza_device::memory;
+
+/// Levels of a 16-bit PNG for one unit of depth, unless told otherwise: a level is a thousandth, as in the depth images
+/// that nerfstudio reads.
+pub const PNG_DEPTH_SCALE: f32 = 1000.0;
+
+/// How the images of channels are written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ChannelFormat {
+    /// 16-bit PNG.
+    Png {
+        /// Levels for one world unit of depth, above 0; usually [`PNG_DEPTH_SCALE`].
+        depth_scale: f32,
+    },
+    /// OpenEXR, 32-bit floats: the values as they are.
+    Exr,
+}
+
+impl ChannelFormat {
+    /// `png` or `exr`.
+    #[must_use]
+    pub fn extension(self) -> &'static str {
+        match self {
+            Self::Png { .. } => "png",
+            Self::Exr => "exr",
+        }
+    }
+}
+
+/// A channel of a whole view.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChannelImage {
+    channel: Channel,
+    size: [u32; 2],
+    values: Vec<f32>,
+}
+
+impl ChannelImage {
+    /// An image of zeros.
+    ///
+    /// # Errors
+    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+    pub fn new(channel: Channel, width: u32, height: u32) -> Result<Self> {
+        let pixels = u64::from(width) * u64::from(height);
+        let what = format!("the channel {} of {width} x {height} pixels", channel.name());
+        let len = usize::try_from(pixels * channel.planes() as u64).unwrap_or(usize::MAX);
+        Ok(Self { channel, size: [width, height], values: memory::zeros(len, &what)? })
+    }
+
+    /// Fails where an image cannot be made and written, which may take as much again twice.
+    ///
+    /// # Errors
+    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+    pub fn check_memory(channels: &[Channel], width: u32, height: u32) -> Result<()> {
+        let planes: usize = channels.iter().map(|channel| channel.planes()).sum();
+        let largest = channels.iter().map(|channel| channel.planes()).max().unwrap_or(0);
+        let plane = 4 * u64::from(width) * u64::from(height);
+        let what = format!("the channels of an image of {width} x {height} pixels");
+        Ok(memory::check(plane * (planes + 2 * largest) as u64, &what)?)
+    }
+
+    /// Which channel it shows.
+    #[must_use]
+    pub fn channel(&self) -> Channel {
+        self.channel
+    }
+
+    /// Width and height in pixels.
+    #[must_use]
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// `[planes, height, width]`
+    #[must_use]
+    pub fn values(&self) -> &[f32] {
+        &self.values
+    }
+
+    /// Puts a rendered channel where `batch` has its tiles; what hangs over the edge is cut off.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] where the tiles are not those of the batch, or do not have the channel.
+    pub fn paste(&mut self, batch: &TileBatch, tiles: &RenderedTiles) -> Result<()> {
+        let (area, planes) = ((batch.side * batch.side) as usize, self.channel.planes());
+        let rendered = tiles.channels.get(&self.channel);
+        let rendered = rendered.filter(|values| values.len() == batch.tiles.len() * planes * area);
+        let Some(rendered) = rendered else {
+            let name = self.channel.name();
+            let reason = format!("the rendered tiles do not have the channel {name} of this batch");
+            return Err(Error::Argument { reason });
+        };
+        let pixels = self.size[0] as usize * self.size[1] as usize;
+        visible_pixels(batch, self.size, |tile, at, place| {
+            for plane in 0..planes {
+                self.values[plane * pixels + place] = rendered[(tile * planes + plane) * area + at];
+            }
+        });
+        Ok(())
+    }
+
+    /// Pixels whose depth is more than a 16-bit PNG holds: they get its largest level.
+    #[must_use]
+    pub fn clipped(&self, format: ChannelFormat) -> u64 {
+        match (self.channel, format) {
+            (Channel::Depth, ChannelFormat::Png { depth_scale }) => {
+                let clipped = |depth: &&f32| **depth * depth_scale >= 65_535.5;
+                self.values.iter().filter(clipped).count() as u64
+            }
+            _ => 0,
+        }
+    }
+
+    /// Writes the image, atomically.
+    ///
+    /// - PNG: depth times `depth_scale`; alpha and visibility from 0 to 1; each part of a normal from -1 to 1. Values are
+    ///   clamped, and rounded to the nearest of 65,536 levels. NaN is 0.
+    /// - EXR: the values as they are, as `Y`, or `R`, `G`, `B` of a normal.
+    ///
+    /// # Errors
+    /// [`Error::WriteFile`].
+    pub fn save(&self, path: impl AsRef<Path>, format: ChannelFormat) -> Result<()> {
+        match format {
+            ChannelFormat::Png { depth_scale } => self.save_png(path, depth_scale),
+            ChannelFormat::Exr => self.save_exr(path),
+        }
+    }
+
+    /// The channel as a picture for people: depth from red, `near`, to blue, `far`; alpha and visibility from black, 0, to
+    /// white, 1; each part of a normal from 0, -1, to 255, 1. What no Gaussian covers is black. Depth has Google's color
+    /// map Turbo.
+    #[must_use]
+    pub fn picture(&self, [near, far]: [f32; 2]) -> Image {
+        let pixels = self.values.len() / self.channel.planes();
+        let color = |at: usize| match self.channel {
+            Channel::Depth => match self.values[at] {
+                depth if depth > 0.0 => {
+                    let part = ((depth - near) / (far - near)).clamp(0.0, 1.0);
+                    colorous::TURBO.eval_continuous(1.0 - f64::from(part)).into_array()
+                }
+                _ => [0; 3],
+            },
+            Channel::Alpha | Channel::Visibility => [to_8_bit(self.values[at]); 3],
+            Channel::Normal => match [0, 1, 2].map(|plane| self.values[plane * pixels + at]) {
+                [0.0, 0.0, 0.0] => [0; 3],
+                normal => normal.map(|part| to_8_bit(0.5 * part + 0.5)),
+            },
+        };
+        let colors: Vec<_> = (0..pixels).map(color).collect();
+        Image::of_pixels(self.size, &colors)
+    }
+
+    fn save_png(&self, path: impl AsRef<Path>, depth_scale: f32) -> Result<()> {
+        let planes = self.channel.planes();
+        let pixels = self.values.len() / planes;
+        let level = |value: f32| match self.channel {
+            Channel::Depth => to_16_bit(value * depth_scale / 65_535.0),
+            Channel::Alpha | Channel::Visibility => to_16_bit(value),
+            Channel::Normal => to_16_bit(0.5 * value + 0.5),
+        };
+        let values = (0..pixels).flat_map(|at| (0..planes).map(move |plane| plane * pixels + at));
+        let levels: Vec<u16> = values.map(|at| level(self.values[at])).collect();
+        let color = if planes == 3 { ExtendedColorType::Rgb16 } else { ExtendedColorType::L16 };
+        save_png(path, bytemuck::cast_slice(&levels), self.size, color)
+    }
+
+    fn save_exr(&self, path: impl AsRef<Path>) -> Result<()> {
+        let names: &[&str] = if self.channel.planes() == 3 { &["R", "G", "B"] } else { &["Y"] };
+        let planes = self.values.chunks_exact(self.values.len() / names.len());
+        let channels: SmallVec<_> = names
+            .iter()
+            .zip(planes)
+            .map(|(&name, plane)| AnyChannel::new(name, FlatSamples::F32(plane.to_vec())))
+            .collect();
+        let size = self.size.map(|size| size as usize);
+        let image = exr::image::Image::from_encoded_channels(
+            (size[0], size[1]),
+            Encoding::SMALL_LOSSLESS,
+            AnyChannels::sort(channels),
+        );
+        write_atomic(path, |writer| {
+            // the format begins with where its lines end
+            let mut file = Cursor::new(Vec::new());
+            image.write().non_parallel().to_buffered(&mut file).map_err(io::Error::other)?;
+            writer.write_all(file.get_ref())
+        })
+    }
+}
+
+/// The nearest of 65,536 levels to a value of 0 to 1; what lies outside is clamped, and NaN is 0.
+fn to_16_bit(value: f32) -> u16 {
+    (value.clamp(0.0, 1.0) * 65_535.0).round() as u16
+}

@@ -1,0 +1,153 @@
+use super::*;
+use crate::rendered::Channel;
+use crate::tile::Tile;
+
+/// What a tile shows: a value that tells column, row and channel.
+fn rendered(batch: &TileBatch, value: impl Fn(i32, i32, usize) -> f32) -> RenderedTiles {
+    let side = batch.side as i32;
+    let mut data = Vec::new();
+    for tile in &batch.tiles {
+        for channel in 0..3 {
+            for row in 0..side {
+                for column in 0..side {
+                    data.push(value(tile.origin[0] + column, tile.origin[1] + row, channel));
+                }
+            }
+        }
+    }
+    let (side, count) = (batch.side, batch.tiles.len());
+    RenderedTiles { side, count, data, ..RenderedTiles::default() }
+}
+
+fn gradient(x: i32, y: i32, channel: usize) -> f32 {
+    [x as f32 / 255.0, y as f32 / 255.0, (x ^ y) as f32 / 255.0][channel]
+}
+
+#[test]
+fn an_image_does_not_depend_on_how_it_was_cut() {
+    let (width, height) = (53, 31);
+    let mut images = Vec::new();
+    for side in [1, 7, 16, 31, 53, 64] {
+        let mut image = Image::new(width, height).unwrap();
+        for batch in bands(0, [width, height], side) {
+            let batch = batch.unwrap();
+            image.paste(&batch, &rendered(&batch, gradient)).unwrap();
+        }
+        images.push(image);
+    }
+    assert!(images.iter().all(|image| *image == images[0]));
+    assert_eq!(images[0].pixels()[0], [0, 0, 0]);
+    assert_eq!(images[0].pixels()[17 * 53 + 40], [40, 17, 40 ^ 17]);
+    assert_eq!(images[0].not_finite(), 0);
+}
+
+#[test]
+fn bands_cover_every_pixel_once_whatever_the_size() {
+    let cuts = [([9000, 9000], 512, 3), ([65536, 3], 1, 1), ([1, 65536], 4096, 8), ([1, 1], 64, 1)];
+    for (size, side, expected) in cuts {
+        let mut next = 0;
+        let mut batches = 0;
+        for batch in bands(3, size, side) {
+            let batch = batch.unwrap();
+            let row = size[0].div_ceil(side) as usize;
+            assert_eq!(batch.tiles[0], Tile { camera: 3, origin: [0, next] });
+            next += (batch.tiles.len() / row) as i32 * side as i32;
+            batches += 1;
+        }
+        assert_eq!(next as u32, size[1].next_multiple_of(side));
+        assert_eq!(batches, expected);
+    }
+}
+
+#[test]
+fn bad_sizes_are_errors() {
+    for (size, side) in [([0, 5], 8), ([5, 0], 8), ([5, 5], 10_000)] {
+        assert!(bands(0, size, side).next().unwrap().is_err(), "{size:?} {side}");
+    }
+    let batch = TileBatch::cover(0, 8, 8, 4).unwrap();
+    let mut tiles = rendered(&batch, gradient);
+    tiles.data.pop();
+    assert!(Image::new(8, 8).unwrap().paste(&batch, &tiles).is_err());
+}
+
+#[test]
+fn what_hangs_over_the_edge_is_cut_off() {
+    let origins = [[-2, -3], [100, 0], [0, -100], [3, 2]];
+    let tiles = origins.map(|origin| Tile { camera: 0, origin }).to_vec();
+    let batch = TileBatch { side: 4, tiles };
+    let mut image = Image::new(5, 4).unwrap();
+    image.paste(&batch, &rendered(&batch, |_, _, _| 1.0)).unwrap();
+    let white = |index: &usize| image.pixels()[*index] == [255; 3];
+    assert_eq!((0..20).filter(white).collect::<Vec<_>>(), [0, 1, 13, 14, 18, 19]);
+}
+
+#[test]
+fn values_are_rounded_and_clamped() {
+    let levels = [-1.0, 0.0, 0.49 / 255.0, 0.51 / 255.0, 0.5, 1.0, 2.0, f32::INFINITY, f32::NAN];
+    assert_eq!(levels.map(to_8_bit), [0, 0, 0, 1, 128, 255, 255, 255, 0]);
+    for level in 0..=255 {
+        assert_eq!(to_8_bit(f32::from(level) / 255.0), level);
+    }
+    let batch = TileBatch::cover(0, 4, 4, 4).unwrap();
+    let mut image = Image::new(4, 4).unwrap();
+    let bad = |x, y, _| if x == y { f32::NAN } else { 0.5 };
+    image.paste(&batch, &rendered(&batch, bad)).unwrap();
+    assert_eq!(image.not_finite(), 4);
+}
+
+#[test]
+fn images_are_pasted_and_shrunk() {
+    let mut sheet = Image::new(6, 5).unwrap();
+    let mut white = Image::new(4, 4).unwrap();
+    white.pixels.fill([255; 3]);
+    sheet.paste_image(&white, [4, 3]);
+    sheet.paste_image(&white, [9, 9]);
+    assert_eq!(sheet.pixels().iter().filter(|pixel| pixel[0] == 255).count(), 4);
+    let small = sheet.shrink(2).unwrap();
+    assert_eq!(small.size(), [3, 2]);
+    assert_eq!(
+        small.pixels().iter().map(|pixel| pixel[1]).collect::<Vec<_>>(),
+        [0, 0, 0, 0, 0, 128]
+    );
+    assert_eq!(sheet.shrink(1).unwrap(), sheet);
+}
+
+#[test]
+fn a_png_holds_what_was_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.png");
+    let batch = TileBatch::cover(0, 9, 5, 4).unwrap();
+    let mut image = Image::new(9, 5).unwrap();
+    image.paste(&batch, &rendered(&batch, gradient)).unwrap();
+    image.save_png(&path).unwrap();
+    let read = ::image::open(&path).unwrap().to_rgb8();
+    assert_eq!(read.dimensions(), (9, 5));
+    assert_eq!(read.as_raw().as_slice(), image.pixels().as_flattened());
+}
+
+/// Turbo's ends are those of d3-scale-chromatic, rounded down.
+#[test]
+fn channels_make_pictures() {
+    let of = |channel: Channel, value: fn(i32, i32, usize) -> f32| {
+        let batch = TileBatch::cover(0, 4, 1, 4).unwrap();
+        let mut tiles = rendered(&batch, gradient);
+        let values = (0..channel.planes())
+            .flat_map(|plane| (0..16).map(move |at| value(at % 4, at / 4, plane)));
+        tiles.channels.insert(channel, values.collect());
+        let mut image = ChannelImage::new(channel, 4, 1).unwrap();
+        image.paste(&batch, &tiles).unwrap();
+        image
+    };
+    // 0, 1, 2, 3
+    let depth = of(Channel::Depth, |x, _, _| x as f32);
+    let (red, blue) = ([144, 12, 0], [34, 23, 27]);
+    assert_eq!(depth.picture([1.0, 3.0]).pixels()[0], [0; 3]);
+    assert_eq!(depth.picture([1.0, 3.0]).pixels()[1], red);
+    assert_eq!(depth.picture([1.0, 3.0]).pixels()[3], blue);
+    assert_eq!(depth.picture([2.5, 2.6]).pixels()[2..], [red, blue]);
+    let alpha = of(Channel::Alpha, |x, _, _| x as f32 / 2.0);
+    assert_eq!(alpha.picture([0.0, 1.0]).pixels(), [[0; 3], [128; 3], [255; 3], [255; 3]]);
+    let normal =
+        of(Channel::Normal, |x, _, plane| if x == 3 { 0.0 } else { (plane as i32 - 1) as f32 });
+    assert_eq!(normal.picture([0.0, 1.0]).pixels()[2..], [[0, 128, 255], [0; 3]]);
+}

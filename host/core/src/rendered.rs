@@ -1,0 +1,122 @@
+//! Rendered tiles, and what a pixel can have beside its color.
+
+use std::collections::BTreeMap;
+
+use organza_device::memory;
+
+use crate::error::Result;
+use crate::tile::TileBatch;
+
+/// What a pixel can have beside its color. All are 0 where no Gaussian has a weight. `docs/conventions.md` has the
+/// definitions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Channel {
+    /// The mean of the Gaussians' depths by their weights. A depth is the coordinate of a center along the camera's axis,
+    /// in world units.
+    Depth,
+    /// S of Eq. 12, the sum of the weights. It can be above 1.
+    Alpha,
+    /// The mean of the Gaussians' transmittances T by their weights, 0 to 1.
+    Visibility,
+    /// The sum of the Gaussians' normals by their weights, scaled to length 1: x, y, z in world space. A Gaussian's normal
+    /// is its shortest axis, turned toward the camera.
+    Normal,
+}
+
+impl Channel {
+    /// Every channel.
+    pub const ALL: [Self; 4] = [Self::Depth, Self::Alpha, Self::Visibility, Self::Normal];
+
+    /// Its name: `depth`, `alpha`, `visibility` or `normal`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Depth => "depth",
+            Self::Alpha => "alpha",
+            Self::Visibility => "visibility",
+            Self::Normal => "normal",
+        }
+    }
+
+    /// Values of a pixel: 3 of a normal, 1 of all others.
+    #[must_use]
+    pub fn planes(self) -> usize {
+        if self == Self::Normal { 3 } else { 1 }
+    }
+}
+
+/// A rendered batch, the tensor Y of Eq. 16.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RenderedTiles {
+    /// S, in pixels.
+    pub side: u32,
+    /// K
+    pub count: usize,
+    /// `[K, 3, S, S]`: tile, channel (RGB), row, column.
+    pub data: Vec<f32>,
+    /// `[K, planes, S, S]` of each channel that was asked for.
+    pub channels: BTreeMap<Channel, Vec<f32>>,
+    /// What was done to render it.
+    pub report: RenderReport,
+}
+
+/// What rendering a batch took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct RenderReport {
+    /// Parts that the batch was rendered in.
+    pub parts: usize,
+    /// (Gaussian, camera) pairs whose color and transmittance were evaluated.
+    pub pairs: u64,
+    /// (Gaussian, tile) memberships.
+    pub members: u64,
+    /// Samples of the transmittance network.
+    pub samples: u64,
+    /// (Gaussian, camera) pairs that were culled because they cannot be projected.
+    pub degenerate: u64,
+}
+
+impl RenderedTiles {
+    /// Black tiles, to fill in.
+    ///
+    /// # Errors
+    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+    pub fn zeros(batch: &TileBatch, channels: &[Channel]) -> Result<Self> {
+        let area = (batch.side * batch.side) as usize;
+        let len = |planes: usize| batch.tiles.len() * planes * area;
+        let data = memory::zeros(len(3), "the rendered batch")?;
+        let beside = channels
+            .iter()
+            .map(|&channel| Ok((channel, memory::zeros(len(channel.planes()), channel.name())?)));
+        let channels = beside.collect::<Result<_>>()?;
+        Ok(Self {
+            side: batch.side,
+            count: batch.tiles.len(),
+            data,
+            channels,
+            report: RenderReport::default(),
+        })
+    }
+
+    /// Red, green and blue of a pixel: column `x` and row `y` of a tile. Values can be outside 0 to 1.
+    ///
+    /// # Panics
+    /// Where there is no such tile, or `x` or `y` is not less than the side.
+    #[must_use]
+    pub fn rgb(&self, tile: usize, x: usize, y: usize) -> [f32; 3] {
+        let side = self.side as usize;
+        assert!(x < side && y < side, "a tile has no pixel ({x}, {y}): its side is {side}");
+        let first = tile * 3 * side * side + y * side + x;
+        [0, 1, 2].map(|channel| self.data[first + channel * side * side])
+    }
+}
+
+impl RenderReport {
+    /// Adds what a part took.
+    pub fn add(&mut self, part: &Self) {
+        self.parts += part.parts;
+        self.pairs += part.pairs;
+        self.members += part.members;
+        self.samples += part.samples;
+        self.degenerate += part.degenerate;
+    }
+}

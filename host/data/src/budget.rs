@@ -1,0 +1,99 @@
+//! How much memory decoding may take, all threads together.
+
+use std::sync::{Condvar, Mutex, PoisonError};
+
+use organza_core::error::{DeviceError, Result};
+use organza_device::memory;
+
+/// The part of the memory that is free at the start that decoding may take: threads, and the
+/// allocator, need some too.
+const PART: f64 = 0.75;
+
+/// Bytes to share. A thread that wants more than are left waits for the others.
+#[derive(Debug)]
+pub(super) struct Budget {
+    total: u64,
+    used: Mutex<u64>,
+    returned: Condvar,
+}
+
+/// Bytes of a [`Budget`], given back when dropped.
+#[derive(Debug)]
+pub(super) struct Share<'a> {
+    budget: &'a Budget,
+    bytes: u64,
+}
+
+impl Budget {
+    /// What is free now, but for `results` bytes that are kept.
+    pub fn beside(results: u64) -> Self {
+        let free = memory::available().map(|bytes| bytes.saturating_sub(results));
+        Self::of(free.map_or(u64::MAX, |bytes| (bytes as f64 * PART) as u64))
+    }
+
+    /// Exactly so many bytes.
+    pub fn of(total: u64) -> Self {
+        Self { total, used: Mutex::new(0), returned: Condvar::new() }
+    }
+
+    /// Takes bytes, after waiting for them where others have them.
+    ///
+    /// # Errors
+    /// [`DeviceError::OutOfMemory`] for more than there are in all; `what` says what for.
+    pub fn take(&self, bytes: u64, what: impl FnOnce() -> String) -> Result<Share<'_>> {
+        if bytes > self.total {
+            let (needed, available) = (bytes, Some(self.total));
+            return Err(DeviceError::OutOfMemory { needed, available, what: what() }.into());
+        }
+        let used = self.used.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut used = self
+            .returned
+            .wait_while(used, |used| *used > self.total - bytes)
+            .unwrap_or_else(PoisonError::into_inner);
+        *used += bytes;
+        Ok(Share { budget: self, bytes })
+    }
+}
+
+impl Drop for Share<'_> {
+    fn drop(&mut self) {
+        *self.budget.used.lock().unwrap_or_else(PoisonError::into_inner) -= self.bytes;
+        self.budget.returned.notify_all();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicU64, Ordering};
+    use std::thread;
+
+    use super::*;
+
+    #[test]
+    fn what_cannot_fit_is_refused_at_once() {
+        let budget = Budget::of(10);
+        let _all = budget.take(10, String::new).unwrap();
+        let error = budget.take(11, || "the photograph".to_owned()).unwrap_err().to_string();
+        assert!(error.contains("the photograph needs 11 bytes but 10 bytes are"), "{error}");
+    }
+
+    #[test]
+    fn threads_never_hold_more_than_there_is() {
+        let (budget, held) = (Budget::of(100), AtomicU64::new(0));
+        thread::scope(|scope| {
+            for thread in 0..8 {
+                let (budget, held) = (&budget, &held);
+                scope.spawn(move || {
+                    for round in 0..200 {
+                        let bytes = 1 + (thread * 31 + round * 17) % 100;
+                        let share = budget.take(bytes, String::new).unwrap();
+                        let all = held.fetch_add(bytes, Ordering::SeqCst) + bytes;
+                        assert!(all <= 100, "{all}");
+                        held.fetch_sub(bytes, Ordering::SeqCst);
+                        drop(share);
+                    }
+                });
+            }
+        });
+    }
+}

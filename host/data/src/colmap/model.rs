@@ -1,0 +1,160 @@
+//! COLMAP's camera models and poses in organza's terms.
+
+use glam::{DMat3, DQuat, DVec3};
+
+use super::{Camera, Image};
+use crate::lens::Lens;
+use Parameter::{CenterX, CenterY, D, Focal, FocalX, FocalY, K, P};
+use organza_core::camera::MAX_IMAGE_SIDE;
+
+/// COLMAP's models: their ids are their places in this list. Those that are read have what their parameters are, as COLMAP
+/// orders them.
+const MODELS: [(&str, Option<&[Parameter]>); 16] = [
+    ("SIMPLE_PINHOLE", Some(&[Focal, CenterX, CenterY])),
+    ("PINHOLE", Some(&[FocalX, FocalY, CenterX, CenterY])),
+    ("SIMPLE_RADIAL", Some(&[Focal, CenterX, CenterY, K(0)])),
+    ("RADIAL", Some(&[Focal, CenterX, CenterY, K(0), K(1)])),
+    ("OPENCV", Some(&[FocalX, FocalY, CenterX, CenterY, K(0), K(1), P(0), P(1)])),
+    ("OPENCV_FISHEYE", Some(&[FocalX, FocalY, CenterX, CenterY, K(0), K(1), K(2), K(3)])),
+    (
+        "FULL_OPENCV",
+        Some(&[FocalX, FocalY, CenterX, CenterY, K(0), K(1), P(0), P(1), K(2), D(0), D(1), D(2)]),
+    ),
+    ("FOV", None),
+    ("SIMPLE_RADIAL_FISHEYE", Some(&[Focal, CenterX, CenterY, K(0)])),
+    ("RADIAL_FISHEYE", Some(&[Focal, CenterX, CenterY, K(0), K(1)])),
+    ("THIN_PRISM_FISHEYE", None),
+    ("RAD_TAN_THIN_PRISM_FISHEYE", None),
+    ("SIMPLE_DIVISION", None),
+    ("DIVISION", None),
+    ("SIMPLE_FISHEYE", Some(&[Focal, CenterX, CenterY])),
+    ("FISHEYE", Some(&[FocalX, FocalY, CenterX, CenterY])),
+];
+
+/// A parameter of a camera model.
+#[derive(Clone, Copy)]
+enum Parameter {
+    /// Both focal lengths.
+    Focal,
+    FocalX,
+    FocalY,
+    CenterX,
+    CenterY,
+    /// A radial term: k1 is the first.
+    K(usize),
+    /// A radial term of the denominator: k4 is the first.
+    D(usize),
+    /// A tangential term: p1 is the first.
+    P(usize),
+}
+
+/// A camera without its pose.
+pub(crate) struct Intrinsics {
+    focal: [f64; 2],
+    center: [f64; 2],
+    size: [u32; 2],
+    pub lens: Lens,
+}
+
+/// A camera model that is read.
+#[derive(Clone, Copy)]
+pub(super) struct Lenses {
+    name: &'static str,
+    parameters: &'static [Parameter],
+}
+
+impl Lenses {
+    /// The model of a name, as text files have it.
+    pub fn of_name(name: &str) -> Result<Self, String> {
+        match MODELS.iter().find(|(known, _)| *known == name) {
+            Some(&(name, Some(parameters))) => Ok(Self { name, parameters }),
+            _ => Err(refusal(name)),
+        }
+    }
+
+    /// The model of a number, as binary files have it.
+    pub fn of_id(id: i32) -> Result<Self, String> {
+        let model = usize::try_from(id).ok().and_then(|id| MODELS.get(id));
+        match model {
+            Some((name, _)) => Self::of_name(name),
+            None => Err(refusal(&format!("number {id}"))),
+        }
+    }
+
+    /// The camera of a size and as many values as the model has parameters.
+    pub fn intrinsics(self, size: [u64; 2], values: &[f64]) -> Result<Intrinsics, String> {
+        let side = |side: u64| u32::try_from(side).ok().filter(|side| *side <= MAX_IMAGE_SIDE);
+        let [Some(width), Some(height)] = size.map(side) else {
+            let [width, height] = size;
+            return Err(format!(
+                "the camera has {width} x {height} pixels, expected 1 to {MAX_IMAGE_SIDE} each"
+            ));
+        };
+        if values.len() != self.parameters.len() {
+            let (name, parameters) = (self.name, self.parameters.len());
+            return Err(format!("{name} has {parameters} parameters, not {}", values.len()));
+        }
+        let (mut focal, mut center) = ([0.0; 2], [0.0; 2]);
+        let mut lens = Lens { fisheye: self.name.contains("FISHEYE"), ..Lens::default() };
+        for (parameter, &value) in self.parameters.iter().zip(values) {
+            match *parameter {
+                Focal => focal = [value; 2],
+                FocalX => focal[0] = value,
+                FocalY => focal[1] = value,
+                CenterX => center[0] = value,
+                CenterY => center[1] = value,
+                K(term) => lens.radial[term] = value,
+                D(term) => lens.denominator[term] = value,
+                P(term) => lens.tangential[term] = value,
+            }
+        }
+        if let Some(value) = lens.coefficients().find(|value| !value.is_finite()) {
+            return Err(format!("a distortion coefficient is {value}, expected a finite number"));
+        }
+        Ok(Intrinsics { focal, center, size: [width, height], lens })
+    }
+
+    /// How many parameters it has, 12 at most.
+    pub fn parameters(self) -> usize {
+        self.parameters.len()
+    }
+}
+
+fn refusal(name: &str) -> String {
+    let known = MODELS.iter().filter(|model| model.1.is_some());
+    let known: Vec<_> = known.map(|model| model.0).collect();
+    format!(
+        "the camera model {name} is not supported; those that are read are {}: undistort the \
+         photographs first, with `colmap image_undistorter`",
+        known.join(", ")
+    )
+}
+
+/// The camera of an image. COLMAP maps world to camera and has OpenCV axes; the result maps camera
+/// to world and has OpenGL axes.
+pub(super) fn camera(image: &Image, intrinsics: &Intrinsics) -> Result<Camera, String> {
+    let [w, x, y, z] = image.rotation;
+    let rotation = DQuat::from_xyzw(x, y, z, w);
+    let length = rotation.length();
+    if !(length.is_finite() && length > 1e-6) {
+        return Err(format!("the rotation is {:?}, expected a quaternion", image.rotation));
+    }
+    let to_world = DMat3::from_quat(rotation.normalize()).transpose();
+    let eye = -(to_world * DVec3::from_array(image.translation));
+    let row = |axis: usize| {
+        let [x, y, z] = to_world.row(axis).to_array();
+        [x, -y, -z, eye[axis]]
+    };
+    let Intrinsics { focal, center, size, lens } = intrinsics;
+    Ok(Camera {
+        camera_to_world: [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]],
+        fl_x: focal[0],
+        fl_y: focal[1],
+        cx: center[0],
+        cy: center[1],
+        width: size[0],
+        height: size[1],
+        file_path: Some(image.name.clone()),
+        distorted: !lens.is_pinhole(),
+    })
+}

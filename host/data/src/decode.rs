@@ -1,0 +1,273 @@
+//! Photographs from their files: PNG and JPEG, whole or refused.
+
+use std::io::{BufRead, BufReader, Cursor, Seek};
+use std::path::Path;
+
+use image::error::{ImageFormatHint, UnsupportedError, UnsupportedErrorKind};
+use image::{ColorType, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
+
+use super::budget::{Budget, Share};
+use super::invalid;
+use organza_core::error::{Error, Result};
+use organza_core::input::{open_regular, read_file};
+use organza_device::memory;
+
+/// Bytes a pixel that decoding may take: 8 for the widest pixel (RGBA of 16 bits), or else 3 and
+/// the 16-bit coefficients of a progressive JPEG's four components.
+const BYTES_A_PIXEL: u64 = 3 + 4 * 2;
+/// Rows, tables and a color profile beside the pixels.
+const BYTES_BESIDE: u64 = 1 << 20;
+/// How often a decoder may hold what a file has beside its pixels, such as text.
+const COPIES: u64 = 3;
+/// The most bytes that one byte of a PNG's compressed data becomes.
+const DEFLATE_RATIO: u64 = 1032;
+
+/// A photograph as its file has it.
+pub(super) struct Decoded {
+    width: u32,
+    color: ColorType,
+    pixel_bytes: usize,
+    /// Row by row, channels together.
+    bytes: Vec<u8>,
+}
+
+/// Width and height in pixels of a photograph, from its header.
+pub(super) fn size(path: &Path) -> Result<[u32; 2]> {
+    let (file, length) = open_regular(path)?;
+    // A JPEG's decoder reads the whole file.
+    memory::check(length, "a photograph's file")?;
+    size_from(BufReader::new(file), length, path)
+}
+
+/// [`size`] from what a photograph's file of `length` bytes holds.
+pub(super) fn size_from(source: impl BufRead + Seek, length: u64, path: &Path) -> Result<[u32; 2]> {
+    let reader = reader(source, length, path)?;
+    let (width, height) = reader.into_dimensions().map_err(|error| broken(path, &error))?;
+    Ok([width, height])
+}
+
+/// Whether a photograph has an alpha channel, from its header.
+pub(super) fn has_alpha(path: &Path) -> Result<bool> {
+    let (file, length) = open_regular(path)?;
+    // as for its size
+    memory::check(length, "a photograph's file")?;
+    let reader = ImageReader::new(BufReader::new(file)).with_guessed_format();
+    let reader = reader.map_err(|source| Error::read(path, source))?;
+    let decoder = reader.into_decoder().map_err(|error| broken(path, &error))?;
+    Ok(decoder.color_type().has_alpha())
+}
+
+/// The bytes of a photograph's file that should have `expected` pixels, width and height, and the
+/// share of the budget that decoding them takes, and decoding its mask. Keep it until both are.
+pub(super) fn read<'a>(
+    path: &Path,
+    mask: Option<&Path>,
+    expected: [u32; 2],
+    budget: &'a Budget,
+) -> Result<(Vec<u8>, Share<'a>)> {
+    let (_, length) = open_regular(path)?;
+    let mut needed = bytes_to_decode(length, expected);
+    if let Some(mask) = mask {
+        needed = needed.saturating_add(bytes_to_decode(open_regular(mask)?.1, expected));
+    }
+    // All at once: threads that wait for more while they hold some would wait for each other.
+    let share = budget.take(needed, || {
+        let ([width, height], path) = (expected, path.display());
+        format!("decoding {path} ({width} x {height} pixels)")
+    })?;
+    Ok((read_file(path, length, "a photograph")?, share))
+}
+
+/// The most that decoding a file of `length` bytes takes.
+pub(super) fn bytes_to_decode(length: u64, [width, height]: [u32; 2]) -> u64 {
+    let pixels = BYTES_A_PIXEL * u64::from(width) * u64::from(height);
+    length.saturating_add(bytes_beside(length)).saturating_add(pixels)
+}
+
+/// The most that a decoder holds beside the file and the pixels.
+fn bytes_beside(length: u64) -> u64 {
+    length.saturating_mul(COPIES).saturating_add(BYTES_BESIDE)
+}
+
+/// A reader of a photograph's file of `length` bytes. A profile that would grow beyond its limit, as
+/// a compressed one can to 1032 times its size, is passed over: nothing here needs it.
+fn reader<R: BufRead + Seek>(source: R, length: u64, path: &Path) -> Result<ImageReader<R>> {
+    let reader = ImageReader::new(source).with_guessed_format();
+    let mut reader = reader.map_err(|source| Error::read(path, source))?;
+    let mut limits = Limits::no_limits();
+    limits.max_alloc = Some(bytes_beside(length));
+    reader.limits(limits);
+    Ok(reader)
+}
+
+/// Decodes a photograph that should have `expected` pixels, width and height.
+pub(super) fn decode(bytes: &[u8], expected: [u32; 2], path: &Path) -> Result<Decoded> {
+    let reader = reader(Cursor::new(bytes), bytes.len() as u64, path)?;
+    let is_jpeg = reader.format() == Some(ImageFormat::Jpeg);
+    let decoder = reader.into_decoder().map_err(|error| broken(path, &error))?;
+    let (width, height) = decoder.dimensions();
+    if [width, height] != expected {
+        return wrong_size(path, [width, height], expected);
+    }
+    // The decoder fills what is missing of a JPEG with gray, and says nothing.
+    let is_whole = !is_jpeg || has_jpeg_end(bytes);
+    if !is_whole || (bytes.len() as u64) < fewest_bytes(is_jpeg, expected) {
+        return invalid(path, "the photograph was cut short; copy it again".to_owned());
+    }
+    if !is_jpeg && !has_whole_palette(bytes) {
+        return invalid(path, "the photograph's palette is damaged; copy it again".to_owned());
+    }
+    let color = decoder.color_type();
+    if !is_read(color) {
+        let (hint, kind) = (ImageFormatHint::Unknown, UnsupportedErrorKind::Color(color.into()));
+        let error = UnsupportedError::from_format_and_kind(hint, kind);
+        return Err(broken(path, &ImageError::Unsupported(error)));
+    }
+    let length = usize::try_from(decoder.total_bytes()).unwrap_or(usize::MAX);
+    let mut pixels = memory::zeros::<u8>(length, "a photograph")?;
+    decoder.read_image(&mut pixels).map_err(|error| broken(path, &error))?;
+    let pixel_bytes = usize::from(color.bytes_per_pixel());
+    Ok(Decoded { width, color, pixel_bytes, bytes: pixels })
+}
+
+impl Decoded {
+    /// Whether it has an alpha channel.
+    pub fn has_alpha(&self) -> bool {
+        self.color.has_alpha()
+    }
+
+    /// The colors of all pixels, row by row, if they have 8 bits and no alpha: they are 8-bit colors already.
+    pub fn colors(&self) -> Option<Vec<[u8; 3]>> {
+        match self.color {
+            ColorType::L8 => Some(self.bytes.iter().map(|&gray| [gray; 3]).collect()),
+            ColorType::Rgb8 => Some(self.bytes.as_chunks().0.to_vec()),
+            _ => None,
+        }
+    }
+
+    /// Red, green, blue and alpha of column `x` and row `y`, of 0 to 1.
+    #[inline]
+    pub fn rgba(&self, x: u32, y: u32) -> [f32; 4] {
+        let first = (y as usize * self.width as usize + x as usize) * self.pixel_bytes;
+        let bytes = &self.bytes[first..first + self.pixel_bytes];
+        if self.color.bytes_per_pixel() == self.color.channel_count() {
+            return rgba_of(bytes, |&byte| UNIT[usize::from(byte)]);
+        }
+        let (wide, _) = bytes.as_chunks::<2>();
+        rgba_of(wide, |&bytes| f32::from(u16::from_ne_bytes(bytes)) / 65535.0)
+    }
+}
+
+/// What 8 bits stand for.
+static UNIT: [f32; 256] = {
+    let mut unit = [0.0; 256];
+    let mut byte = 0;
+    while byte < 256 {
+        unit[byte] = byte as f32 / 255.0;
+        byte += 1;
+    }
+    unit
+};
+
+/// A pixel of one to four channels: gray, gray and alpha, color, color and alpha.
+#[inline]
+fn rgba_of<T>(channels: &[T], value: impl Fn(&T) -> f32) -> [f32; 4] {
+    match channels {
+        [gray] => [value(gray), value(gray), value(gray), 1.0],
+        [gray, alpha] => [value(gray), value(gray), value(gray), value(alpha)],
+        [red, green, blue] => [value(red), value(green), value(blue), 1.0],
+        [red, green, blue, alpha] => [value(red), value(green), value(blue), value(alpha)],
+        _ => [0.0; 4],
+    }
+}
+
+/// Whether pixels of this type are read: 8 or 16 bits a channel.
+fn is_read(color: ColorType) -> bool {
+    use ColorType::{L8, L16, La8, La16, Rgb8, Rgb16, Rgba8, Rgba16};
+    matches!(color, L8 | La8 | Rgb8 | Rgba8 | L16 | La16 | Rgb16 | Rgba16)
+}
+
+fn broken(path: &Path, error: &ImageError) -> Error {
+    let reason = format!(
+        "the photograph cannot be decoded ({error}); JPEG and PNG are read: convert it, or copy it \
+         again where it is damaged"
+    );
+    Error::Invalid { origin: path.to_owned(), reason }
+}
+
+fn wrong_size<T>(path: &Path, found: [u32; 2], expected: [u32; 2]) -> Result<T> {
+    let ([width, height], [w, h]) = (found, expected);
+    let [across, down] = [(width, w), (height, h)].map(|(a, b)| f64::from(a) / f64::from(b));
+    let hint = if [height, width] == expected {
+        "was it rotated?"
+    } else if (across - down).abs() < 0.01 * across {
+        "was it resized? Take the original, or scale the camera's intrinsics; `downscale` makes \
+         photographs smaller"
+    } else {
+        "is it the right photograph?"
+    };
+    let reason =
+        format!("the photograph is {width} x {height} pixels, but its camera {w} x {h}; {hint}");
+    invalid(path, reason)
+}
+
+/// The length below which no file of the format holds so many pixels: a block of 8 x 8 has at least
+/// one bit in a JPEG, and a pixel of a PNG one before it is compressed.
+fn fewest_bytes(is_jpeg: bool, [width, height]: [u32; 2]) -> u64 {
+    let [width, height] = [width, height].map(u64::from);
+    match is_jpeg {
+        true => width.div_ceil(8) * height.div_ceil(8) / 8,
+        false => width.div_ceil(8) * height / DEFLATE_RATIO,
+    }
+}
+
+/// Whether a PNG's palette consists of whole colors, 256 at most. The decoder panics on any other.
+fn has_whole_palette(bytes: &[u8]) -> bool {
+    const SIGNATURE: usize = 8;
+    // A chunk is its length, its name, its data and a checksum.
+    let mut rest = bytes.get(SIGNATURE..).unwrap_or_default();
+    while let Some((&[a, b, c, d, ref name @ ..], after)) = rest.split_first_chunk::<8>() {
+        let length = u32::from_be_bytes([a, b, c, d]) as usize;
+        if name == b"PLTE" && (!length.is_multiple_of(3) || length > 256 * 3) {
+            return false;
+        }
+        rest = after.get(length.saturating_add(4)..).unwrap_or_default();
+    }
+    true
+}
+
+/// Whether a JPEG's own end-of-image marker is there. That of a thumbnail does not count.
+fn has_jpeg_end(bytes: &[u8]) -> bool {
+    const END: u8 = 0xd9;
+    // Markers are 0xff and another byte. Not 0xff, which pads, not 0, which escapes, and not those
+    // that stand in the middle of compressed data.
+    let is_marker = |pair: &[u8]| pair[0] == 0xff && !matches!(pair[1], 0 | 1 | 0xd0..=0xd7 | 0xff);
+    let mut rest = bytes.get(2..).unwrap_or_default();
+    while let Some(at) = rest.windows(2).position(is_marker) {
+        if rest[at + 1] == END {
+            return true;
+        }
+        let length = rest
+            .get(at + 2..at + 4)
+            .map_or(0, |pair| usize::from(pair[0]) << 8 | usize::from(pair[1]));
+        // The length counts itself. What is compressed follows the header of a scan, and is
+        // searched for the next marker.
+        rest = rest.get(at + 2 + length..).unwrap_or_default();
+    }
+    false
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use organza_core::image::to_8_bit;
+
+    /// So colors of 8 bits can be copied.
+    #[test]
+    fn eight_bits_stand_for_themselves() {
+        for byte in 0..=255 {
+            assert_eq!(to_8_bit(UNIT[usize::from(byte)]), byte);
+            assert_eq!(UNIT[usize::from(byte)].to_bits(), (f32::from(byte) / 255.0).to_bits());
+        }
+    }
+}

@@ -1,0 +1,228 @@
+//! From a photograph's file to the frame that is trained on: decoded, put in front of the
+//! background, undistorted and downscaled, one photograph at a time.
+
+use std::path::{Path, PathBuf};
+
+use super::budget::Budget;
+use super::fingerprint::Digest;
+use super::lens::{Lens, Undistortion};
+use super::{Alpha, DatasetOptions, Frame, Photograph, decode, invalid};
+use organza_core::camera::Camera;
+use organza_core::error::Result;
+use organza_core::image::to_8_bit;
+use organza_core::input::read_file;
+use organza_device::memory;
+
+/// A photograph that is there, and how it was taken.
+pub(super) struct Shot {
+    /// The photograph's path as the data set writes it.
+    pub name: String,
+    /// Where it was found.
+    pub path: PathBuf,
+    /// Where its mask is, if it has one. What is black in it is not used.
+    pub mask: Option<PathBuf>,
+    /// The camera of the whole photograph.
+    pub camera: Camera,
+    /// What its lens does to the camera's image.
+    pub lens: Lens,
+    /// How many times smaller it is to become.
+    pub factor: u32,
+    /// Whether the frame is kept from training.
+    pub held_out: bool,
+}
+
+impl Shot {
+    /// Reads the photograph; the digest is that of its file and its mask.
+    ///
+    /// # Errors
+    /// [`organza_core::Error::ReadFile`]; [`organza_core::Error::Invalid`] for a photograph or a mask that cannot be
+    /// decoded, is not of the camera's size, or of which no pixel remains;
+    /// [`organza_core::error::DeviceError::OutOfMemory`] for one that does not fit into the budget.
+    pub fn develop(&self, options: &DatasetOptions, budget: &Budget) -> Result<(Frame, Digest)> {
+        let Camera { width, height, .. } = self.camera;
+        let camera = self.smaller_camera()?;
+        let mask = self.mask.as_deref();
+        let (bytes, _share) = decode::read(&self.path, mask, [width, height], budget)?;
+        let mask = mask.map(|path| self.read_mask(path)).transpose()?;
+        let digest = Digest::of(&bytes, mask.as_ref().map(|mask| &*mask.file));
+        let decoded = decode::decode(&bytes, [width, height], &self.path)?;
+        let alpha_hides = options.alpha == Alpha::Mask && decoded.has_alpha();
+        let is_used = |x: u32, y: u32, alpha: f32| {
+            let is_hidden = |mask: &Mask| !mask.used[(y * width + x) as usize];
+            !(alpha_hides && alpha < 0.5 || mask.as_ref().is_some_and(is_hidden))
+        };
+        let background = options.background.color();
+        let over = |[red, green, blue, alpha]: [f32; 4]| {
+            let over = |color: f32, behind: f32| color * alpha + behind * (1.0 - alpha);
+            let [r, g, b] = background;
+            [over(red, r), over(green, g), over(blue, b), alpha]
+        };
+        let texel = |x, y| {
+            let color = decoded.rgba(x, y);
+            is_used(x, y, color[3]).then(|| {
+                if alpha_hides { [color[0], color[1], color[2], 1.0] } else { over(color) }
+            })
+        };
+        let is_whole = self.lens.is_pinhole() && mask.is_none() && !alpha_hides;
+        // what would be resampled to itself is copied
+        let copied = (is_whole && self.factor == 1).then(|| decoded.colors()).flatten();
+        let image = match copied {
+            Some(colors) => Photograph::new([width, height], colors, None)?,
+            None => self.resample(is_whole, texel)?,
+        };
+        if image.valid().is_some_and(|valid| !valid.contains(&true)) {
+            let reason = match &self.mask {
+                _ if alpha_hides => "nothing of the photograph is opaque".to_owned(),
+                Some(mask) => {
+                    format!("nothing of the photograph remains; is {} black?", mask.display())
+                }
+                None => "the lens's coefficients leave no pixel of the photograph; check them"
+                    .to_owned(),
+            };
+            return invalid(&self.path, reason);
+        }
+        Ok((Frame { name: self.name.clone(), camera, image }, digest))
+    }
+
+    /// The camera of the undistorted and downscaled photograph.
+    ///
+    /// # Errors
+    /// [`organza_core::Error::Invalid`] where no pixel is left.
+    pub fn smaller_camera(&self) -> Result<Camera> {
+        let Camera { width, height, .. } = self.camera;
+        if width.min(height) < self.factor {
+            let reason =
+                format!("a downscale of {} leaves nothing of {width} x {height}", self.factor);
+            return invalid(&self.path, format!("{reason} pixels; use a smaller one"));
+        }
+        Ok(Camera { distorted: false, ..self.camera.smaller(self.factor) })
+    }
+
+    fn read_mask(&self, path: &Path) -> Result<Mask> {
+        let size = [self.camera.width, self.camera.height];
+        let file = read_file(path, u64::MAX, "a mask")?;
+        let decoded = decode::decode(&file, size, path)?;
+        let count = size[0] as usize * size[1] as usize;
+        let mut used = memory::zeros::<bool>(count, "a photograph's mask")?;
+        for (index, used) in used.iter_mut().enumerate() {
+            let [red, green, blue, _] =
+                decoded.rgba(index as u32 % size[0], index as u32 / size[0]);
+            *used = red.max(green).max(blue) > 0.0;
+        }
+        Ok(Mask { file, used })
+    }
+
+    /// The undistorted, smaller photograph. `texel` is the color and the alpha of a column and a row of the original, or
+    /// none where a mask hides it; `is_whole` says that no pixel can be missing.
+    fn resample(
+        &self,
+        is_whole: bool,
+        texel: impl Fn(u32, u32) -> Option<[f32; 4]>,
+    ) -> Result<Photograph> {
+        let factor = self.factor;
+        let Camera { width, height, .. } = self.camera.smaller(factor);
+        let count = width as usize * height as usize;
+        let mut pixels = memory::zeros::<[u8; 3]>(count, "a photograph")?;
+        let mut alpha = memory::zeros::<u8>(count, "a photograph's alpha")?;
+        let undistortion =
+            (!self.lens.is_pinhole()).then(|| Undistortion::new(&self.camera, &self.lens));
+        let mut valid = match is_whole {
+            false => memory::zeros(count, "a photograph's mask")?,
+            true => Vec::new(),
+        };
+        let size = [self.camera.width, self.camera.height];
+        let sample = |x: u32, y: u32| match &undistortion {
+            None => texel(x, y),
+            Some(way) => {
+                let source = way.source([f64::from(x) + 0.5, f64::from(y) + 0.5])?;
+                bilinear(source, size, &texel)
+            }
+        };
+        for (index, pixel) in pixels.iter_mut().enumerate() {
+            let (column, row) = (index as u32 % width, index as u32 / width);
+            if let Some(color) = mean([column * factor, row * factor], factor, sample) {
+                let [red, green, blue, opaque] = color.map(to_8_bit);
+                (*pixel, alpha[index]) = ([red, green, blue], opaque);
+                if let Some(valid) = valid.get_mut(index) {
+                    *valid = true;
+                }
+            }
+        }
+        // what is missing is not transparent, it is not known
+        for (alpha, _) in alpha.iter_mut().zip(&valid).filter(|(_, valid)| !**valid) {
+            *alpha = 255;
+        }
+        Photograph::new([width, height], pixels, (!is_whole).then_some(valid))?.with_alpha(alpha)
+    }
+}
+
+/// A mask's file, and whether each pixel of its photograph is used, row by row.
+struct Mask {
+    file: Vec<u8>,
+    used: Vec<bool>,
+}
+
+/// The camera of a photograph that someone made `factor` times smaller, to `size` pixels.
+///
+/// # Errors
+/// What is wrong, if `size` is more than a pixel from that.
+pub(super) fn prepared(camera: &Camera, factor: u32, size: [u32; 2]) -> Result<Camera, String> {
+    let whole = [camera.width, camera.height];
+    let is_near = |axis: usize| {
+        (f64::from(size[axis]) - f64::from(whole[axis]) / f64::from(factor)).abs() < 1.0
+    };
+    if !(is_near(0) && is_near(1)) {
+        let ([width, height], [w, h]) = (size, whole);
+        return Err(format!(
+            "the photograph is {width} x {height} pixels, but one of {w} x {h} should be {factor} times smaller; \
+             make it again, or remove its folder"
+        ));
+    }
+    let [across, down] = [0, 1].map(|axis| f64::from(size[axis]) / f64::from(whole[axis]));
+    Ok(Camera {
+        fl_x: camera.fl_x * across,
+        fl_y: camera.fl_y * down,
+        cx: camera.cx * across,
+        cy: camera.cy * down,
+        width: size[0],
+        height: size[1],
+        ..camera.clone()
+    })
+}
+
+/// The mean of a square of samples; none where one of them is missing.
+pub fn mean<const CHANNELS: usize>(
+    [left, top]: [u32; 2],
+    factor: u32,
+    sample: impl Fn(u32, u32) -> Option<[f32; CHANNELS]>,
+) -> Option<[f32; CHANNELS]> {
+    let mut sum = [0.0; CHANNELS];
+    for y in top..top + factor {
+        for x in left..left + factor {
+            let color = sample(x, y)?;
+            sum.iter_mut().zip(color).for_each(|(sum, value)| *sum += value);
+        }
+    }
+    Some(sum.map(|sum| sum / (factor as f32 * factor as f32)))
+}
+
+/// The color between the centers of pixels; none where one of them is hidden. Up to half a pixel around them, that of
+/// the border.
+fn bilinear(
+    place: [f64; 2],
+    size: [u32; 2],
+    texel: &impl Fn(u32, u32) -> Option<[f32; 4]>,
+) -> Option<[f32; 4]> {
+    let [(x, x_next, x_part), (y, y_next, y_part)] = [0, 1].map(|axis| {
+        let last = size[axis] - 1;
+        let place = (place[axis] - 0.5).clamp(0.0, f64::from(last));
+        let first = place as u32;
+        (first, (first + 1).min(last), (place - f64::from(first)) as f32)
+    });
+    let mix = |a: [f32; 4], b: [f32; 4], part: f32| -> [f32; 4] {
+        std::array::from_fn(|i| a[i] + part * (b[i] - a[i]))
+    };
+    let upper = mix(texel(x, y)?, texel(x_next, y)?, x_part);
+    let lower = mix(texel(x, y_next)?, texel(x_next, y_next)?, x_part);
+    Some(mix(upper, lower, y_part))
+}

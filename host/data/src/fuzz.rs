@@ -1,0 +1,51 @@
+//! The parsers of data sets, on bytes.
+
+use std::io::Cursor;
+use std::path::Path;
+
+use super::budget::Budget;
+use super::find::Found;
+use super::reach::Reach;
+use super::transforms::{Photographs, add_frames};
+use super::{DatasetKind, DatasetOptions, Listing, colmap, decode, ply};
+use organza_core::input::parse_json;
+
+/// The memory that a photograph may take.
+const PHOTOGRAPH_BYTES: u64 = 64 << 20;
+
+/// nerfstudio's and Blender's files, as if every photograph were there.
+pub fn transforms(bytes: &[u8], path: &Path) {
+    let Ok(file) = parse_json(bytes, path) else { return };
+    let photographs = Photographs {
+        find: |folder, name, _, _| {
+            Ok(Found { path: folder.join(name), prepared: false, mask: None })
+        },
+        size: |_| Ok([64, 48]),
+    };
+    let Ok(mut reach) = Reach::of(Path::new("/"), false) else { return };
+    let mut listing = Listing::new(DatasetKind::Nerfstudio);
+    let options = DatasetOptions::default();
+    let _ = add_frames(&file, path, &mut listing, |_| false, &options, &mut reach, &photographs);
+}
+
+/// Each file of a sparse model, binary and text.
+pub fn colmap(bytes: &[u8], path: &Path) {
+    colmap::fuzz(bytes, path);
+}
+
+/// A point cloud.
+pub fn ply(bytes: &[u8], path: &Path) {
+    let _ = ply::read_from(bytes, bytes.len() as u64, path);
+}
+
+/// A photograph whose camera has its size.
+pub fn photograph(bytes: &[u8], path: &Path) {
+    let length = bytes.len() as u64;
+    let Ok(size) = decode::size_from(Cursor::new(bytes), length, path) else { return };
+    let budget = Budget::of(PHOTOGRAPH_BYTES);
+    let needed = decode::bytes_to_decode(length, size);
+    let Ok(_share) = budget.take(needed, String::new) else { return };
+    if let Ok(decoded) = decode::decode(bytes, size, path) {
+        let _ = decoded.rgba(size[0] - 1, size[1] - 1);
+    }
+}

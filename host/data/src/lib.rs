@@ -1,0 +1,389 @@
+//! Photographs with the cameras that took them: what a scene is trained on and measured against.
+//!
+//! Read are nerfstudio's, Blender's (NeRF synthetic) and COLMAP's data sets; see `docs/data.md`.
+
+mod background;
+mod beside;
+mod budget;
+mod colmap;
+mod decode;
+mod develop;
+mod find;
+mod fingerprint;
+pub mod fuzz;
+mod keep;
+mod lens;
+mod options;
+mod photograph;
+pub mod ply;
+mod poses;
+mod reach;
+pub mod sweep;
+#[cfg(test)]
+mod tests;
+mod transforms;
+
+use std::fmt;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+use rayon::prelude::*;
+
+pub use background::{Alpha, Background};
+use budget::Budget;
+use develop::Shot;
+pub use develop::mean;
+use find::Found;
+pub use fingerprint::Fingerprint;
+pub use keep::Keep;
+use lens::Lens;
+pub use options::DatasetOptions;
+use organza_core::camera::Camera;
+use organza_core::error::{Error, Result};
+pub use photograph::Photograph;
+pub use poses::{Pose, Poses, kind_of};
+use reach::Reach;
+
+/// Where a data set came from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DatasetKind {
+    /// nerfstudio's `transforms.json`.
+    Nerfstudio,
+    /// `transforms_train.json` and `transforms_test.json`, as NeRF's synthetic scenes have them.
+    Blender,
+    /// A sparse model of COLMAP.
+    Colmap,
+    /// Frames that a caller made.
+    Generated,
+}
+
+impl fmt::Display for DatasetKind {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Nerfstudio => "nerfstudio",
+            Self::Blender => "Blender",
+            Self::Colmap => "COLMAP",
+            Self::Generated => "generated",
+        })
+    }
+}
+
+/// A photograph and the camera that took it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frame {
+    /// The photograph's path as the data set writes it.
+    pub name: String,
+    /// The pinhole camera that belongs to `image`: undistorted, and of its size.
+    pub camera: Camera,
+    /// The photograph, undistorted and downscaled.
+    pub image: Photograph,
+}
+
+/// A point where training may start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// Where it is, in world units; finite in f32.
+    pub position: [f64; 3],
+    /// Its red, green and blue as sRGB values, where the data set has them.
+    pub color: Option<[u8; 3]>,
+}
+
+/// Photographs with poses.
+///
+/// ```
+/// use organza_core::Camera;
+/// use organza_data::{Dataset, Frame, Photograph};
+///
+/// // photographs of your own: here, gray ones from around the origin
+/// let frames = (0..4_u8).map(|index| {
+///     let angle = f64::from(index);
+///     let eye = [3.0 * angle.cos(), 3.0 * angle.sin(), 1.0];
+///     let camera = Camera::look_at(eye, [0.0; 3], [0.0, 0.0, 1.0], 0.8, [16, 16])?;
+///     let image = Photograph::new([16, 16], vec![[128; 3]; 256], None)?;
+///     Ok(Frame { name: format!("{index}"), camera, image })
+/// });
+/// let dataset = Dataset::from_frames(frames.collect::<organza_core::Result<_>>()?, 4);
+/// assert_eq!((&dataset.train[..], &dataset.held_out[..]), (&[1, 2, 3][..], &[0][..]));
+/// # Ok::<(), organza_core::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Dataset {
+    /// All frames: in the file's order (nerfstudio), those of the train file and then those of the
+    /// test file (Blender), or sorted by name (COLMAP).
+    pub frames: Vec<Frame>,
+    /// Indices into `frames` of those to train on, ascending.
+    pub train: Vec<usize>,
+    /// Indices into `frames` of those held out to measure on, ascending.
+    pub held_out: Vec<usize>,
+    /// The color behind the scene: red, green and blue, 0 to 1.
+    pub background: [f64; 3],
+    /// Points where training may start; empty where the data set has none.
+    pub points: Vec<Point>,
+    /// Photographs that the data set names and that are not there; their frames are left out.
+    pub missing: Vec<PathBuf>,
+    /// How many frames have a mask, a file beside the photograph.
+    pub masked: usize,
+    /// How many photographs were smaller already, in a folder such as `images_2`.
+    pub prepared: usize,
+    /// Files that were read outside the data set's folder, as it names them.
+    pub outside: Vec<PathBuf>,
+    /// The folder of the temporary file that holds the photographs, where they are not in memory.
+    pub kept_in: Option<PathBuf>,
+    /// What it is known by.
+    pub fingerprint: Fingerprint,
+    /// What kind of data set it was.
+    pub kind: DatasetKind,
+    /// What it was read from; empty for frames that a caller made.
+    pub path: PathBuf,
+}
+
+/// A data set before its photographs are read.
+struct Listing {
+    kind: DatasetKind,
+    shots: Vec<Shot>,
+    missing: Vec<PathBuf>,
+    points: Vec<Point>,
+    prepared: usize,
+}
+
+impl Listing {
+    fn new(kind: DatasetKind) -> Self {
+        Self { kind, shots: vec![], missing: vec![], points: vec![], prepared: 0 }
+    }
+
+    /// Adds a photograph that was found; `camera` is that of the whole one, and has its name.
+    fn add(
+        &mut self,
+        Found { path, prepared, mask }: Found,
+        camera: Camera,
+        lens: Lens,
+        held_out: bool,
+        options: &DatasetOptions,
+        reach: &mut Reach,
+    ) -> Result<()> {
+        if let Some(mask) = &mask {
+            reach.check(mask)?;
+        }
+        let (camera, factor) = match prepared {
+            true => {
+                let size = decode::size(&path)?;
+                let smaller = develop::prepared(&camera, options.downscale, size);
+                (smaller.or_else(|reason| invalid(&path, reason))?, 1)
+            }
+            false => (camera, options.downscale),
+        };
+        self.prepared += usize::from(prepared);
+        let name = camera.file_path.clone().unwrap_or_default();
+        self.shots.push(Shot { name, path, mask, camera, lens, factor, held_out });
+        Ok(())
+    }
+}
+
+impl Dataset {
+    /// Reads a data set: a folder, or a `transforms.json` itself. Of a folder the first of these
+    /// counts: `transforms.json`, `transforms_train.json`, a sparse model of COLMAP in `sparse/0`,
+    /// `sparse`, `colmap/sparse/0` or the folder itself.
+    ///
+    /// A photograph that is not there is listed in `missing`, and its frame left out. Which frames
+    /// are held out does not depend on that: missing ones are counted too.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] for options out of range; [`Error::ReadFile`], [`Error::BadJson`],
+    /// [`Error::Invalid`] or [`Error::Camera`] for what is damaged, unknown or not supported;
+    /// [`Error::Invalid`] where no frame is left to train on, or where a file is outside the data
+    /// set's folder and must not be; [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
+    pub fn load(path: impl AsRef<Path>, options: &DatasetOptions) -> Result<Self> {
+        Self::load_with_progress(path, options, &mut |_, _| {})
+    }
+
+    /// As [`Dataset::load`]; calls `progress` with the number of photographs that are done, and of all. The first
+    /// call is before the first photograph.
+    ///
+    /// # Errors
+    /// As [`Dataset::load`].
+    pub fn load_with_progress(
+        path: impl AsRef<Path>,
+        options: &DatasetOptions,
+        progress: &mut (dyn FnMut(usize, usize) + Send),
+    ) -> Result<Self> {
+        Poses::load(path.as_ref(), options)?.photographs(progress)
+    }
+
+    fn develop(poses: Poses, progress: &mut (dyn FnMut(usize, usize) + Send)) -> Result<Self> {
+        let background = poses.background()?;
+        let Poses { missing, outside, kind, path, listing, options, is_part, .. } = poses;
+        let Listing { points, shots, prepared, .. } = listing;
+        let options = DatasetOptions { background: Background::Color(background), ..options };
+        let count = shots.len();
+        let bytes = bytes_of(&shots);
+        // before hours of reading
+        let store = options.keep.store(bytes)?;
+        let budget = Budget::beside(if store.is_some() { 0 } else { bytes });
+        progress(0, count);
+        let progress = Mutex::new((0, progress));
+        let develop = |shot: &Shot| {
+            let (mut frame, digest) = shot.develop(&options, &budget)?;
+            if let Some(store) = &store {
+                frame.image = frame.image.moved(store)?;
+            }
+            let mut progress = progress.lock().unwrap_or_else(PoisonError::into_inner);
+            progress.0 += 1;
+            let done = progress.0;
+            (progress.1)(done, count);
+            Ok((frame, digest))
+        };
+        let developed = shots.par_iter().map(develop).collect::<Result<Vec<_>>>()?;
+        let (frames, digests): (Vec<_>, Vec<_>) = developed.into_iter().unzip();
+        let (held_out, train): (Vec<_>, Vec<_>) =
+            (0..count).partition(|&index| shots[index].held_out);
+        if train.is_empty() && !is_part {
+            let reason = format!(
+                "all {count} photographs that are there are held out, so none is left to train on; \
+                 add photographs, or hold none out"
+            );
+            return invalid(&path, reason);
+        }
+        let masked = shots.iter().filter(|shot| shot.mask.is_some()).count();
+        let known = shots.iter().map(|shot| (&*shot.name, &shot.camera, shot.lens, shot.held_out));
+        let fingerprint = Fingerprint::of(known, &digests, &points);
+        let background = background.map(f64::from);
+        Ok(Self {
+            frames,
+            train,
+            held_out,
+            background,
+            points,
+            missing,
+            masked,
+            prepared,
+            outside,
+            kept_in: store.map(|store| store.folder().to_owned()),
+            fingerprint,
+            kind,
+            path,
+        })
+    }
+
+    /// The frames to train on.
+    pub fn train_frames(&self) -> impl ExactSizeIterator<Item = &Frame> {
+        self.train.iter().map(|&index| &self.frames[index])
+    }
+
+    /// The frames that are held out to measure on.
+    pub fn held_out_frames(&self) -> impl ExactSizeIterator<Item = &Frame> {
+        self.held_out.iter().map(|&index| &self.frames[index])
+    }
+
+    /// A data set of frames that were not read from files, on a black background. Every `hold_out_every`-th
+    /// frame is held out, beginning with the first; 0 holds none out.
+    #[must_use]
+    pub fn from_frames(frames: Vec<Frame>, hold_out_every: usize) -> Self {
+        let (held_out, train) =
+            (0..frames.len()).partition(|&index| is_held_out(index, hold_out_every));
+        let known = frames.iter().enumerate().map(|(index, frame)| {
+            let held_out = is_held_out(index, hold_out_every);
+            (&*frame.name, &frame.camera, Lens::default(), held_out)
+        });
+        let fingerprint = Fingerprint::of(known, &[], &[]);
+        Self {
+            frames,
+            train,
+            held_out,
+            background: [0.0; 3],
+            points: Vec::new(),
+            missing: Vec::new(),
+            masked: 0,
+            prepared: 0,
+            outside: Vec::new(),
+            kept_in: None,
+            fingerprint,
+            kind: DatasetKind::Generated,
+            path: PathBuf::new(),
+        }
+    }
+}
+
+/// Whether the frame at a position of the data set's order is held out.
+pub fn is_held_out(position: usize, every: usize) -> bool {
+    // No number but 0 is a multiple of 0, and with 0 not even the first frame is held out.
+    every != 0 && position.is_multiple_of(every)
+}
+
+/// What a folder has that is a data set.
+enum Layout {
+    Nerfstudio(PathBuf),
+    Blender(PathBuf),
+    Colmap(colmap::Model),
+}
+
+impl Layout {
+    /// That of a folder.
+    fn of(folder: &Path) -> Option<Self> {
+        let file = |name: &str| Some(folder.join(name)).filter(|path| path.exists());
+        file(transforms::NERFSTUDIO)
+            .map(Self::Nerfstudio)
+            .or_else(|| file(transforms::BLENDER_TRAIN).map(Self::Blender))
+            .or_else(|| colmap::find(folder).map(Self::Colmap))
+    }
+}
+
+/// Finds out what kind of data set a path is, and what it holds.
+fn list(path: &Path, options: &DatasetOptions, reach: &mut Reach) -> Result<Listing> {
+    if !path.is_dir() {
+        let is_blender = path.file_name().is_some_and(|name| name == transforms::BLENDER_TRAIN);
+        return if is_blender {
+            transforms::blender(path, options, reach)
+        } else {
+            transforms::nerfstudio(path, options, reach)
+        };
+    }
+    match Layout::of(path) {
+        Some(Layout::Nerfstudio(file)) => transforms::nerfstudio(&file, options, reach),
+        Some(Layout::Blender(file)) => transforms::blender(&file, options, reach),
+        Some(Layout::Colmap(model)) => colmap::list(path, &model, options, reach),
+        None => {
+            let hint = hint(path).unwrap_or_default();
+            let reason = format!(
+                "no data set was found here; looked for transforms.json (nerfstudio), \
+                 transforms_train.json (Blender), and cameras.bin or cameras.txt of a sparse model (COLMAP) in \
+                 sparse/0, sparse, colmap/sparse/0 and the folder itself{hint}"
+            );
+            invalid(path, reason)
+        }
+    }
+}
+
+/// Where else to look, if a folder has no data set or no photographs: COLMAP's dense workspace, a folder within, or
+/// smaller photographs.
+fn hint(path: &Path) -> Option<String> {
+    if !path.is_dir() {
+        return None;
+    }
+    let mut folders: Vec<_> =
+        fs::read_dir(path).ok()?.flatten().map(|entry| entry.path()).collect();
+    folders.retain(|path| path.is_dir());
+    folders.sort();
+    let name = |path: &Path| path.file_name().and_then(|name| name.to_str()).map(str::to_owned);
+    let factor = |path: &PathBuf| name(path)?.strip_prefix("images_")?.parse::<u32>().ok();
+    if let Some(factor) = folders.iter().find_map(factor) {
+        return Some(format!("; images_{factor} is there: use it with `--downscale {factor}`"));
+    }
+    let dense = ["dense/0", "dense"].map(|name| path.join(name));
+    let nested = dense.into_iter().chain(folders).find(|folder| Layout::of(folder).is_some())?;
+    Some(format!("; {} is a data set", nested.display()))
+}
+
+/// The bytes that the photographs will take at most.
+fn bytes_of(shots: &[Shot]) -> u64 {
+    let pixels = |shot: &Shot| {
+        let side = |side: u32| u64::from(side / shot.factor);
+        side(shot.camera.width) * side(shot.camera.height)
+    };
+    shots.iter().map(pixels).sum::<u64>() * size_of::<([u8; 3], bool, u8)>() as u64
+}
+
+fn invalid<T>(origin: &Path, reason: String) -> Result<T> {
+    Err(Error::Invalid { origin: origin.to_owned(), reason })
+}

@@ -1,0 +1,148 @@
+//! The pixels of a photograph, and which of them the lens has seen.
+
+use super::keep::{Kept, Store};
+use organza_core::error::{Error, Result};
+use organza_core::image::Image;
+
+/// An image of 8-bit red, green and blue as sRGB values.
+///
+/// Undistorting may leave pixels that no pixel of the photograph belongs to: these are not valid,
+/// and nothing may be learned from them or measured on them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Photograph {
+    width: u32,
+    height: u32,
+    /// Row by row.
+    pixels: Kept<[u8; 3]>,
+    /// Row by row; none where all are valid.
+    valid: Option<Kept<bool>>,
+    /// Row by row; none where all are opaque.
+    alpha: Option<Kept<u8>>,
+}
+
+impl Photograph {
+    /// A photograph of `[width, height]` pixels, row by row. `valid` has as many values as there
+    /// are pixels; without it every pixel is valid.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] where the lengths are not those of the size.
+    pub fn new(
+        [width, height]: [u32; 2],
+        pixels: Vec<[u8; 3]>,
+        valid: Option<Vec<bool>>,
+    ) -> Result<Self> {
+        let count = u64::from(width) * u64::from(height);
+        let lengths = [Some(pixels.len()), valid.as_ref().map(Vec::len)];
+        if let Some(length) = lengths.into_iter().flatten().find(|&len| len as u64 != count) {
+            let reason =
+                format!("a photograph of {width} x {height} has {count} pixels, not {length}");
+            return Err(Error::Argument { reason });
+        }
+        let valid = valid.filter(|valid| valid.contains(&false)).map(Kept::from);
+        Ok(Self { width, height, pixels: pixels.into(), valid, alpha: None })
+    }
+
+    /// With the alpha of every pixel, row by row, of 0 to 255; the background is in its pixels already.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] where the length is not that of the size.
+    pub fn with_alpha(mut self, alpha: Vec<u8>) -> Result<Self> {
+        let count = self.pixels.len();
+        if alpha.len() != count {
+            let reason = format!("a photograph of {count} pixels has {} of alpha", alpha.len());
+            return Err(Error::Argument { reason });
+        }
+        self.alpha = alpha.iter().any(|&alpha| alpha < 255).then_some(alpha.into());
+        Ok(self)
+    }
+
+    /// The same photograph, kept in a store.
+    ///
+    /// # Errors
+    /// As [`Store::keep`].
+    pub(super) fn moved(self, store: &Store) -> Result<Self> {
+        let Self { width, height, pixels, valid, alpha } = self;
+        let pixels = pixels.moved(store)?;
+        let valid = valid.map(|valid| valid.moved(store)).transpose()?;
+        let alpha = alpha.map(|alpha| alpha.moved(store)).transpose()?;
+        Ok(Self { width, height, pixels, valid, alpha })
+    }
+
+    /// Width in pixels.
+    #[must_use]
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Height in pixels.
+    #[must_use]
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// Red, green and blue of every pixel, row by row. Those that are not valid are black.
+    #[must_use]
+    pub fn pixels(&self) -> &[[u8; 3]] {
+        &self.pixels
+    }
+
+    /// Whether each pixel is valid, row by row; none where all are.
+    #[must_use]
+    pub fn valid(&self) -> Option<&[bool]> {
+        self.valid.as_deref()
+    }
+
+    /// Whether every pixel is valid.
+    #[must_use]
+    pub fn all_valid(&self) -> bool {
+        self.valid.is_none()
+    }
+
+    /// Whether the pixel of column `x` and row `y` is valid.
+    ///
+    /// # Panics
+    /// Where the pixel is outside the photograph.
+    #[must_use]
+    pub fn is_valid(&self, x: u32, y: u32) -> bool {
+        let index = self.index(x, y);
+        self.valid.as_ref().is_none_or(|valid| valid[index])
+    }
+
+    /// Red, green and blue of column `x` and row `y`, of 0 to 1.
+    ///
+    /// # Panics
+    /// Where the pixel is outside the photograph.
+    #[must_use]
+    pub fn color(&self, x: u32, y: u32) -> [f32; 3] {
+        self.pixels[self.index(x, y)].map(|value| f32::from(value) / 255.0)
+    }
+
+    /// How opaque the photograph's file says that column `x` and row `y` is, 0 to 1.
+    ///
+    /// # Panics
+    /// Where the pixel is outside the photograph.
+    #[must_use]
+    pub fn alpha(&self, x: u32, y: u32) -> f32 {
+        let index = self.index(x, y);
+        self.alpha.as_ref().map_or(1.0, |alpha| f32::from(alpha[index]) / 255.0)
+    }
+
+    /// Whether every pixel is opaque.
+    #[must_use]
+    pub fn is_opaque(&self) -> bool {
+        self.alpha.is_none()
+    }
+
+    fn index(&self, x: u32, y: u32) -> usize {
+        assert!(x < self.width && y < self.height, "pixel {x},{y} is outside the photograph");
+        y as usize * self.width as usize + x as usize
+    }
+}
+
+/// An image that was rendered, all of it valid.
+impl From<&Image> for Photograph {
+    fn from(image: &Image) -> Self {
+        let [width, height] = image.size();
+        Self { width, height, pixels: image.pixels().to_vec().into(), valid: None, alpha: None }
+    }
+}

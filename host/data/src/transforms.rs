@@ -1,0 +1,167 @@
+//! nerfstudio's `transforms.json`, and Blender's pair of them.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use super::find::{self, Found};
+use super::lens::Lens;
+use super::reach::Reach;
+use super::{DatasetKind, DatasetOptions, Listing, beside, decode, invalid, is_held_out, ply};
+use organza_core::camera::parse::{PERSPECTIVE_MODELS, PINHOLE_MODELS, Source, frames};
+use organza_core::camera::{Camera, camera_error};
+use organza_core::error::Result;
+use organza_core::input::{kind, read_json};
+
+/// The file by which nerfstudio's data sets are known.
+pub(super) const NERFSTUDIO: &str = "transforms.json";
+/// The file by which Blender's data sets are known.
+pub(super) const BLENDER_TRAIN: &str = "transforms_train.json";
+const BLENDER_TEST: &str = "transforms_test.json";
+/// The lens of nerfstudio's fisheyes, which instant-ngp writes as `is_fisheye`.
+const FISHEYE: &str = "OPENCV_FISHEYE";
+
+/// How a data set's photographs are found and measured.
+pub(super) struct Photographs {
+    /// See [`find::photograph`].
+    pub find: fn(&Path, &str, Option<&str>, u32) -> Result<Found, PathBuf>,
+    /// Its width and height in pixels.
+    pub size: fn(&Path) -> Result<[u32; 2]>,
+}
+
+const ON_DISK: Photographs = Photographs { find: find::photograph, size: decode::size };
+
+/// What nerfstudio's file at `path` holds.
+pub(super) fn nerfstudio(
+    path: &Path,
+    options: &DatasetOptions,
+    reach: &mut Reach,
+) -> Result<Listing> {
+    let mut listing = Listing::new(DatasetKind::Nerfstudio);
+    let file = read_json(path)?;
+    let held_out = |position| is_held_out(position, options.hold_out_every);
+    add_frames(&file, path, &mut listing, held_out, options, reach, &ON_DISK)?;
+    listing.points = match file.get("ply_file_path") {
+        None | Some(Value::Null) => beside::points(folder(path), &listing, options, reach)?,
+        Some(Value::String(points)) => {
+            let points = folder(path).join(points);
+            reach.check(&points)?;
+            ply::read(&points)?
+        }
+        Some(other) => {
+            let reason = format!("`ply_file_path` is {}, expected a path", kind(other));
+            return invalid(path, reason);
+        }
+    };
+    Ok(listing)
+}
+
+/// What Blender's files hold; `train` is the first of them.
+pub(super) fn blender(
+    train: &Path,
+    options: &DatasetOptions,
+    reach: &mut Reach,
+) -> Result<Listing> {
+    let mut listing = Listing::new(DatasetKind::Blender);
+    let test = train.with_file_name(BLENDER_TEST);
+    let has_test = test.exists();
+    let held_out = |position| !has_test && is_held_out(position, options.hold_out_every);
+    add_frames(&read_json(train)?, train, &mut listing, held_out, options, reach, &ON_DISK)?;
+    if has_test {
+        add_frames(&read_json(&test)?, &test, &mut listing, |_| true, options, reach, &ON_DISK)?;
+    }
+    Ok(listing)
+}
+
+/// Adds the frames of a file at `path` to a listing; `held_out` decides by the position in the file.
+pub(super) fn add_frames(
+    file: &Value,
+    path: &Path,
+    listing: &mut Listing,
+    held_out: impl Fn(usize) -> bool,
+    options: &DatasetOptions,
+    reach: &mut Reach,
+    photographs: &Photographs,
+) -> Result<()> {
+    for (index, frame) in frames(file, path)?.iter().enumerate() {
+        let name = name(frame).map_err(|reason| camera_error(path, index, reason))?;
+        let mask = mask(frame).map_err(|reason| camera_error(path, index, reason))?;
+        let mut source = Source { file, frame, size: None };
+        let has_size = source.get("w").is_some() && source.get("h").is_some();
+        // A smaller photograph's camera is known by the size of the whole one.
+        let downscale = if has_size { options.downscale } else { 1 };
+        let found = match (photographs.find)(folder(path), name, mask, downscale) {
+            Ok(found) => found,
+            Err(expected) => {
+                listing.missing.push(expected);
+                continue;
+            }
+        };
+        reach.check(&found.path)?;
+        // Blender's files leave it to the photographs how large they are.
+        if !has_size {
+            source.size = Some((photographs.size)(&found.path)?);
+        }
+        let camera = source.valid_camera(index, path)?;
+        let lens = lens(&source).map_err(|reason| camera_error(path, index, reason))?;
+        let camera = Camera { file_path: Some(name.to_owned()), ..camera };
+        listing.add(found, camera, lens, held_out(index), options, reach)?;
+    }
+    Ok(())
+}
+
+/// The path of a frame's mask.
+fn mask(frame: &Value) -> Result<Option<&str>, String> {
+    match frame.get("mask_path") {
+        None | Some(Value::Null) => Ok(None),
+        Some(Value::String(mask)) if !mask.is_empty() => Ok(Some(mask)),
+        Some(other) => Err(format!("`mask_path` is {}, expected a path", kind(other))),
+    }
+}
+
+fn name(frame: &Value) -> Result<&str, String> {
+    match frame.get("file_path") {
+        Some(Value::String(name)) if !name.is_empty() => Ok(name),
+        Some(Value::String(_)) => Err("`file_path` is empty, expected a photograph's path".into()),
+        Some(other) => Err(format!("`file_path` is {}, expected a path", kind(other))),
+        None => Err("`file_path` is missing; a frame names its photograph with it".into()),
+    }
+}
+
+/// What a frame says about its lens.
+fn lens(source: &Source<'_>) -> Result<Lens, String> {
+    let is_fisheye = source.get("is_fisheye").and_then(Value::as_bool) == Some(true);
+    let fisheye = match source.get("camera_model") {
+        None => is_fisheye,
+        Some(Value::String(model)) if PINHOLE_MODELS.contains(&model.as_str()) => {
+            return Ok(Lens::default());
+        }
+        Some(Value::String(model)) if PERSPECTIVE_MODELS.contains(&model.as_str()) => is_fisheye,
+        Some(Value::String(model)) if model == FISHEYE => true,
+        Some(Value::String(model)) => {
+            return Err(format!(
+                "the camera model {model} is not supported; the models that are read are {} and \
+                 {FISHEYE}: undistort the photographs first, and describe them as PINHOLE",
+                PERSPECTIVE_MODELS.join(", ")
+            ));
+        }
+        Some(other) => return Err(format!("`camera_model` is {}, expected a name", kind(other))),
+    };
+    let value = |key| Ok::<f64, String>(source.number(key)?.unwrap_or_default());
+    let (k3, k4, k5, k6) = (value("k3")?, value("k4")?, value("k5")?, value("k6")?);
+    // OpenCV divides by what k4 is part of. For nerfstudio's other models, k4 is one term more.
+    let is_full = source.get("camera_model").and_then(Value::as_str) == Some("FULL_OPENCV");
+    let (k4, denominator) = if is_full { (0.0, [k4, k5, k6]) } else { (k4, [0.0; 3]) };
+    let tangential = if fisheye { [0.0; 2] } else { [value("p1")?, value("p2")?] };
+    Ok(Lens { fisheye, radial: [value("k1")?, value("k2")?, k3, k4], denominator, tangential })
+}
+
+fn folder(path: &Path) -> &Path {
+    path.parent().unwrap_or(Path::new(""))
+}
+
+/// What a file says about the lens of a frame that says nothing.
+#[cfg(test)]
+pub(super) fn lens_of(file: &Value) -> Result<Lens, String> {
+    lens(&Source { file, frame: &Value::Null, size: None })
+}

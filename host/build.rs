@@ -53,7 +53,7 @@ fn named(commit: &str, is_modified: bool) -> String {
     format!("{commit}{}", if is_modified { "-modified" } else { "" })
 }
 
-/// What git prints; none where it fails or is not there.
+/// What git prints; `None` if it fails or is not there.
 fn git(folder: &Path, words: &[&str]) -> Option<String> {
     let output = Command::new("git").arg("-C").arg(folder).args(words).output().ok()?;
     let text = String::from_utf8(output.stdout).ok()?;

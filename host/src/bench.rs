@@ -51,9 +51,9 @@ pub struct Benchmark {
     /// From the scene on the device to the tiles on the host.
     pub forward_s: f64,
     /// From the scene on the device to the gradients of all its tensors on the device, for dLoss/dY = 1 at every value;
-    /// none where that was not measured.
+    /// `None` if that was not measured.
     pub forward_backward_s: Option<f64>,
-    /// The most memory that the process held until forward was measured, in bytes; none where the system does not say.
+    /// The most memory that the process held until forward was measured, in bytes; `None` if the system does not say.
     pub forward_peak_memory_bytes: Option<u64>,
     /// The same until the end.
     pub peak_memory_bytes: Option<u64>,
@@ -79,9 +79,9 @@ pub struct KernelShare {
     pub seconds: f64,
     /// `seconds` as a part of the same of all kernels together, 0 to 1.
     pub share: f64,
-    /// Billions of floating-point operations a second, as [`Work`] counts them; none where it does not.
+    /// Billions of floating-point operations a second, as [`Work`] counts them; `None` if it does not.
     pub gflops: Option<f64>,
-    /// Billions of bytes a second, as [`Work`] counts them; none where it does not.
+    /// Billions of bytes a second, as [`Work`] counts them; `None` if it does not.
     pub gbs: Option<f64>,
     /// The larger of the shares of the device's two peaks. What stays in caches may pass 1.
     pub peak_share: Option<f64>,
@@ -99,7 +99,7 @@ impl KernelShare {
 /// Measures a batch. Calls `progress` after every pass, of which there are [`passes`].
 ///
 /// # Errors
-/// As [`Renderer::render`] and [`Renderer::gradient`].
+/// Like [`Renderer::render`] and [`Renderer::gradient`].
 pub fn measure(
     renderer: &Renderer,
     scene: &DeviceScene,

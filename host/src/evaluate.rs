@@ -62,7 +62,7 @@ pub struct ViewScore {
 /// The scores of some frames. As JSON: `{"mean": {"psnr", "ssim"}, "views": [{"name", "psnr", "ssim"}, ...]}`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Evaluation {
-    /// The means over the views that have the value; none where no view has.
+    /// The means over the views that have the value; `None` if no view has.
     pub mean: Score,
     /// The frames, in the order they were given.
     pub views: Vec<ViewScore>,
@@ -117,15 +117,15 @@ fn tiles(frames: &[&Frame]) -> usize {
 /// ```
 ///
 /// # Errors
-/// [`Error::Argument`] where a photograph does not have its camera's size; else as [`Renderer::render`].
+/// [`Error::Argument`] if a photograph does not have its camera's size; else as [`Renderer::render`].
 pub fn evaluate(renderer: &Renderer, scene: &DeviceScene, frames: &[&Frame]) -> Result<Evaluation> {
     evaluate_with(renderer, scene, frames, &mut |_| {})
 }
 
-/// As [`evaluate`]; calls `watch` with what happens.
+/// Like [`evaluate`]; calls `watch` with what happens.
 ///
 /// # Errors
-/// As [`evaluate`].
+/// The same errors as [`evaluate`].
 pub fn evaluate_with(
     renderer: &Renderer,
     scene: &DeviceScene,
@@ -135,10 +135,10 @@ pub fn evaluate_with(
     evaluate_measures(renderer, scene, frames, Measures::default(), watch)
 }
 
-/// As [`evaluate_with`]; also measures what `measures` asks for.
+/// Like [`evaluate_with`]; also measures what `measures` asks for.
 ///
 /// # Errors
-/// As [`evaluate`].
+/// The same errors as [`evaluate`].
 pub fn evaluate_measures(
     renderer: &Renderer,
     scene: &DeviceScene,
@@ -166,7 +166,7 @@ pub fn evaluate_measures(
     Ok(Evaluation { mean: mean(&views), views, not_finite })
 }
 
-/// As [`evaluate`], of one frame, with a scene whose Gaussians are dealt to ranks: all of them call this.
+/// Like [`evaluate`], of one frame, with a scene whose Gaussians are dealt to ranks: all of them call this.
 pub(crate) fn evaluate_share(
     renderer: &Renderer,
     share: &DeviceShare,
@@ -247,7 +247,7 @@ impl Rendered {
         Ok(rendered)
     }
 
-    /// As [`Image::paste`], without rounding.
+    /// Like [`Image::paste`], without rounding.
     fn paste(&mut self, batch: &TileBatch, tiles: &RenderedTiles) {
         let [width, height] = self.image.size().map(|size| size as usize);
         let side = batch.side as usize;

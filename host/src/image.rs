@@ -97,7 +97,7 @@ impl Image {
     /// of a tile does not matter.
     ///
     /// # Errors
-    /// [`Error::Argument`] where the tiles are not those of the batch.
+    /// [`Error::Argument`] if the tiles are not those of the batch.
     pub fn paste(&mut self, batch: &TileBatch, tiles: &RenderedTiles) -> Result<()> {
         let side = batch.side as usize;
         let values = batch.output_shape().iter().product::<usize>();
@@ -204,7 +204,7 @@ pub fn to_8_bit(value: f32) -> u8 {
 /// tiles: an image of any size is rendered in memory that does not grow with its height.
 ///
 /// # Errors
-/// As [`TileBatch::cover`], each batch on its own.
+/// The same errors as [`TileBatch::cover`], each batch on its own.
 pub fn bands(
     camera: usize,
     [width, height]: [u32; 2],

@@ -90,7 +90,7 @@ pub static MODULES: Modules = organza_device::modules!();
 /// `NODEVICE_SELECT=1` in its environment does not load the layer; the program `organza` sets that for itself.
 ///
 /// # Errors
-/// [`DeviceError::NoGpu`](error::DeviceError::NoGpu) where a GPU was demanded and none can be used.
+/// [`DeviceError::NoGpu`](error::DeviceError::NoGpu) if a GPU was demanded and none can be used.
 pub fn open_device(options: &DeviceOptions) -> Result<Device> {
     Ok(Device::open(options, &MODULES)?)
 }

@@ -37,7 +37,7 @@ impl RenderedTiles {
     /// Y `[K, 3, S, S]`: tile, channel, row, column.
     ///
     /// # Panics
-    /// Where the number of values is not that of `count` tiles of side `side`.
+    /// If the number of values is not that of `count` tiles of side `side`.
     #[must_use]
     pub fn array(&self) -> ArrayView4<'_, f32> {
         let side = self.side as usize;
@@ -62,10 +62,10 @@ impl TryFrom<Array4<f32>> for RenderedTiles {
 }
 
 impl Renderer {
-    /// As [`Renderer::gradient`], with dLoss/dY `[K, 3, S, S]` in an array.
+    /// Like [`Renderer::gradient`], with dLoss/dY `[K, 3, S, S]` in an array.
     ///
     /// # Errors
-    /// As [`Renderer::gradient`]; [`Error::Argument`] where the array has another shape than the batch.
+    /// The same errors as [`Renderer::gradient`]; [`Error::Argument`] if the array has another shape than the batch.
     pub fn gradient_of_array(
         &self,
         scene: &DeviceScene,

@@ -22,7 +22,7 @@ pub fn run<T: Send + 'static>(
     run_while_awaited(py, |_| work())
 }
 
-/// As [`run`], for work that takes minutes or leaves something behind. It calls what it is given now and then, and ends with the
+/// Like [`run`], for work that takes minutes or leaves something behind. It calls what it is given now and then, and ends with the
 /// error of that after Ctrl-C.
 pub fn run_while_awaited<T: Send + 'static>(
     py: Python<'_>,

@@ -104,7 +104,7 @@ impl Scene {
         self.0.gaussians.len()
     }
 
-    /// What a notebook shows: the scene's box from outside, as PNG; none where it has no outside.
+    /// What a notebook shows: the scene's box from outside, as PNG; `None` if it has no outside.
     fn _repr_png_<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyBytes>>> {
         let scene = Arc::clone(&self.0);
         let png = job::run(py, move || {

@@ -45,7 +45,7 @@ fn members(case: &Case, camera: usize) -> Vec<Member> {
     (0..scene.gaussians.len()).filter_map(member).collect()
 }
 
-/// The channels of a pixel: depth, alpha, visibility and the normal's parts. None where a Gaussian ends so close that
+/// The channels of a pixel: depth, alpha, visibility and the normal's parts. `None` if a Gaussian ends so close that
 /// rounding decides whether it counts.
 fn pixel(members: &[Member], place: [f64; 2]) -> Option<[f64; 6]> {
     let mut sum = [0.0; 6];

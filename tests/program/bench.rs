@@ -11,13 +11,13 @@ fn json(outcome: Outcome) -> Value {
     serde_json::from_str(&outcome.assert_ok().stdout).expect("JSON")
 }
 
-/// Dispatches of a kernel; none where it is not listed.
+/// Dispatches of a kernel; `None` if it is not listed.
 fn dispatches(kernels: &Value, name: &str) -> Option<u64> {
     let kernels = kernels.as_array().expect("a list");
     kernels.iter().find(|kernel| kernel["name"] == name)?["dispatches"].as_u64()
 }
 
-/// A number of a kernel; none where it is null.
+/// A number of a kernel; `None` if it is null.
 fn number(kernels: &Value, name: &str, key: &str) -> Option<f64> {
     let kernels = kernels.as_array().expect("a list");
     kernels.iter().find(|kernel| kernel["name"] == name)?[key].as_f64()

@@ -133,7 +133,7 @@ fn mutate_words(words: &mut Vec<String>, random: &mut Random) {
     }
 }
 
-/// Runs the program with bounds; none where it did not end.
+/// Runs the program with bounds; `None` if it did not end.
 fn bounded(sandbox: &Sandbox, words: &[String]) -> Option<Outcome> {
     let script = format!("ulimit -v {MEMORY}; exec \"$0\" \"$@\"");
     let mut command = Command::new("sh");

@@ -28,7 +28,7 @@ impl Case {
     /// Loads the case in a folder.
     ///
     /// # Panics
-    /// Where a file cannot be read.
+    /// If a file cannot be read.
     #[must_use]
     pub fn load(folder: &Path) -> Self {
         let file = |name: &str| folder.join(name);
@@ -44,7 +44,7 @@ impl Case {
     /// A tensor of the reference.
     ///
     /// # Panics
-    /// Where there is none of that name.
+    /// If there is none of that name.
     #[must_use]
     pub fn expected(&self, name: &str) -> &[f32] {
         &self.expected.get(name).unwrap_or_else(|| panic!("{}: no tensor `{name}`", self.name)).data
@@ -60,7 +60,7 @@ pub fn folder() -> PathBuf {
 /// Every case, by name.
 ///
 /// # Panics
-/// Where a folder cannot be read or holds no case.
+/// If a folder cannot be read or holds no case.
 #[must_use]
 pub fn all() -> Vec<Case> {
     let mut folders = subfolders(&folder());
@@ -74,7 +74,7 @@ pub fn all() -> Vec<Case> {
 /// Every case on every device, its scene uploaded; the device's name is for messages.
 ///
 /// # Panics
-/// As [`all`] and [`devices::all`], and where a scene does not fit.
+/// Like [`all`] and [`devices::all`], and where a scene does not fit.
 pub fn on_every_device(check: impl Fn(&str, &Renderer, &Case, &DeviceScene)) {
     for (backend, device) in devices::all() {
         let renderer = Renderer::new(device);

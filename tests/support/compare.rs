@@ -16,7 +16,7 @@ pub struct Difference {
 /// Compares two tensors.
 ///
 /// # Panics
-/// Where their lengths differ, or one holds a NaN.
+/// If their lengths differ, or one holds a NaN.
 #[must_use]
 pub fn difference(actual: &[f32], expected: &[f32]) -> Difference {
     assert_eq!(actual.len(), expected.len(), "lengths differ");

@@ -3,7 +3,7 @@
 use organza::{Device, MODULES};
 pub use organza_check::devices::{checked, checked_variants, cpu, cpus, with};
 
-/// As [`organza_check::devices::all`].
+/// Like [`organza_check::devices::all`].
 ///
 /// # Panics
 /// As there.
@@ -12,7 +12,7 @@ pub fn all() -> Vec<(&'static str, Device)> {
     organza_check::devices::all(&MODULES)
 }
 
-/// As [`organza_check::devices::gpus`].
+/// Like [`organza_check::devices::gpus`].
 ///
 /// # Panics
 /// As there.
@@ -21,7 +21,7 @@ pub fn gpus() -> Vec<(&'static str, Device)> {
     organza_check::devices::gpus(&MODULES)
 }
 
-/// As [`organza_check::devices::variants`].
+/// Like [`organza_check::devices::variants`].
 ///
 /// # Panics
 /// As there.
@@ -33,7 +33,7 @@ pub fn variants() -> Vec<(&'static str, [Device; 2])> {
 /// Whether there is a GPU; says so where there is none.
 ///
 /// # Panics
-/// As [`gpus`].
+/// Like [`gpus`].
 #[must_use]
 pub fn has_gpu() -> bool {
     !gpus().is_empty()

@@ -38,7 +38,7 @@ impl Peaks {
     /// Measures a device, in about half a second.
     ///
     /// # Errors
-    /// As [`Device::zeros`] and [`Device::dispatch`].
+    /// Like [`Device::zeros`] and [`Device::dispatch`].
     pub fn measure(device: &Device) -> Result<Self> {
         device.time_dispatches(true);
         let peaks =

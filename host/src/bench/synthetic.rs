@@ -63,7 +63,7 @@ impl Synthetic {
     /// The scene, which is made anew: who renders it may not want to keep it.
     ///
     /// # Errors
-    /// As [`Scene::zeros`].
+    /// The same errors as [`Scene::zeros`].
     pub fn scene(&self) -> Result<Scene> {
         let mut scene = Scene::zeros(config(), GAUSSIANS)?;
         let mut random = Random::new(5);

@@ -166,7 +166,7 @@ fn text(report: &Report) -> String {
     text
 }
 
-/// As [`TITLES`] has it.
+/// Like [`TITLES`] has it.
 fn cells(row: &Row) -> [String; TITLES.len()] {
     let measure = &row.measure;
     [

@@ -85,7 +85,7 @@ impl Written {
         Self::open_shard(folder, scene, cameras, None)
     }
 
-    /// As [`Written::open`], for a shard of those views: its number and how many there are.
+    /// Like [`Written::open`], for a shard of those views: its number and how many there are.
     pub fn open_shard(
         folder: &Folder,
         scene: &Path,

@@ -15,7 +15,7 @@ const LEAST: usize = 3;
 /// How far a camera may be from its place, as a part of the distances between cameras.
 const CLOSE: f64 = 0.02;
 
-/// The model's points in the world of a listing's cameras; none where there is no model, or where its cameras stand
+/// The model's points in the world of a listing's cameras; `None` if there is no model, or if its cameras stand
 /// elsewhere.
 ///
 /// Poses often come from such a model, but they may have been turned, moved and scaled on the way, as nerfstudio and
@@ -55,7 +55,7 @@ struct Similarity {
 }
 
 impl Similarity {
-    /// That which takes the first camera of each pair to the second; none where there is none.
+    /// That which takes the first camera of each pair to the second; `None` if there is none.
     fn between(pairs: &[(&Camera, &Camera)]) -> Option<Self> {
         if pairs.len() < LEAST {
             return None;

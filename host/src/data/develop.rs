@@ -87,7 +87,7 @@ impl Shot {
     /// The camera of the undistorted and downscaled photograph.
     ///
     /// # Errors
-    /// [`crate::Error::Invalid`] where no pixel is left.
+    /// [`crate::Error::Invalid`] if no pixel is left.
     pub fn smaller_camera(&self) -> Result<Camera> {
         let Camera { width, height, .. } = self.camera;
         if width.min(height) < self.factor {
@@ -113,7 +113,7 @@ impl Shot {
     }
 
     /// The undistorted, smaller photograph. `texel` is the color and the alpha of a column and a row of the original, or
-    /// none where a mask hides it; `is_whole` says that no pixel can be missing.
+    /// `None` if a mask hides it; `is_whole` says that no pixel can be missing.
     fn resample(
         &self,
         is_whole: bool,
@@ -190,7 +190,7 @@ pub(super) fn prepared(camera: &Camera, factor: u32, size: [u32; 2]) -> Result<C
     })
 }
 
-/// The mean of a square of samples; none where one of them is missing.
+/// The mean of a square of samples; `None` if one of them is missing.
 pub(crate) fn mean<const CHANNELS: usize>(
     [left, top]: [u32; 2],
     factor: u32,
@@ -206,7 +206,7 @@ pub(crate) fn mean<const CHANNELS: usize>(
     Some(sum.map(|sum| sum / (factor as f32 * factor as f32)))
 }
 
-/// The color between the centers of pixels; none where one of them is hidden. Up to half a pixel around them, that of
+/// The color between the centers of pixels; `None` if one of them is hidden. Up to half a pixel around them, that of
 /// the border.
 fn bilinear(
     place: [f64; 2],

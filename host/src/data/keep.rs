@@ -46,7 +46,7 @@ impl Keep {
     /// The place of photographs of so many bytes: none is memory.
     ///
     /// # Errors
-    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory) where they must be in memory and do not fit;
+    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory) if they must be in memory and do not fit;
     /// [`Error::WriteFile`].
     pub(super) fn store(self, bytes: u64) -> Result<Option<Store>> {
         if self.is_on_disk(bytes, memory::available()) {
@@ -87,7 +87,7 @@ impl Store {
     /// Moves values to the file.
     ///
     /// # Errors
-    /// [`Error::WriteFile`] where the folder's disk is full, say.
+    /// [`Error::WriteFile`] if the folder's disk is full, say.
     pub fn keep<T: NoUninit>(&self, values: &[T]) -> Result<Kept<T>> {
         let bytes: &[u8] = bytemuck::cast_slice(values);
         let mut guard = self.file.lock().unwrap_or_else(PoisonError::into_inner);
@@ -122,7 +122,7 @@ impl<T: NoUninit> Kept<T> {
     /// The same values in a store.
     ///
     /// # Errors
-    /// As [`Store::keep`].
+    /// The same errors as [`Store::keep`].
     pub fn moved(self, store: &Store) -> Result<Self> {
         match &self {
             Self::Memory(values) if !values.is_empty() => store.keep(values),

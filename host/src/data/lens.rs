@@ -90,7 +90,7 @@ impl<'a> Undistortion<'a> {
     }
 
     /// Where in the photograph a place of the undistorted image is, both in pixels from the upper
-    /// left corner; none where the photograph does not reach.
+    /// left corner; `None` if the photograph does not reach.
     pub fn source(&self, place: [f64; 2]) -> Option<[f64; 2]> {
         let Camera { fl_x, fl_y, cx, cy, width, height, .. } = *self.camera;
         let plane = self.plane(place);

@@ -190,17 +190,17 @@ impl Dataset {
     /// # Errors
     /// [`Error::Argument`] for options out of range; [`Error::ReadFile`], [`Error::BadJson`],
     /// [`Error::Invalid`] or [`Error::Camera`] for what is damaged, unknown or not supported;
-    /// [`Error::Invalid`] where no frame is left to train on, or where a file is outside the data
+    /// [`Error::Invalid`] if no frame is left to train on, or if a file is outside the data
     /// set's folder and must not be; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
     pub fn load(path: impl AsRef<Path>, options: &DatasetOptions) -> Result<Self> {
         Self::load_with_progress(path, options, &mut |_, _| {})
     }
 
-    /// As [`Dataset::load`]; calls `progress` with the number of photographs that are done, and of all. The first
+    /// Like [`Dataset::load`]; calls `progress` with the number of photographs that are done, and of all. The first
     /// call is before the first photograph.
     ///
     /// # Errors
-    /// As [`Dataset::load`].
+    /// The same errors as [`Dataset::load`].
     pub fn load_with_progress(
         path: impl AsRef<Path>,
         options: &DatasetOptions,

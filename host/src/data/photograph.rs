@@ -14,9 +14,9 @@ pub struct Photograph {
     height: u32,
     /// Row by row.
     pixels: Kept<[u8; 3]>,
-    /// Row by row; none where all are valid.
+    /// Row by row; `None` if all are valid.
     valid: Option<Kept<bool>>,
-    /// Row by row; none where all are opaque.
+    /// Row by row; `None` if all are opaque.
     alpha: Option<Kept<u8>>,
 }
 
@@ -25,7 +25,7 @@ impl Photograph {
     /// are pixels; without it every pixel is valid.
     ///
     /// # Errors
-    /// [`Error::Argument`] where the lengths are not those of the size.
+    /// [`Error::Argument`] if the lengths are not those of the size.
     pub fn new(
         [width, height]: [u32; 2],
         pixels: Vec<[u8; 3]>,
@@ -45,7 +45,7 @@ impl Photograph {
     /// With the alpha of every pixel, row by row, of 0 to 255; the background is in its pixels already.
     ///
     /// # Errors
-    /// [`Error::Argument`] where the length is not that of the size.
+    /// [`Error::Argument`] if the length is not that of the size.
     pub fn with_alpha(mut self, alpha: Vec<u8>) -> Result<Self> {
         let count = self.pixels.len();
         if alpha.len() != count {
@@ -59,7 +59,7 @@ impl Photograph {
     /// The same photograph, kept in a store.
     ///
     /// # Errors
-    /// As [`Store::keep`].
+    /// The same errors as [`Store::keep`].
     pub(super) fn moved(self, store: &Store) -> Result<Self> {
         let Self { width, height, pixels, valid, alpha } = self;
         let pixels = pixels.moved(store)?;
@@ -86,7 +86,7 @@ impl Photograph {
         &self.pixels
     }
 
-    /// Whether each pixel is valid, row by row; none where all are.
+    /// Whether each pixel is valid, row by row; `None` if all are.
     #[must_use]
     pub fn valid(&self) -> Option<&[bool]> {
         self.valid.as_deref()
@@ -101,7 +101,7 @@ impl Photograph {
     /// Whether the pixel of column `x` and row `y` is valid.
     ///
     /// # Panics
-    /// Where the pixel is outside the photograph.
+    /// If the pixel is outside the photograph.
     #[must_use]
     pub fn is_valid(&self, x: u32, y: u32) -> bool {
         let index = self.index(x, y);
@@ -111,7 +111,7 @@ impl Photograph {
     /// Red, green and blue of column `x` and row `y`, of 0 to 1.
     ///
     /// # Panics
-    /// Where the pixel is outside the photograph.
+    /// If the pixel is outside the photograph.
     #[must_use]
     pub fn color(&self, x: u32, y: u32) -> [f32; 3] {
         self.pixels[self.index(x, y)].map(|value| f32::from(value) / 255.0)
@@ -120,7 +120,7 @@ impl Photograph {
     /// How opaque the photograph's file says that column `x` and row `y` is, 0 to 1.
     ///
     /// # Panics
-    /// Where the pixel is outside the photograph.
+    /// If the pixel is outside the photograph.
     #[must_use]
     pub fn alpha(&self, x: u32, y: u32) -> f32 {
         let index = self.index(x, y);

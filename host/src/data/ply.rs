@@ -41,7 +41,7 @@ pub(super) fn read_from(source: impl Read, length: u64, path: &Path) -> Result<V
 /// errors name.
 ///
 /// # Errors
-/// As [`read`].
+/// The same errors as [`read`].
 pub(crate) fn vertices<V: PropertyAccess>(
     source: impl Read,
     length: u64,

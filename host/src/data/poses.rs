@@ -38,7 +38,7 @@ pub struct Pose {
     pub camera: Camera,
     /// Whether the frame is kept from training.
     pub held_out: bool,
-    /// Where the photograph is; none where the frame has no file.
+    /// Where the photograph is; `None` if the frame has no file.
     pub photograph: Option<PathBuf>,
 }
 
@@ -70,7 +70,7 @@ impl Poses {
     /// look as they do in the whole data set.
     ///
     /// # Errors
-    /// As [`Dataset::load`].
+    /// The same errors as [`Dataset::load`].
     pub fn only(mut self, held_out: bool) -> Result<Self> {
         self.background()?;
         self.listing.shots.retain(|shot| shot.held_out == held_out);
@@ -81,7 +81,7 @@ impl Poses {
     /// Every camera, in the order of [`Dataset::frames`].
     ///
     /// # Errors
-    /// [`Error::Invalid`] where downscaling leaves no pixel.
+    /// [`Error::Invalid`] if downscaling leaves no pixel.
     pub fn cameras(&self) -> Result<Vec<Pose>> {
         let pose = |shot: &Shot| {
             let camera = shot.smaller_camera()?;
@@ -97,7 +97,7 @@ impl Poses {
     /// Moves cameras, as [`Camera::moved`] does: those of the frames that have a motion here, in the order of [`Poses::cameras`].
     ///
     /// # Errors
-    /// [`Error::Camera`] where a camera then is where no number reaches.
+    /// [`Error::Camera`] if a camera then is where no number reaches.
     pub fn move_cameras(&mut self, motions: &[Option<[f64; 6]>]) -> Result<()> {
         let moved = self.listing.shots.iter_mut().zip(motions).enumerate();
         for (index, (shot, motion)) in moved {
@@ -108,10 +108,10 @@ impl Poses {
         Ok(())
     }
 
-    /// Reads one photograph, by its camera's index; none where there is no such camera.
+    /// Reads one photograph, by its camera's index; `None` if there is no such camera.
     ///
     /// # Errors
-    /// As [`Dataset::load`], for this photograph.
+    /// The same errors as [`Dataset::load`], for this photograph.
     pub fn photograph(&self, index: usize) -> Result<Option<Frame>> {
         let Some(shot) = self.listing.shots.get(index) else { return Ok(None) };
         let background = Background::Color(self.background()?);
@@ -137,13 +137,13 @@ impl Poses {
     /// Reads the photographs; `progress` is as in [`Dataset::load_with_progress`].
     ///
     /// # Errors
-    /// As [`Dataset::load`].
+    /// The same errors as [`Dataset::load`].
     pub fn photographs(self, progress: &mut (dyn FnMut(usize, usize) + Send)) -> Result<Dataset> {
         Dataset::develop(self, progress)
     }
 }
 
-/// What kind of data set a folder holds, by the names of its files.  None where it holds no data set.
+/// What kind of data set a folder holds, by the names of its files.  `None` if it holds no data set.
 #[must_use]
 pub fn kind_of(folder: &Path) -> Option<DatasetKind> {
     Layout::of(folder).map(|layout| match layout {

@@ -3,7 +3,7 @@
 use crate::metrics::psnr_of;
 
 /// PSNR with a gain and an offset for each channel, fitted by least squares. Each half of the image, left and right, is
-/// measured with the fit of the other half, so no pixel takes part in its own fit. None where one half has no valid pixel.
+/// measured with the fit of the other half, so no pixel takes part in its own fit. `None` if one half has no valid pixel.
 pub(super) fn psnr_fitted(
     [width, _]: [usize; 2],
     rendered: &[[f32; 3]],

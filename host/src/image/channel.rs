@@ -93,7 +93,7 @@ impl ChannelImage {
     /// Puts a rendered channel where `batch` has its tiles; what hangs over the edge is cut off.
     ///
     /// # Errors
-    /// [`Error::Argument`] where the tiles are not those of the batch, or do not have the channel.
+    /// [`Error::Argument`] if the tiles are not those of the batch, or do not have the channel.
     pub fn paste(&mut self, batch: &TileBatch, tiles: &RenderedTiles) -> Result<()> {
         let (area, planes) = ((batch.side * batch.side) as usize, self.channel.planes());
         let rendered = tiles.channels.get(&self.channel);

@@ -92,7 +92,7 @@ struct Target {
 /// fitted are. `progress` is called with the steps that are done; its error ends the fit.
 ///
 /// # Errors
-/// [`Error::Argument`] without cameras; as [`Renderer::render`]; that of `progress`.
+/// [`Error::Argument`] without cameras; those of [`Renderer::render`]; that of `progress`.
 pub fn distill(
     renderer: &Renderer,
     scene: &Scene,

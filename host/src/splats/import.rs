@@ -54,7 +54,7 @@ pub struct Imported {
 /// little. `progress` is called with the steps that are done; its error ends the training.
 ///
 /// # Errors
-/// As [`Trainer::start`]; that of `progress`.
+/// The same errors as [`Trainer::start`]; that of `progress`.
 pub fn import(
     renderer: &Renderer,
     splats: &[Splat],

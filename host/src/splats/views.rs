@@ -53,7 +53,7 @@ impl Views {
     /// Cameras that see a whole box from all sides, a circle above the other; every eighth is only measured.
     ///
     /// # Errors
-    /// [`Error::Camera`](crate::Error::Camera) where the box has no outside.
+    /// [`Error::Camera`](crate::Error::Camera) if the box has no outside.
     pub fn around(aabb: [[f64; 3]; 2]) -> Result<Self> {
         let orbit = Orbit::of_box(aabb, SIZE);
         let circle = |elevation: f64| {
@@ -81,7 +81,7 @@ pub struct Beside {
 /// pixel.
 ///
 /// # Errors
-/// As [`Renderer::render`].
+/// The same errors as [`Renderer::render`].
 pub fn beside(
     renderer: &Renderer,
     scene: &DeviceScene,

@@ -74,10 +74,10 @@ impl Binding {
         &self.changes
     }
 
-    /// That of a checkpoint; none where an older program wrote it.
+    /// That of a checkpoint; `None` if an older program wrote it.
     ///
     /// # Errors
-    /// As [`Scene::load`](crate::Scene::load) for the header; [`Error::Invalid`] where it does not parse.
+    /// Like [`Scene::load`](crate::Scene::load) for the header; [`Error::Invalid`] if it does not parse.
     pub fn load(path: impl AsRef<Path>) -> Result<Option<Self>> {
         let path = path.as_ref();
         let (mut file, length) = open_regular(path)?;
@@ -161,16 +161,16 @@ impl Binding {
 /// The settings of the run in a folder, held to those of its checkpoint.
 ///
 /// # Errors
-/// As [`TrainConfig::load`]; [`Error::Invalid`] where the folder holds no run, where a setting is not
+/// The same errors as [`TrainConfig::load`]; [`Error::Invalid`] if the folder holds no run, where a setting is not
 /// that of the checkpoint and must not [change](CHANGEABLE), or is missing and there is no checkpoint that says what it was.
 pub fn settings_of(folder: &Path) -> Result<TrainConfig> {
     changed_settings_of(folder, Ok)
 }
 
-/// As [`settings_of`], with changes for a resume.
+/// Like [`settings_of`], with changes for a resume.
 ///
 /// # Errors
-/// As [`settings_of`], for the changed settings too; those of `change`.
+/// The same errors as [`settings_of`], for the changed settings too; those of `change`.
 pub fn changed_settings_of(
     folder: &Path,
     change: impl FnOnce(TrainConfig) -> Result<TrainConfig>,

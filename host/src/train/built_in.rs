@@ -10,7 +10,7 @@ use organza_device::memory;
 /// `views` images of `side` pixels around the built-in scene, of which every `hold_out_every`-th is held out.
 ///
 /// # Errors
-/// As [`Renderer::render`].
+/// The same errors as [`Renderer::render`].
 pub fn dataset(
     renderer: &Renderer,
     views: u32,
@@ -20,10 +20,10 @@ pub fn dataset(
     dataset_with_progress(renderer, views, side, hold_out_every, &mut |_, _| {})
 }
 
-/// As [`dataset`]; calls `progress` with the number of views that are done, and of all.
+/// Like [`dataset`]; calls `progress` with the number of views that are done, and of all.
 ///
 /// # Errors
-/// As [`dataset`].
+/// The same errors as [`dataset`].
 pub fn dataset_with_progress(
     renderer: &Renderer,
     views: u32,

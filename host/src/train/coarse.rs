@@ -19,7 +19,7 @@ const RAY_STEPS: u32 = 2;
 #[derive(Debug)]
 pub struct Batches {
     whole: Sampler,
-    /// None where some photograph would be less than a tile wide or high.
+    /// `None` if some photograph would be less than a tile wide or high.
     smaller: Option<Sampler>,
 }
 
@@ -38,7 +38,7 @@ impl Batches {
     /// For the photographs of these cameras.
     ///
     /// # Errors
-    /// As [`Sampler::of_cameras`].
+    /// The same errors as [`Sampler::of_cameras`].
     pub fn of_cameras(cameras: &[Camera], run: &RunConfig) -> Result<Self> {
         let whole = Sampler::of_cameras(cameras, run)?;
         let holds_a_tile =

@@ -406,7 +406,7 @@ impl TrainConfig {
     /// Reads a file such as [`TrainConfig::save`] writes.
     ///
     /// # Errors
-    /// [`Error::ReadFile`]; [`Error::Invalid`] where it is not TOML, has a field that does not exist, or a value that
+    /// [`Error::ReadFile`]; [`Error::Invalid`] if it is not TOML, has a field that does not exist, or a value that
     /// is out of range.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         ConfigBuilder::new(Preset::Default)?.file(path)?.build()
@@ -435,10 +435,10 @@ impl TrainConfig {
         }
     }
 
-    /// As [`TrainConfig::load`], from text.
+    /// Like [`TrainConfig::load`], from text.
     ///
     /// # Errors
-    /// As [`TrainConfig::load`].
+    /// The same errors as [`TrainConfig::load`].
     pub fn parse(text: &str, origin: &Path) -> Result<Self> {
         ConfigBuilder::new(Preset::Default)?.text(text, origin)?.build()
     }

@@ -29,7 +29,7 @@ impl Exposures {
     /// One step of Adam with the gradients of a batch's tiles, in their order.
     ///
     /// # Errors
-    /// As [`PerPhotograph::adam`].
+    /// The same errors as [`PerPhotograph::adam`].
     pub fn step(
         &mut self,
         tiles: &[ExposureGradient],

@@ -35,9 +35,9 @@ impl RunFolder {
     /// Locks a folder, which exists, and removes what a training left there that was killed.
     ///
     /// # Errors
-    /// [`Error::Invalid`] where another training has it, which is named; where it holds a run and
+    /// [`Error::Invalid`] if another training has it, which is named; where it holds a run and
     /// none is to be resumed; where one of a run's files is a device, a pipe or a folder.
-    /// [`Error::WriteFile`] where it cannot be written to.
+    /// [`Error::WriteFile`] if it cannot be written to.
     pub fn lock(path: &Path, resume: bool) -> Result<Self> {
         let invalid = |reason| Err(Error::Invalid { origin: path.to_owned(), reason });
         let file = path.join(LOCK);

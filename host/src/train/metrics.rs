@@ -186,7 +186,7 @@ impl MetricsLog {
     /// again. Where there is no log, one is begun.
     ///
     /// # Errors
-    /// As [`Self::read`], but for a file that is not there; [`Error::WriteFile`].
+    /// The same errors as [`Self::read`], but for a file that is not there; [`Error::WriteFile`].
     pub fn resume(path: impl AsRef<Path>, step: u64) -> Result<Self> {
         let path = path.as_ref();
         if !path.exists() {

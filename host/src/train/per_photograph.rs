@@ -41,7 +41,7 @@ impl PerPhotograph {
     /// values.
     ///
     /// # Errors
-    /// [`Error::Diverged`] where a gradient is not finite; nothing has moved then.
+    /// [`Error::Diverged`] if a gradient is not finite; nothing has moved then.
     pub(super) fn adam(
         &mut self,
         gradients: &BTreeMap<usize, [f64; VALUES]>,
@@ -93,7 +93,7 @@ impl PerPhotograph {
     /// Those of a checkpoint's tensors, if it has any; `origin` is what errors name.
     ///
     /// # Errors
-    /// [`Error::Invalid`] where they do not belong together.
+    /// [`Error::Invalid`] if they do not belong together.
     pub(super) fn of_tensors(
         name: &str,
         tensors: &mut BTreeMap<String, Tensor>,

@@ -36,7 +36,7 @@ impl PoseSet {
     /// camera. Rotations move by `rate`, in radians, and shifts by `rate * extent`.
     ///
     /// # Errors
-    /// As [`PerPhotograph::adam`].
+    /// The same errors as [`PerPhotograph::adam`].
     pub fn step(
         &mut self,
         gradients: &[[f32; VALUES]],

@@ -105,7 +105,7 @@ pub enum Event<'a> {
         report: &'a StepReport,
         /// Gaussians of the scene.
         gaussians: usize,
-        /// The scene, on the device; none where its Gaussians are dealt to ranks.
+        /// The scene, on the device; `None` if its Gaussians are dealt to ranks.
         scene: Option<&'a DeviceScene>,
     },
     /// Held-out views are being measured.
@@ -221,7 +221,7 @@ impl<'a> Session<'a> {
     /// Like [`Session::run`]; every step calls `hooks`, see [`Trainer::step_with`].
     ///
     /// # Errors
-    /// As [`Session::run`], and those of the hooks.
+    /// The same errors as [`Session::run`], and those of the hooks.
     pub fn run_with(
         &self,
         resume: bool,
@@ -299,7 +299,7 @@ impl<'a> Session<'a> {
         Ok((trainer, progress, changes))
     }
 
-    /// As [`Session::begin_whole`], where each rank has a share of the Gaussians.
+    /// Like [`Session::begin_whole`], where each rank has a share of the Gaussians.
     fn begin_shares(
         &self,
         ranks: &Arc<dyn Ranks>,

@@ -34,7 +34,7 @@ const TRANSMITTANCE_BIAS: f32 = 5.0;
 /// The scene before the first step of a run.
 ///
 /// # Errors
-/// [`Error::Invalid`] where a setting is out of range or no frame is left to train on; as [`start`] and [`start_from`].
+/// [`Error::Invalid`] if a setting is out of range or no frame is left to train on; those of [`start`] and [`start_from`].
 pub fn first_scene(config: &TrainConfig, dataset: &Dataset) -> Result<Scene> {
     check(config, dataset)?;
     let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
@@ -53,7 +53,7 @@ pub fn first_scene(config: &TrainConfig, dataset: &Dataset) -> Result<Scene> {
 /// neighbors.  The transmittance network's last bias lets T start near 1, or everything would be dark.
 ///
 /// # Errors
-/// As [`Scene::zeros`].
+/// The same errors as [`Scene::zeros`].
 pub fn start(
     config: &TrainConfig,
     background: [f64; 3],
@@ -84,7 +84,7 @@ pub fn start(
 /// materials the colors that they have from all sides.
 ///
 /// # Errors
-/// As [`splats::load`]; [`Error::Invalid`] where there are more than a run may have; as [`Scene::zeros`].
+/// The same errors as [`splats::load`]; [`Error::Invalid`] if there are more than a run may have; those of [`Scene::zeros`].
 pub fn start_from(
     path: &Path,
     config: &TrainConfig,
@@ -105,7 +105,7 @@ pub fn start_from(
 /// [`start_from`] of the Gaussians of a file.
 ///
 /// # Errors
-/// As [`Scene::zeros`].
+/// The same errors as [`Scene::zeros`].
 pub fn of_splats(
     splats: &[Splat],
     config: &TrainConfig,

@@ -60,7 +60,7 @@ struct View {
     focal: [f64; 2],
     center: [f64; 2],
     size: [u32; 2],
-    /// Row by row; none where nothing is known, or where the scene is not.
+    /// Row by row; `None` if nothing is known, or if the scene is not.
     pixels: Vec<Option<Vec3>>,
     /// Row by row: whether what is there is known to be nothing.
     empty: Vec<bool>,
@@ -94,7 +94,7 @@ impl View {
         DVec3::new((x - self.center[0]) / self.focal[0], (y - self.center[1]) / self.focal[1], 1.0)
     }
 
-    /// Where a point of camera space is in the image, in pixels; none where it is outside.
+    /// Where a point of camera space is in the image, in pixels; `None` if it is outside.
     fn project(&self, point: DVec3) -> Option<[f64; 2]> {
         if point.z <= 1e-9 {
             return None;
@@ -108,7 +108,7 @@ impl View {
         y as usize * self.size[0] as usize + x as usize
     }
 
-    /// The color between the centers of pixels; none where one of them is not known.
+    /// The color between the centers of pixels; `None` if one of them is not known.
     fn color(&self, [x, y]: [f64; 2]) -> Option<Vec3> {
         let [(x, x_next, x_part), (y, y_next, y_part)] = [(x, self.size[0]), (y, self.size[1])]
             .map(|(place, size)| {
@@ -204,7 +204,7 @@ impl<'v> Ray<'v> {
         Some(Self { view, place, color, others: neighbors.iter().map(other).collect() })
     }
 
-    /// How different the photographs are at an inverse depth; none where fewer than two show it, or where one shows
+    /// How different the photographs are at an inverse depth; `None` if fewer than two show it, or if one shows
     /// that nothing is there.
     fn difference(&self, inverse: f64) -> Option<f32> {
         let mut found = Vec::with_capacity(NEIGHBORS);
@@ -285,7 +285,7 @@ impl<'v> Ray<'v> {
 mod tests {
     use super::*;
 
-    /// What a ray meets: its color, and where; none where it meets nothing.
+    /// What a ray meets: its color, and where; `None` if it meets nothing.
     type Scene = fn(DVec3, DVec3) -> Option<(Vec3, DVec3)>;
 
     fn texture(x: f64, y: f64) -> Vec3 {

@@ -13,7 +13,7 @@ const TOKEN: &str = "organza-token";
 /// Who may ask.
 #[derive(Clone, Debug)]
 pub struct Guard {
-    /// What everybody has to know; none where the server listens to this machine alone.
+    /// What everybody has to know; `None` if the server listens to this machine alone.
     token: Option<String>,
 }
 

@@ -102,7 +102,7 @@ impl Server {
     /// Takes the port, and answers nobody yet.
     ///
     /// # Errors
-    /// [`Error::Invalid`] where the port is taken, or the address is not one of this machine.
+    /// [`Error::Invalid`] if the port is taken, or the address is not one of this machine.
     pub fn listen(address: Address) -> Result<Self> {
         let listener = address.listen()?;
         let found = listener.local_addr().map_err(broken)?;
@@ -121,7 +121,7 @@ impl Server {
     /// Answers from now on.
     ///
     /// # Errors
-    /// [`Error::Invalid`] where the system gives no thread.
+    /// [`Error::Invalid`] if the system gives no thread.
     pub fn start(self, desk: Arc<Desk>, about: About, board: Option<Arc<Board>>) -> Result<()> {
         let films = Arc::new(Semaphore::new(MAX_FILMS));
         self.serve(Site::Viewer(Viewer { desk, about, board, films }))
@@ -130,7 +130,7 @@ impl Server {
     /// Gives out a page that renders by itself, from now on.
     ///
     /// # Errors
-    /// As [`Server::start`].
+    /// The same errors as [`Server::start`].
     pub fn start_page(self, page: &WebPage) -> Result<()> {
         let [index, ..] = WebPage::FILES;
         let file = |(name, text): (&str, String)| match name == index {

@@ -74,7 +74,7 @@ impl<'a> TrainingView<'a> {
     /// pause is over.
     ///
     /// # Errors
-    /// As [`Server::start`].
+    /// The same errors as [`Server::start`].
     pub fn see(&mut self, event: &Event<'_>, steps: u32) -> Result<()> {
         match event {
             Event::Begin(step) => self.board.begin(u64::from(*step), u64::from(steps)),

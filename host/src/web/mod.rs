@@ -70,7 +70,7 @@ impl WebPage {
     /// memory their images need.
     ///
     /// # Errors
-    /// As [`Renderer::upload`]; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory) if the scene is larger than
+    /// The same errors as [`Renderer::upload`]; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory) if the scene is larger than
     /// a browser can bind.
     pub fn new(
         scene: &Scene,

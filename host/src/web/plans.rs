@@ -39,7 +39,7 @@ pub struct PlannedFrame {
     tile: u32,
     counts: u32,
     image: u32,
-    /// As [`step`] writes them.
+    /// Like [`step`] writes them.
     frame: Vec<Value>,
 }
 

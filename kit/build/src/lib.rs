@@ -55,7 +55,7 @@ impl Project {
     /// modules go to `compiled`, beside it.
     ///
     /// # Panics
-    /// Where `xtask` is no folder of a workspace.
+    /// If `xtask` is no folder of a workspace.
     #[must_use]
     pub fn of_xtask(xtask: &str, shader_crate: &str) -> Self {
         // Cargo's word at run time: a copy of the workspace may share the compiled xtask.

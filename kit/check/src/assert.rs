@@ -13,7 +13,7 @@ use super::{devices, measure::Measure};
 /// the equations. Every kernel of their package must have a case.
 ///
 /// # Panics
-/// Where a device is out of a case's tolerance, a kernel makes a mistake or has no case, with a line for each; and as
+/// If a device is out of a case's tolerance, a kernel makes a mistake or has no case, with a line for each; and as
 /// [`devices::gpus`].
 #[track_caller]
 pub fn assert_parity(cases: &[Case], modules: &'static Modules) {

@@ -10,7 +10,7 @@ const GPUS: [(&str, SpirvPath); 2] =
 /// Every way to run a kernel: `cpu`, and [`gpus`].
 ///
 /// # Panics
-/// As [`gpus`].
+/// Like [`gpus`].
 #[must_use]
 pub fn all(modules: &'static Modules) -> Vec<(&'static str, Device)> {
     std::iter::once(("cpu", cpu(None))).chain(gpus(modules)).collect()
@@ -21,7 +21,7 @@ pub fn all(modules: &'static Modules) -> Vec<(&'static str, Device)> {
 /// Without a GPU the tests run only on the CPU, and say so; `ORGANZA_REQUIRE_GPU=1` makes that a failure.
 ///
 /// # Panics
-/// Where a GPU is required and there is none, or one is there and cannot be used.
+/// If a GPU is required and there is none, or one is there and cannot be used.
 #[must_use]
 pub fn gpus(modules: &'static Modules) -> Vec<(&'static str, Device)> {
     let mut devices = Vec::new();
@@ -43,7 +43,7 @@ pub fn gpus(modules: &'static Modules) -> Vec<(&'static str, Device)> {
 /// The same GPU with plain kernels and with the variants that it can take, passed through and through naga where there is one.
 ///
 /// # Panics
-/// As [`gpus`].
+/// Like [`gpus`].
 #[must_use]
 pub fn variants(modules: &'static Modules) -> Vec<(&'static str, [Device; 2])> {
     let open = |path, variants| {
@@ -63,7 +63,7 @@ fn path_of(name: &str) -> Option<SpirvPath> {
 /// The CPU with a number of threads.
 ///
 /// # Panics
-/// Where threads cannot be started.
+/// If threads cannot be started.
 #[must_use]
 pub fn cpu(threads: Option<usize>) -> Device {
     Device::open(&DeviceOptions::cpu(threads), Modules::none()).expect("the CPU")
@@ -72,17 +72,17 @@ pub fn cpu(threads: Option<usize>) -> Device {
 /// The CPU that finds the most mistakes of kernels: [`DeviceOptions::checked`].
 ///
 /// # Panics
-/// Where threads cannot be started.
+/// If threads cannot be started.
 #[must_use]
 pub fn checked() -> Device {
     Device::open(&DeviceOptions::checked(), Modules::none()).expect("the CPU")
 }
 
-/// As [`checked`], with the [variants](organza_kernel::KernelInfo::variant) of kernels: their copies to workgroup memory run without
+/// Like [`checked`], with the [variants](organza_kernel::KernelInfo::variant) of kernels: their copies to workgroup memory run without
 /// a GPU.
 ///
 /// # Panics
-/// Where threads cannot be started.
+/// If threads cannot be started.
 #[must_use]
 pub fn checked_variants() -> Device {
     Device::open(&DeviceOptions::checked().variants(true), Modules::none()).expect("the CPU")
@@ -91,7 +91,7 @@ pub fn checked_variants() -> Device {
 /// The CPU with an instruction set.
 ///
 /// # Panics
-/// Where this CPU does not have it.
+/// If this CPU does not have it.
 #[must_use]
 pub fn with(instruction_set: InstructionSet) -> Device {
     let options = DeviceOptions::cpu(None).instruction_set(instruction_set);

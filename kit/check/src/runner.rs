@@ -48,7 +48,7 @@ impl<'d> KernelRunner<'d> {
         Self { device, kernel, has_other_canaries: false }
     }
 
-    /// As [`KernelRunner::new`], with [`Canary::OTHER_CANARY`] in the outputs. [`KernelRunner::read`] gives [`Canary::CANARY`] for
+    /// Like [`KernelRunner::new`], with [`Canary::OTHER_CANARY`] in the outputs. [`KernelRunner::read`] gives [`Canary::CANARY`] for
     /// it.
     #[must_use]
     pub fn with_other_canaries(device: &'d Device, kernel: &'static str) -> Self {
@@ -62,7 +62,7 @@ impl<'d> KernelRunner<'d> {
     /// A buffer that holds `values`.
     ///
     /// # Errors
-    /// As [`Device::upload`].
+    /// The same errors as [`Device::upload`].
     pub fn upload<T: Pod>(&self, values: &[T]) -> Result<Buffer<T>> {
         self.device.upload("parity input", values)
     }
@@ -71,7 +71,7 @@ impl<'d> KernelRunner<'d> {
     /// it has not written.
     ///
     /// # Errors
-    /// As [`Device::upload`].
+    /// The same errors as [`Device::upload`].
     pub fn output<T: Canary>(&self, len: usize) -> Result<Buffer<T>> {
         let buffer = self.output_of(&vec![self.canary::<T>(); len])?;
         self.device.forget(&buffer);
@@ -81,7 +81,7 @@ impl<'d> KernelRunner<'d> {
     /// A buffer of `values` that the kernel writes to, and canaries after them.
     ///
     /// # Errors
-    /// As [`Device::upload`].
+    /// The same errors as [`Device::upload`].
     pub fn output_of<T: Canary>(&self, values: &[T]) -> Result<Buffer<T>> {
         self.upload(&[values, &[self.canary::<T>(); TAIL]].concat())
     }
@@ -89,7 +89,7 @@ impl<'d> KernelRunner<'d> {
     /// What an output holds, canaries included.
     ///
     /// # Errors
-    /// As [`Device::read`], or if the kernel has written after the output.
+    /// The same errors as [`Device::read`], or if the kernel has written after the output.
     pub fn read<T: Canary>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
         let mut values = self.device.read(buffer)?;
         let canary = self.canary::<T>();
@@ -107,7 +107,7 @@ impl<'d> KernelRunner<'d> {
     /// What an output holds, without the canaries behind it. The kernel must have written all of it.
     ///
     /// # Errors
-    /// As [`KernelRunner::read`], or if an element still holds its canary.
+    /// The same errors as [`KernelRunner::read`], or if an element still holds its canary.
     pub fn read_all<T: Canary>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
         let mut values = self.read(buffer)?;
         values.truncate(values.len() - TAIL);
@@ -124,7 +124,7 @@ impl<'d> KernelRunner<'d> {
     /// left by the kernel's own test.
     ///
     /// # Errors
-    /// As [`Device::run`].
+    /// The same errors as [`Device::run`].
     pub fn items<'a>(
         &self,
         kernel: &impl Dispatch<'a, Host>,
@@ -138,7 +138,7 @@ impl<'d> KernelRunner<'d> {
     /// Runs the kernel over pixels: `side` x `side`, tiles along z.
     ///
     /// # Errors
-    /// As [`Device::dispatch`].
+    /// The same errors as [`Device::dispatch`].
     pub fn pixels<'a>(
         &self,
         kernel: &impl Dispatch<'a, Host>,

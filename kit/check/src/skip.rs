@@ -11,7 +11,7 @@ static SAID: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
 /// It goes past the test harness, which shows nothing of what tests print that pass.
 ///
 /// # Panics
-/// Where standard error is closed.
+/// If standard error is closed.
 pub fn skip(what: &str, reason: &str) {
     let line = format!("skipped {what}: {reason}");
     let mut said = SAID.lock().expect("no test panics there");

@@ -57,7 +57,7 @@ impl<T: Pod> Buffer<T> {
     /// The same memory as values of another type: what is written through one is read through the other.
     ///
     /// # Panics
-    /// Where the memory does not hold a whole number of them.
+    /// If the memory does not hold a whole number of them.
     #[must_use]
     pub fn view<U: Pod>(&self) -> Buffer<U> {
         let (label, bytes) = (self.raw.label, self.raw.bytes);

@@ -17,7 +17,7 @@ pub struct Count {
 /// The total that a number on the device is a piece of.
 #[derive(Clone, Debug)]
 pub(super) struct Total {
-    /// As [`organza_kernel::count`] has it.
+    /// Like [`organza_kernel::count`] has it.
     pub counts: Arc<Buffer<u32>>,
     pub place: u32,
     /// Items before this piece.

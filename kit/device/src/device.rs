@@ -63,7 +63,7 @@ impl Device {
     /// Opens the device that `options` ask for; `modules` are the compiled kernels that a GPU runs.
     ///
     /// # Errors
-    /// [`Error::NoGpu`](crate::Error::NoGpu) where a GPU was demanded and none can be used.
+    /// [`Error::NoGpu`](crate::Error::NoGpu) if a GPU was demanded and none can be used.
     pub fn open(options: &DeviceOptions, modules: &'static Modules) -> Result<Self> {
         open::open(options, modules)
     }
@@ -129,8 +129,8 @@ impl Device {
     /// Runs a kernel over `workgroups`; on the GPU it is queued.  None of the sizes may pass 65,535.
     ///
     /// # Errors
-    /// [`Error::Kernel`](crate::Error::Kernel) where the kernel fails,
-    /// [`Error::StaleKernels`](crate::Error::StaleKernels) where its SPIR-V is not there.
+    /// [`Error::Kernel`](crate::Error::Kernel) if the kernel fails,
+    /// [`Error::StaleKernels`](crate::Error::StaleKernels) if its SPIR-V is not there.
     pub fn dispatch<'a>(
         &self,
         kernel: &impl Dispatch<'a, Host>,
@@ -237,7 +237,7 @@ impl Device {
         }
     }
 
-    /// As [`Device::parallel_for`], with scratch memory from `scratches`; `new` makes more of it.
+    /// Like [`Device::parallel_for`], with scratch memory from `scratches`; `new` makes more of it.
     ///
     /// # Errors
     /// What `new` or `work` runs into first.
@@ -287,7 +287,7 @@ impl Device {
     /// workgroups along z.
     ///
     /// # Errors
-    /// As [`Device::dispatch`].
+    /// The same errors as [`Device::dispatch`].
     pub fn run<'a>(
         &self,
         kernel: &impl Dispatch<'a, Host>,
@@ -301,7 +301,7 @@ impl Device {
     /// Runs a kernel with at least `size` invocations along x and y, and `size[2]` workgroups along z.
     ///
     /// # Errors
-    /// As [`Device::dispatch`].
+    /// The same errors as [`Device::dispatch`].
     pub fn run_over<'a>(&self, kernel: &impl Dispatch<'a, Host>, size: [u32; 3]) -> Result<()> {
         let [x, y, _] = kernel.info().workgroup_size;
         let extra = u32::from(self.has_extra_workgroup(kernel.info()) && !size.contains(&0));

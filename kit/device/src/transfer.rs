@@ -34,7 +34,7 @@ impl Device {
     /// A device that [checks](crate::DeviceOptions::check_races) fails where a kernel reads an element that nothing has written.
     ///
     /// # Errors
-    /// As [`Device::zeros`].
+    /// The same errors as [`Device::zeros`].
     pub fn unwritten<T: Pod>(&self, label: &'static str, len: usize) -> Result<Buffer<T>> {
         let buffer = self.buffer(label, len, false)?;
         self.forget(&buffer);
@@ -72,7 +72,7 @@ impl Device {
     /// A buffer that holds `values`.
     ///
     /// # Errors
-    /// As [`Device::zeros`].
+    /// The same errors as [`Device::zeros`].
     pub fn upload<T: Pod>(&self, label: &'static str, values: &[T]) -> Result<Buffer<T>> {
         let mut buffer = self.buffer(label, values.len(), false)?;
         match (&self.kind, &mut buffer.raw_mut().memory) {
@@ -134,7 +134,7 @@ impl Device {
     /// Copies `values` into a buffer, from the element `first` on, after everything that was dispatched before.
     ///
     /// # Errors
-    /// As [`Device::upload`].
+    /// The same errors as [`Device::upload`].
     ///
     /// # Panics
     /// Past the buffer's end, and for elements whose size is not a multiple of 4 bytes.
@@ -165,10 +165,10 @@ impl Device {
         self.read_range(buffer, 0, buffer.len())
     }
 
-    /// `len` elements from `first` on; as [`Device::read`].
+    /// `len` elements from `first` on; those of [`Device::read`].
     ///
     /// # Errors
-    /// As [`Device::read`].
+    /// The same errors as [`Device::read`].
     pub fn read_range<T: Pod>(
         &self,
         buffer: &Buffer<T>,
@@ -180,10 +180,10 @@ impl Device {
         Ok(values)
     }
 
-    /// Reads elements from `first` on into memory of the caller's, as many as it holds; as [`Device::read`].
+    /// Reads elements from `first` on into memory of the caller's, as many as it holds; those of [`Device::read`].
     ///
     /// # Errors
-    /// As [`Device::read`].
+    /// The same errors as [`Device::read`].
     ///
     /// # Panics
     /// Past the buffer's end.
@@ -215,7 +215,7 @@ impl Device {
         }
     }
 
-    /// As [`Device::read`], of many buffers: waits once.
+    /// Like [`Device::read`], of many buffers: waits once.
     pub fn read_all(&self, buffers: &[Buffer<u32>]) -> Result<Vec<Vec<u32>>> {
         let Kind::Gpu(gpu) = &self.kind else {
             return buffers.iter().map(|buffer| self.read(buffer)).collect();

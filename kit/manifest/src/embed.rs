@@ -14,7 +14,7 @@ use crate::{Manifest, source_hash};
 /// program says at run time which kernel it lacks and how to compile it.
 ///
 /// # Panics
-/// Where cargo does not run it, or its output folder cannot be written to.
+/// If cargo does not run it, or its output folder cannot be written to.
 pub fn embed(kernels: &Path, workspace: &Path) {
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
     println!("cargo::rerun-if-changed=build.rs");
@@ -31,11 +31,11 @@ pub fn embed(kernels: &Path, workspace: &Path) {
     fs::write(out.join("kernels.rs"), table(kernels, &manifest)).expect("OUT_DIR is writable");
 }
 
-/// As [`embed`], for a package at the root of its workspace whose modules are in `compiled`: the whole build script of a project
+/// Like [`embed`], for a package at the root of its workspace whose modules are in `compiled`: the whole build script of a project
 /// that `cargo xtask new` makes.
 ///
 /// # Panics
-/// As [`embed`].
+/// Like [`embed`].
 pub fn embed_compiled() {
     let folder = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("cargo sets it"));
     embed(&folder.join("compiled"), &folder);

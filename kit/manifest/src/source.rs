@@ -25,7 +25,7 @@ const COMPILED_IN: [&str; 7] = [
 /// Line ends count as `\n` and paths with `/`, so that checkouts on every system agree.
 ///
 /// # Errors
-/// [`Error::Read`], and [`Error::NotLocked`] where the lock file lacks one of the packages.
+/// [`Error::Read`], and [`Error::NotLocked`] if the lock file lacks one of the packages.
 pub fn source_hash(workspace: &Path, folders: &[String]) -> Result<String, Error> {
     let mut files = Vec::new();
     for folder in folders {

@@ -26,7 +26,7 @@ pub struct Page {
     _folder: TempDir,
 }
 
-/// The browser's program. None where there is none, unless `ORGANZA_REQUIRE_BROWSER` asks for it.
+/// The browser's program. `None` if there is none, unless `ORGANZA_REQUIRE_BROWSER` asks for it.
 pub fn program() -> Option<&'static str> {
     let works = |name: &&str| {
         let output = Command::new(name).arg("--version").stderr(Stdio::null()).output();
@@ -47,7 +47,7 @@ impl Page {
         Self::launch(program, url, size, &["--disable-gpu"])
     }
 
-    /// As [`Page::open`], with WebGPU on the CPU.
+    /// Like [`Page::open`], with WebGPU on the CPU.
     pub fn open_with_webgpu(program: &str, url: &str, size: [u32; 2]) -> Self {
         let adapter = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"];
         // for canvases

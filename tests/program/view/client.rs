@@ -102,7 +102,7 @@ pub fn connect(host: &str) -> io::Result<TcpStream> {
     Ok(stream)
 }
 
-/// As [`Viewer::send`].
+/// Like [`Viewer::send`].
 pub fn exchange(mut stream: TcpStream, bytes: &[u8]) -> Vec<u8> {
     let mut back = Vec::new();
     // a server that has heard enough closes

@@ -39,7 +39,7 @@ pub enum Expected {
 }
 
 impl Kind {
-    /// What a path holds; none where it cannot be told.
+    /// What a path holds; `None` if it cannot be told.
     pub fn of(path: &Path) -> Option<Self> {
         if path.is_dir() {
             let is_run = [CHECKPOINT, CONFIG].iter().any(|name| path.join(name).exists());

@@ -33,7 +33,7 @@ impl ConfigBuilder {
     /// Begins with the settings of a preset.
     ///
     /// # Errors
-    /// As [`TrainConfig::load`], which means that the program's own file is wrong.
+    /// The same errors as [`TrainConfig::load`], which means that the program's own file is wrong.
     pub fn new(preset: Preset) -> Result<Self> {
         Self::from_config(&TrainConfig::default())
             .text(preset.toml(), Path::new(&format!("the preset {}", preset.name())))
@@ -48,7 +48,7 @@ impl ConfigBuilder {
     /// Adds the settings of a file.
     ///
     /// # Errors
-    /// As [`TrainConfig::load`].
+    /// The same errors as [`TrainConfig::load`].
     pub fn file(self, path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         self.text(&read_text(path, MAX_BYTES, "settings")?, path)
@@ -57,7 +57,7 @@ impl ConfigBuilder {
     /// Adds the settings of a TOML text; `origin` is the name that errors give to it.
     ///
     /// # Errors
-    /// As [`TrainConfig::load`].
+    /// The same errors as [`TrainConfig::load`].
     pub fn text(mut self, text: &str, origin: &Path) -> Result<Self> {
         let invalid = |reason| Error::Invalid { origin: origin.to_owned(), reason };
         // only the text has lines
@@ -84,7 +84,7 @@ impl ConfigBuilder {
     /// The value's range is checked by [`ConfigBuilder::build`].
     ///
     /// # Errors
-    /// [`Error::Invalid`] where there is no such setting, or where the value is not of its type.
+    /// [`Error::Invalid`] if there is no such setting, or if the value is not of its type.
     pub fn set(mut self, assignment: &str) -> Result<Self> {
         let invalid = |reason| Error::Invalid { origin: Path::new("").to_owned(), reason };
         let table = assignment::parse(assignment).map_err(invalid)?;

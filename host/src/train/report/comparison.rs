@@ -21,7 +21,7 @@ const MAX_PICTURES: usize = 48;
 pub struct Difference {
     /// The setting's name.
     pub setting: String,
-    /// Its value in each run, as `config.toml` has it; none where it is not set.
+    /// Its value in each run, as `config.toml` has it; `None` if it is not set.
     pub values: Vec<Option<String>>,
 }
 

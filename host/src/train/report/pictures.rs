@@ -85,7 +85,7 @@ impl Pictures {
     /// Writes the pictures of the view at `index`, which was rendered after `step` steps.
     ///
     /// # Errors
-    /// [`Error::WriteFile`]; [`Error::Argument`] where the image is not of its photograph's size.
+    /// [`Error::WriteFile`]; [`Error::Argument`] if the image is not of its photograph's size.
     pub fn write(&self, index: usize, step: u64, truth: &Photograph, image: &Image) -> Result<()> {
         if index == 0 {
             self.save(&thumbnail_name(step), &encode(&shrink(&rgb(image), THUMBNAIL))?)?;
@@ -161,7 +161,7 @@ fn name(index: usize, kind: Kind) -> String {
     }
 }
 
-/// The step in a file's name; none where the name has none, or is not one of ours.
+/// The step in a file's name; `None` if the name has none, or is not one of ours.
 fn step_of(name: &str) -> Option<u64> {
     let (_, step) = name.strip_suffix(".jpg")?.rsplit_once('-')?;
     let step = step.parse().ok()?;

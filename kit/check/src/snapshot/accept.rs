@@ -77,7 +77,7 @@ impl Snapshots {
     /// Holds tensors to the snapshot `name`; `device` is one of [`devices`](crate::devices).
     ///
     /// # Panics
-    /// Where they differ by more than the tolerance.
+    /// If they differ by more than the tolerance.
     pub fn assert_tensors(
         &self,
         [name, description]: [&str; 2],
@@ -92,7 +92,7 @@ impl Snapshots {
     /// Holds `[K, 3, S, S]`, colors of 0 to 1, to the picture `name`.
     ///
     /// # Panics
-    /// Where a pixel is further off than rounding explains.
+    /// If a pixel is further off than rounding explains.
     pub fn assert_picture(
         &self,
         [name, description]: [&str; 2],

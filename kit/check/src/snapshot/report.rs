@@ -27,7 +27,7 @@ pub struct Panels {
 /// `snapshot-failures` in cargo's target folder.
 ///
 /// # Panics
-/// Where the test is not run by cargo.
+/// If the test is not run by cargo.
 #[must_use]
 pub fn folder() -> PathBuf {
     let test = std::env::current_exe().expect("a test has a program");

@@ -27,7 +27,7 @@ pub struct Fills {
 struct Fill {
     counts: wgpu::Buffer,
     pipeline: Arc<Pipeline>,
-    /// As [`organza_kernel::count::count_fill`] reads it, without the first row.
+    /// Like [`organza_kernel::count::count_fill`] reads it, without the first row.
     placement: Vec<u32>,
 }
 

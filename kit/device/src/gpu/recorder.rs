@@ -37,7 +37,7 @@ pub struct Recorder {
     uniforms: wgpu::Buffer,
     /// What the slots will hold.
     slots: Vec<u8>,
-    /// None where the device has no timestamps.
+    /// `None` if the device has no timestamps.
     timer: Option<Timer>,
     /// Whether dispatches are timed.
     times: bool,

@@ -27,7 +27,7 @@ struct Submitted {
 }
 
 impl Timer {
-    /// None where the device has no timestamps.
+    /// `None` if the device has no timestamps.
     pub fn new(device: &wgpu::Device) -> Option<Self> {
         device.features().contains(wgpu::Features::TIMESTAMP_QUERY).then(|| Self {
             stamps: device.create_query_set(&wgpu::QuerySetDescriptor {

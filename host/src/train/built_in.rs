@@ -1,4 +1,4 @@
-//! Photographs of the built-in scene: something to train on that nobody has to download.
+//! Images of the built-in scene: training data without a download.
 
 use crate::camera::Camera;
 use crate::data::{Dataset, Frame, Photograph, Pose, is_held_out};
@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::render::Renderer;
 use organza_device::memory;
 
-/// `views` images of `side` pixels around the built-in scene, of which every `hold_out_every`-th is held out.
+/// `views` images of `side` x `side` pixels around the built-in scene. Every `hold_out_every`-th is held out.
 ///
 /// # Errors
 /// The same errors as [`Renderer::render`].
@@ -20,7 +20,7 @@ pub fn dataset(
     dataset_with_progress(renderer, views, side, hold_out_every, &mut |_, _| {})
 }
 
-/// Like [`dataset`]; calls `progress` with the number of views that are done, and of all.
+/// Like [`dataset`], but calls `progress` with the number of finished views and of all views.
 ///
 /// # Errors
 /// The same errors as [`dataset`].

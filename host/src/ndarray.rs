@@ -49,7 +49,7 @@ impl RenderedTiles {
 impl TryFrom<Array4<f32>> for RenderedTiles {
     type Error = Error;
 
-    /// From Y `[K, 3, S, S]`.
+    /// Converts Y `[K, 3, S, S]`.
     fn try_from(array: Array4<f32>) -> Result<Self> {
         let (count, channels, height, width) = array.dim();
         let side = u32::try_from(width).ok().filter(|_| channels == 3 && height == width);
@@ -62,7 +62,7 @@ impl TryFrom<Array4<f32>> for RenderedTiles {
 }
 
 impl Renderer {
-    /// Like [`Renderer::gradient`], with dLoss/dY `[K, 3, S, S]` in an array.
+    /// Like [`Renderer::gradient`], but dLoss/dY `[K, 3, S, S]` is an array.
     ///
     /// # Errors
     /// The same errors as [`Renderer::gradient`]; [`Error::Argument`] if the array has another shape than the batch.
@@ -83,14 +83,14 @@ impl Renderer {
 }
 
 impl LossGradient {
-    /// A loss, and dL/dY `[K, 3, S, S]` in an array.
+    /// A loss, with dL/dY `[K, 3, S, S]` in an array.
     #[must_use]
     pub fn from_array(loss: f64, grad_output: ArrayView4<'_, f32>) -> Self {
         Self { loss, grad_output: values(grad_output) }
     }
 }
 
-/// The values, row-major, however they lie in memory.
+/// The values, row-major, for any memory layout.
 fn values(array: ArrayView4<'_, f32>) -> Vec<f32> {
     array.iter().copied().collect()
 }
@@ -99,7 +99,7 @@ fn values(array: ArrayView4<'_, f32>) -> Vec<f32> {
 mod tests {
     use super::*;
 
-    /// The value of each place says where it is.
+    /// Each value encodes its own place.
     fn numbered() -> Array4<f32> {
         Array4::from_shape_fn((2, 3, 4, 4), |(tile, channel, row, column)| {
             (1000 * tile + 100 * channel + 10 * row + column) as f32
@@ -111,7 +111,7 @@ mod tests {
         let tiles = RenderedTiles::try_from(numbered()).unwrap();
         assert_eq!((tiles.side, tiles.count, tiles.array()), (4, 2, numbered().view()));
         assert_eq!(tiles.rgb(1, 3, 2), [1023.0, 1123.0, 1223.0]);
-        // as another program may have it: columns first
+        // the layout of some other programs: columns first
         let turned = numbered().permuted_axes([0, 1, 3, 2]).as_standard_layout().into_owned();
         let turned = turned.permuted_axes([0, 1, 3, 2]);
         assert!(!turned.is_standard_layout());

@@ -1,4 +1,4 @@
-//! The pixels of a photograph, and which of them the lens has seen.
+//! The pixels of a photograph, and their validity.
 
 use super::keep::{Kept, Store};
 use crate::error::{Error, Result};
@@ -6,26 +6,26 @@ use crate::image::Image;
 
 /// An image of 8-bit red, green and blue as sRGB values.
 ///
-/// Undistorting may leave pixels that no pixel of the photograph belongs to: these are not valid,
-/// and nothing may be learned from them or measured on them.
+/// Undistorting may leave pixels outside of the photograph. These are not valid: training and comparisons must ignore
+/// them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Photograph {
     width: u32,
     height: u32,
-    /// Row by row.
+    /// Colors, row by row.
     pixels: Kept<[u8; 3]>,
-    /// Row by row; `None` if all are valid.
+    /// Validity, row by row; `None` if all pixels are valid.
     valid: Option<Kept<bool>>,
-    /// Row by row; `None` if all are opaque.
+    /// Alpha, row by row; `None` if all pixels are opaque.
     alpha: Option<Kept<u8>>,
 }
 
 impl Photograph {
-    /// A photograph of `[width, height]` pixels, row by row. `valid` has as many values as there
-    /// are pixels; without it every pixel is valid.
+    /// A photograph of `[width, height]` pixels, row by row. `valid` has a value for each pixel; without it, all are
+    /// valid.
     ///
     /// # Errors
-    /// [`Error::Argument`] if the lengths are not those of the size.
+    /// [`Error::Argument`] if the lengths do not match the size.
     pub fn new(
         [width, height]: [u32; 2],
         pixels: Vec<[u8; 3]>,
@@ -42,10 +42,10 @@ impl Photograph {
         Ok(Self { width, height, pixels: pixels.into(), valid, alpha: None })
     }
 
-    /// With the alpha of every pixel, row by row, of 0 to 255; the background is in its pixels already.
+    /// Adds the alpha of every pixel, row by row, from 0 to 255. The pixels must already contain the background.
     ///
     /// # Errors
-    /// [`Error::Argument`] if the length is not that of the size.
+    /// [`Error::Argument`] if the length does not match the size.
     pub fn with_alpha(mut self, alpha: Vec<u8>) -> Result<Self> {
         let count = self.pixels.len();
         if alpha.len() != count {
@@ -56,7 +56,7 @@ impl Photograph {
         Ok(self)
     }
 
-    /// The same photograph, kept in a store.
+    /// Moves the photograph to a store.
     ///
     /// # Errors
     /// The same errors as [`Store::keep`].
@@ -80,7 +80,7 @@ impl Photograph {
         self.height
     }
 
-    /// Red, green and blue of every pixel, row by row. Those that are not valid are black.
+    /// Red, green and blue of every pixel, row by row. Invalid pixels are black.
     #[must_use]
     pub fn pixels(&self) -> &[[u8; 3]] {
         &self.pixels
@@ -98,7 +98,7 @@ impl Photograph {
         self.valid.is_none()
     }
 
-    /// Whether the pixel of column `x` and row `y` is valid.
+    /// Whether the pixel in column `x` and row `y` is valid.
     ///
     /// # Panics
     /// If the pixel is outside the photograph.
@@ -108,7 +108,7 @@ impl Photograph {
         self.valid.as_ref().is_none_or(|valid| valid[index])
     }
 
-    /// Red, green and blue of column `x` and row `y`, of 0 to 1.
+    /// Red, green and blue of the pixel in column `x` and row `y`, from 0 to 1.
     ///
     /// # Panics
     /// If the pixel is outside the photograph.
@@ -117,7 +117,7 @@ impl Photograph {
         self.pixels[self.index(x, y)].map(|value| f32::from(value) / 255.0)
     }
 
-    /// How opaque the photograph's file says that column `x` and row `y` is, 0 to 1.
+    /// Alpha in the photograph's file of the pixel in column `x` and row `y`, from 0 to 1.
     ///
     /// # Panics
     /// If the pixel is outside the photograph.
@@ -139,7 +139,7 @@ impl Photograph {
     }
 }
 
-/// An image that was rendered, all of it valid.
+/// A rendered image, in which all pixels are valid.
 impl From<&Image> for Photograph {
     fn from(image: &Image) -> Self {
         let [width, height] = image.size();

@@ -117,16 +117,16 @@ fn mp4(frames: &Frames<'_>, output: &Path) -> Result<()> {
     let said = said.join().unwrap_or_default();
     match (fed, status) {
         (Ok(()), Ok(status)) if status.success() => {}
-        // an unreadable frame is the reason for ffmpeg's failure, so it is reported first
+        // if ffmpeg has failed, its own message says more than a broken pipe
         (Err(Feed::Frame(path, source)), _) => return Err(Error::read(&path, source)),
         (Err(Feed::Pipe(error)), Ok(status)) if status.success() => {
-            return refuse(format!("ffmpeg does not take frames: {error}"));
+            return refuse(format!("cannot send frames to ffmpeg: {error}"));
         }
         (_, Ok(status)) => {
             let last = said.lines().rev().find(|line| !line.trim().is_empty());
             return refuse(format!("ffmpeg ended with {status}: {}", last.unwrap_or("no message")));
         }
-        (_, Err(error)) => return refuse(format!("ffmpeg got lost: {error}")),
+        (_, Err(error)) => return refuse(format!("cannot wait for ffmpeg: {error}")),
     }
     let mut film = File::open(&path).map_err(|source| Error::read(&path, source))?;
     write_atomic(output, |writer| io::copy(&mut film, writer).map(drop))

@@ -22,15 +22,14 @@ pub struct Exit {
 }
 
 impl Exit {
-    /// The value of a value of the join, if the loop ends there or if it goes on, for control that comes from a
-    /// block.
+    /// Resolves `value` at the join, for control that comes from the block `from`. With `ends`, the loop ends there.
     pub fn value(&self, function: &Function, value: Word, ends: bool, from: Word) -> Word {
         let taken = if ends { self.ends_if } else { !self.ends_if };
         value_in(block(function, self.join), value, taken, from)
     }
 }
 
-/// The value of a value of the join if its condition was true or false, for control that comes from a block.
+/// Resolves `value` at a join whose condition was `taken`, for control that comes from the block `from`.
 fn value_in(join: &Block, value: Word, taken: bool, from: Word) -> Word {
     let found = join.instructions.iter().find(|i| i.result_id == Some(value));
     match found {

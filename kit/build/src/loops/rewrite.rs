@@ -17,7 +17,7 @@ struct Edge {
     ends: bool,
 }
 
-/// A value of a join, and its value at each edge.
+/// A value that a join chooses, resolved at each edge.
 struct Chosen {
     value: Word,
     kind: Option<Word>,
@@ -64,7 +64,7 @@ fn edges(function: &Function, path: &Path) -> Vec<Edge> {
     edges
 }
 
-/// The value of a join's value on a path through the joins, backward from the last of them.
+/// Resolves a join's `value` on a path through the joins, backward from the last of them.
 fn value_at(function: &Function, path: &Path, value: Word, edge: &Edge) -> Word {
     let mut value = value;
     for (at, exit) in path.exits[..edge.exits].iter().enumerate() {

@@ -16,9 +16,9 @@ pub struct Case {
     pub name: String,
     /// The scene.
     pub scene: Scene,
-    /// Its cameras.
+    /// The cameras.
     pub cameras: Vec<Camera>,
-    /// Its tiles.
+    /// The batch of tiles.
     pub tiles: TileBatch,
     /// Tensors of the reference, by name.
     pub expected: BTreeMap<String, Tensor>,

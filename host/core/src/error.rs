@@ -46,7 +46,7 @@ pub enum Error {
     BadSafetensors {
         /// The file.
         origin: PathBuf,
-        /// What does not fit.
+        /// The mismatch.
         reason: String,
     },
 
@@ -197,7 +197,7 @@ pub enum Error {
     Invalid {
         /// The file.
         origin: PathBuf,
-        /// What is wrong and what is allowed.
+        /// The mistake, and the allowed values.
         reason: String,
     },
 
@@ -208,7 +208,7 @@ pub enum Error {
         origin: PathBuf,
         /// 0-based index into `frames`.
         frame: usize,
-        /// What is wrong and what is allowed.
+        /// The mistake, and the allowed values.
         reason: String,
     },
 
@@ -219,14 +219,14 @@ pub enum Error {
         origin: PathBuf,
         /// 0-based index into `tiles`.
         tile: usize,
-        /// What is wrong and what is allowed.
+        /// The mistake, and the allowed values.
         reason: String,
     },
 
     /// An argument of a call or of the command line is invalid.
     #[error("unexpected argument: {reason}")]
     Argument {
-        /// What is wrong and what is allowed.
+        /// The mistake, and the allowed values.
         reason: String,
     },
 

@@ -21,7 +21,7 @@ pub(super) struct Found {
     pub path: PathBuf,
     /// Whether the file is in `images_N`, and so smaller already.
     pub prepared: bool,
-    /// Its mask, in `masks` or `masks_N`.
+    /// Path of its mask, in `masks` or `masks_N`.
     pub mask: Option<PathBuf>,
 }
 

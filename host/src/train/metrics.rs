@@ -131,7 +131,7 @@ pub struct TimingRow {
     pub stage: String,
     /// Time of the stage, in seconds.
     pub seconds: f64,
-    /// Its part of the total time, 0 to 1.
+    /// Part of the total time, 0 to 1.
     pub share: f64,
 }
 

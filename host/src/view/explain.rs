@@ -32,9 +32,9 @@ struct Explanation {
 struct Row {
     #[serde(flatten)]
     contribution: Contribution,
-    /// Its ellipse on the screen.
+    /// Center of the Gaussian on the screen, in pixels.
     mean2d: [f32; 2],
-    /// Its depth along the camera's axis.
+    /// Depth along the camera's axis, in world units.
     depth: f64,
     conic: [f32; 3],
     /// The ray in the unit cube, and T from the Gaussian to the end of each step.

@@ -96,7 +96,7 @@ impl<T: Pod> Buffer<T> {
         self.raw.bytes == 0
     }
 
-    /// Its number in a [`Plan`](crate::Plan); `None` on a device that runs kernels.
+    /// Number in a [`Plan`](crate::Plan); `None` on a device that runs kernels.
     #[must_use]
     pub fn planned(&self) -> Option<u32> {
         match self.raw.memory {

@@ -12,7 +12,7 @@ pub enum Error {
     /// A setting is not valid on this machine.
     #[error("{reason}")]
     Argument {
-        /// What is wrong and what is allowed.
+        /// The mistake, and the allowed values.
         reason: String,
     },
 

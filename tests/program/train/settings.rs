@@ -101,7 +101,7 @@ fn the_settings_of_the_built_in_scene_are_those_of_the_program() {
     }
 }
 
-/// What `--print-config` prints for some options.
+/// The settings that `--print-config` prints for some options.
 #[track_caller]
 fn printed(words: &str) -> TrainConfig {
     let outcome = Sandbox::new("tiny").run(&format!("train --print-config {words}")).assert_ok();

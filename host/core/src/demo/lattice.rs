@@ -63,7 +63,7 @@ pub fn cells(
     })
 }
 
-/// What a Gaussian has besides its cell.
+/// Thickness, coverage and material of a Gaussian.
 #[derive(Clone, Copy, Debug)]
 pub struct Look {
     /// Standard deviation along the normal.

@@ -208,7 +208,7 @@ fn scores(evaluations: &[Evaluation<'_>]) -> Markup {
     )
 }
 
-/// What ran, when and where: a row for each start or resume.
+/// A row for each start or resume: program, date and device.
 fn sessions(run: &Run) -> Markup {
     let sessions = run.sessions();
     if sessions.is_empty() {

@@ -40,7 +40,7 @@ pub struct Bug {
     pub name: &'static str,
     /// Text of its file.
     pub source: &'static str,
-    /// Its test, as the kernel's author would write it.
+    /// The test that the kernel's author would write.
     pub test: fn(&Bench) -> Result<(), Found>,
 }
 

@@ -70,7 +70,7 @@ def run(command, key):
 
 
 def cpu_name():
-    """What the system calls its CPU."""
+    """The system's name of its CPU."""
     try:
         lines = Path("/proc/cpuinfo").read_text().splitlines()
     except OSError:

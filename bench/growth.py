@@ -26,7 +26,7 @@ SERIES = {
 
 
 def bench(organza, files, repeat, options):
-    """What `organza bench` measures of some files."""
+    """Measurements of `organza bench` for some files."""
     command = [organza, "bench", *map(str, files), "--repeat", str(repeat), "--json", "--quiet", *options]
     result = subprocess.run(command, stdout=subprocess.PIPE, text=True)
     if result.returncode != 0:

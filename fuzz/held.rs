@@ -1,17 +1,17 @@
-//! An allocator that counts, and what a parser may hold at most: shared by the fuzzers and the tests.
+//! An allocator that counts, and a limit for the memory of parsers. The fuzzers and the tests share it.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
-/// The most that a parser may hold at once, beside what grows with its input.
+/// Most bytes that a parser may hold at once, besides an amount that grows with its input.
 const MOST: usize = 96 << 20;
-/// Bytes for each byte of the input.
+/// Additional bytes for each byte of the input.
 const MOST_A_BYTE: usize = 256;
 
 #[global_allocator]
 static ALLOCATOR: Counted = Counted;
 
-/// Counts what each thread holds.
+/// Counts the bytes that each thread holds.
 struct Counted;
 
 thread_local! {
@@ -20,15 +20,15 @@ thread_local! {
 }
 
 fn count(more: usize, less: usize) {
-    // A thread that ends frees what no one counts any more.
+    // A thread that has ended frees bytes that nobody counts anymore.
     let _ = HELD.try_with(|held| {
-        // What another thread has allocated is freed here, too.
+        // Memory of other threads is freed here, too.
         held.set(held.get().saturating_add(more).saturating_sub(less));
         let _ = PEAK.try_with(|peak| peak.set(peak.get().max(held.get())));
     });
 }
 
-// SAFETY: every call goes to the system's allocator as it is.
+// SAFETY: every call goes to the system's allocator unchanged.
 unsafe impl GlobalAlloc for Counted {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         count(layout.size(), 0);
@@ -55,7 +55,7 @@ unsafe impl GlobalAlloc for Counted {
     }
 }
 
-/// Runs a parser on bytes, and panics where it held too much.
+/// Runs a parser on bytes. Panics if it held too much memory.
 pub fn run(target: fn(&[u8]), bytes: &[u8], what: &str) {
     let before = HELD.get();
     PEAK.set(before);

@@ -1,4 +1,4 @@
-//! Photographs of the right structure and any content: bytes alone seldom have a checksum that fits.
+//! Photographs with the right structure and any content: random bytes rarely have a valid checksum.
 
 use arbitrary::{Arbitrary, Unstructured};
 
@@ -96,7 +96,7 @@ fn chunk(file: &mut Vec<u8>, name: &[u8; 4], data: &[u8]) {
     file.extend(crc32fast::hash(&body).to_be_bytes());
 }
 
-/// A zlib stream of stored blocks.
+/// A zlib stream of uncompressed blocks.
 fn stored(data: &[u8]) -> Vec<u8> {
     let mut stream = vec![0x78, 1];
     let mut blocks = data.chunks(65_535).peekable();

@@ -15,7 +15,7 @@ fn main() {
     }
 }
 
-/// What cargo wrote into the package when it made it: the same for everybody who builds the package.
+/// The commit that cargo recorded when it made the package: the same for everyone who builds it.
 fn of_package(host: &Path) -> Option<String> {
     let text = fs::read_to_string(host.join(".cargo_vcs_info.json")).ok()?;
     let info: serde_json::Value = serde_json::from_str(&text).ok()?;
@@ -24,13 +24,14 @@ fn of_package(host: &Path) -> Option<String> {
     Some(named(commit, is_modified))
 }
 
-/// What git says about this repository. Only release builds ask: otherwise, each commit would compile everything again.
+/// The commit of this repository, from git. Only release builds ask: otherwise, each commit would recompile
+/// everything.
 fn of_repository(host: &Path) -> Option<String> {
     const SOURCES: [&str; 5] = ["Cargo.toml", "Cargo.lock", "host", "kit", "shader-crate"];
     if std::env::var("PROFILE").is_ok_and(|profile| profile != "release") {
         return None;
     }
-    // A package that somebody else's repository holds a copy of has another place there.
+    // A copy of the package in another repository has another prefix.
     if git(host, &["rev-parse", "--show-prefix"])? != "host/" {
         return None;
     }
@@ -53,7 +54,7 @@ fn named(commit: &str, is_modified: bool) -> String {
     format!("{commit}{}", if is_modified { "-modified" } else { "" })
 }
 
-/// What git prints; none where it fails or is not there.
+/// The output of git; `None` if git fails or is not installed.
 fn git(folder: &Path, words: &[&str]) -> Option<String> {
     let output = Command::new("git").arg("-C").arg(folder).args(words).output().ok()?;
     let text = String::from_utf8(output.stdout).ok()?;

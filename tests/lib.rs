@@ -1,4 +1,4 @@
-//! What the tests share: the reference's cases, devices, comparisons, and sorted Gaussians.
+//! Parts that the tests share: the reference's cases, devices, comparisons, and sorted Gaussians.
 
 #[path = "support/cases.rs"]
 pub mod cases;

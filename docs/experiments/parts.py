@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What each part of the method is worth: trains without it, or with another, and prints the table of docs/experiments.md.
+"""Measures the worth of each part of the method: trains without it, or with another, and prints the table of docs/experiments.md.
 
     docs/experiments/parts.py RUNS ORGANZA CAPTURE...
 

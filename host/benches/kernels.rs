@@ -1,13 +1,13 @@
-//! Every hot kernel alone, on one thread, for each instruction set that this CPU has.
+//! Measures every hot kernel alone, on one thread, for each instruction set of this CPU.
 //!
 //! ```sh
 //! cargo bench --bench kernels
 //! ```
 //!
-//! Items are what the module's name says: floating-point operations in `flops` (a multiply-add is two, so that Gitem/s
-//! are GFLOP/s), samples, Gaussians, or pairs of a member and a pixel of its tile.  Sizes are those of rendering on a CPU:
-//! chunks of 4,096 samples forward and 2,048 backward, layers of 64 x 64, grids of 16 levels of 2 features in 2^19 entries,
-//! tiles of 64 x 64.
+//! The module's name says what an item is: a floating-point operation in `flops` (a multiply-add is two, so Gitem/s
+//! are GFLOP/s), a sample, a Gaussian, or a pair of a member and a pixel of its tile. Sizes are those of rendering on
+//! a CPU: chunks of 4,096 samples forward and 2,048 backward, layers of 64 x 64, grids of 16 levels with 2 features
+//! in 2^19 entries, tiles of 64 x 64.
 
 mod common;
 
@@ -33,17 +33,17 @@ mod flops {
     const WIDTH: u32 = 64;
     /// Columns of four outputs.
     const COLUMNS: u32 = WIDTH / 4;
-    /// Where the biases lie, behind the weights.
+    /// Index of the biases, after the weights.
     const BIAS: u32 = WIDTH * COLUMNS;
-    /// Vectors of weights and biases.
+    /// Number of vectors of weights and biases.
     const PARAMETERS: u32 = BIAS + COLUMNS;
 
-    /// Operations of a layer: a multiply-add for each weight and sample.
+    /// Number of operations of a layer: a multiply-add for each weight and sample.
     fn operations(samples: u32) -> u64 {
         2 * u64::from(samples) * u64::from(WIDTH * WIDTH)
     }
 
-    /// The most that there is: multiply-adds on registers.
+    /// The CPU's peak: multiply-adds on registers.
     #[divan::bench(args = sets())]
     fn peak(bencher: Bencher, set: InstructionSet) {
         let bench = Bench::new(set);
@@ -143,7 +143,7 @@ mod samples {
 
     use crate::common::{BACKWARD, Bench, FORWARD, sets};
 
-    /// Samples of a pair.
+    /// Number of samples per pair.
     const PER_PAIR: u32 = 16;
 
     fn grid() -> GridConfig {
@@ -168,7 +168,7 @@ mod samples {
         }
     }
 
-    /// Points all over the unit cube, as `[6, stride]`: coarse parts, and fine ones of zero.
+    /// Points all over the unit cube, as `[6, stride]`: coarse parts, and fine parts of zero.
     fn points(bench: &mut Bench, stride: u32) -> Vec<f32> {
         let mut points = bench.random.values((3 * stride) as usize, 0.0, 1.0);
         points.resize((POINT_ROWS * stride) as usize, 0.0);
@@ -196,7 +196,7 @@ mod samples {
         let (grid, stride) = (grid(), BACKWARD.stride);
         let points = points(&mut bench, stride);
         let values = 2 * grid.entries() as u32;
-        // the unit, its inverse and the limit: sums of a million times as many samples do not overflow
+        // the unit, its inverse and the limit: sums of a million times as many samples still fit
         let unit = f32::from_bits((127 + 20) << 23);
         let kernel = HashGridBackwardKernel {
             params: params([BACKWARD.samples, stride]),
@@ -241,7 +241,8 @@ mod samples {
     }
 }
 
-/// Items are pairs of a tile's member and a pixel of the tile, though a kernel passes over most where a splat is not.
+/// Items are pairs of a tile's member and a pixel of the tile. A kernel skips most pixels that a splat does not
+/// reach.
 mod member_pixels {
     use divan::Bencher;
     use glam::Vec4;

@@ -1,4 +1,4 @@
-//! Renders a batch of tiles with the library, and looks at what it took.
+//! Renders a batch of tiles with the library, and prints its cost.
 //!
 //! ```text
 //! cargo run --release --example render_tiles -- scene.safetensors cameras.json tiles.json
@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .try_into()
         .map_err(|_| "expected SCENE CAMERAS TILES")?;
 
-    // a GPU where there is one, else all cores
+    // a GPU if there is one, otherwise all cores
     let renderer = Renderer::new(organza::open_device(&DeviceOptions::default())?);
     println!("{}", renderer.device().choice());
 

@@ -1,4 +1,4 @@
-//! How long a batch takes, forward and back again, and which kernels take it.
+//! Measures a batch, forward and backward, and its kernels.
 
 mod peak;
 mod synthetic;
@@ -19,77 +19,76 @@ use organza_kernel::work::Work;
 pub use peak::Peaks;
 pub use synthetic::Synthetic;
 
-/// What to measure.
+/// Options of a measurement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BenchOptions {
-    /// Passes that are timed; one before them warms up and is not. At least 1.
+    /// Number of timed passes, at least 1. One untimed pass before them warms up.
     pub repeat: usize,
-    /// Whether to go back as well.
+    /// Whether to measure the backward pass as well.
     pub backward: bool,
 }
 
-/// What a batch has taken. Times are medians of whole batches, in seconds.
+/// The measurements of a batch. Times are medians over whole batches, in seconds.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Benchmark {
-    /// The device, and why it was taken.
+    /// Description of the device, and the reason for its choice.
     pub device: String,
-    /// Passes that were timed.
+    /// Number of timed passes.
     pub repeat: usize,
-    /// N
+    /// N, the number of Gaussians.
     pub gaussians: usize,
-    /// K
+    /// K, the number of tiles.
     pub tiles: usize,
     /// S, in pixels.
     pub side: u32,
-    /// Parts that the batch was rendered in.
+    /// Number of parts in which the batch was rendered.
     pub parts: usize,
-    /// (Gaussian, camera) pairs whose color and transmittance were evaluated.
+    /// Number of (Gaussian, camera) pairs whose color and transmittance were evaluated.
     pub pairs: u64,
-    /// (Gaussian, tile) memberships.
+    /// Number of (Gaussian, tile) memberships.
     pub members: u64,
-    /// Samples of the transmittance network.
+    /// Number of samples of the transmittance network.
     pub samples: u64,
-    /// From the scene on the device to the tiles on the host.
+    /// Seconds from the scene on the device to the tiles on the host.
     pub forward_s: f64,
-    /// From the scene on the device to the gradients of all its tensors on the device, for dLoss/dY = 1 at every value;
-    /// none where that was not measured.
+    /// Seconds from the scene on the device to the gradients of all its tensors on the device, for dLoss/dY = 1 at
+    /// every value; `None` if it was not measured.
     pub forward_backward_s: Option<f64>,
-    /// The most memory that the process held until forward was measured, in bytes; none where the system does not say.
+    /// Peak memory of the process until after the forward measurement, in bytes; `None` if the system does not say.
     pub forward_peak_memory_bytes: Option<u64>,
-    /// The same until the end.
+    /// Peak memory of the process until the end, in bytes; `None` if the system does not say.
     pub peak_memory_bytes: Option<u64>,
-    /// The device's measured peak: billions of floating-point operations a second.
+    /// Measured peak of the device, in billions of floating-point operations per second.
     pub peak_gflops: f64,
-    /// The device's measured peak: billions of bytes that are read from memory in a second.
+    /// Measured peak of the device, in billions of bytes read from memory per second.
     pub peak_gbs: f64,
-    /// What kernels have taken of a forward pass, the slowest first.
+    /// Kernels of a forward pass, the slowest first.
     pub forward_kernels: Vec<KernelShare>,
-    /// What kernels have taken of a pass forward and backward, the slowest first; of a forward pass where that was not
-    /// measured.
+    /// Kernels of a forward and backward pass, the slowest first. Those of a forward pass if only that was measured.
     pub kernels: Vec<KernelShare>,
 }
 
-/// What the dispatches of a kernel take in a pass.
+/// The cost of a kernel's dispatches in a pass.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct KernelShare {
-    /// The kernel.
+    /// Name of the kernel.
     pub name: &'static str,
-    /// Dispatches of a pass.
+    /// Number of dispatches in a pass.
     pub dispatches: u64,
-    /// Seconds of all of a pass' dispatches, the median over passes.
+    /// Seconds of all dispatches in a pass, the median over passes.
     pub seconds: f64,
-    /// `seconds` as a part of the same of all kernels together, 0 to 1.
+    /// Part of the seconds of all kernels, 0 to 1.
     pub share: f64,
-    /// Billions of floating-point operations a second, as [`Work`] counts them; none where it does not.
+    /// Billions of floating-point operations per second, as [`Work`] counts them; `None` if it does not.
     pub gflops: Option<f64>,
-    /// Billions of bytes a second, as [`Work`] counts them; none where it does not.
+    /// Billions of bytes per second, as [`Work`] counts them; `None` if it does not.
     pub gbs: Option<f64>,
-    /// The larger of the shares of the device's two peaks. What stays in caches may pass 1.
+    /// The larger of the fractions of the device's two peaks. Data in caches may make it larger than 1.
     pub peak_share: Option<f64>,
 }
 
 impl KernelShare {
-    /// With what a device has at most beside what was found.
+    /// Adds the fraction of the device's peaks.
     fn beside(mut self, peaks: Peaks) -> Self {
         let shares = [self.gflops.map(|of| of / peaks.gflops), self.gbs.map(|of| of / peaks.gbs)];
         self.peak_share = shares.into_iter().flatten().reduce(f64::max);
@@ -97,10 +96,10 @@ impl KernelShare {
     }
 }
 
-/// Measures a batch. Calls `progress` after every pass, of which there are [`passes`].
+/// Measures a batch. Calls `progress` after every pass; [`passes`] gives their number.
 ///
 /// # Errors
-/// As [`Renderer::render`] and [`Renderer::gradient`].
+/// The same errors as [`Renderer::render`] and [`Renderer::gradient`].
 pub fn measure(
     renderer: &Renderer,
     scene: &DeviceScene,
@@ -120,14 +119,14 @@ pub fn measure(
         false => None,
         true => {
             let ones = vec![1.0; batch.output_shape().iter().product()];
-            // made once, as in training
+            // created once, as in training
             let gradient = SceneGradient::new(device, scene)?;
             let mut pass = || renderer.add_gradient(scene, cameras, batch, &ones, &gradient);
             Some(time(device, options.repeat, progress, &mut pass)?)
         }
     };
     let peak_memory_bytes = memory::peak();
-    // last, for it takes memory of its own
+    // last, because it takes additional memory
     let peaks = Peaks::measure(device)?;
     let beside = |kernels: &[KernelShare]| -> Vec<_> {
         kernels.iter().map(|kernel| kernel.clone().beside(peaks)).collect()
@@ -153,21 +152,21 @@ pub fn measure(
     })
 }
 
-/// How many passes [`measure`] makes.
+/// Number of passes that [`measure`] makes.
 #[must_use]
 pub fn passes(device: &Device, options: BenchOptions) -> usize {
     let timed = if times_apart(device) { 2 * options.repeat } else { options.repeat };
     (1 + timed) * (1 + usize::from(options.backward))
 }
 
-/// Whether the kernels' times must be taken in passes of their own, for they may make a pass take longer.
+/// Whether kernels must be timed in separate passes, because timing may slow down a pass.
 fn times_apart(device: &Device) -> bool {
     device.backend() == "gpu"
 }
 
 #[derive(Debug)]
 struct Timed {
-    /// The median of whole passes.
+    /// The median time of whole passes.
     seconds: f64,
     kernels: Vec<KernelShare>,
 }
@@ -223,7 +222,7 @@ fn shares(passes: &[Vec<KernelTime>]) -> Vec<KernelShare> {
     shares
 }
 
-/// The one in the middle, or the mean of the two.
+/// The middle value, or the mean of the two middle values.
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     let middle = values.len() / 2;

@@ -1,9 +1,9 @@
-//! How close a scene comes to photographs: each is rendered whole and compared, by PSNR and SSIM, and by what else is
-//! asked for.
+//! Compares a scene with photographs. Each is rendered whole and compared by PSNR and SSIM, and by further measures
+//! on request.
 //!
-//! What is compared is the rendered value of f32, clamped to 0 to 1 as a picture would be but not rounded to 8 bits; a NaN
-//! is black. Pixels that the photograph does not have (undistorting leaves such) do not count: PSNR is over the others,
-//! and SSIM over the windows that touch none of them.
+//! The rendered f32 values are clamped to 0 to 1, as in a picture, but not rounded to 8 bits; NaN is black. Pixels
+//! that the photograph does not have, as after undistorting, are ignored: PSNR is over the other pixels, and SSIM
+//! over windows without any such pixel.
 
 pub(crate) mod csv;
 mod fitted;
@@ -24,72 +24,73 @@ use crate::tile::TileBatch;
 use organza_core::RenderedTiles;
 use organza_device::memory;
 
-/// What a comparison of an image with its photograph gave.
+/// The result of comparing an image with its photograph.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Score {
-    /// The peak signal-to-noise ratio in decibels. Infinite where the image equals the photograph, which JSON writes as
-    /// null; none, null too, where no pixel of the photograph is valid.
+    /// The peak signal-to-noise ratio in decibels. Infinite, null in JSON, if the image equals the photograph.
+    /// `None`, also null, if no pixel of the photograph is valid.
     pub psnr: Option<f64>,
-    /// The structural similarity, at most 1; none, null in JSON, where no window of 11 x 11 pixels is valid.
+    /// The structural similarity, at most 1. `None`, null in JSON, if no window of 11 x 11 pixels is valid.
     pub ssim: Option<f64>,
-    /// LPIPS, which only [`evaluate_measures`] measures. Pixels that the photograph does not have are black in both images.
+    /// LPIPS. Only [`evaluate_measures`] measures it. Pixels that the photograph does not have are black in both
+    /// images.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lpips: Option<f64>,
-    /// PSNR after a gain and an offset for each channel, each half of the image with the fit of the other half. Only
-    /// [`evaluate_measures`] with [`Measures::fitted`] measures it.
+    /// PSNR after fitting a gain and an offset for each channel. Each half of the image has the fit of the other
+    /// half. Only [`evaluate_measures`] with [`Measures::fitted`] measures it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub psnr_fitted: Option<f64>,
 }
 
-/// What is measured besides PSNR and SSIM.
+/// Measures besides PSNR and SSIM.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Measures<'a> {
-    /// LPIPS, with these weights.
+    /// The weights for LPIPS, to measure it.
     pub lpips: Option<&'a Lpips>,
-    /// PSNR after a fit of the colors, [`Score::psnr_fitted`].
+    /// Whether to measure [`Score::psnr_fitted`].
     pub fitted: bool,
 }
 
 /// The score of one frame.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ViewScore {
-    /// The photograph's path as the data set writes it.
+    /// Path of the photograph, as the data set writes it.
     pub name: String,
-    /// How close the image came to it.
+    /// Scores of the rendered image.
     #[serde(flatten)]
     pub score: Score,
 }
 
-/// The scores of some frames. As JSON: `{"mean": {"psnr", "ssim"}, "views": [{"name", "psnr", "ssim"}, ...]}`.
+/// The scores of frames. As JSON: `{"mean": {"psnr", "ssim"}, "views": [{"name", "psnr", "ssim"}, ...]}`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Evaluation {
-    /// The means over the views that have the value; none where no view has.
+    /// Means over the views that have the value; `None` if no view has it.
     pub mean: Score,
-    /// The frames, in the order they were given.
+    /// Scores of the frames, in the given order.
     pub views: Vec<ViewScore>,
-    /// Pixels that were rendered as a NaN or an infinity, in all views. Not part of the JSON.
+    /// Number of pixels, in all views, that were rendered as NaN or infinity. Not part of the JSON.
     #[serde(skip)]
     pub not_finite: u64,
 }
 
-/// What happens during [`evaluate_with`].
+/// Progress of [`evaluate_with`].
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum Event<'a> {
     /// Tiles were rendered.
     Tiles {
-        /// Tiles that are done.
+        /// Number of finished tiles.
         done: usize,
-        /// Tiles of all frames.
+        /// Number of tiles of all frames.
         total: usize,
     },
-    /// A view is done.
+    /// A view is finished.
     View {
-        /// Its place among the frames.
+        /// Index of the frame.
         index: usize,
-        /// How close it came.
+        /// Scores of the view.
         score: &'a ViewScore,
-        /// The picture, of the photograph's size.
+        /// The rendered image, of the photograph's size.
         image: &'a Image,
     },
 }
@@ -100,8 +101,8 @@ fn tiles(frames: &[&Frame]) -> usize {
     frames.iter().map(|frame| across(frame.camera.width) * across(frame.camera.height)).sum()
 }
 
-/// Renders each frame and compares it with its photograph. One image is in memory at a time, and what is rendered of it
-/// at once is bounded.
+/// Renders each frame and compares it with its photograph. Only one image is in memory at a time, and the part that
+/// is rendered at once is bounded.
 ///
 /// ```
 /// use organza::train::built_in;
@@ -118,15 +119,15 @@ fn tiles(frames: &[&Frame]) -> usize {
 /// ```
 ///
 /// # Errors
-/// [`Error::Argument`] where a photograph does not have its camera's size; else as [`Renderer::render`].
+/// [`Error::Argument`] if a photograph does not have its camera's size; those of [`Renderer::render`].
 pub fn evaluate(renderer: &Renderer, scene: &DeviceScene, frames: &[&Frame]) -> Result<Evaluation> {
     evaluate_with(renderer, scene, frames, &mut |_| {})
 }
 
-/// As [`evaluate`]; calls `watch` with what happens.
+/// Like [`evaluate`], but calls `watch` with the progress.
 ///
 /// # Errors
-/// As [`evaluate`].
+/// The same errors as [`evaluate`].
 pub fn evaluate_with(
     renderer: &Renderer,
     scene: &DeviceScene,
@@ -136,10 +137,10 @@ pub fn evaluate_with(
     evaluate_measures(renderer, scene, frames, Measures::default(), watch)
 }
 
-/// As [`evaluate_with`]; also measures what `measures` asks for.
+/// Like [`evaluate_with`], but also takes the further `measures`.
 ///
 /// # Errors
-/// As [`evaluate`].
+/// The same errors as [`evaluate`].
 pub fn evaluate_measures(
     renderer: &Renderer,
     scene: &DeviceScene,
@@ -167,7 +168,8 @@ pub fn evaluate_measures(
     Ok(Evaluation { mean: mean(&views), views, not_finite })
 }
 
-/// As [`evaluate`], of one frame, with a scene whose Gaussians are dealt to ranks: all of them call this.
+/// Like [`evaluate`], but for one frame, with a scene whose Gaussians are distributed over ranks. All ranks must call
+/// it.
 pub(crate) fn evaluate_share(
     renderer: &Renderer,
     share: &DeviceShare,
@@ -184,8 +186,8 @@ pub(crate) fn evaluate_share(
 }
 
 impl Evaluation {
-    /// Writes a table with a row for each view, atomically: CSV with the columns `view`, `psnr`, `ssim`, and `lpips` if it
-    /// was measured. A score that a view does not have is empty; an infinite PSNR is `inf`.
+    /// Writes a CSV table with a row for each view, atomically. The columns are `view`, `psnr`, `ssim`, and `lpips`
+    /// if it was measured. A missing score is empty; an infinite PSNR is `inf`.
     ///
     /// # Errors
     /// [`Error::WriteFile`].
@@ -193,7 +195,7 @@ impl Evaluation {
         csv::save_csv(path, &self.views.iter().map(|view| (None, view)).collect::<Vec<_>>())
     }
 
-    /// That of all frames, from those of some each, in order.
+    /// Joins evaluations of parts of the frames, in order.
     pub(crate) fn of_parts(parts: Vec<Self>) -> Self {
         let not_finite = parts.iter().map(|part| part.not_finite).sum();
         let views: Vec<_> = parts.into_iter().flat_map(|part| part.views).collect();
@@ -215,10 +217,10 @@ fn mean(views: &[ViewScore]) -> Score {
     }
 }
 
-/// A frame as it was rendered.
+/// A rendered frame.
 struct Rendered {
     image: Image,
-    /// `[height, width]` colors of 0 to 1.
+    /// Colors, `[height, width]`, from 0 to 1.
     colors: Vec<[f32; 3]>,
 }
 
@@ -248,12 +250,12 @@ impl Rendered {
         Ok(rendered)
     }
 
-    /// As [`Image::paste`], without rounding.
+    /// Like [`Image::paste`], but without rounding.
     fn paste(&mut self, batch: &TileBatch, tiles: &RenderedTiles) {
         let [width, height] = self.image.size().map(|size| size as usize);
         let side = batch.side as usize;
         for (index, tile) in batch.tiles.iter().enumerate() {
-            // `bands` begins at 0 and covers the image
+            // `bands` starts at 0 and covers the image
             let [left, top] = tile.origin.map(|origin| origin as usize);
             for y in top..(top + side).min(height) {
                 for x in left..(left + side).min(width) {
@@ -293,14 +295,14 @@ impl Rendered {
     }
 }
 
-/// Room for the colors of a frame's pixels.
+/// Allocates the colors of a frame's pixels.
 fn colors(frame: &Frame, what: &str) -> Result<Vec<[f32; 3]>> {
     let (width, height) = (frame.image.width(), frame.image.height());
     let what = format!("the colors of {what} of {width} x {height} pixels");
     Ok(memory::zeros(frame.image.pixels().len(), &what)?)
 }
 
-/// What a display shows of a value.
+/// The value that a display shows.
 fn displayed(value: f32) -> f32 {
     if value.is_nan() { 0.0 } else { value.clamp(0.0, 1.0) }
 }

@@ -1,4 +1,4 @@
-//! From frames to a film: MP4 by ffmpeg, or an animated PNG.
+//! Makes films of frames: MP4 through ffmpeg, or an animated PNG.
 
 use std::ffi::OsStr;
 use std::fs::{self, File};
@@ -12,11 +12,11 @@ use serde::{Deserialize, Serialize};
 use crate::error::{Error, Result};
 use organza_core::write_atomic;
 
-/// What a film is written as.
+/// The format of a film.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
-    /// H.264 by ffmpeg.
+    /// H.264, encoded by ffmpeg.
     Mp4,
     /// An animated PNG.
     Png,
@@ -24,23 +24,23 @@ pub enum Kind {
     Frames,
 }
 
-/// Frames that become a film.
+/// The frames of a film.
 pub struct Frames<'a> {
     /// PNG images of one size.
     pub files: &'a [PathBuf],
-    /// How many are shown in a second.
+    /// Frames per second.
     pub fps: u32,
-    /// A folder for what is half done.
+    /// A folder for unfinished files.
     pub scratch: &'a Path,
     /// Called after each frame.
     pub progress: &'a dyn Fn(),
 }
 
 impl Kind {
-    /// By the name's ending; what has none, or is a folder, is a folder.
+    /// The format for a path, by its extension. A path without one, or of a folder, means a folder of frames.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for another ending.
+    /// [`Error::Invalid`] for another extension.
     pub fn of(output: &Path) -> Result<Self> {
         let extension = output.extension().map(OsStr::to_ascii_lowercase);
         match extension.as_deref().and_then(OsStr::to_str) {
@@ -57,10 +57,10 @@ impl Kind {
         }
     }
 
-    /// Fails at once where a film could not be written after hours of rendering.
+    /// Fails early if the film could not be written after hours of rendering.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for an MP4 whose sides are odd, or without ffmpeg.
+    /// [`Error::Invalid`] for an MP4 with odd sides, or without ffmpeg.
     pub fn check(self, size: [u32; 2]) -> Result<()> {
         if self != Self::Mp4 {
             return Ok(());
@@ -83,10 +83,10 @@ impl Kind {
         }
     }
 
-    /// Writes the film of some frames.
+    /// Writes the film.
     ///
     /// # Errors
-    /// [`Error::ReadFile`] for a frame, [`Error::WriteFile`], [`Error::Invalid`] with what ffmpeg says.
+    /// [`Error::ReadFile`] for a frame; [`Error::WriteFile`]; [`Error::Invalid`] with ffmpeg's message.
     pub fn write(self, frames: &Frames<'_>, output: &Path) -> Result<()> {
         match self {
             Self::Mp4 => mp4(frames, output),
@@ -96,7 +96,7 @@ impl Kind {
     }
 }
 
-/// ffmpeg goes back in its file, so it has one of its own.
+/// Writes an MP4. ffmpeg seeks in its output, so it gets a file of its own.
 fn mp4(frames: &Frames<'_>, output: &Path) -> Result<()> {
     let Frames { fps, scratch, .. } = *frames;
     let beside = tempfile::Builder::new().prefix(".organza-").suffix(".tmp").tempfile_in(scratch);
@@ -117,22 +117,22 @@ fn mp4(frames: &Frames<'_>, output: &Path) -> Result<()> {
     let said = said.join().unwrap_or_default();
     match (fed, status) {
         (Ok(()), Ok(status)) if status.success() => {}
-        // what it says is worth more than that it does not listen
+        // if ffmpeg has failed, its own message says more than a broken pipe
         (Err(Feed::Frame(path, source)), _) => return Err(Error::read(&path, source)),
         (Err(Feed::Pipe(error)), Ok(status)) if status.success() => {
-            return refuse(format!("ffmpeg does not take frames: {error}"));
+            return refuse(format!("cannot send frames to ffmpeg: {error}"));
         }
         (_, Ok(status)) => {
             let last = said.lines().rev().find(|line| !line.trim().is_empty());
             return refuse(format!("ffmpeg ended with {status}: {}", last.unwrap_or("no message")));
         }
-        (_, Err(error)) => return refuse(format!("ffmpeg got lost: {error}")),
+        (_, Err(error)) => return refuse(format!("cannot wait for ffmpeg: {error}")),
     }
     let mut film = File::open(&path).map_err(|source| Error::read(&path, source))?;
     write_atomic(output, |writer| io::copy(&mut film, writer).map(drop))
 }
 
-/// H.264 that every player shows: 4:2:0, and the matrix of HD written in the file.
+/// H.264 for every player: 4:2:0, with the color matrix of HD written in the file.
 fn ffmpeg(fps: u32, output: &Path) -> Command {
     let mut command = Command::new("ffmpeg");
     command
@@ -149,7 +149,7 @@ fn ffmpeg(fps: u32, output: &Path) -> Command {
     command
 }
 
-/// What keeps frames from ffmpeg.
+/// The reason why ffmpeg did not get all frames.
 enum Feed {
     Frame(PathBuf, io::Error),
     Pipe(io::Error),
@@ -175,13 +175,13 @@ fn animated_png(frames: &Frames<'_>, output: &Path) -> Result<()> {
         }
     };
     let (width, height) = pixels(&files[0])?.dimensions();
-    // an error about a frame is not one of writing
+    // an error about a frame is not an error of writing
     let mut failed = None;
     let written = write_atomic(output, |writer| {
         let mut encoder = png::Encoder::new(writer, width, height);
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
-        // 0 plays: for ever
+        // 0 plays means forever
         encoder.set_animated(files.len() as u32, 0)?;
         encoder.set_frame_delay(1, fps as u16)?;
         let mut writer = encoder.write_header()?;

@@ -1,6 +1,6 @@
-//! Every parser of what comes from outside, on bytes: what `fuzz/` runs, and the tests replay.
+//! Every parser of external data, on bytes. `fuzz/` runs them, and the tests replay its findings.
 //!
-//! Each takes anything and returns; a panic, a hang or much memory is a bug.
+//! Each takes any bytes and returns. A panic, a hang or excessive memory is a bug.
 
 use std::path::Path;
 
@@ -13,10 +13,10 @@ use crate::tile::TileBatch;
 use crate::train::metrics;
 use crate::train::{Checkpoint, TrainConfig};
 
-/// A parser that may do nothing but return.
+/// A parser of bytes, which must return.
 pub type Target = fn(&[u8]);
 
-/// The targets by their names, which are those of the corpus's folders.
+/// The targets by name. The corpus has a folder of the same name for each.
 pub const TARGETS: [(&str, Target); 12] = [
     ("scene", scene),
     ("cameras", cameras),
@@ -32,12 +32,12 @@ pub const TARGETS: [(&str, Target); 12] = [
     ("metrics", log),
 ];
 
-/// What errors name.
+/// The path that errors name.
 fn origin() -> &'static Path {
     Path::new("bytes")
 }
 
-/// A scene, and what is said of it.
+/// Reads a scene, and describes it.
 pub fn scene(bytes: &[u8]) {
     if let Ok(scene) = Scene::from_bytes(bytes, origin()) {
         let _ = scene.warnings();
@@ -46,52 +46,52 @@ pub fn scene(bytes: &[u8]) {
     }
 }
 
-/// The cameras of a `transforms.json`.
+/// Reads the cameras of a `transforms.json`.
 pub fn cameras(bytes: &[u8]) {
     if let Ok(file) = parse_json(bytes, origin()) {
         let _ = parse::cameras(&file, origin());
     }
 }
 
-/// A tiles file.
+/// Reads a tiles file.
 pub fn tiles(bytes: &[u8]) {
     if let Ok(file) = parse_json(bytes, origin()) {
         let _ = TileBatch::parse(&file, origin());
     }
 }
 
-/// A file of tensors.
+/// Reads a file of tensors.
 pub fn tensors(mut bytes: &[u8]) {
     let length = bytes.len() as u64;
     let _ = read_tensors_from(&mut bytes, length, origin());
 }
 
-/// The frames of nerfstudio's and Blender's data sets.
+/// Reads the frames of nerfstudio's and Blender's data sets.
 pub fn transforms(bytes: &[u8]) {
     data::transforms(bytes, origin());
 }
 
-/// The files of COLMAP's models.
+/// Reads the files of COLMAP's models.
 pub fn colmap(bytes: &[u8]) {
     data::colmap(bytes, origin());
 }
 
-/// A point cloud.
+/// Reads a point cloud.
 pub fn ply(bytes: &[u8]) {
     data::ply(bytes, origin());
 }
 
-/// Gaussians of another program.
+/// Reads another program's Gaussians.
 pub fn splats(bytes: &[u8]) {
     let _ = read_from(bytes, bytes.len() as u64, origin());
 }
 
-/// A photograph.
+/// Reads a photograph.
 pub fn photograph(bytes: &[u8]) {
     data::photograph(bytes, origin());
 }
 
-/// A run's settings, and what they take.
+/// Reads a run's settings, and computes the memory that they need.
 pub fn config(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     if let Ok(config) = TrainConfig::parse(text, origin()) {
@@ -101,12 +101,12 @@ pub fn config(bytes: &[u8]) {
     }
 }
 
-/// A checkpoint.
+/// Reads a checkpoint.
 pub fn checkpoint(bytes: &[u8]) {
     let _ = Checkpoint::from_bytes(bytes, origin());
 }
 
-/// A log of training.
+/// Reads a log of training.
 pub fn log(bytes: &[u8]) {
     let _ = metrics::parse(origin(), bytes);
 }

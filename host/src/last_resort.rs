@@ -1,5 +1,5 @@
-//! Memory that runs out where nobody can answer ends the program with a message, and not in an
-//! abort. Stable Rust has no other hook.
+//! Ends the program with a message if memory runs out where nobody can handle it, and not with an abort. Stable Rust
+//! has no other hook.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::io::Write;
@@ -9,8 +9,8 @@ static ALLOCATOR: LastResort = LastResort;
 
 struct LastResort;
 
-// SAFETY: every call goes to the system's allocator as it is; a null that it returns is returned
-// or ends the program.
+// SAFETY: every call goes to the system's allocator unchanged. A null that it returns is passed on or ends the
+// program.
 unsafe impl GlobalAlloc for LastResort {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         // SAFETY: the caller's promise
@@ -35,13 +35,13 @@ unsafe impl GlobalAlloc for LastResort {
 
 #[inline]
 fn checked(memory: *mut u8, size: usize) -> *mut u8 {
-    // The library's tensors and buffers take no for an answer, and say what they were for.
+    // The library's tensors and buffers handle a failure, and report their purpose.
     if memory.is_null() && !organza_device::memory::may_fail() { give_up(size) } else { memory }
 }
 
 #[cold]
 fn give_up(size: usize) -> ! {
-    // Standard error has no buffer, and formatting integers allocates nothing.
+    // Standard error is not buffered, and formatting integers allocates nothing.
     let text = "render fewer or smaller tiles at once, or use a smaller scene";
     let _ =
         writeln!(std::io::stderr(), "error: out of memory: {size} more bytes are needed; {text}");

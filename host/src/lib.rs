@@ -1,8 +1,8 @@
 //! Sort-free Gaussian rendering in single-source Rust.
 //!
-//! A scene is a set of 3D Gaussians whose color and visibility come from small neural fields.  Tiles of any number
-//! of views are rendered as one tensor `[K, 3, S, S]`; nothing is ever sorted.  The kernels are written once, in
-//! Rust: they run on every GPU that wgpu reaches, and as the same functions on the CPU.
+//! A scene is a set of 3D Gaussians, whose color and visibility come from small neural fields. Tiles of any number of
+//! views are rendered as one tensor `[K, 3, S, S]`, and nothing is ever sorted. The kernels are written once, in
+//! Rust. They run on every GPU that wgpu supports, and as the same functions on the CPU.
 //!
 //! [`Renderer`] renders:
 //!
@@ -33,8 +33,9 @@
 //! # Ok::<(), organza::Error>(())
 //! ```
 //!
-//! [`Renderer::gradient`] gives the gradient of any loss, [`Renderer::record`] the tiles with it, and [`train::StepHooks`] has a [`Trainer`] use one. The
-//! feature `ndarray` converts tiles, tensors and gradients to arrays and back.
+//! [`Renderer::gradient`] computes the gradient of any loss, and [`Renderer::record`] the tiles as well.
+//! [`train::StepHooks`] passes a loss to a [`Trainer`]. The feature `ndarray` converts tiles, tensors and gradients
+//! to arrays and back.
 
 #[doc(hidden)]
 pub mod bench;
@@ -73,21 +74,22 @@ pub use render::{
 pub use train::{TrainConfig, Trainer};
 
 /// The commit that organza was built from, followed by `-modified` if its sources had changed since. It is known for
-/// packages that cargo made, and for release builds in a git repository. The variable `ORGANZA_COMMIT` sets it for others.
+/// packages that cargo made, and for release builds in a git repository. Otherwise, the environment variable
+/// `ORGANZA_COMMIT` sets it.
 pub const COMMIT: Option<&str> = option_env!("ORGANZA_COMMIT");
 
-/// The compiled kernels that a GPU runs.
+/// The compiled kernels for GPUs.
 #[doc(hidden)]
 pub static MODULES: Modules = organza_device::modules!();
 
-/// Opens the device that `options` ask for, with the kernels of this crate.
+/// Opens the device that `options` describe, with the kernels of this crate.
 ///
-/// Without `XDG_RUNTIME_DIR`, as over ssh or in a container, Mesa's Vulkan layer `device_select` may write
-/// `error: XDG_RUNTIME_DIR is invalid or not set` to stderr. It means nothing here. A process that starts with
-/// `NODEVICE_SELECT=1` in its environment does not load the layer; the program `organza` sets that for itself.
+/// Without `XDG_RUNTIME_DIR`, as over ssh or in a container, Mesa's Vulkan layer `device_select` may write `error:
+/// XDG_RUNTIME_DIR is invalid or not set` to stderr. It does no harm. A process that starts with `NODEVICE_SELECT=1`
+/// in its environment does not load the layer. The program `organza` sets that for itself.
 ///
 /// # Errors
-/// [`DeviceError::NoGpu`](error::DeviceError::NoGpu) where a GPU was demanded and none can be used.
+/// [`DeviceError::NoGpu`](error::DeviceError::NoGpu) if a GPU was demanded and none can be used.
 pub fn open_device(options: &DeviceOptions) -> Result<Device> {
     Ok(Device::open(options, &MODULES)?)
 }

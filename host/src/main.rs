@@ -10,9 +10,9 @@ fn main() -> ExitCode {
     cli::main()
 }
 
-/// Without a folder for a desktop's sockets, over ssh or in a container, Mesa's Vulkan layer `device_select` looks for a
-/// Wayland server all the same, and libwayland writes an error to stderr. The layer sorts devices for a desktop, and we
-/// sort them ourselves. It stays if the user asks it for a device.
+/// Disables Mesa's Vulkan layer `device_select`. Without a folder for a desktop's sockets, over ssh or in a
+/// container, it still looks for a Wayland server, and libwayland writes an error to stderr. The layer sorts devices
+/// for a desktop, but organza sorts them itself. The layer stays if the user asks it for a device.
 fn silence_device_select() {
     let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
     let has_folder = std::env::var_os("XDG_RUNTIME_DIR")

@@ -34,10 +34,10 @@ use crate::scene::Gradient;
 use crate::tile::TileBatch;
 
 impl Renderer {
-    /// As [`Renderer::gradient`], with dLoss/dY `[K, 3, S, S]` in an array.
+    /// Like [`Renderer::gradient`], but dLoss/dY `[K, 3, S, S]` is an array.
     ///
     /// # Errors
-    /// As [`Renderer::gradient`]; [`Error::Argument`] where the array has another shape than the batch.
+    /// The same errors as [`Renderer::gradient`]; [`Error::Argument`] if the array has another shape than the batch.
     pub fn gradient_of_array(
         &self,
         scene: &DeviceScene,
@@ -55,14 +55,14 @@ impl Renderer {
 }
 
 impl LossGradient {
-    /// A loss, and dL/dY `[K, 3, S, S]` in an array.
+    /// A loss, with dL/dY `[K, 3, S, S]` in an array.
     #[must_use]
     pub fn from_array(loss: f64, grad_output: ArrayView4<'_, f32>) -> Self {
         Self { loss, grad_output: values(grad_output) }
     }
 }
 
-/// The values, row-major, however they lie in memory.
+/// The values, row-major, for any memory layout.
 fn values(array: ArrayView4<'_, f32>) -> Vec<f32> {
     array.iter().copied().collect()
 }

@@ -61,7 +61,7 @@ class Ranks:
     def __repr__(self) -> str:
         return f"<organza.torch.Ranks: rank {self.rank} of {self.size}>"
 
-    # What follows is called by the compiled part of the package, in a thread of its own. Every call waits for all ranks.
+    # The compiled part of the package calls the following, in a separate thread. Every call waits for all ranks.
 
     def reduce(self, values: NDArray[Any], operation: str) -> None:
         """Combines all ranks' values in place, `int32` or `int64`: "max", "or" or "sum"."""

@@ -92,7 +92,7 @@ class Renderer(_organza.Renderer):
         tiles: Tiles | None = None,
         channels: Sequence[Channel] = ("depth", "alpha", "visibility", "normal"),
     ) -> tuple[Array, dict[str, Array]]:
-        """As `render`, with channels beside the color: `[C, H, W, planes]`, or `[K, planes, S, S]` of tiles.
+        """Like `render`, with channels besides the color: `[C, H, W, planes]`, or `[K, planes, S, S]` of tiles.
 
         "depth" is in world units along the camera's axis, "alpha" the sum of the weights (it can exceed 1), "visibility" the mean
         transmittance; "normal" has 3 planes, all others 1. They are 0 where no Gaussian has a weight.
@@ -169,7 +169,7 @@ class Renderer(_organza.Renderer):
         repeat: int = 5,
         backward: bool = True,
     ) -> dict[str, Any]:
-        """What a batch takes: medians of `repeat` passes in seconds, and each kernel's share. As `organza bench --json`."""
+        """Measures a batch: medians of `repeat` passes in seconds, and each kernel's share, like `organza bench --json`."""
         scene = self._on_device(scene)
         return super().bench(scene, cameras._core, tiles._core, repeat, backward)
 

@@ -14,7 +14,7 @@ from ._renderer import Renderer
 
 @dataclass(frozen=True)
 class Exported:
-    """What a file for viewers that sort has, and how close it is to its scene."""
+    """The content of a file for viewers that sort, and its PSNR compared with the scene."""
 
     gaussians: int
     """The Gaussians of the file. Those that are nearly transparent are left out."""

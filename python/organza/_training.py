@@ -65,7 +65,7 @@ class TrainConfig:
 
 
 def _written(value: Any) -> str:
-    """As `--set` of the program takes it."""
+    """The value in the form that the program's `--set` takes."""
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, (list, tuple)):
@@ -75,7 +75,7 @@ def _written(value: Any) -> str:
 
 @dataclass(frozen=True)
 class Evaluation:
-    """What the held-out photographs scored after a step."""
+    """Scores of the held-out photographs after a step."""
 
     step: int
     """Steps so far."""

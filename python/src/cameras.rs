@@ -49,7 +49,7 @@ impl Cameras {
         Self(poses.outer_iter().zip(ks.outer_iter()).map(camera).collect()).checked()
     }
 
-    /// `[C, 4, 4]`
+    /// Camera to world, `[C, 4, 4]`.
     fn poses<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray3<f64>> {
         let value = |(camera, row, column): (usize, usize, usize)| {
             self.0[camera].camera_to_world[row][column]
@@ -57,7 +57,7 @@ impl Cameras {
         Array3::from_shape_fn((self.0.len(), 4, 4), value).into_pyarray(py)
     }
 
-    /// `[C, 3, 3]`
+    /// Intrinsics, `[C, 3, 3]`.
     fn intrinsics<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray3<f64>> {
         let value = |(camera, row, column): (usize, usize, usize)| {
             let camera = &self.0[camera];
@@ -68,7 +68,7 @@ impl Cameras {
         Array3::from_shape_fn((self.0.len(), 3, 3), value).into_pyarray(py)
     }
 
-    /// Width and height of each, in pixels.
+    /// Width and height of each camera's image, in pixels.
     fn sizes(&self) -> Vec<(u32, u32)> {
         self.0.iter().map(|camera| (camera.width, camera.height)).collect()
     }
@@ -77,7 +77,7 @@ impl Cameras {
         self.0.iter().map(|camera| camera.file_path.clone()).collect()
     }
 
-    /// Those at these indices.
+    /// The cameras with these indices.
     fn select(&self, indices: Vec<usize>) -> Self {
         Self(indices.into_iter().map(|index| self.0[index].clone()).collect())
     }
@@ -102,7 +102,7 @@ pub struct Tiles(pub organza::TileBatch);
 
 #[pymethods]
 impl Tiles {
-    /// `tiles [K, 3]`: camera, and x and y of the corner.
+    /// `tiles [K, 3]` has the camera, and x and y of the upper left corner.
     #[new]
     fn new(side: u32, tiles: PyReadonlyArray2<'_, i64>) -> PyResult<Self> {
         let tile = |(index, row): (usize, numpy::ndarray::ArrayView1<'_, i64>)| {
@@ -126,7 +126,7 @@ impl Tiles {
         self.0.save(path).map_err(raise)
     }
 
-    /// The tiles that cover the images of cameras, one camera after the other, row by row.
+    /// Tiles that cover the images of cameras, one camera after the other, row by row.
     #[staticmethod]
     fn cover(cameras: &Cameras, side: u32) -> PyResult<Self> {
         let mut tiles = Vec::new();
@@ -139,7 +139,7 @@ impl Tiles {
         Ok(Self(batch))
     }
 
-    /// `[K, 3]`
+    /// Camera, and x and y of the upper left corner, `[K, 3]`.
     fn array<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<i64>> {
         let value = |(index, column): (usize, usize)| {
             let tile = &self.0.tiles[index];

@@ -20,7 +20,7 @@ use crate::renderer::Renderer;
 #[pyclass(frozen, module = "organza")]
 pub struct Dataset {
     pub dataset: Arc<organza::Dataset>,
-    /// How it was read.
+    /// Settings with which it was read.
     pub data: DataConfig,
 }
 
@@ -58,7 +58,7 @@ impl Dataset {
         Self::open(py, data, Some(&renderer.0))
     }
 
-    /// Width, height and pixels `[H, W, 3]` of a photograph, as bytes.
+    /// Pixels of a photograph as bytes, `[H, W, 3]`.
     fn image<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyArray3<u8>>> {
         let Some(frame) = self.dataset.frames.get(index) else {
             let reason = format!("there are {} photographs", self.dataset.frames.len());
@@ -95,7 +95,7 @@ impl Dataset {
         self.dataset.background
     }
 
-    /// Photographs that the data set names and that are not there.
+    /// Photographs in the data set whose files do not exist.
     #[getter]
     fn missing(&self) -> Vec<PathBuf> {
         self.dataset.missing.clone()
@@ -112,7 +112,7 @@ impl Dataset {
 }
 
 impl Dataset {
-    /// As settings say; those of the built-in scene are rendered.
+    /// Reads a data set according to the settings. Photographs of the built-in scene are rendered.
     pub fn open(
         py: Python<'_>,
         data: DataConfig,

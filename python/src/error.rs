@@ -1,4 +1,4 @@
-//! organza's errors as exceptions of Python.
+//! Converts organza's errors to Python exceptions.
 
 use std::io::ErrorKind;
 
@@ -16,7 +16,7 @@ create_exception!(
     "organza cannot go on: there is no usable GPU, a GPU was lost, training has left what numbers can hold, or another rank has failed."
 );
 
-/// The exception of an error. Its text is what the program prints.
+/// The exception for an error. Its text is that of the program.
 pub fn raise(error: organza::Error) -> PyErr {
     let text = chain(&error);
     match &error {
@@ -36,7 +36,7 @@ pub fn raise(error: organza::Error) -> PyErr {
     }
 }
 
-/// A value that makes no sense.
+/// The exception for an invalid value.
 pub fn invalid(reason: impl Into<String>) -> PyErr {
     PyValueError::new_err(reason.into())
 }

@@ -1,4 +1,4 @@
-//! Long calls: other threads of Python run meanwhile, and Ctrl-C ends the wait.
+//! Long calls: other Python threads run meanwhile, and Ctrl-C ends the wait.
 
 use std::panic::resume_unwind;
 use std::sync::Arc;
@@ -11,10 +11,10 @@ use pyo3::prelude::*;
 
 use crate::error::raise;
 
-/// How long Ctrl-C can go unnoticed.
+/// Longest delay until Ctrl-C is noticed.
 const PATIENCE: Duration = Duration::from_millis(50);
 
-/// Does `work` in a thread of its own. After Ctrl-C the thread ends its work alone, and its result is dropped.
+/// Runs `work` in a separate thread. After Ctrl-C the thread finishes alone, and its result is dropped.
 pub fn run<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce() -> organza::Result<T> + Send + 'static,
@@ -22,8 +22,8 @@ pub fn run<T: Send + 'static>(
     run_while_awaited(py, |_| work())
 }
 
-/// As [`run`], for work that takes minutes or leaves something behind. It calls what it is given now and then, and ends with the
-/// error of that after Ctrl-C.
+/// Like [`run`], but for work that takes minutes or has side effects. `work` gets a function to call now and then.
+/// After Ctrl-C, that function returns an error, with which `work` must end.
 pub fn run_while_awaited<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&dyn Fn() -> organza::Result<()>) -> organza::Result<T> + Send + 'static,
@@ -53,7 +53,7 @@ pub fn spawn(work: impl FnOnce() + Send + 'static) -> PyResult<JoinHandle<()>> {
         .map_err(|error| PyRuntimeError::new_err(format!("cannot start a thread: {error}")))
 }
 
-/// What a thread sends next; none if it has ended.
+/// The next message of a thread; `None` if it has ended.
 pub fn receive<T: Send>(py: Python<'_>, receiver: &mut Receiver<T>) -> PyResult<Option<T>> {
     loop {
         let receiver = &mut *receiver;
@@ -65,7 +65,7 @@ pub fn receive<T: Send>(py: Python<'_>, receiver: &mut Receiver<T>) -> PyResult<
     }
 }
 
-/// Goes on with the panic of a thread, which pyo3 makes an exception.
+/// Propagates the panic of a thread, which pyo3 turns into an exception.
 pub fn panicked(thread: JoinHandle<()>) -> PyErr {
     match thread.join() {
         Err(payload) => resume_unwind(payload),

@@ -1,5 +1,5 @@
-//! The module `organza._organza`: organza's library as classes of Python. The package `organza` gives it the interface
-//! that its users see.
+//! The module `organza._organza`: organza's library as Python classes. The package `organza` wraps it in the
+//! interface for users.
 
 mod cameras;
 mod data;

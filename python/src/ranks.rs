@@ -1,4 +1,4 @@
-//! Ranks whose messages Python carries.
+//! Ranks that communicate through Python.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -7,10 +7,10 @@ use organza::ranks::Ranks;
 use organza::{Error, Result};
 use pyo3::prelude::*;
 
-/// What turns the order of `u32` into that of `i32`.
+/// Flips the bit that makes the order of `u32` that of `i32`.
 const TOP: u32 = 1 << 31;
 
-/// A rank that is a process. An object of Python carries its messages, which are arrays of numpy: see `organza/_ranks.py`.
+/// A rank that is a process. A Python object sends its messages, which are numpy arrays: see `organza/_ranks.py`.
 #[derive(Debug)]
 pub struct PythonRanks {
     carrier: Py<PyAny>,
@@ -32,7 +32,8 @@ impl PythonRanks {
         })
     }
 
-    /// Makes a call. Where it fails, the carrier knows which rank has failed, or it is this one that cannot reach the others.
+    /// Makes a call. If it fails, the Python object knows which rank has failed. Otherwise this rank cannot reach the
+    /// others.
     fn call<T>(&self, call: impl FnOnce(&Bound<'_, PyAny>) -> PyResult<T>) -> Result<T> {
         Python::attach(|py| {
             let carrier = self.carrier.bind(py);
@@ -51,7 +52,7 @@ impl PythonRanks {
         self.sent.fetch_add(bytes as u64, Ordering::Relaxed);
     }
 
-    /// Combines every rank's values, place by place.
+    /// Combines the values of all ranks, element by element.
     fn reduce<T: Element>(
         &self,
         values: Vec<T>,
@@ -67,7 +68,7 @@ impl PythonRanks {
         })
     }
 
-    /// `reduce` of values that torch does not know: `turn` makes them others and back.
+    /// `reduce` for values of a type that torch does not have. `turn` converts them and back.
     fn reduce_words(&self, values: &mut [u32], operation: &str, turn: u32) -> Result<()> {
         let turned = values.iter().map(|value| (value ^ turn) as i32).collect();
         self.reduce(turned, operation, |found| {
@@ -77,7 +78,7 @@ impl PythonRanks {
     }
 }
 
-/// The bytes of each rank.
+/// The bytes from each rank.
 fn messages(list: Bound<'_, PyAny>) -> PyResult<Vec<Vec<u8>>> {
     let arrays: Vec<PyReadonlyArray1<'_, u8>> = list.extract()?;
     arrays.iter().map(|array| Ok(array.as_slice()?.to_vec())).collect()
@@ -133,7 +134,7 @@ impl Ranks for PythonRanks {
     }
 
     fn fail(&self, message: &str) {
-        // who cannot be told sees that this process is gone
+        // a rank that does not get the message notices that this process has ended
         let _ = self.call(|carrier| carrier.call_method1("fail", (message,)).map(drop));
     }
 
@@ -142,7 +143,7 @@ impl Ranks for PythonRanks {
     }
 }
 
-/// The other ranks would wait for one that has panicked.
+/// If a rank panics, it reports that, or the others would wait for it.
 impl Drop for PythonRanks {
     fn drop(&mut self) {
         if std::thread::panicking() {

@@ -23,10 +23,10 @@ use crate::scene::{Scene, array, into_arrays, json};
 #[pyclass(frozen, subclass, module = "organza._organza")]
 pub struct Renderer(pub organza::Renderer);
 
-/// A scene on a device, and what is kept beside it.
+/// A scene on a device, with data that belongs to it.
 pub struct Held {
     pub scene: organza::DeviceScene,
-    /// Made by the first backward pass.
+    /// Created by the first backward pass.
     gradient: Option<SceneGradient>,
 }
 
@@ -94,7 +94,7 @@ impl Renderer {
         Ok(DeviceScene { renderer: self.0.clone(), held, gaussians })
     }
 
-    /// Y `[K, 3, S, S]`, and the channels that were asked for.
+    /// Renders Y `[K, 3, S, S]`, and the requested channels.
     fn render_tiles<'py>(
         &self,
         py: Python<'py>,
@@ -131,7 +131,7 @@ impl Renderer {
         Ok(Recording { renderer, held, recording: Arc::new(Mutex::new(recording)), shape })
     }
 
-    /// One pixel, Gaussian by Gaussian.
+    /// Explains a pixel, Gaussian by Gaussian.
     fn explain<'py>(
         &self,
         py: Python<'py>,
@@ -199,9 +199,10 @@ impl Renderer {
 
 #[pymethods]
 impl DeviceScene {
-    /// Replaces the values of tensors, by their names, in place. Recordings of the scene as it was have no gradient anymore.
+    /// Replaces the values of tensors, given by name, in place. Recordings of the old scene have no gradient anymore.
     ///
-    /// Raises `ValueError` where a tensor is unknown, of another shape or not finite; those before it are written then.
+    /// Raises `ValueError` if a tensor is unknown, of another shape or not finite. Tensors before it are written
+    /// then.
     fn write(&self, py: Python<'_>, tensors: HashMap<String, Bound<'_, PyAny>>) -> PyResult<()> {
         let specs = py.detach(|| lock(&self.held).scene.config().tensors(self.gaussians));
         for (name, value) in tensors {
@@ -217,7 +218,7 @@ impl DeviceScene {
         Ok(())
     }
 
-    /// The scene as it is now.
+    /// Copies the current scene from the device.
     fn download(&self, py: Python<'_>) -> PyResult<Scene> {
         let (held, renderer) = (Arc::clone(&self.held), self.renderer.clone());
         job::run(py, move || lock(&held).scene.download(renderer.device())).map(Scene::new)
@@ -230,7 +231,7 @@ impl DeviceScene {
 
 #[pymethods]
 impl Recording {
-    /// The tiles Y `[K, 3, S, S]`, and a dictionary of the channels that were asked for, `[K, planes, S, S]`.
+    /// The tiles Y `[K, 3, S, S]`, and a dictionary of the requested channels, `[K, planes, S, S]`.
     fn tiles<'py>(
         &self,
         py: Python<'py>,
@@ -239,10 +240,11 @@ impl Recording {
         into_batch(py, rendered)
     }
 
-    /// The gradient of a loss L for every tensor, by its name, given dL/dY `[K, 3, S, S]`. Nothing is rendered again.
+    /// The gradient of a loss L with respect to every tensor, by name, given dL/dY `[K, 3, S, S]`. Nothing is
+    /// rendered again.
     ///
-    /// Raises `ValueError` where the shape is another or the scene has been written to since, and `organza.Error` if a gradient
-    /// is not finite.
+    /// Raises `ValueError` if the shape differs or the scene has been written to since, and `organza.Error` if a
+    /// gradient is not finite.
     fn backward<'py>(
         &self,
         py: Python<'py>,
@@ -274,7 +276,7 @@ impl Recording {
         into_arrays(py, values)
     }
 
-    /// Gives up the memory of what is kept: `backward` then renders again.
+    /// Frees the recorded data. `backward` then renders again.
     fn release(&self, py: Python<'_>) {
         py.detach(|| lock(&self.recording).release());
     }
@@ -309,7 +311,8 @@ fn into_batch(
     Ok((tiles.data.into_pyarray(py).reshape([count, 3, side, side])?, channels))
 }
 
-/// Runs every kernel, and compares with the CPU: a report for each GPU and way to it, or one of the CPU alone.
+/// Runs every kernel and compares it with the CPU. Returns a report for each GPU and each path to it, or one for the
+/// CPU alone.
 #[pyfunction]
 pub fn parity<'py>(py: Python<'py>, backend: &str) -> PyResult<Bound<'py, PyAny>> {
     let on_gpu = match backend {
@@ -336,14 +339,14 @@ fn reports(on_gpu: bool) -> organza::Result<Vec<Report>> {
             }
             match Report::of_gpu(&cases(), &organza::MODULES, &cpu, &adapter, path, |_| ()) {
                 Ok(report) => reports.push(report),
-                // another may be of use
+                // another GPU may be usable
                 Err(DeviceError::NoGpu { .. }) => {}
                 Err(error) => return Err(error.into()),
             }
         }
     }
     if reports.is_empty() {
-        // opening one says why there is none
+        // opening one reports why there is none
         organza::open_device(&DeviceOptions::gpu(SpirvPath::Naga))?;
     }
     Ok(reports)

@@ -1,4 +1,4 @@
-//! The thread that trains, and what it and Python say to each other.
+//! The thread that trains, and its messages to and from Python.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -12,7 +12,7 @@ use organza::train::{self, Event, Outcome, RunFolder, Session, StepHooks, Traine
 
 use crate::ranks::PythonRanks;
 
-/// What the thread says.
+/// A message of the thread.
 pub enum Message {
     Begin(u32),
     Warning(String),
@@ -32,18 +32,18 @@ pub struct StepNumbers {
     pub grown: bool,
 }
 
-/// What Python answers.
+/// An answer of Python.
 pub enum Answer {
-    /// After a step.
+    /// After a step: continue.
     Continue,
-    /// After a step: sends the scene, and waits for another answer.
+    /// After a step: send the scene, and wait for another answer.
     Scene,
     Loss(LossGradient),
     /// The loss has raised an exception.
     Failed,
 }
 
-/// A run's parts, as its thread has them.
+/// The parts of a run, for its thread.
 pub struct Run {
     pub device: Device,
     pub config: organza::TrainConfig,
@@ -52,7 +52,7 @@ pub struct Run {
     pub resume: bool,
     pub time_limit: Option<f64>,
     pub has_loss: bool,
-    /// Who shares it.
+    /// The ranks that share the run.
     pub ranks: Option<Arc<PythonRanks>>,
     pub stop: Arc<AtomicBool>,
     pub messages: Sender<Message>,
@@ -126,7 +126,7 @@ impl Run {
         })
     }
 
-    /// Does as rank 0 tells.
+    /// Follows the orders of rank 0.
     fn follow(&self, ranks: &Arc<PythonRanks>) -> organza::Result<&'static str> {
         let all: Arc<dyn Ranks> = ranks.clone();
         let followed = train::follow(&self.device, &self.dataset, &all, ranks.mixed);
@@ -158,7 +158,7 @@ impl Run {
         Ok("finished")
     }
 
-    /// Reports a step, and serves its scene until Python goes on.
+    /// Reports a step, and sends its scene on request, until Python continues.
     fn step(&self, numbers: StepNumbers, scene: &organza::DeviceScene) {
         self.send(Message::Step(numbers));
         while let Ok(Answer::Scene) = self.answers.recv() {

@@ -1,4 +1,4 @@
-//! Scenes, and their tensors as arrays of numpy.
+//! Scenes, and their tensors as numpy arrays.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -14,17 +14,17 @@ use pyo3::types::{PyBytes, PyDict, PyString};
 use crate::error::{invalid, raise};
 use crate::job;
 
-/// Width and height of a scene's picture in a notebook.
+/// Width and height of a scene's picture in a notebook, in pixels.
 const PICTURE: [u32; 2] = [360, 270];
 
-/// A scene in the host's memory: N Gaussians and the two fields of color and transmittance. It never changes; `from_tensors` makes
-/// another.
+/// A scene in the host's memory: N Gaussians and the two fields of color and transmittance. It never changes;
+/// `from_tensors` makes a new one.
 #[pyclass(frozen, module = "organza")]
 pub struct Scene(pub Arc<organza::Scene>);
 
 #[pymethods]
 impl Scene {
-    /// Reads a scene's file (safetensors).
+    /// Reads a scene file (safetensors).
     ///
     /// Raises `FileNotFoundError`, `ValueError` for a file that is damaged or no scene, and `MemoryError`.
     #[staticmethod]
@@ -32,18 +32,19 @@ impl Scene {
         job::run(py, move || organza::Scene::load(path)).map(Self::new)
     }
 
-    /// The scene that is built in: no file is needed.
+    /// The built-in scene, which needs no file.
     #[staticmethod]
     fn built_in(py: Python<'_>) -> PyResult<Self> {
         job::run(py, || Ok(organza::demo::scene())).map(Self::new)
     }
 
-    /// A scene of arrays, by the names of a scene's file: `gaussians.position [N, 3]` in world units, `gaussians.rotation [N, 4]`
-    /// (quaternions w x y z, not normalized), `gaussians.log_scale [N, 3]` (natural logarithms), `gaussians.opacity [N]` (logits),
-    /// `gaussians.material`, `gaussians.extra`, and for each field a `grid` and the `mlp`. They are copied, as `float32`.
+    /// Makes a scene from arrays, which are copied as `float32`. Names are those in a scene file: `gaussians.position
+    /// [N, 3]` in world units, `gaussians.rotation [N, 4]` (quaternions w x y z, not normalized),
+    /// `gaussians.log_scale [N, 3]` (natural logarithms), `gaussians.opacity [N]` (logits), `gaussians.material`,
+    /// `gaussians.extra`, and for each field a `grid` and the `mlp`.
     ///
-    /// `config` is the scene's configuration as a dictionary or as JSON, as `Scene.config` gives it. Raises `ValueError` where a
-    /// tensor is missing, unknown, of another shape or not finite.
+    /// `config` is the scene's configuration, as a dictionary like `Scene.config` or as JSON. Raises `ValueError` if
+    /// a tensor is missing, unknown, of another shape or not finite.
     #[staticmethod]
     fn from_tensors(tensors: &Bound<'_, PyDict>, config: &Bound<'_, PyAny>) -> PyResult<Self> {
         let config = read_config(config)?;
@@ -75,18 +76,18 @@ impl Scene {
         Ok(Self::new(scene))
     }
 
-    /// Writes a scene's file. Whatever stood under its name before is kept until the new one is whole.
+    /// Writes a scene file. An old file of that name is kept until the new one is complete.
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         let scene = Arc::clone(&self.0);
         job::run(py, move || scene.save(path))
     }
 
-    /// Every tensor by its name, `float32`. The arrays are the scene's own memory, so they are read-only.
+    /// Every tensor by name, `float32`. The arrays are the scene's own memory, so they are read-only.
     fn tensors<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyDict>> {
         let dict = PyDict::new(slf.py());
         for (spec, values) in slf.get().0.tensors() {
             let view = ArrayViewD::from_shape(&spec.shape[..], values).expect("its own shape");
-            // SAFETY: the array keeps the scene, which never changes, and cannot be written to
+            // SAFETY: the array keeps the scene alive, which never changes, and cannot be written to
             let array = unsafe { PyArrayDyn::borrow_from_array(&view, slf.clone().into_any()) };
             array.call_method1("setflags", (false,))?;
             dict.set_item(spec.name, array)?;
@@ -94,7 +95,7 @@ impl Scene {
         Ok(dict)
     }
 
-    /// The configuration: a new dictionary.
+    /// The configuration, as a new dictionary.
     #[getter]
     fn config<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         json(py, &serde_json::to_string(&self.0.config).expect("numbers and strings"))
@@ -104,7 +105,7 @@ impl Scene {
         self.0.gaussians.len()
     }
 
-    /// What a notebook shows: the scene's box from outside, as PNG; none where it has no outside.
+    /// The picture for a notebook: the scene's box from outside, as PNG; `None` if it has no outside.
     fn _repr_png_<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyBytes>>> {
         let scene = Arc::clone(&self.0);
         let png = job::run(py, move || {
@@ -139,12 +140,12 @@ fn read_config(config: &Bound<'_, PyAny>) -> PyResult<SceneConfig> {
     SceneConfig::from_json(&text, "").map_err(raise)
 }
 
-/// What JSON says, as Python has it.
+/// Parses JSON into a Python object.
 pub fn json<'py>(py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyAny>> {
     py.import("json")?.call_method1("loads", (text,))
 }
 
-/// Anything like an array as `f32`, row-major; copied only where it is not.
+/// Anything like an array as `f32`, row-major. It is only copied if it is not that already.
 pub fn array<'py>(
     spec: &TensorSpec,
     value: &Bound<'py, PyAny>,
@@ -152,7 +153,7 @@ pub fn array<'py>(
     let numpy = value.py().import("numpy")?;
     let value = numpy.call_method1("ascontiguousarray", (value, "float32"))?;
     let array: PyReadonlyArrayDyn<'py, f32> = value.extract()?;
-    // numpy makes [1] of a number
+    // numpy turns a number into [1]
     if array.shape() == spec.shape || (spec.values() == 1 && array.len() == 1) {
         return Ok(array);
     }
@@ -165,17 +166,17 @@ pub fn array<'py>(
     }))
 }
 
-/// Keeps the memory of arrays.
+/// Keeps the memory of arrays alive.
 #[pyclass(module = "organza")]
 struct Values(organza::Scene);
 
-/// A scene's values as arrays that may be written to; nothing is copied.
+/// A scene's values as writable arrays, without copies.
 pub fn into_arrays(py: Python<'_>, values: organza::Scene) -> PyResult<Bound<'_, PyDict>> {
     let values = Bound::new(py, Values(values))?;
     let dict = PyDict::new(py);
     for (spec, tensor) in values.borrow_mut().0.tensors_mut() {
         let view = ArrayViewMutD::from_shape(&spec.shape[..], tensor).expect("its own shape");
-        // SAFETY: the array keeps `values`, which nothing else looks into
+        // SAFETY: the array keeps `values` alive, and nothing else uses it
         let array = unsafe { PyArrayDyn::borrow_from_array(&view, values.clone().into_any()) };
         dict.set_item(spec.name, array)?;
     }

@@ -1,4 +1,4 @@
-//! Files of programs that sort.
+//! Files of programs that sort Gaussians.
 
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
@@ -63,7 +63,7 @@ pub fn export<'py>(
     Ok(dict)
 }
 
-/// Makes a scene of a file of Gaussians; how close its images are to the file's, in dB.
+/// Makes a scene from a file of Gaussians. Returns the PSNR between its images and those of the file, in dB.
 #[pyfunction]
 pub fn import_splats(
     py: Python<'_>,

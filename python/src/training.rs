@@ -1,4 +1,4 @@
-//! Training, step by step: a thread trains, and Python asks it for the next thing that happens.
+//! Training step by step: a thread trains, and Python asks it for the next event.
 
 use std::path::{Path, PathBuf, absolute};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -22,13 +22,13 @@ use crate::renderer::Renderer;
 use crate::run::{Answer, Message, Run, StepNumbers};
 use crate::scene::Scene;
 
-/// Every setting of a run.
+/// All settings of a run.
 #[pyclass(frozen, module = "organza._organza")]
 pub struct TrainConfig(organza::TrainConfig);
 
 #[pymethods]
 impl TrainConfig {
-    /// A preset, a file over it, assignments such as `run.steps=300` over that.
+    /// Combines a preset, a file that overrides it, and assignments such as `run.steps=300` that override both.
     #[new]
     fn new(
         preset: Option<&str>,
@@ -65,7 +65,7 @@ impl TrainConfig {
     }
 }
 
-/// A run that goes on in a thread.
+/// A run in progress in a thread.
 #[pyclass(frozen, module = "organza._organza")]
 pub struct Training {
     channel: Mutex<Channel>,
@@ -74,7 +74,7 @@ pub struct Training {
 
 struct Channel {
     messages: Receiver<Message>,
-    /// None after the end.
+    /// `None` after the end.
     answers: Option<Sender<Answer>>,
     thread: Option<JoinHandle<()>>,
 }
@@ -99,7 +99,7 @@ impl Training {
         let ranks = ranks.map(PythonRanks::new).transpose()?.map(Arc::new);
         let mut config = config.0.clone();
         if let Some(path) = path {
-            // a run is resumed from anywhere
+            // absolute, because a run may be resumed from another folder
             config.data.path = Some(absolute(&path).unwrap_or(path));
         }
         if let Some(dataset) = dataset {
@@ -118,7 +118,7 @@ impl Training {
             }
         };
         if config.data.path.is_some() {
-            // as the program does: a run's file says which it was
+            // as in the program: the run's file records the background
             config.data.background = Background::Color(dataset.background.map(|c| c as f32));
         }
         let is_first = ranks.as_ref().is_none_or(|ranks| ranks.rank() == 0);
@@ -144,7 +144,7 @@ impl Training {
         Ok(Self { channel: Mutex::new(channel), stop })
     }
 
-    /// The next thing that happens: its kind, and what belongs to it.
+    /// Waits for the next event. Returns its kind and its data.
     fn wait<'py>(&self, py: Python<'py>) -> PyResult<(&'static str, Bound<'py, PyDict>)> {
         let dict = PyDict::new(py);
         let mut channel = self.lock()?;
@@ -198,13 +198,13 @@ impl Training {
         Ok((kind, dict))
     }
 
-    /// Goes on after a step.
+    /// Continues after a step.
     fn proceed(&self) -> PyResult<()> {
         self.lock()?.answer(Answer::Continue);
         Ok(())
     }
 
-    /// The scene after the step that was reported last.
+    /// The scene after the last reported step.
     fn scene(&self, py: Python<'_>) -> PyResult<Scene> {
         let mut channel = self.lock()?;
         channel.answer(Answer::Scene);
@@ -214,20 +214,20 @@ impl Training {
         }
     }
 
-    /// The loss that was asked for, and dL/dY `[K, 3, S, S]`.
+    /// Answers a request with the loss and dL/dY `[K, 3, S, S]`.
     fn answer(&self, loss: f64, grad_output: PyReadonlyArray4<'_, f32>) -> PyResult<()> {
         let grad_output = grad_output.as_slice()?.to_vec();
         self.lock()?.answer(Answer::Loss(LossGradient { loss, grad_output }));
         Ok(())
     }
 
-    /// The loss has raised an exception.
+    /// Reports that the loss has raised an exception.
     fn fail(&self) -> PyResult<()> {
         self.lock()?.answer(Answer::Failed);
         Ok(())
     }
 
-    /// Saves and stops after the step that goes on; `wait` then comes to an end.
+    /// Saves and stops after the next step; `wait` then returns the end.
     fn stop(&self) {
         self.stop.store(true, Ordering::Relaxed);
     }
@@ -240,7 +240,7 @@ impl Training {
 }
 
 impl Training {
-    /// Not for long: whoever waits has the lock until something happens.
+    /// Locks the channel. A waiting call holds the lock until the next event, so this must not wait.
     fn lock(&self) -> PyResult<MutexGuard<'_, Channel>> {
         match self.channel.try_lock() {
             Ok(channel) => Ok(channel),
@@ -263,7 +263,7 @@ impl Drop for Training {
 impl Channel {
     fn answer(&self, answer: Answer) {
         if let Some(answers) = &self.answers {
-            // it has ended with an error, which the next message says
+            // if it has ended with an error, the next message has it
             let _ = answers.send(answer);
         }
     }
@@ -271,13 +271,13 @@ impl Channel {
     fn close(&mut self) {
         self.answers = None;
         if let Some(thread) = self.thread.take() {
-            // a panic has been reported, or nobody asks
+            // a panic has been reported, or nobody asks for it
             let _ = thread.join();
         }
     }
 }
 
-/// The settings of rank 0: it alone knows those of a run that is resumed.
+/// The settings of rank 0. Only rank 0 knows those of a resumed run.
 fn settings_of_first(
     ranks: &PythonRanks,
     mine: organza::TrainConfig,

@@ -1,4 +1,4 @@
-"""What several tests share: a small scene, cameras and tiles, on the CPU."""
+"""Fixtures of several tests: a small scene, cameras and tiles, on the CPU."""
 
 import os
 import shutil

@@ -43,7 +43,7 @@ def checkpoint_of(folder):
 
 @pytest.fixture(scope="module")
 def expected(tmp_path_factory, program):
-    """What the program leaves with one rank."""
+    """The files that the program leaves with one rank."""
     folder = tmp_path_factory.mktemp("ranks") / "native"
     settings = [f"--set={key}={value}" for key, value in SETTINGS.items()]
     command = [program, "train", "-o", folder, "--ranks", "1", "--backend", "cpu", *settings]

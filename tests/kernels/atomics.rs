@@ -1,4 +1,4 @@
-//! Atomics count exactly, however many invocations and threads there are.
+//! Atomics count exactly, for any number of invocations and threads.
 
 use glam::{Vec2, Vec3};
 use organza_shaders::camera::Camera;
@@ -16,7 +16,7 @@ fn every_invocation_counts_once() {
         center: Vec2::splat(50.0),
         size: Vec2::splat(100.0),
     };
-    // too large for f32: two of three cannot be projected
+    // too large for f32: only one of three can be projected
     let log_scale: Vec<_> =
         (0..GAUSSIANS).flat_map(|i| [if i % 3 == 0 { -2.0 } else { 200.0 }; 3]).collect();
     let degenerate = CAMERAS * (0..GAUSSIANS).filter(|i| i % 3 != 0).count() as u32;

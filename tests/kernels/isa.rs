@@ -1,4 +1,4 @@
-//! What a GPU's compiler makes of the kernels: docs/snapshots.md.
+//! The machine code that a GPU's compiler makes of the kernels: docs/snapshots.md.
 
 use std::env;
 use std::fs;
@@ -9,7 +9,7 @@ use insta::{Settings, assert_snapshot};
 use organza_isa::{Error, FAMILIES, Report, answer, compile};
 use organza_tests::skip::skip;
 
-/// Makes it a failure if RADV is missing or has another version.
+/// With this variable, it is a failure if RADV is missing or has another version.
 const REQUIRED: &str = "ORGANZA_REQUIRE_ISA";
 
 #[test]

@@ -1,4 +1,4 @@
-//! The rules of docs/kernels.md: that the kernels keep them, and that the traps are still there.
+//! Checks that kernels follow the rules of docs/kernels.md, and that the traps described there still exist.
 
 use std::cell::Cell;
 use std::fs;
@@ -17,7 +17,7 @@ use organza_tests::skip::skip;
 use organza_tests::spirv::instructions;
 use wgpu::naga;
 
-/// Numbers of SPIR-V's specification.
+/// Opcodes from the SPIR-V specification.
 mod op {
     pub const EXTENDED: u32 = 12;
     pub const CAPABILITY: u32 = 17;
@@ -36,7 +36,7 @@ mod op {
     pub const FLOAT_ATOMICS: [u32; 3] = [5614, 5615, 6035];
 }
 
-/// Runs what panics, without its message; the messages of other threads' tests stay.
+/// Runs code that panics, without printing the panic. Panics in other tests' threads are still printed.
 fn silently<R>(run: impl FnOnce() -> R + UnwindSafe) -> thread::Result<R> {
     thread_local!(static SILENT: Cell<bool> = const { Cell::new(false) });
     static HOOK: Once = Once::new();
@@ -69,7 +69,7 @@ fn naga_module(words: &[u32]) -> Result<naga::Module, String> {
     let parser = naga::front::spv::Frontend::new(words.iter().copied(), &options);
     let module = parser.parse().map_err(|error| error.to_string())?;
     let flags = naga::valid::ValidationFlags::all();
-    // what wgpu asks an adapter for, where a kernel needs it
+    // features that wgpu requests from an adapter if a kernel needs them
     let offered = naga::valid::Capabilities::SHADER_FLOAT16;
     let mut validator = naga::valid::Validator::new(flags, offered);
     match validator.validate(&module) {
@@ -137,7 +137,7 @@ fn modules_keep_the_rules() {
         assert_eq!(all.iter().filter(of_halves).count(), 0, "{name}: asks for halves");
         let pow = |i: &&_| is(i, op::EXTENDED) && i.operands[3] == POW;
         assert_eq!(all.iter().filter(pow).count(), 0, "{name}: `pow` differs between devices");
-        // local arrays: a variable whose type is a pointer to an array
+        // a local array is a variable whose type is a pointer to an array
         let arrays: Vec<_> =
             all.iter().filter(|i| is(i, op::TYPE_ARRAY)).map(|i| i.operands[0]).collect();
         let pointers: Vec<_> = all
@@ -154,7 +154,7 @@ fn modules_keep_the_rules() {
     }
 }
 
-/// What a loop's last block does is to branch to the first one: it has no condition of its own.
+/// A loop's last block branches to the first one unconditionally.
 #[test]
 fn loops_end_at_their_conditions() {
     for kernel in MODULES.all() {
@@ -171,7 +171,7 @@ fn loops_end_at_their_conditions() {
     }
 }
 
-/// Barriers are for workgroup memory.
+/// Only workgroup memory needs barriers.
 #[test]
 fn plain_entry_points_have_no_barriers() {
     for (kernel, point) in entry_points() {
@@ -190,13 +190,13 @@ fn naga_takes_every_entry_point() {
     }
 }
 
-/// The files of a folder, and of those in it.
+/// All files in a folder and its subfolders.
 fn sources(folder: &Path) -> Vec<PathBuf> {
     let paths = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     paths.flat_map(|path| if path.is_dir() { sources(&path) } else { vec![path] }).collect()
 }
 
-/// Exits through several levels of control flow are what naga's reader miscompiles.
+/// naga's reader miscompiles exits through several levels of control flow.
 #[test]
 fn kernels_have_no_early_exits() {
     for path in sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../shader-crate/src")) {
@@ -215,7 +215,7 @@ fn is(instruction: &organza_tests::spirv::Instruction<'_>, opcode: u32) -> bool 
     instruction.opcode == opcode
 }
 
-/// A module has the same distance from element to element as Rust: what a `Vec3` or a `bool` would not.
+/// Elements have the same stride in a module as in Rust. For a `Vec3` or a `bool`, they would not.
 #[test]
 fn elements_lie_as_in_rust() {
     const ARRAY_STRIDE: u32 = 6;
@@ -255,7 +255,7 @@ fn naga_refuses_literals_that_are_no_numbers() {
     }
 }
 
-/// The trap: naga drops what forbids drivers to fuse.
+/// The trap: naga drops the decoration that forbids drivers to fuse operations.
 #[test]
 fn naga_drops_no_contraction() {
     const NO_CONTRACTION: u32 = 42;
@@ -282,18 +282,18 @@ fn naga_drops_no_contraction() {
     assert_eq!(decorated(&written), 0, "naga keeps it now: docs/kernels.md, docs/numerics.md");
 }
 
-/// The trap: what Rust-GPU's own library does on a CPU.
+/// The trap: Rust-GPU's own library panics on a CPU.
 #[test]
 fn barriers_of_spirv_std_panic_on_the_cpu() {
     let barrier = silently(spirv_std::arch::workgroup_memory_barrier_with_group_sync);
     assert!(barrier.is_err(), "it works now: docs/kernels.md");
 }
 
-/// The trap: llvmpipe ends an invocation after 65,536 iterations, and says nothing.
+/// The trap: llvmpipe silently ends an invocation after 65,536 iterations.
 #[test]
 fn llvmpipe_ends_long_invocations() {
     const SAMPLES: u32 = 1 << 17;
-    // the CPU run refuses more than the kernel declares
+    // the CPU run would refuse more iterations than the kernel declares
     for (name, device) in devices::gpus() {
         let transmittance = device.zeros("transmittance", 1).unwrap();
         let log_rho = vec![-1.0 / SAMPLES as f32; SAMPLES as usize];
@@ -310,7 +310,7 @@ fn llvmpipe_ends_long_invocations() {
         if !device.choice().contains("llvmpipe") {
             assert!(all, "{name}: {found}");
         } else if all {
-            // another version of Mesa may have lifted it
+            // another version of Mesa may not have the limit
             skip("llvmpipe's limit", "this one takes more iterations: docs/kernels.md");
         } else {
             assert!(half, "{name}: {found}");

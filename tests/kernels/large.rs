@@ -1,4 +1,4 @@
-//! Sizes past what one dispatch, one workgroup or one invocation takes.
+//! Sizes beyond one dispatch, one workgroup or one invocation.
 
 use glam::{Vec2, Vec4};
 use organza_parity::exact::composite::Splat;
@@ -8,7 +8,7 @@ use organza_shaders::scan::{BLOCK, ScanBlockKernel, ScanParams};
 use organza_shaders::tile::Tile;
 use organza_tests::devices;
 
-/// Numbers without a pattern, in [0, 1).
+/// Pseudo-random numbers in [0, 1).
 fn noise(index: u32) -> f32 {
     let mut x = index.wrapping_add(1).wrapping_mul(0x9e37_79b9);
     x = (x ^ (x >> 16)).wrapping_mul(0x85eb_ca6b);
@@ -86,7 +86,7 @@ fn a_block_scan_takes_every_size() {
             let value = device.upload("value", &values).expect("memory");
             let blocks = (count + 1).div_ceil(BLOCK);
             let prefix = device.zeros("prefix", count as usize + 1).expect("memory");
-            // not zeros: the sum of an empty block must be written too
+            // not zeros, because the sum of an empty block must be written, too
             let block_sum =
                 device.upload("block sum", &vec![u32::MAX; blocks as usize]).expect("memory");
             let params = ScanParams { count };

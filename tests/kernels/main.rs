@@ -1,5 +1,5 @@
-//! The kernels one by one: on every device, beside the CPU and the equations, as they are compiled and as they are
-//! declared.
+//! Each kernel alone: on every device, compared with the CPU and with the equations, in its compiled and in its
+//! declared form.
 
 mod atomics;
 mod compiled;

@@ -1,4 +1,4 @@
-//! Every kernel on every device beside the CPU, and the CPU beside the equations in f64.
+//! Compares every kernel on every device with the CPU, and the CPU with the equations in f64.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -26,7 +26,7 @@ fn a_kernel_without_a_case_is_told_where_to_add_it() {
     }
 }
 
-/// How a device of this name rounds.
+/// The rounding of the device with this name.
 fn rounding(device: &str) -> Rounding {
     match device.contains(SpirvPath::Naga.as_str()) {
         true => Rounding::Regrouped,
@@ -62,7 +62,7 @@ fn every_device_is_within_tolerance_of_the_cpu() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// The CPU with every instruction set, and the GPUs, beside `Parity::exact`.
+/// Compares the CPU with every instruction set, and the GPUs, with `Parity::exact`.
 #[test]
 fn every_device_is_within_tolerance_of_the_equations() {
     let mut failures = Vec::new();
@@ -105,7 +105,7 @@ fn every_device_is_within_tolerance_of_the_equations() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// Hostile inputs, and every invocation's accesses beside those of all others.
+/// Uses hostile inputs, and compares every invocation's accesses with those of all others.
 #[test]
 fn no_two_invocations_get_in_each_others_way() {
     let (scalar, checked) = (devices::with(InstructionSet::Scalar), devices::checked());
@@ -115,7 +115,7 @@ fn no_two_invocations_get_in_each_others_way() {
     }
 }
 
-/// The variants, whose invocations copy to workgroup memory and wait for each other, beside the plain kernels.
+/// Compares variants with plain kernels. Their invocations copy to workgroup memory and wait for each other.
 #[test]
 fn staged_copies_are_right_without_a_gpu() {
     let (scalar, staged) = (devices::with(InstructionSet::Scalar), devices::checked_variants());
@@ -125,7 +125,7 @@ fn staged_copies_are_right_without_a_gpu() {
     assert!(!cases.is_empty(), "no kernel has a variant");
     for case in cases {
         let measure = case.measure(&scalar, &staged, Rounding::AsWritten).expect("no race");
-        // beside lanes, f32 has another exp
+        // the scalar exp of f32 differs from that of lanes
         assert!(measure.is_ok() && measure.values > 0, "{}: {measure:?}", case.kernel);
     }
 }
@@ -144,7 +144,7 @@ fn the_pipeline_has_no_races() {
     }
 }
 
-/// Nothing is added up in an order that threads decide.
+/// No sum may have an order that threads decide.
 #[test]
 fn the_number_of_threads_changes_no_bit() {
     let [one, three] = [1, 3].map(|threads| devices::cpu(Some(threads)));
@@ -154,7 +154,7 @@ fn the_number_of_threads_changes_no_bit() {
     }
 }
 
-/// The table of docs/parity.md is that of the cases, in their order, to the number.
+/// The table of docs/parity.md must have the cases, in their order, with the same numbers.
 #[test]
 fn the_page_has_every_tolerance() {
     let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/parity.md");
@@ -175,7 +175,7 @@ fn the_page_has_every_tolerance() {
     assert_eq!(rows.len(), cases.len(), "docs/parity.md has another number of kernels");
 }
 
-/// The integers that an output of a kernel takes on, over all sets.
+/// All integers in an output of a kernel, over all sets.
 fn all_of<P: Parity>(output: &str) -> BTreeSet<u32> {
     let cpu = devices::cpu(None);
     let outputs = |set: P| set.run(&KernelRunner::new(&cpu, P::KERNEL)).expect("the kernel runs");
@@ -186,7 +186,7 @@ fn all_of<P: Parity>(output: &str) -> BTreeSet<u32> {
     P::sets().into_iter().flat_map(|(_, set)| outputs(set)).flat_map(named).collect()
 }
 
-/// Sets that keep away from what rounding decides must not keep away from what they are to test.
+/// Sets avoid places where rounding decides, but must still reach every branch.
 #[test]
 fn sets_reach_every_branch() {
     let classes = all_of::<organza_parity::project::Project>("class");
@@ -195,7 +195,7 @@ fn sets_reach_every_branch() {
     assert!([0, 1, 2, 16_384].iter().all(|count| counts.contains(count)), "{counts:?}");
     let words = all_of::<organza_parity::tile::TileMask>("mask");
     assert!(words.contains(&0) && words.len() > 100, "{} words", words.len());
-    // x / z and y / z of a pair: below what J clamps them to, between, and above
+    // x / z and y / z of a pair: below the range to which J clamps them, inside, and above
     let mut ratios = [[0; 3]; 2];
     for (_, set) in ProjectBackward::sets() {
         for (axis, seen) in ratios.iter_mut().enumerate() {

@@ -1,4 +1,4 @@
-//! What kernels take and compute, on every device.
+//! Times and work of kernels, on every device.
 
 use organza::Device;
 use organza_device::KernelTime;
@@ -9,7 +9,7 @@ use organza_tests::devices;
 const COUNT: u32 = 1_000;
 const STEPS: u32 = 3;
 
-/// Dispatches a kernel that is counted, and some that are not.
+/// Dispatches a kernel whose work is counted, and some whose work is not.
 fn dispatch(device: &Device, times: u32) {
     let values = device.zeros("values", (COUNT.next_multiple_of(64) * 4 * STEPS) as usize);
     let output = device.zeros("output", COUNT as usize).unwrap();
@@ -42,7 +42,7 @@ fn dispatches_are_timed_and_counted_where_asked_for() {
         assert_eq!(untimed.is_empty(), device.backend() == "gpu", "{name}");
 
         device.time_dispatches(true);
-        // more than one command buffer holds
+        // more than fit into one command buffer
         dispatch(&device, 300);
         let timed = device.take_timings();
         assert_eq!(names(&timed), [("peak_read", 300), ("scan_add", 300)], "{name}");
@@ -63,7 +63,7 @@ fn dispatches_are_timed_and_counted_where_asked_for() {
     }
 }
 
-/// Nothing is to be had of a device that is gone, and nobody waits for it.
+/// A lost device gives no times, and asking for them does not hang.
 #[test]
 fn a_lost_device_has_no_times() {
     for (name, device) in devices::all() {

@@ -1,4 +1,4 @@
-//! The variants of kernels: what they give beside the plain entry points, and who runs them.
+//! The variants of kernels: their results compared with the plain entry points', and the devices that run them.
 
 use organza::{DeviceOptions, Renderer, SpirvPath};
 use organza_check::Rounding;
@@ -10,7 +10,7 @@ use organza_kernel::kernel::{
 use organza_tests::compare::assert_close;
 use organza_tests::{cases, devices};
 
-/// As the tiles of every device (`tests/pictures/reference_cases.rs`).
+/// The same tolerance as for the tiles of every device (`tests/pictures/reference_cases.rs`).
 const TILES: f64 = 2e-4;
 
 fn kernel(name: &str) -> &'static KernelInfo {
@@ -30,7 +30,7 @@ fn variants_give_what_the_plain_kernels_give() {
             compared += 1;
             let measure = case.measure(&plain, &variants, Rounding::AsWritten).expect("it runs");
             assert!(measure.values > 0, "{point} on {name}: {} values", measure.values);
-            // without NoContraction, and where a kernel does without it, a driver may compile each in its own way
+            // without NoContraction, also for fused kernels, a driver may compile each entry point differently
             if passed_through && !kernel(case.kernel).fused {
                 assert_eq!(measure.absolute.value, 0.0, "{point} on {name}: {measure:?}");
                 assert_eq!(measure.share.value, 0.0, "{point} on {name}: {measure:?}");
@@ -76,13 +76,13 @@ fn a_device_says_which_kernels_it_runs() {
         let Some(composite) = kernel("composite").variant else { panic!("it has a variant") };
         assert_eq!(variants.entry_point(kernel("composite")).name, composite.name, "{name}");
     }
-    // who asks for variants does not ask for a GPU
+    // asking for variants does not ask for a GPU
     let options = DeviceOptions::cpu(None).variants(true);
     let cpu = organza::open_device(&options).expect("the CPU");
     assert_eq!(cpu.entry_point(kernel("composite")).name, "composite");
 }
 
-/// What an adapter is asked for is what WebGPU guarantees; no kernel may use more.
+/// An adapter is asked for the limits that WebGPU guarantees. No kernel may use more.
 #[test]
 fn kernels_use_what_every_gpu_has() {
     let webgpu = wgpu::Limits::default();

@@ -1,5 +1,5 @@
-//! docs/adding-a-kernel.md: the files that it shows are those in `tests/guide/`, which are built and run here, on the CPU.
-//! `cargo xtask guide` compiles the kernel for GPUs.
+//! docs/adding-a-kernel.md: the files on that page are those in `tests/guide/`. They are built and run here, on the
+//! CPU. `cargo xtask guide` compiles the kernel for GPUs.
 
 use std::fs;
 use std::path::Path;
@@ -18,12 +18,12 @@ mod snapshot {
     include!("../guide/snapshot.rs");
 }
 
-/// `organza_shaders` as it would be with the kernel.
+/// `organza_shaders` with the additional kernel.
 mod with_blend {
     pub use crate::guide::blend;
 }
 
-/// `organza_tests`, with two CPUs instead of GPUs: they have no SPIR-V of the kernel.
+/// `organza_tests` with two CPUs in place of GPUs, because there is no SPIR-V of the kernel.
 mod with_cpu {
     pub mod devices {
         pub fn all() -> Vec<(&'static str, organza::Device)> {
@@ -33,7 +33,7 @@ mod with_cpu {
     }
 }
 
-/// The page's blocks of Rust.
+/// The page's blocks of Rust code.
 fn blocks(page: &str) -> Vec<String> {
     let fenced = page.split("```").skip(1).step_by(2);
     fenced.filter_map(|block| block.strip_prefix("rust\n")).map(str::to_owned).collect()

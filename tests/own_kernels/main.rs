@@ -1,4 +1,4 @@
-//! The guide's kernel. It enters the registry of the binary that it is in, so that this one looks at no kernel of organza's.
-//! The CPU run is tested in `kit/check/tests/`.
+//! The guide's kernel. It is registered in this binary, so this binary must not check organza's own kernels. The
+//! tests of the CPU run are in `kit/check/tests/`.
 
 mod guide;

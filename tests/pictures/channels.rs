@@ -1,5 +1,5 @@
-//! Depth, alpha, visibility and normal of the cases of the float64 reference, on every device: held to the equations in
-//! f64, with the transmittances that the reference computed.
+//! Depth, alpha, visibility and normal in the cases of the float64 reference, on every device. They are compared with
+//! the equations in f64, using the reference's transmittances.
 
 use organza::{Camera, Channel, Tile, TileBatch};
 use organza_parity::exact::channels::{depth, normal};
@@ -9,10 +9,11 @@ use organza_tests::cases::{self, Case};
 
 use crate::snapshot::exact;
 
-/// Of the largest value of a channel: what `reference_cases` allows the transmittances, and so the weights, is 1e-4.
+/// Relative to the largest value of a channel. `reference_cases` allows an error of 1e-4 in the transmittances, and
+/// so in the weights.
 const TOLERANCE: f64 = 2e-4;
 
-/// What a Gaussian adds to each pixel of a camera.
+/// A Gaussian's contribution to each pixel of a camera.
 struct Member {
     splat: Splat<f64>,
     depth: f64,
@@ -45,8 +46,8 @@ fn members(case: &Case, camera: usize) -> Vec<Member> {
     (0..scene.gaussians.len()).filter_map(member).collect()
 }
 
-/// The channels of a pixel: depth, alpha, visibility and the normal's parts. None where a Gaussian ends so close that
-/// rounding decides whether it counts.
+/// The channels of a pixel: depth, alpha, visibility and the normal's components. `None` if a Gaussian ends so close
+/// that rounding decides whether it counts.
 fn pixel(members: &[Member], place: [f64; 2]) -> Option<[f64; 6]> {
     let mut sum = [0.0; 6];
     for member in members {
@@ -68,7 +69,7 @@ fn pixel(members: &[Member], place: [f64; 2]) -> Option<[f64; 6]> {
 
 #[test]
 fn channels_are_those_of_the_equations() {
-    // of all cases: pixels without a Gaussian, with S up to 1, and above
+    // over all cases: pixels without a Gaussian, with S up to 1, and above
     let mut kinds = [0; 3];
     let cases: Vec<_> = cases::all();
     let expected: Vec<Vec<_>> = cases
@@ -130,7 +131,7 @@ fn channels_are_those_of_the_equations() {
     });
 }
 
-/// Channels do not depend on how an image is cut, and a channel does not depend on which others are asked for.
+/// Channels depend neither on the cut of an image into tiles, nor on the other channels of the request.
 #[test]
 fn channels_are_the_same_bits_however_they_are_cut() {
     cases::on_every_device(|backend, renderer, case, scene| {
@@ -157,7 +158,7 @@ fn channels_are_the_same_bits_however_they_are_cut() {
     });
 }
 
-/// Nothing but background: all channels are 0, and no division by 0 shows.
+/// If there is only background, all channels are 0, without a division by 0.
 #[test]
 fn pixels_without_a_gaussian_are_zero() {
     cases::on_every_device(|backend, renderer, case, scene| {

@@ -1,11 +1,11 @@
-//! The built-in scene: what is lit, hidden and dimmed in it, and where.
+//! The built-in scene: the places that are lit, hidden and dimmed.
 
 use glam::Vec3;
 use organza::demo::{BACKGROUND, PEARL, key_light, scene, turntable};
 use organza::{Renderer, Scene, Stages, TileBatch};
 use organza_tests::devices;
 
-/// The scene, made once, and every stage of it in the first camera.
+/// The scene, made once, with all its stages in the first camera.
 fn rendered() -> &'static (Scene, Stages) {
     static RENDERED: std::sync::OnceLock<(Scene, Stages)> = std::sync::OnceLock::new();
     RENDERED.get_or_init(|| {
@@ -54,7 +54,7 @@ fn pearl_hides_its_back() {
     assert!(behind.len() > 2000 && most < 0.02, "{most} of {}", behind.len());
 }
 
-/// Unobstructed is a Gaussian on the front of the pearl with no cloth near the line to the camera.
+/// A Gaussian on the front of the pearl is unobstructed if no cloth is near the line to the camera.
 #[test]
 fn nothing_dims_what_is_not_obstructed() {
     let (scene, stages) = rendered();
@@ -96,7 +96,7 @@ fn pearl_hides_the_cloth_behind_it() {
 #[test]
 fn one_layer_of_cloth_dims_by_about_its_coverage() {
     let (scene, stages) = rendered();
-    // the lower front of the pearl lies behind the blue sheet alone or both
+    // the lower front of the pearl is behind the blue sheet, or behind both
     let dimmed = flagged(scene, 7)
         .filter(|&index| facing(scene, index).0 > 0.3)
         .map(|index| stages.transmittance[index])
@@ -113,7 +113,7 @@ fn every_color_is_one() {
     assert!(stages.radius.iter().all(|radius| radius.is_finite()));
 }
 
-/// The network's highlight is where Blinn and Phong have it, and nowhere else.
+/// The network's highlight must be exactly where Blinn and Phong put it.
 #[test]
 fn pearl_gleams_where_the_half_vector_says() {
     let (scene, stages) = rendered();
@@ -149,7 +149,7 @@ fn turntable_goes_around_once() {
     assert_eq!(turntable(1, 64)[0].eye(), cameras[0].eye());
 }
 
-/// The corners are paper, the middle is the pearl, and no pixel is out of range.
+/// The corners show paper and the center the pearl, and no pixel is out of range.
 #[test]
 fn picture_is_framed() {
     let (scene, _) = rendered();

@@ -1,4 +1,4 @@
-//! What changes of one character in the kernels showed that no other test looks at: `docs/mutations.md`.
+//! Changes of single characters in the kernels that no other test detects: `docs/mutations.md`.
 
 use glam::Vec2;
 use organza::{Renderer, Scene, Tile, TileBatch};
@@ -7,7 +7,7 @@ use organza_shaders::unit_cube::Split;
 use organza_tests::cases::Case;
 use organza_tests::{cases, devices};
 
-/// The reference's basic case, its Gaussians repeated.
+/// The reference's basic case, with its Gaussians repeated.
 fn repeated(times: usize) -> (Case, Scene) {
     let case = Case::load(&cases::folder().join("basic"));
     let mut scene = case.scene.clone();
@@ -66,7 +66,7 @@ fn only_what_cannot_be_projected_is_counted() {
         };
         assert_eq!(degenerate(&case.scene), 0, "on {backend}");
         let mut scene = case.scene.clone();
-        // no rotation: culled in every camera that has a tile
+        // without a rotation: culled in every camera that has a tile
         scene.gaussians.rotation[3] = [0.0; 4];
         scene.gaussians.rotation[7] = [0.0; 4];
         let mut cameras: Vec<usize> = case.tiles.tiles.iter().map(|tile| tile.camera).collect();
@@ -78,7 +78,7 @@ fn only_what_cannot_be_projected_is_counted() {
     }
 }
 
-/// A tile alone has a small window; many have one that leaves nearly nothing out.
+/// A single tile has a small window. Many tiles have a window that leaves out almost nothing.
 #[test]
 fn what_ends_before_a_window_reaches_no_tile() {
     let case = Case::load(&cases::folder().join("basic"));

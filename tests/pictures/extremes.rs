@@ -1,4 +1,4 @@
-//! Scenes at the ends of what numbers hold: one image on every device, however it is cut into tiles.
+//! Scenes at the limits of number formats: the same image on every device, for every cut into tiles.
 
 use std::collections::BTreeMap;
 
@@ -12,16 +12,16 @@ use organza_tests::{cases, devices};
 
 use super::reproducible::image;
 
-/// The sides of the tiles that an image is cut into; the last two end outside of it.
+/// Sides of the tiles that an image is cut into. The last two extend beyond the image.
 const SIDES: [u32; 4] = [16, 32, 50, 64];
 
-/// How far two devices are apart: as the tiles of every device (`reference_cases.rs`).
+/// Largest difference between two devices: the same as for the tiles of every device (`reference_cases.rs`).
 const TOLERANCE: f32 = 2e-4;
 
-/// Where supports end, less and more what rounding decides.
+/// Limits of supports, minus and plus a margin in which rounding decides.
 const CUTOFFS: [f32; 2] = [FALLOFF_CUTOFF - 1e-3, FALLOFF_CUTOFF + 1e-3];
 
-/// A scene, and what is extreme about it.
+/// A scene, with its extreme property.
 struct Extreme {
     name: &'static str,
     scene: Scene,
@@ -29,7 +29,7 @@ struct Extreme {
 }
 
 impl Extreme {
-    /// The reference's basic case, changed.
+    /// The reference's basic case, with a change.
     fn new(name: &'static str, change: impl FnOnce(&mut Scene, &mut Camera)) -> Self {
         let mut case = cases::Case::load(&cases::folder().join("basic"));
         let mut camera = case.cameras.swap_remove(0);
@@ -41,13 +41,13 @@ impl Extreme {
         Self::new(name, |_, camera| (camera.fl_x, camera.fl_y) = (focal, focal))
     }
 
-    /// The image with tiles of a side.
+    /// The image from tiles with a given side.
     fn image(&self, renderer: &Renderer, side: u32) -> Vec<f32> {
         let scene = renderer.upload(&self.scene).expect("the scene fits");
         image(renderer, &scene, std::slice::from_ref(&self.camera), 0, side)
     }
 
-    /// The image; it does not depend on the tiles.
+    /// The image, which must not depend on the tiles.
     fn image_of_all_sides(&self, device: &str, renderer: &Renderer) -> Vec<f32> {
         let first = self.image(renderer, SIDES[0]);
         for side in &SIDES[1..] {
@@ -59,7 +59,7 @@ impl Extreme {
         first
     }
 
-    /// Which pixels lie in a Gaussian's support, one that ends at `cutoff`.
+    /// The pixels inside a Gaussian's support that ends at `cutoff`.
     fn supports(&self, cutoff: f32) -> Vec<bool> {
         let renderer = Renderer::new(devices::cpu(None));
         let scene = renderer.upload(&self.scene).expect("the scene fits");
@@ -78,7 +78,7 @@ impl Extreme {
         (0..width * height).map(is_reached).collect()
     }
 
-    /// No Gaussian shows where none reaches.
+    /// Asserts that pixels outside of all supports show the background.
     fn assert_background(&self, device: &str, image: &[f32], is_reached: &[bool]) {
         let (name, area) = (self.name, is_reached.len());
         let outside: Vec<_> = (0..area).filter(|&pixel| !is_reached[pixel]).collect();
@@ -93,12 +93,12 @@ impl Extreme {
     }
 }
 
-/// Every NaN is the same.
+/// The bits of a value. All NaNs count as equal.
 fn bits(value: f32) -> u32 {
     if value.is_nan() { f32::NAN.to_bits() } else { value.to_bits() }
 }
 
-/// 1e-30 to 1e30, for one of `count`.
+/// A size between 1e-30 and 1e30, for one of `count` Gaussians.
 fn any_size(index: usize, count: usize) -> f32 {
     10f32.powf(60.0 * index as f32 / (count - 1) as f32 - 30.0)
 }
@@ -175,7 +175,7 @@ fn overflowing() -> Vec<Extreme> {
     ]
 }
 
-/// Every instruction set, every device, and GPUs with variants.
+/// Every instruction set and every device, and GPUs with variants.
 fn every_device() -> Vec<(&'static str, Renderer)> {
     let variants = devices::variants().into_iter().map(|(_, [_, device])| ("gpu variants", device));
     let devices = devices::cpus().into_iter().chain(devices::all()).chain(variants);
@@ -229,7 +229,7 @@ fn what_overflows_stays_in_its_supports() {
 
 #[test]
 fn colors_that_are_nan_fill_their_supports() {
-    // infinity less infinity, however a device rounds
+    // infinity minus infinity is NaN with any rounding
     let extreme = Extreme::new("colors that are NaN", |scene, _| {
         let [.., hidden, last] = &mut scene.color.network.layers[..] else { panic!("two layers") };
         hidden.bias.fill(1e30);
@@ -248,7 +248,7 @@ fn colors_that_are_nan_fill_their_supports() {
     }
 }
 
-/// What one member of one tile has of `gradient [4, S, S]`.
+/// The gradient of one member in one tile, for `gradient [4, S, S]`.
 fn composite_backward(device: &Device, splat: [Vec4; 3], side: u32, gradient: &[f32]) -> Vec<Vec4> {
     let tile = Tile { camera: 0, origin: [0, 0], output: 0 };
     let member_gradient = device.zeros("member gradient", 3).expect("memory");
@@ -276,7 +276,7 @@ fn composite_backward(device: &Device, splat: [Vec4; 3], side: u32, gradient: &[
 fn a_gradient_outside_a_support_does_not_matter() {
     for side in SIDES {
         let conic = Vec3::new(0.5, 0.2, 0.3);
-        // an extent beyond the support: all lanes of its rows are summed up
+        // the extent exceeds the support: all lanes of its rows are summed
         let splat = [Vec4::new(9.3, 7.1, 0.7, 30.0), conic.extend(30.0), Vec4::splat(0.4)];
         let pixels = side * side;
         let gradient: Vec<_> = (0..4 * pixels).map(|at| (at as f32 * 0.37).sin()).collect();

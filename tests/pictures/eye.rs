@@ -1,4 +1,4 @@
-//! What is kept of one place, on every device: images are those that are rendered without.
+//! Values kept for one eye position, on every device: images must equal those rendered without them.
 
 use organza::render::{EyeCache, EyeOptions};
 use organza::{Camera, Channel, RenderedTiles, TileBatch};
@@ -29,7 +29,7 @@ fn images_are_the_same_bits_whatever_was_kept() {
         let [right, up, back] = [0, 1, 2].map(|at| first.camera_to_world.map(|row| row[at]));
         let mut turned = first.clone();
         for row in 0..3 {
-            // a quarter around the camera's own axis, and closer
+            // a quarter turn around the camera's own axis, and closer
             turned.camera_to_world[row][0] = up[row];
             turned.camera_to_world[row][1] = -right[row];
             turned.camera_to_world[row][2] = back[row];
@@ -38,7 +38,7 @@ fn images_are_the_same_bits_whatever_was_kept() {
         let larger = first.with_size([first.width * 2, first.height + 7]);
         let all = [first, &turned, &larger, &case.cameras[1], first];
         for (index, camera) in all.into_iter().enumerate() {
-            // first coarsely, as while a camera moves
+            // first coarsely, as during camera motion
             render(camera, &EyeOptions { steps: 7, ..EXACT });
             let found = render(camera, &EXACT);
             let cameras = std::slice::from_ref(camera);
@@ -52,14 +52,13 @@ fn images_are_the_same_bits_whatever_was_kept() {
                 assert!(bits(&found.channels[channel]) == bits(values), "{what}: {channel:?}");
             }
             assert_eq!(found.report.pairs, expected.report.pairs, "{what}");
-            // what was seen from there is not computed again
+            // samples that are known must not be computed again
             assert_eq!(render(camera, &EXACT).report.samples, 0, "{what}");
         }
     });
 }
 
-/// With steps that are longer, T is that of fewer samples: near the exact one, and of a field that is the same everywhere it is
-/// the same.
+/// With longer steps, T has fewer samples: it must be close to the exact one, and equal in a constant field.
 #[test]
 fn long_steps_change_little() {
     cases::on_every_device(|device, renderer, case, scene| {
@@ -91,7 +90,7 @@ fn a_cancelled_image_keeps_what_was_done() {
         assert!(tiles.expect("no error").is_none(), "{what}");
         let tiles = renderer.render_from_eye(scene, camera, &batch, &mut cache, &EXACT);
         assert!(tiles.expect("an image").is_some(), "{what}");
-        // nothing is left to do
+        // everything is known
         let tiles = renderer.render_from_eye(scene, camera, &batch, &mut cache, &cancelled);
         assert!(tiles.expect("an image").is_some(), "{what}");
     });

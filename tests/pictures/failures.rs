@@ -39,7 +39,7 @@ fn too_little_memory_is_an_error_that_says_how_much() {
         }
         let text = error.to_string();
         assert!(text.contains("1048576.00 GiB") && text.contains("test"), "{backend}: {text}");
-        // and the device goes on
+        // and the device still works
         let buffer = device.upload("after", &[1u32, 2, 3]).expect("twelve bytes");
         assert_eq!(device.read(&buffer).expect("the device goes on"), [1, 2, 3]);
     }

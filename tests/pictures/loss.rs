@@ -1,4 +1,4 @@
-//! The loss kernels beside the loss's definition in f64.
+//! Compares the loss kernels with the loss's definition in f64.
 
 use organza::render::{Loss, LossInputs, TileLoss};
 use organza::{Device, Result, metrics};
@@ -7,7 +7,7 @@ use organza_tests::devices;
 use organza_parity::exact::batch::Batch;
 use organza_parity::exact::loss::mean;
 
-/// Numbers without a pattern, in [0, 1).
+/// Pseudo-random numbers in [0, 1).
 fn noise(index: usize) -> f32 {
     let mut x = (index as u32).wrapping_add(1).wrapping_mul(0x9e37_79b9);
     x = (x ^ (x >> 16)).wrapping_mul(0x85eb_ca6b);
@@ -15,18 +15,18 @@ fn noise(index: usize) -> f32 {
     ((x ^ (x >> 16)) >> 8) as f32 / (1 << 24) as f32
 }
 
-/// What a batch looks like.
+/// The content of a batch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Look {
-    /// Noise beside other noise.
+    /// Noise compared with other noise.
     Noise,
-    /// A smooth photograph, and a render that is off by about `0.05`.
+    /// A smooth photograph, and a rendered image that differs by about `0.05`.
     Near,
-    /// As `Near`, about white: where f32 cancels.
+    /// Like `Near`, but close to white, where f32 cancels.
     Bright,
 }
 
-/// Four tiles: all valid, the right and lower edge of a photograph, holes, and nothing valid.
+/// Four tiles: entirely valid, the right and lower edge of a photograph, with holes, and without valid pixels.
 fn batch(side: usize, look: Look) -> Batch {
     let area = side * side;
     let value = |index: usize| {
@@ -70,7 +70,7 @@ fn evaluate(device: &Device, batch: &Batch, ssim_weight: f32) -> Result<(Vec<f32
     Ok((device.read(&output.grad_image)?, output.sums(device)?))
 }
 
-/// The largest of the relative differences of the sums, and of the loss.
+/// The largest relative difference of the sums and of the loss.
 fn apart(batch: &Batch, sums: &[TileLoss], ssim_weight: f32) -> f64 {
     let mut worst: f64 = 0.0;
     let relative = |found: f64, exact: f64| (found - exact).abs() / exact.abs().max(1e-9);
@@ -103,14 +103,14 @@ fn sums_are_those_of_the_definition() {
                 worst = worst.max(apart(&batch, &sums, 0.2));
             }
             println!("{name} {look:?}: sums {worst:.1e} relative");
-            // a variance about white is what is left of 1 - 1
+            // near white, a variance is the small rest of 1 - 1
             let tolerance = if look == Look::Bright { 1e-3 } else { 1e-4 };
             assert!(worst < tolerance, "{name} {look:?}: {worst:.1e} relative");
         }
     }
 }
 
-/// Central differences at some pixels of a batch: the index, and what both terms of the loss have there.
+/// Central differences at some pixels of a batch: the index, and the derivatives of both terms of the loss.
 fn differences(batch: &Batch) -> Vec<(usize, [f64; 2])> {
     let area = batch.side * batch.side;
     let share = 1.0 / (3.0 * batch.valid_pixels());
@@ -131,7 +131,7 @@ fn differences(batch: &Batch) -> Vec<(usize, [f64; 2])> {
     found
 }
 
-/// The norm of the differences over the norm of what was expected.
+/// Norm of the differences, divided by the norm of the expected values.
 fn relative(found: &[f32], expected: &[(usize, [f64; 2])], ssim_weight: f32) -> f64 {
     let weight = f64::from(ssim_weight);
     let (mut apart, mut norm) = (0.0, 0.0);
@@ -172,7 +172,7 @@ fn gradients_are_those_of_central_differences() {
     }
 }
 
-/// Equal images have no loss and no gradient, at borders and holes either, and the derivative of |x| is 0 at 0.
+/// Equal images have no loss and no gradient, also at borders and holes. The derivative of |x| at 0 is 0.
 #[test]
 fn equal_images_lose_nothing() {
     for (name, device) in devices::all() {
@@ -184,7 +184,7 @@ fn equal_images_lose_nothing() {
     }
 }
 
-/// What lies under the mask does not matter, whatever it is.
+/// Pixels under the mask have no influence, whatever their values are.
 #[test]
 fn what_is_masked_has_no_influence() {
     for (name, device) in devices::all() {
@@ -201,7 +201,7 @@ fn what_is_masked_has_no_influence() {
     }
 }
 
-/// Where windows lie inside, SSIM is the evaluation's.
+/// For windows inside the image, SSIM equals that of the evaluation.
 #[test]
 fn windows_inside_are_those_of_the_metric() {
     const SIDE: usize = 33;
@@ -229,7 +229,7 @@ fn windows_inside_are_those_of_the_metric() {
     }
 }
 
-/// Sums and gradients are the same to the bit for any number of threads.
+/// Sums and gradients have the same bits for any number of threads.
 #[test]
 fn sums_do_not_depend_on_threads() {
     let batch = batch(33, Look::Noise);
@@ -256,7 +256,7 @@ fn buffers_of_another_batch_are_refused() {
     };
     assert!(run(3 * 192, 3 * 192, 192).is_err(), "three tiles where there is memory for two");
     assert!(run(192, 384, 64).is_err() && run(384, 192, 64).is_err() && run(192, 192, 65).is_err());
-    // fewer tiles are fine, and so is none; without valid pixels nothing is lost
+    // fewer tiles are valid, and so are none; without valid pixels there is no loss
     let (gradient, sums) = run(192, 192, 64).expect("one tile");
     assert!(gradient.iter().all(|&slope| slope == 0.0) && sums == [TileLoss::default()]);
     assert!(run(0, 0, 0).expect("no tile").1.is_empty());

@@ -1,4 +1,4 @@
-//! The kernels together: what scenes give, on every device.
+//! The kernels together: the results of scenes on every device.
 
 mod channels;
 mod demo;

@@ -1,4 +1,4 @@
-//! What holds for every input: the clip, the hash index, tile membership, the composite.
+//! Properties for all inputs: the clip, the hash index, tile membership, the composite.
 
 use glam::{Vec2, Vec3, Vec4};
 use organza::{Device, scene::GridConfig};
@@ -15,7 +15,7 @@ use organza_shaders::unit_cube::Split;
 use organza_tests::devices;
 use proptest::prelude::*;
 
-/// Coordinates that lie on the cube's planes, beside them, and anywhere.
+/// Coordinates on the cube's planes, near them, and anywhere.
 fn coordinate() -> impl Strategy<Value = f32> + Clone {
     prop_oneof![4 => -2.0f32..3.0, 1 => Just(0.0), 1 => Just(1.0), 1 => Just(-0.0), 1 => Just(1.0 + f32::EPSILON)]
 }
@@ -29,7 +29,7 @@ fn split(x: Vec3) -> [Split; 3] {
     x.to_array().map(|x| Split::new(x, 0.0))
 }
 
-/// What the two parts hold.
+/// The number that both parts represent.
 fn exact(x: Split) -> f64 {
     f64::from(x.coarse) + f64::from(x.fine)
 }
@@ -38,12 +38,12 @@ fn vector(of: impl Strategy<Value = f32> + Clone) -> impl Strategy<Value = Vec3>
     [of.clone(), of.clone(), of].prop_map(Vec3::from_array)
 }
 
-/// Eq. 4-6 in f64, as the reference has it.
+/// Eq. 4-6 in f64, like the reference.
 fn exact_clip(p: Vec3, v: Vec3) -> (f64, f64) {
     let (mut enter, mut exit) = (f64::NEG_INFINITY, f64::INFINITY);
     for (p, v) in p.to_array().map(f64::from).into_iter().zip(v.to_array().map(f64::from)) {
         let inside = (0.0..=1.0).contains(&p);
-        // what a GPU may flush to zero counts as zero
+        // values that a GPU may flush to zero count as zero
         let (low, high) = match v.abs() < f64::from(f32::MIN_POSITIVE) {
             true if inside => (f64::NEG_INFINITY, f64::INFINITY),
             true => (f64::INFINITY, f64::NEG_INFINITY),
@@ -82,10 +82,10 @@ proptest! {
         let length = w.length();
         if segment.count == 0 {
             prop_assert_eq!(segment.factor, 0.0);
-            // components whose squares vanish in f32 have no length
+            // the length of components whose squares underflow in f32 is zero
             prop_assert!(length <= 1e-18, "{length} but no samples");
         } else {
-            // K is the smallest number of steps that are no longer than sigma
+            // K is the smallest number of steps that are at most sigma long
             let steps = length / step;
             prop_assert!(segment.count as f32 >= steps * (1.0 - 1e-6) && (segment.count - 1) as f32 <= steps * (1.0 + 1e-6));
             prop_assert!(segment.factor <= 1.0 + 1e-6, "{}", segment.factor);
@@ -129,7 +129,7 @@ proptest! {
         prop_assert!(projection.radius > 0.0);
         let low = Vec2::new(origin[0] as f32, origin[1] as f32);
         let is_member = reaches(projection.mean2d, projection.radius, low, side as f32);
-        // with Eq. 15's own radius it is one; and it is none where the margin is passed
+        // within Eq. 15's own radius it is a member; beyond the margin it is none
         let distance = distance_squared(projection.mean2d, low, side as f32).sqrt();
         prop_assert!(is_member || distance > projection.radius);
         prop_assert!(!is_member || distance <= projection.radius * 1.0011 + 0.011);
@@ -146,7 +146,7 @@ proptest! {
     }
 }
 
-/// Splats anywhere around a tile of side 8, and whether they are sheer enough to keep S below 1.
+/// Splats anywhere around a tile of side 8, and whether they are so transparent that S stays below 1.
 fn splats() -> impl Strategy<Value = Vec<[Vec4; 3]>> {
     let one = (
         -4.0f32..12.0,

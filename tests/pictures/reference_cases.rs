@@ -1,15 +1,15 @@
-//! Every case of the float64 reference, on every backend: the tiles and each stage on its own.
+//! Every case of the float64 reference on every backend: the tiles, and each stage.
 
 use organza::render::SceneGradient;
 use organza::{DeviceScene, Renderer, UploadOptions};
 use organza_tests::cases::{self, Case};
 use organza_tests::compare::{assert_close, assert_close_relative, difference};
 
-/// Absolute, on the tiles.
+/// Absolute tolerance of the tiles.
 const TILES: f64 = 2e-4;
-/// Absolute, on the tiles of scenes whose grids are halves.
+/// Absolute tolerance of the tiles of scenes whose grids are 16-bit floats.
 const HALF_TILES: f32 = 2e-4;
-/// Relative, on each stage.
+/// Relative tolerance of each stage.
 const STAGE: f64 = 1e-4;
 
 #[test]
@@ -21,7 +21,7 @@ fn tiles_are_those_of_the_reference() {
     });
 }
 
-/// Features are off by 2^-11 of the entries around them; what that does to a pixel is for the networks to say.
+/// Features differ by 2^-11 of the entries around them. The effect on a pixel depends on the networks.
 #[test]
 fn tiles_of_half_grids_are_close() {
     cases::on_every_device(|backend, renderer, case, full| {
@@ -72,7 +72,7 @@ fn compare_stages(
     let counts: Vec<f32> = stages.sample_count.iter().map(|&count| count as f32).collect();
     assert_eq!(counts, expected("sample_count"), "{}: sample counts on {backend}", case.name);
 
-    // what is behind the camera has no projection to compare
+    // a Gaussian behind the camera has no projection to compare
     let visible: Vec<bool> = expected("visible").iter().map(|&v| v != 0.0).collect();
     let found: Vec<bool> = stages.radius.iter().map(|&radius| radius >= 0.0).collect();
     assert_eq!(found, visible, "{}: visibility on {backend}", case.name);
@@ -86,7 +86,7 @@ fn compare_stages(
     compare("conic", &keep(&conic, 4), &keep(expected("conic"), 4));
 }
 
-/// Relative to the norm of a tensor's gradient.
+/// Tolerance relative to the norm of a tensor's gradient.
 const GRADIENT: f64 = 1e-3;
 
 #[test]

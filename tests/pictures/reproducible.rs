@@ -1,9 +1,9 @@
-//! One image, to the bit: however it is cut into tiles, and on however many threads.
+//! An image has the same bits for every cut into tiles, and for any number of threads.
 
 use organza::{Camera, DeviceScene, Renderer, TileBatch};
 use organza_tests::{cases, devices};
 
-/// The whole image of a camera, `[3, height, width]`, cut into tiles of a side.
+/// The whole image of a camera, `[3, height, width]`, from tiles with a given side.
 pub fn image(
     renderer: &Renderer,
     scene: &DeviceScene,

@@ -1,4 +1,4 @@
-//! Gaussians that are dealt to ranks: the same image and the same gradients for any number of ranks.
+//! Gaussians distributed over ranks: the same image and the same gradients for any number of ranks.
 
 use organza::ranks::{Ranks, ThreadRanks};
 use organza::render::share_bytes;
@@ -6,7 +6,7 @@ use organza::scene::{SLICE, Scene, SceneShare};
 use organza::{Camera, Renderer, TileBatch, UploadOptions, demo};
 use organza_tests::devices;
 
-/// The built-in scene's Gaussians again and again, a little beside each other and fainter: three slices.
+/// Copies of the built-in scene's Gaussians, slightly moved and more transparent: three slices.
 fn scene() -> Scene {
     let mut scene = demo::scene();
     let len = scene.gaussians.len();
@@ -23,14 +23,14 @@ fn batch(cameras: &[Camera]) -> TileBatch {
     TileBatch::cover(0, cameras[0].width, cameras[0].height, 8).expect("tiles")
 }
 
-/// What ranks come to.
+/// The results of ranks.
 #[derive(PartialEq)]
 struct Found {
-    /// `[K, 3, S, S]`
+    /// Bits of the image, `[K, 3, S, S]`.
     image: Vec<u32>,
-    /// The gradient of each tensor, that of the Gaussians rank after rank.
+    /// Bits of each tensor's gradient. That of the Gaussians is in the order of the ranks.
     gradient: Vec<(String, Vec<u32>)>,
-    /// Gaussians of each rank.
+    /// Number of Gaussians of each rank.
     held: Vec<usize>,
 }
 

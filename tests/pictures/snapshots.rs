@@ -1,6 +1,6 @@
-//! Snapshots of A, B and C, each on its own and together: `docs/snapshots.md` says how to read and accept them.
+//! Snapshots of A, B and C, alone and together: `docs/snapshots.md` says how to read and accept them.
 //!
-//! A snapshot locks a value and does not prove it, so that every scene is held to the equations, in f64, as well.
+//! A snapshot locks a value but does not prove it. So every scene is also compared with the equations in f64.
 
 #[path = "../support/snapshot/stages.rs"]
 mod stages;
@@ -13,9 +13,9 @@ use organza::Renderer;
 use organza_check::snapshot::Snapshots;
 use organza_tests::devices;
 
-/// No snapshot may be larger: people look at them, and they stay in the history.
+/// Largest size of a snapshot: people look at them, and they stay in the history.
 const MAX_FILE_BYTES: u64 = 64 << 10;
-/// Nor may all of them together.
+/// Largest size of all snapshots together.
 const MAX_BYTES: u64 = 1 << 20;
 
 /// Every device, opened once.

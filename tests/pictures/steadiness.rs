@@ -1,9 +1,8 @@
-//! How steady images are while a camera moves slowly, beside those of sorted Gaussians.
+//! Measures how steady images are while a camera moves slowly, compared with those of sorted Gaussians.
 //!
-//! The change from a frame to the next has two parts: what the camera's motion does, and what jumps. While the camera
-//! moves by equal small steps h, the first is nearly linear, so that the second difference
-//! `|Y(t - h) - 2 Y(t) + Y(t + h)|` of a pixel falls with h squared, or with h where the slope has an edge. A jump stays as
-//! large as it is.
+//! The change from one frame to the next has two parts: the effect of the camera's motion, and jumps. With equal
+//! small steps h of the camera, the first is nearly linear. So the second difference `|Y(t - h) - 2 Y(t) + Y(t + h)|`
+//! of a pixel falls with h squared, or with h at an edge of the slope. A jump keeps its size.
 
 use std::fs;
 use std::path::PathBuf;
@@ -21,14 +20,14 @@ const STEPS: [f64; 4] = [0.4, 0.1, 0.025, 0.00625];
 const FRAMES: usize = 10;
 /// Side of the images, in pixels.
 const SIDE: u32 = 128;
-/// What [`images`] gives.
+/// Names of the [`images`].
 const KINDS: [&str; 4] = ["organza", "sorted", "organza-whole", "sorted-whole"];
 
 fn renderer() -> Renderer {
     Renderer::new(organza::open_device(&DeviceOptions::cpu(None)).expect("a CPU"))
 }
 
-/// The image as organza renders it, and as sorted Gaussians have it; then both with footprints that do not end.
+/// The image as organza renders it, and as sorted Gaussians give it; then both with footprints that do not end.
 fn images(
     renderer: &Renderer,
     scene: &Scene,
@@ -53,7 +52,7 @@ fn images(
     [own, sorted, own_whole, sorted_whole]
 }
 
-/// The second difference of every pixel, the largest of its channels, in 8-bit levels.
+/// The second difference of every pixel, over its channels the largest, in 8-bit levels.
 fn second_differences(frames: &[Pixels]) -> Vec<f32> {
     let [before, now, after] = frames else { panic!("three frames") };
     let pixel = |at: usize| {
@@ -93,7 +92,7 @@ fn sorted_gaussians_are_blended_front_to_back() {
     assert_eq!(image(&[]), vec![[0.0, 1.0, 0.0]; 20]);
 }
 
-/// Two sheer Gaussians, one behind the other; from the middle of the arc on, the other way around.
+/// Two transparent Gaussians, one behind the other. From the middle of the arc on, their order is reversed.
 fn crossing() -> (Scene, Vec<Camera>) {
     let mut scene = Case::load(&cases::folder().join("basic")).scene;
     let [low, high] = scene.config.aabb;
@@ -121,7 +120,7 @@ fn crossing() -> (Scene, Vec<Camera>) {
     (scene, orbit.cameras(7200).unwrap()[..8].to_vec())
 }
 
-/// Where two Gaussians change their order, a sorted image jumps, and organza's does not.
+/// When two Gaussians change their order, a sorted image jumps. Organza's must not.
 #[test]
 fn what_is_not_sorted_does_not_jump() {
     let (renderer, (scene, cameras)) = (renderer(), crossing());
@@ -136,8 +135,9 @@ fn what_is_not_sorted_does_not_jump() {
     assert!(own < 0.5 && sorted > 4.0, "in 8-bit levels: own {own}, sorted {sorted}");
 }
 
-/// The numbers of docs/experiments.md, for `docs/experiments/steadiness.py`: the second differences along an orbit, a file of
-/// f32 for each step and each kind of image. `SCENE` and `CAMERAS` name another scene than the built-in one.
+/// The numbers of docs/experiments.md, for `docs/experiments/steadiness.py`: the second differences along an orbit,
+/// with a file of f32 for each step and each kind of image. `SCENE` and `CAMERAS` name another scene than the
+/// built-in one.
 #[test]
 #[ignore = "it measures, for minutes"]
 fn measure_steadiness() {

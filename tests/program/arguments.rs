@@ -1,5 +1,5 @@
-//! What commands take: files are told apart by their content, and a run's folder or a data set does where a scene or
-//! cameras do.
+//! Arguments of commands: files are recognized by their content, and a run's folder or a data set can replace a scene
+//! or cameras.
 
 use std::fs;
 
@@ -10,7 +10,7 @@ use crate::train::runs;
 
 const SCENE: &str = "scene.safetensors";
 
-/// `run`, trained on `data` at half size; frame 0 of two is held out.
+/// A sandbox with `run`, which was trained on `data` at half size. Frame 0 of two is held out.
 fn trained() -> Sandbox {
     let sandbox = runs::sandbox();
     runs::photographs(&sandbox);
@@ -19,7 +19,7 @@ fn trained() -> Sandbox {
     sandbox
 }
 
-/// The names of a folder's pictures.
+/// The names of the pictures in a folder.
 fn pictures(sandbox: &Sandbox, folder: &str) -> Vec<String> {
     let entries = fs::read_dir(sandbox.path(folder)).unwrap();
     let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
@@ -67,7 +67,7 @@ fn the_wrong_order_is_told_by_the_content() {
     ] {
         sandbox.assert_refuses(words, &[fact, "the order is: scene, cameras or data set, tiles"]);
     }
-    // what is no scene, by a name that says it is one
+    // not a scene, under a scene's name
     fs::copy(sandbox.path("cameras.json"), sandbox.path(SCENE)).unwrap();
     sandbox
         .assert_refuses("render scene.safetensors cameras.json -o out", &["another kind of file"]);
@@ -106,7 +106,7 @@ fn folders_of_the_system_take_no_files() {
     }
 }
 
-/// The cameras of a data set are those that training has: of the photographs' size after `--downscale`.
+/// The cameras of a data set are those of training: with `--downscale`, they have the smaller size.
 #[test]
 fn a_run_is_rendered_from_its_own_views() {
     let sandbox = trained();

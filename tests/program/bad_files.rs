@@ -1,4 +1,4 @@
-//! Files that are not what they should be.
+//! Files with wrong content.
 
 use std::fs;
 
@@ -10,7 +10,7 @@ const TILES: &str =
     "tiles scene.safetensors cameras.json tiles.json -o out.safetensors --backend cpu";
 const RENDER: &str = "render scene.safetensors cameras.json -o images --backend cpu";
 
-/// Every command that reads the scene refuses it, with these facts.
+/// Asserts that every command that reads the scene refuses it, with these facts in the message.
 #[track_caller]
 fn assert_scene_refused(sandbox: &Sandbox, facts: &[&str]) {
     let mut facts = facts.to_vec();

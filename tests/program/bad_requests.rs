@@ -1,4 +1,4 @@
-//! Command lines that ask for what cannot be.
+//! Command lines that cannot be fulfilled.
 
 use std::fs;
 
@@ -76,7 +76,7 @@ fn inputs_are_not_replaced() {
     for name in ["scene.safetensors", "./cameras.json", "images/../tiles.json"] {
         sandbox.assert_refuses(&format!("{TILES} -o {name}"), &[name, "would replace the input"]);
     }
-    // the photograph of view 1, of which there may be no other copy
+    // the photograph of view 1, which may be the only copy
     fs::write(sandbox.path("images/0001.png"), "a photograph").unwrap();
     let facts = ["images/0001.png", "photograph", "another folder"];
     sandbox.assert_refuses(&format!("{RENDER} -o images"), &facts);
@@ -84,7 +84,7 @@ fn inputs_are_not_replaced() {
     sandbox.assert_refuses("demo -o . --backend cpu", &["scene.safetensors", "another folder"]);
 }
 
-/// Whatever fails on the way, what was there stays.
+/// After any failure, old output remains.
 #[test]
 fn failure_keeps_the_old_output() {
     let sandbox = Sandbox::new("tiny");

@@ -11,19 +11,19 @@ fn json(outcome: Outcome) -> Value {
     serde_json::from_str(&outcome.assert_ok().stdout).expect("JSON")
 }
 
-/// Dispatches of a kernel; none where it is not listed.
+/// The number of a kernel's dispatches; `None` if it is not listed.
 fn dispatches(kernels: &Value, name: &str) -> Option<u64> {
     let kernels = kernels.as_array().expect("a list");
     kernels.iter().find(|kernel| kernel["name"] == name)?["dispatches"].as_u64()
 }
 
-/// A number of a kernel; none where it is null.
+/// A number of a kernel; `None` if it is null.
 fn number(kernels: &Value, name: &str, key: &str) -> Option<f64> {
     let kernels = kernels.as_array().expect("a list");
     kernels.iter().find(|kernel| kernel["name"] == name)?[key].as_f64()
 }
 
-/// What is counted of a kernel is beside the peaks, and nothing else.
+/// Asserts that exactly the kernels whose work is counted are compared with the peaks.
 #[track_caller]
 fn assert_peaks(found: &Value) {
     let peak = |key: &str| {
@@ -44,12 +44,12 @@ fn assert_peaks(found: &Value) {
     }
 }
 
-/// Billions of operations that a kernel has made.
+/// The operations of a kernel, in billions.
 fn operations(kernels: &Value, name: &str) -> f64 {
     number(kernels, name, "gflops").unwrap() * number(kernels, name, "seconds").unwrap()
 }
 
-/// Kernels are listed with positive times, the slowest first, and shares that add up to 1.
+/// Asserts that times are positive and sorted, the slowest first, and that shares add up to 1.
 #[track_caller]
 fn assert_shares(kernels: &Value) {
     let values = |key: &str| -> Vec<f64> {
@@ -91,7 +91,7 @@ fn a_batch_is_measured() {
     }
 }
 
-/// What was rendered is what `organza tiles` says that it renders.
+/// The counts must be those of `organza tiles`.
 #[test]
 fn what_is_measured_is_the_batch() {
     let sandbox = Sandbox::new("crowded");
@@ -135,7 +135,7 @@ fn operations_are_counted() {
         let count = |key: &str| found[key].as_f64().unwrap();
         let forward =
             2.0 * 16.0 * (count("pairs") * (4.0 + 16.0) + count("samples") * (3.0 + 16.0));
-        // on the way back all of it is computed once more
+        // the backward pass computes everything once more
         for (key, expected) in [("forward_kernels", forward), ("kernels", 2.0 * forward)] {
             let counted = 1e9 * operations(&found[key], "dense");
             assert!(
@@ -146,7 +146,7 @@ fn operations_are_counted() {
     }
 }
 
-/// A GPU's kernels have times as well, and those of the last case: it is the same batch.
+/// A GPU's kernels have times, too. Their counts equal those of the previous case, because the batch is the same.
 #[test]
 fn kernels_of_a_gpu_have_times() {
     if !devices::has_gpu() {

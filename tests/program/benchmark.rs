@@ -1,4 +1,4 @@
-//! `organza benchmark`: what the table says is what the runs came to.
+//! `organza benchmark`: the table must have the results of the runs.
 
 use std::collections::HashMap;
 use std::fs;
@@ -42,7 +42,7 @@ fn captures_are_trained_on_and_compared() {
         assert!(run.join("report.html").exists());
         assert!(table.contains(&format!("{psnr:.2}")), "{table}");
     }
-    // what is there is counted as it is
+    // finished runs are included unchanged
     assert_eq!(sandbox.run(words).assert_ok().stdout, table);
     assert_eq!(fs::read_to_string(sandbox.path("results/results.csv")).unwrap(), csv);
     let json = sandbox.run(&format!("{words} --json --quiet")).assert_ok().stdout;
@@ -52,7 +52,7 @@ fn captures_are_trained_on_and_compared() {
     assert!(!sandbox.path("again").exists());
 }
 
-/// The column is there, and has the mean that `organza eval` prints.
+/// The additional column has the mean that `organza eval` prints.
 fn with_lpips(sandbox: &Sandbox, words: &str) {
     save_weights(&sandbox.path("weights.safetensors"));
     let words = format!("{words} --lpips weights.safetensors");
@@ -73,14 +73,14 @@ fn with_lpips(sandbox: &Sandbox, words: &str) {
             format!("{:.4}", capture["lpips"].as_f64().unwrap())
         );
     }
-    // refused before anything is trained
+    // refused before any training
     let refused = "benchmark one -o late --lpips cameras.json --backend cpu";
     sandbox.assert_refuses(refused, &["cameras.json"]);
     assert!(!sandbox.path("late").exists());
 }
 
-/// Weights of AlexNet's shapes, as docs/conventions.md has them, from a formula: those that were trained are too large for a
-/// repository.
+/// Weights in AlexNet's shapes, as described in docs/conventions.md, from a formula: trained weights are too large
+/// for the repository.
 fn save_weights(path: &Path) {
     let mut tensors = Vec::new();
     let mut add = |name: String, shape: Vec<usize>, lowest: f32| {

@@ -1,4 +1,4 @@
-//! The fuzzers' corpus on this toolchain: each file as it is, cut short and with bits flipped.
+//! The fuzzers' corpus on this toolchain: each file unchanged, cut short, and with flipped bits.
 
 use std::fs;
 use std::path::Path;
@@ -7,7 +7,7 @@ use organza::fuzz::TARGETS;
 
 use crate::mutate::{Random, mutate_bytes, number};
 
-/// Random changes of each file; `ORGANZA_CORPUS_MUTATIONS` asks for more.
+/// Number of random changes of each file. `ORGANZA_CORPUS_MUTATIONS` replaces it.
 const MUTATIONS: u64 = 50;
 
 #[path = "../../fuzz/held.rs"]

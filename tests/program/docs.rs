@@ -1,5 +1,5 @@
-//! Every command in the README and in `docs/` runs as it stands there, with the program in the place of `cargo run`, or is
-//! listed in [`NOT_RUN`] with the reason. So do blocks of Python, where Python has what they import.
+//! Every command in the README and in `docs/` runs as written, with the program in place of `cargo run`, or is listed
+//! in [`NOT_RUN`] with a reason. So do blocks of Python, if Python has the modules that they import.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -9,7 +9,7 @@ use std::process::Command;
 
 use crate::sandbox::{Sandbox, program};
 
-/// What commands begin with that are not run here, and why.
+/// Beginnings of commands that are not run here, with the reason.
 const NOT_RUN: &[(&str, &str)] = &[
     ("cargo test", "these tests"),
     ("INSTA_UPDATE=always", "it changes the repository"),
@@ -33,7 +33,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("organza eval run --lpips", "it needs the weights"),
 ];
 
-/// The program, with what makes it quick.
+/// The program, with options that make it quick.
 const ORGANZA: &str = r#"#!/bin/sh
 has() { case " $words " in *" $1 "*) true ;; *) false ;; esac; }
 words="$*"
@@ -65,7 +65,7 @@ esac
 exec "$PROGRAM" "$@"
 "#;
 
-/// Cargo, as far as it runs the program.
+/// Replaces cargo: it only runs the program.
 const CARGO: &str = r#"#!/bin/sh
 [ "$1" = run ] || { echo "cargo $1 is not for this test" >&2; exit 97; }
 while [ "$1" != -- ]; do shift; done
@@ -85,7 +85,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// The blocks of the README and of `docs/`, page by page.
+/// The blocks of the README and of `docs/`, by page.
 fn blocks() -> Vec<Block> {
     let docs = fs::read_dir(root().join("docs")).expect("docs");
     let docs = docs.map(|entry| format!("docs/{}", entry.unwrap().file_name().display()));
@@ -104,7 +104,7 @@ fn blocks() -> Vec<Block> {
     blocks
 }
 
-/// The commands of a block: a line each, and those that end in `\` with the next.
+/// The commands of a block, one per line. A line that ends in `\` continues.
 fn commands(text: &str) -> Vec<String> {
     let joined = text.replace("\\\n", " ");
     let without_comment = |line: &str| line.split(" #").next().unwrap_or("").trim().to_owned();
@@ -120,7 +120,7 @@ fn prepare(page: &str, blocks: &[Block]) -> Sandbox {
         fs::write(bin.join(name), script).unwrap();
         fs::set_permissions(bin.join(name), fs::Permissions::from_mode(0o755)).unwrap();
     }
-    // not everybody has it, and it is not what is tested
+    // not everybody has it, and it is not under test
     if Command::new("jq").arg("--version").output().is_err() {
         fs::write(bin.join("jq"), "#!/bin/sh\ncat\n").unwrap();
         fs::set_permissions(bin.join("jq"), fs::Permissions::from_mode(0o755)).unwrap();
@@ -198,7 +198,7 @@ fn every_block_of_python_runs() {
     }
 }
 
-/// Rust in the README is code of the library's documentation, which is compiled.
+/// Rust code in the README is part of the library's documentation, which is compiled.
 #[test]
 fn rust_in_the_readme_is_compiled() {
     let library = fs::read_to_string(root().join("host/src/lib.rs")).expect("the library");

@@ -1,11 +1,12 @@
-//! What a server or a container lacks.
+//! Features that a server or a container lacks.
 
 use organza_tests::devices;
 
 use crate::sandbox::Outcome;
 use crate::train::runs;
 
-/// Mesa and libwayland look for a desktop's sockets in a folder that only a desktop has.
+/// Mesa and libwayland look for a desktop's sockets in a folder that only a desktop has. That must not print
+/// anything.
 #[test]
 fn without_a_desktop_nothing_is_said() {
     let sandbox = runs::sandbox();

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::sandbox::{Outcome, Sandbox};
 
-/// A data set of two frames that are what the scene shows, in the folder `data`; frame 0 is held out.
+/// A data set of two frames, rendered from the scene, in the folder `data`. Frame 0 is held out.
 fn sandbox() -> Sandbox {
     let sandbox = Sandbox::new("crowded");
     sandbox.run("render scene.safetensors cameras.json -o data/images --backend cpu").assert_ok();
@@ -27,7 +27,7 @@ fn assert_refuses(sandbox: &Sandbox, words: &str, facts: &[&str]) {
     sandbox.assert_refuses(&format!("eval {words} --backend cpu"), facts);
 }
 
-/// `value` lies in a range.
+/// Asserts that `value` is in a range.
 #[track_caller]
 fn assert_within(value: &Value, range: std::ops::RangeInclusive<f64>) {
     assert!(value.as_f64().is_some_and(|value| range.contains(&value)), "{value} in {range:?}");
@@ -44,7 +44,7 @@ fn rounding_is_all_that_a_scene_lacks_of_its_own_images() {
     for (view, name) in views.iter().zip(["images/0000.png", "images/0001.png"]) {
         assert_eq!(keys(view), ["name", "psnr", "ssim"]);
         assert_eq!(view["name"], name);
-        // a variance of 1/12 of one of 255 levels: 58.9 dB
+        // a variance of 1/12 of one of 255 levels is 58.9 dB
         assert_within(&view["psnr"], 58.0..=62.0);
         assert_within(&view["ssim"], 0.998..=1.0);
     }
@@ -85,7 +85,7 @@ fn another_image_is_far_off() {
     assert_within(&found["mean"]["ssim"], 0.0..=0.99);
 }
 
-/// Photographs that are made smaller are compared with images that are rendered small.
+/// Reduced photographs are compared with images rendered at the reduced size.
 #[test]
 fn a_smaller_size_comes_close() {
     let found = scores(eval(&sandbox(), "--json --downscale 2"));
@@ -142,7 +142,7 @@ fn bad_requests() {
 #[test]
 fn data_without_held_out_frames_says_what_to_do() {
     let sandbox = sandbox();
-    // the only one that is held out
+    // the only frame that is held out
     fs::remove_file(sandbox.path("data/images/0000.png")).unwrap();
     let outcome = eval(&sandbox, "");
     outcome.assert_refused(&["no frame", "held out", "--split train", "--hold-out-every"]);

@@ -1,4 +1,4 @@
-//! Films: their frames, what is written of them, and what happens when making one is interrupted.
+//! Films: their frames, their files, and interruptions.
 
 use std::fs;
 use std::io::BufReader;
@@ -31,11 +31,11 @@ fn a_film_begins_and_ends_at_its_keys() {
     sandbox.run(&format!("{FILM} -o frames --frames 3")).assert_ok();
     let key = |name: &str| pixels(&sandbox, &format!("images/{name}"));
     let frame = |name: &str| pixels(&sandbox, &format!("frames/{name}"));
-    // a pose becomes a quaternion on the way
+    // a pose is converted to a quaternion and back
     assert!(difference(&key("0000.png"), &frame("00000.png")) <= 1);
     assert!(difference(&key("0001.png"), &frame("00002.png")) <= 1);
     assert!(difference(&frame("00000.png"), &frame("00001.png")) > 10);
-    // in the other order, and back again
+    // in reverse order, and back to the start
     sandbox.run(&format!("{FILM} -o loop --frames 2 --views 1,0 --loop")).assert_ok();
     let frame = |name: &str| pixels(&sandbox, &format!("loop/{name}"));
     assert!(difference(&key("0001.png"), &frame("00000.png")) <= 1);
@@ -66,7 +66,8 @@ fn an_animated_png_has_the_frames_and_their_pace() {
     assert!(!sandbox.path("film.png.frames").exists());
 }
 
-/// A camera that looks along -z has the depth of a plane z = const everywhere; here the numbers of `render` decide.
+/// For a camera that looks along -z, a plane z = const has the same depth everywhere. The expected numbers are from
+/// `render`.
 #[test]
 fn a_film_of_depth_has_one_range() {
     let sandbox = Sandbox::new("tiny");
@@ -108,12 +109,12 @@ fn finished_frames_are_not_rendered_again() {
     fs::remove_file(sandbox.path("frames/00002.png")).unwrap();
     assert_eq!(rendered(&words), 1);
     assert!(before == sandbox.files());
-    // another way, and fewer frames
+    // another path, and fewer frames
     assert_eq!(rendered(&words.replace("4", "3")), 3);
     assert!(!sandbox.path("frames/00003.png").exists());
 }
 
-/// What is not the program's stays as it is.
+/// Files that do not belong to the program stay unchanged.
 #[test]
 fn no_file_of_the_users_is_lost() {
     let sandbox = Sandbox::new("tiny");
@@ -153,7 +154,7 @@ fn what_makes_no_film_is_refused_at_once() {
     }
 }
 
-/// A stand-in for ffmpeg: the tests do not need it installed, and it fails when told to.
+/// Replaces ffmpeg, so that tests do not need it. It can fail on demand.
 #[cfg(unix)]
 mod mp4 {
     use std::os::unix::fs::PermissionsExt;
@@ -161,7 +162,7 @@ mod mp4 {
 
     use super::*;
 
-    /// The file is what came in; the arguments are beside the program.
+    /// The output file has the input bytes. A file beside the program has the arguments.
     const FFMPEG: &str = r#"#!/bin/sh
 [ "$1" = -version ] && exit 0
 [ -e "${0%/*}/broken" ] && { echo "no space on the moon" >&2; exit 3; }
@@ -233,7 +234,7 @@ mod signals {
     use super::*;
     use crate::train::processes::{signal, start, wait_for_end};
 
-    /// Terminated, then killed, then left alone: the film is that of a call that nothing has stopped.
+    /// Terminated, killed, and then undisturbed: the film must equal one from a call without interruption.
     #[test]
     fn a_film_that_was_stopped_or_killed_goes_on() {
         let sandbox = Sandbox::new("tiny");

@@ -1,4 +1,4 @@
-//! What every command has: `--quiet`, `--verbose`, `--json`, help, completions and manual pages.
+//! Options that all commands share: `--quiet`, `--verbose`, `--json`, help, completions and manual pages.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -13,7 +13,7 @@ use crate::train::runs;
 pub fn commands(sandbox: &Sandbox) -> Vec<String> {
     let help = sandbox.run("-h").assert_ok().stdout;
     let lines = help.lines().skip_while(|line| *line != "Commands:").skip(1);
-    // A line that goes on with a description is indented further.
+    // The continuation of a description is indented further.
     let lines = lines.take_while(|line| !line.is_empty()).filter(|line| !line.starts_with("   "));
     let names: Vec<_> = lines.filter_map(|line| line.split_whitespace().next()).collect();
     assert!(names.len() > 10, "{help}");
@@ -49,7 +49,7 @@ fn every_command_can_be_quiet_or_verbose() {
     }
 }
 
-/// The options that choose a device are in the long help alone, under a heading of their own.
+/// Device options appear only in the long help, under their own heading.
 #[test]
 fn the_short_help_is_short() {
     let sandbox = Sandbox::new("tiny");
@@ -95,12 +95,12 @@ fn documented(command: &str) -> BTreeSet<String> {
     first.map(|key| key.trim().trim_matches('`').to_owned()).collect()
 }
 
-/// Every key, with the objects it is in: `views[].name`.
+/// Every key, with the path of its objects: `views[].name`.
 fn add_keys(value: &Value, above: &str, found: &mut BTreeSet<String>) {
     match value {
         Value::Object(object) => {
             for (key, value) in object {
-                // What a scene's file has is not the program's to document here.
+                // Keys of a scene's configuration are documented with the scene's file.
                 let value = if key == "config" { &Value::Null } else { value };
                 let key = if above.is_empty() { key.clone() } else { format!("{above}.{key}") };
                 add_keys(value, &key, found);
@@ -115,7 +115,7 @@ fn add_keys(value: &Value, above: &str, found: &mut BTreeSet<String>) {
     }
 }
 
-/// The keys of what a command has printed are those of its table.
+/// Asserts that a command printed exactly the keys in its table.
 #[track_caller]
 pub fn assert_documented(command: &str, results: &[Value]) {
     let mut found = BTreeSet::new();
@@ -123,7 +123,7 @@ pub fn assert_documented(command: &str, results: &[Value]) {
     assert_eq!(found, documented(command), "{command}");
 }
 
-/// Nothing but JSON is on stdout, and its keys are those that are documented.
+/// Standard output has only JSON, with the documented keys.
 #[test]
 fn results_are_json_with_documented_keys() {
     let sandbox = runs::sandbox();
@@ -165,7 +165,7 @@ fn shells_complete_commands_and_options() {
         fs::write(sandbox.path(&format!("organza.{shell}")), script).unwrap();
     }
     sandbox.run("completions cmd").assert_refused(&["'cmd'", "bash"]);
-    // what bash itself makes of it
+    // checked by bash itself
     #[cfg(target_os = "linux")]
     if Path::new("/bin/bash").exists() {
         let complete = |line: &str| {

@@ -1,4 +1,4 @@
-//! Text that controls terminals, streams that are closed, and folders that cannot be written to.
+//! Text that controls terminals, closed streams, and folders without write permission.
 
 use std::fs;
 use std::process::Stdio;
@@ -9,7 +9,7 @@ use crate::sandbox::{Outcome, Sandbox};
 
 const TILES: &str = "tiles scene.safetensors cameras.json tiles.json --backend cpu";
 
-/// Clears the screen, rings, turns text around, and begins other lines.
+/// Clears the screen, rings the bell, reverses text, and starts new lines.
 const NASTY: &str = "a\x1b[2Jb\x07c\u{9b}31md\u{202e}e\u{61c}f\rg\nh\u{2028}i";
 
 #[track_caller]
@@ -51,7 +51,7 @@ fn messages_do_not_control_the_terminal() {
         assert_plain(&outcome);
         assert!(outcome.stderr.lines().count() <= 4, "{outcome:?}");
     }
-    // names of files' own, and on the way to a success
+    // names inside of files, also in messages of a success
     sandbox.edit_json("cameras.json", "/frames/0/file_path", json!(NASTY));
     for words in [
         &["info", "cameras.json"][..],
@@ -94,7 +94,7 @@ fn closed_streams_are_no_bug() {
         let outcome = sandbox.shell(&format!("\"$ORGANZA\" {TILES} -o out {streams}"));
         assert_eq!(outcome.code, Some(code), "{streams}: {outcome:?}");
         assert!(fs::metadata(sandbox.path("out")).unwrap().len() > 1000, "{streams}");
-        // a scene is not written into what stands for a closed stream
+        // a scene must not be written into the file that replaces a closed stream
         fs::remove_file(sandbox.path("out")).unwrap();
     }
     for streams in ["2>&-", "2>/dev/full", ">&- 2>&-"] {
@@ -103,7 +103,7 @@ fn closed_streams_are_no_bug() {
     }
     let outcome = sandbox.shell("\"$ORGANZA\" info tiles.json >/dev/full");
     outcome.assert_refused(&["standard output", "disk is full"]);
-    // help is not data; nobody waits for it
+    // help is not data, and nobody depends on it
     for words in ["--help", "--version"] {
         let mut child = sandbox.command(words).stdout(Stdio::piped()).spawn().unwrap();
         drop(child.stdout.take());
@@ -111,7 +111,7 @@ fn closed_streams_are_no_bug() {
     }
 }
 
-/// As root a mode keeps nobody out, but a mount does.
+/// Root ignores permissions, but not a read-only mount.
 #[cfg(target_os = "linux")]
 #[test]
 fn folders_that_are_read_only_are_said() {

@@ -1,4 +1,4 @@
-//! `organza kernels`: what the program says about its kernels.
+//! `organza kernels`: facts about the kernels.
 
 use organza::MODULES;
 use serde_json::Value;
@@ -38,6 +38,6 @@ fn every_kernel_is_listed() {
     assert_eq!(scan["shared_bytes"], 256);
     let composite = |name| listed.iter().find(|listed| listed["name"] == name).unwrap();
     assert_eq!(composite("composite")["shared_bytes"], 0);
-    // 64 members: a word of cells and three vectors each
+    // 64 members, each with a word of cells and three vectors
     assert_eq!(composite("composite_shared")["shared_bytes"], 64 * (4 + 3 * 16));
 }

@@ -13,7 +13,7 @@ use crate::sandbox::Sandbox;
 mod memory {
     use super::*;
 
-    /// In KiB; enough for the program and the tiny case.
+    /// Memory limit in KiB: enough for the program and the tiny case.
     const LIMIT: &str = "ulimit -v 1000000;";
 
     #[track_caller]
@@ -23,7 +23,7 @@ mod memory {
         assert!(before == sandbox.files(), "{words} left {:?}", sandbox.files().keys());
     }
 
-    /// An object of one entry takes a hundred times what its text does.
+    /// An object with one entry takes a hundred times the memory of its text.
     #[test]
     fn json_is_held_to_it_before_it_is_parsed() {
         let sandbox = Sandbox::new("tiny");
@@ -51,7 +51,7 @@ mod memory {
         assert_refused(&sandbox, words, &["out of memory", "needs 1.50 GiB", "are available"]);
     }
 
-    /// Half a million small values that nobody asks about one by one.
+    /// Half a million small values, which are not checked one by one.
     #[test]
     fn a_list_that_does_not_fit() {
         let sandbox = Sandbox::new("tiny");
@@ -71,14 +71,14 @@ mod memory {
         assert_refused(&sandbox, words, &["65536 x 65536", "needs 12.00 GiB", "are available"]);
     }
 
-    /// The file has holes, so that it takes no room on the disk.
+    /// The file has holes, so it takes no space on the disk.
     #[test]
     fn a_scene_that_does_not_fit() {
         const GAUSSIANS: usize = 50_000_000;
         let sandbox = Sandbox::new("tiny");
         let mut length = 0;
         sandbox.edit_scene(|_, tensors| {
-            // what is written is cut off, and what is announced is not there yet
+            // the data is missing, and the header announces more than there is
             for (name, shape, bytes) in tensors {
                 if name.starts_with("gaussians.") {
                     shape[0] = GAUSSIANS;
@@ -100,7 +100,7 @@ mod memory {
         ]);
     }
 
-    /// The header, with the place of every tensor computed from its shape.
+    /// The header, with every tensor's offset computed from its shape.
     fn holey_header(file: &[u8]) -> Vec<u8> {
         let length = u64::from_le_bytes(file[..8].try_into().unwrap()) as usize;
         let mut header: serde_json::Map<_, _> =
@@ -124,7 +124,7 @@ fn full_disks() {
     let tiles = "tiles scene.safetensors cameras.json tiles.json --backend cpu";
     sandbox.assert_refuses(&format!("{tiles} -o /dev/full"), &["/dev/full", "disk is full"]);
 
-    // A file system of some pages, where the user may make one.
+    // A file system of a few pages, if the user may mount one.
     fs::create_dir(sandbox.path("small")).unwrap();
     let mount = |pages: u32| format!("mount -t tmpfs -o size={}k none small", 4 * pages);
     if sandbox.shell(&format!("unshare -rm {}", mount(1))).code != Some(0) {
@@ -142,7 +142,7 @@ fn full_disks() {
     let outcome = run(1, &format!("{tiles} -o small/out"));
     outcome.assert_refused(&["small/out", "disk is full", "free some space"]);
     assert!(outcome.stderr.ends_with("\nold\nout\n"), "{outcome:?}");
-    // The list of images comes first.
+    // The list of images is written first.
     for (pages, full) in [(1, "small/.organza-files.json"), (2, "small/0000.png")] {
         let outcome = run(pages, "render scene.safetensors cameras.json -o small --backend cpu");
         outcome.assert_refused(&[full, "disk is full"]);

@@ -1,4 +1,4 @@
-//! The program as a user meets it: a process, its exit code, and what it leaves behind.
+//! The program from a user's point of view: a process, its exit code, and the files that it leaves.
 
 mod arguments;
 mod bad_files;

@@ -1,6 +1,6 @@
-//! Changes at random, the same for the same seed.
+//! Random changes, the same for the same seed.
 
-/// Text that replaces a number, or anything else.
+/// Texts that replace a number or any other word.
 const VALUES: [&str; 22] = [
     "0",
     "-1",
@@ -26,11 +26,11 @@ const VALUES: [&str; 22] = [
     "3.4e38",
 ];
 
-/// splitmix64
+/// Random numbers from splitmix64.
 pub struct Random(pub u64);
 
 impl Random {
-    /// One of 0 to `end` - 1.
+    /// A number from 0 to `end` - 1.
     pub fn below(&mut self, end: usize) -> usize {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -39,13 +39,13 @@ impl Random {
         ((z ^ z >> 31) % end.max(1) as u64) as usize
     }
 
-    /// One of those.
+    /// One of the texts.
     pub fn one<'a>(&mut self, of: &[&'a str]) -> &'a str {
         of[self.below(of.len())]
     }
 }
 
-/// Changes one place.
+/// Changes bytes at one place.
 pub fn mutate_bytes(bytes: &mut Vec<u8>, random: &mut Random) {
     if bytes.is_empty() {
         return bytes.push(random.below(256) as u8);
@@ -61,7 +61,7 @@ pub fn mutate_bytes(bytes: &mut Vec<u8>, random: &mut Random) {
             let copy = bytes[at..end].to_vec();
             bytes.splice(at..at, copy);
         }
-        // a number in text becomes another
+        // replaces a number in text
         5 => {
             let is_number = |byte: &u8| byte.is_ascii_digit() || b".-+e".contains(byte);
             let from = (at..bytes.len()).find(|&i| is_number(&bytes[i])).unwrap_or(at);
@@ -72,7 +72,7 @@ pub fn mutate_bytes(bytes: &mut Vec<u8>, random: &mut Random) {
     }
 }
 
-/// A number of the environment.
+/// A number from an environment variable.
 pub fn number(name: &str, default: u64) -> u64 {
     std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(default)
 }

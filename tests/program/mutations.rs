@@ -1,4 +1,4 @@
-//! Command lines and files, changed at random: whatever is asked for, the program ends in good order.
+//! Random changes of command lines and files. The program must always end properly.
 #![cfg(target_os = "linux")]
 
 use std::fs;
@@ -11,14 +11,15 @@ use std::time::{Duration, Instant};
 use crate::mutate::{Random, mutate_bytes, number};
 use crate::sandbox::{Outcome, Sandbox, program};
 
-/// Inputs in a run of the tests. `ORGANZA_MUTATIONS` asks for more, as `.ci/nightly` does, and `ORGANZA_MUTATION_SEED` for others.
+/// Number of inputs in a test run. `ORGANZA_MUTATIONS` replaces it, as in `.ci/nightly`, and `ORGANZA_MUTATION_SEED`
+/// sets the seed.
 const INPUTS: u64 = 50;
-/// A run that takes longer hangs.
+/// A run that takes longer counts as hanging.
 const LONGEST: Duration = Duration::from_secs(30);
-/// In KiB.
+/// Memory limit in KiB.
 const MEMORY: u64 = 4_000_000;
 
-/// What works before it is changed. Each ends soon, whatever number is put into it.
+/// Working commands to be changed. Each ends soon with any number in it.
 const COMMANDS: [&str; 18] = [
     "info scene.safetensors",
     "info cameras.json --json",
@@ -40,7 +41,7 @@ const COMMANDS: [&str; 18] = [
     "train --resume run --backend cpu --time-limit 1",
 ];
 
-/// Files that are read, for a change of one of them.
+/// Input files, one of which is changed.
 const FILES: [&str; 12] = [
     "scene.safetensors",
     "cameras.json",
@@ -56,7 +57,7 @@ const FILES: [&str; 12] = [
     "data/points.ply",
 ];
 
-/// No path of them leads to what could be changed outside the sandbox.
+/// Words to insert. None is a path to files outside the sandbox.
 const WORDS: [&str; 34] = [
     "",
     "-",
@@ -94,7 +95,7 @@ const WORDS: [&str; 34] = [
     "a\u{202e}b",
 ];
 
-/// A sandbox with everything that the commands read.
+/// A sandbox with all inputs of the commands.
 fn template() -> Sandbox {
     let sandbox = Sandbox::new("tiny");
     let tiny = include_str!("train/tiny.toml");
@@ -133,7 +134,7 @@ fn mutate_words(words: &mut Vec<String>, random: &mut Random) {
     }
 }
 
-/// Runs the program with bounds; none where it did not end.
+/// Runs the program with limits; `None` if it did not end.
 fn bounded(sandbox: &Sandbox, words: &[String]) -> Option<Outcome> {
     let script = format!("ulimit -v {MEMORY}; exec \"$0\" \"$@\"");
     let mut command = Command::new("sh");
@@ -158,7 +159,7 @@ fn bounded(sandbox: &Sandbox, words: &[String]) -> Option<Outcome> {
     Some(Outcome { code, stdout: read(".stdout"), stderr: read(".stderr") })
 }
 
-/// What is wrong with an outcome.
+/// The fault of an outcome; `None` if it is proper.
 fn fault(outcome: Option<&Outcome>) -> Option<&'static str> {
     let Some(Outcome { code, stdout, stderr }) = outcome else { return Some("hangs") };
     let is_control = |c: char| c != '\n' && (c.is_control() || c == '\u{202e}');
@@ -178,7 +179,7 @@ fn fault(outcome: Option<&Outcome>) -> Option<&'static str> {
     (error.lines().count() > 4 || error.len() > 6000).then_some("a long message")
 }
 
-/// One input: a sandbox of its own, and what is run in it.
+/// One input: its own sandbox, and the command to run in it.
 fn input(template: &Sandbox, number: u64, seed: u64) -> (Sandbox, Vec<String>, String) {
     let mut random = Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d).wrapping_add(number));
     let sandbox = Sandbox::copy(template);
@@ -188,7 +189,7 @@ fn input(template: &Sandbox, number: u64, seed: u64) -> (Sandbox, Vec<String>, S
     if random.below(3) == 0 {
         (0..=random.below(2)).for_each(|_| mutate_words(&mut words, &mut random));
     } else {
-        // one of those that the command reads, if it has any
+        // one of the files that the command reads, if there are any
         let read: Vec<_> = FILES
             .into_iter()
             .filter(|file| {
@@ -209,7 +210,7 @@ fn input(template: &Sandbox, number: u64, seed: u64) -> (Sandbox, Vec<String>, S
 #[test]
 fn whatever_is_asked_for_the_program_ends_in_good_order() {
     if std::env::var_os("ORGANZA_VALIDATION").is_some() {
-        // nothing of it is about Vulkan
+        // none of this depends on Vulkan
         return;
     }
     let (inputs, seed) = (number("ORGANZA_MUTATIONS", INPUTS), number("ORGANZA_MUTATION_SEED", 1));

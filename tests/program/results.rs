@@ -1,4 +1,4 @@
-//! What the program computes, writes and says when all is well.
+//! Results, files and messages of the program when all is well.
 
 use std::fs;
 
@@ -157,7 +157,7 @@ fn info_tells_what_every_file_holds() {
     }
 }
 
-/// What the demonstration writes is what the other commands read.
+/// Other commands read the files of the demonstration.
 #[test]
 fn the_demonstration_needs_no_files_and_makes_some() {
     let sandbox = Sandbox::new("tiny");
@@ -176,7 +176,7 @@ fn the_demonstration_needs_no_files_and_makes_some() {
     sandbox.run(&format!("render {scene} {cameras} -o images --views 2 --backend cpu")).assert_ok();
     let read = |name: &str| fs::read(sandbox.path(name)).unwrap();
     assert!(read("images/0002.png") == read("demo/0002.png"));
-    // once more into its own folder, but not into another's
+    // again into its own folder, but not into another one
     sandbox.run(&format!("{demo} --views 1 --size 8")).assert_ok();
     fs::copy(sandbox.path("scene.safetensors"), sandbox.path(scene)).unwrap();
     sandbox.assert_refuses(demo, &["holds a scene.safetensors", "another folder"]);

@@ -1,4 +1,4 @@
-//! A folder of its own for each test, and the program run in it.
+//! A separate folder for each test, in which the program runs.
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
@@ -11,8 +11,8 @@ use organza_tests::cases;
 use serde_json::{Map, Value};
 use tempfile::TempDir;
 
-/// Cargo tells an integration test where the programs of its own package are, but not those of
-/// others; asking cargo to build the program answers that, and that it is up to date.
+/// The path of the program. Cargo gives an integration test only the programs of its own package. So this asks cargo
+/// to build the program, which also makes sure that it is up to date.
 pub fn program() -> &'static Path {
     static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
     PROGRAM.get_or_init(build)
@@ -25,8 +25,8 @@ fn build() -> PathBuf {
     let profile = own.ancestors().nth(2).and_then(Path::file_name).and_then(OsStr::to_str);
     let profile = profile.map_or("dev", |name| if name == "debug" { "dev" } else { name });
     let output = Command::new(cargo)
-        // The whole workspace, and an example, which asks for what tests ask for: so the features are those of
-        // `cargo test --workspace`, and nothing is compiled again.
+        // The features of dependencies depend on what is built. With the whole workspace and an example they are
+        // those of `cargo test --workspace`, so nothing is compiled again.
         .args(["build", "--quiet", "--workspace", "--bin", "organza", "--example", "render_tiles"])
         .args(["--message-format", "json", "--profile", profile])
         .current_dir(env!("CARGO_MANIFEST_DIR"))
@@ -43,7 +43,7 @@ fn build() -> PathBuf {
     messages.filter_map(executable).next_back().expect("cargo names the program")
 }
 
-/// What a run left: its exit code and what it wrote.
+/// The outcome of a run: its exit code and its output.
 #[derive(Debug)]
 pub struct Outcome {
     pub code: Option<i32>,
@@ -63,7 +63,7 @@ impl From<Output> for Outcome {
 }
 
 impl Outcome {
-    /// The run succeeded and said nothing that sounds otherwise.
+    /// Asserts that the run succeeded, and that no message says otherwise.
     #[track_caller]
     pub fn assert_ok(self) -> Self {
         assert_eq!(self.code, Some(0), "{self:?}");
@@ -71,7 +71,7 @@ impl Outcome {
         self
     }
 
-    /// Exit code 2 and one error, which contains every one of `facts`.
+    /// Asserts exit code 2 and one error, which contains each of `facts`.
     #[track_caller]
     pub fn assert_refused(&self, facts: &[&str]) {
         assert_eq!(self.code, Some(2), "{self:?}");
@@ -87,13 +87,13 @@ impl Outcome {
     }
 }
 
-/// A copy of a case in a folder that goes with the test.
+/// A copy of a case, in a folder that is removed after the test.
 #[derive(Debug)]
 pub struct Sandbox {
     folder: TempDir,
 }
 
-/// A safetensors file to be changed: its metadata, and name, shape and data of its tensors.
+/// Metadata of a safetensors file to be changed. Its tensors have names, shapes and data.
 pub type Metadata = Map<String, Value>;
 pub type Tensors = Vec<(String, Vec<usize>, Vec<u8>)>;
 
@@ -106,7 +106,7 @@ impl Sandbox {
         Self { folder }
     }
 
-    /// Another of the same files.
+    /// A new sandbox with the same files.
     pub fn copy(other: &Self) -> Self {
         let folder = tempfile::tempdir().expect("a folder");
         for (path, content) in other.files() {
@@ -126,7 +126,7 @@ impl Sandbox {
         self.folder.path().join(name)
     }
 
-    /// A command that runs in the folder. Words are separated by spaces.
+    /// A command to run in the folder. Words are separated by spaces.
     pub fn command(&self, words: &str) -> Command {
         let mut command = Command::new(program());
         command.args(words.split_whitespace());
@@ -134,7 +134,7 @@ impl Sandbox {
         command
     }
 
-    /// Runs a command of the shell in the folder; `"$ORGANZA"` in it is the program.
+    /// Runs a shell command in the folder; `"$ORGANZA"` in it is the program.
     #[cfg(target_os = "linux")]
     pub fn shell(&self, script: &str) -> Outcome {
         let mut command = Command::new("sh");
@@ -145,7 +145,7 @@ impl Sandbox {
 
     fn prepare(&self, command: &mut Command) {
         command.current_dir(self.folder.path()).stdin(Stdio::null());
-        // A backtrace is for us. A server and a container have no folder for a desktop's sockets.
+        // Only developers need a backtrace. A server and a container have no folder for a desktop's sockets.
         command.env_remove("RUST_BACKTRACE").env_remove("XDG_RUNTIME_DIR");
     }
 
@@ -153,7 +153,7 @@ impl Sandbox {
         self.command(words).output().expect("the program starts").into()
     }
 
-    /// The run is refused with these facts, and leaves the folder as it was.
+    /// Asserts that the run is refused with these facts, and leaves the folder unchanged.
     #[track_caller]
     pub fn assert_refuses(&self, words: &str, facts: &[&str]) {
         let before = self.files();
@@ -162,7 +162,7 @@ impl Sandbox {
         assert!(before == self.files(), "{words} left {:?}", self.files().keys());
     }
 
-    /// Every file and folder below, with its content.
+    /// Every file and folder below, with the content of files.
     pub fn files(&self) -> BTreeMap<PathBuf, Option<Vec<u8>>> {
         let mut files = BTreeMap::new();
         let mut folders = vec![self.folder.path().to_owned()];
@@ -186,7 +186,7 @@ impl Sandbox {
         fs::write(path, serde_json::to_vec(&json).unwrap()).unwrap();
     }
 
-    /// Takes the scene's file apart, and writes it again as `edit` left it.
+    /// Reads the scene's file, and writes it again after `edit`.
     pub fn edit_scene(&self, edit: impl FnOnce(&mut Metadata, &mut Tensors)) {
         let path = self.path("scene.safetensors");
         let file = fs::read(&path).unwrap();

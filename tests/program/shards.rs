@@ -1,4 +1,4 @@
-//! `render --shard` and `--missing`: many machines that fill one folder.
+//! `render --shard` and `--missing`: several machines fill one folder.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -28,7 +28,8 @@ fn images(sandbox: &Sandbox, folder: &str) -> BTreeMap<String, Vec<u8>> {
     files
 }
 
-/// Three shards at the same time, of which one is killed: what is missing makes the folder that one call would have made.
+/// Three shards run at the same time, and one is killed. After rendering missing images, the folder equals that of a
+/// single call.
 #[test]
 fn shards_and_what_is_missing_make_what_one_call_makes() {
     let sandbox = Sandbox::new("tiny");
@@ -37,7 +38,7 @@ fn shards_and_what_is_missing_make_what_one_call_makes() {
     let views = whole.len() / 2;
     assert!(views >= 2, "{:?}", whole.keys());
 
-    // an image of another scene is not taken for this one's, and no shard removes it
+    // an image of another scene does not count as this one's, and no shard removes it
     let scene = fs::read(sandbox.path("scene.safetensors")).unwrap();
     sandbox.edit_scene(|metadata, _| {
         metadata.insert("train".to_owned(), Value::from("1"));
@@ -72,16 +73,16 @@ fn shards_and_what_is_missing_make_what_one_call_makes() {
     let hidden = || files(&sandbox, "out").into_keys().filter(|name| name.starts_with('.'));
     assert_eq!(hidden().collect::<Vec<_>>(), [".organza-files.json"]);
 
-    // a gap of one channel, and one that a kill has left half announced
+    // one channel is missing, and another was announced and not finished
     fs::remove_file(sandbox.path("out/0001.depth.png")).unwrap();
     let result = json(sandbox.run(&format!("{RENDER} -o out --missing --shard 1/2 --json")));
     assert_eq!(result["rendered"], 1);
     assert_eq!(images(&sandbox, "out"), whole);
-    // other options are another image
+    // other options mean another image
     let result = json(sandbox.run(&format!("{RENDER} -o out --missing --depth-scale 7 --json")));
     assert_eq!(result["rendered"], views);
     assert_ne!(images(&sandbox, "out"), whole);
-    // what somebody has painted stays
+    // somebody's own file stays
     fs::write(sandbox.path("out/0000.png"), "mine").unwrap();
     let words = format!("{RENDER} -o out --missing");
     sandbox.assert_refuses(&words, &["0000.png is not an image that the program wrote"]);

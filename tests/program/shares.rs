@@ -1,4 +1,4 @@
-//! `render --ranks` and `tiles --ranks`: Gaussians that are dealt to ranks.
+//! `render --ranks` and `tiles --ranks`: Gaussians distributed over ranks.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -30,17 +30,17 @@ fn any_number_of_ranks_renders_the_same_image() {
     assert!(json["rendered"] == 1 && json["pairs"].as_u64() > Some(0), "{json}");
     let (one, pixels) = image(&sandbox, "one");
     assert!(image(&sandbox, "three").0 == one);
-    // sums are rounded otherwise
+    // sums have another rounding
     let (_, whole) = image(&sandbox, "whole");
     let differ = pixels.iter().zip(&whole).filter(|(a, b)| a != b).count();
     assert!(pixels.iter().any(|&value| value > 50) && differ < pixels.len() / 100, "{differ}");
     assert!(pixels.iter().zip(&whole).all(|(a, b)| a.abs_diff(*b) <= 1));
-    // what is there stays, whatever the number of ranks
+    // existing images stay, for any number of ranks
     let outcome = sandbox.run(&format!("{RENDER} -o three --ranks 2 --missing")).assert_ok();
     assert!(outcome.stderr.contains("nothing to render"), "{}", outcome.stderr);
 }
 
-/// The basic case has 48 Gaussians, which are one slice: most ranks hold nothing.
+/// The basic case has 48 Gaussians, which are a single slice: most ranks have none.
 #[test]
 fn any_number_of_ranks_gives_the_same_tiles_and_gradients() {
     let sandbox = Sandbox::new("basic");
@@ -85,7 +85,7 @@ fn what_ranks_cannot_do_is_refused() {
     refuses("--ranks 0", &["1 to 64, or `mpi`"]);
     refuses("--ranks mpi", &["built without MPI", "--features mpi"]);
     refuses("--mixed", &["--ranks"]);
-    // a rank that fails ends all, with what is wrong
+    // a failing rank ends all, and its error is reported
     fs::write(sandbox.path("scene.safetensors"), "not a scene").unwrap();
     sandbox.assert_refuses(&format!("{RENDER} -o out --ranks 3"), &["scene.safetensors"]);
 }

@@ -10,7 +10,7 @@ use crate::sandbox::Sandbox;
 
 const SIDE: u32 = 40;
 
-/// A sandbox with some Gaussians of the built-in scene, enlarged so that they cover it, and cameras around them.
+/// A sandbox with a part of the built-in scene's Gaussians, enlarged to cover the scene, and cameras around them.
 fn sandbox() -> Sandbox {
     let (sandbox, scene) = (Sandbox::new("tiny"), cases::thinned(80, 1.4));
     scene.save(sandbox.path("thin.safetensors")).expect("a scene");
@@ -33,7 +33,7 @@ fn a_scene_goes_out_and_comes_back() {
     let [after, before] = decibels(&outcome.stderr)[..] else { panic!("{outcome:?}") };
     assert!(outcome.stderr.contains("2 views that the fit has not seen"), "{outcome:?}");
     assert!(after > before + 2.0 && after > 26.0, "{outcome:?}");
-    // the same bits on any number of threads
+    // the same bits for any number of threads
     let [one, two] = ["1", "2"].map(|threads| {
         let few = format!("{words} -o {threads}.ply --steps 8 --threads {threads}");
         sandbox.run(&few).assert_ok();
@@ -48,14 +48,14 @@ fn a_scene_goes_out_and_comes_back() {
     let (scene, back) = ("thin.safetensors", "back.safetensors");
     let [scene, back] = [scene, back].map(|name| Scene::load(sandbox.path(name)).expect("a scene"));
     assert!(back.gaussians.len() <= scene.gaussians.len());
-    // without cameras, on those all around
+    // without cameras: with views from all around
     let words =
         "import thin.ply -o round.safetensors --steps 1 --side 24 --background white --backend cpu";
     sandbox.run(words).assert_ok();
     let round = Scene::load(sandbox.path("round.safetensors")).expect("a scene");
     assert_eq!(round.config.background, [1.0; 3]);
     assert_eq!(round.gaussians.len(), back.gaussians.len());
-    // and as the start of training
+    // and as the start of a training
     let words = "train -o run --start thin.ply --steps 1 --set data.built_in_views=3 --set data.built_in_side=32 \
                  --set growth.end=0 --backend cpu";
     sandbox.run(words).assert_ok();
@@ -65,7 +65,7 @@ fn a_scene_goes_out_and_comes_back() {
     sandbox.assert_refuses(&few, &["thin.ply", "more than the 9", "--max-gaussians"]);
 }
 
-/// glTF: the header, the JSON and what it says of the bytes behind it.
+/// Parses glTF: the header, the JSON, and the bytes that it describes.
 #[test]
 fn a_glb_has_the_attributes_of_the_extension() {
     let sandbox = sandbox();
@@ -102,13 +102,13 @@ fn a_glb_has_the_attributes_of_the_extension() {
         end += length;
     }
     assert_eq!(end, bytes.len() - binary);
-    // scales are not logarithms, and all are there
+    // scales are not logarithms, and no Gaussian is missing
     let scene = Scene::load(sandbox.path("thin.safetensors")).expect("a scene");
     let scale = attributes["KHR_gaussian_splatting:SCALE"].as_u64().unwrap() as usize;
     let at = binary + gltf["bufferViews"][scale]["byteOffset"].as_u64().unwrap() as usize;
     let first = f32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
     assert!(scene.gaussians.log_scale.iter().any(|scale| scale[0].exp() == first));
-    // z of the scene is upward, y of glTF is
+    // z points up in the scene, and y in glTF
     let turn = &gltf["nodes"][0]["rotation"];
     assert!((turn[0].as_f64().unwrap() + 0.5_f64.sqrt()).abs() < 1e-3, "{turn}");
 }

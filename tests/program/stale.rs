@@ -1,4 +1,4 @@
-//! What is left of earlier calls: no image of another scene or of other cameras, and every file of the user's.
+//! Files from earlier calls: images of another scene or of other cameras are removed, and the user's files stay.
 
 use std::fs;
 
@@ -42,7 +42,7 @@ fn views_of_one_scene_add_up_until_it_changes() {
     sandbox.run(&format!("{RENDER} --views 0")).assert_ok();
     sandbox.run(&format!("{RENDER} --views 1")).assert_ok();
     assert!(has(&sandbox, "out/0000.png") && has(&sandbox, "out/0001.png"));
-    // another scene: as training writes it anew
+    // another scene, as when training writes it again
     sandbox.edit_scene(|metadata, _| {
         metadata.insert("train".to_owned(), json!("1"));
     });
@@ -55,7 +55,7 @@ fn views_of_one_scene_add_up_until_it_changes() {
     assert!(has(&sandbox, "out/0000.png") && !has(&sandbox, "out/0001.png"));
 }
 
-/// A list that anyone may have written removes no file but one in the folder, with the content that it says.
+/// Anyone may have written the list. It must only remove files directly in the folder, with the listed content.
 #[test]
 fn a_hostile_list_removes_nothing_else() {
     let sandbox = Sandbox::new("tiny");

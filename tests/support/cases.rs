@@ -1,5 +1,5 @@
-//! The cases that the float64 reference computed: `tests/cases`, and a folder of further ones named by the
-//! environment variable `ORGANZA_CASES`.
+//! Cases of the float64 reference: `tests/cases`, and a folder of further cases in the environment variable
+//! `ORGANZA_CASES`.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -9,18 +9,18 @@ use organza::{Camera, DeviceScene, Renderer, Scene, TileBatch, demo};
 
 use crate::devices;
 
-/// One case.
+/// A case of the reference.
 #[derive(Debug)]
 pub struct Case {
     /// Name of its folder.
     pub name: String,
     /// The scene.
     pub scene: Scene,
-    /// Its cameras.
+    /// The cameras.
     pub cameras: Vec<Camera>,
-    /// Its tiles.
+    /// The batch of tiles.
     pub tiles: TileBatch,
-    /// What the reference computed, by name.
+    /// Tensors of the reference, by name.
     pub expected: BTreeMap<String, Tensor>,
 }
 
@@ -28,7 +28,7 @@ impl Case {
     /// Loads the case in a folder.
     ///
     /// # Panics
-    /// Where a file cannot be read.
+    /// If a file cannot be read.
     #[must_use]
     pub fn load(folder: &Path) -> Self {
         let file = |name: &str| folder.join(name);
@@ -44,7 +44,7 @@ impl Case {
     /// A tensor of the reference.
     ///
     /// # Panics
-    /// Where there is none of that name.
+    /// If there is no tensor of that name.
     #[must_use]
     pub fn expected(&self, name: &str) -> &[f32] {
         &self.expected.get(name).unwrap_or_else(|| panic!("{}: no tensor `{name}`", self.name)).data
@@ -60,7 +60,7 @@ pub fn folder() -> PathBuf {
 /// Every case, by name.
 ///
 /// # Panics
-/// Where a folder cannot be read or holds no case.
+/// If a folder cannot be read, or holds no case.
 #[must_use]
 pub fn all() -> Vec<Case> {
     let mut folders = subfolders(&folder());
@@ -71,10 +71,10 @@ pub fn all() -> Vec<Case> {
     folders.iter().map(|folder| Case::load(folder)).collect()
 }
 
-/// Every case on every device, its scene uploaded; the device's name is for messages.
+/// Checks every case on every device, with its scene uploaded. The device's name is for messages.
 ///
 /// # Panics
-/// As [`all`] and [`devices::all`], and where a scene does not fit.
+/// If [`all`] or [`devices::all`] panics, or if a scene does not fit.
 pub fn on_every_device(check: impl Fn(&str, &Renderer, &Case, &DeviceScene)) {
     for (backend, device) in devices::all() {
         let renderer = Renderer::new(device);
@@ -85,7 +85,7 @@ pub fn on_every_device(check: impl Fn(&str, &Renderer, &Case, &DeviceScene)) {
     }
 }
 
-/// Every nth Gaussian of the built-in scene, its log scales `wider` so that they cover it.
+/// Every nth Gaussian of the built-in scene, with log scales increased by `wider` so that they cover it.
 #[must_use]
 pub fn thinned(nth: usize, wider: f32) -> Scene {
     let mut scene = demo::scene();

@@ -1,22 +1,22 @@
-//! Comparisons that say how far two tensors are apart, and where most.
+//! Comparisons that report the difference of two tensors, and its place.
 
-/// How far two tensors are apart.
+/// The difference of two tensors.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Difference {
     /// Largest absolute difference.
     pub absolute: f64,
-    /// Its index.
+    /// Index of the largest difference.
     pub index: usize,
-    /// Norm of the difference over the norm of what was expected.
+    /// Norm of the difference, relative to the norm of the expected values.
     pub relative: f64,
-    /// Largest absolute difference over the root mean square of what was expected.
+    /// Largest absolute difference, relative to the root mean square of the expected values.
     pub largest: f64,
 }
 
 /// Compares two tensors.
 ///
 /// # Panics
-/// Where their lengths differ, or one holds a NaN.
+/// If their lengths differ, or one holds a NaN.
 #[must_use]
 pub fn difference(actual: &[f32], expected: &[f32]) -> Difference {
     assert_eq!(actual.len(), expected.len(), "lengths differ");
@@ -36,10 +36,10 @@ pub fn difference(actual: &[f32], expected: &[f32]) -> Difference {
     found
 }
 
-/// Fails where two tensors differ by more than `tolerance` anywhere.
+/// Asserts that two tensors nowhere differ by more than `tolerance`.
 ///
 /// # Panics
-/// See above.
+/// If they differ by more, if their lengths differ, or if one holds a NaN.
 pub fn assert_close(what: &str, actual: &[f32], expected: &[f32], tolerance: f64) {
     let found = difference(actual, expected);
     let (at, a, e) = (found.index, actual.get(found.index), expected.get(found.index));
@@ -51,11 +51,11 @@ pub fn assert_close(what: &str, actual: &[f32], expected: &[f32], tolerance: f64
     println!("{what}: {apart:.2e} absolute");
 }
 
-/// Fails where two tensors differ by more than `tolerance` in norm, relatively, or any value by more than ten times
-/// that of the tensor's root mean square.
+/// Asserts that two tensors differ by at most `tolerance` in relative norm. Also, no value may differ by more than
+/// ten times the tolerance, relative to the tensor's root mean square.
 ///
 /// # Panics
-/// See above.
+/// If they differ by more, if their lengths differ, or if one holds a NaN.
 pub fn assert_close_relative(what: &str, actual: &[f32], expected: &[f32], tolerance: f64) {
     let found = difference(actual, expected);
     let (at, a, e) = (found.index, actual.get(found.index), expected.get(found.index));

@@ -3,37 +3,37 @@
 use organza::{Device, MODULES};
 pub use organza_check::devices::{checked, checked_variants, cpu, cpus, with};
 
-/// As [`organza_check::devices::all`].
+/// [`organza_check::devices::all`] with organza's kernels.
 ///
 /// # Panics
-/// As there.
+/// The same as [`organza_check::devices::all`].
 #[must_use]
 pub fn all() -> Vec<(&'static str, Device)> {
     organza_check::devices::all(&MODULES)
 }
 
-/// As [`organza_check::devices::gpus`].
+/// [`organza_check::devices::gpus`] with organza's kernels.
 ///
 /// # Panics
-/// As there.
+/// The same as [`organza_check::devices::gpus`].
 #[must_use]
 pub fn gpus() -> Vec<(&'static str, Device)> {
     organza_check::devices::gpus(&MODULES)
 }
 
-/// As [`organza_check::devices::variants`].
+/// [`organza_check::devices::variants`] with organza's kernels.
 ///
 /// # Panics
-/// As there.
+/// The same as [`organza_check::devices::variants`].
 #[must_use]
 pub fn variants() -> Vec<(&'static str, [Device; 2])> {
     organza_check::devices::variants(&MODULES)
 }
 
-/// Whether there is a GPU; says so where there is none.
+/// Whether there is a GPU. Prints a message if there is none.
 ///
 /// # Panics
-/// As [`gpus`].
+/// If [`gpus`] panics.
 #[must_use]
 pub fn has_gpu() -> bool {
     !gpus().is_empty()

@@ -1,5 +1,5 @@
-//! The classic to compare with: the same Gaussians sorted by depth and blended front to back, as 3D Gaussian splatting
-//! does (Kerbl et al., 2023). And organza's own sum, where the footprints need not end.
+//! The classic for comparison: the same Gaussians, sorted by depth and blended front to back, as in 3D Gaussian
+//! splatting (Kerbl et al., 2023). Also organza's own sum, in which footprints need not end.
 
 use organza::{Camera, DeviceScene, Renderer, Scene};
 use organza_shaders::project::falloff;
@@ -20,18 +20,18 @@ pub struct Splat {
     pub radius: f32,
     /// Opacity at the center.
     pub opacity: f32,
-    /// What the camera sees.
+    /// Color as the camera sees it.
     pub color: [f32; 3],
     /// T of Eq. 11.
     pub transmittance: f32,
 }
 
-/// Where footprints end.
+/// The end of footprints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Footprint {
-    /// Where the falloff is 1/255, as in organza and in 3D Gaussian splatting.
+    /// At a falloff of 1/255, as in organza and in 3D Gaussian splatting.
     Cut,
-    /// Where the falloff is nothing in 32 bits.
+    /// At a falloff that is 0 in 32 bits.
     Whole,
 }
 
@@ -43,13 +43,13 @@ impl Footprint {
         }
     }
 
-    /// In support radii, at 3.3 standard deviations each.
+    /// Extent in support radii, which are 3.3 standard deviations each.
     fn reach(self) -> f32 {
         if self == Self::Cut { 1.0 } else { 2.5 }
     }
 }
 
-/// The Gaussians that a camera sees, as organza's own stages project and color them; `uploaded` is the scene on the
+/// The Gaussians that a camera sees, projected and colored by organza's own stages. `uploaded` is the scene on the
 /// device.
 pub fn splats(
     renderer: &Renderer,
@@ -73,7 +73,7 @@ pub fn splats(
     seen.map(splat).collect()
 }
 
-/// Adds up splats, one after the other: `add` has a pixel, a splat and its falloff there.
+/// Sums splats one after the other. `add` gets a pixel, a splat and its falloff there.
 fn draw<T: Clone>(
     splats: &[Splat],
     [width, height]: [usize; 2],
@@ -101,8 +101,8 @@ fn draw<T: Clone>(
     pixels
 }
 
-/// The image `[height * width]`, row by row, of splats in any order: `sum T_i alpha_i c_i + T b` with
-/// `T_i = prod (1 - alpha_j)` over what is in front.
+/// The image `[height * width]`, row by row, of splats in any order: `sum T_i alpha_i c_i + T b`, where `T_i = prod
+/// (1 - alpha_j)` over the splats in front.
 pub fn blend(
     splats: &[Splat],
     size: [usize; 2],

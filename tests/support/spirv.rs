@@ -5,9 +5,9 @@
 pub struct Instruction<'a> {
     /// Index of its first word in the module.
     pub at: usize,
-    /// Its number in the specification.
+    /// Opcode in the specification.
     pub opcode: u32,
-    /// The words behind the first one.
+    /// Words after the first one.
     pub operands: &'a [u32],
 }
 

@@ -1,4 +1,4 @@
-//! Compiles the kernel of docs/adding-a-kernel.md as its reader would: as a file of the shader crate.
+//! Compiles the kernel of docs/adding-a-kernel.md like a reader of that page: as a file of the shader crate.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -7,10 +7,10 @@ use std::path::Path;
 use anyhow::{Context, Result, ensure};
 use organza_build::{Compiler, Project, build, isolate, lower};
 
-/// The kernel's name, its file's and its module's.
+/// Name of the kernel, of its file and of its module.
 const KERNEL: &str = "blend";
 
-/// Copies what the shader crate is made of, adds the page's file and its line in `lib.rs`, and compiles that.
+/// Copies the sources of the shader crate, adds the page's file and its line in `lib.rs`, and compiles the copy.
 pub fn run(project: &Project) -> Result<()> {
     isolate();
     let shader_crate = project.root.join(&project.shader_crate);
@@ -39,7 +39,7 @@ pub fn run(project: &Project) -> Result<()> {
     others_are_as_before(&modules, &project.root.join(&project.kernels))
 }
 
-/// A kernel more, or one that has changed, leaves the modules of all others as they are, to the byte.
+/// Checks that one more kernel, or a changed one, leaves all other modules unchanged, byte for byte.
 fn others_are_as_before(modules: &BTreeMap<String, Vec<u8>>, folder: &Path) -> Result<()> {
     for kernel in organza_kernel::kernels() {
         for name in kernel.entry_points().map(|point| point.name) {
@@ -58,7 +58,7 @@ fn others_are_as_before(modules: &BTreeMap<String, Vec<u8>>, folder: &Path) -> R
     Ok(())
 }
 
-/// The workspace's manifest with the kernels' sources as its only members: Cargo reads no others.
+/// The workspace's manifest with only the kernels' sources as members: Cargo reads no others.
 fn reduced(manifest: &str, sources: &[String]) -> Result<String> {
     let is_list = |line: &str| line.starts_with("members") || line.starts_with("default-members");
     ensure!(manifest.lines().any(is_list), "the workspace's manifest lists no members");
@@ -74,7 +74,7 @@ pub fn copy_tree(from: &Path, to: &Path) -> Result<()> {
     fs::create_dir_all(to)?;
     for entry in fs::read_dir(from)? {
         let entry = entry?;
-        // what cargo has built there
+        // cargo's build output
         if entry.file_name() == "target" {
             continue;
         }

@@ -9,7 +9,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 use organza_build::{IsaOptions, Options, Project};
-// the registry of kernels has what the program is linked with
+// linking with the kernels fills their registry
 use organza_shaders as _;
 
 #[derive(Parser)]
@@ -25,12 +25,12 @@ enum Task {
     Kernels(Options),
     /// Show what the compiler of an AMD GPU makes of the kernels, without the GPU
     Isa(IsaOptions),
-    /// Make a project of its own in a new folder: kernels, tests on the CPU and two ways on a GPU, a picture
+    /// Make a separate project in a new folder: kernels, tests on the CPU and two ways on a GPU, a picture
     New {
-        /// The folder: it must not exist, or be empty
+        /// The folder: it must be new or empty
         folder: PathBuf,
     },
-    /// Compile the kernel that docs/adding-a-kernel.md shows, in a copy of the shader crate
+    /// Compile the kernel on the page docs/adding-a-kernel.md, in a copy of the shader crate
     Guide,
 }
 

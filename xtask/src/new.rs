@@ -1,4 +1,4 @@
-//! Makes a project of anyone's own: the example in `kit/examples/`, with the way to the kit's crates.
+//! Makes a separate project: the example in `kit/examples/`, with paths to the kit's crates.
 
 use std::fs;
 use std::path::Path;
@@ -8,13 +8,13 @@ use organza_build::Project;
 
 use crate::guide::copy_tree;
 
-/// The example, in the workspace.
+/// Path of the example in the workspace.
 const EXAMPLE: &str = "kit/examples/picture";
 
-/// Its way to the kit's crates.
+/// Beginning of the paths to the kit's crates.
 const KIT: &str = "path = \"../..";
 
-/// Copies the example to a folder, and lets it find the kit where this workspace has it.
+/// Copies the example to a folder, and adapts the paths to the kit of this workspace.
 pub fn run(project: &Project, folder: &Path) -> Result<()> {
     let is_empty = fs::read_dir(folder).map_or(!folder.exists(), |mut all| all.next().is_none());
     ensure!(is_empty, "{} is there already, and not empty", folder.display());
@@ -25,7 +25,7 @@ pub fn run(project: &Project, folder: &Path) -> Result<()> {
     let kit = project.root.canonicalize()?.join("kit");
     let kit = kit.to_str().context("the workspace's folder has a name that is not UTF-8")?;
     fs::write(&manifest, text.replace(KIT, &format!("path = \"{}", kit.replace('\\', "/"))))?;
-    // the versions that the kit was tested with; cargo takes out what the project does not use
+    // the versions that the kit was tested with; cargo removes packages that the project does not use
     fs::copy(project.root.join("Cargo.lock"), folder.join("Cargo.lock"))?;
     println!(
         "{0} has three kernels and their tests. Now:\n  \

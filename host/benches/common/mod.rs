@@ -1,4 +1,4 @@
-//! What the benchmarks share: a device of one thread, its buffers, and tiles with members.
+//! Parts that the benchmarks share: a device with one thread, its buffers, and tiles with members.
 
 use bytemuck::Pod;
 use divan::Bencher;
@@ -11,7 +11,7 @@ use organza_kernel::kernel::Dispatch;
 use organza_parity::composite::extent;
 use organza_shaders::tile::Tile;
 
-/// A chunk of samples, and the distance of two rows of its activations.
+/// A chunk of samples, and the stride between rows of its activations.
 #[derive(Clone, Copy)]
 pub struct Chunk {
     pub samples: u32,
@@ -20,7 +20,7 @@ pub struct Chunk {
 
 /// A chunk of rendering on a CPU.
 pub const FORWARD: Chunk = Chunk { samples: 4_096, stride: 4_096 + 16 };
-/// A chunk of the way back.
+/// A chunk of the backward pass on a CPU.
 pub const BACKWARD: Chunk = Chunk { samples: 2_048, stride: 2_048 + 16 };
 
 /// S, in pixels.
@@ -33,7 +33,7 @@ pub fn sets() -> Vec<InstructionSet> {
     InstructionSet::ALL.into_iter().filter(|set| set.is_available()).collect()
 }
 
-/// A device, and random inputs that are the same each time.
+/// A device, with random inputs that are the same each time.
 pub struct Bench {
     device: Device,
     pub random: Random,
@@ -59,12 +59,12 @@ impl Bench {
         self.upload(&values)
     }
 
-    /// Weights of -0.1 to 0.1.
+    /// Random weights from -0.1 to 0.1.
     pub fn vectors(&mut self, len: u32) -> Buffer<Vec4> {
         self.numbers(4 * len, [-0.1, 0.1]).view()
     }
 
-    /// Times a kernel with invocations along x, and layers along z.
+    /// Measures a kernel with invocations along x, and layers along z.
     pub fn run<'a>(
         &self,
         bencher: Bencher,
@@ -77,7 +77,7 @@ impl Bench {
         });
     }
 
-    /// Times a kernel over pixels.
+    /// Measures a kernel over pixels.
     pub fn run_over<'a>(
         &self,
         bencher: Bencher,
@@ -91,12 +91,12 @@ impl Bench {
     }
 }
 
-/// Tiles side by side, each with members all over it of 2 to 8 pixels' standard deviation.
+/// Tiles side by side. Each has members all over it, with standard deviations of 2 to 8 pixels.
 pub struct Tiles {
     pub tile: Vec<i32>,
     pub tile_first: Vec<u32>,
     pub member: Vec<u32>,
-    /// `[members, 3]`
+    /// Splats of the members, `[members, 3]`.
     pub splat: Vec<Vec4>,
 }
 
@@ -132,7 +132,7 @@ impl Tiles {
         TILES
     }
 
-    /// Pairs of a member and a pixel.
+    /// Number of pairs of a member and a pixel.
     pub fn items(&self) -> u64 {
         u64::from(TILES * MEMBERS) * u64::from(SIDE * SIDE)
     }

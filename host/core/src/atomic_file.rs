@@ -6,17 +6,18 @@ use std::path::{Path, PathBuf};
 
 use crate::error::{Error, Result};
 
-/// How the names of files begin and end that are being written.
+/// Prefix of the name of a file that is still being written.
 const PREFIX: &str = ".organza-";
 const SUFFIX: &str = ".tmp";
 
-/// Writes a file through `fill`: beside it, synced to disk, then renamed into place.
+/// Writes a file through `fill`. The content goes to a temporary file beside it, is synced to disk, and is renamed
+/// into place.
 ///
-/// When anything fails, what stood at `path` before is untouched and nothing is left beside it. A
-/// symbolic link is followed. A path that names a device or a pipe is written to directly.
+/// On any failure, the old file at `path` is untouched and nothing is left beside it. A symbolic link is followed. A
+/// path that names a device or a pipe is written to directly.
 ///
 /// # Errors
-/// [`Error::WriteFile`] with what `fill` or the file system said.
+/// [`Error::WriteFile`] with the error of `fill` or of the file system.
 pub fn write_atomic(
     path: impl AsRef<Path>,
     fill: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -59,10 +60,10 @@ fn write_direct(
     writer.flush()
 }
 
-/// Looks whether [`write_atomic`] could write a file, before hours are spent on what is to be in it.
+/// Checks that [`write_atomic`] can write a file, before hours are spent on its content.
 ///
 /// # Errors
-/// [`Error::WriteFile`] where it could not.
+/// [`Error::WriteFile`] if it cannot.
 pub fn check_writable(path: impl AsRef<Path>) -> Result<()> {
     let path = path.as_ref();
     let check = || {
@@ -102,7 +103,7 @@ fn new_file_in(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     builder.tempfile_in(folder)
 }
 
-/// Removes what a program left that was ended while it wrote into a folder; nobody else may be writing there.
+/// Removes what an interrupted program left in a folder. Nobody else may be writing there.
 pub fn remove_leftovers(folder: &Path) {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     for entry in entries {
@@ -114,8 +115,8 @@ pub fn remove_leftovers(folder: &Path) {
     }
 }
 
-/// Makes the rename itself survive a power cut. Not every file system can, so failure is ignored:
-/// the content is already safe.
+/// Syncs the folder, so that the rename survives a power cut. Not every file system can do this, so a failure is
+/// ignored: the content is already safe.
 fn sync_folder(folder: &Path) {
     if cfg!(unix)
         && let Ok(folder) = File::open(folder)

@@ -21,13 +21,13 @@ use crate::atomic_file::write_atomic;
 use crate::error::{Error, IN_MEMORY, Result};
 use crate::input::read_json;
 
-/// The widest and highest an image may be, in pixels.
+/// Largest width or height of an image, in pixels.
 pub const MAX_IMAGE_SIDE: u32 = 65536;
-/// How far `R^T R` may be from the identity. Poses are written with six or more digits, so an
-/// honest one is far closer; a scaled or sheared one is far from it.
+/// Largest difference between `R^T R` and the identity. Files give poses with six or more digits, so a valid pose is
+/// far below this. A scaled or sheared one is far above.
 const ORTHONORMAL_TOLERANCE: f64 = 1e-3;
 
-/// A camera: where it stands and how it projects.
+/// A camera: its pose and its projection.
 ///
 /// ```
 /// use organza_core::Camera;
@@ -45,8 +45,8 @@ const ORTHONORMAL_TOLERANCE: f64 = 1e-3;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
-    /// Camera-to-world matrix as in the file, row by row: OpenGL axes (x right, y up, looking along
-    /// -z), translation in the last column, in world units.
+    /// Camera-to-world matrix as in the file, row-major. Axes are OpenGL's: x right, y up, looking along -z. The last
+    /// column is the translation, in world units.
     pub camera_to_world: [[f64; 4]; 4],
     /// Focal length in x, in pixels.
     pub fl_x: f64,
@@ -60,30 +60,30 @@ pub struct Camera {
     pub width: u32,
     /// Image height in pixels.
     pub height: u32,
-    /// The frame's image, relative to the file, where it names one.
+    /// Path of the frame's image, relative to the file. `None` if the file names none.
     pub file_path: Option<String>,
-    /// Whether the file describes a lens other than a pinhole. What is rendered is the undistorted
-    /// pinhole image all the same.
+    /// Whether the file describes a lens other than a pinhole. Organza renders the undistorted pinhole image in any
+    /// case.
     pub distorted: bool,
 }
 
 impl Camera {
     /// Reads the cameras of a `transforms.json`, in the order of its `frames`.
     ///
-    /// Intrinsics of a frame go before those of the file. `camera_angle_x` (and `camera_angle_y`),
-    /// in radians as Blender's data sets have them, stand in for focal lengths, and the image
-    /// center stands in for the principal point beside them.
+    /// A frame's intrinsics take precedence over the file's. Focal lengths may be missing if there is `camera_angle_x`
+    /// (and `camera_angle_y`), in radians as in Blender's data sets. The principal point may then be missing, too: it is
+    /// the image's center.
     ///
     /// # Errors
-    /// [`Error::ReadFile`], [`Error::BadJson`], [`Error::Invalid`] where there are no frames,
-    /// [`Error::Camera`] for the first frame that describes no camera.
+    /// [`Error::ReadFile`]; [`Error::BadJson`]; [`Error::Invalid`] if there are no frames; [`Error::Camera`] for the
+    /// first frame that describes no camera.
     pub fn load_all(path: impl AsRef<Path>) -> Result<Vec<Self>> {
         let path = path.as_ref();
         parse::cameras(&read_json(path)?, path)
     }
 
-    /// The camera of an image of which squares of `factor` by `factor` pixels became one. Places are measured from the
-    /// image's corner, so everything shrinks alike.
+    /// The camera of a downscaled image, in which each square of `factor` x `factor` pixels became one. Intrinsics
+    /// are measured from the image's corner, so they all shrink by the same factor.
     pub fn smaller(&self, factor: u32) -> Self {
         let scale = f64::from(factor);
         Self {
@@ -97,23 +97,23 @@ impl Camera {
         }
     }
 
-    /// Writes a `transforms.json` that [`Self::load_all`] reads, atomically. It describes the
-    /// pinhole images that are rendered, so `distorted` is not kept.
+    /// Writes a `transforms.json` that [`Self::load_all`] reads, atomically. It describes the rendered pinhole
+    /// images, so `distorted` is not kept.
     ///
     /// # Errors
-    /// [`Error::WriteFile`]; [`Error::Invalid`] without cameras; [`Error::Camera`] for the first
-    /// camera that is not valid.
+    /// [`Error::WriteFile`]; [`Error::Invalid`] without cameras; [`Error::Camera`] for the first camera that is not
+    /// valid.
     pub fn save_all(path: impl AsRef<Path>, cameras: &[Self]) -> Result<()> {
         let file = file_of(cameras)?;
         write_atomic(path, |writer| writer.write_all(&file))
     }
 
-    /// A camera at `eye` that looks at `target` and sees `angle_x` radians from left to right, with
-    /// `up` upwards in its image and square pixels.
+    /// A camera at `eye` that looks at `target` and sees `angle_x` radians from left to right. `up` points upward in
+    /// its image; pixels are square.
     ///
     /// # Errors
-    /// [`Error::Camera`] where `eye` is `target`, `up` lies along the line of sight, or the angle
-    /// or the image size is out of range.
+    /// [`Error::Camera`] if `eye` is `target`, if `up` lies along the line of sight, or if the angle or the image
+    /// size is out of range.
     pub fn look_at(
         eye: [f64; 3],
         target: [f64; 3],
@@ -134,7 +134,8 @@ impl Camera {
         Ok(camera)
     }
 
-    /// A camera of its pose, focal lengths, principal point and image size, in pixels. [`Self::validate`] checks it.
+    /// A camera from its pose, focal lengths, principal point and image size, all in pixels. [`Self::validate`]
+    /// checks it.
     #[must_use]
     pub fn pinhole(
         camera_to_world: [[f64; 4]; 4],
@@ -146,8 +147,8 @@ impl Camera {
         Self { camera_to_world, fl_x, fl_y, cx, cy, width, height, file_path, distorted }
     }
 
-    /// The same view as an image of another size. It shows all that the camera sees; where the shape differs, it shows more at
-    /// the sides, or above and below.
+    /// The same view as an image of another size. It shows everything that the camera sees. If the shape differs, it
+    /// shows more at the sides, or above and below.
     #[must_use]
     pub fn with_size(&self, [width, height]: [u32; 2]) -> Self {
         let [old, new] =
@@ -164,7 +165,7 @@ impl Camera {
         }
     }
 
-    /// The same view as an image whose sides are divided by `factor`, and rounded up: see [`Self::with_size`].
+    /// The same view with the image's sides divided by `factor` and rounded up: see [`Self::with_size`].
     #[must_use]
     pub fn shrunk(&self, factor: u32) -> Self {
         self.with_size([self.width, self.height].map(|side| side.div_ceil(factor)))
@@ -193,10 +194,10 @@ impl Camera {
         std::array::from_fn(|row| self.camera_to_world[row][3])
     }
 
-    /// Checks the pose and the intrinsics; `frame` is the index errors give the camera.
+    /// Checks the pose and the intrinsics. Errors give the camera's index as `frame`.
     ///
     /// # Errors
-    /// [`Error::Camera`] for the first thing that is wrong.
+    /// [`Error::Camera`] for the first problem.
     pub fn validate(&self, frame: usize) -> Result<()> {
         self.validate_at(frame, Path::new(IN_MEMORY))
     }
@@ -205,7 +206,7 @@ impl Camera {
         self.check().map_err(|reason| camera_error(origin, frame, reason))
     }
 
-    /// [`Self::validate`] for who says in other words where the camera came from.
+    /// [`Self::validate`], for callers that name the camera in their own words.
     pub fn check(&self) -> Result<(), String> {
         self.check_intrinsics().and_then(|()| self.check_pose())
     }
@@ -313,7 +314,7 @@ pub fn file_of(cameras: &[Camera]) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The error of a camera: of the frame at `frame` in the file `origin`.
+/// The error of the camera in frame `frame` of the file `origin`.
 #[must_use]
 pub fn camera_error(origin: &Path, frame: usize, reason: String) -> Error {
     Error::Camera { origin: origin.to_owned(), frame, reason }

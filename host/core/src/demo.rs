@@ -1,9 +1,9 @@
 //! The built-in scene: a pearl in two sheets of organza, made from formulas alone.
 //!
-//! No file, no training and no random number: every Gaussian, grid entry and weight below is computed. The scene
-//! shows what the two fields are for. The transmittance field lets the pearl hide what lies behind it, and the
-//! cloth dim it. The color field is Blinn-Phong shading written out in ReLUs, and its grid holds the light that has
-//! come through the cloth.
+//! No file, no training and no random numbers: formulas give every Gaussian, grid entry and weight below. The scene
+//! shows what the two fields are for. In the transmittance field, the pearl hides everything behind it and the cloth
+//! dims it. The color field is Blinn-Phong shading written in ReLUs, and its grid holds the light that has come
+//! through the cloth.
 //!
 //! Lengths are in world units with z up; the pearl lies at the origin.
 
@@ -31,26 +31,26 @@ pub use light::key as key_light;
 const HALF_BOX: f32 = 1.2;
 /// Radius of the pearl.
 pub const PEARL: f32 = 0.42;
-/// Height of the floor, of which one sees the shadows alone.
+/// Height of the floor. Only its shadows are visible.
 const FLOOR: f32 = -0.78;
 /// Warm paper.
 pub const BACKGROUND: [f64; 3] = [0.965, 0.955, 0.94];
 
-/// Where the turntable's cameras look.
+/// Point that the turntable's cameras look at.
 const TARGET: [f64; 3] = [0.0, 0.0, -0.11];
-/// Distance of the cameras from there.
+/// Distance of the cameras from that point.
 const DISTANCE: f64 = 4.7;
 /// Angle of the cameras above the horizon, in degrees.
 const ELEVATION: f64 = 17.0;
 /// Azimuth of the first camera, in degrees: the view for the front page.
 const AZIMUTH: f64 = 195.0;
-/// What a camera sees from left to right, in degrees.
+/// Horizontal field of view of the cameras, in degrees.
 const ANGLE: f64 = 29.0;
 
 /// The built-in scene. Two calls give the same scene.
 #[must_use]
 pub fn scene() -> Scene {
-    // Its fields are sums over all of its pieces: the first call takes half a second.
+    // The fields are sums over all pieces, so the first call takes half a second.
     static SCENE: LazyLock<Scene> = LazyLock::new(build);
     SCENE.clone()
 }
@@ -70,12 +70,11 @@ fn build() -> Scene {
     scene
 }
 
-/// `views` cameras on a circle around the built-in scene, counterclockwise from its best side, with square images
-/// of `side` pixels.
+/// `views` cameras on a circle around the built-in scene, counterclockwise from its best side. Images are square,
+/// `side` pixels wide.
 ///
 /// # Panics
-/// Where `side` is no possible size of an image: 0, or more than
-/// [`MAX_IMAGE_SIDE`](crate::camera::MAX_IMAGE_SIDE).
+/// If `side` is no valid image size: 0, or more than [`MAX_IMAGE_SIDE`](crate::camera::MAX_IMAGE_SIDE).
 #[must_use]
 pub fn turntable(views: usize, side: u32) -> Vec<Camera> {
     let (height, reach) = ELEVATION.to_radians().sin_cos();
@@ -92,7 +91,7 @@ pub fn turntable(views: usize, side: u32) -> Vec<Camera> {
 /// The configuration of the built-in scene.
 pub fn config() -> SceneConfig {
     let half = f64::from(HALF_BOX);
-    // one dense level each: what the formulas say at a vertex is what the network reads there
+    // one dense level each, so the network reads at a vertex exactly what the formulas give there
     let grid = |features, log2_table, base_resolution| GridConfig {
         levels: 1,
         features,
@@ -121,7 +120,7 @@ fn pearl_distance(position: Vec3) -> f32 {
     position.length() - PEARL
 }
 
-/// 0 up to 0, 1 from 1 on, and smooth between: `x^2 (3 - 2x)`.
+/// Smooth step: 0 below 0, 1 above 1, `x^2 (3 - 2x)` between.
 fn smoothstep(x: f32) -> f32 {
     let x = x.clamp(0.0, 1.0);
     x * x * (3.0 - 2.0 * x)

@@ -1,6 +1,6 @@
-//! What can go wrong, in words that say what happened, where, and what to do about it.
+//! Errors, in words that say what happened, where, and what to do about it.
 //!
-//! The `Display` text of an [`Error`] does not repeat that of its source; [`chain`] joins them.
+//! The `Display` text of an [`Error`] does not repeat that of its source. [`chain`] joins them.
 
 #[cfg(test)]
 mod tests;
@@ -19,7 +19,7 @@ pub const IN_MEMORY: &str = "";
 
 /// Why an operation failed.
 ///
-/// `origin` is the file a value came from; it is empty for a value that a caller built.
+/// `origin` is the file that a value came from. It is empty for a value that a caller built.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -32,7 +32,7 @@ pub enum Error {
         source: FileError,
     },
 
-    /// A file could not be written. Whatever stood under its name before is untouched.
+    /// A file could not be written. An old file of that name is untouched.
     #[error("cannot write {path}")]
     WriteFile {
         /// The file.
@@ -46,7 +46,7 @@ pub enum Error {
     BadSafetensors {
         /// The file.
         origin: PathBuf,
-        /// What does not fit.
+        /// The mismatch.
         reason: String,
     },
 
@@ -62,7 +62,7 @@ pub enum Error {
         found: String,
     },
 
-    /// A scene was written by a version this one does not know.
+    /// A scene was written in a version that this program does not know.
     #[error(
         "{origin} has scene version {found}; this program reads version \"1\": use a program that \
          matches the file, or write the scene again"
@@ -74,10 +74,10 @@ pub enum Error {
         found: String,
     },
 
-    /// Training, or a gradient, has left what numbers can hold.
+    /// Training, or a gradient, has diverged.
     #[error("{reason}: lower the learning rates, or look for values that are too large")]
     Diverged {
-        /// What was found.
+        /// The value found, and its place.
         reason: String,
     },
 
@@ -166,7 +166,7 @@ pub enum Error {
         origin: PathBuf,
     },
 
-    /// A value of the scene's configuration is out of range.
+    /// A value in the scene's configuration is out of range.
     #[error("{}config field `{field}`: {reason}", place(origin))]
     BadConfig {
         /// The file.
@@ -177,27 +177,27 @@ pub enum Error {
         reason: String,
     },
 
-    /// Text that is not JSON, or not of the expected structure.
+    /// A text is not JSON, or not of the expected structure.
     #[error("{}{what}, line {line} column {column}: {reason}", place(origin))]
     BadJson {
         /// The file.
         origin: PathBuf,
-        /// Which JSON of the file: the file itself or its `config` metadata.
+        /// Which JSON of the file: the file itself, or its `config` metadata.
         what: &'static str,
         /// 1-based line.
         line: usize,
         /// 1-based column, in bytes.
         column: usize,
-        /// What the parser said, and the text in front of which it stopped.
+        /// The parser's message, and the text before the error.
         reason: String,
     },
 
-    /// A file or value that is wrong as a whole; `reason` says how.
+    /// A file or value is wrong as a whole; `reason` says how.
     #[error("{}{reason}", place(origin))]
     Invalid {
         /// The file.
         origin: PathBuf,
-        /// What is wrong and what is allowed.
+        /// The mistake, and the allowed values.
         reason: String,
     },
 
@@ -208,7 +208,7 @@ pub enum Error {
         origin: PathBuf,
         /// 0-based index into `frames`.
         frame: usize,
-        /// What is wrong and what is allowed.
+        /// The mistake, and the allowed values.
         reason: String,
     },
 
@@ -219,23 +219,23 @@ pub enum Error {
         origin: PathBuf,
         /// 0-based index into `tiles`.
         tile: usize,
-        /// What is wrong and what is allowed.
+        /// The mistake, and the allowed values.
         reason: String,
     },
 
-    /// An argument of a call or of the command line makes no sense.
+    /// An argument of a call or of the command line is invalid.
     #[error("unexpected argument: {reason}")]
     Argument {
-        /// What is wrong and what is allowed.
+        /// The mistake, and the allowed values.
         reason: String,
     },
 
-    /// Another rank has failed, so that this one cannot go on.
+    /// Another rank has failed, so this one cannot go on.
     #[error("rank {rank}: {message}")]
     Rank {
         /// The rank that has failed.
         rank: usize,
-        /// What it said.
+        /// The message of that rank.
         message: String,
     },
 
@@ -252,7 +252,7 @@ pub struct FileError {
 }
 
 impl FileError {
-    /// What the operating system said. [`Display`](std::fmt::Display) says it in other words.
+    /// The error of the operating system. [`Display`](std::fmt::Display) puts it in other words.
     #[must_use]
     pub fn io(&self) -> &io::Error {
         &self.source
@@ -267,7 +267,7 @@ impl fmt::Display for FileError {
 
 impl std::error::Error for FileError {}
 
-/// An error's text and those of its sources, as one message.
+/// Joins the messages of an error and of its sources.
 ///
 /// ```
 /// use organza_core::{Scene, error};
@@ -290,7 +290,7 @@ pub fn chain(error: &dyn std::error::Error) -> String {
 }
 
 impl Error {
-    /// Whether memory did not suffice, on the host or on the device.
+    /// Whether the host or the device ran out of memory.
     #[must_use]
     pub fn is_out_of_memory(&self) -> bool {
         matches!(self, Self::Device(DeviceError::OutOfMemory { .. }))
@@ -310,7 +310,7 @@ impl Error {
         Self::WriteFile { path: path.to_owned(), source: FileError { text, source } }
     }
 
-    /// Wraps what `serde_json` said about `text`, which is `what` of `origin`.
+    /// Wraps an error of `serde_json` about `text`, which is `what` of `origin`.
     pub fn json(origin: &Path, what: &'static str, text: &[u8], error: &serde_json::Error) -> Self {
         let (line, column) = (error.line(), error.column());
         let suffix = format!(" at line {line} column {column}");
@@ -326,8 +326,7 @@ impl Error {
     }
 }
 
-/// The end of the text up to a parser's position: serde names no field, so this is what tells
-/// which.
+/// The end of the text before a parser's position. serde names no field, so this shows which one it is.
 fn text_before(text: &[u8], line: usize, column: usize) -> Option<String> {
     const LENGTH: usize = 48;
     let bytes = text.split(|&byte| byte == b'\n').nth(line.checked_sub(1)?)?;
@@ -337,7 +336,7 @@ fn text_before(text: &[u8], line: usize, column: usize) -> Option<String> {
     (!before.is_empty()).then_some(before)
 }
 
-/// The start of a message: the file, where there is one.
+/// The start of a message: the file, if there is one.
 fn place(origin: &Path) -> String {
     if origin == Path::new(IN_MEMORY) {
         return String::new();

@@ -6,7 +6,7 @@ use organza_shaders::hash_grid_half::MAX_HALF;
 
 use crate::error::{Error, IN_MEMORY, Result};
 
-/// The half nearest to each value, or zero below 2^-14, where drivers may make zero of it.
+/// Rounds each value to the nearest half, or to zero below 2^-14, where drivers may flush to zero.
 pub fn halves(values: &[f32]) -> Vec<f16> {
     let mut halves = vec![f16::ZERO; values.len()];
     halves.convert_from_f32_slice(values);
@@ -40,7 +40,7 @@ mod tests {
 
     use super::*;
 
-    /// Every half with all its digits, what lies between it and the next, and the numbers next to that.
+    /// Tests every half exactly, the middle between it and the next, and the f32 next to that middle.
     #[test]
     fn values_are_rounded_to_the_nearest_half() {
         for bits in f16::MIN_POSITIVE.to_bits()..f16::MAX.to_bits() {

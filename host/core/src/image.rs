@@ -1,6 +1,6 @@
-//! Whole images: cut into tiles to be rendered, put together again, and written as PNG.
+//! Whole images. They are cut into tiles for rendering, put together again, and written as PNG.
 //!
-//! An image does not depend on how it was cut.
+//! An image does not depend on the cut.
 
 mod channel;
 #[cfg(test)]
@@ -42,7 +42,7 @@ const BAND_PIXELS: u64 = 1 << 25;
 pub struct Image {
     width: u32,
     height: u32,
-    /// Row by row.
+    /// Pixels, row by row.
     pixels: Vec<[u8; 3]>,
     not_finite: u64,
 }
@@ -58,7 +58,8 @@ impl Image {
         Ok(Self { width, height, pixels: memory::zeros(len, &what)?, not_finite: 0 })
     }
 
-    /// Fails where an image cannot be made and written: PNG's encoder may take as much again.
+    /// Fails if there is not enough memory to make and write an image. PNG's encoder may take as much as the image
+    /// again.
     ///
     /// # Errors
     /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
@@ -69,7 +70,7 @@ impl Image {
         Ok(memory::check(2 * bytes, &format!("{what} and writing it"))?)
     }
 
-    /// An image of a photograph's pixels, row by row.
+    /// An image with a photograph's pixels, row by row.
     ///
     /// # Panics
     /// Where there are not width times height pixels.
@@ -91,17 +92,17 @@ impl Image {
         &self.pixels
     }
 
-    /// Pixels that were rendered as a NaN or an infinity: networks with huge weights can do that.
+    /// Number of pixels that were rendered as NaN or infinity: networks with huge weights can cause that.
     #[must_use]
     pub fn not_finite(&self) -> u64 {
         self.not_finite
     }
 
-    /// Puts rendered tiles where `batch` has them; what hangs over the edge is cut off. The camera
-    /// of a tile does not matter.
+    /// Copies rendered tiles to their places in `batch`. Parts beyond the edge are cut off. The tiles' cameras are
+    /// ignored.
     ///
     /// # Errors
-    /// [`Error::Argument`] where the tiles are not those of the batch.
+    /// [`Error::Argument`] if the tiles are not those of the batch.
     pub fn paste(&mut self, batch: &TileBatch, tiles: &RenderedTiles) -> Result<()> {
         let side = batch.side as usize;
         let values = batch.output_shape().iter().product::<usize>();
@@ -122,7 +123,7 @@ impl Image {
         Ok(())
     }
 
-    /// Copies `other` to column `left` and row `top`; what hangs over the edge is cut off.
+    /// Copies `other` to column `left` and row `top`. Parts beyond the edge are cut off.
     pub fn paste_image(&mut self, other: &Self, [left, top]: [u32; 2]) {
         let columns = other.width.min(self.width.saturating_sub(left)) as usize;
         let rows = other.height.min(self.height.saturating_sub(top)) as usize;
@@ -133,8 +134,8 @@ impl Image {
         }
     }
 
-    /// A smaller image whose pixels are the means of squares of `factor` by `factor` pixels; what
-    /// is left over at the right and the lower edge is cut off.
+    /// A smaller image, whose pixels are the means of squares of `factor` x `factor` pixels. Pixels that do not fill
+    /// a square, at the right and lower edges, are cut off.
     ///
     /// # Errors
     /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
@@ -164,10 +165,10 @@ impl Image {
         save_png(path, self.pixels.as_flattened(), self.size(), ExtendedColorType::Rgb8)
     }
 
-    /// The bytes of a PNG file.
+    /// The image as a PNG file.
     ///
     /// # Errors
-    /// Where the encoder fails; it writes to memory.
+    /// If the encoder fails. It writes to memory.
     pub fn encode_png(&self) -> io::Result<Vec<u8>> {
         let mut bytes = Vec::new();
         let pixels = self.pixels.as_flattened();
@@ -198,23 +199,23 @@ fn write_png(
     })
 }
 
-/// The nearest of 256 levels to a value of 0 to 1; what lies outside is clamped, and NaN is 0.
+/// Rounds a value from 0 to 1 to the nearest of 256 levels. Values outside are clamped, and NaN is 0.
 #[must_use]
 pub fn to_8_bit(value: f32) -> u8 {
     (value.clamp(0.0, 1.0) * 255.0).round() as u8
 }
 
-/// Cuts an image of `width` by `height` pixels into tiles of one side, in batches of whole rows of
-/// tiles: an image of any size is rendered in memory that does not grow with its height.
+/// Cuts an image of `width` x `height` pixels into tiles of one side, in batches of whole rows of tiles. So the
+/// memory for rendering does not grow with the image's height.
 ///
 /// # Errors
-/// As [`TileBatch::cover`], each batch on its own.
+/// The same errors as [`TileBatch::cover`], for each batch.
 pub fn bands(
     camera: usize,
     [width, height]: [u32; 2],
     side: u32,
 ) -> impl Iterator<Item = Result<TileBatch>> {
-    // A wrong side is for `cover` to tell.
+    // `cover` reports a wrong side.
     let side = side.max(1);
     let row = u64::from(width.div_ceil(side)) * u64::from(side) * u64::from(side);
     let rows = (BAND_PIXELS / row.max(1)).clamp(1, u64::from(height.div_ceil(side).max(1)));
@@ -228,8 +229,8 @@ pub fn bands(
     })
 }
 
-/// Calls `visit(tile, at, place)` for each pixel of a batch's tiles that lies in an image: the tile's index, the pixel's
-/// in the tile and its in the image, row by row.
+/// Calls `visit(tile, at, place)` for each pixel of a batch's tiles that is inside an image, row by row: with the
+/// tile's index, the pixel's index in the tile, and its index in the image.
 fn visible_pixels(
     batch: &TileBatch,
     [width, height]: [u32; 2],

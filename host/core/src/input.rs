@@ -1,4 +1,4 @@
-//! Opening what a user names, without trusting it.
+//! Opens files that a user names, without trusting them.
 
 #[cfg(test)]
 pub(crate) mod nasty;
@@ -12,13 +12,13 @@ use serde_json::Value;
 use crate::error::{Error, Result, format_bytes};
 use organza_device::memory;
 
-/// More JSON than any camera or tile list has; what is larger was named by mistake.
+/// Largest JSON file, in bytes. No camera or tile list needs more; a larger file was named by mistake.
 const MAX_JSON_BYTES: u64 = 256 << 20;
 
 /// Opens a regular file and returns it with its length in bytes.
 ///
-/// Anything else is refused before it is opened: a pipe may block and a device may never end. What
-/// has been put in its place meanwhile is refused, too.
+/// Anything else is refused before it is opened: a pipe may block, and a device may never end. If another file takes
+/// its place meanwhile, that one is refused too.
 pub fn open_regular(path: &Path) -> Result<(File, u64)> {
     let check = |found: &Metadata| match found {
         _ if found.is_dir() => Err(io::Error::other("it is a folder, expected a file")),
@@ -31,7 +31,7 @@ pub fn open_regular(path: &Path) -> Result<(File, u64)> {
         check(&fs::metadata(path)?)?;
         let mut options = File::options();
         options.read(true);
-        // Opening a pipe does not wait for its other end.
+        // With this flag, opening a pipe does not wait for its other end.
         #[cfg(unix)]
         std::os::unix::fs::OpenOptionsExt::custom_flags(&mut options, libc::O_NONBLOCK);
         let file = options.open(path)?;
@@ -42,7 +42,7 @@ pub fn open_regular(path: &Path) -> Result<(File, u64)> {
     open().map_err(|source| Error::read(path, source))
 }
 
-/// Reads a regular file of at most `limit` bytes; `what` is what it should be, for the message.
+/// Reads a regular file of at most `limit` bytes. `what` names the expected content in the message.
 pub fn read_file(path: &Path, limit: u64, what: &str) -> Result<Vec<u8>> {
     let (file, length) = open_regular(path)?;
     if length > limit {
@@ -53,7 +53,7 @@ pub fn read_file(path: &Path, limit: u64, what: &str) -> Result<Vec<u8>> {
         return Err(Error::Invalid { origin: path.to_owned(), reason });
     }
     let mut bytes = memory::reserve(length as usize, what)?;
-    // No more than was checked, should the file grow.
+    // The file may have grown: read no more than was checked.
     file.take(length).read_to_end(&mut bytes).map_err(|source| Error::read(path, source))?;
     Ok(bytes)
 }
@@ -71,8 +71,8 @@ pub fn read_json(path: &Path) -> Result<Value> {
     parse_json(&read_file(path, MAX_JSON_BYTES, "JSON")?, path)
 }
 
-/// The most that parsing JSON takes: an object has a node of a tree, and every value a place in one
-/// or in an array, which are up to twice as large as what they hold.
+/// Most memory that parsing the JSON takes, in bytes. An object is a tree node, and every value has a slot in one or
+/// in an array. Both may be twice as large as their content.
 fn bytes_to_parse(text: &[u8]) -> u64 {
     let cost = |byte: &u8| match byte {
         b'{' => 700,
@@ -90,7 +90,7 @@ pub fn parse_json(bytes: &[u8], origin: &Path) -> Result<Value> {
     serde_json::from_slice(text).map_err(|error| Error::json(origin, "JSON", text, &error))
 }
 
-/// What a JSON value is, for messages.
+/// The kind of a JSON value, for messages.
 pub fn kind(value: &Value) -> &'static str {
     match value {
         Value::Null => "null",
@@ -104,7 +104,7 @@ pub fn kind(value: &Value) -> &'static str {
 
 /// A JSON number without a fraction, whether written `3` or `3.0`.
 pub fn integer(value: &Value) -> Option<i64> {
-    /// Up to here every integer is an f64.
+    /// Up to this number, every integer is an f64.
     const EXACT: f64 = 9_007_199_254_740_992.0;
     value.as_i64().or_else(|| {
         let number = value.as_f64()?;

@@ -1,6 +1,6 @@
-//! What everything else of organza is made of: scenes and their files, cameras, tiles, ranks, and errors.
+//! The base of all other crates of organza: scenes and their files, cameras, tiles, ranks, and errors.
 //!
-//! The crate [`organza`](https://crates.io/crates/organza) is the way to use it.
+//! Use it through the crate [`organza`](https://crates.io/crates/organza).
 
 mod atomic_file;
 pub mod camera;

@@ -1,7 +1,7 @@
-//! How close an image is to a photograph: PSNR and SSIM, in f64, as papers of the field state them; and [LPIPS](lpips).
+//! Image metrics in f64, as papers of the field define them: PSNR, SSIM, and [LPIPS](lpips).
 //!
-//! All take RGB pixels row by row with colors in 0 to 1.  A mask says which pixels the photograph has; without one all
-//! count.
+//! All take RGB pixels row by row, with colors from 0 to 1. A mask marks the valid pixels; without one, all are
+//! valid.
 
 pub mod lpips;
 #[cfg(test)]
@@ -9,7 +9,7 @@ mod tests;
 
 use rayon::prelude::*;
 
-/// Pixels of SSIM's window on either side of its center.
+/// Pixels of SSIM's window on each side of its center.
 pub const WINDOW_RADIUS: usize = 5;
 
 /// Side of SSIM's window, in pixels.
@@ -36,10 +36,10 @@ pub fn window() -> [f64; WINDOW] {
     weights.map(|weight| weight / sum)
 }
 
-/// The peak signal-to-noise ratio in decibels, `-10 log10(MSE)`: the mean squared error is over all valid pixels and the
-/// three channels.
+/// The peak signal-to-noise ratio in decibels, `-10 log10(MSE)`. The mean squared error is over all valid pixels and
+/// the three channels.
 ///
-/// Infinite ([`f64::INFINITY`]) for equal images; none where no pixel is valid.
+/// Infinite ([`f64::INFINITY`]) for equal images; `None` if no pixel is valid.
 ///
 /// ```
 /// use organza_core::metrics::{psnr, ssim};
@@ -50,7 +50,7 @@ pub fn window() -> [f64; WINDOW] {
 /// ```
 ///
 /// # Panics
-/// Where `image`, `truth` and `valid` have different lengths.
+/// If `image`, `truth` and `valid` have different lengths.
 #[must_use]
 pub fn psnr(image: &[[f32; 3]], truth: &[[f32; 3]], valid: Option<&[bool]>) -> Option<f64> {
     check_lengths(image, truth, valid);
@@ -72,21 +72,22 @@ pub fn psnr_of(mean_squared_error: f64) -> f64 {
     -10.0 * mean_squared_error.log10() + 0.0
 }
 
-/// The structural similarity (Wang, Bovik, Sheikh and Simoncelli 2004) of two images of `[width, height]`: the mean over
-/// the three channels and all windows of 11 x 11 pixels that lie wholly in the image.
+/// The structural similarity (Wang, Bovik, Sheikh and Simoncelli 2004) of two images of `[width, height]`: the mean
+/// over the three channels and over all windows of 11 x 11 pixels that lie entirely in the image.
 ///
 /// ```text
 /// SSIM = (2 mean(x) mean(y) + C1) (2 cov(x, y) + C2) / ((mean(x)^2 + mean(y)^2 + C1) (var(x) + var(y) + C2))
 /// ```
 ///
-/// with Gaussian weights of sigma 1.5, C1 = 0.01^2 and C2 = 0.03^2.  That is scikit-image's `structural_similarity(x,
-/// y, data_range=1, channel_axis=-1, gaussian_weights=True, sigma=1.5, use_sample_covariance=False)` of f64 arrays.
+/// with Gaussian weights of sigma 1.5, C1 = 0.01^2 and C2 = 0.03^2. It equals scikit-image's
+/// `structural_similarity(x, y, data_range=1, channel_axis=-1, gaussian_weights=True, sigma=1.5,
+/// use_sample_covariance=False)` of f64 arrays.
 ///
-/// A window that touches an invalid pixel does not count.  None where no window does: of images of less than 11 pixels
-/// a side, too.
+/// Windows that touch an invalid pixel are left out. `None` if no window remains, as for images less than 11 pixels
+/// wide or high.
 ///
 /// # Panics
-/// Where `image`, `truth` and `valid` do not have width x height elements.
+/// If `image`, `truth` and `valid` do not have width x height elements.
 #[must_use]
 pub fn ssim(
     [width, height]: [usize; 2],
@@ -113,7 +114,7 @@ pub fn ssim(
             strip.similarity(&weights)
         })
         .collect();
-    // in order, whatever the threads
+    // in row order, so the sum does not depend on the number of threads
     let (sum, windows) = rows.iter().fold((0.0, 0), |(sum, n), row| (sum + row.0, n + row.1));
     (windows > 0).then(|| sum / (3 * windows) as f64)
 }
@@ -137,7 +138,7 @@ struct Strip<'a> {
 type Moments = [f64; 5];
 
 impl Strip<'_> {
-    /// The sum of SSIM over the windows that count and the channels, and the number of windows.
+    /// The sum of SSIM over the valid windows and the channels, and the number of valid windows.
     fn similarity(&self, weights: &[f64; WINDOW]) -> (f64, u64) {
         let counts = self.windows();
         let mut total = 0.0;
@@ -156,7 +157,7 @@ impl Strip<'_> {
         (total, counts.iter().map(|&counts| u64::from(counts)).sum())
     }
 
-    /// The columns' sums.
+    /// The moments of each column of the strip.
     fn columns(&self, channel: usize, weights: &[f64; WINDOW]) -> Vec<Moments> {
         let mut columns = vec![Moments::default(); self.width];
         let rows = self.image.chunks_exact(self.width).zip(self.truth.chunks_exact(self.width));
@@ -182,7 +183,7 @@ fn add(sums: &mut Moments, values: &Moments, weight: f64) {
     sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
 }
 
-/// SSIM of one window and channel.
+/// SSIM of one window in one channel.
 fn similarity([x, y, xx, yy, xy]: Moments) -> f64 {
     let (variances, covariance) = (xx - x * x + (yy - y * y), xy - x * y);
     let luminance = (2.0 * x * y + C1) / (x * x + y * y + C1);

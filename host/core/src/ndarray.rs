@@ -1,4 +1,4 @@
-//! Tiles, tensors of scenes and gradients as arrays of [`ndarray`].
+//! Tiles, tensors of scenes and gradients as [`ndarray`] arrays.
 
 use ::ndarray::{Array4, ArrayView4, ArrayViewD, ArrayViewMutD};
 
@@ -7,14 +7,14 @@ use crate::rendered::RenderedTiles;
 use crate::scene::{Gradient, Scene};
 
 impl Scene {
-    /// The tensor with a name of [`Scene::tensors`], such as `gaussians.position`.
+    /// The tensor named `name`, as in [`Scene::tensors`]: `gaussians.position`, for example.
     #[must_use]
     pub fn array(&self, name: &str) -> Option<ArrayViewD<'_, f32>> {
         let (spec, values) = self.tensors().into_iter().find(|(spec, _)| spec.name == name)?;
         ArrayViewD::from_shape(spec.shape, values).ok()
     }
 
-    /// As [`Scene::array`], for writing. `assign` copies another array of the same shape.
+    /// Like [`Scene::array`], but mutable. `assign` copies another array of the same shape.
     #[must_use]
     pub fn array_mut(&mut self, name: &str) -> Option<ArrayViewMutD<'_, f32>> {
         let (spec, values) = self.tensors_mut().into_iter().find(|(spec, _)| spec.name == name)?;
@@ -23,7 +23,7 @@ impl Scene {
 }
 
 impl Gradient {
-    /// The gradient of the tensor with a name of [`Gradient::tensors`], such as `gaussians.position`.
+    /// The gradient of the tensor named `name`, as in [`Gradient::tensors`]: `gaussians.position`, for example.
     #[must_use]
     pub fn array(&self, name: &str) -> Option<ArrayViewD<'_, f32>> {
         let (spec, values) = self.tensors().into_iter().find(|(spec, _)| spec.name == name)?;

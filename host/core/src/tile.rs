@@ -13,16 +13,16 @@ use crate::camera::Camera;
 use crate::error::{Error, IN_MEMORY, Result, format_bytes};
 use crate::input::{integer, kind, read_json};
 
-/// The largest side a tile may have, in pixels.
+/// Largest side of a tile, in pixels.
 pub const MAX_TILE_SIDE: u32 = 4096;
-/// How far from pixel (0, 0) a tile's origin may lie, in pixels per axis.
+/// Largest distance of a tile's origin from pixel (0, 0), in pixels per axis.
 pub const MAX_TILE_ORIGIN: i32 = 1_000_000;
-/// The output must have fewer values than this: the kernels address them with 32 bits.
+/// Upper limit for the number of output values: kernels address them with 32 bits.
 const MAX_OUTPUT_VALUES: u64 = 1 << 31;
 /// Red, green, blue.
 const CHANNELS: u64 = 3;
 
-/// One tile: a square of one camera's image plane. It may hang over the image's edge.
+/// A square part of one camera's image plane. It may extend beyond the image's edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 pub struct Tile {
     /// Index of the camera.
@@ -57,18 +57,17 @@ pub struct TileBatch {
 impl TileBatch {
     /// Reads a tiles file: `{"side": S, "tiles": [{"camera": index, "origin": [x, y]}, ...]}`.
     ///
-    /// Whether the cameras exist is for [`Self::validate`] to tell.
+    /// [`Self::validate`] checks that the cameras exist.
     ///
     /// # Errors
-    /// [`Error::ReadFile`], [`Error::BadJson`], [`Error::Invalid`] where the side, the number of
-    /// tiles or the size of the output is out of range, [`Error::Tile`] for the first element that
-    /// is no tile.
+    /// [`Error::ReadFile`]; [`Error::BadJson`]; [`Error::Invalid`] if the side, the number of tiles or the size of
+    /// the output is out of range; [`Error::Tile`] for the first element that is no tile.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         parse_batch(&read_json(path)?, path)
     }
 
-    /// [`Self::load`] of what is JSON already; `origin` is what errors name.
+    /// [`Self::load`] from parsed JSON. Errors name `origin`.
     pub fn parse(file: &Value, origin: &Path) -> Result<Self> {
         parse_batch(file, origin)
     }
@@ -85,12 +84,11 @@ impl TileBatch {
         })
     }
 
-    /// Checks the batch against the cameras it is to be rendered from.
+    /// Checks the batch against its cameras.
     ///
     /// # Errors
-    /// [`Error::Invalid`] where the side, the number of tiles or the size of the output is out of
-    /// range, [`Error::Tile`] for the first tile whose origin is out of range or whose camera does
-    /// not exist.
+    /// [`Error::Invalid`] if the side, the number of tiles or the size of the output is out of range; [`Error::Tile`]
+    /// for the first tile whose origin is out of range or whose camera does not exist.
     pub fn validate(&self, cameras: &[Camera]) -> Result<()> {
         let origin = Path::new(IN_MEMORY);
         self.check(origin)?;
@@ -108,12 +106,12 @@ impl TileBatch {
         }
     }
 
-    /// The tiles that cover an image of `width` by `height` pixels, row by row. Those of the last
-    /// column and row hang over the edge where `side` does not divide the image.
+    /// The tiles that cover an image of `width` x `height` pixels, row by row. If `side` does not divide the image,
+    /// the last column and row extend beyond its edge.
     ///
     /// # Errors
-    /// [`Error::Argument`] for an image without pixels; [`Error::Invalid`] where the side or the
-    /// size of the output is out of range, [`Error::Tile`] where an origin is.
+    /// [`Error::Argument`] for an image without pixels; [`Error::Invalid`] if the side or the size of the output is
+    /// out of range; [`Error::Tile`] if an origin is out of range.
     pub fn cover(camera: usize, width: u32, height: u32, side: u32) -> Result<Self> {
         let origin = Path::new(IN_MEMORY);
         if width == 0 || height == 0 {
@@ -122,7 +120,7 @@ impl TileBatch {
         }
         check_side(side, origin)?;
         let (columns, rows) = (width.div_ceil(side), height.div_ceil(side));
-        // Before anything is allocated: sides of one pixel make as many tiles as pixels.
+        // Check before anything is allocated: tiles of one pixel are as many as the pixels.
         check_output(u64::from(columns) * u64::from(rows), side, origin)?;
         let corner =
             |cell: u32| i32::try_from(u64::from(cell) * u64::from(side)).unwrap_or(i32::MAX);
@@ -142,7 +140,7 @@ impl TileBatch {
         [self.tiles.len(), CHANNELS as usize, side, side]
     }
 
-    /// Everything but the cameras.
+    /// Checks everything but the cameras.
     fn check(&self, origin: &Path) -> Result<()> {
         check_side(self.side, origin)?;
         if self.tiles.is_empty() {
@@ -167,7 +165,7 @@ fn check_side(side: u32, origin: &Path) -> Result<()> {
     Err(Error::Invalid { origin: origin.to_owned(), reason: side_range(&side.to_string()) })
 }
 
-/// The most tiles of a side, which is not 0, that one batch may have.
+/// Largest number of tiles in one batch, for a side that is not 0.
 pub fn most_tiles(side: u32) -> u64 {
     (MAX_OUTPUT_VALUES - 1) / (CHANNELS * u64::from(side) * u64::from(side))
 }
@@ -208,7 +206,7 @@ fn parse_batch(file: &Value, origin: &Path) -> Result<TileBatch> {
     let side = integer(side)
         .and_then(|side| u32::try_from(side).ok())
         .ok_or_else(|| invalid(side_range(&side.to_string())))?;
-    // Before the tiles: a wrong side matters to all of them.
+    // Checked before the tiles: a wrong side affects all of them.
     check_side(side, origin)?;
     let tiles = file.get("tiles").ok_or_else(|| invalid("`tiles` is missing".to_owned()))?;
     let tiles = tiles

@@ -1,4 +1,4 @@
-//! What photographs with an alpha channel are put in front of.
+//! The background of photographs with an alpha channel.
 
 use std::fmt;
 use std::str::FromStr;
@@ -8,14 +8,14 @@ use serde::{Deserialize, Serialize};
 use super::{DatasetKind, DatasetOptions, Listing, decode};
 use organza_core::error::Result;
 
-/// What the alpha channel of photographs is for.
+/// The meaning of an alpha channel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Alpha {
-    /// The photograph is put in front of the background.
+    /// The photograph is composited over the background.
     #[default]
     Background,
-    /// Pixels of less than half are not used, as if a mask hid them.
+    /// Pixels with an alpha below one half are not used, as if masked.
     Mask,
 }
 
@@ -23,15 +23,15 @@ pub enum Alpha {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "Written", into = "Written")]
 pub enum Background {
-    /// White for a Blender data set whose photographs have an alpha channel, as in the tables of NeRF and its successors;
-    /// black for all others.
+    /// White for a Blender data set whose photographs have an alpha channel, as in the tables of NeRF and its
+    /// successors. Black for all others.
     #[default]
     Auto,
     /// Red, green and blue as sRGB values, 0 to 1.
     Color([f32; 3]),
 }
 
-/// How a file has it.
+/// The forms of a background in a file.
 #[derive(Serialize, Deserialize)]
 #[serde(untagged, expecting = "expected \"auto\", a color's name, or three numbers of 0 to 1")]
 enum Written {
@@ -57,7 +57,7 @@ impl Background {
 }
 
 impl DatasetOptions {
-    /// The color that photographs are put in front of.
+    /// The background color of the photographs.
     pub(super) fn decide_background(&self, listing: &Listing) -> Result<[f32; 3]> {
         let may_be_white = self.background == Background::Auto
             && self.alpha == Alpha::Background
@@ -74,7 +74,8 @@ impl DatasetOptions {
 impl FromStr for Background {
     type Err = String;
 
-    /// Reads `auto`, three numbers such as `1,1,1` or `[1, 1, 1]`, or a color of CSS: a name such as `white`, or `#ffffff`.
+    /// Parses `auto`, three numbers such as `1,1,1` or `[1, 1, 1]`, or a CSS color: a name such as `white`, or
+    /// `#ffffff`.
     fn from_str(text: &str) -> Result<Self, String> {
         if text == "auto" {
             return Ok(Self::Auto);
@@ -109,7 +110,7 @@ impl TryFrom<Written> for Background {
     fn try_from(written: Written) -> Result<Self, String> {
         match written {
             Written::Text(text) => text.parse(),
-            // its range is checked with that of all other settings
+            // its range is checked together with all other settings
             Written::Color(color) => Ok(Self::Color(color)),
         }
     }

@@ -1,4 +1,4 @@
-//! The points of a COLMAP model that lies beside a `transforms.json` without points.
+//! The points of a COLMAP model that belongs to a `transforms.json` without points.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -10,16 +10,16 @@ use super::{DatasetOptions, Listing, Point, colmap};
 use organza_core::camera::Camera;
 use organza_core::error::Result;
 
-/// Cameras of both that must be the same.
+/// Least number of cameras that must agree.
 const LEAST: usize = 3;
-/// How far a camera may be from its place, as a part of the distances between cameras.
+/// Largest distance of a camera from its place, relative to the distances between cameras.
 const CLOSE: f64 = 0.02;
 
-/// The model's points in the world of a listing's cameras; none where there is no model, or where its cameras stand
+/// The model's points, in the world of a listing's cameras. `None` if there is no model, or if its cameras are
 /// elsewhere.
 ///
-/// Poses often come from such a model, but they may have been turned, moved and scaled on the way, as nerfstudio and
-/// instant-ngp do. Photographs of the same name say how.
+/// Poses often come from such a model, but nerfstudio and instant-ngp rotate, move and scale them. Photographs of the
+/// same name determine the transformation.
 pub(super) fn points(
     folder: &Path,
     listing: &Listing,
@@ -40,13 +40,13 @@ pub(super) fn points(
     Ok(found.points.into_iter().map(moved).collect())
 }
 
-/// The last part of a path, without its extension: tools convert photographs.
+/// The last part of a path, without its extension, because tools convert photographs.
 fn file_name(path: &str) -> &str {
     let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
     name.rsplit_once('.').map_or(name, |(stem, _)| stem)
 }
 
-/// A turn, a scale and a move.
+/// A rotation, a scale and a translation.
 struct Similarity {
     turn: DMat3,
     scale: f64,
@@ -55,7 +55,7 @@ struct Similarity {
 }
 
 impl Similarity {
-    /// That which takes the first camera of each pair to the second; none where there is none.
+    /// The similarity that maps the first camera of each pair to the second; `None` if there is none.
     fn between(pairs: &[(&Camera, &Camera)]) -> Option<Self> {
         if pairs.len() < LEAST {
             return None;
@@ -71,7 +71,7 @@ impl Similarity {
         let spread_from = pairs.iter().map(|pair| eye(pair.0).distance(from)).sum::<f64>() / count;
         let spread_to = pairs.iter().map(|pair| eye(pair.1).distance(to)).sum::<f64>() / count;
         let scale = spread_to / spread_from;
-        // every pair of poses says the same
+        // every pair of poses has the same rotation
         let turn = to_world(pairs[0].1) * to_world(pairs[0].0).transpose();
         let way = Self { turn, scale, from, to };
         let is_there =

@@ -1,15 +1,14 @@
-//! How much memory decoding may take, all threads together.
+//! Limits the memory that all decoding threads take together.
 
 use std::sync::{Condvar, Mutex, PoisonError};
 
 use organza_core::error::{DeviceError, Result};
 use organza_device::memory;
 
-/// The part of the memory that is free at the start that decoding may take: threads, and the
-/// allocator, need some too.
+/// Part of the free memory that decoding may take. Threads and the allocator need some, too.
 const PART: f64 = 0.75;
 
-/// Bytes to share. A thread that wants more than are left waits for the others.
+/// A number of bytes to share. A thread that needs more than are left waits for the others.
 #[derive(Debug)]
 pub(super) struct Budget {
     total: u64,
@@ -17,7 +16,7 @@ pub(super) struct Budget {
     returned: Condvar,
 }
 
-/// Bytes of a [`Budget`], given back when dropped.
+/// Bytes of a [`Budget`], returned on drop.
 #[derive(Debug)]
 pub(super) struct Share<'a> {
     budget: &'a Budget,
@@ -25,21 +24,21 @@ pub(super) struct Share<'a> {
 }
 
 impl Budget {
-    /// What is free now, but for `results` bytes that are kept.
+    /// A budget of the memory that is free now, without `results` bytes that are kept.
     pub fn beside(results: u64) -> Self {
         let free = memory::available().map(|bytes| bytes.saturating_sub(results));
         Self::of(free.map_or(u64::MAX, |bytes| (bytes as f64 * PART) as u64))
     }
 
-    /// Exactly so many bytes.
+    /// A budget of exactly `total` bytes.
     pub fn of(total: u64) -> Self {
         Self { total, used: Mutex::new(0), returned: Condvar::new() }
     }
 
-    /// Takes bytes, after waiting for them where others have them.
+    /// Takes bytes. Waits if other threads have them.
     ///
     /// # Errors
-    /// [`DeviceError::OutOfMemory`] for more than there are in all; `what` says what for.
+    /// [`DeviceError::OutOfMemory`] for more than the whole budget. `what` describes the purpose.
     pub fn take(&self, bytes: u64, what: impl FnOnce() -> String) -> Result<Share<'_>> {
         if bytes > self.total {
             let (needed, available) = (bytes, Some(self.total));

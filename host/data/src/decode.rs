@@ -1,4 +1,4 @@
-//! Photographs from their files: PNG and JPEG, whole or refused.
+//! Decodes photographs, PNG and JPEG. Incomplete files are refused.
 
 use std::io::{BufRead, BufReader, Cursor, Seek};
 use std::path::Path;
@@ -12,34 +12,34 @@ use organza_core::error::{Error, Result};
 use organza_core::input::{open_regular, read_file};
 use organza_device::memory;
 
-/// Bytes a pixel that decoding may take: 8 for the widest pixel (RGBA of 16 bits), or else 3 and
-/// the 16-bit coefficients of a progressive JPEG's four components.
+/// Bytes per pixel that decoding may take: 8 for the widest pixel (RGBA of 16 bits), or else 3 and the 16-bit
+/// coefficients of a progressive JPEG's four components.
 const BYTES_A_PIXEL: u64 = 3 + 4 * 2;
-/// Rows, tables and a color profile beside the pixels.
+/// Bytes of rows, tables and a color profile, besides the pixels.
 const BYTES_BESIDE: u64 = 1 << 20;
-/// How often a decoder may hold what a file has beside its pixels, such as text.
+/// Most copies that a decoder may hold of a file's other content, such as text.
 const COPIES: u64 = 3;
-/// The most bytes that one byte of a PNG's compressed data becomes.
+/// Most bytes that one byte of a PNG's compressed data can become.
 const DEFLATE_RATIO: u64 = 1032;
 
-/// A photograph as its file has it.
+/// A decoded photograph, in the format of its file.
 pub(super) struct Decoded {
     width: u32,
     color: ColorType,
     pixel_bytes: usize,
-    /// Row by row, channels together.
+    /// Pixels row by row, with interleaved channels.
     bytes: Vec<u8>,
 }
 
-/// Width and height in pixels of a photograph, from its header.
+/// Width and height of a photograph in pixels, from its header.
 pub(super) fn size(path: &Path) -> Result<[u32; 2]> {
     let (file, length) = open_regular(path)?;
-    // A JPEG's decoder reads the whole file.
+    // The JPEG decoder reads the whole file.
     memory::check(length, "a photograph's file")?;
     size_from(BufReader::new(file), length, path)
 }
 
-/// [`size`] from what a photograph's file of `length` bytes holds.
+/// [`size`] from a photograph's file of `length` bytes.
 pub(super) fn size_from(source: impl BufRead + Seek, length: u64, path: &Path) -> Result<[u32; 2]> {
     let reader = reader(source, length, path)?;
     let (width, height) = reader.into_dimensions().map_err(|error| broken(path, &error))?;
@@ -49,7 +49,7 @@ pub(super) fn size_from(source: impl BufRead + Seek, length: u64, path: &Path) -
 /// Whether a photograph has an alpha channel, from its header.
 pub(super) fn has_alpha(path: &Path) -> Result<bool> {
     let (file, length) = open_regular(path)?;
-    // as for its size
+    // like `size`
     memory::check(length, "a photograph's file")?;
     let reader = ImageReader::new(BufReader::new(file)).with_guessed_format();
     let reader = reader.map_err(|source| Error::read(path, source))?;
@@ -57,8 +57,8 @@ pub(super) fn has_alpha(path: &Path) -> Result<bool> {
     Ok(decoder.color_type().has_alpha())
 }
 
-/// The bytes of a photograph's file that should have `expected` pixels, width and height, and the
-/// share of the budget that decoding them takes, and decoding its mask. Keep it until both are.
+/// Reads a photograph's file, which should have `expected` pixels, width and height. Also returns the share of the
+/// budget for decoding it and its mask. Keep the share until both are decoded.
 pub(super) fn read<'a>(
     path: &Path,
     mask: Option<&Path>,
@@ -70,7 +70,7 @@ pub(super) fn read<'a>(
     if let Some(mask) = mask {
         needed = needed.saturating_add(bytes_to_decode(open_regular(mask)?.1, expected));
     }
-    // All at once: threads that wait for more while they hold some would wait for each other.
+    // Taken at once: threads that hold a part while they wait for more would deadlock.
     let share = budget.take(needed, || {
         let ([width, height], path) = (expected, path.display());
         format!("decoding {path} ({width} x {height} pixels)")
@@ -78,19 +78,19 @@ pub(super) fn read<'a>(
     Ok((read_file(path, length, "a photograph")?, share))
 }
 
-/// The most that decoding a file of `length` bytes takes.
+/// Most bytes that decoding a file of `length` bytes takes.
 pub(super) fn bytes_to_decode(length: u64, [width, height]: [u32; 2]) -> u64 {
     let pixels = BYTES_A_PIXEL * u64::from(width) * u64::from(height);
     length.saturating_add(bytes_beside(length)).saturating_add(pixels)
 }
 
-/// The most that a decoder holds beside the file and the pixels.
+/// Most bytes that a decoder holds besides the file and the pixels.
 fn bytes_beside(length: u64) -> u64 {
     length.saturating_mul(COPIES).saturating_add(BYTES_BESIDE)
 }
 
-/// A reader of a photograph's file of `length` bytes. A profile that would grow beyond its limit, as
-/// a compressed one can to 1032 times its size, is passed over: nothing here needs it.
+/// A reader of a photograph's file of `length` bytes. It skips a color profile that exceeds its limit, which a
+/// compressed one can do by a factor of 1032: nothing here needs it.
 fn reader<R: BufRead + Seek>(source: R, length: u64, path: &Path) -> Result<ImageReader<R>> {
     let reader = ImageReader::new(source).with_guessed_format();
     let mut reader = reader.map_err(|source| Error::read(path, source))?;
@@ -100,7 +100,7 @@ fn reader<R: BufRead + Seek>(source: R, length: u64, path: &Path) -> Result<Imag
     Ok(reader)
 }
 
-/// Decodes a photograph that should have `expected` pixels, width and height.
+/// Decodes a photograph, which should have `expected` pixels, width and height.
 pub(super) fn decode(bytes: &[u8], expected: [u32; 2], path: &Path) -> Result<Decoded> {
     let reader = reader(Cursor::new(bytes), bytes.len() as u64, path)?;
     let is_jpeg = reader.format() == Some(ImageFormat::Jpeg);
@@ -109,7 +109,7 @@ pub(super) fn decode(bytes: &[u8], expected: [u32; 2], path: &Path) -> Result<De
     if [width, height] != expected {
         return wrong_size(path, [width, height], expected);
     }
-    // The decoder fills what is missing of a JPEG with gray, and says nothing.
+    // The decoder silently fills missing parts of a JPEG with gray.
     let is_whole = !is_jpeg || has_jpeg_end(bytes);
     if !is_whole || (bytes.len() as u64) < fewest_bytes(is_jpeg, expected) {
         return invalid(path, "the photograph was cut short; copy it again".to_owned());
@@ -131,12 +131,12 @@ pub(super) fn decode(bytes: &[u8], expected: [u32; 2], path: &Path) -> Result<De
 }
 
 impl Decoded {
-    /// Whether it has an alpha channel.
+    /// Whether the photograph has an alpha channel.
     pub fn has_alpha(&self) -> bool {
         self.color.has_alpha()
     }
 
-    /// The colors of all pixels, row by row, if they have 8 bits and no alpha: they are 8-bit colors already.
+    /// The colors of all pixels, row by row, if the file has 8 bits and no alpha, so that they need no conversion.
     pub fn colors(&self) -> Option<Vec<[u8; 3]>> {
         match self.color {
             ColorType::L8 => Some(self.bytes.iter().map(|&gray| [gray; 3]).collect()),
@@ -145,7 +145,7 @@ impl Decoded {
         }
     }
 
-    /// Red, green, blue and alpha of column `x` and row `y`, of 0 to 1.
+    /// Red, green, blue and alpha of column `x` and row `y`, from 0 to 1.
     #[inline]
     pub fn rgba(&self, x: u32, y: u32) -> [f32; 4] {
         let first = (y as usize * self.width as usize + x as usize) * self.pixel_bytes;
@@ -158,7 +158,7 @@ impl Decoded {
     }
 }
 
-/// What 8 bits stand for.
+/// The values of 8-bit numbers.
 static UNIT: [f32; 256] = {
     let mut unit = [0.0; 256];
     let mut byte = 0;
@@ -169,7 +169,7 @@ static UNIT: [f32; 256] = {
     unit
 };
 
-/// A pixel of one to four channels: gray, gray and alpha, color, color and alpha.
+/// The RGBA of a pixel with one to four channels: gray, gray and alpha, color, color and alpha.
 #[inline]
 fn rgba_of<T>(channels: &[T], value: impl Fn(&T) -> f32) -> [f32; 4] {
     match channels {
@@ -181,7 +181,7 @@ fn rgba_of<T>(channels: &[T], value: impl Fn(&T) -> f32) -> [f32; 4] {
     }
 }
 
-/// Whether pixels of this type are read: 8 or 16 bits a channel.
+/// Whether this type of pixel is supported: 8 or 16 bits per channel.
 fn is_read(color: ColorType) -> bool {
     use ColorType::{L8, L16, La8, La16, Rgb8, Rgb16, Rgba8, Rgba16};
     matches!(color, L8 | La8 | Rgb8 | Rgba8 | L16 | La16 | Rgb16 | Rgba16)
@@ -211,8 +211,8 @@ fn wrong_size<T>(path: &Path, found: [u32; 2], expected: [u32; 2]) -> Result<T> 
     invalid(path, reason)
 }
 
-/// The length below which no file of the format holds so many pixels: a block of 8 x 8 has at least
-/// one bit in a JPEG, and a pixel of a PNG one before it is compressed.
+/// Least number of bytes in a file with this many pixels. In a JPEG, a block of 8 x 8 has at least one bit. In a PNG,
+/// a pixel has at least one bit before compression.
 fn fewest_bytes(is_jpeg: bool, [width, height]: [u32; 2]) -> u64 {
     let [width, height] = [width, height].map(u64::from);
     match is_jpeg {
@@ -221,10 +221,10 @@ fn fewest_bytes(is_jpeg: bool, [width, height]: [u32; 2]) -> u64 {
     }
 }
 
-/// Whether a PNG's palette consists of whole colors, 256 at most. The decoder panics on any other.
+/// Whether a PNG's palette consists of whole colors, at most 256. On any other palette, the decoder panics.
 fn has_whole_palette(bytes: &[u8]) -> bool {
     const SIGNATURE: usize = 8;
-    // A chunk is its length, its name, its data and a checksum.
+    // A chunk has a length, a name, data and a checksum.
     let mut rest = bytes.get(SIGNATURE..).unwrap_or_default();
     while let Some((&[a, b, c, d, ref name @ ..], after)) = rest.split_first_chunk::<8>() {
         let length = u32::from_be_bytes([a, b, c, d]) as usize;
@@ -236,11 +236,11 @@ fn has_whole_palette(bytes: &[u8]) -> bool {
     true
 }
 
-/// Whether a JPEG's own end-of-image marker is there. That of a thumbnail does not count.
+/// Whether a JPEG has its own end-of-image marker. That of a thumbnail does not count.
 fn has_jpeg_end(bytes: &[u8]) -> bool {
     const END: u8 = 0xd9;
-    // Markers are 0xff and another byte. Not 0xff, which pads, not 0, which escapes, and not those
-    // that stand in the middle of compressed data.
+    // A marker is 0xff and another byte. Exceptions are 0xff, which pads, 0, which escapes, and bytes that occur in
+    // the middle of compressed data.
     let is_marker = |pair: &[u8]| pair[0] == 0xff && !matches!(pair[1], 0 | 1 | 0xd0..=0xd7 | 0xff);
     let mut rest = bytes.get(2..).unwrap_or_default();
     while let Some(at) = rest.windows(2).position(is_marker) {
@@ -250,8 +250,8 @@ fn has_jpeg_end(bytes: &[u8]) -> bool {
         let length = rest
             .get(at + 2..at + 4)
             .map_or(0, |pair| usize::from(pair[0]) << 8 | usize::from(pair[1]));
-        // The length counts itself. What is compressed follows the header of a scan, and is
-        // searched for the next marker.
+        // The length includes itself. Compressed data follows the header of a scan, and is searched for the next
+        // marker.
         rest = rest.get(at + 2 + length..).unwrap_or_default();
     }
     false
@@ -262,7 +262,7 @@ mod tests {
     use super::*;
     use organza_core::image::to_8_bit;
 
-    /// So colors of 8 bits can be copied.
+    /// So 8-bit colors can be copied.
     #[test]
     fn eight_bits_stand_for_themselves() {
         for byte in 0..=255 {

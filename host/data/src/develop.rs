@@ -1,5 +1,5 @@
-//! From a photograph's file to the frame that is trained on: decoded, put in front of the
-//! background, undistorted and downscaled, one photograph at a time.
+//! Turns a photograph's file into a frame for training: decodes it, composites it over the background, undistorts and
+//! downscales it. One photograph at a time.
 
 use std::path::{Path, PathBuf};
 
@@ -13,31 +13,31 @@ use organza_core::image::to_8_bit;
 use organza_core::input::read_file;
 use organza_device::memory;
 
-/// A photograph that is there, and how it was taken.
+/// An existing photograph, with its camera and lens.
 pub(super) struct Shot {
-    /// The photograph's path as the data set writes it.
+    /// Path of the photograph, as the data set writes it.
     pub name: String,
-    /// Where it was found.
+    /// Path of the file that was found.
     pub path: PathBuf,
-    /// Where its mask is, if it has one. What is black in it is not used.
+    /// Path of its mask, if it has one. Black pixels of the mask are not used.
     pub mask: Option<PathBuf>,
     /// The camera of the whole photograph.
     pub camera: Camera,
-    /// What its lens does to the camera's image.
+    /// Distortion of the camera's image.
     pub lens: Lens,
-    /// How many times smaller it is to become.
+    /// Factor by which to downscale.
     pub factor: u32,
-    /// Whether the frame is kept from training.
+    /// Whether the frame is held out from training.
     pub held_out: bool,
 }
 
 impl Shot {
-    /// Reads the photograph; the digest is that of its file and its mask.
+    /// Reads the photograph. The digest is that of its file and of its mask.
     ///
     /// # Errors
-    /// [`organza_core::Error::ReadFile`]; [`organza_core::Error::Invalid`] for a photograph or a mask that cannot be
-    /// decoded, is not of the camera's size, or of which no pixel remains;
-    /// [`organza_core::error::DeviceError::OutOfMemory`] for one that does not fit into the budget.
+    /// [`organza_core::Error::ReadFile`]; [`organza_core::Error::Invalid`] if the photograph or its mask cannot be decoded, has
+    /// another size than the camera, or leaves no pixel; [`organza_core::error::DeviceError::OutOfMemory`] if it does not
+    /// fit into the budget.
     pub fn develop(&self, options: &DatasetOptions, budget: &Budget) -> Result<(Frame, Digest)> {
         let Camera { width, height, .. } = self.camera;
         let camera = self.smaller_camera()?;
@@ -64,7 +64,7 @@ impl Shot {
             })
         };
         let is_whole = self.lens.is_pinhole() && mask.is_none() && !alpha_hides;
-        // what would be resampled to itself is copied
+        // copy it, if resampling would not change it
         let copied = (is_whole && self.factor == 1).then(|| decoded.colors()).flatten();
         let image = match copied {
             Some(colors) => Photograph::new([width, height], colors, None)?,
@@ -87,7 +87,7 @@ impl Shot {
     /// The camera of the undistorted and downscaled photograph.
     ///
     /// # Errors
-    /// [`organza_core::Error::Invalid`] where no pixel is left.
+    /// [`organza_core::Error::Invalid`] if no pixel is left.
     pub fn smaller_camera(&self) -> Result<Camera> {
         let Camera { width, height, .. } = self.camera;
         if width.min(height) < self.factor {
@@ -112,8 +112,8 @@ impl Shot {
         Ok(Mask { file, used })
     }
 
-    /// The undistorted, smaller photograph. `texel` is the color and the alpha of a column and a row of the original, or
-    /// none where a mask hides it; `is_whole` says that no pixel can be missing.
+    /// The undistorted and downscaled photograph. `texel` is the color and alpha at a column and row of the original,
+    /// or `None` if a mask hides it. `is_whole` says that no pixel can be missing.
     fn resample(
         &self,
         is_whole: bool,
@@ -148,7 +148,7 @@ impl Shot {
                 }
             }
         }
-        // what is missing is not transparent, it is not known
+        // missing pixels are unknown, not transparent
         for (alpha, _) in alpha.iter_mut().zip(&valid).filter(|(_, valid)| !**valid) {
             *alpha = 255;
         }
@@ -156,16 +156,16 @@ impl Shot {
     }
 }
 
-/// A mask's file, and whether each pixel of its photograph is used, row by row.
+/// A mask's file, and whether each pixel of the photograph is used, row by row.
 struct Mask {
     file: Vec<u8>,
     used: Vec<bool>,
 }
 
-/// The camera of a photograph that someone made `factor` times smaller, to `size` pixels.
+/// The camera of a photograph that was already made `factor` times smaller, to `size` pixels.
 ///
 /// # Errors
-/// What is wrong, if `size` is more than a pixel from that.
+/// An explanation, if `size` differs from the expected one by more than a pixel.
 pub(super) fn prepared(camera: &Camera, factor: u32, size: [u32; 2]) -> Result<Camera, String> {
     let whole = [camera.width, camera.height];
     let is_near = |axis: usize| {
@@ -190,7 +190,7 @@ pub(super) fn prepared(camera: &Camera, factor: u32, size: [u32; 2]) -> Result<C
     })
 }
 
-/// The mean of a square of samples; none where one of them is missing.
+/// The mean of a square of samples; `None` if one of them is missing.
 pub fn mean<const CHANNELS: usize>(
     [left, top]: [u32; 2],
     factor: u32,
@@ -206,8 +206,8 @@ pub fn mean<const CHANNELS: usize>(
     Some(sum.map(|sum| sum / (factor as f32 * factor as f32)))
 }
 
-/// The color between the centers of pixels; none where one of them is hidden. Up to half a pixel around them, that of
-/// the border.
+/// The bilinearly interpolated color at a place; `None` if one of the pixels is hidden. Up to half a pixel outside,
+/// it is the color of the border.
 fn bilinear(
     place: [f64; 2],
     size: [u32; 2],

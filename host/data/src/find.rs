@@ -1,41 +1,41 @@
-//! Where the photographs of a data set are, and their masks.
+//! Finds the photographs of a data set, and their masks.
 //!
-//! Data sets are moved, packed and shrunk. So a photograph may be elsewhere than the data set says: below a tail of its
-//! path, or smaller in `images_N`.
+//! Data sets are moved, packed and shrunk. So a photograph may be in another place than the data set says: below a
+//! tail of its path, or smaller in `images_N`.
 
 use std::ffi::OsStr;
 use std::path::{Component, Path, PathBuf};
 
-/// The folder of photographs; `masks`, `images_2` and so on lie beside it.
+/// Name of the folder of photographs. `masks`, `images_2` and so on are beside it.
 const IMAGES: &str = "images";
 const MASKS: &str = "masks";
-/// Folders on the way to a photograph, for which its path's tails are looked at: a path may be of any length.
+/// Most folders in a photograph's path whose tails are tried: a path may be of any length.
 const DEEPEST: usize = 32;
-/// What a name may lack.
+/// Extensions that a name may lack.
 const EXTENSIONS: [&str; 6] = ["", ".png", ".jpg", ".jpeg", ".JPG", ".JPEG"];
 
-/// A photograph's file, and how it should be read.
+/// A photograph's file, and how to read it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Found {
     /// The photograph's file.
     pub path: PathBuf,
-    /// Whether the file is of `images_N`, and smaller already.
+    /// Whether the file is in `images_N`, and so smaller already.
     pub prepared: bool,
-    /// The mask beside it, in `masks` or `masks_N`.
+    /// Path of its mask, in `masks` or `masks_N`.
     pub mask: Option<PathBuf>,
 }
 
-/// The photograph that a data set in `folder` calls `name`, `downscale` times smaller if it is there that way; or else
-/// where the whole one should have been.
+/// The photograph that a data set in `folder` calls `name`. It is `downscale` times smaller if such a file exists.
+/// The error is the path where the whole one should be.
 ///
-/// `mask` is what the data set says of its mask.
+/// `mask` is the mask's path, according to the data set.
 pub(super) fn photograph(
     folder: &Path,
     name: &str,
     mask: Option<&str>,
     downscale: u32,
 ) -> Result<Found, PathBuf> {
-    // Files written on Windows have its separator.
+    // Files written on Windows have backslashes.
     let names = [name.to_owned(), name.replace('\\', "/")];
     let paths = || names.iter().flat_map(|name| tails(Path::new(name)));
     if downscale > 1 {
@@ -46,7 +46,7 @@ pub(super) fn photograph(
             let found = mask_of(folder, &path, named.as_deref(), &images, &masks);
             let whole = sibling(&path, &images, IMAGES);
             let whole_mask = whole.and_then(|whole| mask_of(folder, &whole, None, IMAGES, MASKS));
-            // Without its mask, the smaller photograph would show what the mask hides.
+            // Without a mask, the smaller photograph would show what the mask hides.
             if found.is_some() || (mask.is_none() && whole_mask.is_none()) {
                 return Ok(Found { path: folder.join(path), prepared: true, mask: found });
             }
@@ -61,8 +61,8 @@ pub(super) fn photograph(
     }
 }
 
-/// A path and its tails, the longest first: some programs write paths that begin in a folder above the data set. A tail
-/// has a folder's name at least, as names of files alone repeat from folder to folder.
+/// A path and its tails, the longest first: some programs write paths that start in a folder above the data set. A
+/// tail has at least one folder, because different folders repeat the names of files.
 fn tails(path: &Path) -> Vec<PathBuf> {
     let names: Vec<&OsStr> = path
         .components()
@@ -77,7 +77,7 @@ fn tails(path: &Path) -> Vec<PathBuf> {
     std::iter::once(path.to_owned()).chain(tails).collect()
 }
 
-/// The path with a folder of it replaced; none if it has no such folder.
+/// The path with one of its folders replaced; `None` if it has no such folder.
 fn sibling(path: &Path, folder: &str, by: &str) -> Option<PathBuf> {
     let at = path.parent()?.components().position(|part| part.as_os_str() == folder)?;
     let replace = |(index, part): (usize, Component<'_>)| match index == at {
@@ -87,7 +87,7 @@ fn sibling(path: &Path, folder: &str, by: &str) -> Option<PathBuf> {
     Some(path.components().enumerate().map(replace).collect())
 }
 
-/// `path` below `folder`, with an extension if it lacks one, if it is a file.
+/// The file `path` below `folder`, with an extension if it lacks one; `None` if it does not exist.
 fn with_extension(folder: &Path, path: &Path) -> Option<PathBuf> {
     let with = |extension: &&str| {
         let mut name = path.as_os_str().to_owned();
@@ -101,8 +101,8 @@ fn with_extension(folder: &Path, path: &Path) -> Option<PathBuf> {
     EXTENSIONS.iter().map(with).find(is_file)
 }
 
-/// The mask of a photograph: the one that the data set names, or `masks/NAME.png` beside `images/NAME`, as COLMAP has it,
-/// or with the photograph's extension replaced.
+/// The mask of a photograph: the one that the data set names, or `masks/NAME.png` for `images/NAME`, as in COLMAP, or
+/// the same with the photograph's extension replaced.
 fn mask_of(
     folder: &Path,
     photograph: &Path,
@@ -111,7 +111,7 @@ fn mask_of(
     masks: &str,
 ) -> Option<PathBuf> {
     if let Some(named) = named {
-        // One that is not there is reported when it is read.
+        // If it does not exist, reading it reports that.
         let found = tails(named).into_iter().find(|path| folder.join(path).exists());
         return Some(folder.join(found.as_deref().unwrap_or(named)));
     }

@@ -1,4 +1,4 @@
-//! What a data set is known by: a run goes on with the data that it began with, or not at all.
+//! Identifies a data set, so that a run only resumes with the data that it began with.
 
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
@@ -7,7 +7,7 @@ use super::Point;
 use super::lens::Lens;
 use organza_core::camera::Camera;
 
-/// The SHA-256 of a photograph's file, and of its mask's if it has one.
+/// SHA-256 of a photograph's file, and of its mask if it has one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Digest([u8; 32]);
 
@@ -18,19 +18,19 @@ impl Digest {
     }
 }
 
-/// Hashes of what a data set holds. Two data sets of the same fingerprint hold the same.
+/// Hashes of a data set. Two data sets with the same fingerprint have the same content.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Fingerprint {
     /// Each frame's name, camera and lens, and whether it is held out.
     frames: String,
-    /// The photographs' files; empty where there are none, as frames were rendered.
+    /// The photographs' files; empty if there are none, because frames were rendered.
     photographs: String,
-    /// The points where training may start.
+    /// The points from which training may start.
     points: String,
 }
 
 impl Fingerprint {
-    /// What has changed since `earlier`, in words.
+    /// Describes the difference to `earlier`; `None` if there is none.
     pub fn difference(&self, earlier: &Self) -> Option<&'static str> {
         let parts = [
             (
@@ -75,7 +75,7 @@ impl Fingerprint {
     }
 }
 
-/// 32 digits are enough where nobody is looking for a collision.
+/// 32 digits are enough, because nobody tries to find a collision.
 fn hex(hash: Sha256) -> String {
     hash.finalize().iter().take(16).map(|byte| format!("{byte:02x}")).collect()
 }

@@ -1,4 +1,4 @@
-//! The parsers of data sets, on bytes.
+//! Runs the parsers of data sets on arbitrary bytes.
 
 use std::io::Cursor;
 use std::path::Path;
@@ -10,10 +10,10 @@ use super::transforms::{Photographs, add_frames};
 use super::{DatasetKind, DatasetOptions, Listing, colmap, decode, ply};
 use organza_core::input::parse_json;
 
-/// The memory that a photograph may take.
+/// Memory that a photograph may take, in bytes.
 const PHOTOGRAPH_BYTES: u64 = 64 << 20;
 
-/// nerfstudio's and Blender's files, as if every photograph were there.
+/// Parses nerfstudio's and Blender's files, as if every photograph existed.
 pub fn transforms(bytes: &[u8], path: &Path) {
     let Ok(file) = parse_json(bytes, path) else { return };
     let photographs = Photographs {
@@ -28,17 +28,17 @@ pub fn transforms(bytes: &[u8], path: &Path) {
     let _ = add_frames(&file, path, &mut listing, |_| false, &options, &mut reach, &photographs);
 }
 
-/// Each file of a sparse model, binary and text.
+/// Parses each file of a sparse model, binary and text.
 pub fn colmap(bytes: &[u8], path: &Path) {
     colmap::fuzz(bytes, path);
 }
 
-/// A point cloud.
+/// Parses a point cloud.
 pub fn ply(bytes: &[u8], path: &Path) {
     let _ = ply::read_from(bytes, bytes.len() as u64, path);
 }
 
-/// A photograph whose camera has its size.
+/// Decodes a photograph, with a camera of its size.
 pub fn photograph(bytes: &[u8], path: &Path) {
     let length = bytes.len() as u64;
     let Ok(size) = decode::size_from(Cursor::new(bytes), length, path) else { return };

@@ -1,4 +1,4 @@
-//! Where photographs are kept: in memory or, where they do not fit, in a temporary file.
+//! Keeps photographs in memory or, if they do not fit, in a temporary file.
 
 use std::env;
 use std::fs::File;
@@ -16,25 +16,25 @@ use serde::{Deserialize, Serialize};
 use organza_core::error::{Error, Result};
 use organza_device::memory;
 
-/// Where photographs are kept while they are used. Their bits are the same everywhere.
+/// The storage for photographs while they are used. Their bits do not depend on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Keep {
-    /// In memory if they take up to three quarters of what is free, and otherwise on disk.
+    /// In memory if they take at most three quarters of the free memory, otherwise on disk.
     #[default]
     Auto,
-    /// In memory; if they do not fit, that is an error.
+    /// In memory. It is an error if they do not fit.
     Memory,
-    /// In a temporary file without a name, which is gone with the program. The system reads from it what is looked at, and
-    /// holds as much of it as there is memory to spare.
+    /// In a temporary file without a name, which disappears with the program. The system reads parts on demand, and
+    /// caches as much as memory allows.
     Disk,
 }
 
-/// The part of the free memory that photographs may take before they are kept on disk: training needs some, too.
+/// Largest part of the free memory that photographs may take before they go to disk: training needs some, too.
 const PART: f64 = 0.75;
 
 impl Keep {
-    /// Whether photographs of so many bytes are kept on disk.
+    /// Whether photographs of this many bytes are kept on disk.
     pub(super) fn is_on_disk(self, bytes: u64, available: Option<u64>) -> bool {
         match self {
             Self::Auto => available.is_some_and(|free| bytes as f64 > PART * free as f64),
@@ -43,10 +43,10 @@ impl Keep {
         }
     }
 
-    /// The place of photographs of so many bytes: none is memory.
+    /// Creates the storage for photographs of this many bytes; `None` for memory.
     ///
     /// # Errors
-    /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory) where they must be in memory and do not fit;
+    /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory) if they must be in memory and do not fit;
     /// [`Error::WriteFile`].
     pub(super) fn store(self, bytes: u64) -> Result<Option<Store>> {
         if self.is_on_disk(bytes, memory::available()) {
@@ -58,19 +58,19 @@ impl Keep {
     }
 }
 
-/// A temporary file.
+/// A temporary file for photographs.
 #[derive(Debug)]
 pub(super) struct Store {
     folder: PathBuf,
-    /// With its length.
+    /// The file and its length.
     file: Mutex<(File, u64)>,
 }
 
-/// Where pages of a file may begin, on any system that is known.
+/// Alignment of a mapped part of the file: at least the page size of any known system.
 const PAGE: u64 = 1 << 16;
 
 impl Store {
-    /// An empty one, in the folder that `TMPDIR` names, or else in `/var/tmp`: `/tmp` may be memory.
+    /// Creates an empty file in the folder that `TMPDIR` names, or else in `/var/tmp`: `/tmp` may be memory.
     fn new() -> Result<Self> {
         let lasting = Path::new("/var/tmp");
         let is_chosen = env::var_os("TMPDIR").is_some() || !lasting.is_dir();
@@ -87,7 +87,7 @@ impl Store {
     /// Moves values to the file.
     ///
     /// # Errors
-    /// [`Error::WriteFile`] where the folder's disk is full, say.
+    /// [`Error::WriteFile`], for example if the disk is full.
     pub fn keep<T: NoUninit>(&self, values: &[T]) -> Result<Kept<T>> {
         let bytes: &[u8] = bytemuck::cast_slice(values);
         let mut guard = self.file.lock().unwrap_or_else(PoisonError::into_inner);
@@ -97,8 +97,8 @@ impl Store {
         let mut write = || -> std::io::Result<Mmap> {
             file.write_all(bytes)?;
             file.write_all(&vec![0; padding])?;
-            // SAFETY: the file has no name, so no other program opens it, and this one writes to it only behind what it
-            // has mapped.
+            // SAFETY: the file has no name, so no other program opens it. This one writes only after the parts that
+            // it has mapped.
             unsafe { MmapOptions::new().offset(begin).len(bytes.len()).map(&*file) }
         };
         let map = write().map_err(|source| Error::write(&self.folder, source))?;
@@ -107,11 +107,11 @@ impl Store {
     }
 }
 
-/// Values that do not change, wherever they are.
+/// Values that do not change, in memory or on disk.
 #[derive(Clone, Debug)]
 pub(super) enum Kept<T> {
     Memory(Vec<T>),
-    /// Written by [`Store::keep`] from a slice of T.
+    /// In a store: [`Store::keep`] has written a slice of T.
     Disk {
         map: Arc<Mmap>,
         values: PhantomData<T>,
@@ -119,10 +119,10 @@ pub(super) enum Kept<T> {
 }
 
 impl<T: NoUninit> Kept<T> {
-    /// The same values in a store.
+    /// Moves the values to a store.
     ///
     /// # Errors
-    /// As [`Store::keep`].
+    /// The same errors as [`Store::keep`].
     pub fn moved(self, store: &Store) -> Result<Self> {
         match &self {
             Self::Memory(values) if !values.is_empty() => store.keep(values),
@@ -139,8 +139,8 @@ impl<T> Deref for Kept<T> {
             Self::Memory(values) => values,
             Self::Disk { map, .. } => {
                 let len = map.len() / size_of::<T>();
-                // SAFETY: the bytes are those of a slice of T, and nothing writes to them any more. A map begins at a
-                // page's begin, which is aligned for every T.
+                // SAFETY: the bytes are those of a slice of T, and nothing writes to them anymore. A map starts at
+                // the start of a page, which is aligned for every T.
                 unsafe { slice::from_raw_parts(map.as_ptr().cast(), len) }
             }
         }

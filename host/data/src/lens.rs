@@ -1,21 +1,21 @@
-//! How a lens bends light: OpenCV's two models. One bends a pinhole's image, by radial terms (a quotient of polynomials) and
-//! tangential ones. The other is for fisheyes, whose radius is a polynomial of the angle to the optical axis.
+//! Lens distortion in OpenCV's two models. One distorts a pinhole's image by radial terms (a quotient of polynomials)
+//! and tangential terms. The other is for fisheyes: the radius is a polynomial of the angle to the optical axis.
 
 use organza_core::camera::Camera;
 
-/// How finely the radius at which a lens folds is looked for, in steps of the squared radius.
+/// Number of steps, in squared radius, in the search for the radius at which a lens folds.
 const FOLD_STEPS: u32 = 4096;
 
-/// Distortion coefficients. Those of a pinhole are all 0, and it is no fisheye.
+/// Distortion coefficients. A pinhole has all 0, and is no fisheye.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Lens {
-    /// Whether the radius is a function of the angle: an equidistant projection, if all coefficients are 0.
+    /// Whether the radius is a function of the angle. With all coefficients 0, that is an equidistant projection.
     pub fisheye: bool,
-    /// k1 to k4 of a fisheye; otherwise k1, k2, k3 and nerfstudio's k4.
+    /// k1 to k4 of a fisheye. Otherwise k1, k2, k3, and nerfstudio's k4.
     pub radial: [f64; 4],
-    /// k4, k5 and k6 of OpenCV: the radial terms of the denominator.
+    /// OpenCV's k4, k5 and k6: the radial terms of the denominator.
     pub denominator: [f64; 3],
-    /// p1, p2.
+    /// p1 and p2, the tangential coefficients.
     pub tangential: [f64; 2],
 }
 
@@ -25,12 +25,12 @@ impl Lens {
         self.radial.into_iter().chain(self.denominator).chain(self.tangential)
     }
 
-    /// Whether the photograph is a pinhole image as it is.
+    /// Whether the photograph is a pinhole image already.
     pub fn is_pinhole(&self) -> bool {
         !self.fisheye && self.coefficients().all(|coefficient| coefficient == 0.0)
     }
 
-    /// Where the lens puts a point that a pinhole puts at `[x, y]`, both at depth 1.
+    /// The distorted place of a point that a pinhole shows at `[x, y]`, both at depth 1.
     pub fn distort(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let square = x * x + y * y;
         let radial = self.radial(square);
@@ -41,7 +41,7 @@ impl Lens {
         ]
     }
 
-    /// The factor by which a radius grows that a pinhole puts at `square`, squared.
+    /// The factor of a point's radius, whose square is `square` in a pinhole's image.
     fn radial(&self, square: f64) -> f64 {
         if self.fisheye {
             let radius = square.sqrt();
@@ -53,14 +53,14 @@ impl Lens {
         polynomial(self.radial, square) / polynomial([k4, k5, k6, 0.0], square)
     }
 
-    /// The squared radius, `farthest` at most, up to which the lens's radial terms are one-to-one.
+    /// The squared radius, at most `farthest`, up to which the radial terms are one-to-one.
     ///
-    /// Beyond it the radius shrinks again and shows the photograph's inside once more, which no lens does: the
-    /// coefficients were fitted to what is in the photograph, and are wrong there.
+    /// Beyond it the radius shrinks again, and would show the photograph's inside once more. No lens does that: the
+    /// coefficients were fitted to points in the photograph, and are wrong beyond.
     fn fold(&self, farthest: f64) -> f64 {
         let square = |step: u32| farthest * f64::from(step) / f64::from(FOLD_STEPS);
         let radius = |step: u32| square(step).sqrt() * self.radial(square(step));
-        // A NaN does not grow either.
+        // NaN does not grow either.
         let grows = |step: u32| radius(step) > radius(step - 1);
         let fold = (1..=FOLD_STEPS).find(|&step| !grows(step));
         fold.map_or(f64::INFINITY, |step| square(step - 1))
@@ -72,7 +72,7 @@ fn polynomial([k1, k2, k3, k4]: [f64; 4], x: f64) -> f64 {
     1.0 + x * (k1 + x * (k2 + x * (k3 + x * k4)))
 }
 
-/// The way from an undistorted image back to the photograph. Both have the camera's intrinsics.
+/// Maps an undistorted image to the photograph. Both have the camera's intrinsics.
 pub(super) struct Undistortion<'a> {
     camera: &'a Camera,
     lens: &'a Lens,
@@ -89,8 +89,8 @@ impl<'a> Undistortion<'a> {
         way
     }
 
-    /// Where in the photograph a place of the undistorted image is, both in pixels from the upper
-    /// left corner; none where the photograph does not reach.
+    /// The place in the photograph of a place in the undistorted image. Both are in pixels from the upper left
+    /// corner. `None` if it is outside of the photograph.
     pub fn source(&self, place: [f64; 2]) -> Option<[f64; 2]> {
         let Camera { fl_x, fl_y, cx, cy, width, height, .. } = *self.camera;
         let plane = self.plane(place);

@@ -1,6 +1,6 @@
-//! Photographs with the cameras that took them: what a scene is trained on and measured against.
+//! Photographs and their cameras, to train a scene on and to compare it with.
 //!
-//! Read are nerfstudio's, Blender's (NeRF synthetic) and COLMAP's data sets; see `docs/data.md`.
+//! Reads the data sets of nerfstudio, Blender (NeRF synthetic) and COLMAP: see `docs/data.md`.
 
 mod background;
 mod beside;
@@ -45,16 +45,16 @@ pub use photograph::Photograph;
 pub use poses::{Pose, Poses, kind_of};
 use reach::Reach;
 
-/// Where a data set came from.
+/// The format of a data set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DatasetKind {
     /// nerfstudio's `transforms.json`.
     Nerfstudio,
-    /// `transforms_train.json` and `transforms_test.json`, as NeRF's synthetic scenes have them.
+    /// `transforms_train.json` and `transforms_test.json`, like NeRF's synthetic scenes.
     Blender,
     /// A sparse model of COLMAP.
     Colmap,
-    /// Frames that a caller made.
+    /// Frames that the caller made.
     Generated,
 }
 
@@ -69,23 +69,23 @@ impl fmt::Display for DatasetKind {
     }
 }
 
-/// A photograph and the camera that took it.
+/// A photograph and its camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// The photograph's path as the data set writes it.
+    /// Path of the photograph, as the data set writes it.
     pub name: String,
-    /// The pinhole camera that belongs to `image`: undistorted, and of its size.
+    /// The pinhole camera of `image`: undistorted, and of its size.
     pub camera: Camera,
     /// The photograph, undistorted and downscaled.
     pub image: Photograph,
 }
 
-/// A point where training may start.
+/// A point from which training may start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
-    /// Where it is, in world units; finite in f32.
+    /// Position in world units, finite in f32.
     pub position: [f64; 3],
-    /// Its red, green and blue as sRGB values, where the data set has them.
+    /// Red, green and blue as sRGB values, if the data set has them.
     pub color: Option<[u8; 3]>,
 }
 
@@ -110,32 +110,32 @@ pub struct Point {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Dataset {
-    /// All frames: in the file's order (nerfstudio), those of the train file and then those of the
-    /// test file (Blender), or sorted by name (COLMAP).
+    /// All frames. Their order is that of the file (nerfstudio), of the train file and then the test file (Blender),
+    /// or of their names (COLMAP).
     pub frames: Vec<Frame>,
-    /// Indices into `frames` of those to train on, ascending.
+    /// Indices of the frames to train on, ascending.
     pub train: Vec<usize>,
-    /// Indices into `frames` of those held out to measure on, ascending.
+    /// Indices of the held-out frames, ascending.
     pub held_out: Vec<usize>,
     /// The color behind the scene: red, green and blue, 0 to 1.
     pub background: [f64; 3],
-    /// Points where training may start; empty where the data set has none.
+    /// Points from which training may start; empty if the data set has none.
     pub points: Vec<Point>,
-    /// Photographs that the data set names and that are not there; their frames are left out.
+    /// Photographs in the data set whose files do not exist. Their frames are left out.
     pub missing: Vec<PathBuf>,
-    /// How many frames have a mask, a file beside the photograph.
+    /// Number of frames with a mask: a file beside the photograph.
     pub masked: usize,
-    /// How many photographs were smaller already, in a folder such as `images_2`.
+    /// Number of photographs that were smaller already, in a folder such as `images_2`.
     pub prepared: usize,
-    /// Files that were read outside the data set's folder, as it names them.
+    /// Files outside of the data set's folder, as the data set names them.
     pub outside: Vec<PathBuf>,
-    /// The folder of the temporary file that holds the photographs, where they are not in memory.
+    /// Folder of the temporary file with the photographs, if they are not in memory.
     pub kept_in: Option<PathBuf>,
-    /// What it is known by.
+    /// Identifies the data set.
     pub fingerprint: Fingerprint,
-    /// What kind of data set it was.
+    /// Format of the data set.
     pub kind: DatasetKind,
-    /// What it was read from; empty for frames that a caller made.
+    /// Path of the data set; empty for frames that a caller made.
     pub path: PathBuf,
 }
 
@@ -153,7 +153,7 @@ impl Listing {
         Self { kind, shots: vec![], missing: vec![], points: vec![], prepared: 0 }
     }
 
-    /// Adds a photograph that was found; `camera` is that of the whole one, and has its name.
+    /// Adds a photograph that was found. `camera` is that of the whole photograph, and has its name.
     fn add(
         &mut self,
         Found { path, prepared, mask }: Found,
@@ -182,27 +182,27 @@ impl Listing {
 }
 
 impl Dataset {
-    /// Reads a data set: a folder, or a `transforms.json` itself. Of a folder the first of these
-    /// counts: `transforms.json`, `transforms_train.json`, a sparse model of COLMAP in `sparse/0`,
-    /// `sparse`, `colmap/sparse/0` or the folder itself.
+    /// Reads a data set: a folder, or a `transforms.json`. In a folder, the first of these is used:
+    /// `transforms.json`, `transforms_train.json`, or a sparse model of COLMAP in `sparse/0`, `sparse`,
+    /// `colmap/sparse/0` or the folder itself.
     ///
-    /// A photograph that is not there is listed in `missing`, and its frame left out. Which frames
-    /// are held out does not depend on that: missing ones are counted too.
+    /// If a photograph does not exist, it is listed in `missing` and its frame is left out. It still counts in the
+    /// choice of held-out frames, so this choice does not change.
     ///
     /// # Errors
-    /// [`Error::Argument`] for options out of range; [`Error::ReadFile`], [`Error::BadJson`],
-    /// [`Error::Invalid`] or [`Error::Camera`] for what is damaged, unknown or not supported;
-    /// [`Error::Invalid`] where no frame is left to train on, or where a file is outside the data
-    /// set's folder and must not be; [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
+    /// [`Error::Argument`] for options out of range; [`Error::ReadFile`], [`Error::BadJson`], [`Error::Invalid`] or
+    /// [`Error::Camera`] for files that are damaged, unknown or not supported; [`Error::Invalid`] if no frame is left
+    /// to train on, or if a file is outside of the data set's folder and must not be;
+    /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
     pub fn load(path: impl AsRef<Path>, options: &DatasetOptions) -> Result<Self> {
         Self::load_with_progress(path, options, &mut |_, _| {})
     }
 
-    /// As [`Dataset::load`]; calls `progress` with the number of photographs that are done, and of all. The first
-    /// call is before the first photograph.
+    /// Like [`Dataset::load`], but calls `progress` with the number of finished photographs and of all photographs.
+    /// The first call is before the first photograph.
     ///
     /// # Errors
-    /// As [`Dataset::load`].
+    /// The same errors as [`Dataset::load`].
     pub fn load_with_progress(
         path: impl AsRef<Path>,
         options: &DatasetOptions,
@@ -218,7 +218,7 @@ impl Dataset {
         let options = DatasetOptions { background: Background::Color(background), ..options };
         let count = shots.len();
         let bytes = bytes_of(&shots);
-        // before hours of reading
+        // checked before hours of reading
         let store = options.keep.store(bytes)?;
         let budget = Budget::beside(if store.is_some() { 0 } else { bytes });
         progress(0, count);
@@ -271,13 +271,13 @@ impl Dataset {
         self.train.iter().map(|&index| &self.frames[index])
     }
 
-    /// The frames that are held out to measure on.
+    /// The held-out frames.
     pub fn held_out_frames(&self) -> impl ExactSizeIterator<Item = &Frame> {
         self.held_out.iter().map(|&index| &self.frames[index])
     }
 
-    /// A data set of frames that were not read from files, on a black background. Every `hold_out_every`-th
-    /// frame is held out, beginning with the first; 0 holds none out.
+    /// A data set of frames that were not read from files, on a black background. Every `hold_out_every`-th frame is
+    /// held out, starting with the first; 0 holds out none.
     #[must_use]
     pub fn from_frames(frames: Vec<Frame>, hold_out_every: usize) -> Self {
         let (held_out, train) =
@@ -305,13 +305,13 @@ impl Dataset {
     }
 }
 
-/// Whether the frame at a position of the data set's order is held out.
+/// Whether the frame at a position in the data set's order is held out.
 pub fn is_held_out(position: usize, every: usize) -> bool {
-    // No number but 0 is a multiple of 0, and with 0 not even the first frame is held out.
+    // Only 0 is a multiple of 0. With 0, not even the first frame may be held out.
     every != 0 && position.is_multiple_of(every)
 }
 
-/// What a folder has that is a data set.
+/// The files that make a folder a data set.
 enum Layout {
     Nerfstudio(PathBuf),
     Blender(PathBuf),
@@ -319,7 +319,7 @@ enum Layout {
 }
 
 impl Layout {
-    /// That of a folder.
+    /// The layout of a folder.
     fn of(folder: &Path) -> Option<Self> {
         let file = |name: &str| Some(folder.join(name)).filter(|path| path.exists());
         file(transforms::NERFSTUDIO)
@@ -329,7 +329,7 @@ impl Layout {
     }
 }
 
-/// Finds out what kind of data set a path is, and what it holds.
+/// Recognizes the format of a data set, and lists its content.
 fn list(path: &Path, options: &DatasetOptions, reach: &mut Reach) -> Result<Listing> {
     if !path.is_dir() {
         let is_blender = path.file_name().is_some_and(|name| name == transforms::BLENDER_TRAIN);
@@ -355,8 +355,8 @@ fn list(path: &Path, options: &DatasetOptions, reach: &mut Reach) -> Result<List
     }
 }
 
-/// Where else to look, if a folder has no data set or no photographs: COLMAP's dense workspace, a folder within, or
-/// smaller photographs.
+/// Suggests another place, if a folder has no data set or no photographs: COLMAP's dense workspace, a folder within,
+/// or smaller photographs.
 fn hint(path: &Path) -> Option<String> {
     if !path.is_dir() {
         return None;
@@ -375,7 +375,7 @@ fn hint(path: &Path) -> Option<String> {
     Some(format!("; {} is a data set", nested.display()))
 }
 
-/// The bytes that the photographs will take at most.
+/// Most bytes that the photographs will take.
 fn bytes_of(shots: &[Shot]) -> u64 {
     let pixels = |shot: &Shot| {
         let side = |side: u32| u64::from(side / shot.factor);

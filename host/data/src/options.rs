@@ -1,10 +1,10 @@
-//! How photographs are read.
+//! Options for reading photographs.
 
 use super::background::{Alpha, Background};
 use super::keep::Keep;
 use organza_core::error::{Error, Result};
 
-/// How photographs are read, and which of them are kept from training.
+/// Options for reading photographs, and for the choice of held-out frames.
 ///
 /// ```
 /// use organza_data::DatasetOptions;
@@ -15,20 +15,20 @@ use organza_core::error::{Error, Result};
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct DatasetOptions {
-    /// Photographs become smaller by this factor, 1 or more: a pixel is the mean of a square of
-    /// `downscale` by `downscale` pixels. What is left over at the right and the lower edge, where
-    /// a side does not divide, is cut off. Cameras follow.
+    /// Factor by which photographs are reduced, 1 or more. A pixel is the mean of a square of `downscale` x
+    /// `downscale` pixels. Pixels that do not fill a square, at the right and lower edges, are cut off. Cameras
+    /// change accordingly.
     pub downscale: u32,
-    /// Every Nth frame is held out, beginning with the first; 0 holds none out. The frames
-    /// of Blender's `transforms_test.json`, where there is one, are held out instead.
+    /// Every Nth frame is held out, starting with the first; 0 holds out none. If there is Blender's
+    /// `transforms_test.json`, its frames are held out instead.
     pub hold_out_every: usize,
-    /// What photographs with an alpha channel are put in front of.
+    /// Background of photographs with an alpha channel.
     pub background: Background,
-    /// What an alpha channel is for.
+    /// Meaning of an alpha channel.
     pub alpha: Alpha,
-    /// Whether the data set may name files outside its own folder, by their paths or by links.
+    /// Whether the data set may name files outside its own folder, by path or by link.
     pub allow_outside: bool,
-    /// Where photographs are kept.
+    /// Storage for the photographs.
     pub keep: Keep,
 }
 

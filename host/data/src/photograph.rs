@@ -1,4 +1,4 @@
-//! The pixels of a photograph, and which of them the lens has seen.
+//! The pixels of a photograph, and their validity.
 
 use super::keep::{Kept, Store};
 use organza_core::error::{Error, Result};
@@ -6,26 +6,26 @@ use organza_core::image::Image;
 
 /// An image of 8-bit red, green and blue as sRGB values.
 ///
-/// Undistorting may leave pixels that no pixel of the photograph belongs to: these are not valid,
-/// and nothing may be learned from them or measured on them.
+/// Undistorting may leave pixels outside of the photograph. These are not valid: training and comparisons must ignore
+/// them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Photograph {
     width: u32,
     height: u32,
-    /// Row by row.
+    /// Colors, row by row.
     pixels: Kept<[u8; 3]>,
-    /// Row by row; none where all are valid.
+    /// Validity, row by row; `None` if all pixels are valid.
     valid: Option<Kept<bool>>,
-    /// Row by row; none where all are opaque.
+    /// Alpha, row by row; `None` if all pixels are opaque.
     alpha: Option<Kept<u8>>,
 }
 
 impl Photograph {
-    /// A photograph of `[width, height]` pixels, row by row. `valid` has as many values as there
-    /// are pixels; without it every pixel is valid.
+    /// A photograph of `[width, height]` pixels, row by row. `valid` has a value for each pixel; without it, all are
+    /// valid.
     ///
     /// # Errors
-    /// [`Error::Argument`] where the lengths are not those of the size.
+    /// [`Error::Argument`] if the lengths do not match the size.
     pub fn new(
         [width, height]: [u32; 2],
         pixels: Vec<[u8; 3]>,
@@ -42,10 +42,10 @@ impl Photograph {
         Ok(Self { width, height, pixels: pixels.into(), valid, alpha: None })
     }
 
-    /// With the alpha of every pixel, row by row, of 0 to 255; the background is in its pixels already.
+    /// Adds the alpha of every pixel, row by row, from 0 to 255. The pixels must already contain the background.
     ///
     /// # Errors
-    /// [`Error::Argument`] where the length is not that of the size.
+    /// [`Error::Argument`] if the length does not match the size.
     pub fn with_alpha(mut self, alpha: Vec<u8>) -> Result<Self> {
         let count = self.pixels.len();
         if alpha.len() != count {
@@ -56,10 +56,10 @@ impl Photograph {
         Ok(self)
     }
 
-    /// The same photograph, kept in a store.
+    /// Moves the photograph to a store.
     ///
     /// # Errors
-    /// As [`Store::keep`].
+    /// The same errors as [`Store::keep`].
     pub(super) fn moved(self, store: &Store) -> Result<Self> {
         let Self { width, height, pixels, valid, alpha } = self;
         let pixels = pixels.moved(store)?;
@@ -80,13 +80,13 @@ impl Photograph {
         self.height
     }
 
-    /// Red, green and blue of every pixel, row by row. Those that are not valid are black.
+    /// Red, green and blue of every pixel, row by row. Invalid pixels are black.
     #[must_use]
     pub fn pixels(&self) -> &[[u8; 3]] {
         &self.pixels
     }
 
-    /// Whether each pixel is valid, row by row; none where all are.
+    /// Whether each pixel is valid, row by row; `None` if all are.
     #[must_use]
     pub fn valid(&self) -> Option<&[bool]> {
         self.valid.as_deref()
@@ -98,29 +98,29 @@ impl Photograph {
         self.valid.is_none()
     }
 
-    /// Whether the pixel of column `x` and row `y` is valid.
+    /// Whether the pixel in column `x` and row `y` is valid.
     ///
     /// # Panics
-    /// Where the pixel is outside the photograph.
+    /// If the pixel is outside the photograph.
     #[must_use]
     pub fn is_valid(&self, x: u32, y: u32) -> bool {
         let index = self.index(x, y);
         self.valid.as_ref().is_none_or(|valid| valid[index])
     }
 
-    /// Red, green and blue of column `x` and row `y`, of 0 to 1.
+    /// Red, green and blue of the pixel in column `x` and row `y`, from 0 to 1.
     ///
     /// # Panics
-    /// Where the pixel is outside the photograph.
+    /// If the pixel is outside the photograph.
     #[must_use]
     pub fn color(&self, x: u32, y: u32) -> [f32; 3] {
         self.pixels[self.index(x, y)].map(|value| f32::from(value) / 255.0)
     }
 
-    /// How opaque the photograph's file says that column `x` and row `y` is, 0 to 1.
+    /// Alpha in the photograph's file of the pixel in column `x` and row `y`, from 0 to 1.
     ///
     /// # Panics
-    /// Where the pixel is outside the photograph.
+    /// If the pixel is outside the photograph.
     #[must_use]
     pub fn alpha(&self, x: u32, y: u32) -> f32 {
         let index = self.index(x, y);
@@ -139,7 +139,7 @@ impl Photograph {
     }
 }
 
-/// An image that was rendered, all of it valid.
+/// A rendered image, in which all pixels are valid.
 impl From<&Image> for Photograph {
     fn from(image: &Image) -> Self {
         let [width, height] = image.size();

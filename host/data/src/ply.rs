@@ -1,4 +1,4 @@
-//! Vertices of PLY files: text, and binary of either byte order. And point clouds, as nerfstudio writes them.
+//! Reads vertices of PLY files (text, and binary of either byte order), and point clouds in nerfstudio's form.
 
 use std::cell::Cell;
 use std::io::{self, BufReader, Read};
@@ -15,33 +15,32 @@ use organza_core::error::{Error, Result};
 use organza_core::input::open_regular;
 use organza_device::memory;
 
-/// The longest header and the longest line of text that are read. A header of a scan with all its
-/// comments has some kilobytes.
+/// Longest header and longest line of text, in bytes. The header of a scan with all its comments has a few kilobytes.
 const MAX_LINE: u64 = 1 << 20;
 const POSITION: [&str; 3] = ["x", "y", "z"];
 const COLOR: [&str; 3] = ["red", "green", "blue"];
 
-/// The vertices of a PLY file.
+/// Reads the vertices of a PLY file.
 ///
 /// # Errors
-/// [`Error::ReadFile`]; [`Error::Invalid`] for a file that is no PLY, was cut short, or has
-/// vertices without a finite position.
+/// [`Error::ReadFile`]; [`Error::Invalid`] if the file is no PLY, was cut short, or has vertices without a finite
+/// position.
 pub(super) fn read(path: &Path) -> Result<Vec<Point>> {
     let (file, length) = open_regular(path)?;
     read_from(file, length, path)
 }
 
-/// [`read`] from what is `length` bytes long; `path` is what errors name.
+/// [`read`] from a reader of `length` bytes. Errors name `path`.
 pub(super) fn read_from(source: impl Read, length: u64, path: &Path) -> Result<Vec<Point>> {
     let (vertices, _) = vertices(source, length, path, &POSITION)?;
     points(&vertices, path)
 }
 
-/// The vertices of a PLY file of `length` bytes, and the names of their properties, of which some are needed; `path` is what
-/// errors name.
+/// Reads the vertices of a PLY file of `length` bytes, and the names of their properties, some of which are required.
+/// Errors name `path`.
 ///
 /// # Errors
-/// As [`read`].
+/// The same errors as [`read`].
 pub fn vertices<V: PropertyAccess>(
     source: impl Read,
     length: u64,
@@ -58,7 +57,7 @@ pub fn vertices<V: PropertyAccess>(
     since.set(0);
     check(&header, length, path, needed, size_of::<V>())?;
     for element in header.elements.values() {
-        // Elements lie one after the other, so those in front must be read too.
+        // Elements are stored one after the other, so those before the vertices must be read, too.
         let vertices =
             parser.read_payload_for_element(&mut reader, element, &header).map_err(broken)?;
         if element.name == "vertex" {
@@ -68,16 +67,16 @@ pub fn vertices<V: PropertyAccess>(
     invalid(path, "the PLY file has no `vertex` element; is it a point cloud?".to_owned())
 }
 
-/// What a reader counts: a line or a header without an end would be read until memory is used up.
+/// The bytes that a reader counts. A line or a header without an end would otherwise fill the memory.
 #[derive(Clone, Copy)]
 enum Limit {
-    /// Bytes since the beginning.
+    /// Bytes since the start of the file.
     Header,
-    /// Bytes since the last end of a line.
+    /// Bytes since the last line break.
     Line,
 }
 
-/// Reads up to [`MAX_LINE`] bytes of what `limit` counts.
+/// Reads at most [`MAX_LINE`] bytes, counted according to `limit`.
 struct Limited<'a, R> {
     source: R,
     limit: &'a Cell<Option<Limit>>,
@@ -101,10 +100,10 @@ impl<R: Read> Read for Limited<'_, R> {
     }
 }
 
-/// Also what [`broken`] knows such an error by.
+/// Message of the error. [`broken`] recognizes it by this text, too.
 const TOO_LONG: &str = "a line is too long";
 
-/// Holds the header to the file: what it claims must be no more than what there is.
+/// Checks the header against the file: it must not promise more than there is.
 fn check(
     header: &Header,
     length: u64,
@@ -127,7 +126,7 @@ fn check(
             );
             return invalid(path, reason);
         }
-        // as they are read, and what is made of them
+        // the vertices as read, and the result
         memory::check(count.saturating_mul(2 * vertex_bytes as u64), "the vertices")?;
     }
     let vertex = header.elements.get("vertex");
@@ -144,7 +143,7 @@ fn check(
     Ok(())
 }
 
-/// The length below which no file holds one element.
+/// Least number of bytes of one element in a file.
 fn fewest_bytes(element: &ElementDef, encoding: Encoding) -> u64 {
     let size = |scalar: &ScalarType| match scalar {
         ScalarType::Char | ScalarType::UChar => 1,
@@ -154,7 +153,7 @@ fn fewest_bytes(element: &ElementDef, encoding: Encoding) -> u64 {
     };
     let properties = element.properties.values();
     match encoding {
-        // a digit and what ends it, but for the last line's
+        // a digit and a separator, except at the end of the last line
         Encoding::Ascii => (2 * properties.count() as u64).saturating_sub(1),
         _ => properties
             .map(|property| match &property.data_type {
@@ -178,7 +177,7 @@ fn points(vertices: &[Vertex], path: &Path) -> Result<Vec<Point>> {
     vertices.iter().enumerate().map(point).collect()
 }
 
-/// What is kept of an element: a vertex's position, and its color where that has 8 bits.
+/// The parts of an element that are kept: a vertex's position, and its color if it has 8 bits.
 #[derive(Clone, Copy)]
 struct Vertex {
     position: [f64; 3],
@@ -204,7 +203,7 @@ impl PropertyAccess for Vertex {
     }
 }
 
-/// The value of a property that is one number.
+/// The value of a property, if it is a single number.
 pub fn number(property: &Property) -> Option<f64> {
     Some(match *property {
         Property::Char(value) => value.into(),
@@ -219,7 +218,7 @@ pub fn number(property: &Property) -> Option<f64> {
     })
 }
 
-/// The parser's own words quote what it could not read, and a data set may name any file.
+/// The parser's own message quotes the text that it could not read. That could be any file, so it is not shown.
 fn broken(path: &Path, error: &ParseError) -> Error {
     let place = match (error.kind(), error.line()) {
         (io::ErrorKind::UnexpectedEof, _) => "it was cut short".to_owned(),

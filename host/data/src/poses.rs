@@ -1,4 +1,4 @@
-//! A data set before its photographs are read: where they are, and the cameras that took them.
+//! A data set before its photographs are read: the photographs' paths, and their cameras.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,39 +11,38 @@ use super::{
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
 
-/// The cameras of a data set.  Reading them takes no photograph, so it is quick, and finds most of what may be
-/// wrong with a data set.  [`Poses::photographs`] reads the rest.
+/// The cameras of a data set. Reading them opens no photograph, so it is quick, and finds most mistakes in a data
+/// set. [`Poses::photographs`] reads the photographs.
 pub struct Poses {
-    /// Photographs that the data set names and that are not there; their frames are left out.
+    /// Photographs in the data set whose files do not exist. Their frames are left out.
     pub missing: Vec<PathBuf>,
-    /// Files that were read outside the data set's folder, as it names them.
+    /// Files outside of the data set's folder, as the data set names them.
     pub outside: Vec<PathBuf>,
-    /// What kind of data set it is.
+    /// Format of the data set.
     pub kind: DatasetKind,
-    /// What it was read from.
+    /// Path of the data set.
     pub path: PathBuf,
     pub(super) listing: Listing,
     pub(super) options: DatasetOptions,
-    /// Whether frames were left out on purpose: there may be none to train on.
+    /// Whether frames were left out on purpose, so that there may be none to train on.
     pub(super) is_part: bool,
-    /// What photographs are put in front of, once it was decided.
+    /// Background of the photographs, once it is decided.
     background: OnceLock<[f32; 3]>,
 }
 
 /// A camera of a data set.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pose {
-    /// The camera as training has it: undistorted and downscaled. Its `file_path` is the name of
-    /// the frame.
+    /// The camera as training has it, undistorted and downscaled. Its `file_path` is the name of the frame.
     pub camera: Camera,
-    /// Whether the frame is kept from training.
+    /// Whether the frame is held out from training.
     pub held_out: bool,
-    /// Where the photograph is; none where the frame has no file.
+    /// Path of the photograph; `None` if the frame has no file.
     pub photograph: Option<PathBuf>,
 }
 
 impl Poses {
-    /// Reads the cameras of a data set; `path` is as in [`Dataset::load`].
+    /// Reads the cameras of a data set. `path` is that of [`Dataset::load`].
     ///
     /// # Errors
     /// Those of [`Dataset::load`] that are not about the content of a photograph.
@@ -66,11 +65,11 @@ impl Poses {
         Ok(Self { missing, outside, kind, path, listing, options, is_part, background })
     }
 
-    /// The same without the frames that are held out, or without those to train on: nothing else is read. Photographs
-    /// look as they do in the whole data set.
+    /// Keeps only the held-out frames, or only those to train on. Nothing else is read. Photographs look the same as
+    /// in the whole data set.
     ///
     /// # Errors
-    /// As [`Dataset::load`].
+    /// The same errors as [`Dataset::load`].
     pub fn only(mut self, held_out: bool) -> Result<Self> {
         self.background()?;
         self.listing.shots.retain(|shot| shot.held_out == held_out);
@@ -81,7 +80,7 @@ impl Poses {
     /// Every camera, in the order of [`Dataset::frames`].
     ///
     /// # Errors
-    /// [`Error::Invalid`] where downscaling leaves no pixel.
+    /// [`Error::Invalid`] if downscaling leaves no pixel.
     pub fn cameras(&self) -> Result<Vec<Pose>> {
         let pose = |shot: &Shot| {
             let camera = shot.smaller_camera()?;
@@ -94,10 +93,11 @@ impl Poses {
         self.listing.shots.iter().map(pose).collect()
     }
 
-    /// Moves cameras, as [`Camera::moved`] does: those of the frames that have a motion here, in the order of [`Poses::cameras`].
+    /// Moves cameras with [`Camera::moved`]. `motions` has an entry for each of [`Poses::cameras`], which is `None`
+    /// for a camera that does not move.
     ///
     /// # Errors
-    /// [`Error::Camera`] where a camera then is where no number reaches.
+    /// [`Error::Camera`] if a moved camera is no longer valid.
     pub fn move_cameras(&mut self, motions: &[Option<[f64; 6]>]) -> Result<()> {
         let moved = self.listing.shots.iter_mut().zip(motions).enumerate();
         for (index, (shot, motion)) in moved {
@@ -108,10 +108,10 @@ impl Poses {
         Ok(())
     }
 
-    /// Reads one photograph, by its camera's index; none where there is no such camera.
+    /// Reads one photograph, given its camera's index; `None` if there is no such camera.
     ///
     /// # Errors
-    /// As [`Dataset::load`], for this photograph.
+    /// The same errors as [`Dataset::load`], for this photograph.
     pub fn photograph(&self, index: usize) -> Result<Option<Frame>> {
         let Some(shot) = self.listing.shots.get(index) else { return Ok(None) };
         let background = Background::Color(self.background()?);
@@ -119,7 +119,7 @@ impl Poses {
         shot.develop(&options, &Budget::beside(0)).map(|(frame, _)| Some(frame))
     }
 
-    /// What photographs with an alpha channel are put in front of. It may take a look at every photograph, once.
+    /// The background of the photographs. The first call may look at every photograph.
     pub(super) fn background(&self) -> Result<[f32; 3]> {
         if let Some(background) = self.background.get() {
             return Ok(*background);
@@ -128,22 +128,22 @@ impl Poses {
         Ok(*self.background.get_or_init(|| background))
     }
 
-    /// The points that the data set has.
+    /// The data set's points.
     #[must_use]
     pub fn points(&self) -> &[Point] {
         &self.listing.points
     }
 
-    /// Reads the photographs; `progress` is as in [`Dataset::load_with_progress`].
+    /// Reads the photographs. `progress` is that of [`Dataset::load_with_progress`].
     ///
     /// # Errors
-    /// As [`Dataset::load`].
+    /// The same errors as [`Dataset::load`].
     pub fn photographs(self, progress: &mut (dyn FnMut(usize, usize) + Send)) -> Result<Dataset> {
         Dataset::develop(self, progress)
     }
 }
 
-/// What kind of data set a folder holds, by the names of its files.  None where it holds no data set.
+/// The format of the data set in a folder, by the names of its files; `None` if there is no data set.
 #[must_use]
 pub fn kind_of(folder: &Path) -> Option<DatasetKind> {
     Layout::of(folder).map(|layout| match layout {

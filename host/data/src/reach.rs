@@ -1,4 +1,4 @@
-//! Where a data set may have its files: its own folder, unless more is allowed.
+//! Restricts the files of a data set to its own folder, unless more is allowed.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -6,18 +6,18 @@ use std::path::{Path, PathBuf};
 use super::invalid;
 use organza_core::error::{Error, Result};
 
-/// What a data set's files may lead to, and which of them were outside its folder.
+/// The allowed places of a data set's files, and the files that were outside its folder.
 #[derive(Debug)]
 pub(super) struct Reach {
-    /// The folder, without links.
+    /// Path of the folder, without links.
     folder: PathBuf,
     allow_outside: bool,
-    /// The files outside, as the data set names them.
+    /// Files outside, as the data set names them.
     pub outside: Vec<PathBuf>,
 }
 
 impl Reach {
-    /// That of a data set: a folder, or a file in it.
+    /// For a data set: a folder, or a file in it.
     pub fn of(data: &Path, allow_outside: bool) -> Result<Self> {
         let folder = match data.parent() {
             _ if data.is_dir() => data,
@@ -28,13 +28,12 @@ impl Reach {
         Ok(Self { folder, allow_outside, outside: Vec::new() })
     }
 
-    /// Checks a file that the data set names, before it is opened.
+    /// Checks a file of the data set before it is opened.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for one that is outside, by its path or by a link on the way, and must
-    /// not be.
+    /// [`Error::Invalid`] if the file is outside, by its path or by a link on the way, and must not be.
     pub fn check(&mut self, file: &Path) -> Result<()> {
-        // What is not there is not read either.
+        // A file that does not exist is not read either.
         let Ok(found) = fs::canonicalize(file) else { return Ok(()) };
         if found.starts_with(&self.folder) {
             return Ok(());

@@ -1,8 +1,9 @@
-//! Points to start from where a data set has none, found by comparing its photographs.
+//! Finds points to start from in the photographs of a data set that has none.
 //!
-//! A plane sweep (Collins 1996), one ray at a time: a pixel's ray is cut into depths, and a depth is likely where the
-//! photographs of neighboring cameras show the pixel's colors. Each ray gives one point, drawn by that likelihood: a
-//! clear match becomes a point on a surface, and a ray that matches everywhere becomes a point somewhere along it.
+//! This is a plane sweep (Collins 1996), one ray at a time. A pixel's ray is cut into depths. A depth is likely if
+//! photographs of neighboring cameras show the pixel's colors there. Each ray gives one point, drawn by that
+//! likelihood. A clear match becomes a point on a surface. A ray that matches everywhere becomes a point somewhere
+//! along it.
 
 use glam::{DMat3, DVec3, Vec3};
 use rand::{Rng, RngExt};
@@ -14,28 +15,28 @@ use organza_core::random;
 
 const SWEEP: u64 = 5;
 
-/// Depths of a ray, evenly in their inverse.
+/// Number of depths on a ray, uniform in inverse depth.
 const DEPTHS: usize = 96;
-/// The first and the last depth, in distances from the cameras to what they look at.
+/// First and last depth, relative to the cameras' distance from their target.
 const RANGE: [f64; 2] = [0.2, 8.0];
-/// Photographs that a pixel is compared with.
+/// Number of photographs that a pixel is compared with.
 const NEIGHBORS: usize = 6;
-/// Of these, the ones that agree best count: something may stand in front of the others.
+/// Number of these that count, those that agree best: in the others, something may be in front.
 const AGREEING: usize = 3;
-/// The best distance between two cameras that are compared, in distances to what they look at.
+/// Best distance between two compared cameras, relative to their distance from the target.
 const BASELINE: f64 = 0.25;
-/// The largest angle between the axes of two cameras that are compared: its cosine.
+/// Cosine of the largest angle between the axes of two compared cameras.
 const SAME_SIDE: f64 = 0.5;
-/// The longest side that photographs are reduced to.
+/// Longest side of the reduced photographs, in pixels.
 const SIDE: u32 = 200;
-/// A difference of colors by which a depth is e times less likely.
+/// Color difference that makes a depth e times less likely.
 const NOISE: f32 = 0.01;
-/// Rays that are tried for a point: some match nowhere, and many pixels of an object's photograph are empty.
+/// Number of rays tried per point: some match nowhere, and much of an object's photograph may be empty.
 const TRIES: u32 = 20;
-/// How opaque a pixel is that shows the scene, and not what is behind it.
+/// Opacity from which a pixel shows the scene, and not the background.
 const SOLID: f32 = 0.5;
 
-/// At most `count` points; `distance` is how far the cameras are from what they look at.
+/// Finds at most `count` points; `distance` is that of the cameras from their target.
 pub fn points(frames: &[&Frame], distance: f64, count: usize, seed: u64) -> Vec<Point> {
     let views: Vec<View> = frames.par_iter().map(|frame| View::of(frame)).collect();
     let neighbors: Vec<_> =
@@ -52,17 +53,17 @@ pub fn points(frames: &[&Frame], distance: f64, count: usize, seed: u64) -> Vec<
     found.collect()
 }
 
-/// A photograph, reduced.
+/// A reduced photograph.
 struct View {
-    /// From world to camera: right, down, forward.
+    /// Rotation from world to camera axes: right, down, forward.
     rotation: DMat3,
     eye: DVec3,
     focal: [f64; 2],
     center: [f64; 2],
     size: [u32; 2],
-    /// Row by row; none where nothing is known, or where the scene is not.
+    /// Colors, row by row; `None` if a color is unknown, or if the scene is not there.
     pixels: Vec<Option<Vec3>>,
-    /// Row by row: whether what is there is known to be nothing.
+    /// Row by row: whether the pixel is known to be empty.
     empty: Vec<bool>,
 }
 
@@ -89,12 +90,12 @@ impl View {
         self.rotation.transpose().z_axis
     }
 
-    /// The ray of a place in the image, with a depth of 1.
+    /// The ray through a place in the image, scaled to depth 1.
     fn ray(&self, [x, y]: [f64; 2]) -> DVec3 {
         DVec3::new((x - self.center[0]) / self.focal[0], (y - self.center[1]) / self.focal[1], 1.0)
     }
 
-    /// Where a point of camera space is in the image, in pixels; none where it is outside.
+    /// The image position of a point in camera space, in pixels; `None` if it is outside.
     fn project(&self, point: DVec3) -> Option<[f64; 2]> {
         if point.z <= 1e-9 {
             return None;
@@ -108,7 +109,7 @@ impl View {
         y as usize * self.size[0] as usize + x as usize
     }
 
-    /// The color between the centers of pixels; none where one of them is not known.
+    /// The color at a place, interpolated between pixel centers; `None` if one of the pixels is unknown.
     fn color(&self, [x, y]: [f64; 2]) -> Option<Vec3> {
         let [(x, x_next, x_part), (y, y_next, y_part)] = [(x, self.size[0]), (y, self.size[1])]
             .map(|(place, size)| {
@@ -128,7 +129,7 @@ fn rotation(camera: &Camera) -> DMat3 {
     DMat3::from_cols(right, down, forward).transpose()
 }
 
-/// The mean color of a square, and whether the scene is not in it.
+/// The mean color of a square, and whether the square is empty.
 fn reduce(image: &Photograph, [x, y]: [u32; 2], factor: u32) -> (Option<Vec3>, bool) {
     let end = |place: u32, length: u32| ((place + 1) * factor).min(length);
     let (mut sum, mut alpha, mut count) = (Vec3::ZERO, 0.0, 0.0_f32);
@@ -145,7 +146,7 @@ fn reduce(image: &Photograph, [x, y]: [u32; 2], factor: u32) -> (Option<Vec3>, b
     ((count > 0.0 && is_solid).then(|| sum / count), count > 0.0 && !is_solid)
 }
 
-/// The views that a view is compared with.
+/// The views to compare a view with.
 fn neighbors(view: &View, views: &[View], distance: f64) -> Vec<usize> {
     let mut found: Vec<(f64, usize)> = Vec::new();
     for (index, other) in views.iter().enumerate() {
@@ -158,7 +159,7 @@ fn neighbors(view: &View, views: &[View], distance: f64) -> Vec<usize> {
     found.into_iter().take(NEIGHBORS).map(|(_, index)| index).collect()
 }
 
-/// A pixel's ray, and the pixels around it as other cameras see them.
+/// A pixel's ray and patch, as other cameras see them.
 struct Ray<'v> {
     view: &'v View,
     place: [f64; 2],
@@ -168,9 +169,9 @@ struct Ray<'v> {
 
 struct Other<'v> {
     view: &'v View,
-    /// The eye of the ray's camera.
+    /// Center of the ray's camera.
     eye: DVec3,
-    /// Directions and colors of the pixels around the ray's, the ray's own first.
+    /// Directions and colors of the patch of pixels, starting with the ray's own.
     patch: Vec<(DVec3, Vec3)>,
 }
 
@@ -204,8 +205,8 @@ impl<'v> Ray<'v> {
         Some(Self { view, place, color, others: neighbors.iter().map(other).collect() })
     }
 
-    /// How different the photographs are at an inverse depth; none where fewer than two show it, or where one shows
-    /// that nothing is there.
+    /// Difference between the photographs at an inverse depth; `None` if fewer than two see the place, or if one
+    /// shows that it is empty.
     fn difference(&self, inverse: f64) -> Option<f32> {
         let mut found = Vec::with_capacity(NEIGHBORS);
         for other in &self.others {
@@ -233,14 +234,14 @@ impl<'v> Ray<'v> {
         Some(agreeing.iter().sum::<f32>() / agreeing.len() as f32)
     }
 
-    /// A point of the ray, drawn by how well photographs agree on it.
+    /// A point on the ray, drawn by how well photographs agree on it.
     fn point(&self, views: &[View], distance: f64, random: &mut impl Rng) -> Option<Point> {
         let [first, last] = RANGE.map(|range| 1.0 / (range * distance));
         let step = (first - last) / DEPTHS as f64;
         let mut best: Option<(f32, f64)> = None;
         for index in 0..DEPTHS {
             let inverse = last + (index as f64 + 0.5) * step;
-            // the smallest of such sums is drawn with a probability of exp(-difference / NOISE): Gumbel's trick
+            // the smallest sum is drawn with a probability proportional to exp(-difference / NOISE): Gumbel's trick
             let uniform: f32 = random.random_range(f32::MIN_POSITIVE..1.0);
             let Some(difference) = self.difference(inverse) else { continue };
             let key = difference / NOISE + (-uniform.ln()).ln();
@@ -249,7 +250,7 @@ impl<'v> Ray<'v> {
             }
         }
         let (_, mut inverse) = best?;
-        // between two of the depths
+        // refine between two depths
         for part in [0.5, 0.25, 0.125] {
             let near = [inverse - part * step, inverse, inverse + part * step];
             let score = |at: f64| self.difference(at).unwrap_or(f32::INFINITY);
@@ -266,12 +267,12 @@ impl<'v> Ray<'v> {
         Some(Point { position: self.at(inverse).to_array(), color: Some(color) })
     }
 
-    /// The place of the ray with an inverse depth.
+    /// The place on the ray at an inverse depth.
     fn at(&self, inverse: f64) -> DVec3 {
         self.view.eye + self.view.rotation.transpose() * self.view.ray(self.place) / inverse
     }
 
-    /// Whether no photograph shows that nothing is there: the hull of the silhouettes.
+    /// Whether no photograph shows the place empty: whether it is in the hull of the silhouettes.
     fn is_possible(&self, inverse: f64, views: &[View]) -> bool {
         let place = self.at(inverse);
         views.iter().all(|view| {
@@ -285,7 +286,7 @@ impl<'v> Ray<'v> {
 mod tests {
     use super::*;
 
-    /// What a ray meets: its color, and where; none where it meets nothing.
+    /// The color and the position of a ray's hit; `None` if it hits nothing.
     type Scene = fn(DVec3, DVec3) -> Option<(Vec3, DVec3)>;
 
     fn texture(x: f64, y: f64) -> Vec3 {
@@ -300,7 +301,7 @@ mod tests {
         Some((texture(place.x, place.y), place))
     }
 
-    /// A ball of radius 1, all of one color.
+    /// A ball of radius 1 with a single color.
     fn ball(eye: DVec3, ray: DVec3) -> Option<(Vec3, DVec3)> {
         let ray = ray.normalize();
         let middle = -eye.dot(ray);
@@ -365,7 +366,7 @@ mod tests {
 
     #[test]
     fn points_lie_in_the_hull_of_silhouettes() {
-        // an object of one color gives no other hint
+        // for an object of one color, silhouettes are the only hint
         for point in found(ball, &[-4.0, 0.0, 4.0], 1.2) {
             let length = DVec3::from(point.position).length();
             assert!(length < 1.25, "{length}");

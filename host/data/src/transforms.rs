@@ -1,4 +1,4 @@
-//! nerfstudio's `transforms.json`, and Blender's pair of them.
+//! Reads nerfstudio's `transforms.json`, and Blender's pair of such files.
 
 use std::path::{Path, PathBuf};
 
@@ -13,25 +13,25 @@ use organza_core::camera::{Camera, camera_error};
 use organza_core::error::Result;
 use organza_core::input::{kind, read_json};
 
-/// The file by which nerfstudio's data sets are known.
+/// Name of the file that marks a nerfstudio data set.
 pub(super) const NERFSTUDIO: &str = "transforms.json";
-/// The file by which Blender's data sets are known.
+/// Name of the file that marks a Blender data set.
 pub(super) const BLENDER_TRAIN: &str = "transforms_train.json";
 const BLENDER_TEST: &str = "transforms_test.json";
-/// The lens of nerfstudio's fisheyes, which instant-ngp writes as `is_fisheye`.
+/// Camera model of nerfstudio's fisheyes, for which instant-ngp writes `is_fisheye`.
 const FISHEYE: &str = "OPENCV_FISHEYE";
 
-/// How a data set's photographs are found and measured.
+/// Functions that find and measure a data set's photographs.
 pub(super) struct Photographs {
-    /// See [`find::photograph`].
+    /// Finds a photograph: see [`find::photograph`].
     pub find: fn(&Path, &str, Option<&str>, u32) -> Result<Found, PathBuf>,
-    /// Its width and height in pixels.
+    /// Width and height of a photograph in pixels.
     pub size: fn(&Path) -> Result<[u32; 2]>,
 }
 
 const ON_DISK: Photographs = Photographs { find: find::photograph, size: decode::size };
 
-/// What nerfstudio's file at `path` holds.
+/// Reads nerfstudio's file at `path`.
 pub(super) fn nerfstudio(
     path: &Path,
     options: &DatasetOptions,
@@ -56,7 +56,7 @@ pub(super) fn nerfstudio(
     Ok(listing)
 }
 
-/// What Blender's files hold; `train` is the first of them.
+/// Reads Blender's files; `train` is the first of them.
 pub(super) fn blender(
     train: &Path,
     options: &DatasetOptions,
@@ -73,7 +73,7 @@ pub(super) fn blender(
     Ok(listing)
 }
 
-/// Adds the frames of a file at `path` to a listing; `held_out` decides by the position in the file.
+/// Adds the frames of a file at `path` to a listing. `held_out` decides by the position in the file.
 pub(super) fn add_frames(
     file: &Value,
     path: &Path,
@@ -88,7 +88,7 @@ pub(super) fn add_frames(
         let mask = mask(frame).map_err(|reason| camera_error(path, index, reason))?;
         let mut source = Source { file, frame, size: None };
         let has_size = source.get("w").is_some() && source.get("h").is_some();
-        // A smaller photograph's camera is known by the size of the whole one.
+        // A smaller photograph has a camera only if the file gives the size of the whole one.
         let downscale = if has_size { options.downscale } else { 1 };
         let found = match (photographs.find)(folder(path), name, mask, downscale) {
             Ok(found) => found,
@@ -98,7 +98,7 @@ pub(super) fn add_frames(
             }
         };
         reach.check(&found.path)?;
-        // Blender's files leave it to the photographs how large they are.
+        // Blender's files give no image size, so it is read from the photographs.
         if !has_size {
             source.size = Some((photographs.size)(&found.path)?);
         }
@@ -128,7 +128,7 @@ fn name(frame: &Value) -> Result<&str, String> {
     }
 }
 
-/// What a frame says about its lens.
+/// The lens of a frame.
 fn lens(source: &Source<'_>) -> Result<Lens, String> {
     let is_fisheye = source.get("is_fisheye").and_then(Value::as_bool) == Some(true);
     let fisheye = match source.get("camera_model") {
@@ -149,7 +149,7 @@ fn lens(source: &Source<'_>) -> Result<Lens, String> {
     };
     let value = |key| Ok::<f64, String>(source.number(key)?.unwrap_or_default());
     let (k3, k4, k5, k6) = (value("k3")?, value("k4")?, value("k5")?, value("k6")?);
-    // OpenCV divides by what k4 is part of. For nerfstudio's other models, k4 is one term more.
+    // In OpenCV's model, k4 is a part of a denominator. In nerfstudio's other models, it is one more radial term.
     let is_full = source.get("camera_model").and_then(Value::as_str) == Some("FULL_OPENCV");
     let (k4, denominator) = if is_full { (0.0, [k4, k5, k6]) } else { (k4, [0.0; 3]) };
     let tangential = if fisheye { [0.0; 2] } else { [value("p1")?, value("p2")?] };
@@ -160,7 +160,7 @@ fn folder(path: &Path) -> &Path {
     path.parent().unwrap_or(Path::new(""))
 }
 
-/// What a file says about the lens of a frame that says nothing.
+/// The lens of a file, for frames without their own.
 #[cfg(test)]
 pub(super) fn lens_of(file: &Value) -> Result<Lens, String> {
     lens(&Source { file, frame: &Value::Null, size: None })

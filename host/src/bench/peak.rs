@@ -1,4 +1,4 @@
-//! The most that a device computes and reads, measured.
+//! Measures a device's peak computation and memory bandwidth.
 
 use organza_shaders::limits::MAX_PEAK_STEPS;
 use organza_shaders::peak::{
@@ -8,24 +8,24 @@ use organza_shaders::peak::{
 use crate::error::Result;
 use organza_device::Device;
 
-/// What a device comes to with all its threads.
+/// The peak performance of a device, using all its threads.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Peaks {
-    /// Billions of floating-point operations a second, of multiply-adds on registers.
+    /// Billions of floating-point operations per second, from multiply-adds on registers.
     pub gflops: f64,
-    /// Billions of bytes a second, of memory that no cache holds, read from one end to the other.
+    /// Billions of bytes per second, from reading memory that no cache holds from end to end.
     pub gbs: f64,
 }
 
-/// Dispatches of which the fastest counts.
+/// Number of dispatches, of which the fastest counts.
 const RUNS: usize = 12;
-/// Seconds that a dispatch is to take: long beside what starting it takes.
+/// Target time of a dispatch, in seconds: long compared with the cost of starting it.
 const SECONDS: f64 = 0.01;
 /// Steps of an invocation of `peak_multiply_add`.
 const STEPS: u32 = 512;
-/// Invocations of its first dispatch, and the most.
+/// Invocations of its first dispatch, and the largest number.
 const INVOCATIONS: [u32; 2] = [1 << 14, 1 << 22];
-/// Bytes to read where a buffer may have so many: caches are smaller.
+/// Bytes to read, if a buffer may be as large: caches are smaller.
 const BYTES: u64 = 1 << 28;
 /// Steps of an invocation of `peak_read`: a workgroup's 16 KiB stay in the innermost cache of a CPU.
 const READ_STEPS: u32 = 16;
@@ -38,7 +38,7 @@ impl Peaks {
     /// Measures a device, in about half a second.
     ///
     /// # Errors
-    /// As [`Device::zeros`] and [`Device::dispatch`].
+    /// The same errors as [`Device::zeros`] and [`Device::dispatch`].
     pub fn measure(device: &Device) -> Result<Self> {
         device.time_dispatches(true);
         let peaks =
@@ -48,7 +48,7 @@ impl Peaks {
     }
 }
 
-/// Seconds, operations and bytes of a dispatch.
+/// Returns seconds, operations and bytes of a dispatch.
 fn time(device: &Device, dispatch: &dyn Fn() -> Result<()>) -> Result<[f64; 3]> {
     let _ = device.take_timings();
     dispatch()?;
@@ -57,7 +57,7 @@ fn time(device: &Device, dispatch: &dyn Fn() -> Result<()>) -> Result<[f64; 3]> 
         let found = [time.seconds, time.work.flops as f64, time.work.bytes as f64];
         sums = std::array::from_fn(|index| sums[index] + found[index]);
     }
-    // a GPU may count microseconds
+    // a GPU may count in microseconds
     sums[0] = sums[0].max(1e-6);
     Ok(sums)
 }
@@ -89,7 +89,7 @@ fn read(device: &Device) -> Result<f64> {
     let workgroups = BYTES.min(device.max_buffer_bytes()) / of_workgroup;
     let count = workgroups as u32 * WORKGROUP;
     let values = device.zeros::<f32>("peak", (workgroups * workgroup) as usize)?;
-    // memory that nobody has written may not be there yet
+    // the system may not provide memory before it is written
     device.clear(&values);
     let output = device.zeros("peak", count as usize)?;
     let kernel = PeakReadKernel {

@@ -1,4 +1,4 @@
-//! A workload that needs no files: the same on every machine.
+//! A workload without files, which is the same on every machine.
 
 use std::f64::consts::TAU;
 
@@ -14,25 +14,26 @@ const GAUSSIANS: usize = 20_000;
 const VIEWS: usize = 16;
 /// Width and height of an image, in pixels.
 const SIZE: [u32; 2] = [640, 480];
-/// In pixels.
+/// Focal length, in pixels.
 const FOCAL: f64 = 620.0;
 const TILES: usize = 64;
 /// S, in pixels.
 const SIDE: u32 = 64;
 /// Width of both hidden layers of both networks.
 const HIDDEN: u32 = 64;
-/// The scale of a Gaussian, in world units: the median.
+/// Median scale of a Gaussian, in world units.
 const SCALE: f64 = 0.6;
-/// Logit that lets most of the light through.
+/// Logit of a transmittance that lets most of the light through.
 const CLEAR: f32 = 3.0;
 
-/// 20,000 Gaussians in a shell, 16 views around them and 64 tiles of 64 x 64; networks with two hidden layers of 64, hash
-/// grids of 16 levels of 2 features in at most 2^19 entries. What `bench/synthetic.py` writes has the same distribution.
+/// 20,000 Gaussians in a shell, 16 views around them, and 64 tiles of 64 x 64. Networks have two hidden layers of 64,
+/// and hash grids have 16 levels of 2 features in at most 2^19 entries. The output of `bench/synthetic.py` has the
+/// same distribution.
 #[derive(Clone, Debug)]
 pub struct Synthetic {
-    /// On a wavy circle, looking at the middle.
+    /// Cameras on a wavy circle that look at its center.
     pub cameras: Vec<Camera>,
-    /// Anywhere in the images.
+    /// Tiles at random places of the images.
     pub batch: TileBatch,
 }
 
@@ -60,10 +61,10 @@ impl Synthetic {
         })
     }
 
-    /// The scene, which is made anew: who renders it may not want to keep it.
+    /// Makes the scene anew, because a caller may not want to keep it while rendering.
     ///
     /// # Errors
-    /// As [`Scene::zeros`].
+    /// The same errors as [`Scene::zeros`].
     pub fn scene(&self) -> Result<Scene> {
         let mut scene = Scene::zeros(config(), GAUSSIANS)?;
         let mut random = Random::new(5);
@@ -101,7 +102,7 @@ fn config() -> SceneConfig {
 
 /// A normally distributed number.
 fn normal(random: &mut Random, mean: f32, deviation: f32) -> f32 {
-    // 1 - x is not 0
+    // 1 - x is never 0
     let radius = (-2.0 * (1.0 - random.between(0.0, 1.0)).ln()).sqrt();
     mean + deviation * radius * (std::f32::consts::TAU * random.between(0.0, 1.0)).cos()
 }
@@ -125,7 +126,7 @@ fn fill_gaussians(gaussians: &mut Gaussians, random: &mut Random) {
     fill(&mut gaussians.extra, random, 0.0, 1.0);
 }
 
-/// Weights by He; `shift` is added to the last layer's biases.
+/// Weights by He et al. `shift` is added to the last layer's biases.
 fn fill_field(field: &mut Field, shift: f32, random: &mut Random) {
     fill(&mut field.grid, random, 0.0, 0.3);
     for Layer { weight, bias, inputs, .. } in &mut field.network.layers {

@@ -1,4 +1,4 @@
-//! `organza bench`: how long a batch takes.
+//! `organza bench`: measures a batch.
 
 use std::path::PathBuf;
 
@@ -31,7 +31,7 @@ formulas (docs/performance.md). `of peak` compares them with the device's own pe
 memory, and is the larger of the two; caches can bring it above 100%. The peaks are measured after the batch. Peak \
 memory is that of the process, including reading the scene, but not a GPU's memory.";
 
-/// Measure how long a batch takes, forward and backward, and what each kernel takes of it
+/// Measure a batch, forward and backward, and each kernel's part of it
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -63,7 +63,7 @@ pub struct Args {
     device: DeviceArgs,
 }
 
-/// What is rendered; the scene is read or made once for each device.
+/// The batch to render. The scene is read or made again for each device.
 struct Workload {
     scene: Box<dyn Fn() -> Result<Scene>>,
     cameras: Vec<Camera>,
@@ -86,7 +86,7 @@ impl Args {
         Ok(Workload { scene: Box::new(move || source.load(console)), cameras, batch })
     }
 
-    /// What one device takes.
+    /// Measures the workload on one device.
     fn measure(
         &self,
         workload: &Workload,
@@ -95,7 +95,7 @@ impl Args {
     ) -> Result<Benchmark> {
         let scene = (workload.scene)()?;
         let renderer = self.device.open_as(device, console)?;
-        // the host's copy is not kept: it is not part of what rendering takes
+        // the host's copy is dropped: rendering does not need it
         let scene = self.scene_args.upload(&renderer, &{ scene })?;
         let options = BenchOptions { repeat: self.repeat as usize, backward: !self.forward };
         let progress = console.progress(passes(renderer.device(), options) as u64, "passes");
@@ -104,13 +104,13 @@ impl Args {
         measure(&renderer, &scene, cameras, batch, options, &mut || progress.advance(1))
     }
 
-    /// What each device takes that can be used.
+    /// Measures the workload on every usable device.
     fn measure_every(&self, workload: &Workload, console: Console) -> Result<Vec<Benchmark>> {
         let mut found = Vec::new();
         for device in self.device.every()? {
             match self.measure(workload, &device, console) {
                 Ok(benchmark) => found.push(benchmark),
-                // another may be of use
+                // another GPU may be usable
                 Err(error @ Error::Device(DeviceError::NoGpu { .. })) => {
                     console.warn(&chain(&error))
                 }
@@ -135,7 +135,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     if args.json { print_json(&benchmark) } else { print(&text(&benchmark)) }
 }
 
-/// What was measured in lines, and the kernels as a table.
+/// The measurements in lines, and the kernels as a table.
 fn text(benchmark: &Benchmark) -> String {
     let batch = [
         count(benchmark.gaussians as u64, "Gaussian"),
@@ -184,7 +184,7 @@ fn table(kernels: &[KernelShare]) -> Table {
     table
 }
 
-/// In three digits or more; a dash where it is not counted.
+/// A rate with three digits or more; a dash for `None`.
 fn rate(rate: Option<f64>) -> String {
     match rate {
         None => "-".to_owned(),
@@ -194,7 +194,7 @@ fn rate(rate: Option<f64>) -> String {
     }
 }
 
-/// Down to a microsecond.
+/// A time, to the microsecond.
 fn seconds(seconds: f64) -> String {
     format!("{seconds:.6}")
 }

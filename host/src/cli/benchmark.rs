@@ -55,13 +55,13 @@ pub struct Args {
     device: DeviceArgs,
 }
 
-/// What `--json` prints.
+/// The output of `--json`.
 #[derive(Debug, Serialize)]
 struct Results {
     captures: Vec<Row>,
 }
 
-/// What a capture came to.
+/// The results of a capture.
 #[derive(Debug, Serialize)]
 struct Row {
     name: String,
@@ -100,13 +100,13 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         console
             .note(&format!("{name}: {:.1} minutes in all", begin.elapsed().as_secs_f64() / 60.0));
         let mut row = Row::of(name, &folder)?;
-        // no PSNR: nothing is held out
+        // no PSNR: no view is held out
         if lpips.is_some() && row.psnr.is_some() {
             let eval = eval::Args::of_run(&folder, &args.device);
             row.lpips = eval.evaluate(lpips.as_ref(), console)?.mean.lpips;
         }
         rows.push(row);
-        // after each, so that what was measured is there whatever comes
+        // after each run, so that finished results are there even if a later run fails
         let write = |name: &str, text: String| {
             write_atomic(args.output.join(name), |writer| writer.write_all(text.as_bytes()))
         };
@@ -120,13 +120,13 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     }
 }
 
-/// The runs' names: those of the data sets' folders.
+/// The runs' names, which are those of the data sets' folders.
 fn names(data: &[PathBuf]) -> Result<Vec<String>> {
     let mut taken = HashSet::new();
     data.iter()
         .map(|path| {
             let full = path.canonicalize().unwrap_or_else(|_| path.clone());
-            // the file of a data set says less than its folder
+            // the folder of a data set's file has a better name than the file
             let full = if full.is_file() { full.parent().unwrap_or(&full) } else { &full };
             let name = full.file_name().unwrap_or(full.as_os_str()).to_string_lossy().into_owned();
             if taken.insert(name.clone()) {
@@ -138,7 +138,7 @@ fn names(data: &[PathBuf]) -> Result<Vec<String>> {
 }
 
 impl Row {
-    /// What a finished run has left.
+    /// Reads the results of a finished run.
     fn of(name: &str, folder: &Path) -> Result<Self> {
         let run = Run::load(folder)?;
         let Summary { psnr, ssim, seconds, .. } = run.summary();
@@ -156,7 +156,7 @@ impl Row {
         })
     }
 
-    /// Its numbers as text; `none` stands for what there is not.
+    /// The row's numbers as text. `none` replaces a missing one.
     fn cells(&self, none: &str) -> [String; 8] {
         let number = |value: Option<f64>, digits: usize| {
             value.map_or(none.to_owned(), |value| format!("{value:.digits$}"))
@@ -177,7 +177,7 @@ impl Row {
 const TITLES: [&str; 8] =
     ["capture", "PSNR", "SSIM", "LPIPS", "steps", "Gaussians", "MB", "minutes"];
 
-/// A row without the column of LPIPS, unless it was measured.
+/// A row, without the column of LPIPS if it was not measured.
 fn shown<T>(rows: &[Row], cells: [T; 8]) -> Vec<T> {
     let has_lpips = rows.iter().any(|row| row.lpips.is_some());
     let is_shown = |title: &str| has_lpips || title != "LPIPS";
@@ -200,7 +200,7 @@ fn markdown(rows: &[Row]) -> String {
         format!("| {} |\n| --- |{}\n", titles.join(" | "), " ---: |".repeat(titles.len() - 1));
     for row in rows {
         let mut cells = shown(rows, row.cells("-"));
-        // what would end a cell or a link
+        // characters that would end a cell or a link
         let name = cells[0].replace(['|', '[', ']', '\n'], "_");
         let link = row.name.replace(' ', "%20").replace(['(', ')', '|', '\n'], "_");
         cells[0] = if link == row.name.replace(' ', "%20") {

@@ -1,19 +1,19 @@
-//! The options that ask for channels beside color.
+//! Options that ask for channels besides color.
 
 use clap::ValueEnum;
 use organza::Channel;
 use organza::image::{ChannelFormat, PNG_DEPTH_SCALE};
 
-/// Which channels to write.
+/// The channels to write.
 #[derive(Debug, clap::Args)]
 pub struct ChannelArgs {
-    /// Channels to write beside the color: any of depth, alpha, visibility and normal, with commas between them
+    /// Channels to write besides the color: any of depth, alpha, visibility and normal, separated by commas
     #[arg(long, value_name = "LIST", value_enum, value_delimiter = ',')]
     channels: Vec<ChannelName>,
 }
 
 impl ChannelArgs {
-    /// Each channel once.
+    /// The channels, each only once.
     pub fn list(&self) -> Vec<Channel> {
         let is_asked =
             |channel: &Channel| self.channels.iter().any(|name| name.channel() == *channel);
@@ -21,10 +21,10 @@ impl ChannelArgs {
     }
 }
 
-/// How images of channels are written.
+/// The format of channels' images.
 #[derive(Debug, clap::Args)]
 pub struct FormatArgs {
-    /// Format of the channels' images: png has 16 bits, exr the values as they are
+    /// Format of the channels' images: png has 16 bits, exr the exact values
     #[arg(long, value_enum, default_value_t, requires = "channels")]
     format: Format,
     /// Levels of a PNG for one world unit of depth: the largest depth is 65,535 levels
@@ -67,7 +67,7 @@ pub enum ChannelName {
 }
 
 impl ChannelName {
-    /// The library's.
+    /// The channel in the library.
     pub fn channel(self) -> Channel {
         match self {
             Self::Depth => Channel::Depth,

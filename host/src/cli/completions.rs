@@ -1,4 +1,4 @@
-//! `organza completions`: for shells that complete commands and options.
+//! `organza completions`: scripts with which shells complete commands and options.
 
 use clap::CommandFactory;
 use clap_complete::Shell;

@@ -1,4 +1,4 @@
-//! What the user sees: notes and progress on stderr, data on stdout.
+//! Output: notes and progress on stderr, data on stdout.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -11,13 +11,13 @@ use organza::{Error, Result};
 
 use super::verbosity::Level;
 
-/// Where notes go.
+/// Prints notes for the user.
 #[derive(Clone, Copy, Debug)]
 pub struct Console {
     level: Level,
 }
 
-/// A bar or a spinner that is gone when it is dropped; where stderr is no terminal it never shows.
+/// A bar or a spinner. It disappears when it is dropped. If stderr is no terminal, it never shows.
 #[derive(Debug)]
 pub struct Progress(ProgressBar);
 
@@ -26,31 +26,31 @@ impl Console {
         Self { level }
     }
 
-    /// Says something that only `--verbose` shows.
+    /// Prints a note, only with `--verbose`.
     pub fn detail(self, text: &str) {
         if self.level >= Level::Verbose {
             line("detail", text);
         }
     }
 
-    /// Whether bars can be seen.
+    /// Whether the user can see bars.
     pub fn has_terminal(self) -> bool {
         io::stderr().is_terminal()
     }
 
-    /// Says something, unless told to be quiet.
+    /// Prints a note, unless `--quiet` is given.
     pub fn note(self, text: &str) {
         if self.level >= Level::Normal {
             write(&format!("{}\n", plain(text)));
         }
     }
 
-    /// Says something that the user cannot do without, even if told to be quiet.
+    /// Prints a note that the user needs, even with `--quiet`.
     pub fn always(self, text: &str) {
         write(&format!("{}\n", plain(text)));
     }
 
-    /// Says something that should not be missed.
+    /// Prints a warning.
     pub fn warn(self, text: &str) {
         line("warning", text);
     }
@@ -61,14 +61,14 @@ impl Console {
         self.show(ProgressBar::new(len), &template)
     }
 
-    /// A spinner beside a task of unknown length.
+    /// Shows a spinner during a task of unknown length.
     pub fn during<T>(self, what: &str, task: impl FnOnce() -> T) -> T {
         let spinner = self.show(ProgressBar::new_spinner(), "{spinner} {msg} ({elapsed})");
         spinner.say(what);
         task()
     }
 
-    /// What nobody sees.
+    /// A progress that never shows.
     pub fn hidden(self) -> Progress {
         Progress(ProgressBar::hidden())
     }
@@ -77,7 +77,7 @@ impl Console {
         if self.level < Level::Normal {
             return self.hidden();
         }
-        // Before the first step is done nobody knows how long one takes.
+        // Before the first step is done, the time per step is unknown.
         let left = |state: &ProgressState, text: &mut dyn fmt::Write| {
             let _ = match state.pos() {
                 0 => text.write_str("?"),
@@ -93,48 +93,49 @@ impl Console {
 }
 
 impl Progress {
-    /// What is being done.
+    /// Sets the text beside the bar.
     pub fn say(&self, what: &str) {
         self.0.set_message(shortened(&plain(what).replace('\n', " "), MAX_NAME));
     }
 
-    /// So many steps are done, in all.
+    /// Sets the number of finished steps.
     pub fn set(&self, steps: usize) {
         self.0.set_position(steps as u64);
     }
 
-    /// There are so many steps, in all.
+    /// Sets the total number of steps.
     pub fn set_length(&self, all: usize) {
         self.0.set_length(all as u64);
     }
 
-    /// So many of so many steps are done.
+    /// Sets the number of finished steps, and the total number.
     pub fn set_of(&self, steps: usize, all: usize) {
         self.0.set_length(all as u64);
         self.set(steps);
     }
 
-    /// What was done before does not tell how long the rest takes.
+    /// Estimates the remaining time only from steps after this call.
     pub fn restart_clock(&self) {
         self.0.reset_eta();
     }
 
-    /// Says something above the bar.
+    /// Prints a note above the bar.
     pub fn note(&self, console: Console, text: &str) {
         self.0.suspend(|| console.note(text));
     }
 
-    /// Says something above the bar that should not be missed.
+    /// Prints a warning above the bar.
     pub fn warn(&self, console: Console, text: &str) {
         self.0.suspend(|| console.warn(text));
     }
 
-    /// So many steps are done.
+    /// Adds to the number of finished steps.
     pub fn advance(&self, steps: usize) {
         self.0.inc(steps as u64);
     }
 
-    /// What advances the bar by a part of the whole: it takes the number that is done of the part.
+    /// A function that advances the bar by a part of the whole. Its arguments are the number of finished steps of the
+    /// part, and of all its steps.
     pub fn part(&self) -> impl FnMut(usize, usize) {
         let mut before = 0;
         move |done, _| self.advance(done - std::mem::replace(&mut before, done))
@@ -147,20 +148,19 @@ impl Drop for Progress {
     }
 }
 
-/// `kind: text` on stderr, in one line.
+/// Prints `kind: text` on stderr, in one line.
 pub fn line(kind: &str, text: &str) {
     let text = plain(text).replace('\n', "\\n");
     write(&format!("{kind}: {}\n", shortened(&text, MAX_MESSAGE)));
 }
 
-/// The longest message, in characters: names and values of files may be of any length.
+/// Longest message, in characters: names and values in files may be of any length.
 const MAX_MESSAGE: usize = 1200;
-/// The longest name beside a bar.
+/// Longest name beside a bar, in characters.
 const MAX_NAME: usize = 80;
 
-/// Text in which only `\n` controls anything. Names come from files of anybody's, and a terminal
-/// does what control characters say: these are escaped, as are Unicode's ends of lines and the marks
-/// that turn the direction of text around.
+/// Escapes all control characters but `\n`. Names come from untrusted files, and a terminal obeys control characters.
+/// Unicode's line ends are escaped too, and so are the marks that change the direction of text.
 fn plain(text: &str) -> Cow<'_, str> {
     let is_plain = |c: char| c == '\n' || !(c.is_control() || is_mark(c));
     if text.chars().all(is_plain) {
@@ -177,7 +177,7 @@ fn plain(text: &str) -> Cow<'_, str> {
     escaped.into()
 }
 
-/// Unicode's property `Bidi_Control`, and its separators of lines and paragraphs.
+/// Characters with Unicode's property `Bidi_Control`, and its separators of lines and paragraphs.
 fn is_mark(c: char) -> bool {
     matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
@@ -194,17 +194,17 @@ fn shortened(text: &str, most: usize) -> String {
     format!("{first} ... {last}")
 }
 
-/// Where nobody listens to stderr there is nobody to tell.
+/// Writes to stderr. Errors are ignored: there is nobody left to report them to.
 fn write(text: &str) {
     let _ = io::stderr().write_all(text.as_bytes());
 }
 
-/// Writes data to stdout. A reader that has seen enough, such as `head`, is no error.
+/// Writes data to stdout. It is no error if a reader such as `head` has closed the pipe.
 pub fn print(text: &str) -> Result<()> {
     write_out(&plain(text))
 }
 
-/// Writes text of the program's own to stdout, with every character that controls a terminal.
+/// Writes the program's own text to stdout, without escaping control characters.
 pub fn print_as_is(text: &str) -> Result<()> {
     write_out(text)
 }
@@ -219,11 +219,11 @@ fn write_out(text: &str) -> Result<()> {
     }
 }
 
-/// A value as indented JSON on stdout.
+/// Writes a value to stdout as indented JSON.
 pub fn print_json(value: &impl serde::Serialize) -> Result<()> {
     let text = serde_json::to_string_pretty(value)
         .map_err(|error| Error::Argument { reason: error.to_string() })?;
-    // JSON itself escapes what is below a blank.
+    // JSON itself escapes characters below the space.
     let is_plain = |c: char| !('\u{7f}'..='\u{9f}').contains(&c) && !is_mark(c);
     let mut escaped = String::with_capacity(text.len() + 1);
     for c in text.chars() {

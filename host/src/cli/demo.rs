@@ -1,4 +1,4 @@
-//! `organza demo`: a built-in scene, so that there is something to see and to try.
+//! `organza demo`: the built-in scene, as something to look at and to try.
 
 use std::path::{Path, PathBuf};
 
@@ -14,9 +14,9 @@ use super::summary::{Cost, Summary, count};
 use super::views::names;
 use super::written::Written;
 
-/// Side of the tiles that an image is cut into, and of those in `tiles.json`.
+/// Side of the tiles that images are cut into, and of the tiles in `tiles.json`, in pixels.
 const TILE_SIZE: u32 = 64;
-/// The contact sheet is shrunk until it is no wider.
+/// Largest width of the contact sheet, in pixels; a wider one is shrunk.
 const SHEET_WIDTH: u32 = 2400;
 
 const EXAMPLES: &str = "\
@@ -41,7 +41,7 @@ pub struct Args {
     #[arg(long, value_name = "S", default_value_t = 384)]
     #[arg(value_parser = clap::value_parser!(u32).range(8..=4096))]
     size: u32,
-    /// Print JSON: the files, and what rendering took (docs/json.md)
+    /// Print JSON: the files, and the cost of rendering (docs/json.md)
     #[arg(long)]
     json: bool,
     #[command(flatten)]
@@ -70,10 +70,10 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     Ok(())
 }
 
-/// The files beside the views.
+/// The files besides the views.
 const FILES: [&str; 4] = ["scene.safetensors", "cameras.json", "tiles.json", "turntable.png"];
 
-/// What `--json` prints.
+/// The output of `--json`.
 #[derive(Debug, Serialize)]
 struct Made {
     folder: PathBuf,
@@ -82,15 +82,15 @@ struct Made {
     tiles: PathBuf,
     sheet: PathBuf,
     images: Vec<Picture>,
-    /// Images of an earlier call that were removed.
+    /// Number of removed images, which an earlier call had written.
     removed: usize,
     #[serde(flatten)]
     cost: Cost,
 }
 
-/// A folder that holds somebody's files is no place for others of the same names.
+/// Refuses a folder that holds other files with the names of ours.
 fn refuse_foreign(folder: &Folder, scene: &Scene, cameras: &[Camera], path: &Path) -> Result<()> {
-    // What was written and is read again has the same values: f32 in a file are exact.
+    // A file that was written and read again has the same values: f32 are exact in a file.
     let own = Scene::load(folder.join("scene.safetensors")).is_ok_and(|found| found == *scene);
     let views = names(cameras).into_iter().map(|name| format!("{name}.png"));
     let mut files = FILES.map(str::to_owned).into_iter().chain(views);
@@ -153,7 +153,7 @@ impl Sheet {
     fn new(cameras: &[Camera]) -> Result<Self> {
         let (views, side) = (cameras.len() as u32, cameras[0].width);
         let mut columns = (f64::from(views) * 1.5).sqrt().ceil() as u32;
-        // As many rows need no more columns than this.
+        // This number of rows needs no more columns than this.
         columns = views.div_ceil(views.div_ceil(columns));
         let shrink = (columns * side).div_ceil(SHEET_WIDTH);
         let (thumb, rows) = (side / shrink, views.div_ceil(columns));
@@ -170,7 +170,7 @@ impl Sheet {
     }
 }
 
-/// A tile in the middle of each of the first views.
+/// A tile in the center of each of the first views.
 fn center_tiles(cameras: &[Camera]) -> TileBatch {
     let origin = |camera: &Camera| {
         [camera.width, camera.height].map(|size| (size as i32 - TILE_SIZE as i32) / 2)
@@ -196,7 +196,7 @@ fn whats_next(path: &Path, cameras: &[Camera]) -> String {
     )
 }
 
-/// A path as a shell takes it.
+/// A path, quoted for a shell.
 fn quoted(path: &Path) -> String {
     let text = path.display().to_string();
     let is_plain = |c: char| c.is_alphanumeric() || "/\\:._-+".contains(c);

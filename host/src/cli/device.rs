@@ -1,4 +1,4 @@
-//! The options that choose a device.
+//! Options that choose a device.
 
 use std::time::Instant;
 
@@ -13,7 +13,7 @@ use organza_device::{AdapterInfo, adapters};
 use super::console::Console;
 use super::refuse;
 
-/// How a scene lies on the device.
+/// Storage of the scene on the device.
 #[derive(Debug, Default, clap::Args)]
 pub struct SceneArgs {
     /// Store both hash grids in half precision: half their memory, each feature off by at most 1/2048; no gradients
@@ -91,7 +91,7 @@ impl DeviceArgs {
         self.open_as(&self.options()?, console)
     }
 
-    /// Opens a device of [`Self::options`] or [`Self::every`] and says which it is.
+    /// Opens the device of [`Self::options`] or one of [`Self::every`], and says which it is.
     pub fn open_as(&self, options: &DeviceOptions, console: Console) -> Result<Renderer> {
         let start = Instant::now();
         let device = console.during("opening the device", || organza::open_device(options))?;
@@ -100,7 +100,7 @@ impl DeviceArgs {
         Ok(Renderer::new(device))
     }
 
-    /// The CPU, then each GPU that there is.
+    /// The options for the CPU, and for each GPU of the machine.
     pub fn every(&self) -> Result<Vec<DeviceOptions>> {
         let options = self.options()?;
         let cpu = options.clone().backend(BackendChoice::Cpu).spirv(None).adapter(None);
@@ -111,7 +111,7 @@ impl DeviceArgs {
         Ok(std::iter::once(cpu).chain(adapters().into_iter().map(gpu)).collect())
     }
 
-    /// What the options ask for.
+    /// The device options that the arguments describe.
     pub fn options(&self) -> Result<DeviceOptions> {
         let asks_for_gpu =
             self.adapter.is_some() || self.spirv.is_some() || self.variants.is_some();
@@ -128,7 +128,7 @@ impl DeviceArgs {
                 return refuse("`--instruction-set` is for the CPU, but `--backend` is gpu");
             }
             Backend::Cpu => BackendChoice::Cpu,
-            // Who names a GPU does not want the CPU instead.
+            // A user who names a GPU does not want the CPU instead.
             Backend::Auto if !asks_for_gpu => BackendChoice::Auto,
             Backend::Auto | Backend::Gpu => BackendChoice::Gpu,
         };

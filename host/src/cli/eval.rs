@@ -1,4 +1,4 @@
-//! `organza eval`: how close a scene comes to photographs.
+//! `organza eval`: compares a scene with photographs.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -41,7 +41,7 @@ Python package. Lower is better, and 0 is an equal image.";
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// The data set: a folder or a transforms.json [default: what the run was trained on]
+    /// The data set: a folder or a transforms.json [default: that of the run]
     data: Option<PathBuf>,
     /// Background of photographs with an alpha channel: a name such as white, or red, green and blue
     /// from 0 to 1 such as 1,1,1 [default: the scene's background]
@@ -79,7 +79,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 }
 
 impl Args {
-    /// What measures the held-out views of a run.
+    /// Settings that measure the held-out views of a run.
     pub fn of_run(folder: &Path, device: &DeviceArgs) -> Self {
         Self {
             scene: folder.to_owned(),
@@ -102,7 +102,7 @@ impl Args {
         let mut settings = self.data_args.settings(&source, self.data.as_deref(), usage)?;
         let split = self.data_args.split(Split::HeldOut);
         if split == Split::All {
-            // A frame that is held out is measured like any other.
+            // Frames that the run held out are measured like all others.
             settings.hold_out_every = 0;
         }
         if let Some(csv) = &self.csv {

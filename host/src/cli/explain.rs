@@ -1,4 +1,4 @@
-//! `organza explain`: how one pixel came about, Gaussian by Gaussian.
+//! `organza explain`: the parts of one pixel, Gaussian by Gaussian.
 
 mod summary;
 
@@ -37,7 +37,7 @@ weights: Gaussians with half of S are nearer. The table shows the shares of the 
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// The cameras: nerfstudio's transforms.json, or a data set [default: what the run was trained on]
+    /// The cameras: nerfstudio's transforms.json, or a data set [default: those of the run]
     cameras: Option<PathBuf>,
     /// Index of the view [default: 0; all with --summary]
     #[arg(long, value_name = "V")]
@@ -46,7 +46,7 @@ pub struct Args {
     #[arg(long, value_name = "X,Y", value_parser = parse_pixel, allow_hyphen_values = true)]
     #[arg(required_unless_present = "summary")]
     pixel: Option<[i32; 2]>,
-    /// Show how much of the views' weight is not at the surface, instead of a pixel
+    /// Measure how much of the views' weight is not at the surface, instead of explaining a pixel
     #[arg(long, conflicts_with_all = ["pixel", "all"])]
     summary: bool,
     /// Also show Gaussians whose falloff is zero at the pixel
@@ -108,7 +108,7 @@ struct Place {
 }
 
 impl Place {
-    /// Fails where the pixel is not in the view's image.
+    /// Fails if the pixel is not in the view's image.
     fn check(self, camera: &Camera) -> Result<()> {
         let ([x, y], [width, height]) = (self.pixel, [camera.width, camera.height]);
         let is_within = |at: i32, side: u32| (0..i64::from(side)).contains(&i64::from(at));
@@ -199,7 +199,7 @@ fn rgb([r, g, b]: [f32; 3]) -> String {
     format!("{r:.4} {g:.4} {b:.4}")
 }
 
-/// What `--json` prints: every digit that the numbers have.
+/// The output of `--json`: numbers with all their digits.
 #[derive(Debug, Serialize)]
 struct Explanation {
     view: usize,

@@ -1,4 +1,4 @@
-//! `organza export`: a scene as a file for viewers that sort.
+//! `organza export`: writes a scene as a file for viewers that sort.
 
 use std::path::PathBuf;
 
@@ -35,18 +35,18 @@ in views that the fit has not seen.";
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// The views to compare: nerfstudio's transforms.json, or a data set [default: those of the run, or views from all around the
-    /// scene's box]
+    /// The views to compare: nerfstudio's transforms.json, or a data set [default: those of the run, or views from
+    /// all around the scene's box]
     cameras: Option<PathBuf>,
-    /// The file. Its ending says how it is written: .ply has all values, .spz rounds them, .splat has one color for all
-    /// directions
+    /// The file. Its extension chooses the format: .ply has all values, .spz rounds them, .splat has one color for
+    /// all directions
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// How often to compare a view and correct the Gaussians; 0 fits to the networks alone
+    /// Number of times that views are compared and the Gaussians corrected; 0 fits only to the networks
     #[arg(long, value_name = "N", default_value_t = Fit::default().steps)]
     #[arg(value_parser = clap::value_parser!(u32).range(Fit::STEPS))]
     steps: u32,
-    /// The longest side of a view that is compared, in pixels
+    /// Longest side of a compared view, in pixels
     #[arg(long, value_name = "S", default_value_t = Fit::default().side)]
     #[arg(value_parser = clap::value_parser!(u32).range(Fit::SIDES))]
     side: u32,
@@ -99,7 +99,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     Ok(())
 }
 
-/// The views to compare, and the photographs of the scene where there are some.
+/// The views to compare, and the scene's photographs if there are any.
 fn load_views(
     args: &Args,
     source: &SceneSource,
@@ -149,7 +149,7 @@ fn say_psnr(views: &Views, distilled: &Distilled, steps: u32, console: Console) 
     ));
 }
 
-/// What the file loses beside photographs that training has not seen.
+/// Reports the file's loss on photographs that training has not seen.
 fn say_photographs(found: Beside, console: Console) {
     let Beside { photographs, scene, splats } = found;
     console.note(&format!(

@@ -1,4 +1,4 @@
-//! `organza export-web`: a page that renders a scene in a browser, by itself.
+//! `organza export-web`: writes a page that renders a scene in a browser, by itself.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -16,7 +16,7 @@ use super::refuse;
 use super::view::title;
 
 const USAGE: &str = "organza export-web SCENE CAMERAS -o FOLDER";
-/// The longest side of a page's images.
+/// Longest side of a page's images, in pixels.
 const MAX_SIDE: u32 = 4096;
 
 const EXAMPLES: &str = "\
@@ -35,13 +35,13 @@ a folder. It begins at the first camera and turns around what the cameras look a
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// Where to look from: nerfstudio's transforms.json, or a data set [default: what the run was trained on, or around the
-    /// scene's box]
+    /// The cameras to start from: nerfstudio's transforms.json, or a data set [default: those of the run, or views
+    /// around the scene's box]
     cameras: Option<PathBuf>,
     /// The folder of the page, created if it does not exist; with --single-file, the file
     #[arg(short, long, value_name = "PATH")]
     output: PathBuf,
-    /// Write one file that holds everything
+    /// Write a single file that contains everything
     #[arg(long)]
     single_file: bool,
     /// The most pixels that the page renders; a larger window shows them enlarged
@@ -50,8 +50,8 @@ pub struct Args {
     /// The name of the page [default: the scene's]
     #[arg(long, value_name = "TEXT")]
     title: Option<String>,
-    /// Keep both hash grids in full precision: the page is larger, and its images are those of `render`. Without it, each
-    /// feature is off by at most 1/2048
+    /// Keep both hash grids in full precision: the page is larger, and its images are those of `render`. Without
+    /// this, each feature is off by at most 1/2048
     #[arg(long)]
     full_grids: bool,
     #[command(flatten)]
@@ -65,7 +65,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let cameras = cameras(&source, args.cameras.as_deref(), &args.data, USAGE, console)?;
     let inputs: Vec<_> =
         [Some(source.file()), args.cameras.as_deref()].into_iter().flatten().collect();
-    // looked at before anything is computed
+    // checked before anything is computed
     let folder = match args.single_file {
         true => {
             check_file(&args.output, &inputs)?;
@@ -103,7 +103,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     Ok(())
 }
 
-/// Makes a page, and says what it has.
+/// Makes a page, and reports its contents.
 pub fn make(
     scene: &Scene,
     cameras: &[Camera],
@@ -121,7 +121,7 @@ pub fn make(
     Ok(page)
 }
 
-/// Where a page is looked at from: cameras that were named, or the run's. A scene's file alone has none.
+/// The cameras of a page: the named ones, or the run's. A scene's file alone has none.
 pub fn cameras(
     source: &SceneSource,
     named: Option<&Path>,
@@ -135,7 +135,7 @@ pub fn cameras(
     Ok(Cameras::load(source, named, data, usage, console)?.list)
 }
 
-/// The page's folder. One that holds somebody's page is no place for another.
+/// The page's folder. Refuses a folder that holds another page.
 fn folder(path: &Path) -> Result<Folder> {
     let folder = Folder::make(path)?;
     let has = |name: &&str| folder.join(name).exists();

@@ -1,4 +1,4 @@
-//! `organza import`: Gaussians of other programs as a scene.
+//! `organza import`: makes a scene from another program's Gaussians.
 
 use std::path::PathBuf;
 
@@ -22,14 +22,14 @@ The file is one of 3D Gaussian Splatting. A scene needs networks for color and v
 command renders the Gaussians as a viewer that sorts, and trains the scene on these images. It prints how close it came, in \
 views that training has not seen. If you have the photographs, `organza train --start scene.ply` trains on them instead.";
 
-/// Make a scene of a file of 3D Gaussian Splatting: .ply or .spz
+/// Make a scene from a file of 3D Gaussian Splatting: .ply or .spz
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
     /// The Gaussians: a .ply or an .spz file
     file: PathBuf,
-    /// The views to train on: nerfstudio's transforms.json, or a data set, whose photographs are not read [default: from all
-    /// around the Gaussians]
+    /// The views to train on: nerfstudio's transforms.json, or a data set, whose photographs are not read [default:
+    /// views from all around the Gaussians]
     cameras: Option<PathBuf>,
     /// The scene's file, safetensors
     #[arg(short, long, value_name = "SCENE")]

@@ -1,4 +1,4 @@
-//! `organza kernels`: what the program carries for GPUs.
+//! `organza kernels`: lists the kernels that the program contains for GPUs.
 
 use organza::error::format_bytes;
 use organza::{MODULES, Result};
@@ -31,7 +31,7 @@ pub struct Args {
     json: bool,
 }
 
-/// A kernel as it is listed.
+/// A kernel in the list.
 #[derive(Debug, Serialize)]
 struct Listed {
     name: &'static str,
@@ -42,7 +42,7 @@ struct Listed {
     spirv_bytes: usize,
     #[serde(flatten)]
     code: CodeSize,
-    /// The most that one invocation may take, all its loops together.
+    /// Upper limit for the iterations of one invocation, over all its loops.
     worst_case_iterations: u32,
     bindings: Vec<Binding>,
 }

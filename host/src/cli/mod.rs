@@ -47,7 +47,7 @@ use organza::{Result, error};
 use console::Console;
 use verbosity::Verbosity;
 
-/// The exit code of whatever went wrong; clap's own is the same.
+/// The exit code of every failure; clap uses the same.
 const FAILURE: u8 = 2;
 
 const EXAMPLES: &str = "\
@@ -95,7 +95,7 @@ enum Command {
     Man(man::Args),
 }
 
-/// Runs the program; returns its exit code.
+/// Runs the program, and returns its exit code.
 pub fn main() -> ExitCode {
     remember_panics();
     let Cli { verbosity, command } = match Cli::try_parse() {
@@ -136,10 +136,10 @@ pub fn main() -> ExitCode {
     ExitCode::from(FAILURE)
 }
 
-/// What the parser of the command line has to say: help, or what is wrong, a line each and in few.
+/// Prints what clap reports: help, or an error with each paragraph in one line.
 fn usage(error: &clap::Error) -> ExitCode {
     if !error.use_stderr() {
-        // A reader that has seen enough is no error.
+        // It is no error if the reader has closed the pipe.
         let _ = error.print();
         return ExitCode::SUCCESS;
     }
@@ -148,7 +148,7 @@ fn usage(error: &clap::Error) -> ExitCode {
         return ExitCode::from(FAILURE);
     }
     let text = error.render().to_string();
-    // The message, then hints, then the usage: paragraphs of which some have several lines.
+    // The message, then hints, then the usage. Some of these paragraphs have several lines.
     let one_line = |lines: &str| lines.split_whitespace().collect::<Vec<_>>().join(" ");
     let mut paragraphs = text.split("\n\n").map(one_line).filter(|text| !text.is_empty());
     let message = paragraphs.next().unwrap_or_default();
@@ -162,21 +162,21 @@ fn usage(error: &clap::Error) -> ExitCode {
     ExitCode::from(FAILURE)
 }
 
-/// The exit code of what has succeeded.
+/// The exit code of a success.
 fn done(_: ()) -> ExitCode {
     ExitCode::SUCCESS
 }
 
 static LAST_PANIC: Mutex<String> = Mutex::new(String::new());
 
-/// A panic is a bug. It is told as one error among others, unless a backtrace is asked for.
+/// Keeps the text of a panic, which is a bug. It is then reported like other errors, unless a backtrace is asked for.
 fn remember_panics() {
     if std::env::var_os("RUST_BACKTRACE").is_some_and(|value| value != "0") {
         return;
     }
     panic::set_hook(Box::new(|panic| {
         if let Ok(mut last) = LAST_PANIC.lock() {
-            // The text is of two lines.
+            // The text has two lines.
             *last = panic.to_string().replace('\n', " ");
         }
     }));
@@ -190,7 +190,7 @@ fn size(text: &str, sides: RangeInclusive<u32>) -> Result<[u32; 2], String> {
     size.ok_or_else(|| format!("expected pixels such as 1280x720, each side {least} to {most}"))
 }
 
-/// An error about what the command line asks for.
+/// An error about an argument.
 fn refuse<T>(reason: impl Into<String>) -> Result<T> {
     Err(organza::Error::Invalid { origin: PathBuf::new(), reason: reason.into() })
 }

@@ -1,4 +1,4 @@
-//! Looks at where results will go before hours are spent on them.
+//! Checks the places of results before hours are spent on them.
 
 use std::fs;
 use std::io;
@@ -8,13 +8,13 @@ use organza::{Error, Result};
 
 use super::refuse;
 
-/// Checks that a file can be written, and that it is none of the inputs.
+/// Checks that a file can be written, and that it is not one of the inputs.
 pub fn check_file(path: &Path, inputs: &[&Path]) -> Result<()> {
     refuse_inputs(path, inputs)?;
     organza_core::check_writable(path)
 }
 
-/// Fails where writing to a path would replace an input.
+/// Fails if writing to a path would replace an input.
 pub fn refuse_inputs(path: &Path, inputs: &[&Path]) -> Result<()> {
     match inputs.iter().find(|input| is_same(path, input)) {
         Some(input) => {
@@ -25,21 +25,21 @@ pub fn refuse_inputs(path: &Path, inputs: &[&Path]) -> Result<()> {
     }
 }
 
-/// Whether two paths lead to one file that exists.
+/// Whether two paths lead to the same existing file.
 pub fn is_same(a: &Path, b: &Path) -> bool {
     matches!((fs::canonicalize(a), fs::canonicalize(b)), (Ok(a), Ok(b)) if a == b)
 }
 
-/// A folder for results. What was made for it is removed again where nothing came into it.
+/// A folder for results. Newly created folders that stay empty are removed again.
 #[derive(Debug)]
 pub struct Folder {
     path: PathBuf,
-    /// Innermost first.
+    /// Created folders, innermost first.
     made: Vec<PathBuf>,
 }
 
 impl Folder {
-    /// Makes the folder, and those above it, unless it is there; checks that it can be written to.
+    /// Creates the folder, and those above it, if it does not exist. Checks that it can be written to.
     pub fn make(path: &Path) -> Result<Self> {
         let missing =
             path.ancestors().take_while(|above| *above != Path::new("") && !above.exists());
@@ -61,7 +61,7 @@ impl Folder {
         &self.path
     }
 
-    /// The folders that were made for it, innermost first.
+    /// The created folders, innermost first.
     pub fn made(&self) -> &[PathBuf] {
         &self.made
     }
@@ -74,13 +74,13 @@ impl Folder {
 impl Drop for Folder {
     fn drop(&mut self) {
         for path in &self.made {
-            // Fails, as it should, where there is something in it.
+            // Fails on purpose if the folder is not empty.
             let _ = fs::remove_dir(path);
         }
     }
 }
 
-/// Makes a file in a folder and removes it; `path` is what the error names.
+/// Creates a file in a folder and removes it. Errors name `path`.
 fn try_writing(folder: &Path, path: &Path) -> Result<()> {
     match tempfile::Builder::new().prefix(".organza-").suffix(".tmp").tempfile_in(folder) {
         Ok(_) => Ok(()),

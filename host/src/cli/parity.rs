@@ -1,4 +1,4 @@
-//! `organza parity`: every kernel on this machine's GPUs beside the CPU.
+//! `organza parity`: compares every kernel on this machine's GPUs with the CPU.
 
 use std::fmt::Write as _;
 use std::process::ExitCode;
@@ -14,7 +14,7 @@ use super::console::{Console, print, print_json};
 use super::refuse;
 use super::table::Table;
 
-/// The exit code where a kernel is out of tolerance.
+/// The exit code if a kernel is out of tolerance.
 const OUT_OF_TOLERANCE: u8 = 1;
 
 const NOTES: &str = "\
@@ -34,7 +34,7 @@ Examples:
 #[derive(Debug, clap::Args)]
 #[command(after_help = NOTES)]
 pub struct Args {
-    /// What to compare with the CPU: the GPUs, or the CPU itself on a single thread
+    /// The device to compare with the CPU: the GPUs, or the CPU itself on a single thread
     #[arg(long, value_enum, default_value_t)]
     backend: Backend,
     /// Only use GPUs whose name contains this text [default: all]
@@ -72,7 +72,7 @@ pub fn run(args: &Args, console: Console) -> Result<ExitCode> {
                 });
                 match report {
                     Ok(report) => reports.push(report),
-                    // another may be of use
+                    // another GPU may be usable
                     Err(error @ Error::Device(DeviceError::NoGpu { .. })) => unusable.push(error),
                     Err(error) => return Err(error),
                 }
@@ -98,13 +98,13 @@ pub fn run(args: &Args, console: Console) -> Result<ExitCode> {
     Ok(if is_ok { ExitCode::SUCCESS } else { ExitCode::from(OUT_OF_TOLERANCE) })
 }
 
-/// The adapters whose name contains `name`; all without one.
+/// The adapters whose name contains `name`, or all without a name.
 fn chosen(name: Option<&str>) -> Result<Vec<AdapterInfo>> {
     let wanted = name.unwrap_or("").to_lowercase();
     let mut found = adapters();
     found.retain(|adapter| adapter.name.to_lowercase().contains(&wanted));
     if found.is_empty() {
-        // opening it says why it cannot be had
+        // opening it reports why it cannot be used
         let adapter = name.map(str::to_owned);
         organza::open_device(&DeviceOptions::gpu(SpirvPath::Naga).adapter(adapter))?;
         let reason = "it has just disappeared".into();
@@ -131,7 +131,7 @@ fn measured(
     measure(&mut |_| progress.advance(1))
 }
 
-/// Every kernel's tolerance, and where it comes from.
+/// Every kernel's tolerance, and the reason for it.
 fn tolerances() -> String {
     let mut text =
         "## Tolerances\n\n| kernel | tolerance | why |\n| --- | --- | --- |\n".to_owned();
@@ -156,7 +156,7 @@ fn markdown(report: &Report) -> String {
 const TITLES: [&str; 8] =
     ["kernel", "values", "absolute", "relative", "ulp", "tolerance", "of it", "result"];
 
-/// A table, and where it failed.
+/// The table of the report, followed by its failures.
 fn text(report: &Report) -> String {
     let mut table = Table::new(1, TITLES);
     report.kernels.iter().for_each(|row| table.row(cells(row)));
@@ -166,7 +166,7 @@ fn text(report: &Report) -> String {
     text
 }
 
-/// As [`TITLES`] has it.
+/// The cells of a row, in the order of [`TITLES`].
 fn cells(row: &Row) -> [String; TITLES.len()] {
     let measure = &row.measure;
     [
@@ -185,12 +185,12 @@ fn allowed(tolerance: f64) -> String {
     if tolerance == 0.0 { "equal".to_owned() } else { format!("{tolerance:.1e}") }
 }
 
-/// 0 is 0, whatever it is a size of.
+/// Formats a size. Zero is just `0`.
 fn size(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
 }
 
-/// Where a kernel failed most.
+/// Describes the place of a kernel's largest difference.
 fn explain(text: &mut String, row: &Row) {
     let Worst { set, output, index, cpu, found, .. } = &row.measure.share;
     let (failures, values) = (row.measure.failures, row.measure.values);

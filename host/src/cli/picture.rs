@@ -1,4 +1,4 @@
-//! One view as an image.
+//! Renders one view as an image.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -11,15 +11,15 @@ use serde::Serialize;
 use super::console::{Console, Progress};
 use super::summary::{Summary, grouped};
 
-/// The Gaussians that views show.
+/// The Gaussians to render.
 #[derive(Clone, Copy, Debug)]
 pub enum Shown<'a> {
     Scene(&'a DeviceScene),
-    /// Those of many ranks: all of them render the same views.
+    /// A rank's share. All ranks render the same views.
     Share(&'a DeviceShare, &'a dyn Ranks),
 }
 
-/// What views are rendered from, and how.
+/// Everything that views are rendered from.
 #[derive(Debug)]
 pub struct Pictures<'a> {
     pub renderer: &'a Renderer,
@@ -29,7 +29,7 @@ pub struct Pictures<'a> {
 }
 
 impl Pictures<'_> {
-    /// Tiles of some views, for a progress bar.
+    /// Number of tiles in some views, for a progress bar.
     pub fn tiles(&self, views: &[usize]) -> u64 {
         let across = |pixels: u32| u64::from(pixels.div_ceil(self.tile_size));
         let tiles = |&view: &usize| {
@@ -43,7 +43,7 @@ impl Pictures<'_> {
         self.render_channels(view, &[], summary, progress).map(|(picture, _)| picture)
     }
 
-    /// The view, and channels beside its color.
+    /// Renders a view, and channels besides its color.
     pub fn render_channels(
         &self,
         view: usize,
@@ -77,14 +77,14 @@ impl Pictures<'_> {
     }
 }
 
-/// An image that was written, as `--json` prints it.
+/// A written image, as `--json` prints it.
 #[derive(Clone, Debug, Serialize)]
 pub struct Picture {
     view: usize,
     file: PathBuf,
     width: u32,
     height: u32,
-    /// The files of its channels, by name.
+    /// Files of the channels, by the channels' names.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     channels: BTreeMap<&'static str, PathBuf>,
 }
@@ -102,7 +102,7 @@ impl Picture {
     }
 }
 
-/// Says so where pixels are no numbers: black is not what they were rendered as.
+/// Warns of pixels that are not finite: they were rendered as black.
 pub fn warn_not_finite(console: Console, pixels: u64) {
     if pixels > 0 {
         let pixels = grouped(pixels);
@@ -110,7 +110,7 @@ pub fn warn_not_finite(console: Console, pixels: u64) {
     }
 }
 
-/// `96 x 80`, or that sizes differ.
+/// The size of the views, such as `96 x 80`, or a note that sizes differ.
 pub fn sizes(cameras: &[Camera], views: &[usize]) -> String {
     let size = |view: &usize| (cameras[*view].width, cameras[*view].height);
     match views.split_first() {

@@ -1,4 +1,4 @@
-//! What a training says while it goes on: a bar on a terminal, lines in a log file.
+//! The progress of a training: a bar on a terminal, or lines in a log file.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -13,12 +13,12 @@ use super::summary::{count, grouped};
 
 /// Seconds of training over which the speed is measured.
 const WINDOW: f64 = 15.0;
-/// Seconds between lines: a share of the seconds so far, within bounds. An hour gives some 100 lines.
+/// Seconds between lines, as a part of the seconds so far, within bounds. An hour gives about 100 lines.
 const SHARE: f64 = 0.1;
 const SHORTEST: f64 = 2.0;
 const LONGEST: f64 = 60.0;
 
-/// A training as the user sees it.
+/// Shows a training to the user.
 #[derive(Debug)]
 pub struct TrainingProgress {
     console: Console,
@@ -33,7 +33,7 @@ pub struct TrainingProgress {
 }
 
 impl TrainingProgress {
-    /// For a training of so many steps, those before a resume included.
+    /// For a training of `steps` steps, including those before a resume.
     pub fn new(console: Console, steps: u32, time_limit: Option<f64>) -> Self {
         let bar = console.progress(u64::from(steps), "steps");
         bar.say("training");
@@ -42,7 +42,7 @@ impl TrainingProgress {
         Self { console, bar, steps, time_limit, pace, lines, step, seconds, gaussians }
     }
 
-    /// Shows what happened.
+    /// Shows an event.
     pub fn show(&mut self, event: &Event<'_>) {
         match event {
             Event::Warning(text) => self.bar.warn(self.console, text),
@@ -120,10 +120,10 @@ impl TrainingProgress {
         self.bar.note(self.console, &text);
     }
 
-    /// Says how the training ended; the bar goes.
+    /// Prints how the training ended, and removes the bar.
     pub fn end(self, outcome: Outcome) {
         drop(self.bar);
-        // nothing was done
+        // no step was taken
         let Some(gaussians) = self.gaussians else { return };
         let what = match outcome {
             Outcome::TimeLimit => "finished at the time limit",
@@ -140,19 +140,19 @@ impl TrainingProgress {
         count(self.gaussians.unwrap_or(0) as u64, "Gaussian")
     }
 
-    /// The time that training still takes, evaluations excluded.
+    /// Estimates the remaining time of training, without evaluations.
     fn left(&self, speed: f64) -> Duration {
         let steps = f64::from(self.steps.saturating_sub(self.step)) / speed;
         let limit = self.time_limit.map_or(f64::INFINITY, |limit| (limit - self.seconds).max(0.0));
-        // far more than anybody waits for
+        // far longer than anybody waits
         Duration::from_secs_f64(steps.min(limit).min(1e9))
     }
 }
 
-/// The speed of the last seconds.
+/// The speed over the last seconds.
 #[derive(Debug, Default)]
 struct Pace {
-    /// Steps and seconds so far, oldest first.
+    /// Pairs of steps and seconds, oldest first.
     times: VecDeque<(u32, f64)>,
 }
 
@@ -171,18 +171,18 @@ impl Pace {
     }
 }
 
-/// When a line is due, and the means since the last one.
+/// Decides when a line is due, and computes the means since the last one.
 #[derive(Debug, Default)]
 struct Lines {
-    /// The seconds at the first step, and those at which the next line is due.
+    /// Seconds at the first step, and seconds at which the next line is due.
     times: Option<[f64; 2]>,
     sums: [f64; 2],
     count: f64,
 }
 
 impl Lines {
-    /// Adds a step's loss and PSNR; their means since the last line, if another one is due. The mean is taken of squared
-    /// errors, as the PSNR of a batch without any error is infinite.
+    /// Adds a step's loss and PSNR. Returns their means since the last line if another one is due. PSNRs are averaged
+    /// as squared errors, because the PSNR of a batch without any error is infinite.
     fn add(&mut self, seconds: f64, loss: f64, psnr: f64) -> Option<[f64; 2]> {
         let values = [loss, 10f64.powf(-psnr / 10.0)];
         self.sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
@@ -199,7 +199,7 @@ impl Lines {
     }
 }
 
-/// With three digits or all before the point.
+/// Formats a number with three digits, or with all digits before the point.
 fn rounded(value: f64) -> String {
     let digits = if value < 10.0 { 2 } else { usize::from(value < 100.0) };
     format!("{value:.digits$}")
@@ -213,7 +213,7 @@ mod tests {
     fn the_speed_is_that_of_the_last_seconds() {
         let mut pace = Pace::default();
         assert_eq!(pace.steps_per_second(), None);
-        // a hundred seconds of one step each, then ten steps a second
+        // a hundred steps of one second each, then ten steps per second
         for step in 0..=100 {
             pace.add(step, f64::from(step));
         }
@@ -231,7 +231,7 @@ mod tests {
     #[test]
     fn lines_become_rarer_and_tell_means() {
         let mut lines = Lines::default();
-        // resumed after 1000 s; ten steps a second for an hour
+        // resumed after 1000 s; then ten steps per second for an hour
         let due: Vec<_> = (0..36_000)
             .filter_map(|step| {
                 let seconds = 0.1 * f64::from(step);
@@ -239,7 +239,7 @@ mod tests {
             })
             .collect();
         assert_eq!(due[0], (0.0, [0.0, 0.0]));
-        // the mean of steps 1 to 20
+        // the mean over steps 1 to 20
         assert!((due[1].0 - 2.0).abs() < 0.15 && (due[1].1[0] - 10.5).abs() < 1.0, "{:?}", due[1]);
         assert!((85..105).contains(&due.len()), "{} lines", due.len());
         let last = due[due.len() - 1].0 - due[due.len() - 2].0;
@@ -253,7 +253,7 @@ mod tests {
         assert_eq!(first, Some([0.0, f64::INFINITY]));
         let none = [(0.1, f64::INFINITY), (0.2, 20.0)].map(|(at, psnr)| lines.add(at, 0.0, psnr));
         assert_eq!(none, [None; 2]);
-        // errors of 0, 0.01 and 0.02
+        // squared errors of 0, 0.01 and 0.02
         let [_, psnr] = lines.add(5.0, 0.0, 10.0 * 50f64.log10()).unwrap();
         assert!((psnr - 20.0).abs() < 1e-9, "{psnr}");
     }

@@ -1,4 +1,4 @@
-//! The options of commands that ranks share, and what ranks other than the first do.
+//! Options of commands that ranks share, and the work of ranks other than the first.
 
 use std::path::Path;
 use std::str::FromStr;
@@ -20,20 +20,21 @@ use super::verbosity::Level;
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Ranks")]
 pub struct RanksArgs {
-    /// Share the training among N threads, each with a device of its own; or `mpi`: among the processes that mpirun or srun
-    /// has started. Any number of ranks gives the bits of a training without this
-    /// (docs/cluster.md)
+    /// Share the training among N threads, each with its own device; or `mpi`: among the processes that mpirun or
+    /// srun has started. The result does not depend on the number of ranks, and has the same bits as without this
+    /// option (docs/cluster.md)
     #[arg(long, value_name = "N|mpi")]
     ranks: Option<Kind>,
-    /// What ranks share. `views`: each holds the whole scene. `gaussians`: each holds some of the Gaussians, for scenes that do
-    /// not fit on one device. The scene's bits depend on this [default: views]
+    /// The work that ranks share. `views`: each rank holds the whole scene. `gaussians`: each rank holds some of the
+    /// Gaussians, for scenes that do not fit on one device. The scene's bits depend on this [default: views]
     #[arg(long, value_name = "WHAT", requires = "ranks")]
     split: Option<SplitName>,
-    /// With `--split gaussians`: deal the Gaussians in N shares, to groups of N ranks. The groups share the views. N divides the
-    /// number of ranks. The scene's bits do not depend on it [default: as many as ranks, one group]
+    /// With `--split gaussians`: distribute the Gaussians in N shares, over groups of N ranks. The groups share the
+    /// views. N divides the number of ranks. The scene's bits do not depend on it [default: the number of ranks, so
+    /// one group]
     #[arg(long, value_name = "N", requires = "split")]
     shares: Option<usize>,
-    /// Allow ranks with different programs or devices; the scene's bits then depend on which of them computes what
+    /// Allow ranks with different programs or devices; the scene's bits then depend on which rank computes what
     #[arg(long, requires = "ranks")]
     mixed: bool,
 }
@@ -50,7 +51,7 @@ enum Kind {
     Mpi,
 }
 
-/// More threads than that are a mistake: each holds the whole scene.
+/// Largest number of threads. More are a mistake: each holds the whole scene.
 const MOST_THREADS: usize = 64;
 
 impl FromStr for Kind {
@@ -66,7 +67,7 @@ impl FromStr for Kind {
 }
 
 impl RanksArgs {
-    /// The ranks, if there are to be any.
+    /// Starts the ranks; `None` without `--ranks`.
     pub fn start(&self) -> Result<Option<Team>> {
         let split = match self.split {
             Some(SplitName::Gaussians) => Split::Gaussians,
@@ -80,20 +81,21 @@ impl RanksArgs {
     }
 }
 
-/// Options of rendering with Gaussians that are dealt to ranks.
+/// Options of rendering with Gaussians that are distributed over ranks.
 #[derive(Debug, clap::Args)]
 pub struct SharesArgs {
-    /// Deal the Gaussians to N threads, each with a device of its own; or `mpi`: to the processes that mpirun or srun has
-    /// started. For scenes that do not fit on one device. Any number of ranks gives the same bits (docs/cluster.md)
+    /// Distribute the Gaussians over N threads, each with its own device; or `mpi`: over the processes that mpirun or
+    /// srun has started. For scenes that do not fit on one device. Any number of ranks gives the same bits
+    /// (docs/cluster.md)
     #[arg(long, value_name = "N|mpi", help_heading = "Ranks")]
     ranks: Option<Kind>,
-    /// Allow ranks with different programs or devices; the image's bits then depend on which of them computes what
+    /// Allow ranks with different programs or devices; the image's bits then depend on which rank computes what
     #[arg(long, requires = "ranks", help_heading = "Ranks")]
     mixed: bool,
 }
 
 impl SharesArgs {
-    /// The ranks, if there are to be any.
+    /// Starts the ranks; `None` without `--ranks`.
     pub fn start(&self) -> Result<Option<Team>> {
         self.ranks.map(|kind| Team::start(kind, self.mixed)).transpose()
     }
@@ -111,17 +113,17 @@ fn start_mpi() -> Result<Arc<dyn Ranks>> {
     )
 }
 
-/// Ranks, as one of them sees them.
+/// The ranks, from the point of view of one of them.
 #[derive(Debug)]
 pub struct Team {
-    /// This process's, or that of its first thread.
+    /// The rank of this process, or of its first thread.
     pub mine: Arc<dyn Ranks>,
-    /// Those of other threads.
+    /// The ranks of the other threads.
     pub others: Vec<ThreadRanks>,
     pub mixed: bool,
-    /// What they share of a training.
+    /// The work of a training that they share.
     pub split: Split,
-    /// In how many shares its Gaussians are dealt, if not as many as ranks.
+    /// Number of shares of the Gaussians, if it is not the number of ranks.
     pub shares: Option<usize>,
     pub is_mpi: bool,
 }
@@ -142,7 +144,7 @@ impl Team {
         Self { mine, others, mixed, split: Split::default(), shares: None, is_mpi: false }
     }
 
-    /// Does `lead` on rank 0 and `follow` on the others. Who fails ends all.
+    /// Runs `lead` on rank 0 and `follow` on the others. A failure of one rank ends all.
     pub fn run(
         self,
         lead: impl FnOnce(Member<'_>) -> Result<()>,
@@ -162,13 +164,13 @@ impl Team {
             if is_mpi && let Err(error) = &result {
                 mine.fail(&error::chain(error));
             }
-            // before the threads are waited for: they end when rank 0 is gone
+            // before the threads are joined: they end when rank 0 is gone
             drop(mine);
             result
         })
     }
 
-    /// Rank 0's settings, which the others cannot read while it writes them.
+    /// Sends rank 0's settings to the other ranks, which cannot read them while rank 0 writes the file.
     pub fn tell(&self, config: &TrainConfig) -> Result<()> {
         if self.is_mpi {
             self.mine.broadcast(config.to_toml().into_bytes())?;
@@ -181,11 +183,11 @@ impl Team {
         Places { is_mpi: self.is_mpi, size: self.mine.size() }
     }
 
-    /// What an MPI process does that is not the first: reads the photographs, and does as it is told.
+    /// The work of an MPI process other than the first: it reads the photographs and follows rank 0.
     pub fn follow_process(&self, device: &DeviceArgs) -> Result<()> {
         let ranks = &self.mine;
         let follow = || {
-            // the first signal is for rank 0 to act on
+            // rank 0 acts on the first signal
             let signals = Signals::listen()?;
             signals.keeps_results();
             let text = String::from_utf8_lossy(&ranks.broadcast(Vec::new())?).into_owned();
@@ -209,7 +211,7 @@ pub struct Places {
 }
 
 impl Places {
-    /// What a rank's device is: threads share the cores, and ranks of one machine its GPUs.
+    /// The device of a rank: threads share the cores, and ranks on one machine share its GPUs.
     pub fn device(self, options: DeviceOptions, rank: usize) -> DeviceOptions {
         if self.is_mpi {
             return options.place(local_rank().unwrap_or(rank));
@@ -220,7 +222,7 @@ impl Places {
     }
 }
 
-/// A rank of those that hold shares of a scene.
+/// One of the ranks that hold shares of a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Member<'a> {
     pub ranks: &'a dyn Ranks,
@@ -229,13 +231,14 @@ pub struct Member<'a> {
 }
 
 impl Member<'_> {
-    /// Opens its device.
+    /// Opens the rank's device.
     pub fn open(&self, device: &DeviceArgs, console: Console) -> Result<Renderer> {
         let options = self.places.device(device.options()?, self.ranks.rank());
         device.open_as(&options, console)
     }
 
-    /// Its share of the scene in a file, on its device. `input` identifies what else all ranks have read.
+    /// Loads the rank's share of a scene file to its device. `input` identifies the other inputs that all ranks have
+    /// read.
     pub fn share(
         &self,
         renderer: &Renderer,
@@ -257,7 +260,7 @@ impl Member<'_> {
     }
 }
 
-/// What a thread does that is not the first rank.
+/// The work of a thread other than the first rank.
 pub fn follow_thread(
     ranks: ThreadRanks,
     options: &DeviceOptions,
@@ -274,7 +277,7 @@ pub fn follow_thread(
     }
 }
 
-/// This process's number among those of its machine.
+/// The number of this process among those on its machine.
 fn local_rank() -> Option<usize> {
     // Open MPI, Slurm, MPICH, Intel MPI
     const NAMES: [&str; 4] =

@@ -56,18 +56,19 @@ file, the values are as they are.";
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// The cameras: nerfstudio's transforms.json, or a data set [default: what the run was trained on]
+    /// The cameras: nerfstudio's transforms.json, or a data set [default: those of the run]
     cameras: Option<PathBuf>,
     /// The folder for the images; created if it does not exist
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
-    /// Which views to render, such as 0,8 or 0-3 [default: all]
+    /// The views to render, such as 0,8 or 0-3 [default: all]
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     views: Option<ViewList>,
-    /// Render every Nth view from the Ith on, such as 0/4; `slurm` takes both from the task of a Slurm array
+    /// Render every Nth view, starting with the Ith: I/N, such as 0/4. `slurm` takes both from the task of a Slurm
+    /// array
     #[arg(long, value_name = "I/N")]
     shard: Option<Shard>,
-    /// Render only images that are not there yet
+    /// Render only images that do not exist yet
     #[arg(long)]
     missing: bool,
     #[command(flatten)]
@@ -76,7 +77,7 @@ pub struct Args {
     #[arg(long, value_name = "S", default_value_t = 64)]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_TILE_SIDE)))]
     tile_size: u32,
-    /// Print JSON: the images, and what rendering took (docs/json.md)
+    /// Print JSON: the images, and the cost of rendering (docs/json.md)
     #[arg(long)]
     json: bool,
     #[command(flatten)]
@@ -91,7 +92,7 @@ pub struct Args {
     device: DeviceArgs,
 }
 
-/// What to render, as every rank finds it out.
+/// The work to do, as every rank determines it.
 struct Job {
     source: SceneSource,
     cameras: Cameras,
@@ -111,7 +112,7 @@ impl Job {
         Ok(Self { source, cameras, views })
     }
 
-    /// A rank's share of the scene, on its device.
+    /// Loads a rank's share of the scene to its device.
     fn share(&self, args: &Args, rank: Member<'_>, renderer: &Renderer) -> Result<DeviceShare> {
         let input = format!("{:?} {:?}", self.views, self.cameras.list);
         rank.share(renderer, self.source.file(), &input, args.scene_args.options())
@@ -213,14 +214,14 @@ fn render(args: &Args, job: Job, rank: Option<Member<'_>>, console: Console) -> 
     Ok(())
 }
 
-/// What `--json` prints.
+/// The output of `--json`.
 #[derive(Debug, Serialize)]
 struct Rendered<'a> {
     folder: &'a Path,
     images: Vec<Picture>,
-    /// Views that this call rendered; earlier ones the others.
+    /// Number of views that this call rendered. Earlier calls rendered the others.
     rendered: usize,
-    /// Images of an earlier call that were removed.
+    /// Number of removed images, which an earlier call had written.
     removed: usize,
     #[serde(flatten)]
     cost: Cost,
@@ -267,7 +268,7 @@ fn write_all(
     Ok(summary.cost(pictures.renderer, not_finite))
 }
 
-/// The files to write for each view, one for each ending; none may be what the scene was made from.
+/// The files to write for each view, one per extension. None may be an input of the scene.
 fn files(
     folder: &Folder,
     scene: &SceneSource,

@@ -1,4 +1,4 @@
-//! Ctrl-C and SIGTERM, from the first moment of a training to its last, and while a film is rendered.
+//! Handles Ctrl-C and SIGTERM, from the first moment of a training to its last, and while a film is rendered.
 
 use std::io::Write;
 use std::path::PathBuf;
@@ -13,30 +13,30 @@ use organza::train::RunFolder;
 use super::output::Folder;
 use super::{FAILURE, refuse};
 
-/// Who listens: until there is something to keep a signal ends the program at once and leaves nothing; then the
-/// first one asks to save and stop, and the second ends at once.
+/// Handles signals. Until there is something to keep, a signal ends the program at once and leaves nothing behind.
+/// Afterwards, the first signal asks to save and stop, and the second ends the program at once.
 #[derive(Debug)]
 pub struct Signals {
     stop: Arc<AtomicBool>,
     begun: Arc<Mutex<Begun>>,
 }
 
-/// What a signal finds.
+/// The state that a signal finds.
 #[derive(Debug, Default)]
 struct Begun {
-    /// Whether something was written that is to be kept.
+    /// Whether there are results to keep.
     keeps_results: bool,
-    /// The run's folder, and those that were made for it, innermost first.
+    /// The run's folder, and the folders created for it, innermost first.
     folder: Option<(PathBuf, Vec<PathBuf>)>,
 }
 
 impl Signals {
-    /// Listens from now on.
+    /// Starts to listen.
     pub fn listen() -> Result<Self> {
         let signals = Self { stop: Arc::default(), begun: Arc::default() };
         let (stop, begun) = (signals.stop.clone(), signals.begun.clone());
         let handler = move || {
-            // Held to the end, so that nothing begins while what was made is removed.
+            // Held to the end, so that nothing starts while created folders are removed.
             let begun = lock(&begun);
             if !begun.keeps_results {
                 begun.remove();
@@ -52,17 +52,17 @@ impl Signals {
         }
     }
 
-    /// Set to save and stop.
+    /// The flag that asks to save and stop.
     pub fn stop(&self) -> &AtomicBool {
         &self.stop
     }
 
-    /// From now on there is a folder, to be removed where nothing comes into it.
+    /// Registers a folder that is removed if it stays empty.
     pub fn has_made(&self, folder: &Folder) {
         lock(&self.begun).folder = Some((folder.path().to_owned(), folder.made().to_owned()));
     }
 
-    /// From now on what was written is kept.
+    /// From now on, a signal keeps the results.
     pub fn keeps_results(&self) {
         lock(&self.begun).keeps_results = true;
     }
@@ -73,7 +73,7 @@ impl Begun {
         if let Some((folder, made)) = &self.folder {
             RunFolder::clear(folder);
             for folder in made {
-                // Fails, as it should, where there is something in it.
+                // Fails on purpose if the folder is not empty.
                 let _ = std::fs::remove_dir(folder);
             }
         }
@@ -84,11 +84,11 @@ fn lock(begun: &Mutex<Begun>) -> MutexGuard<'_, Begun> {
     begun.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Ends the program, whatever its other threads are waiting for.
+/// Ends the program, even while other threads are waiting.
 fn end(text: &str) -> ! {
     let text = format!("error: {text}\n");
     let (sender, written) = mpsc::channel();
-    // A pipe that nobody empties would block.
+    // Writing to a pipe that nobody reads would block.
     thread::spawn(move || {
         let _ = io::stderr().write_all(text.as_bytes());
         let _ = sender.send(());
@@ -97,7 +97,7 @@ fn end(text: &str) -> ! {
     exit()
 }
 
-/// Without the destructors of a driver that another thread is in the middle of.
+/// Exits without the destructors of a driver, which another thread may be using.
 #[cfg(unix)]
 fn exit() -> ! {
     // SAFETY: ends the process; nothing runs afterwards

@@ -1,11 +1,11 @@
-//! What rendering took, in one line.
+//! The cost of rendering, in one line.
 
 use std::time::Instant;
 
 use organza::{RenderReport, Renderer};
 use serde::Serialize;
 
-/// What rendering took, as `--json` prints it.
+/// The cost of rendering, as `--json` prints it.
 #[derive(Clone, Debug, Serialize)]
 pub struct Cost {
     device: String,
@@ -18,7 +18,7 @@ pub struct Cost {
     not_finite: u64,
 }
 
-/// Adds up reports.
+/// Adds up the reports of renderings.
 #[derive(Debug)]
 pub struct Summary {
     start: Instant,
@@ -26,7 +26,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// The clock starts now.
+    /// Starts the clock.
     pub fn start() -> Self {
         Self { start: Instant::now(), report: RenderReport::default() }
     }
@@ -39,7 +39,7 @@ impl Summary {
         self.report.degenerate += report.degenerate;
     }
 
-    /// All numbers; `not_finite` values were NaN or infinite.
+    /// All numbers. `not_finite` values were NaN or infinite.
     pub fn cost(&self, renderer: &Renderer, not_finite: u64) -> Cost {
         let report = &self.report;
         Cost {
@@ -54,7 +54,7 @@ impl Summary {
         }
     }
 
-    /// The line; `what` was rendered.
+    /// The line. `what` names the rendered things.
     pub fn line(&self, what: &str) -> String {
         let report = &self.report;
         let seconds = self.start.elapsed().as_secs_f64();
@@ -74,13 +74,13 @@ impl Summary {
     }
 }
 
-/// A number of things: `1 tile`, `12,345 tiles`.
+/// A number with its noun: `1 tile`, `12,345 tiles`.
 pub fn count(number: u64, thing: &str) -> String {
     let plural = if number == 1 { "" } else { "s" };
     format!("{} {thing}{plural}", grouped(number))
 }
 
-/// Digits in groups of three.
+/// Formats a number with its digits in groups of three.
 pub fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::new();

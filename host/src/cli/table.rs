@@ -2,11 +2,11 @@
 
 use std::fmt;
 
-/// The widest column, in characters: what is longer pushes the rest of its row aside. The formatter
-/// takes no width above 65,535.
+/// Widest column, in characters: a longer cell pushes the rest of its row aside. The formatter accepts no width above
+/// 65,535.
 const WIDEST: usize = 200;
 
-/// Rows of text: columns of numbers are aligned at the right, those of words at the left.
+/// Rows of text. Columns of numbers are aligned right, those of words left.
 #[derive(Debug)]
 pub struct Table {
     words: usize,
@@ -14,7 +14,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// A table whose first `words` columns are words.
+    /// A table whose first `words` columns hold words.
     pub fn new<'a>(words: usize, titles: impl IntoIterator<Item = &'a str>) -> Self {
         Self { words, rows: vec![titles.into_iter().map(str::to_owned).collect()] }
     }
@@ -47,7 +47,7 @@ impl fmt::Display for Table {
     }
 }
 
-/// A number in five significant digits.
+/// A number with five significant digits.
 pub fn number(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 {

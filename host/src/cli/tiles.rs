@@ -1,4 +1,4 @@
-//! `organza tiles`: a batch of tiles as one tensor.
+//! `organza tiles`: renders a batch of tiles into one tensor.
 
 use std::path::{Path, PathBuf};
 
@@ -42,7 +42,7 @@ tensor of the scene, `grad.<tensor>`.";
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// The cameras: nerfstudio's transforms.json, or a data set [default: what the run was trained on]
+    /// The cameras: nerfstudio's transforms.json, or a data set [default: those of the run]
     cameras: Option<PathBuf>,
     /// The tiles, JSON
     tiles: PathBuf,
@@ -55,7 +55,7 @@ pub struct Args {
     /// Where to write the gradient of the loss with respect to every tensor of the scene, safetensors
     #[arg(long, value_name = "GRAD", requires = "grad_output", conflicts_with = "half_grids")]
     grad: Option<PathBuf>,
-    /// Print JSON: the files, and what rendering took (docs/json.md)
+    /// Print JSON: the files, and the cost of rendering (docs/json.md)
     #[arg(long)]
     json: bool,
     #[command(flatten)]
@@ -86,7 +86,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     team.run(|rank| tiles(args, &Job::find(args, console)?, Some(rank), console), follow)
 }
 
-/// What to render, as every rank finds it out.
+/// The work to do, as every rank determines it.
 struct Job {
     source: SceneSource,
     batch: TileBatch,
@@ -110,7 +110,7 @@ impl Job {
         if args.output.is_none() && !channels.is_empty() {
             return refuse("`--channels` are written to the output; name one with `-o OUT`");
         }
-        // The large file comes last: most mistakes are in the small ones.
+        // The large file is read last: most mistakes are in the small ones.
         let batch = load_batch(&args.tiles)?;
         let (named, usage) = (args.cameras.as_deref(), "organza tiles SCENE CAMERAS TILES");
         let cameras = Cameras::load(&source, named, &args.data, usage, console)?.list;
@@ -127,7 +127,7 @@ impl Job {
         Ok(Self { source, batch, cameras, grad_output })
     }
 
-    /// The tiles, and on rank 0 their gradient if it is asked for.
+    /// The tiles, and their gradient if it is asked for, on rank 0.
     fn of_ranks(
         &self,
         args: &Args,
@@ -193,7 +193,7 @@ fn tiles(args: &Args, job: &Job, rank: Option<Member<'_>>, console: Console) -> 
     Ok(())
 }
 
-/// What `--json` prints.
+/// The output of `--json`.
 #[derive(Debug, Serialize)]
 struct Rendered<'a> {
     file: Option<&'a Path>,
@@ -203,7 +203,7 @@ struct Rendered<'a> {
     cost: Option<Cost>,
 }
 
-/// `grad_output` of a file, which must have the batch's shape.
+/// Reads `grad_output` from a file. It must have the batch's shape.
 fn read_grad_output(path: &Path, batch: &TileBatch) -> Result<Vec<f32>> {
     const NAME: &str = "grad_output";
     const WHY: &str = "a value for each of `tiles`, the rendered batch";
@@ -260,7 +260,7 @@ pub fn load_batch(path: &Path) -> Result<TileBatch> {
     TileBatch::load(path).map_err(|error| told_apart(error, path, Expected::Tiles))
 }
 
-/// Names the file of a tile that was found wrong only beside the cameras.
+/// Adds the file's name to an error about a tile that was found when comparing with the cameras.
 pub fn with_origin(error: Error, path: &Path) -> Error {
     match error {
         Error::Tile { tile, reason, .. } => Error::Tile { origin: path.to_owned(), tile, reason },

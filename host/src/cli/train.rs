@@ -1,4 +1,4 @@
-//! `organza train`: from photographs to a scene.
+//! `organza train`: trains a scene on photographs.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -48,7 +48,7 @@ RUN gets config.toml (all settings; --config reads them back), metrics.jsonl (th
 checkpoint.safetensors (a scene that every other command accepts), evaluations.csv (the scores of \
 each held-out view) and report.html.";
 
-/// The examples, and what `--set` can set.
+/// The examples, and the settings for `--set`.
 fn long_help() -> String {
     let mut text = format!(
         "{EXAMPLES}\n\nSettings are overridden in this order: defaults, --preset, --config, --set, other options. \
@@ -85,13 +85,13 @@ pub struct Args {
     #[arg(long, value_name = "SECONDS", conflicts_with = "minutes")]
     #[arg(value_parser = clap::value_parser!(u32).range(1..))]
     time_limit: Option<u32>,
-    /// Print JSON when the run ends: how it ended, and what was measured (docs/json.md)
+    /// Print JSON when the run ends: the reason for its end, and the results (docs/json.md)
     #[arg(long)]
     json: bool,
-    /// Show the scene, the curves and buttons to pause and stop on a page, while training
+    /// While training, show a page with the scene, the curves, and buttons to pause and stop
     #[arg(long, help_heading = "Page")]
     view: bool,
-    /// The share of the time that images of the page may take, in percent
+    /// The part of the time that the page's images may take, in percent
     #[arg(long, value_name = "PERCENT", help_heading = "Page", default_value_t = 10)]
     #[arg(value_parser = clap::value_parser!(u8).range(1..=90))]
     view_share: u8,
@@ -103,7 +103,7 @@ pub struct Args {
     device: DeviceArgs,
 }
 
-/// The options that say how to train.
+/// Options for the settings of a training.
 #[derive(Debug, clap::Args)]
 pub struct SettingsArgs {
     /// The settings to start from: a settings file that is part of the program
@@ -154,7 +154,7 @@ pub struct SettingsArgs {
     /// Read what the data set names outside its own folder, by a path or a link
     #[arg(long)]
     allow_outside: bool,
-    /// Also learn how the camera of each photograph stood: for poses that are a little off
+    /// Also learn the pose of each photograph's camera: for poses that are a little off
     #[arg(long)]
     refine_poses: bool,
     /// Seed of all random choices
@@ -185,7 +185,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     if team.mine.rank() > 0 {
         return team.follow_process(&args.device);
     }
-    // threads end when rank 0 is gone; processes must be told
+    // threads end when rank 0 is gone, but processes need a message
     let processes = team.is_mpi.then(|| team.mine.clone());
     lead(args, Some(team), console).inspect_err(|error| {
         if let Some(processes) = processes {
@@ -225,7 +225,7 @@ fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
     if args.json { print_json(&ended.of(&folder, outcome)) } else { Ok(()) }
 }
 
-/// What `--json` prints when a run ends.
+/// The output of `--json` at the end of a run.
 #[derive(Debug, Default, Serialize)]
 struct Ended {
     folder: PathBuf,
@@ -235,7 +235,7 @@ struct Ended {
     step: u32,
     seconds: Option<f64>,
     gaussians: Option<usize>,
-    /// Of the last evaluation.
+    /// Score of the last evaluation.
     psnr: Option<f64>,
     ssim: Option<f64>,
 }
@@ -267,27 +267,27 @@ impl Ended {
     }
 }
 
-/// A run to train, from its first step or from where it stopped.
+/// A run to train, from its first step or from its checkpoint.
 #[derive(Debug)]
 pub struct Job<'a> {
-    /// Its settings.
+    /// Settings of the run.
     pub config: TrainConfig,
-    /// Its folder.
+    /// Folder of the run.
     pub folder: &'a Path,
-    /// Whether the folder has a run to go on with.
+    /// Whether the folder has a run to resume.
     pub resume: bool,
     /// See [`Session::planned`].
     pub planned: Option<f64>,
     /// See [`Session::time_limit`].
     pub time_limit: Option<f64>,
-    /// Where its page is, and the share of the time that images may take.
+    /// The page's address, and the part of the time that its images may take.
     pub view: Option<(&'a ServerArgs, f64)>,
-    /// Who shares it, where this is the first rank.
+    /// The ranks that share the run, if this is the first of them.
     pub team: Option<Team>,
 }
 
 impl Job<'_> {
-    /// Makes the folder, reads the photographs, trains.
+    /// Creates the folder, reads the photographs, and trains.
     pub fn run(
         mut self,
         device: &DeviceArgs,
@@ -303,7 +303,7 @@ impl Job<'_> {
         }
         let data = DataSet::open(config.data.clone(), console)?;
         let server = self.view.map(|(server, _)| server.listen()).transpose()?;
-        // until there is something in it
+        // until there is something in the folder
         let made = Folder::make(self.folder)?;
         signals.has_made(&made);
         let folder = RunFolder::lock(self.folder, self.resume)?;
@@ -315,7 +315,7 @@ impl Job<'_> {
         let renderer = device.open_as(&of_rank(0), console)?;
         let dataset = Arc::new(data.read(&renderer, console)?);
         if config.data.path.is_some() {
-            // so that a run's file says which it was
+            // so that the run's file records the background
             let background = dataset.background.map(|value| value as f32);
             config.data.background = Background::Color(background);
         }
@@ -353,7 +353,7 @@ impl Job<'_> {
             }
         };
         let outcome = thread::scope(|scope| {
-            // the session is gone before the threads are waited for: whatever ends it ends them
+            // the session ends before the threads are joined, because its end also ends them
             let session = session;
             for (ranks, options) in others.into_iter().zip(&of_others) {
                 let dataset = &dataset;
@@ -372,7 +372,7 @@ impl Job<'_> {
     }
 }
 
-/// The words of the command line, quoted as a shell needs them; the program without its folder.
+/// The words of the command line, quoted for a shell. The program is without its folder.
 fn command_line() -> Option<String> {
     let words: Vec<String> =
         std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
@@ -380,7 +380,7 @@ fn command_line() -> Option<String> {
     shlex::try_join(words).ok()
 }
 
-/// The run's folder and its settings.
+/// The run's folder and settings.
 fn prepare(args: &Args) -> Result<(PathBuf, TrainConfig)> {
     if let Some(folder) = &args.resume {
         return Ok((folder.clone(), args.settings.resumed(folder)?));
@@ -390,14 +390,14 @@ fn prepare(args: &Args) -> Result<(PathBuf, TrainConfig)> {
 }
 
 impl SettingsArgs {
-    /// The settings of a run that is resumed: its own, but for what the options change.
+    /// The settings of a resumed run: its own, with the changes that the options make.
     pub fn resumed(&self, folder: &Path) -> Result<TrainConfig> {
         train::changed_settings_of(folder, |config| {
             self.adjusted(ConfigBuilder::from_config(&config), |_| ())
         })
     }
 
-    /// The settings to train a data set with, or the built-in scene.
+    /// The settings to train on a data set, or on the built-in scene.
     pub fn settings(&self, data: Option<&Path>) -> Result<TrainConfig> {
         let named = self.preset.as_deref();
         let preset = match Preset::ALL.into_iter().find(|preset| Some(preset.name()) == named) {
@@ -411,7 +411,7 @@ impl SettingsArgs {
         }
         self.adjusted(builder, |config| {
             if let Some(data) = data {
-                // a run is resumed from anywhere
+                // absolute, because the run may be resumed from another folder
                 let path = std::path::absolute(data).unwrap_or_else(|_| data.to_owned());
                 config.data.path = Some(path);
             }
@@ -425,7 +425,7 @@ impl SettingsArgs {
         })
     }
 
-    /// Settings with single values that were given on the command line, and what `other` does to them.
+    /// Settings with the values given on the command line. `other` makes further changes.
     fn adjusted(
         &self,
         mut builder: ConfigBuilder,
@@ -458,17 +458,17 @@ impl SettingsArgs {
         config.run.tensorboard |= self.tensorboard;
         config.poses.refine |= self.refine_poses;
         other(&mut config);
-        // options are held to what files are held to
+        // options are checked like files
         TrainConfig::parse(&config.to_toml(), Path::new(""))
     }
 
-    /// Seconds that a run is to take, where it is not known how many steps it has.
+    /// Seconds that the run should take, if its number of steps is to be chosen.
     pub fn planned(&self) -> Option<f64> {
         self.minutes.map(|minutes| 60.0 * minutes)
     }
 }
 
-/// A minute is enough for a few steps of anything, and nothing is trained for a year.
+/// Parses a number of minutes. A minute is enough for a few steps of anything, and nothing is trained for a year.
 fn minutes(text: &str) -> Result<f64, String> {
     let value = text.parse().ok().filter(|value| (0.01..=500_000.0).contains(value));
     value.ok_or_else(|| "expected a number of minutes, such as 10 or 0.5".to_owned())

@@ -1,4 +1,4 @@
-//! How much the program says on stderr.
+//! Options for the amount of output on stderr.
 
 /// Options of every command.
 #[derive(Clone, Copy, Debug, clap::Args)]
@@ -11,14 +11,14 @@ pub struct Verbosity {
     verbose: bool,
 }
 
-/// What is said.
+/// The amount of output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
-    /// Warnings and errors.
+    /// Only warnings and errors.
     Quiet,
-    /// And what a command does and has done.
+    /// Also what a command does and has done.
     Normal,
-    /// And details.
+    /// Also details.
     Verbose,
 }
 

@@ -1,4 +1,4 @@
-//! `organza view`: a scene in a browser.
+//! `organza view`: shows a scene in a browser.
 
 use std::net::IpAddr;
 use std::path::{Path, PathBuf};
@@ -30,7 +30,7 @@ Examples:
 The page shows the scene while you move through it, coarsely at first. When the camera rests, the image becomes that \
 of `organza render`, to the bit. Press ? on the page for its keys. Ctrl-C ends the program.";
 
-/// The most pixels of a page that renders by itself.
+/// Largest width and height of a page that renders by itself, in pixels.
 const CLIENT_SIZE: [u32; 2] = [1920, 1080];
 
 /// Look at a scene in a browser
@@ -39,10 +39,11 @@ const CLIENT_SIZE: [u32; 2] = [1920, 1080];
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// A data set, or a transforms.json, with or without photographs [default: what the run was trained on]
+    /// A data set, or a transforms.json, with or without photographs [default: that of the run]
     data: Option<PathBuf>,
-    /// Let the browser render, with its own GPU: serve the page of `organza export-web`. It needs WebGPU, which browsers have
-    /// for pages of this machine, and for those that `ssh -L` brings here. The page has no photographs, and explains no pixels
+    /// Let the browser render with its own GPU: serve the page of `organza export-web`. This needs WebGPU, which
+    /// browsers allow for pages of this machine, and for those that `ssh -L` brings here. The page has no
+    /// photographs, and explains no pixels
     #[arg(long, help_heading = "Page")]
     client: bool,
     #[command(flatten)]
@@ -55,14 +56,14 @@ pub struct Args {
     device: DeviceArgs,
 }
 
-/// Where the page is.
+/// The address of the page.
 #[derive(Debug, clap::Args)]
 pub struct ServerArgs {
-    /// The port of the page; 0 takes one that is free [default: 4747, or one that is free]
+    /// The port of the page; 0 takes any free one [default: 4747, or any free one]
     #[arg(long, value_name = "N", help_heading = "Page")]
     port: Option<u16>,
-    /// Let other machines see the page at this address of this machine, such as 0.0.0.0. The page's address then has a
-    /// token [default: this machine alone]
+    /// Let other machines see the page, at this address of this machine, such as 0.0.0.0. The page's address then has
+    /// a token [default: only this machine]
     #[arg(long, value_name = "ADDRESS", help_heading = "Page")]
     bind: Option<IpAddr>,
     /// Open the page in a browser
@@ -71,17 +72,17 @@ pub struct ServerArgs {
 }
 
 impl ServerArgs {
-    /// Whether any of them was given.
+    /// Whether the user gave any of these options.
     pub fn is_given(&self) -> bool {
         self.port.is_some() || self.bind.is_some() || self.open
     }
 
-    /// Takes the port.
+    /// Opens the port.
     pub fn listen(&self) -> Result<Server> {
         Server::listen(Address { bind: self.bind, port: self.port })
     }
 
-    /// Says where the page is, as nobody could open it otherwise, and opens it if that was asked for.
+    /// Prints the page's address, even with `--quiet`, and opens the page if asked.
     pub fn announce(&self, url: &str, console: Console) {
         console.always(&format!("the page is at {url}"));
         if self.open && !open(url) {
@@ -121,7 +122,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let desk = Arc::new(Desk::default());
     let handler = {
         let desk = Arc::clone(&desk);
-        // the first signal ends the program after the image that is being painted, the second at once
+        // the first signal ends the program after the current image, the second at once
         move || match desk.is_stopped() {
             true => std::process::exit(0),
             false => desk.stop(),
@@ -139,7 +140,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     Ok(())
 }
 
-/// Serves a page that renders by itself, until a signal.
+/// Serves a page that renders by itself, until a signal comes.
 fn serve_client(args: &Args, source: &SceneSource, console: Console) -> Result<()> {
     let usage = "organza view SCENE DATA --client";
     let cameras =
@@ -155,7 +156,7 @@ fn serve_client(args: &Args, source: &SceneSource, console: Console) -> Result<(
     let page = export_web::make(&scene, &cameras, &renderer, &options, console)?;
     let (stop, stopped) = channel();
     let handler = move || {
-        // it has ended already where nobody receives
+        // fails if the server has already ended
         let _ = stop.send(());
     };
     at_signals(handler)?;
@@ -166,14 +167,14 @@ fn serve_client(args: &Args, source: &SceneSource, console: Console) -> Result<(
     Ok(())
 }
 
-/// What is known beside the scene.
+/// Everything known about a scene besides its file.
 struct Surroundings {
     poses: Vec<Pose>,
     photographs: Photographs,
     points: Vec<Point>,
 }
 
-/// The data set that was named, or the run's; a scene's file alone has none.
+/// The data set that the user named, or that of the run. A scene's file alone has none.
 fn surroundings(args: &Args, source: &SceneSource, console: Console) -> Result<Surroundings> {
     let named = args.data.as_deref();
     let nothing =
@@ -187,7 +188,7 @@ fn surroundings(args: &Args, source: &SceneSource, console: Console) -> Result<S
     let usage = "organza view SCENE DATA";
     if let Some(file) = named.filter(|file| !file.is_dir() && !args.data_args.is_given()) {
         let cameras = Cameras::load(source, Some(file), &args.data_args, usage, console)?;
-        // a data set's file is that data set; others are cameras alone
+        // a data set's file means that data set; another file has just cameras
         if !cameras.has_photographs() {
             let pose = |camera: Camera| Pose { camera, held_out: false, photograph: None };
             let poses = cameras.list.into_iter().map(pose).collect();
@@ -201,7 +202,7 @@ fn surroundings(args: &Args, source: &SceneSource, console: Console) -> Result<S
     Ok(Surroundings { poses, photographs, points })
 }
 
-/// What a page is called: the last part of a path.
+/// The title of a page: the last part of a path.
 pub fn title(path: &Path) -> String {
     let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     path.file_name()

@@ -1,4 +1,4 @@
-//! Which views to render, and what their files are called.
+//! The views to render, and the names of their files.
 
 use std::collections::HashSet;
 use std::ops::RangeInclusive;
@@ -10,7 +10,7 @@ use organza::{Camera, Result};
 use super::console::Console;
 use super::refuse;
 
-/// A list such as `0,8` or `0-3,8`, not yet held to a number of cameras.
+/// A list such as `0,8` or `0-3,8`, not yet checked against the number of cameras.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ViewList(Vec<RangeInclusive<usize>>);
 
@@ -35,7 +35,7 @@ impl FromStr for ViewList {
 }
 
 impl ViewList {
-    /// The views in the order of the list, each once. `cameras` is the file they are in.
+    /// The views in the order of the list, without duplicates. Errors call the cameras' file `cameras`.
     pub fn resolve(&self, count: usize, cameras: &Path) -> Result<Vec<usize>> {
         if let Some(range) = self.0.iter().find(|range| *range.end() >= count) {
             return no_view(*range.end(), count, cameras);
@@ -45,12 +45,12 @@ impl ViewList {
     }
 }
 
-/// Every Nth view, such as `3/8`: the fourth, the twelfth and so on.
+/// A part of the views: every `count`-th. For example, `3/8` is the fourth, the twelfth and so on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
-    /// Which one, from 0.
+    /// Index of the part, from 0.
     pub index: usize,
-    /// How many there are.
+    /// Number of parts.
     pub count: usize,
 }
 
@@ -79,11 +79,11 @@ impl FromStr for Shard {
     }
 }
 
-/// The value of `--shard` that stands for the task of a Slurm array.
+/// Value of `--shard` for the task of a Slurm array.
 const SLURM: &str = "slurm";
 
 impl Shard {
-    /// That of this task of a Slurm array, `sbatch --array=A-B` or `A-B:STEP`.
+    /// The part of this task of a Slurm array: `sbatch --array=A-B` or `A-B:STEP`.
     fn of_slurm(variable: impl Fn(&str) -> Option<String>) -> Result<Self, String> {
         let number =
             |name: &str| variable(&format!("SLURM_ARRAY_TASK_{name}"))?.parse::<usize>().ok();
@@ -104,19 +104,19 @@ impl Shard {
         }
     }
 
-    /// Its part of a list.
+    /// The shard's part of a list.
     pub fn of(self, views: Vec<usize>) -> Vec<usize> {
         views.into_iter().skip(self.index).step_by(self.count).collect()
     }
 }
 
-/// The error for a view that is not there.
+/// The error for a view that does not exist.
 pub fn no_view<T>(view: usize, count: usize, cameras: &Path) -> Result<T> {
     let (cameras, last) = (cameras.display(), count.saturating_sub(1));
     refuse(format!("there is no view {view}: {cameras} has views 0 to {last}"))
 }
 
-/// Says so where images will not look like the photographs.
+/// Warns if images will not look like the photographs, which have lens distortion.
 pub fn warn_distorted(console: Console, cameras: &[Camera], views: &[usize]) {
     let distorted = views.iter().filter(|&&view| cameras[view].distorted).count();
     if distorted > 0 {
@@ -128,13 +128,12 @@ pub fn warn_distorted(console: Console, cameras: &[Camera], views: &[usize]) {
     }
 }
 
-/// A file name for each camera, without extension: those of their photographs where each has one
-/// of its own, else their indices.
+/// A file name for each camera, without extension: the name of its photograph if all are different, else its index.
 pub fn names(cameras: &[Camera]) -> Vec<String> {
     let mut seen = HashSet::new();
     let stem = |camera: &Camera| {
         let stem = stem(camera.file_path.as_deref()?)?;
-        // Some file systems take names that differ in case for the same.
+        // Some file systems ignore case in names.
         seen.insert(stem.to_lowercase()).then_some(stem)
     };
     let stems: Option<Vec<_>> = cameras.iter().map(stem).collect();
@@ -144,7 +143,7 @@ pub fn names(cameras: &[Camera]) -> Vec<String> {
     })
 }
 
-/// The photographs that a camera may mean; data sets leave the extension out.
+/// The photographs that a camera may mean. Data sets may leave out the extension.
 pub fn photographs(camera: &Camera, cameras: &Path) -> Vec<PathBuf> {
     let Some(path) = &camera.file_path else { return Vec::new() };
     let path = cameras.parent().unwrap_or(Path::new("")).join(path);
@@ -156,11 +155,11 @@ pub fn photographs(camera: &Camera, cameras: &Path) -> Vec<PathBuf> {
     vec![path, with_extension]
 }
 
-/// The name of a file without its extension, where it is one that every system takes.
+/// The name of a file without its extension, if every system allows it.
 fn stem(path: &str) -> Option<String> {
     let name = path.rsplit(['/', '\\']).next()?;
     let stem = match name.rsplit_once('.') {
-        // `frame.0001` has no extension.
+        // The name `frame.0001` has no extension.
         Some((stem, extension)) if extension.contains(|c: char| c.is_alphabetic()) => stem,
         _ => name,
     };
@@ -173,7 +172,7 @@ fn stem(path: &str) -> Option<String> {
     is_safe.then(|| stem.to_owned())
 }
 
-/// Names that Windows keeps for devices, whatever the extension.
+/// Names that Windows reserves for devices, with any extension.
 fn is_reserved(stem: &str) -> bool {
     let name = stem.split('.').next().unwrap_or_default().trim_end().to_uppercase();
     let numbered = |device| name.strip_prefix(device).is_some_and(|rest| rest.len() == 1);

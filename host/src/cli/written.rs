@@ -1,14 +1,15 @@
-//! What earlier calls wrote to a folder of images, so that none of another scene stays beside the new ones.
+//! Keeps track of the images that earlier calls wrote to a folder, so that no image of another scene stays beside the
+//! new ones.
 //!
-//! A hidden file in the folder, [`NAME`], lists each image that the program wrote: the SHA-256 of its content, and
-//! that of what it was made from. At the end of a call the images that were made from something else are removed,
-//! unless the call has written them anew. Nothing else is ever removed: no file that is not listed, and none whose
-//! content is no longer what the program wrote.
+//! A hidden file in the folder, [`NAME`], lists each image that the program wrote. It has two SHA-256 sums: of the
+//! image's content, and of its inputs. At the end of a call, images with other inputs are removed, unless the call
+//! has written them again. Nothing else is ever removed: no unlisted file, and no file whose content has changed
+//! since.
 //!
-//! The list is saved while a call writes, so that a film that was stopped, even killed, goes on where it was.
+//! The list is also saved while a call writes. So a film that was stopped, or even killed, continues where it was.
 //!
 //! Calls that write different shards to one folder at the same time have a list each, beside [`NAME`]. The next call
-//! that is no shard takes them into its own.
+//! without a shard merges them into its own.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Debug;
@@ -27,48 +28,48 @@ use super::output::Folder;
 use super::refuse;
 use super::summary::count;
 
-/// The list's name.
+/// Name of the list.
 const NAME: &str = ".organza-files.json";
-/// The names of shards' lists begin and end like this.
+/// Prefix and suffix of the names of shards' lists.
 const SHARD: [&str; 2] = [".organza-files.shard-", ".json"];
-/// Far more than any list needs; what is larger is not ours.
+/// Largest list, in bytes. No list needs as much; a larger file was not written by this program.
 const MAX_BYTES: u64 = 64 << 20;
-/// How often the list is saved.
+/// Interval between saves of the list.
 const INTERVAL: Duration = Duration::from_secs(1);
 
-/// The list while a call writes.
+/// The list during a call.
 #[derive(Debug)]
 pub struct Written {
     folder: PathBuf,
     source: String,
     /// See [`Written::with_options`].
     options: String,
-    /// The name of this call's list.
+    /// Name of this call's list.
     list: String,
     files: BTreeMap<String, Entry>,
-    /// The lists of calls that may be running now: the file of each, and what it has.
+    /// Lists of calls that may be running now: the file of each, and its entries.
     others: Vec<(PathBuf, BTreeMap<String, Entry>)>,
     /// Names that this call has written.
     now: BTreeSet<String>,
     saved: Instant,
 }
 
-/// What is there under the name of an image.
+/// The file under the name of an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Found {
     Nothing,
-    /// The image itself: an earlier call wrote it, of the same scene and cameras.
+    /// The image itself: an earlier call wrote it for the same scene and cameras.
     Image,
-    /// What an earlier call wrote of another scene or other cameras, or wrote last before it was killed.
+    /// An earlier call wrote it for another scene or other cameras, or was killed while writing it.
     Stale,
-    /// What no call has written, or somebody has changed.
+    /// No call has written it, or somebody has changed it.
     Foreign,
 }
 
-/// One image.
+/// An image in the list.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 struct Entry {
-    /// SHA-256 of the file; empty until it is known to be written.
+    /// SHA-256 of the file; empty until the file has been written.
     content: String,
     /// SHA-256 of the scene's file and of all cameras.
     source: String,
@@ -78,14 +79,14 @@ struct Entry {
 }
 
 impl Written {
-    /// Reads the list of a folder; a damaged one counts as empty. `scene` is the scene's file, and `cameras` are all
-    /// of the file or data set, with what else images depend on: a call that renders some views does not make the
-    /// others stale.
+    /// Reads the list of a folder; a damaged one counts as empty. `scene` is the scene's file. `cameras` are all
+    /// cameras of the file or data set, with everything else that images depend on. So a call that renders some views
+    /// does not make the others stale.
     pub fn open(folder: &Folder, scene: &Path, cameras: &dyn Debug) -> Result<Self> {
         Self::open_shard(folder, scene, cameras, None)
     }
 
-    /// As [`Written::open`], for a shard of those views: its number and how many there are.
+    /// Like [`Written::open`], but for a shard of the views: its index and the number of shards.
     pub fn open_shard(
         folder: &Folder,
         scene: &Path,
@@ -107,15 +108,15 @@ impl Written {
         Ok(Self { folder, source, options, list, files, others, now, saved })
     }
 
-    /// What images depend on beside the scene and the cameras. One that was made with other options is not
-    /// [`Found::Image`], but it is not removed for that.
+    /// Sets what images depend on besides the scene and the cameras. An image with other options is not
+    /// [`Found::Image`], but it is not removed for this reason.
     pub fn with_options(mut self, options: &dyn Debug) -> Self {
         self.options = format!("{options:?}");
         self
     }
 
-    /// The places in `files` of those that are not there yet. What somebody else has put into their places stays, and is
-    /// an error.
+    /// Indices of those `files` that do not exist yet. A file of somebody else in their place is kept, and is an
+    /// error.
     pub fn missing<'a>(
         &self,
         files: impl IntoIterator<Item = &'a [PathBuf]>,
@@ -140,7 +141,7 @@ impl Written {
         Ok(missing)
     }
 
-    /// What is there in the place of an image.
+    /// Compares the file in the place of an image with the list.
     pub fn found(&self, path: &Path) -> Result<Found> {
         if fs::symlink_metadata(path).is_err_and(|error| error.kind() == io::ErrorKind::NotFound) {
             return Ok(Found::Nothing);
@@ -165,7 +166,8 @@ impl Written {
         Entry { content, source: self.source.clone(), options: self.options.clone() }
     }
 
-    /// These images will be written: what a call that is killed has written of them is not somebody else's.
+    /// Announces images that will be written. If the call is killed, files that it has written are then not taken for
+    /// somebody else's.
     pub fn announce(&mut self, paths: &[PathBuf]) -> Result<()> {
         for path in paths {
             let entry = self.entry(String::new());
@@ -174,7 +176,7 @@ impl Written {
         self.save()
     }
 
-    /// A file of the folder was written.
+    /// Adds a file that was written to the folder.
     pub fn add(&mut self, path: &Path) -> Result<()> {
         let content = digest(path).map_err(|source| Error::read(path, source))?;
         let entry = self.entry(content);
@@ -187,8 +189,8 @@ impl Written {
         Ok(())
     }
 
-    /// Removes what is stale, and says so; returns how many files that were. A shard removes nothing: another may be
-    /// writing it anew.
+    /// Removes stale images, with a note. Returns their number. A shard removes nothing, because another shard may be
+    /// writing the image again.
     pub fn finish(mut self, console: Console) -> Result<usize> {
         if self.list != NAME {
             self.now.clear();
@@ -220,13 +222,13 @@ impl Written {
         }
         self.save()?;
         for (path, _) in shards {
-            // all that it had is in this one
+            // this list has all its entries now
             let _ = fs::remove_file(path);
         }
         Ok(removed as usize)
     }
 
-    /// Removes all images of the list, and the list: what they were for is done.
+    /// Removes all images of the list, and the list. They have served their purpose.
     pub fn discard(mut self) -> Result<()> {
         self.now.clear();
         let files = std::mem::take(&mut self.files);
@@ -240,7 +242,8 @@ impl Written {
         }
     }
 
-    /// Removes files that are as the list has them; how many those were, and how many others there are.
+    /// Removes files that are unchanged since they were listed. Returns the number of these, and of others that
+    /// exist.
     fn remove(&self, files: BTreeMap<String, Entry>) -> Result<[u64; 2]> {
         let (mut removed, mut changed) = (0, 0);
         for (name, entry) in files {
@@ -283,8 +286,8 @@ impl Written {
 }
 
 impl Drop for Written {
-    /// A call that failed has written some files: the list knows them. It forgets those that were announced and never written.
-    /// An empty list is removed.
+    /// A failed call has written some files, which stay in the list. Images that were announced and not written are
+    /// dropped. An empty list is removed.
     fn drop(&mut self) {
         let announced = self.files.len();
         let folder = &self.folder;
@@ -297,7 +300,7 @@ impl Drop for Written {
     }
 }
 
-/// The lists of a folder but for one: shards', and that of calls that are none.
+/// All lists in a folder but one: those of shards, and that of calls without a shard.
 fn other_lists(folder: &Path, list: &str) -> Vec<PathBuf> {
     let [begin, end] = SHARD;
     let is_list = |name: &str| name == NAME || name.starts_with(begin) && name.ends_with(end);
@@ -316,7 +319,7 @@ fn read(path: &Path) -> Option<BTreeMap<String, Entry>> {
     serde_json::from_slice(&fs::read(path).ok()?).ok()
 }
 
-/// Whether it is the name of a file in the folder itself.
+/// Whether a name is that of a file directly in the folder.
 fn is_name(name: &str) -> bool {
     let mut parts = Path::new(name).components();
     matches!((parts.next(), parts.next()), (Some(Component::Normal(_)), None))

@@ -1,4 +1,4 @@
-//! Scores as CSV, a row for each view.
+//! Writes scores as CSV, with a row for each view.
 
 use std::io;
 use std::path::Path;
@@ -7,8 +7,8 @@ use super::{Score, ViewScore};
 use crate::error::Result;
 use organza_core::write_atomic;
 
-/// Writes the scores of views, atomically: `view,psnr,ssim,lpips,psnr_fitted`, after `step` where rows have one. The last
-/// two are left out where no view has them. An infinite PSNR is `inf`; a score that a view does not have is empty.
+/// Writes the scores of views, atomically: `view,psnr,ssim,lpips,psnr_fitted`, after `step` if rows have one. The
+/// last two columns are left out if no view has them. An infinite PSNR is `inf`; a missing score is empty.
 pub(crate) fn save_csv(path: impl AsRef<Path>, rows: &[(Option<u64>, &ViewScore)]) -> Result<()> {
     let has = |value: fn(&Score) -> Option<f64>| {
         rows.iter().any(|(_, view)| value(&view.score).is_some())

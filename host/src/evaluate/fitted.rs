@@ -1,9 +1,9 @@
-//! PSNR after a fit of the colors: what a camera's exposure and white balance changed does not count.
+//! PSNR after a fit of the colors, which removes a camera's exposure and white balance.
 
 use crate::metrics::psnr_of;
 
-/// PSNR with a gain and an offset for each channel, fitted by least squares. Each half of the image, left and right, is
-/// measured with the fit of the other half, so no pixel takes part in its own fit. None where one half has no valid pixel.
+/// PSNR with a gain and an offset for each channel, fitted by least squares. The left and the right half of the image
+/// each have the fit of the other half, so no pixel takes part in its own fit. `None` if one half has no valid pixel.
 pub(super) fn psnr_fitted(
     [width, _]: [usize; 2],
     rendered: &[[f32; 3]],
@@ -35,7 +35,7 @@ pub(super) fn psnr_fitted(
     Some(psnr_of(squared.sum::<f64>() / (3.0 * count)))
 }
 
-/// Sums over the pixels of a channel: of x, which was rendered, and y, which is there.
+/// Sums over the pixels of a channel: of the rendered x and of the photographed y.
 #[derive(Clone, Copy, Default)]
 struct Sums {
     count: f64,
@@ -54,7 +54,7 @@ impl Sums {
         self.xy += x * y;
     }
 
-    /// Gain and offset with the least squares. What is all of one color has a gain of 1.
+    /// Gain and offset with the least squared error. An image of one color has a gain of 1.
     fn fit(&self) -> [f64; 2] {
         let [x, y] = [self.x / self.count, self.y / self.count];
         let variance = self.xx / self.count - x * x;
@@ -80,21 +80,21 @@ mod tests {
             image().iter().map(|[r, g, b]| [0.8 * r + 0.1, 1.5 * g, 1.2 * b + 0.05]).collect();
         let psnr = psnr_fitted([8, 4], &image(), &truth, None).unwrap();
         assert!(psnr > 120.0, "{psnr}");
-        // of one color there is an offset alone
+        // with a single color, there is only an offset
         let gray = vec![[0.25; 3]; 32];
         let psnr = psnr_fitted([8, 4], &gray, &vec![[0.5; 3]; 32], None).unwrap();
         assert!(psnr > 120.0, "{psnr}");
     }
 
-    /// A pixel does not fit itself: were the halves fitted on themselves, nothing would be left.
+    /// A pixel must not fit itself: with each half fitted to itself, no error would be left.
     #[test]
     fn each_half_is_measured_with_the_fit_of_the_other() {
         let mut truth = image();
         let right = |at: usize| at % 8 >= 4;
         (0..32).filter(|&at| right(at)).for_each(|at| truth[at] = truth[at].map(|v| v + 0.25));
         let psnr = psnr_fitted([8, 4], &image(), &truth, None).unwrap();
-        // the fit of the left half leaves the right one 0.25 too dark, that of the right half makes the left one too
-        // bright: -20 log10(0.25)
+        // the fit of the left half leaves the right one 0.25 too dark, and the fit of the right half makes the left
+        // one 0.25 too bright: -20 log10(0.25)
         assert!((psnr - 12.041).abs() < 1e-3, "{psnr}");
     }
 

@@ -3,7 +3,7 @@ use crate::data::Photograph;
 use crate::demo;
 use organza_device::DeviceOptions;
 
-/// Two views of the built-in scene, of a size that no tile divides, and a renderer for it.
+/// Two views of the built-in scene, with a size that no tile divides, and a renderer.
 fn setup() -> (Renderer, DeviceScene, Vec<Frame>) {
     let renderer = Renderer::new(crate::open_device(&DeviceOptions::cpu(Some(1))).unwrap());
     let scene = renderer.upload(&demo::scene()).unwrap();
@@ -23,7 +23,7 @@ fn setup() -> (Renderer, DeviceScene, Vec<Frame>) {
 #[test]
 fn a_scene_is_as_close_to_its_own_images_as_rounding_allows() {
     let (renderer, scene, mut frames) = setup();
-    // one column is spoiled, but not valid
+    // one column is wrong, but not valid
     let pixels = frames[1].image.pixels().iter().enumerate();
     let spoiled = pixels.map(|(at, &pixel)| if at % 75 == 7 { [0, 255, 0] } else { pixel });
     let valid = (0..75 * 75).map(|at| at % 75 != 7).collect();
@@ -41,7 +41,7 @@ fn a_scene_is_as_close_to_its_own_images_as_rounding_allows() {
     assert_eq!((tiles.last(), seen.len()), (Some(&(8, 8)), 2));
     assert!(tiles.is_sorted() && evaluation.not_finite == 0, "{tiles:?}");
     assert_eq!(seen[0], frames[0].image);
-    // Rounding to 256 levels has a variance of 1/12 of a level, a little less where large areas are all background.
+    // Rounding to 256 levels has a variance of 1/12 of a level, and a little less for large areas of background.
     for view in &evaluation.views {
         let (psnr, ssim) = (view.score.psnr.unwrap(), view.score.ssim.unwrap());
         assert!((58.0..63.0).contains(&psnr) && ssim > 0.999, "{view:?}");
@@ -59,7 +59,8 @@ fn a_difference_costs_what_it_should() {
     let pixels = frame.image.pixels().iter().map(|pixel| pixel.map(off)).collect();
     frame.image = Photograph::new([75, 75], pixels, None).unwrap();
     let score = evaluate(&renderer, &scene, &[frame]).unwrap().mean;
-    // 51/255 is 0.2, and -20 log10(0.2) is 13.979; rounding a large background the same way everywhere moves it a little
+    // 51/255 is 0.2, and -20 log10(0.2) is 13.979. Rounding the large background always the same way moves it a
+    // little
     assert!((score.psnr.unwrap() - 13.979).abs() < 0.03, "{score:?}");
 }
 

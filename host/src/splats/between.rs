@@ -1,17 +1,17 @@
-//! Cameras between cameras: what they see of a scene is known as well.
+//! Cameras between other cameras, from which the scene is known as well.
 
 use glam::DVec3;
 
 use crate::camera::{Camera, CameraPath};
 use crate::error::Result;
 
-/// Of each camera, so many of the nearest are the ends of ways.
+/// Number of nearest cameras to which a camera has a path.
 const NEAREST: usize = 6;
 /// The golden ratio's inverse, whose multiples spread evenly between 0 and 1.
 const GOLDEN: f64 = 0.618_033_988_749_895;
 
-/// `count` cameras, each on the way from one camera to another that is near and looks the same way, up to 90 degrees. No camera
-/// where there is no such way.
+/// `count` cameras, each on the path from one camera to a near one that looks in a similar direction, up to 90
+/// degrees apart. Empty if there is no such path.
 ///
 /// # Errors
 /// [`Error::Camera`](crate::Error::Camera) for a camera that is not valid.
@@ -35,7 +35,7 @@ pub fn between(cameras: &[Camera], count: usize) -> Result<Vec<Camera>> {
     (0..count).map(camera).collect()
 }
 
-/// The nearest of those that look the same way.
+/// The nearest cameras that look in a similar direction.
 fn nearest(cameras: &[Camera], from: usize) -> Vec<usize> {
     let eye = |camera: &Camera| DVec3::from(camera.eye());
     let axis = |camera: &Camera| DVec3::from(camera.world_to_camera_opencv()[2]);
@@ -81,7 +81,7 @@ mod tests {
         };
         assert!(between(&[], 3).unwrap().is_empty());
         assert!(between(&[camera(0.0, 1.0)], 3).unwrap().is_empty());
-        // back to back
+        // cameras that look in opposite directions
         assert!(between(&[camera(0.0, 1.0), camera(-1.0, -2.0)], 3).unwrap().is_empty());
         assert_eq!(between(&[camera(0.0, 1.0), camera(-1.0, 2.0)], 3).unwrap().len(), 3);
     }

@@ -1,4 +1,5 @@
-//! From a scene to Gaussians for viewers that sort: first what the scene's networks say, then what its images show.
+//! Distills a scene into Gaussians for viewers that sort. Colors and opacities first come from the scene's networks,
+//! and are then fitted to its images.
 
 use std::ops::RangeInclusive;
 
@@ -21,78 +22,80 @@ use crate::render::{DeviceScene, Renderer};
 use crate::scene::{Scene, logit};
 use crate::train::in_image;
 
-/// Pairs of a camera and a Gaussian whose color the harmonics are fitted to, at most; and cameras, at most and at least.
+/// Most pairs of a camera and a Gaussian to which the harmonics are fitted.
 const MOST_PAIRS: usize = 8_000_000;
+/// Fewest and most cameras to which the harmonics are fitted.
 const CAMERAS: [usize; 2] = [8, 64];
-/// Views that are compared, at least. Where there are fewer cameras, others between them are added: with few, harmonics and
-/// opacities come to show these alone.
+/// Least number of compared views. If there are fewer cameras, cameras between them are added: otherwise, harmonics
+/// and opacities would only fit a few views.
 const VIEWS: usize = 160;
-/// The least weight of a color: of one that nothing is seen of, and of one outside the image.
+/// Least weight of a color: if nothing of it is visible, and if it is outside the image.
 const LEAST_WEIGHT: [f32; 2] = [0.02, 0.002];
-/// Opacities at the start, at least and at most: at 0 and 1, nothing would change them.
+/// Smallest and largest opacity at the start: at 0 and 1, no gradient would change them.
 const OPACITIES: [f32; 2] = [0.002, 0.98];
-/// Where an opacity's logit stays, at most.
+/// Largest absolute value of an opacity's logit.
 const LARGEST_LOGIT: f32 = 9.0;
-/// Adam's rates at the first step. A position moves by this part of the Gaussian's own size.
+/// Adam's rates at the first step. That of a position is relative to the Gaussian's own size.
 const POSITION: f32 = 0.02;
 const ROTATION: f32 = 4e-3;
 const LOG_SCALE: f32 = 8e-3;
 const OPACITY: f32 = 0.05;
 const FIRST_COLOR: f32 = 0.015;
 const OTHER_COLORS: f32 = 0.003;
-/// What the rates have come down to at the last step.
+/// Factor of the rates at the last step.
 const LAST: f32 = 0.05;
 /// Adam's decays and epsilon.
 const DECAY: [f32; 2] = [0.9, 0.99];
 const EPSILON: f32 = 1e-12;
-/// What equal images have, in dB: they are of 8 bits.
+/// PSNR of equal images, in dB: they have 8 bits.
 const BEST_PSNR: f64 = 60.0;
 
-/// How a scene is distilled.
+/// Settings of the fit.
 #[derive(Clone, Copy, Debug)]
 pub struct Fit {
-    /// Steps. Each compares one view.
+    /// Number of steps. Each compares one view.
     pub steps: u32,
-    /// The longest side of a view, in pixels.
+    /// Longest side of a view, in pixels.
     pub side: u32,
 }
 
 impl Fit {
-    /// How many steps there may be.
+    /// Allowed numbers of steps.
     pub const STEPS: RangeInclusive<i64> = 0..=1_000_000;
-    /// The sides that views may have, in pixels.
+    /// Allowed sides of views, in pixels.
     pub const SIDES: RangeInclusive<i64> = 16..=4096;
 }
 
-/// 500 steps, in views of 480 pixels.
+/// 500 steps, with views of 480 pixels.
 impl Default for Fit {
     fn default() -> Self {
         Self { steps: 500, side: 480 }
     }
 }
 
-/// A scene, distilled.
+/// A distilled scene.
 #[derive(Clone, Debug)]
 pub struct Distilled {
-    /// The Gaussians that a viewer can show: those of an opacity of less than 1/255 are left out.
+    /// The Gaussians for a viewer. Those with an opacity below 1/255 are left out.
     pub splats: Vec<Splat>,
-    /// How close their images are to the scene's own, in dB: the mean PSNR over the views that were not fitted.
+    /// Mean PSNR, in dB, of their images compared with the scene's own, over views that were not fitted.
     pub psnr: f64,
-    /// The same before the first step.
+    /// The same PSNR before the first step.
     pub first_psnr: f64,
 }
 
-/// A camera, and the scene's image.
+/// A camera, with the scene's image.
 struct Target {
     camera: Camera,
     image: Image,
 }
 
-/// Fits Gaussians to what some cameras see of a scene, and others between them. Without views that are only measured, those that were
-/// fitted are. `progress` is called with the steps that are done; its error ends the fit.
+/// Fits Gaussians to a scene, as some cameras and others between them see it. Without views that are only measured,
+/// the fitted views are measured. `progress` is called with the number of finished steps. An error of it ends the
+/// fit.
 ///
 /// # Errors
-/// [`Error::Argument`] without cameras; as [`Renderer::render`]; that of `progress`.
+/// [`Error::Argument`] without cameras; those of [`Renderer::render`]; those of `progress`.
 pub fn distill(
     renderer: &Renderer,
     scene: &Scene,
@@ -146,7 +149,7 @@ pub fn distill(
     Ok(Distilled { splats, psnr, first_psnr })
 }
 
-/// The PSNR of the image that a viewer shows, beside one of 8 bits: of those pixels that are valid. As [`metrics::psnr`].
+/// PSNR of the image that a viewer shows, compared with an 8-bit image, over its valid pixels. See [`metrics::psnr`].
 pub fn psnr(
     splats: &[Splat],
     camera: &Camera,
@@ -162,13 +165,13 @@ fn colors(pixels: &[[u8; 3]]) -> Vec<[f32; 3]> {
     pixels.iter().map(|pixel| pixel.map(|x| f32::from(x) / 255.0)).collect()
 }
 
-/// What a screen shows of colors.
+/// Clamps colors to the range of a screen.
 pub(super) fn displayed(mut image: Vec<[f32; 3]>) -> Vec<[f32; 3]> {
     image.as_flattened_mut().iter_mut().for_each(|value| *value = value.clamp(0.0, 1.0));
     image
 }
 
-/// A number near 0.6 n whose multiples visit all of n views: neighbors are not compared one after another.
+/// A number near 0.6 n whose multiples visit all n views, so that successive steps do not compare neighbors.
 fn stride(n: usize) -> usize {
     let has_no_divisor = |&stride: &usize| {
         let (mut a, mut b) = (n, stride);
@@ -180,7 +183,7 @@ fn stride(n: usize) -> usize {
     (1..=n * 6 / 10).rev().find(has_no_divisor).unwrap_or(1)
 }
 
-/// A camera whose longest side has at most so many pixels.
+/// The camera, reduced so that its longest side has at most `side` pixels.
 pub(super) fn shrunk(camera: &Camera, side: u32) -> Camera {
     let longest = camera.width.max(camera.height);
     if longest <= side {
@@ -191,7 +194,7 @@ pub(super) fn shrunk(camera: &Camera, side: u32) -> Camera {
     camera.with_size(size.map(|pixels| ((f64::from(pixels) * scale).round() as u32).max(1)))
 }
 
-/// What the scene's networks say: colors as the cameras see them, fitted by harmonics; and opacities times the largest T.
+/// The start of the fit: harmonics fitted to the networks' colors for the cameras, and opacities times the largest T.
 fn first(
     renderer: &Renderer,
     scene: &Scene,
@@ -229,7 +232,7 @@ fn first(
     Ok((0..gaussians.len()).into_par_iter().map(splat).collect())
 }
 
-/// Adam (Kingma and Ba 2015). A Gaussian has a step where a view shows it.
+/// Adam (Kingma and Ba 2015). A Gaussian takes a step if the view shows it.
 struct Adam {
     moments: Vec<Moments>,
 }
@@ -239,7 +242,7 @@ struct Moments {
     first: [f32; VALUES],
     second: [f32; VALUES],
     steps: i32,
-    /// Index of its gradient in this step, plus 1.
+    /// Index of the Gaussian's gradient in this step, plus 1.
     slope: u32,
 }
 
@@ -283,7 +286,7 @@ impl Moments {
     }
 }
 
-/// The rate of each value.
+/// The learning rate of each value.
 fn rates(splat: &Splat) -> Splat {
     let size = (splat.log_scale.iter().sum::<f32>() / 3.0).exp();
     let length = splat.rotation.iter().map(|x| x * x).sum::<f32>().sqrt();

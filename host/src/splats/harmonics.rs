@@ -4,23 +4,23 @@ use glam::Vec3;
 use organza_kernel::prelude::Write;
 use organza_shaders::spherical_harmonics::{spherical_harmonics, width};
 
-/// The degree that files of other programs have at most.
+/// Largest degree in files of other programs.
 pub const DEGREE: u32 = 3;
 
-/// Harmonics of a color.
+/// Number of harmonics of a color.
 pub const HARMONICS: usize = width(DEGREE) as usize;
 
-/// What a color is where all coefficients are 0.
+/// The color if all coefficients are 0.
 pub const MIDDLE: f32 = 0.5;
 
-/// The first harmonic: it is the same in all directions, `sqrt(1 / 4 pi)`.
+/// The first harmonic, which is the same in all directions: `sqrt(1 / 4 pi)`.
 pub const FIRST: f32 = 0.282_094_79;
 
-/// The weight of a coefficient's square in [`fit`], beside the colors' weights: of the first harmonic, and of the others. Where
-/// little is known of a color, its harmonics stay small.
+/// Weight of a coefficient's square in [`fit`], relative to the colors' weights: for the first harmonic, and for the
+/// others. If a color is hardly known, its harmonics stay small.
 const RIDGE: [f64; 2] = [1e-6, 1e-2];
 
-/// The harmonics of the direction from an eye to a place; those of no direction are those of z.
+/// The harmonics of the direction from an eye to a place. If the two are equal, those of z.
 pub fn harmonics(eye: Vec3, place: [f32; 3]) -> [f32; HARMONICS] {
     let direction = (Vec3::from(place) - eye).try_normalize().unwrap_or(Vec3::Z);
     let mut values = [0.0; HARMONICS];
@@ -28,7 +28,7 @@ pub fn harmonics(eye: Vec3, place: [f32; 3]) -> [f32; HARMONICS] {
     values
 }
 
-/// The color of coefficients, before it is held above 0.
+/// The color of coefficients, before it is clamped to at least 0.
 pub fn color_of(coefficients: &[[f32; 3]; HARMONICS], basis: &[f32; HARMONICS]) -> [f32; 3] {
     std::array::from_fn(|channel| {
         let terms = coefficients.iter().zip(basis).map(|(value, basis)| value[channel] * basis);
@@ -36,18 +36,18 @@ pub fn color_of(coefficients: &[[f32; 3]; HARMONICS], basis: &[f32; HARMONICS]) 
     })
 }
 
-/// A color that was seen.
+/// A color seen from some direction.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample {
-    /// Its harmonics.
+    /// Harmonics of the direction.
     pub basis: [f32; HARMONICS],
     /// The color.
     pub color: [f32; 3],
-    /// How much it counts.
+    /// Weight in the fit.
     pub weight: f32,
 }
 
-/// The coefficients whose colors are nearest to some samples: weighted least squares.
+/// Fits coefficients to samples by weighted least squares.
 #[allow(clippy::needless_range_loop, reason = "several arrays have one index")]
 pub fn fit(samples: &[Sample]) -> [[f32; 3]; HARMONICS] {
     let mut matrix = [[0.0_f64; HARMONICS]; HARMONICS];
@@ -70,7 +70,7 @@ pub fn fit(samples: &[Sample]) -> [[f32; 3]; HARMONICS] {
     solve(matrix, right).map(|row| row.map(|value| value as f32))
 }
 
-/// Solves a symmetric positive system, given by its lower triangle, with Cholesky's factors.
+/// Solves a symmetric positive definite system, given by its lower triangle, by Cholesky factorization.
 #[allow(clippy::needless_range_loop, reason = "several arrays have one index")]
 fn solve(
     mut l: [[f64; HARMONICS]; HARMONICS],
@@ -113,10 +113,10 @@ mod tests {
             })
             .collect();
         let found = fit(&samples);
-        // even samples make the equations of all harmonics apart: their squares have the mean 1 / 4 pi
+        // uniform samples separate the equations of all harmonics: their squares have the mean 1 / 4 pi
         let square = 0.25 / std::f32::consts::PI;
         let kept = RIDGE.map(|ridge| square / (square + ridge as f32));
-        // x is the harmonic 3, z the harmonic 2; y^2 is 1/3 less a half of 8's and a sixth of 6's polynomial
+        // x is harmonic 3, and z is harmonic 2; y^2 is 1/3 minus half the polynomial of 8 and a sixth of that of 6
         let expected = [
             (0, 1, 0.1 / FIRST * kept[0]),
             (3, 0, -0.2 / 0.488_602_5 * kept[1]),

@@ -1,4 +1,4 @@
-//! From Gaussians of other programs to a scene: trained on their own images, as a viewer that sorts shows them.
+//! Turns Gaussians of other programs into a scene, by training on their own images as a viewer that sorts shows them.
 
 use std::ops::RangeInclusive;
 
@@ -14,47 +14,47 @@ use crate::scene::Scene;
 use crate::train::config::Rate;
 use crate::train::{Checkpoint, TrainConfig, Trainer, of_splats};
 
-/// The part of the centers that [`bounds`] leaves out at each end of an axis.
+/// Part of the centers that [`bounds`] leaves out at each end of an axis.
 const LEFT_OUT: f64 = 0.01;
 
-/// How Gaussians become a scene.
+/// Settings for turning Gaussians into a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Import {
-    /// Steps of training.
+    /// Number of training steps.
     pub steps: u32,
-    /// The longest side of an image to train on, in pixels.
+    /// Longest side of an image to train on, in pixels.
     pub side: u32,
-    /// The color behind the Gaussians, 0 to 1: files do not have it.
+    /// Background color, 0 to 1, which files do not have.
     pub background: [f32; 3],
 }
 
 impl Import {
-    /// How many steps there may be.
+    /// Allowed numbers of steps.
     pub const STEPS: RangeInclusive<i64> = 1..=10_000_000;
 }
 
-/// 1500 steps, on images of 480 pixels, in front of black.
+/// 1500 steps, on images of 480 pixels, with a black background.
 impl Default for Import {
     fn default() -> Self {
         Self { steps: 1500, side: 480, background: [0.0; 3] }
     }
 }
 
-/// A scene that was made of Gaussians.
+/// A scene made from Gaussians.
 #[derive(Clone, Debug)]
 pub struct Imported {
     /// The scene.
     pub scene: Scene,
-    /// How close its images are to those of the file, in dB: the mean PSNR over the views that training has not seen. None without
-    /// such views.
+    /// Mean PSNR, in dB, of its images compared with those of the file, over views that training has not seen. `None`
+    /// without such views.
     pub psnr: Option<f64>,
 }
 
-/// Makes a scene whose images are those of Gaussians: the networks are trained for it, and all values of the Gaussians move a
-/// little. `progress` is called with the steps that are done; its error ends the training.
+/// Makes a scene with the same images as some Gaussians. Training adapts the networks, and moves all values of the
+/// Gaussians a little. `progress` is called with the number of finished steps. An error of it ends the training.
 ///
 /// # Errors
-/// As [`Trainer::start`]; that of `progress`.
+/// The same errors as [`Trainer::start`]; those of `progress`.
 pub fn import(
     renderer: &Renderer,
     splats: &[Splat],
@@ -87,7 +87,7 @@ pub fn import(
     Ok(Imported { scene: trainer.share().download(renderer.device())?, psnr })
 }
 
-/// The settings of training: no Gaussian is added or removed, and their places and shapes move slowly.
+/// The settings of training: the number of Gaussians is constant, and their positions and shapes change slowly.
 fn config(gaussians: usize, steps: u32) -> TrainConfig {
     let mut config = TrainConfig::default();
     config.run.steps = steps;
@@ -99,7 +99,7 @@ fn config(gaussians: usize, steps: u32) -> TrainConfig {
     config
 }
 
-/// The box of the centers, but for the few that are farthest on each axis.
+/// The box of the centers, without the few that are farthest out on each axis.
 #[must_use]
 pub fn bounds(splats: &[Splat]) -> [[f64; 3]; 2] {
     let left_out = (LEFT_OUT * splats.len() as f64) as usize;

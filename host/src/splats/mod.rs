@@ -1,5 +1,5 @@
-//! Gaussians as viewers that sort know them (Kerbl et al., 3D Gaussian Splatting, 2023): each has an opacity and the spherical
-//! harmonics of a color, and nothing but what is in front of it hides it.
+//! Gaussians for viewers that sort (Kerbl et al., 3D Gaussian Splatting, 2023). Each has an opacity and a color as
+//! spherical harmonics. Only the Gaussians in front hide it.
 
 mod between;
 mod distill;
@@ -20,7 +20,7 @@ pub use views::{Beside, Views, beside};
 use bytemuck::{Pod, Zeroable};
 use harmonics::HARMONICS;
 
-/// One Gaussian, in world space. Every value is a parameter that the fit moves.
+/// One Gaussian, in world space. The fit can change every value.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 pub struct Splat {
@@ -32,10 +32,10 @@ pub struct Splat {
     pub log_scale: [f32; 3],
     /// Logit of the opacity.
     pub opacity: f32,
-    /// Red, green and blue of each harmonic. The color is 0.5 plus the sum of these times the harmonics of the direction from
-    /// the eye to the center, and at least 0.
+    /// Red, green and blue of each harmonic. The color is 0.5 plus the sum of these times the harmonics of the
+    /// direction from the eye to the center, and at least 0.
     pub color: [[f32; 3]; HARMONICS],
 }
 
-/// Values of a [`Splat`].
+/// Number of values of a [`Splat`].
 const VALUES: usize = size_of::<Splat>() / size_of::<f32>();

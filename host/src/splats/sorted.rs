@@ -1,4 +1,4 @@
-//! What a viewer that sorts shows: Gaussians are blended from front to back in the order of their depth.
+//! Renders like a viewer that sorts: Gaussians are blended from front to back, in order of depth.
 
 use glam::{Vec2, Vec3, Vec4};
 use organza_kernel::math::sigmoid;
@@ -11,22 +11,22 @@ use super::harmonics::{color_of, harmonics};
 use crate::camera::Camera;
 use crate::render::kernel_camera;
 
-/// Side of the tiles that an image is cut into, in pixels.
+/// Side of the image's tiles, in pixels.
 const SIDE: usize = 16;
-/// What viewers add to the diagonal of every projected covariance, in square pixels.
+/// Added to the diagonal of every projected covariance, as in viewers, in square pixels.
 pub(super) const BLUR: f32 = 0.3;
-/// The largest alpha of a Gaussian.
+/// Largest alpha of a Gaussian.
 pub(super) const MOST: f32 = 0.99;
-/// Alphas below this are left out.
+/// Smallest alpha that counts.
 const LEAST: f32 = 1.0 / 255.0;
-/// A pixel ends where so little light is left.
+/// Light at which a pixel is finished.
 const DARK: f32 = 1e-4;
 
 /// The Gaussians in the image of a camera.
 pub(super) struct View {
     pub camera: KernelCamera,
     size: [usize; 2],
-    /// The nearest first; only those that the image can show.
+    /// The Gaussians that the image can show, the nearest first.
     pub placed: Vec<Placed>,
     /// For each tile, row by row: indices into `placed`, ascending.
     pub tiles: Vec<Vec<u32>>,
@@ -39,9 +39,9 @@ pub(super) struct Placed {
     depth: f32,
     mean: Vec2,
     pub conic: Vec3,
-    /// Half the width and height of where alpha is at least [`LEAST`].
+    /// Half the width and height of the area in which alpha is at least [`LEAST`].
     extent: Vec2,
-    /// The largest q of a pixel there.
+    /// Largest q of a pixel in that area.
     reach: f32,
     pub opacity: f32,
     pub color: [f32; 3],
@@ -70,11 +70,11 @@ impl Placed {
         })
     }
 
-    /// Alpha at a pixel, unless it is too small, and the offset from the center.
+    /// Alpha at a pixel and the offset from the center; `None` if alpha is too small.
     fn alpha(&self, x: f32, y: f32) -> Option<(f32, Vec2)> {
         let offset = Vec2::new(x - self.mean.x, y - self.mean.y);
         let q = mahalanobis(self.conic, offset.x, offset.y);
-        // rounding may take q of a needle below zero
+        // rounding may make the q of a needle negative
         (q <= self.reach).then(|| (self.opacity * (-0.5 * q.max(0.0)).exp(), offset))
     }
 }
@@ -99,7 +99,7 @@ impl View {
             let range = |axis: usize| {
                 let tile = |at: f32| (at / SIDE as f32).floor();
                 let (low, high) = (mean[axis] - extent[axis], mean[axis] + extent[axis]);
-                // what is outside on either side is in no tile; casts saturate
+                // a Gaussian outside on either side is in no tile; casts saturate
                 tile(low).max(0.0) as usize
                     ..((tile(high) + 1.0).max(0.0) as usize).min(counts[axis])
             };
@@ -133,16 +133,17 @@ impl View {
 /// A Gaussian that a pixel shows.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Hit {
-    /// Index among the tile's.
+    /// Index among the tile's Gaussians.
     pub member: usize,
-    /// Before it is held below [`MOST`].
+    /// Alpha before it is clamped to [`MOST`].
     pub alpha: f32,
     pub offset: Vec2,
-    /// What is left of the light in front of it.
+    /// Light left by the Gaussians in front.
     pub light: f32,
 }
 
-/// The color of a pixel: `sum light_i alpha_i c_i + light b` with `light_i = prod (1 - alpha_j)` over what is in front.
+/// The color of a pixel: `sum light_i alpha_i c_i + light b`, where `light_i = prod (1 - alpha_j)` over the Gaussians
+/// in front.
 pub(super) fn blend(
     members: &[Placed],
     x: f32,
@@ -170,7 +171,7 @@ pub(super) fn blend(
     color
 }
 
-/// The image that a camera shows of some Gaussians, row by row. Values are not held to 0 to 1.
+/// The image of some Gaussians, row by row. Values are not clamped to 0 to 1.
 #[must_use]
 pub fn render(splats: &[Splat], camera: &Camera, background: [f32; 3]) -> Vec<[f32; 3]> {
     let view = View::new(splats, camera);
@@ -201,7 +202,7 @@ pub(super) mod tests {
         Camera::look_at([0.0, -4.0, 0.3], [0.0; 3], [0.0, 0.0, 1.0], 0.7, SIZE).unwrap()
     }
 
-    /// A ball of half the light at the center of the image.
+    /// A ball that blocks half the light, at the center of the image.
     pub fn ball() -> Splat {
         let mut color = [[0.0; 3]; HARMONICS];
         color[0] = [0.5 / FIRST, -9.0, 0.0];
@@ -223,7 +224,7 @@ pub(super) mod tests {
         back.position = [0.0, 5.0, -0.375];
         (back.log_scale, back.opacity) = ([1.0; 3], 1.0);
         back.color[0] = [-0.5 / FIRST, 0.0, 0.5 / FIRST];
-        // the image has no pixel in its middle: the falloff of the nearest is a little below 1
+        // the image has no pixel at its center: the falloff at the nearest one is a little below 1
         let image = render(&[back, front], &camera, [0.2, 0.4, 0.6]);
         let beyond = 1.0 / (1.0 + f32::exp(1.0));
         // red in front, blue and half of the green behind, and the background
@@ -235,7 +236,7 @@ pub(super) mod tests {
         for (found, expected) in image[middle].iter().zip(expected) {
             assert!((found - expected).abs() < 0.02, "{:?} {expected}", image[middle]);
         }
-        // whatever their order in the file
+        // independent of the order in the file
         assert_eq!(image, render(&[front, back], &camera, [0.2, 0.4, 0.6]));
     }
 }

@@ -1,4 +1,4 @@
-//! The derivative of what a viewer that sorts shows, with respect to every value of the Gaussians.
+//! Derivatives of the image that a viewer that sorts shows, with respect to every value of the Gaussians.
 
 use glam::{Vec2, Vec3, Vec4};
 use organza_shaders::camera::Camera as KernelCamera;
@@ -10,11 +10,11 @@ use super::harmonics::{HARMONICS, harmonics};
 use super::sorted::{BLUR, Hit, MOST, Placed, View, blend};
 use crate::camera::Camera;
 
-/// The derivatives of a loss with respect to a Gaussian in an image.
+/// Derivatives of a loss with respect to a Gaussian in an image.
 #[derive(Clone, Copy, Debug, Default)]
 struct Slope {
     color: [f32; 3],
-    /// With respect to the opacity, not its logit.
+    /// Derivative by the opacity, not by its logit.
     opacity: f32,
     mean: Vec2,
     conic: Vec3,
@@ -31,8 +31,9 @@ impl Slope {
     }
 }
 
-/// The derivative of the mean squared error of [`render`](super::sorted::render)'s image beside `truth`, as a Gaussian's number and a
-/// [`Splat`] of derivatives: of those that the image shows. A color's dependence on the position is left out.
+/// The derivative of the mean squared error between [`render`](super::sorted::render)'s image and `truth`. Returns a
+/// Gaussian's index and a [`Splat`] of derivatives, for each Gaussian that the image shows. The dependence of colors
+/// on positions is ignored.
 pub(super) fn gradient(
     splats: &[Splat],
     camera: &Camera,
@@ -55,7 +56,7 @@ pub(super) fn gradient(
             slopes
         })
         .collect();
-    // tile after tile, so that sums have one order
+    // tile after tile, so that sums have a fixed order
     let mut sums = vec![Slope::default(); view.placed.len()];
     for (slopes, members) in tiles.iter().zip(&view.tiles) {
         for (slope, &index) in slopes.iter().zip(members) {
@@ -69,7 +70,8 @@ pub(super) fn gradient(
     view.placed.par_iter().zip(&sums).map(backward).collect()
 }
 
-/// The derivative of [`blend`]: adds a pixel's part to the derivatives of what it shows; `by_color` is that with respect to its color.
+/// The derivative of [`blend`]: adds a pixel's part to the derivatives of its Gaussians. `by_color` is the derivative
+/// by the pixel's color.
 fn blend_backward(
     members: &[Placed],
     hits: &[Hit],
@@ -79,7 +81,7 @@ fn blend_backward(
 ) {
     let dot = |a: [f32; 3]| a.iter().zip(by_color).map(|(a, by)| a * by).sum::<f32>();
     let Some(last) = hits.last() else { return };
-    // what all that lies behind adds to the loss's derivative, from the last to the first
+    // contribution of everything behind to the loss's derivative, from the last Gaussian to the first
     let mut behind = last.light * (1.0 - last.alpha.min(MOST)) * dot(background);
     for hit in hits.iter().rev() {
         let (placed, slope) = (&members[hit.member], &mut slopes[hit.member]);
@@ -102,7 +104,7 @@ fn blend_backward(
     }
 }
 
-/// The derivative of [`Placed::new`]: from the derivatives in the image to those of a Gaussian's values.
+/// The derivative of [`Placed::new`]: turns derivatives in the image into those of a Gaussian's values.
 fn placed_backward(camera: &KernelCamera, splat: &Splat, placed: &Placed, slope: &Slope) -> Splat {
     let (position, rotation) = (Vec3::from(splat.position), Vec4::from(splat.rotation));
     let geometry = project_gaussian_backward(
@@ -115,7 +117,7 @@ fn placed_backward(camera: &KernelCamera, splat: &Splat, placed: &Placed, slope:
         slope.conic,
     );
     let basis = harmonics(camera.eye, splat.position);
-    // a channel that is held above 0 has a derivative if it should be brighter
+    // a channel that is clamped to 0 has a derivative only if it should be brighter
     let by_channel: [f32; 3] = std::array::from_fn(|channel| {
         let is_held = placed.color[channel] <= 0.0 && slope.color[channel] > 0.0;
         if is_held { 0.0 } else { slope.color[channel] }
@@ -144,7 +146,7 @@ mod tests {
         off.map(|(a, b)| f64::from(a - b).powi(2)).sum::<f64>() / truth.len() as f64 / 3.0
     }
 
-    /// Gaussians of several shapes, each of which all pixels see: an alpha that passes 1/255 would be a step in the loss.
+    /// Gaussians of several shapes, visible in all pixels: an alpha that crosses 1/255 would be a step in the loss.
     fn many() -> Vec<Splat> {
         (0..14)
             .map(|i: usize| {
@@ -174,7 +176,7 @@ mod tests {
             .fold(0.0, |most: f32, value| most.max(value.abs()));
         for (gaussian, slope) in &gradient {
             let slope: &[f32; VALUES] = bytemuck::cast_ref(slope);
-            // a color depends on the position by its direction, which is left out
+            // a color also depends on the position, through its direction, but that is ignored
             for (value, found) in slope.iter().enumerate().skip(3) {
                 let moved = |by: f32| {
                     let mut splats = splats.clone();
@@ -196,7 +198,7 @@ mod tests {
 
     #[test]
     fn a_center_moves_with_its_gradient() {
-        // of one color from all sides
+        // with one color for all directions
         let (camera, background) = (camera(), [0.0; 3]);
         let mut splat = ball();
         splat.position = [0.1, 0.2, -0.1];

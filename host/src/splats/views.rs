@@ -1,4 +1,4 @@
-//! The views in which a scene and Gaussians of other programs are compared.
+//! The views in which a scene is compared with Gaussians of other programs.
 
 use super::{Splat, psnr};
 use crate::camera::{Camera, Orbit};
@@ -7,25 +7,25 @@ use crate::error::Result;
 use crate::evaluate::evaluate;
 use crate::render::{DeviceScene, Renderer};
 
-/// Cameras around a box: on each circle, and the circles' elevations in degrees.
+/// Number of cameras on each circle around a box.
 const AROUND: usize = 16;
 const ELEVATIONS: [f64; 3] = [-15.0, 17.0, 45.0];
 /// Width and height of their images, in pixels.
 const SIZE: [u32; 2] = [640, 480];
-/// Of cameras without photographs, every Nth is only measured.
+/// Without photographs, every Nth camera is only measured.
 const JUDGES: usize = 8;
 
 /// The views of a fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Views {
-    /// Those that the fit sees.
+    /// Views that the fit sees.
     pub fitted: Vec<Camera>,
-    /// Those in which its result is only measured.
+    /// Views in which its result is only measured.
     pub judges: Vec<Camera>,
 }
 
 impl Views {
-    /// Every eighth camera is only measured; with fewer than eight, none is.
+    /// Every eighth camera is only measured. With fewer than eight, none is.
     #[must_use]
     pub fn of_cameras(cameras: Vec<Camera>) -> Self {
         let [mut fitted, mut judges] = [Vec::new(), Vec::new()];
@@ -37,8 +37,8 @@ impl Views {
         Self { fitted, judges }
     }
 
-    /// The frames of a data set: those that training saw are fitted, those that were held out are only measured. Where one kind is
-    /// missing, the other is fitted.
+    /// The frames of a data set. Those that training saw are fitted, and the held-out ones are only measured. If
+    /// there are no frames of one kind, the others are fitted.
     #[must_use]
     pub fn of_data_set(data: &Dataset) -> Self {
         let cameras = |frames: &mut dyn Iterator<Item = &Frame>| -> Vec<_> {
@@ -50,38 +50,38 @@ impl Views {
         Self { fitted, judges }
     }
 
-    /// Cameras that see a whole box from all sides, a circle above the other; every eighth is only measured.
+    /// Cameras on several circles that see a whole box from all sides. Every eighth is only measured.
     ///
     /// # Errors
-    /// [`Error::Camera`](crate::Error::Camera) where the box has no outside.
+    /// [`Error::Camera`](crate::Error::Camera) if the box has no outside.
     pub fn around(aabb: [[f64; 3]; 2]) -> Result<Self> {
         let orbit = Orbit::of_box(aabb, SIZE);
         let circle = |elevation: f64| {
             Orbit { elevation: elevation.to_radians(), ..orbit.clone() }.cameras(AROUND)
         };
         let circles = ELEVATIONS.into_iter().map(circle).collect::<Result<Vec<_>>>()?;
-        // one of each circle after the other: judges are of all circles
+        // alternates between the circles, so that the measured cameras come from all of them
         let at = |at: usize| circles.iter().map(move |circle| circle[at].clone());
         Ok(Self::of_cameras((0..AROUND).flat_map(at).collect()))
     }
 }
 
-/// How close images are to photographs, in dB: mean PSNRs.
+/// Mean PSNRs compared with photographs, in dB.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Beside {
-    /// How many photographs there are.
+    /// Number of photographs.
     pub photographs: usize,
-    /// Of the scene's own images.
+    /// PSNR of the scene's own images.
     pub scene: f64,
-    /// Of the Gaussians' images, as a viewer that sorts shows them.
+    /// PSNR of the Gaussians' images, as a viewer that sorts shows them.
     pub splats: f64,
 }
 
-/// Compares a scene and Gaussians that were [made of it](super::distill()) with photographs. None without photographs that have a valid
-/// pixel.
+/// Compares a scene, and Gaussians that were [distilled from it](super::distill()), with photographs. `None` without
+/// photographs that have a valid pixel.
 ///
 /// # Errors
-/// As [`Renderer::render`].
+/// The same errors as [`Renderer::render`].
 pub fn beside(
     renderer: &Renderer,
     scene: &DeviceScene,

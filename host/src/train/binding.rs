@@ -1,4 +1,4 @@
-//! What a checkpoint belongs to: a run's settings and its data. It goes on with these, or not at all.
+//! The settings and the data that a checkpoint belongs to. A run resumes with exactly these, or not at all.
 
 use std::fs;
 use std::path::Path;
@@ -17,15 +17,15 @@ use crate::scene::read_metadata;
 /// The key of a [`Binding`] in a checkpoint's metadata.
 pub(super) const BINDING: &str = "run";
 
-/// The settings that may differ: where the data is.
+/// Settings that may differ freely: the place of the data.
 const FREE: [&str; 2] = ["data.path", "data.keep"];
-/// The settings that a plan sets, which a run goes on to make after its checkpoint.
+/// Settings that a plan changes, also after the run's last checkpoint.
 const PLANNED: [&str; 2] = ["run.plan", "run.steps"];
-/// The value of a setting that is not there.
+/// Printed for a setting that is missing.
 const NOT_SET: &str = "not set";
 
-/// The settings that may change when a run is resumed: how long it is, how large it may become, and how often something
-/// is written.
+/// Settings that may change when a run is resumed: its length, its largest number of Gaussians, and how often it
+/// writes something.
 pub const CHANGEABLE: [&str; 7] = [
     "run.steps",
     "run.plan",
@@ -39,45 +39,46 @@ pub const CHANGEABLE: [&str; 7] = [
 /// A setting that changed when a run was resumed.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Change {
-    /// The steps that were done by then.
+    /// Steps done before the change.
     pub step: u64,
     /// The setting, one of [`CHANGEABLE`].
     pub name: String,
-    /// Its value until then.
+    /// Value before the change.
     pub from: Value,
-    /// Its value from then on.
+    /// Value after the change.
     pub to: Value,
 }
 
-/// The settings and the data that a checkpoint belongs to.
+/// The settings and the data of a checkpoint.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Binding {
-    /// The settings, as `config.toml` has them.
+    /// The settings, as in `config.toml`.
     settings: String,
-    /// What the data set is known by.
+    /// Identifies the data set.
     data: Fingerprint,
-    /// The settings that were others before, oldest first.
+    /// Earlier changes of settings, oldest first.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     changes: Vec<Change>,
 }
 
 impl Binding {
-    /// That of a run, and how its settings came to be what they are.
+    /// The binding of a run, with the history of its settings.
     #[must_use]
     pub fn new(config: &TrainConfig, data: &Fingerprint, changes: Vec<Change>) -> Self {
         Self { settings: config.to_toml(), data: data.clone(), changes }
     }
 
-    /// What changed in earlier resumes.
+    /// Changes in earlier resumes, oldest first.
     #[must_use]
     pub fn changes(&self) -> &[Change] {
         &self.changes
     }
 
-    /// That of a checkpoint; none where an older program wrote it.
+    /// Reads the binding of a checkpoint; `None` if an older program wrote it.
     ///
     /// # Errors
-    /// As [`Scene::load`](crate::Scene::load) for the header; [`Error::Invalid`] where it does not parse.
+    /// The same errors as [`Scene::load`](crate::Scene::load), for the header; [`Error::Invalid`] if it does not
+    /// parse.
     pub fn load(path: impl AsRef<Path>) -> Result<Option<Self>> {
         let path = path.as_ref();
         let (mut file, length) = open_regular(path)?;
@@ -88,11 +89,11 @@ impl Binding {
         })
     }
 
-    /// Holds a run's settings to those of its checkpoint, which has done `step` steps. Returns the [changes](CHANGEABLE) that
-    /// are allowed; `folder` is what errors name.
+    /// Compares a run's settings with those of its checkpoint, which has done `step` steps. Returns the [allowed
+    /// changes](CHANGEABLE). Errors name `folder`.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for the first setting that differs and must not, by name.
+    /// [`Error::Invalid`] for the first setting that differs and must not. It names the setting.
     pub fn check_settings(
         &self,
         config: &TrainConfig,
@@ -109,7 +110,7 @@ impl Binding {
             ));
         }
         let (now_plan, then_plan) = (&config.run.plan, &then.run.plan);
-        // planned after the checkpoint, before the run was killed
+        // the plan was made after the checkpoint, before the run was killed
         let goes_on = now_plan.len() > then_plan.len() && now_plan.starts_with(then_plan);
         let (now, then) = (config.list(), then.list());
         let value = |settings: &[(String, String)], name: &str| {
@@ -120,7 +121,7 @@ impl Binding {
         let mut changes = Vec::new();
         for (name, _) in now.iter().chain(&then) {
             let (now, then) = (value(&now, name), value(&then, name));
-            // a data set may move, but the built-in scene is another
+            // a data set may move, but the built-in scene is a different data set
             let is_free = FREE.contains(&name.as_str()) && now != NOT_SET && then != NOT_SET;
             let is_planned = goes_on && PLANNED.contains(&name.as_str());
             let is_known = || changes.iter().any(|change: &Change| change.name == *name);
@@ -140,10 +141,10 @@ impl Binding {
         Ok(changes)
     }
 
-    /// Holds a run's data to those of its checkpoint; `path` is what errors name.
+    /// Compares a run's data with those of its checkpoint. Errors name `path`.
     ///
     /// # Errors
-    /// [`Error::Invalid`] that says which part differs.
+    /// [`Error::Invalid`], which says which part differs.
     pub fn check_data(&self, data: &Fingerprint, path: &Path) -> Result<()> {
         match data.difference(&self.data) {
             None => Ok(()),
@@ -158,19 +159,19 @@ impl Binding {
     }
 }
 
-/// The settings of the run in a folder, held to those of its checkpoint.
+/// The settings of the run in a folder, checked against its checkpoint.
 ///
 /// # Errors
-/// As [`TrainConfig::load`]; [`Error::Invalid`] where the folder holds no run, where a setting is not
-/// that of the checkpoint and must not [change](CHANGEABLE), or is missing and there is no checkpoint that says what it was.
+/// The same errors as [`TrainConfig::load`]. [`Error::Invalid`] if the folder holds no run, if a setting differs from
+/// the checkpoint and must not [change](CHANGEABLE), or if a setting is missing and no checkpoint has its value.
 pub fn settings_of(folder: &Path) -> Result<TrainConfig> {
     changed_settings_of(folder, Ok)
 }
 
-/// As [`settings_of`], with changes for a resume.
+/// Like [`settings_of`], but changes settings for a resume.
 ///
 /// # Errors
-/// As [`settings_of`], for the changed settings too; those of `change`.
+/// The same errors as [`settings_of`], for the changed settings too; those of `change`.
 pub fn changed_settings_of(
     folder: &Path,
     change: impl FnOnce(TrainConfig) -> Result<TrainConfig>,
@@ -190,7 +191,7 @@ pub fn changed_settings_of(
         return change(config);
     };
     let step = Progress::load(&checkpoint)?.step;
-    // a file that was cut short is no wish for the defaults
+    // a truncated file does not mean that the user wants the defaults
     if !binding.check_settings(&config, step, folder)?.is_empty() {
         config.check_complete(&path)?;
     }

@@ -1,4 +1,4 @@
-//! Photographs of the built-in scene: something to train on that nobody has to download.
+//! Images of the built-in scene: training data without a download.
 
 use crate::camera::Camera;
 use crate::data::{Dataset, Frame, Photograph, Pose, is_held_out};
@@ -7,10 +7,10 @@ use crate::error::Result;
 use crate::render::Renderer;
 use organza_device::memory;
 
-/// `views` images of `side` pixels around the built-in scene, of which every `hold_out_every`-th is held out.
+/// `views` images of `side` x `side` pixels around the built-in scene. Every `hold_out_every`-th is held out.
 ///
 /// # Errors
-/// As [`Renderer::render`].
+/// The same errors as [`Renderer::render`].
 pub fn dataset(
     renderer: &Renderer,
     views: u32,
@@ -20,10 +20,10 @@ pub fn dataset(
     dataset_with_progress(renderer, views, side, hold_out_every, &mut |_, _| {})
 }
 
-/// As [`dataset`]; calls `progress` with the number of views that are done, and of all.
+/// Like [`dataset`], but calls `progress` with the number of finished views and of all views.
 ///
 /// # Errors
-/// As [`dataset`].
+/// The same errors as [`dataset`].
 pub fn dataset_with_progress(
     renderer: &Renderer,
     views: u32,

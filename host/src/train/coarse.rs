@@ -1,6 +1,6 @@
-//! Coarse to fine: until shortly before the end, steps see photographs at half their size, and T has longer steps. A tile then
-//! shows four times as much of the scene, and large things find their place before small ones. 3D Gaussian Splatting (Kerbl et
-//! al. 2023) warms up so, too.
+//! Coarse to fine. For most of a run, steps see photographs at half their size, and T has longer steps. A tile then
+//! shows four times as much of the scene, and large structures find their place before small ones. 3D Gaussian
+//! Splatting (Kerbl et al. 2023) begins with smaller images, too.
 
 use std::borrow::Cow;
 
@@ -10,35 +10,35 @@ use crate::camera::Camera;
 use crate::error::Result;
 use crate::tile::TileBatch;
 
-/// How many times smaller photographs are in coarse steps.
+/// Factor by which photographs are smaller in coarse steps.
 const FACTOR: u32 = 2;
-/// How many times as long as sigma steps of T are in coarse steps.
+/// Length of T's steps in coarse steps, as a multiple of sigma.
 const RAY_STEPS: u32 = 2;
 
 /// Draws the tiles of a run.
 #[derive(Debug)]
 pub struct Batches {
     whole: Sampler,
-    /// None where some photograph would be less than a tile wide or high.
+    /// Draws tiles of smaller photographs. `None` if some photograph would be less than a tile wide or high.
     smaller: Option<Sampler>,
 }
 
 /// The tiles of a step.
 #[derive(Debug)]
 pub struct Drawn {
-    /// Places are those of images that are `factor` times smaller than the photographs.
+    /// Tiles, in pixels of images that are `factor` times smaller than the photographs.
     pub batch: TileBatch,
-    /// 1 or more.
+    /// Factor by which the images are smaller than the photographs, 1 or more.
     pub factor: u32,
-    /// How many times as long as sigma steps of T are.
+    /// Length of T's steps, as a multiple of sigma.
     pub ray_steps: u32,
 }
 
 impl Batches {
-    /// For the photographs of these cameras.
+    /// Batches for the photographs of these cameras.
     ///
     /// # Errors
-    /// As [`Sampler::of_cameras`].
+    /// The same errors as [`Sampler::of_cameras`].
     pub fn of_cameras(cameras: &[Camera], run: &RunConfig) -> Result<Self> {
         let whole = Sampler::of_cameras(cameras, run)?;
         let holds_a_tile =
@@ -50,7 +50,7 @@ impl Batches {
         Ok(Self { whole, smaller: smaller.transpose()? })
     }
 
-    /// The tiles of a step.
+    /// Draws the tiles of a step.
     pub fn of_step(&mut self, run: &RunConfig, step: u32) -> Drawn {
         if run.share(step) >= run.coarse {
             return self.whole(step);
@@ -62,14 +62,14 @@ impl Batches {
         }
     }
 
-    /// The tiles of a step that sees whole photographs, as rendering shows them.
+    /// Draws the tiles of a step that sees whole photographs, as rendering shows them.
     pub fn whole(&mut self, step: u32) -> Drawn {
         Drawn { batch: self.whole.batch(step), factor: 1, ray_steps: 1 }
     }
 }
 
 impl Drawn {
-    /// The cameras of the images that the tiles are places of, of those of the photographs.
+    /// The cameras of the images that the tiles belong to, from those of the photographs.
     #[must_use]
     pub fn cameras<'c>(&self, cameras: &'c [Camera]) -> Cow<'c, [Camera]> {
         Self::cameras_of(cameras, self.factor)
@@ -102,7 +102,7 @@ mod tests {
             let side = 40 / drawn.factor;
             assert!(seen.iter().all(|camera| [camera.width, camera.height] == [side; 2]));
         }
-        // half of a photograph is less than a tile
+        // half of a photograph is less than a tile wide
         run.tile_size = 21;
         let drawn = Batches::of_cameras(&cameras, &run).unwrap().of_step(&run, 0);
         assert_eq!([drawn.factor, drawn.ray_steps], [1, 2]);

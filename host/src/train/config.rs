@@ -1,4 +1,4 @@
-//! Every setting of a run: the run folder's `config.toml`, readable back with `--config`.
+//! All settings of a run. They are in the run folder's `config.toml`, which `--config` reads.
 
 mod assignment;
 mod builder;
@@ -24,10 +24,10 @@ use crate::input::read_text;
 use crate::scene::{Contraction, GridConfig, MlpConfig, SceneConfig};
 use organza_core::write_atomic;
 
-/// Far more than all settings need; what is larger was named by mistake.
+/// Largest settings file, in bytes. All settings need far less; a larger file was named by mistake.
 const MAX_BYTES: u64 = 1 << 20;
 
-/// Every setting of a run.  Names are those of the file; what a file leaves out has its default.
+/// All settings of a run. Names are those in the file. A setting that the file leaves out has its default.
 ///
 /// ```
 /// use organza::TrainConfig;
@@ -45,7 +45,7 @@ const MAX_BYTES: u64 = 1 << 20;
 pub struct TrainConfig {
     /// The photographs.
     pub data: DataConfig,
-    /// How long, how much at once, how often what is written.
+    /// The run's length, the size of a step, and how often something is written.
     pub run: RunConfig,
     /// The loss.
     pub loss: LossConfig,
@@ -59,9 +59,9 @@ pub struct TrainConfig {
     pub start: StartConfig,
     /// Adam and its rates.
     pub optimizer: OptimizerConfig,
-    /// How the number of Gaussians changes.
+    /// Changes of the number of Gaussians.
     pub growth: GrowthConfig,
-    /// What experiments leave out.
+    /// Parts that experiments switch off.
     pub ablation: AblationConfig,
 }
 
@@ -70,70 +70,72 @@ pub struct TrainConfig {
 #[serde(deny_unknown_fields, default)]
 #[non_exhaustive]
 pub struct DataConfig {
-    /// The data set; the built-in scene where there is none.
+    /// The data set. Without it, the built-in scene.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub path: Option<PathBuf>,
-    /// Photographs become smaller by this factor.
+    /// Factor by which photographs are reduced.
     pub downscale: u32,
     /// Every Nth frame is held out; 0 holds none out.
     pub hold_out_every: usize,
-    /// What the scene is in front of, and photographs with an alpha channel are put in front of.
+    /// Background of the scene, and of photographs with an alpha channel.
     pub background: Background,
-    /// What an alpha channel is for.
+    /// Meaning of an alpha channel.
     pub alpha: Alpha,
     /// Where photographs are kept.
     pub keep: Keep,
-    /// Views of the built-in scene, and the side of their images in pixels.
+    /// Number of views of the built-in scene.
     pub built_in_views: u32,
-    /// See `built_in_views`.
+    /// Side of those images, in pixels.
     pub built_in_side: u32,
-    /// Whether the data set may name files outside its own folder, by their paths or by links.
+    /// Whether the data set may name files outside its own folder, by path or by link.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub allow_outside: bool,
 }
 
-/// How long, how much at once, how often what is written.
+/// The run's length, the size of a step, and how often something is written.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 #[non_exhaustive]
 pub struct RunConfig {
-    /// Steps; rates fall until the last.
+    /// Number of steps. Learning rates fall until the last one.
     pub steps: u32,
-    /// How `steps` was chosen while the run went on: `[step, steps]` says that from this step on, the run was to have
-    /// so many.  Empty where it was known from the first step.
+    /// The history of `steps` in a planned run. `[step, steps]` says: from this step on, the run was to have `steps`
+    /// steps. Empty if the number was known from the first step.
     pub plan: Vec<[u32; 2]>,
     /// Seed of every random choice.
     pub seed: u64,
-    /// K, tiles of a step.
+    /// K, tiles per step.
     pub tiles_per_step: u32,
     /// S, side of a tile in pixels.
     pub tile_size: u32,
-    /// Tiles of a step that share a view, neighbors in its image: Gaussians that several of them show are evaluated
-    /// once.  1 draws every tile on its own; more than an image has takes whole images.
+    /// Tiles of a step that share a view and are neighbors in its image. Gaussians that several of them show are
+    /// evaluated once. With 1, every tile is drawn independently. If an image has fewer tiles, steps see whole
+    /// images.
     pub tiles_per_view: u32,
-    /// The part of the run, at its start, in which photographs are shown at half their size and steps of T are twice as
-    /// long as sigma, 0 to 1.
+    /// Initial part of the run, 0 to 1, in which photographs have half their size and steps of T are twice as long as
+    /// sigma.
     pub coarse: f64,
-    /// Held-out views are measured every so many steps, and after the last; 0 measures after the last alone.
+    /// Interval of evaluations, in steps. There is one after the last step, too; with 0, only that one.
     pub evaluate_every: u32,
-    /// Held-out views that are measured before the end, evenly spaced; 0 measures all.  After the last step all are.
+    /// Number of held-out views in intermediate evaluations, evenly spaced. With 0, all. The last evaluation measures
+    /// all.
     pub evaluate_views: u32,
-    /// The checkpoint is written every so many steps, and at the end.
+    /// Interval of checkpoints, in steps. There is one at the end, too.
     pub checkpoint_every: u32,
-    /// A line in `metrics.jsonl` every so many steps.
+    /// Interval of lines in `metrics.jsonl`, in steps.
     pub log_every: u32,
     /// Whether the log is also written as TensorBoard's event file.
     pub tensorboard: bool,
 }
 
-/// The loss `(1 - w) L1 + w (1 - SSIM)`, and what is added to it.
+/// The loss: `(1 - w) L1 + w (1 - SSIM)`, and further terms.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 #[non_exhaustive]
 pub struct LossConfig {
-    /// w, 0 to 1.
+    /// w, from 0 to 1.
     pub ssim_weight: f32,
-    /// The weight of the [distortion](organza_shaders::distortion), a term of its own.
+    /// Weight of the [distortion](organza_shaders::distortion), a further term.
     pub distortion_weight: f32,
 }
 
@@ -142,7 +144,7 @@ pub struct LossConfig {
 #[serde(deny_unknown_fields, default)]
 #[non_exhaustive]
 pub struct ExposureConfig {
-    /// Whether a gain and an offset are learned for each channel.
+    /// Whether a gain and an offset per channel are learned.
     pub learn: bool,
 }
 
@@ -151,19 +153,19 @@ pub struct ExposureConfig {
 #[serde(deny_unknown_fields, default)]
 #[non_exhaustive]
 pub struct PosesConfig {
-    /// Whether a rotation and a shift are learned of each camera that is trained on.
+    /// Whether a rotation and a shift of each training camera are learned.
     pub refine: bool,
 }
 
-/// What experiments leave out, to see what it is worth.
+/// Parts that experiments switch off, to measure their effect.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 #[non_exhaustive]
 pub struct AblationConfig {
-    /// Whether T is learned; otherwise it is 1 everywhere.
+    /// Whether T is learned. Otherwise it is 1 everywhere.
     pub learn_transmittance: bool,
-    /// Whether sums that pass 1 are divided by their weight (Eq. 13); otherwise none is.  A scene's file does not tell:
-    /// everything but the run's own measurements divides.
+    /// Whether a sum of weights above 1 divides its pixel (Eq. 13). A scene's file does not store this: everything
+    /// but the run's own measurements divides.
     pub divide: bool,
 }
 
@@ -186,9 +188,9 @@ pub struct ShapeConfig {
     pub extra: u32,
     /// sigma, length of a transmittance step in the unit cube.
     pub step: f64,
-    /// What becomes of space outside the scene's box.
+    /// Treatment of space outside the scene's box.
     pub contraction: Contraction,
-    /// What is added to the diagonal of every covariance, in square pixels.
+    /// Added to the diagonal of every covariance, in square pixels.
     pub blur: f64,
     /// Hidden layers of the color network.
     pub color_mlp: MlpConfig,
@@ -200,7 +202,7 @@ pub struct ShapeConfig {
     pub transmittance_grid: GridConfig,
 }
 
-/// Where training starts.
+/// The scene before the first step.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 #[non_exhaustive]
@@ -208,33 +210,34 @@ pub struct StartConfig {
     /// A PLY or SPZ file of 3D Gaussian Splatting, whose Gaussians training starts with.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub path: Option<PathBuf>,
-    /// Gaussians where the data set has no points; where it has, there is one at each, up to `growth.max_gaussians`.
+    /// Number of Gaussians if the data set has no points. Otherwise there is one for each point, up to
+    /// `growth.max_gaussians`.
     pub gaussians: u32,
-    /// Opacity of each.
+    /// Opacity of each Gaussian.
     pub opacity: f32,
-    /// Their scale, as a multiple of the distance to the nearest neighbors.
+    /// Scale of each Gaussian, as a multiple of the distance to its nearest neighbors.
     pub scale: f32,
     /// Half the range of random material and extra values.
     pub spread: f32,
 }
 
-/// How the number of Gaussians changes: those whose center feels the strongest gradient are split, transparent ones are taken
-/// away.
+/// Changes of the number of Gaussians. Gaussians with the strongest gradient of their center are split, and
+/// transparent ones are removed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 #[non_exhaustive]
 pub struct GrowthConfig {
-    /// The most Gaussians.
+    /// Largest number of Gaussians.
     pub max_gaussians: u32,
-    /// Every so many steps.
+    /// Interval between changes, in steps.
     pub every: u32,
-    /// The first time, as a part of all steps.
+    /// First change, as a part of all steps.
     pub begin: f64,
-    /// The last time, as a part of all steps; before `begin`, the number never changes.
+    /// Last change, as a part of all steps. If it is before `begin`, the number never changes.
     pub end: f64,
-    /// The part of the Gaussians that is added each time.
+    /// Fraction of Gaussians that each change adds.
     pub rate: f64,
-    /// Gaussians whose opacity is less are taken away.
+    /// Gaussians with a lower opacity are removed.
     pub min_opacity: f32,
 }
 
@@ -288,9 +291,9 @@ impl Default for RunConfig {
 }
 
 impl RunConfig {
-    /// The part of the run that is done before `step`, 0 to 1: learning rates and growth follow it.
+    /// The part of the run that is done before `step`, 0 to 1. Learning rates and growth follow it.
     ///
-    /// Each entry of the plan spreads what is left at its step evenly over the steps that are left.
+    /// Each entry of the plan spreads the rest of the run evenly over the remaining steps.
     #[must_use]
     pub fn share(&self, step: u32) -> f64 {
         let (mut from, mut done, mut steps) = (0, 0.0, self.steps);
@@ -304,7 +307,7 @@ impl RunConfig {
         (done + (1.0 - done) * part(from, step, steps)).min(1.0)
     }
 
-    /// From `step` on, the run has so many steps.
+    /// Sets the total number of steps of the run, from `step` on.
     pub(super) fn replan(&mut self, step: u32, steps: u32) {
         self.plan.push([step, steps]);
         self.steps = steps;
@@ -361,7 +364,7 @@ impl Default for GrowthConfig {
 }
 
 impl TrainConfig {
-    /// Every setting as `table.name` and its value, in the order and with the digits of the file.
+    /// Every setting as `table.name` with its value, in the order and with the digits of the file.
     pub(super) fn list(&self) -> Vec<(String, String)> {
         fn walk(prefix: &str, value: &toml::Value, found: &mut Vec<(String, String)>) {
             match value {
@@ -376,14 +379,14 @@ impl TrainConfig {
             }
         }
         let mut found = Vec::new();
-        // through the text: an `f32` of 0.2 is 0.2 there, and not the f64 that is nearest to it
+        // through the text: there an `f32` of 0.2 is 0.2, and not the f64 nearest to it
         if let Ok(table) = toml::from_str(&self.to_toml()) {
             walk("", &toml::Value::Table(table), &mut found);
         }
         found
     }
 
-    /// The shape of a run's scene.
+    /// The configuration of a run's scene.
     pub(super) fn scene_config(&self, background: [f64; 3], aabb: [[f64; 3]; 2]) -> SceneConfig {
         let shape = self.scene.clone();
         SceneConfig {
@@ -402,20 +405,19 @@ impl TrainConfig {
         }
     }
 
-    /// Reads a file such as [`TrainConfig::save`] writes.
+    /// Reads a file that [`TrainConfig::save`] wrote, or one like it.
     ///
     /// # Errors
-    /// [`Error::ReadFile`]; [`Error::Invalid`] where it is not TOML, has a field that does not exist, or a value that
-    /// is out of range.
+    /// [`Error::ReadFile`]; [`Error::Invalid`] if it is not TOML, or has an unknown field or a value out of range.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         ConfigBuilder::new(Preset::Default)?.file(path)?.build()
     }
 
-    /// Fails where a run's own file, which has every setting, lacks one.
+    /// Fails if a run's own file, which has every setting, lacks one.
     pub(super) fn check_complete(&self, path: &Path) -> Result<()> {
         let text = read_text(path, MAX_BYTES, "settings")?;
         let mut found: toml::Table = toml::from_str(&text).unwrap_or_default();
-        // what is wrong with one of these was said when the file was read
+        // reading the file has already reported wrong values of retired settings
         let _ = retired::replace(&mut found);
         let has = |name: &str| {
             let mut keys = name.split('.');
@@ -434,21 +436,21 @@ impl TrainConfig {
         }
     }
 
-    /// As [`TrainConfig::load`], from text.
+    /// Like [`TrainConfig::load`], but from text.
     ///
     /// # Errors
-    /// As [`TrainConfig::load`].
+    /// The same errors as [`TrainConfig::load`].
     pub fn parse(text: &str, origin: &Path) -> Result<Self> {
         ConfigBuilder::new(Preset::Default)?.text(text, origin)?.build()
     }
 
-    /// The file's text.
+    /// The settings as the text of a file.
     #[must_use]
     pub fn to_toml(&self) -> String {
         toml::to_string_pretty(self).expect("plain tables of numbers and strings")
     }
 
-    /// Writes a file, beside and renamed.
+    /// Writes the settings to a file, atomically.
     ///
     /// # Errors
     /// [`Error::WriteFile`].

@@ -8,16 +8,16 @@ use crate::error::Result;
 use crate::render::ExposureGradient;
 use crate::tile::TileBatch;
 
-/// The exposures of all photographs that are trained on.
+/// The exposures of all training photographs.
 ///
-/// The values of a photograph are the logarithm of the gain, a, and the offset, b, of red, green and blue. A rendered color x
-/// is compared as `exp(a) x + b`. Without more, the scene could become darker and all gains larger, and nothing would change.
-/// So the means of a and b over all photographs stay 0: on average, a photograph shows the scene's own colors.
+/// The values of a photograph are, for red, green and blue, the logarithm a of the gain and the offset b. A rendered
+/// color x is compared as `exp(a) x + b`. A darker scene with larger gains would look the same. So the means of a and
+/// b over all photographs are kept at 0: on average, a photograph shows the scene's own colors.
 #[derive(Clone, Debug)]
 pub(super) struct Exposures(pub PerPhotograph);
 
 impl Exposures {
-    /// `[K, 3, 2]`: gain and offset of each channel for a batch's tiles.
+    /// Gain and offset of each channel for a batch's tiles: `[K, 3, 2]`.
     pub fn of_tiles(&self, batch: &TileBatch) -> Vec<f32> {
         let of = |camera: usize| {
             let [r, r0, g, g0, b, b0] = self.0.values[camera];
@@ -26,10 +26,10 @@ impl Exposures {
         batch.tiles.iter().flat_map(|tile| of(tile.camera)).collect()
     }
 
-    /// One step of Adam with the gradients of a batch's tiles, in their order.
+    /// Takes one step of Adam with the gradients of a batch's tiles, in the order of the tiles.
     ///
     /// # Errors
-    /// As [`PerPhotograph::adam`].
+    /// The same errors as [`PerPhotograph::adam`].
     pub fn step(
         &mut self,
         tiles: &[ExposureGradient],
@@ -40,7 +40,7 @@ impl Exposures {
         for tile in tiles {
             let sum = sums.entry(tile.camera).or_default();
             for (channel, [by_gain, by_offset]) in tile.gradient.into_iter().enumerate() {
-                // da of exp(a) is exp(a)
+                // the derivative of exp(a) is exp(a)
                 let gain = f64::from(gain(self.0.values[tile.camera][2 * channel]));
                 sum[2 * channel] += by_gain * gain;
                 sum[2 * channel + 1] += by_offset;
@@ -51,7 +51,7 @@ impl Exposures {
         Ok(())
     }
 
-    /// Moves all values by the same, so that their means are 0.
+    /// Shifts all values so that their means are 0.
     fn center(&mut self) {
         let count = self.0.values.len() as f64;
         for at in 0..VALUES {
@@ -64,7 +64,7 @@ impl Exposures {
     }
 }
 
-/// In f64, whose exponential is the same in every program on one machine.
+/// Computed in f64, whose exponential is the same in every program on one machine.
 fn gain(log: f32) -> f32 {
     f64::from(log).exp() as f32
 }
@@ -81,7 +81,7 @@ mod tests {
     fn adam_moves_by_its_rate_and_the_mean_stays() {
         let mut exposures = Exposures(PerPhotograph::new(4));
         let config = OptimizerConfig::default();
-        // a first step of Adam is the rate, whatever the gradient's size
+        // Adam's first step has the size of the rate, for any size of the gradient
         exposures.step(&[gradient(1, 3e-5), gradient(1, 1e-5)], &config, 0.01).unwrap();
         for (photograph, share) in [(0, 0.25), (1, -0.75), (2, 0.25), (3, 0.25)] {
             for channel in 0..3 {

@@ -1,4 +1,4 @@
-//! A run's folder: one training at a time writes to it.
+//! The folder of a run, to which one training process writes at a time.
 
 use std::fs::{self, File, TryLockError};
 use std::io::{self, Read, Seek, Write};
@@ -9,35 +9,35 @@ use super::report::PICTURES;
 use crate::error::{Error, Result};
 use organza_core::remove_leftovers;
 
-/// `config.toml`, every setting.
+/// `config.toml`: all settings.
 pub const CONFIG: &str = "config.toml";
-/// `metrics.jsonl`, one record a line.
+/// `metrics.jsonl`: one record per line.
 pub const METRICS: &str = "metrics.jsonl";
-/// `cameras.json`: where the cameras are, if poses are refined.
+/// `cameras.json`: the refined cameras, if poses are refined.
 pub const CAMERAS: &str = "cameras.json";
-/// `report.html`, one page.
+/// `report.html`: the report on one page.
 pub const REPORT: &str = "report.html";
 /// `evaluations.csv`: the scores of each held-out view in each evaluation.
 pub const EVALUATIONS: &str = "evaluations.csv";
 
-/// The locked file; it goes when the training ends.
+/// The lock file. It is removed when the training ends.
 const LOCK: &str = ".organza-lock";
 
-/// A run's folder, locked: as long as this lives no other training writes to it.
+/// A locked run folder. While this value lives, no other training writes to the folder.
 #[derive(Debug)]
 pub struct RunFolder {
     path: PathBuf,
-    /// Dropped, and so unlocked, after the file is gone.
+    /// Dropped last, so the lock is released after the file is removed.
     _lock: File,
 }
 
 impl RunFolder {
-    /// Locks a folder, which exists, and removes what a training left there that was killed.
+    /// Locks an existing folder, and removes what a killed training left there.
     ///
     /// # Errors
-    /// [`Error::Invalid`] where another training has it, which is named; where it holds a run and
-    /// none is to be resumed; where one of a run's files is a device, a pipe or a folder.
-    /// [`Error::WriteFile`] where it cannot be written to.
+    /// [`Error::Invalid`] if another training, which is named, has locked it; if it holds a run and `resume` is
+    /// false; or if one of the run's files is a device, a pipe or a folder. [`Error::WriteFile`] if it cannot be
+    /// written to.
     pub fn lock(path: &Path, resume: bool) -> Result<Self> {
         let invalid = |reason| Err(Error::Invalid { origin: path.to_owned(), reason });
         let file = path.join(LOCK);
@@ -53,7 +53,7 @@ impl RunFolder {
         let folder = Self { path: path.to_owned(), _lock: lock };
         remove_leftovers(path);
         for name in [CONFIG, CHECKPOINT, BEST, METRICS, CAMERAS, REPORT, EVALUATIONS] {
-            // Not through a link: it may lead to a file of somebody else's.
+            // Links are not followed: one may lead to somebody else's file.
             let Ok(found) = fs::symlink_metadata(path.join(name)) else { continue };
             if !found.is_file() {
                 return invalid(format!(
@@ -77,14 +77,14 @@ impl RunFolder {
         }
     }
 
-    /// Where it is.
+    /// Path of the folder.
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// What dropping does, for a program that ends at once: removes the lock's file, where it is
-    /// this process's, and what was being written.
+    /// Does the work of dropping, for a program that exits at once: removes the lock file if it is this process's,
+    /// and files that are still being written.
     pub fn clear(path: &Path) {
         let file = path.join(LOCK);
         if fs::read_to_string(&file).is_ok_and(|holder| holder == own_name()) {
@@ -97,17 +97,17 @@ impl RunFolder {
 
 impl Drop for RunFolder {
     fn drop(&mut self) {
-        // Whoever has opened it meanwhile finds it gone, and begins again.
+        // Whoever has opened it meanwhile finds it removed, and tries again.
         let _ = fs::remove_file(self.path.join(LOCK));
     }
 }
 
-/// What the locked file says.
+/// Content of the lock file.
 fn own_name() -> String {
     format!("process {}", std::process::id())
 }
 
-/// The locked file, or else who has it.
+/// Locks the file, or returns who has locked it.
 fn lock(path: &Path) -> io::Result<Result<File, String>> {
     loop {
         let mut file = open(path)?;
@@ -119,7 +119,7 @@ fn lock(path: &Path) -> io::Result<Result<File, String>> {
                 let is_named = holder.starts_with("process ");
                 return Ok(Err(if is_named { holder } else { "another process".to_owned() }));
             }
-            // A file system without locks: there is one writer if the user sees to it.
+            // The file system has no locks: the user must make sure that there is one writer.
             Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Unsupported => {}
             Err(TryLockError::Error(error)) => return Err(error),
         }
@@ -138,7 +138,7 @@ fn lock(path: &Path) -> io::Result<Result<File, String>> {
     }
 }
 
-/// Opens or makes the file, and nothing that has taken its place: what it held is written over.
+/// Opens or creates the file, and never what has taken its place. Old content is overwritten.
 fn open(path: &Path) -> io::Result<File> {
     let mut options = File::options();
     options.read(true).write(true).create(true).truncate(false);
@@ -154,7 +154,7 @@ fn open(path: &Path) -> io::Result<File> {
     }
 }
 
-/// Whether an open file is still the one of that name.
+/// Whether an open file is still the one at its path.
 #[cfg(unix)]
 fn is_at(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
@@ -163,7 +163,7 @@ fn is_at(file: &File, path: &Path) -> bool {
     matches!((open, named), (Ok(open), Ok(named)) if open == named)
 }
 
-/// An open file cannot be removed.
+/// Always true: an open file cannot be removed.
 #[cfg(not(unix))]
 fn is_at(_: &File, _: &Path) -> bool {
     true

@@ -1,9 +1,9 @@
-//! Which held-out views a run measures.
+//! The held-out views that a run measures.
 
 use crate::data::{Dataset, Frame};
 use crate::evaluate::ViewScore;
 
-/// The held-out frames that an evaluation measures: all of them, or those of intermediate evaluations. `views` is
+/// The held-out frames that an evaluation measures: all of them, or those of an intermediate evaluation. `views` is
 /// [`RunConfig::evaluate_views`](super::config::RunConfig::evaluate_views).
 pub(super) fn frames(dataset: &Dataset, views: u32, all: bool) -> Vec<&Frame> {
     let frames: Vec<_> = dataset.held_out_frames().collect();
@@ -11,14 +11,14 @@ pub(super) fn frames(dataset: &Dataset, views: u32, all: bool) -> Vec<&Frame> {
     chosen(frames.len(), views).into_iter().map(|place| frames[place]).collect()
 }
 
-/// The places of `views` of `count`, evenly spaced from the first on; all of them where `views` is 0 or more.
+/// Indices of `views` of `count` views, evenly spaced from the first; all if `views` is 0 or at least `count`.
 pub(super) fn chosen(count: usize, views: u32) -> Vec<usize> {
     let views = if views == 0 { count } else { count.min(views as usize) };
     (0..views).map(|place| place * count / views).collect()
 }
 
-/// The mean PSNR of the views that every evaluation of a run measures: what the best checkpoint goes by. `count` is the
-/// number of held-out views, of which `scores` has all, or those that were chosen.
+/// The mean PSNR over the views that every evaluation of a run measures. It decides which checkpoint is the best.
+/// `count` is the number of held-out views. `scores` has all of them, or only those that were chosen.
 pub(super) fn comparable(scores: &[ViewScore], count: usize, views: u32) -> Option<f64> {
     let has_all = scores.len() == count;
     let places = if has_all { chosen(count, views) } else { (0..scores.len()).collect() };

@@ -1,4 +1,4 @@
-//! Functions of yours that a step calls: a loss, and a function between the gradient and the optimizer.
+//! Functions of the caller's that a step calls: a loss, and a function between the gradient and the optimizer.
 
 use std::fmt;
 
@@ -9,8 +9,8 @@ use crate::render::{
 };
 use organza_device::Device;
 
-/// The functions that [`Trainer::step_with`](super::Trainer::step_with) calls. By default there are none: the loss is
-/// that of the settings, and Adam takes its gradient as it is.
+/// Functions that [`Trainer::step_with`](super::Trainer::step_with) calls. By default there are none: the settings
+/// give the loss, and Adam uses its gradient unchanged.
 ///
 /// This trains with the mean squared error, and keeps materials small:
 ///
@@ -54,7 +54,7 @@ pub struct StepHooks<'h> {
     pub(super) gradient: Option<Box<GradientHook<'h>>>,
 }
 
-/// A function between a step's gradient and the optimizer: a regularizer, another optimizer, a sum over processes.
+/// A function between a step's gradient and the optimizer: a regularizer, another optimizer, or a sum over processes.
 /// Adam uses the gradient that the hook leaves.
 pub type GradientHook<'h> = dyn FnMut(&StepGradient<'_>) -> Result<()> + 'h;
 
@@ -64,9 +64,9 @@ pub type GradientHook<'h> = dyn FnMut(&StepGradient<'_>) -> Result<()> + 'h;
 pub struct StepGradient<'a> {
     /// The device of the scene and the gradient.
     pub device: &'a Device,
-    /// Steps before this one.
+    /// Number of steps before this one.
     pub step: u32,
-    /// The scene that the gradient is of.
+    /// The scene at this step.
     pub scene: &'a DeviceScene,
     /// The gradient of the batch's loss.
     pub gradient: &'a SceneGradient,
@@ -79,8 +79,8 @@ impl<'h> StepHooks<'h> {
         Self::default()
     }
 
-    /// A loss on the host: a function of the rendered tiles Y `[K, 3, S, S]` and the photographs behind them. It
-    /// returns the loss and dL/dY.
+    /// Sets a loss on the host: a function of the rendered tiles Y `[K, 3, S, S]` and of the photographs behind them.
+    /// It returns the loss and dL/dY.
     ///
     /// It sees all tiles of a step at once.
     #[must_use]
@@ -89,10 +89,10 @@ impl<'h> StepHooks<'h> {
         self
     }
 
-    /// A loss on the device: like [`StepHooks::loss`], but tiles and dL/dY stay in the device's buffers.
+    /// Sets a loss on the device. It is like [`StepHooks::loss`], but tiles and dL/dY stay in the device's buffers.
     ///
-    /// A batch that does not fit into memory at once comes in parts, one call each. So the loss has to be a sum over
-    /// tiles.
+    /// If a batch does not fit into memory at once, the function is called for one part after the other. So the loss
+    /// must be a sum over tiles.
     #[must_use]
     pub fn device_loss(
         mut self,
@@ -102,7 +102,7 @@ impl<'h> StepHooks<'h> {
         self
     }
 
-    /// A function that reads or changes the gradient, after the backward pass and before Adam.
+    /// Sets a function that reads or changes the gradient, after the backward pass and before Adam.
     #[must_use]
     pub fn gradient(mut self, hook: impl FnMut(&StepGradient<'_>) -> Result<()> + 'h) -> Self {
         self.gradient = Some(Box::new(hook));

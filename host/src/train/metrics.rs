@@ -1,4 +1,4 @@
-//! `metrics.jsonl`: what a run measured, one JSON object a line.
+//! `metrics.jsonl`: the measurements of a run, one JSON object per line.
 
 #[cfg(test)]
 mod tests;
@@ -16,28 +16,28 @@ use crate::evaluate::{Evaluation, ViewScore};
 use crate::input::read_file;
 use organza_core::write_atomic;
 
-/// More than any run logs; what is larger was put there by mistake.
+/// Largest log, in bytes. No run logs as much; a larger file is not a log.
 const MAX_BYTES: u64 = 1 << 30;
 
-/// One line of `metrics.jsonl`: an object whose `kind` tells which.
+/// One line of `metrics.jsonl`: an object whose `kind` names the variant.
 ///
-/// A number that is NaN or infinite is null in the file, and NaN or none when it is read.
+/// A number that is NaN or infinite is null in the file. Reading it gives NaN or `None`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum Record {
-    /// A program begins to train, or continues.
+    /// A program begins or continues to train.
     Session {
         /// Optimizer steps so far.
         step: u64,
-        /// What runs, and where.
+        /// The program and its device.
         #[serde(flatten)]
         session: SessionInfo,
     },
-    /// Where training stands.
+    /// The state of training after a step.
     Step {
         /// Optimizer steps so far.
         step: u64,
-        /// Seconds of training so far, those before a resume included.
+        /// Seconds of training so far, including those before a resume.
         seconds: f64,
         /// The loss of this step's batch.
         #[serde(deserialize_with = "nan_for_null")]
@@ -51,42 +51,42 @@ pub enum Record {
         /// The PSNR of this step's batch, in decibels.
         #[serde(deserialize_with = "nan_for_null")]
         psnr: f64,
-        /// Tiles trained on in a second.
+        /// Training speed, in tiles per second.
         #[serde(deserialize_with = "nan_for_null")]
         tiles_per_second: f64,
-        /// Gaussians of the scene.
+        /// Number of Gaussians.
         gaussians: u64,
         /// The learning rate of each group of parameters in this step, by the name of its setting.
         #[serde(default)]
         rates: BTreeMap<String, f32>,
     },
-    /// The held-out frames were rendered and compared.
+    /// The scores of the held-out frames.
     Evaluation {
         /// Optimizer steps so far.
         step: u64,
-        /// Seconds of training so far, those before a resume included.
+        /// Seconds of training so far, including those before a resume.
         seconds: f64,
         /// The mean PSNR over the views, in decibels.
         psnr: Option<f64>,
         /// The mean SSIM over the views.
         ssim: Option<f64>,
-        /// Each view on its own.
+        /// Scores of each view.
         views: Vec<ViewScore>,
     },
-    /// The set of Gaussians was changed.
+    /// The number of Gaussians changed.
     Growth {
         /// Optimizer steps so far.
         step: u64,
-        /// Gaussians that were replaced by smaller ones.
+        /// Number of Gaussians that were replaced by smaller ones.
         split: u64,
-        /// Gaussians that were removed.
+        /// Number of Gaussians that were removed.
         pruned: u64,
-        /// Gaussians of the scene afterwards.
+        /// Number of Gaussians afterwards.
         gaussians: u64,
     },
-    /// A setting was changed when the run was resumed.
+    /// The resume changed a setting.
     Change(Change),
-    /// Where the time went.
+    /// The time of each stage.
     Timing {
         /// Optimizer steps so far.
         step: u64,
@@ -95,23 +95,23 @@ pub enum Record {
     },
 }
 
-/// What trains, and where: one program from its start to its end.
+/// The program that trains, and its device, from the program's start to its end.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SessionInfo {
-    /// When it began, in UTC: `2026-01-31T09:30:00Z`.
+    /// Start in UTC: `2026-01-31T09:30:00Z`.
     pub date: String,
-    /// The command line; none if a library's user trains.
+    /// The command line; `None` if a user of the library trains.
     pub command: Option<String>,
     /// Organza's version.
     pub version: String,
-    /// The commit that organza was built from, if it is known: see [`crate::COMMIT`].
+    /// The commit that organza was built from, if known: see [`crate::COMMIT`].
     pub commit: Option<String>,
-    /// The device, as [`Device::choice`](crate::Device::choice) describes it.
+    /// The device, in the words of [`Device::choice`](crate::Device::choice).
     pub device: String,
 }
 
 impl SessionInfo {
-    /// That of a session which begins now.
+    /// A session that begins now.
     #[must_use]
     pub fn now(command: Option<String>, device: &str) -> Self {
         Self {
@@ -124,14 +124,14 @@ impl SessionInfo {
     }
 }
 
-/// The time that a stage of training took.
+/// The time of a stage of training.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TimingRow {
     /// The stage's name.
     pub stage: String,
-    /// What it took, in seconds.
+    /// Time of the stage, in seconds.
     pub seconds: f64,
-    /// Its share of the whole, of 0 to 1.
+    /// Part of the total time, 0 to 1.
     pub share: f64,
 }
 
@@ -143,7 +143,7 @@ impl Record {
         Self::Evaluation { step, seconds, psnr: mean.psnr, ssim: mean.ssim, views }
     }
 
-    /// The optimizer steps that had been done.
+    /// Number of optimizer steps so far.
     #[must_use]
     pub fn step(&self) -> u64 {
         match self {
@@ -165,7 +165,7 @@ fn nan_for_null<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Er
     Ok(Option::deserialize(deserializer)?.unwrap_or(f64::NAN))
 }
 
-/// A `metrics.jsonl` that is being written.
+/// A `metrics.jsonl` that is open for writing.
 #[derive(Debug)]
 pub struct MetricsLog {
     path: PathBuf,
@@ -173,7 +173,7 @@ pub struct MetricsLog {
 }
 
 impl MetricsLog {
-    /// Begins a log; what was there is replaced.
+    /// Starts a new log and replaces an old one.
     ///
     /// # Errors
     /// [`Error::WriteFile`].
@@ -181,12 +181,12 @@ impl MetricsLog {
         Self::begin(path.as_ref(), &[])
     }
 
-    /// Continues a log after `step`: what lies after it is dropped, and so is a last line that was not written to its
-    /// end. What is kept is kept to the byte. Changes at this very step are dropped, too: whoever resumes decides about them
-    /// again. Where there is no log, one is begun.
+    /// Continues a log after `step`. Later records are dropped, and so is an incomplete last line. Earlier lines keep
+    /// their bytes. Changes at this very step are dropped, too, because the resume decides about them again. If there
+    /// is no log, a new one is started.
     ///
     /// # Errors
-    /// As [`Self::read`], but for a file that is not there; [`Error::WriteFile`].
+    /// The same errors as [`Self::read`], except for a missing file; [`Error::WriteFile`].
     pub fn resume(path: impl AsRef<Path>, step: u64) -> Result<Self> {
         let path = path.as_ref();
         if !path.exists() {
@@ -201,7 +201,7 @@ impl MetricsLog {
         Self::begin(path, &kept.map(|(line, _)| *line).collect::<Vec<_>>())
     }
 
-    /// Reads a log. A last line that was not written to its end is left out.
+    /// Reads a log, without an incomplete last line.
     ///
     /// # Errors
     /// [`Error::ReadFile`]; [`Error::Invalid`] for the first other line that is no record.
@@ -211,7 +211,7 @@ impl MetricsLog {
         Ok(parse(path, &text)?.into_iter().map(|(_, record)| record).collect())
     }
 
-    /// Writes a record; it is in the file when this returns.
+    /// Appends a record. It is in the file when this returns.
     ///
     /// # Errors
     /// [`Error::WriteFile`].
@@ -222,7 +222,7 @@ impl MetricsLog {
     fn write_line(&mut self, record: &Record) -> io::Result<()> {
         let mut line = serde_json::to_vec(record)?;
         line.push(b'\n');
-        // in one piece, so that only a crash can leave half of it
+        // written in one call, so that only a crash can leave half a line
         self.file.write_all(&line)?;
         self.file.flush()
     }

@@ -1,30 +1,31 @@
-//! What a run takes at least, before it is begun.
+//! The least memory that a run needs, checked before it begins.
 
 use super::config::TrainConfig;
 use crate::error::{Result, format_bytes};
 use crate::tile::Tile;
 use organza_device::memory;
 
-/// Bytes of a Gaussian beside its tensors while it gets its place: the place, its neighbors.
+/// Bytes per Gaussian, besides its tensors, while it gets its position: the position and its neighbors.
 const PLACE_BYTES: u64 = 80;
-/// Bytes of a pixel of a step: what it is compared with, and whether it is there.
+/// Bytes per pixel of a step: the photograph's color, and whether the pixel is valid.
 const PIXEL_BYTES: u64 = 4 * 4;
-/// Bytes of a pixel of the part of a step that is rendered at once: its color, the loss and the gradients.
+/// Bytes per pixel of the part of a step that is rendered at once: its color, the loss and the gradients.
 const PART_PIXEL_BYTES: u64 = 256;
-/// The most that a part takes, a large one; less memory makes smaller parts, down to a tile.
+/// Most bytes of a part. With less memory, parts are smaller, down to one tile.
 const PART_BYTES: u64 = 2 << 30;
 
 impl TrainConfig {
-    /// Fails where a run cannot fit into memory, before anything is read or made.
+    /// Fails if a run cannot fit into memory, before anything is read or allocated.
     ///
     /// # Errors
-    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory) with what it takes at least, by its parts, and what there is.
+    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory) with the least memory needed, by its
+    /// parts, and the memory available.
     pub fn check_memory(&self) -> Result<()> {
         let tiles = u64::from(self.run.tiles_per_step);
         let pixels = tiles * u64::from(self.run.tile_size).pow(2);
         let part = (pixels * PART_PIXEL_BYTES).min(PART_BYTES);
         let step = pixels * PIXEL_BYTES + tiles * size_of::<Tile>() as u64 + part;
-        // Photographs and their points are not known yet.
+        // The photographs and their points are not known yet.
         let [photographs, gaussians] = match self.data.path {
             Some(_) => [0, 1],
             None => [built_in_bytes(self), u64::from(self.start.gaussians)],
@@ -39,13 +40,13 @@ impl TrainConfig {
     }
 }
 
-/// Fails where a scene of so many Gaussians, and Adam's moments of it, do not fit.
+/// Fails if a scene of this many Gaussians and Adam's moments do not fit.
 pub(super) fn check_scene(config: &TrainConfig, gaussians: u64) -> Result<()> {
     let what = format!("a scene of {gaussians} Gaussians with Adam's moments");
     Ok(memory::check(scene_bytes(config, gaussians), &what)?)
 }
 
-/// A scene and two moments of its shape.
+/// Bytes of a scene and of two moments of the same shape.
 fn scene_bytes(config: &TrainConfig, gaussians: u64) -> u64 {
     let scene = config.scene_config([0.0; 3], [[0.0; 3], [1.0; 3]]);
     let specs = scene.tensors(gaussians as usize);

@@ -1,4 +1,4 @@
-//! Values of each photograph that are learned with the scene, with Adam's state: exposures and poses.
+//! Learned values of each photograph, with Adam's state: exposures and poses.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -9,39 +9,39 @@ use super::config::{EPSILON, OptimizerConfig};
 use crate::error::{Error, Result};
 use crate::scene::Tensor;
 
-/// The prefix of the name of the values in a checkpoint.
+/// Prefix of the values' name in a checkpoint.
 pub(super) const VALUES_PREFIX: &str = "train.";
 
-/// Learned values of a photograph.
+/// Number of learned values per photograph.
 pub const VALUES: usize = 6;
 
-/// Learned values of all photographs that are trained on, with Adam's state.
+/// Learned values of all training photographs, with Adam's state.
 ///
-/// A step moves the photographs that it shows, and each counts its own steps: Adam's moments of a photograph do not decay
-/// while others are shown.
+/// A step only changes the photographs that it shows, and each counts its own steps. So Adam's moments of a
+/// photograph do not decay while others are shown.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PerPhotograph {
-    /// `[photographs, 6]`
+    /// Learned values, `[photographs, 6]`.
     pub values: Vec<[f32; VALUES]>,
     /// Adam's moments of `values`.
     pub moments: [Vec<[f32; VALUES]>; 2],
-    /// `[photographs]`: in how many steps each was shown.
+    /// Number of steps that showed each photograph, `[photographs]`.
     pub steps: Vec<u32>,
 }
 
 impl PerPhotograph {
-    /// Those of so many photographs before the first step: all values are 0.
+    /// Values of 0 for each photograph, before the first step.
     #[must_use]
     pub fn new(photographs: usize) -> Self {
         let zeros = || vec![[0.0; VALUES]; photographs];
         Self { values: zeros(), moments: [zeros(), zeros()], steps: vec![0; photographs] }
     }
 
-    /// One step of Adam for the photographs that have a gradient, with a rate for each value. `what` is what errors call the
-    /// values.
+    /// Takes one step of Adam for the photographs that have a gradient. There is a rate for each value. Errors call
+    /// the values `what`.
     ///
     /// # Errors
-    /// [`Error::Diverged`] where a gradient is not finite; nothing has moved then.
+    /// [`Error::Diverged`] if a gradient is not finite. Nothing has changed then.
     pub(super) fn adam(
         &mut self,
         gradients: &BTreeMap<usize, [f64; VALUES]>,
@@ -76,8 +76,8 @@ impl PerPhotograph {
         Ok(())
     }
 
-    /// As a checkpoint has them: the values with their shape `[photographs, ..]`, Adam's moments, and the steps. Steps are
-    /// whole numbers, which f32 has up to 2^24.
+    /// Tensors for a checkpoint: the values with their shape `[photographs, ..]`, Adam's moments, and the steps.
+    /// Steps are whole numbers, which f32 represents up to 2^24.
     pub(super) fn tensors(&self, name: &str, shape: &[usize]) -> Vec<(String, Tensor)> {
         let count = self.values.len();
         let [first, second] = &self.moments;
@@ -90,10 +90,10 @@ impl PerPhotograph {
         names(name).into_iter().zip(values.into_iter().chain([steps])).collect()
     }
 
-    /// Those of a checkpoint's tensors, if it has any; `origin` is what errors name.
+    /// Reads the values from a checkpoint's tensors, if it has any. Errors name `origin`.
     ///
     /// # Errors
-    /// [`Error::Invalid`] where they do not belong together.
+    /// [`Error::Invalid`] if the tensors do not belong together.
     pub(super) fn of_tensors(
         name: &str,
         tensors: &mut BTreeMap<String, Tensor>,
@@ -122,7 +122,7 @@ impl PerPhotograph {
     }
 }
 
-/// Names in a checkpoint: the values, Adam's moments of them, and the steps.
+/// Names in a checkpoint: the values, Adam's two moments, and the steps.
 pub(super) fn names(name: &str) -> [String; 4] {
     [VALUES_PREFIX, "adam.first.", "adam.second.", "adam.steps."]
         .map(|prefix| format!("{prefix}{name}"))

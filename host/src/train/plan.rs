@@ -3,57 +3,56 @@
 use super::config::TrainConfig;
 use super::held_out;
 
-/// The part of a step's time that grows with the number of Gaussians. Pixels, rays of what is seen and the fields
-/// take the rest.
+/// Part of a step's time that grows with the number of Gaussians. Pixels, rays and fields take the rest.
 const PER_GAUSSIAN: f64 = 0.3;
 /// A new plan is made after every step whose number is a power of two, up to this one,
 const FIRST_STEPS: u32 = 64;
-/// then after each of so many parts of the time,
+/// then after each of this many equal parts of the time,
 const PLANS: f64 = 20.0;
-/// until so much of the time is over: the end does not move away from a run that is about to reach it.
+/// until this part of the time is over. So the end does not move away from a run that is about to reach it.
 const LAST: f64 = 0.97;
-/// The least number of steps that is planned before anything is measured: the first step alone depends on it.
+/// Least number of steps in a plan before anything is measured. Only the first step depends on it.
 const UNKNOWN: u32 = 1000;
-/// More steps than any run has.
+/// An upper limit for the number of steps of any run.
 const MOST: u32 = 100_000_000;
 
-/// Where a run stands.
+/// The state of a run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Now {
-    /// Steps that are done.
+    /// Steps done.
     pub step: u32,
-    /// Gaussians of the scene.
+    /// Number of Gaussians.
     pub gaussians: usize,
-    /// Seconds of training.
+    /// Seconds of training so far.
     pub training: f64,
-    /// Seconds of the run: training, evaluations and files.
+    /// Seconds of the run so far: training, evaluations and files.
     pub elapsed: f64,
 }
 
-/// Chooses the number of steps of a run, again and again while it goes on.
+/// Chooses the number of steps of a run, and updates it while the run goes on.
 #[derive(Clone, Debug)]
 pub(super) struct Planner {
-    /// Seconds that the run is to take.
+    /// Seconds that the run should take.
     seconds: f64,
-    /// Held-out views, and the seconds that measuring one takes.
+    /// Number of held-out views.
     views: usize,
     per_view: f64,
-    /// When the last plan was made.
+    /// State at the last plan.
     last: Option<Now>,
 }
 
 impl Planner {
-    /// For a run of so many seconds, with so many held-out views.
+    /// A planner for a run of `seconds`, with `views` held-out views.
     pub fn new(seconds: f64, views: usize) -> Self {
         Self { seconds, views, per_view: 0.0, last: None }
     }
 
-    /// An evaluation of so many views took so long.
+    /// Records that an evaluation of `views` views took `seconds`.
     pub fn evaluated(&mut self, seconds: f64, views: usize) {
         self.per_view = seconds / views.max(1) as f64;
     }
 
-    /// The number of all steps, where it is time for a new plan.
+    /// The total number of steps, if it is time for a new plan.
     pub fn plan(&mut self, config: &TrainConfig, now: Now) -> Option<u32> {
         let Some(last) = self.last else {
             self.last = Some(now);
@@ -70,7 +69,8 @@ impl Planner {
         Some(now.step.saturating_add(self.steps_left(config, now, per_step.max(1e-6))))
     }
 
-    /// How many more steps fit, if one takes `per_step` now: the number of Gaussians is followed to the end.
+    /// Number of further steps that fit if one takes `per_step` seconds now, following the number of Gaussians to the
+    /// end.
     fn steps_left(&self, config: &TrainConfig, now: Now, per_step: f64) -> u32 {
         let growth = &config.growth;
         let per_evaluation = match config.run.evaluate_every {
@@ -80,7 +80,7 @@ impl Planner {
                 self.per_view * views as f64 / f64::from(every)
             }
         };
-        // the last one measures all
+        // the last evaluation measures all views
         let last = self.per_view * self.views as f64;
         let time = (self.seconds - now.elapsed - last).max(0.0);
         let (mut used, mut steps, mut gaussians) = (0.0, 0_u32, now.gaussians as f64);
@@ -105,13 +105,13 @@ impl Planner {
 mod tests {
     use super::*;
 
-    /// A run whose steps take `cost(share, gaussians)` seconds: the seconds it took, its steps, and its settings.
+    /// Simulates a run whose steps take `cost(share, gaussians)` seconds. Returns its seconds and its settings.
     fn run(seconds: f64, cost: impl Fn(f64, f64) -> f64) -> (f64, TrainConfig) {
         let mut config = TrainConfig::default();
         config.run.evaluate_views = 5;
         let (start, evaluation) = (f64::from(config.start.gaussians), 4.0);
         let mut planner = Planner::new(seconds, 10);
-        // the view that is rendered before the first step
+        // the evaluation of one view before the first step
         planner.evaluated(evaluation / 5.0, 1);
         let mut now = Now { step: 0, gaussians: start as usize, training: 0.0, elapsed: 0.0 };
         loop {
@@ -145,9 +145,9 @@ mod tests {
             |_, _| 0.1,
             |_, gaussians| 0.05 + 3e-6 * gaussians,
             |_, gaussians| 1e-5 * gaussians,
-            // it becomes slower, and faster toward the end
+            // steps become slower, and faster toward the end
             |share, gaussians| (0.03 + 2e-6 * gaussians) * (1.0 + share * (1.0 - share)),
-            // coarse to fine: what is left takes longer, or less long
+            // coarse to fine: the remaining steps take longer, or less long
             |share, _| if share < 0.8 { 0.1 } else { 0.13 },
             |share, _| if share < 0.8 { 0.13 } else { 0.1 },
         ];
@@ -157,7 +157,7 @@ mod tests {
                 let error = took / seconds - 1.0;
                 assert!(error.abs() < 0.05, "cost {index}, {seconds} s: {took}");
                 assert!((config.run.share(config.run.steps) - 1.0).abs() < 1e-12);
-                // the plan follows the time: half of the run is done at about half of its time
+                // shares follow time: half of the run is done after about half of its time
                 let middle = config.run.share(config.run.steps / 2);
                 assert!((0.3..0.7).contains(&middle), "cost {index}, {seconds} s: {middle}");
                 TrainConfig::parse(&config.to_toml(), std::path::Path::new("a plan")).unwrap();

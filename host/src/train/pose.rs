@@ -7,13 +7,13 @@ use super::per_photograph::{PerPhotograph, VALUES};
 use crate::camera::{Camera, cross, dot, to_rotation_vector, turned};
 use crate::error::Result;
 
-/// The poses of all photographs that are trained on.
+/// The poses of all training photographs.
 ///
-/// The values of a photograph are a rotation vector w and a shift v, as [`Camera::moved`] takes them: where a camera is now
-/// follows from where it was given.
+/// The values of a photograph are a rotation vector w and a shift v, in the form of [`Camera::moved`]. They give the
+/// current camera relative to the given one.
 ///
-/// All cameras could turn, shift or spread together, and the scene with them, and no image would change. Held-out views would
-/// no longer fit. So what the motions of all cameras have in common is taken out after each step: see [`PoseSet::center`].
+/// If all cameras turn, shift or spread together, and the scene with them, no image changes. But held-out views would
+/// no longer fit. So each step removes the motion that all cameras have in common: see [`PoseSet::center`].
 #[derive(Clone, Debug)]
 pub(super) struct PoseSet {
     pub learned: PerPhotograph,
@@ -21,22 +21,22 @@ pub(super) struct PoseSet {
 }
 
 impl PoseSet {
-    /// The cameras as they were given, and what was learned of them.
+    /// The given cameras with their learned motions.
     pub fn new(learned: PerPhotograph, given: Vec<Camera>) -> Self {
         Self { learned, given }
     }
 
-    /// The cameras where they are now.
+    /// The current cameras.
     pub fn cameras(&self) -> Vec<Camera> {
         let cameras = self.given.iter().zip(&self.learned.values);
         cameras.map(|(camera, values)| camera.moved(values.map(f64::from))).collect()
     }
 
-    /// One step of Adam for the photographs of a batch. `gradients [photographs, 6]` are those of a further small motion of each
-    /// camera. Rotations move by `rate`, in radians, and shifts by `rate * extent`.
+    /// Takes one step of Adam for the photographs of a batch. `gradients [photographs, 6]` are by a further small
+    /// motion of each camera. Rotations move by `rate`, in radians, and shifts by `rate * extent`.
     ///
     /// # Errors
-    /// As [`PerPhotograph::adam`].
+    /// The same errors as [`PerPhotograph::adam`].
     pub fn step(
         &mut self,
         gradients: &[[f32; VALUES]],
@@ -48,7 +48,7 @@ impl PoseSet {
         let of = |photograph: usize| {
             let [wx, wy, wz, vx, vy, vz] = self.learned.values[photograph].map(f64::from);
             let [ax, ay, az, bx, by, bz] = gradients[photograph].map(f64::from);
-            // t' = exp([w]x) t + v: w turns t' - v alone, and the gradient is that of a turn of all t'
+            // t' = exp([w]x) t + v: w turns only t' - v, but the gradient is by a turn of all of t'
             let lever = cross([vx, vy, vz], [bx, by, bz]);
             let turn = [ax - lever[0], ay - lever[1], az - lever[2]];
             let [gx, gy, gz] = to_rotation_vector([wx, wy, wz], turn);
@@ -61,11 +61,12 @@ impl PoseSet {
         Ok(())
     }
 
-    /// Takes out what the motions of all cameras have in common: a rotation, a shift and a scale about the mean of the given
-    /// centers. Then the rotation vectors of all cameras, about the world's axes, add up to 0. So do the displacements of their
-    /// centers, and these displacements along the directions from the mean center.
+    /// Removes the motion that all cameras have in common: a rotation, a shift and a scale about the mean of the
+    /// given centers. Afterwards the cameras' rotation vectors, about the world's axes, add up to 0. So do the
+    /// displacements of their centers, and the components of these displacements along the directions from the mean
+    /// center.
     ///
-    /// To the first order, this changes no image of a scene that moves likewise.
+    /// To first order, this changes no image of a scene that moves along.
     fn center(&mut self) {
         let count = self.given.len() as f64;
         let mean = |of: &dyn Fn(usize) -> [f64; 3]| {
@@ -98,12 +99,12 @@ impl PoseSet {
     }
 }
 
-/// How a camera has moved in the world.
+/// The motion of a camera in the world.
 #[derive(Clone, Copy, Debug)]
 struct Motion {
-    /// The rotation vector of its axes.
+    /// Rotation vector of the camera's axes.
     turn: [f64; 3],
-    /// Of its center.
+    /// Displacement of the camera's center, in world units.
     shift: [f64; 3],
 }
 
@@ -116,7 +117,7 @@ impl Motion {
         Self { turn, shift: to_world(camera, unturned) }
     }
 
-    /// The values of a camera that has moved so.
+    /// The values of a camera with this motion.
     fn values(self, camera: &Camera) -> [f32; VALUES] {
         let rows = camera.world_to_camera_opencv();
         let to_camera = |v: [f64; 3]| rows.map(|row| -dot(row, v));
@@ -126,7 +127,7 @@ impl Motion {
     }
 }
 
-/// `W^T v`: a direction in the camera's space, in the world.
+/// `W^T v`: transforms a direction from camera space to world space.
 fn to_world(camera: &Camera, [x, y, z]: [f64; 3]) -> [f64; 3] {
     let [right, down, forward] = camera.world_to_camera_opencv();
     add(add(right.map(|part| part * x), down, y), forward, z)
@@ -175,7 +176,7 @@ mod tests {
             let mean = mean(&|at| motions[at][part][axis]);
             assert!(mean.abs() < 1e-7, "{part}, {axis}: {mean}");
         }
-        // what each has of its own is still there: from one camera to another, the difference is a common motion
+        // each camera's own motion remains: relative to other cameras, only the common motion was removed
         let common: Vec<_> =
             before.iter().zip(poses.cameras()).map(|(a, b)| motion(a, &b)[0]).collect();
         for turn in &common {
@@ -192,7 +193,7 @@ mod tests {
         }
     }
 
-    /// A common similarity of all cameras is nothing.
+    /// A similarity that all cameras share is removed entirely.
     #[test]
     fn a_motion_of_the_world_is_taken_out_whole() {
         let mut poses = poses();
@@ -216,7 +217,7 @@ mod tests {
         assert!(most < 1e-9, "{most}");
     }
 
-    /// Adam's first step is its rate, and the gradient of values that are not 0 is that of the loss.
+    /// Adam's first step has the size of its rate. For values that are not 0, the gradient must be that of the loss.
     #[test]
     fn gradients_are_those_of_the_values() {
         let mut poses = poses();
@@ -225,7 +226,7 @@ mod tests {
             *value = 0.1 + 0.05 * at as f32;
         }
         poses.learned.values[2] = values;
-        // a loss that is linear in where the camera has a place
+        // the loss is linear in the place as the camera sees it
         let (place, slope) = ([0.3, -0.2, 0.5], [0.4, -1.0, 0.7]);
         let seen = |values: [f64; VALUES]| {
             let camera = poses.given[2].moved(values);

@@ -1,8 +1,8 @@
-//! `report.html`: a run on one page that opens offline, and a page that compares runs.
+//! `report.html`: one page about a run, which opens offline, and a page that compares runs.
 //!
-//! A page is made from the files of the runs' folders alone. It holds everything it shows: pictures in base64, and the
-//! numbers of the curves as JSON, which uPlot draws. A content security policy forbids every request, and every script
-//! but the page's own. Without scripts the page shows everything but the curves.
+//! A page is made only from the files in the runs' folders. It contains everything it shows: pictures in base64, and
+//! the numbers of the curves as JSON, which uPlot draws. A content security policy forbids every request, and every
+//! script but the page's own. Without scripts the page shows everything but the curves.
 
 mod charts;
 mod comparison;
@@ -20,5 +20,5 @@ pub(crate) use pictures::{ERROR_FACTOR, error_levels};
 pub use run::{Run, Summary};
 pub use single::write_report;
 
-/// Views that a report shows; further ones are left out.
+/// Number of views that a report shows; others are left out.
 pub const MAX_VIEWS: usize = 8;

@@ -1,4 +1,4 @@
-//! What a session holds to the checkpoint that it continues from, and what it writes down before its first step.
+//! Checks a session against the checkpoint that it continues, and writes its records before the first step.
 
 use std::path::Path;
 
@@ -10,18 +10,18 @@ use super::metrics::{MetricsLog, Record};
 use super::session::{Event, Session};
 use crate::error::{Error, Result};
 
-/// The log of a run that begins or goes on.
+/// The open log of a run that begins or continues.
 pub(super) struct OpenLog {
     pub log: MetricsLog,
-    /// The last evaluation: its step, and the number of views.
+    /// The last evaluation: its step, and its number of views.
     pub evaluated: Option<(u64, usize)>,
     /// The PSNR of the best evaluation.
     pub best: Option<f64>,
 }
 
 impl Session<'_> {
-    /// Holds the settings and the data to what the checkpoint was trained with, which has so many Gaussians and steps. Returns
-    /// the settings that changed, in this resume and in earlier ones.
+    /// Compares the settings and the data with those of the checkpoint. Returns the settings that changed, in this
+    /// resume and in earlier ones.
     pub(super) fn check_binding(
         &self,
         path: &Path,
@@ -47,7 +47,7 @@ impl Session<'_> {
         Ok([binding.changes(), &changed].concat())
     }
 
-    /// The log. Writes down the settings, and those that `changed` in this resume.
+    /// Opens the log. Writes the settings, and records those that `changed` in this resume.
     pub(super) fn open_log(&self, resume: bool, step: u64, changed: &[&Change]) -> Result<OpenLog> {
         let path = self.folder.path().join(METRICS);
         if !resume {

@@ -1,4 +1,4 @@
-//! Which tiles a step trains on.
+//! Draws the tiles that a step trains on.
 
 use rand::seq::SliceRandom;
 use rand::{Rng, RngExt};
@@ -14,32 +14,32 @@ use organza_device::memory;
 
 const SHUFFLE: u64 = 1;
 
-/// Draws tiles.  Each epoch lays a grid over every image, shifted at random, cuts each grid's cells into groups of
-/// neighbors and shuffles the groups of all images: every pixel comes once an epoch, and a step's tiles are a function
-/// of the seed and the step alone.
+/// Draws tiles. In each epoch, a randomly shifted grid covers every image. The cells of each grid form groups of
+/// neighbors, and the groups of all images are shuffled. So every pixel comes once per epoch, and the tiles of a step
+/// only depend on the seed and the step.
 #[derive(Debug)]
 pub struct Sampler {
     side: u32,
     seed: u64,
-    /// Cells of a group.
+    /// Number of cells in a group.
     group: usize,
-    /// Groups of a step.
+    /// Number of groups in a step.
     groups_per_step: usize,
     /// Width and height of each image.
     sizes: Vec<[u32; 2]>,
-    /// Groups of an epoch.
+    /// Number of groups in an epoch.
     groups: usize,
-    /// The epoch that was used last, and its groups.
+    /// The epoch used last, and its groups.
     epoch: Option<(u64, Vec<Vec<Tile>>)>,
 }
 
-/// Cells that cover `length` pixels wherever the grid begins; one that covers all of them needs no other.
+/// Number of cells that cover `length` pixels for every shift of the grid. One cell that covers all pixels is enough.
 fn cells(length: u32, side: u32) -> u32 {
     if side >= length { 1 } else { (length + side - 1).div_ceil(side) }
 }
 
 impl Sampler {
-    /// For images of these sizes; a tile's camera is its image's index here.
+    /// A sampler for images of these sizes. A tile's camera is the index of its image here.
     #[must_use]
     pub fn new(sizes: Vec<[u32; 2]>, run: &RunConfig) -> Self {
         let (side, group) = (run.tile_size, run.tiles_per_view as usize);
@@ -50,7 +50,7 @@ impl Sampler {
         Self { side, seed: run.seed, group, groups_per_step, sizes, groups, epoch: None }
     }
 
-    /// For the photographs of these cameras.
+    /// A sampler for the photographs of these cameras.
     ///
     /// # Errors
     /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
@@ -61,7 +61,7 @@ impl Sampler {
         Ok(sampler)
     }
 
-    /// Fails where the tiles of an epoch do not fit: there are as many as pixels where they have one each.
+    /// Fails if the tiles of an epoch do not fit into memory. With tiles of one pixel, there are as many as pixels.
     ///
     /// # Errors
     /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
@@ -82,7 +82,7 @@ impl Sampler {
         TileBatch { side: self.side, tiles: places.flat_map(|at| self.group(at)).collect() }
     }
 
-    /// The group at a place of the sequence of all epochs.
+    /// The group at a position in the sequence of all epochs.
     fn group(&mut self, at: u64) -> Vec<Tile> {
         let epoch = at / self.groups as u64;
         if self.epoch.as_ref().is_none_or(|(known, _)| *known != epoch) {
@@ -115,19 +115,19 @@ impl Sampler {
     }
 }
 
-/// What a batch is compared with.
+/// The photographs that a batch is compared with.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Target {
-    /// `[K, 3, S, S]`: the photographs; 0 where there is no pixel.
+    /// Colors of the photographs, `[K, 3, S, S]`; 0 where there is no pixel.
     pub image: Vec<f32>,
-    /// `[K, S, S]`: 1 where a photograph has a pixel, 0 elsewhere.
+    /// Validity, `[K, S, S]`: 1 where a photograph has a pixel, 0 elsewhere.
     pub valid: Vec<f32>,
-    /// How many are 1.
+    /// Number of valid pixels.
     pub valid_pixels: f64,
 }
 
 impl Target {
-    /// The photographs behind a batch's tiles; squares of `factor` by `factor` of their pixels are one of the tiles'.
+    /// The photographs behind a batch's tiles. A square of `factor` x `factor` pixels becomes one pixel.
     ///
     /// # Errors
     /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
@@ -145,7 +145,7 @@ impl Target {
         Ok(Self { image, valid, valid_pixels })
     }
 
-    /// What rendered tiles are compared with; `exposure` as in [`LossTarget`].
+    /// The target for rendered tiles. `exposure` is that of [`LossTarget`].
     pub fn of_loss<'a>(&'a self, loss: &LossConfig, exposure: Option<&'a [f32]>) -> LossTarget<'a> {
         let Self { image, valid, valid_pixels } = self;
         let (valid_pixels, ssim_weight) = (*valid_pixels, loss.ssim_weight);
@@ -200,7 +200,7 @@ mod tests {
         Sampler::new(vec![[7, 5], [16, 9], [3, 3]], &run)
     }
 
-    /// How often each pixel comes in a number of steps.
+    /// The number of times that each pixel comes in `steps` steps.
     fn visits(sampler: &mut Sampler, steps: u32) -> HashMap<(usize, i32, i32), u32> {
         let mut visits = HashMap::new();
         for step in 0..steps {

@@ -1,4 +1,4 @@
-//! A run from its first step, or from a checkpoint, to its end; everything that it leaves in its folder.
+//! A run from its first step, or from a checkpoint, to its end, with everything that it writes to its folder.
 
 mod state;
 
@@ -58,42 +58,42 @@ use state::State;
 pub struct Session<'a> {
     /// Renders and trains.
     pub renderer: &'a Renderer,
-    /// Every setting.
+    /// All settings.
     pub config: &'a TrainConfig,
     /// The photographs.
     pub dataset: &'a Arc<Dataset>,
-    /// The folder of the run. A run that begins writes its settings there.
+    /// The folder of the run. A new run writes its settings there.
     pub folder: &'a RunFolder,
-    /// Training ends after so many seconds, those before a resume included, as it does after the last step.
+    /// Seconds of training after which the run ends early, including those before a resume.
     pub time_limit: Option<f64>,
-    /// The number of steps is chosen so that the run takes so many seconds, and written to its settings. Those of
-    /// `config` do not count then.
+    /// Seconds that the run should take. The number of steps is chosen to fit, and written to its settings. It
+    /// replaces that of `config`.
     pub planned: Option<f64>,
     /// The command line, for the log and the report.
     pub command: Option<String>,
-    /// Set from outside to save and stop.
+    /// A flag that another thread sets to save and stop.
     pub stop: &'a AtomicBool,
-    /// Who trains with this one, which is rank 0; see [`Session::with_ranks`].
+    /// The ranks that share the run. This one is rank 0: see [`Session::with_ranks`].
     pub ranks: Option<Arc<dyn Ranks>>,
-    /// Whether ranks may differ in program and device: the scene's bits then depend on who computes what.
+    /// Whether ranks may differ in program and device. The scene's bits then depend on which rank computes what.
     pub mixed: bool,
-    /// What ranks share.
+    /// The work that ranks share.
     pub split: Split,
-    /// See [`Session::with_shares`].
+    /// Number of shares: see [`Session::with_shares`].
     pub shares: Option<usize>,
 }
 
-/// What happens during a run.
+/// Progress of a run.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Event<'a> {
-    /// Something that should not be missed.
+    /// A warning that the user should see.
     Warning(&'a str),
-    /// Training goes on after so many steps; 0 where it begins. Nothing was written to the folder yet.
+    /// Training starts after this many steps, 0 for a new run. Nothing has been written to the folder yet.
     Begin(u32),
-    /// A setting is another than before the resume.
+    /// A setting has a different value than before the resume.
     Changed(&'a Change),
-    /// The number of all steps was chosen, once more.
+    /// The number of steps was chosen again.
     Planned(u32),
     /// A step is done.
     Step {
@@ -101,11 +101,11 @@ pub enum Event<'a> {
         step: u32,
         /// Seconds of training so far.
         seconds: f64,
-        /// What it measured.
+        /// Measurements of the step.
         report: &'a StepReport,
-        /// Gaussians of the scene.
+        /// Number of Gaussians.
         gaussians: usize,
-        /// The scene, on the device; none where its Gaussians are dealt to ranks.
+        /// The scene on the device; `None` if its Gaussians are distributed over ranks.
         scene: Option<&'a DeviceScene>,
     },
     /// Held-out views are being measured.
@@ -122,18 +122,18 @@ pub enum Outcome {
     Finished,
     /// At its time limit.
     TimeLimit,
-    /// Because it was told to.
+    /// Stopped from outside.
     Stopped,
 }
 
-/// A trainer, how far its run has come, and which settings have changed.
+/// A trainer, the progress of its run, and the settings that have changed.
 type Begun = (Trainer, Progress, Vec<Change>);
 
-/// Nothing sets it.
+/// A stop flag that is never set.
 static NEVER: AtomicBool = AtomicBool::new(false);
 
 impl<'a> Session<'a> {
-    /// A run without a time limit, that nobody stops.
+    /// A run without a time limit and without a stop flag.
     #[must_use]
     pub fn new(
         renderer: &'a Renderer,
@@ -157,71 +157,71 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// The same run with a limit: it ends after this many seconds of training, as it does after the last step.
+    /// Sets a time limit, in seconds of training. At the limit, the run ends as after its last step.
     #[must_use]
     pub fn with_time_limit(mut self, seconds: Option<f64>) -> Self {
         self.time_limit = seconds;
         self
     }
 
-    /// The same run in so many seconds: the number of steps is chosen, see [`Session::planned`].
+    /// Plans the run for this many seconds, and so chooses the number of steps: see [`Session::planned`].
     #[must_use]
     pub fn with_planned(mut self, seconds: Option<f64>) -> Self {
         self.planned = seconds;
         self
     }
 
-    /// The same run with a command line, for the log and the report.
+    /// Sets the command line for the log and the report.
     #[must_use]
     pub fn with_command(mut self, command: Option<String>) -> Self {
         self.command = command;
         self
     }
 
-    /// The same run with a flag. Set it from another thread to save and stop.
+    /// Sets the stop flag. Set it to true from another thread to save and stop.
     #[must_use]
     pub fn with_stop(mut self, stop: &'a AtomicBool) -> Self {
         self.stop = stop;
         self
     }
 
-    /// The same run, shared with other ranks. This one is rank 0: it alone reads and writes files. The others call
-    /// [`follow`](super::follow). The scene's bits do not depend on the number of ranks; they are not those of a run
-    /// without ranks.
+    /// Shares the run with other ranks. This one is rank 0: only it reads and writes files. The others call
+    /// [`follow`](super::follow). The scene's bits do not depend on the number of ranks, but they differ from those
+    /// of a run without ranks.
     #[must_use]
     pub fn with_ranks(mut self, ranks: Option<Arc<dyn Ranks>>, mixed: bool) -> Self {
         (self.ranks, self.mixed) = (ranks, mixed);
         self
     }
 
-    /// The same run, whose ranks share what this says. The scene's bits depend on it. Without ranks, it means nothing.
+    /// Sets the work that ranks share. The scene's bits depend on it. It has no effect without ranks.
     #[must_use]
     pub fn with_split(mut self, split: Split) -> Self {
         self.split = split;
         self
     }
 
-    /// The same run, whose Gaussians are dealt in so many shares to ranks in groups of so many. Groups share the views.
-    /// Without this, there is one group. The scene's bits do not depend on it.
+    /// Distributes the Gaussians in `shares` shares to groups of `shares` ranks. Groups share the views. By default
+    /// there is one group. The scene's bits do not depend on it.
     #[must_use]
     pub fn with_shares(mut self, shares: Option<usize>) -> Self {
         self.shares = shares;
         self
     }
 
-    /// Trains to the end; goes on from the folder's checkpoint where `resume`, and from the first step where there is
-    /// none yet.
+    /// Trains to the end. With `resume`, it continues from the folder's checkpoint, or starts at the first step if
+    /// there is none.
     ///
     /// # Errors
-    /// Whatever a step, the files or the device run into; what was saved stays.
+    /// Any error of a step, of the files or of the device. What was saved stays.
     pub fn run(&self, resume: bool, watch: &mut dyn FnMut(Event<'_>)) -> Result<Outcome> {
         self.run_with(resume, watch, &mut StepHooks::new())
     }
 
-    /// Like [`Session::run`]; every step calls `hooks`, see [`Trainer::step_with`].
+    /// Like [`Session::run`], but every step calls `hooks`: see [`Trainer::step_with`].
     ///
     /// # Errors
-    /// As [`Session::run`], and those of the hooks.
+    /// The same errors as [`Session::run`], and those of the hooks.
     pub fn run_with(
         &self,
         resume: bool,
@@ -246,7 +246,7 @@ impl<'a> Session<'a> {
             (Some(ranks), Split::Gaussians) => self.begin_shares(ranks, resume, watch)?,
             _ => self.begin_whole(resume, watch)?,
         };
-        // only what can begin leaves anything
+        // a run that cannot begin writes nothing
         watch(Event::Begin(progress.step));
         let now = |change: &&Change| change.step == u64::from(progress.step);
         let changed: Vec<_> = changes.iter().filter(now).collect();
@@ -278,7 +278,7 @@ impl<'a> Session<'a> {
         .run()
     }
 
-    /// The trainer of the whole scene, how far its run has come, and which settings have changed.
+    /// Begins with the whole scene: the trainer, the progress of its run, and the settings that have changed.
     fn begin_whole(&self, resume: bool, watch: &mut dyn FnMut(Event<'_>)) -> Result<Begun> {
         let path = self.folder.path().join(CHECKPOINT);
         let (config, dataset) = (self.config.clone(), Arc::clone(self.dataset));
@@ -299,7 +299,7 @@ impl<'a> Session<'a> {
         Ok((trainer, progress, changes))
     }
 
-    /// As [`Session::begin_whole`], where each rank has a share of the Gaussians.
+    /// Like [`Session::begin_whole`], if each rank has a share of the Gaussians.
     fn begin_shares(
         &self,
         ranks: &Arc<dyn Ranks>,
@@ -335,7 +335,7 @@ impl<'a> Session<'a> {
         self.config.run.tensorboard.then(open).transpose()
     }
 
-    /// Writes the scores of all evaluations as a table. Where there are none, it writes only over a table that there is.
+    /// Writes the scores of all evaluations as a table. Without evaluations, it only overwrites an existing table.
     pub(super) fn save_scores(&self, records: &[Record]) -> Result<()> {
         let path = self.folder.path().join(EVALUATIONS);
         let rows = records.iter().flat_map(|record| match record {

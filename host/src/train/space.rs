@@ -1,27 +1,27 @@
-//! Where a capture takes place: what its cameras look at, and the box of its scene.
+//! The space of a capture: the place that its cameras look at, and the box of its scene.
 
 use glam::DVec3;
 
 use crate::camera::{Camera, Target};
 use crate::data::Point;
 
-/// The part of the points' weight that the box leaves out at each end of an axis.
+/// Part of the points' weight that the box leaves out at each end of an axis.
 const LEFT_OUT: f64 = 0.005;
-/// What is added to each end of an axis, as a part of its length.
+/// Margin at each end of an axis, as a part of its length.
 const MARGIN: f64 = 0.05;
-/// The shortest side of the box, as a part of the longest: points in a plane have a box all the same.
+/// Shortest side of the box, as a part of the longest. So points in a plane have a box, too.
 const THINNEST: f64 = 0.1;
-/// The most points that decide on the box.
+/// Largest number of points that determine the box.
 const MOST_POINTS: usize = 10_000;
-/// The most cameras that decide on it.
+/// Largest number of cameras that determine it.
 const MOST_CAMERAS: usize = 200;
 
-/// The scene's box: what the cameras see of the points, without the few that are far off.
+/// The scene's box: the points that cameras see, without the few that are far away.
 ///
-/// Each camera that sees a point adds to its weight: less if the point is farther away, because a photograph then shows less
-/// of it. On each axis, the box leaves out the same small part of the weight at both ends. The object that the optical axes
-/// meet in is in the box. Without points the box is that of this object. If the axes do not meet either, it is that of
-/// `places`, where the first Gaussians are.
+/// Each camera that sees a point adds to the point's weight. It adds less for a farther point, because a photograph
+/// then shows less of it. On each axis, the box leaves out the same small part of the weight at both ends. The box
+/// contains the object in which the optical axes meet. Without points it is the box of this object. If the axes do
+/// not meet either, it is the box of `places`, the positions of the first Gaussians.
 pub(super) fn scene_box(
     cameras: &[Camera],
     target: &Target,
@@ -34,7 +34,7 @@ pub(super) fn scene_box(
         (false, is_met) => {
             let points = points.iter().map(|point| DVec3::from(point.position));
             let [low, high] = seen(cameras, target, points);
-            // where the points of an object are few, images show it all the same
+            // an object may have few points, but images show it all the same
             let [inner_low, inner_high] = target.ball(0.5);
             if is_met { [low.min(inner_low), high.max(inner_high)] } else { [low, high] }
         }
@@ -44,7 +44,7 @@ pub(super) fn scene_box(
     [(middle - half).to_array(), (middle + half).to_array()]
 }
 
-/// The box of what cameras see of points; there is one at least.
+/// The box of the points that cameras see, of which there must be at least one.
 fn seen(
     cameras: &[Camera],
     target: &Target,
@@ -73,7 +73,7 @@ fn seen(
     [low - margin, high + margin]
 }
 
-/// The first of weighted points that brings the sum of the weights above `left_out`.
+/// The first of the weighted points that brings the sum of the weights above `left_out`.
 fn after<'a>(mut points: impl Iterator<Item = &'a (DVec3, f64)>, left_out: f64) -> DVec3 {
     let mut sum = 0.0;
     let found = points.find(|(_, weight)| {
@@ -83,7 +83,7 @@ fn after<'a>(mut points: impl Iterator<Item = &'a (DVec3, f64)>, left_out: f64) 
     found.map_or(DVec3::ZERO, |(point, _)| *point)
 }
 
-/// How deep a place lies in a camera's image, if it is in it.
+/// Depth of a place in front of a camera; `None` if it is outside the camera's image.
 pub(crate) fn depth(camera: &Camera, place: DVec3) -> Option<f64> {
     let offset = place - DVec3::from(camera.eye());
     let [x, y, z] = camera.world_to_camera_opencv().map(|row| DVec3::from(row).dot(offset));

@@ -1,4 +1,4 @@
-//! Where training starts: the scene's Gaussians, and fields that let light through.
+//! The start of training: the scene's first Gaussians, and fields that let light through.
 
 use std::borrow::Cow;
 use std::num::NonZero;
@@ -25,15 +25,15 @@ use organza_core::random;
 const PLACES: u64 = 2;
 const FIELDS: u64 = 3;
 
-/// The part of the Gaussians that is spread along rays, behind what the cameras look at; the others fill a ball.
+/// Part of the Gaussians that is spread along rays, behind the cameras' target. The others fill a ball.
 const BEHIND: f64 = 0.25;
-/// The transmittance network's last bias: a logit, large as space is empty at first.
+/// Last bias of the transmittance network: a large logit, because space is empty at first.
 const TRANSMITTANCE_BIAS: f32 = 5.0;
 
 /// The scene before the first step of a run.
 ///
 /// # Errors
-/// [`Error::Invalid`] where a setting is out of range or no frame is left to train on; as [`start`] and [`start_from`].
+/// [`Error::Invalid`] if a setting is out of range or no frame is left to train on; those of [`start`] and [`start_from`].
 pub fn first_scene(config: &TrainConfig, dataset: &Dataset) -> Result<Scene> {
     check(config, dataset)?;
     let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
@@ -46,13 +46,13 @@ pub fn first_scene(config: &TrainConfig, dataset: &Dataset) -> Result<Scene> {
     start(config, background, &cameras, &found)
 }
 
-/// A scene to begin with.
+/// The scene before the first step.
 ///
-/// Gaussians lie at `points`, or where the cameras look if there are none; their scale is the distance to their
-/// neighbors.  The transmittance network's last bias lets T start near 1, or everything would be dark.
+/// Gaussians lie at `points`, or near the cameras' target if there are none. Their scale is the distance to their
+/// neighbors. With the transmittance network's last bias, T starts near 1. Otherwise everything would be dark.
 ///
 /// # Errors
-/// As [`Scene::zeros`].
+/// The same errors as [`Scene::zeros`].
 pub fn start(
     config: &TrainConfig,
     background: [f64; 3],
@@ -79,11 +79,12 @@ pub fn start(
     Ok(scene)
 }
 
-/// A scene to begin with whose Gaussians are those of another program: their places, shapes and opacities, and as their
-/// materials the colors that they have from all sides.
+/// A first scene with the Gaussians of another program: their positions, shapes and opacities. Their materials start
+/// with the mean color over all directions.
 ///
 /// # Errors
-/// As [`splats::load`]; [`Error::Invalid`] where there are more than a run may have; as [`Scene::zeros`].
+/// The same errors as [`splats::load`]; [`Error::Invalid`] if there are more Gaussians than a run may have; those of
+/// [`Scene::zeros`].
 pub fn start_from(
     path: &Path,
     config: &TrainConfig,
@@ -101,10 +102,10 @@ pub fn start_from(
     of_splats(&splats, config, background, cameras)
 }
 
-/// [`start_from`] of the Gaussians of a file.
+/// [`start_from`], with Gaussians already read from a file.
 ///
 /// # Errors
-/// As [`Scene::zeros`].
+/// The same errors as [`Scene::zeros`].
 pub fn of_splats(
     splats: &[Splat],
     config: &TrainConfig,
@@ -122,7 +123,7 @@ pub fn of_splats(
         gaussians.rotation[i] = splat.rotation;
         gaussians.log_scale[i] = splat.log_scale;
         gaussians.opacity[i] = splat.opacity;
-        // a quaternion of no length has no direction
+        // a zero quaternion is no rotation
         if splat.rotation == [0.0; 4] {
             gaussians.rotation[i][0] = 1.0;
         }
@@ -134,9 +135,9 @@ pub fn of_splats(
     Ok(scene)
 }
 
-/// Points to start from: those of the data set, or else what its photographs show.
+/// Points to start from: those of the data set, or else points found in its photographs.
 ///
-/// Rays that match in no other photograph give no point; places that cameras see make up for them.
+/// A ray without a match in another photograph gives no point. Random places that cameras see replace these.
 ///
 /// # Errors
 /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
@@ -159,7 +160,7 @@ pub fn points<'p>(
     Ok(Cow::Owned(found))
 }
 
-/// Places that cameras see: most in a ball around the target, the rest behind it, along rays.
+/// Random places that cameras see: most in a ball around the target, the others behind it, along rays.
 fn spread(target: &Target, cameras: &[Camera], count: usize, random: &mut Pcg64) -> Vec<DVec3> {
     let needed = 2.min(cameras.len());
     (0..count)
@@ -173,14 +174,14 @@ fn spread(target: &Target, cameras: &[Camera], count: usize, random: &mut Pcg64)
             let mut tries = (0..100).map(|_| in_ball(target, random));
             match tries.find(|place| seen(place) == needed) {
                 Some(place) => place,
-                // cameras that look outward
+                // the cameras look outward
                 None => along_a_ray(target, cameras, random),
             }
         })
         .collect()
 }
 
-/// Evenly in the ball around the target.
+/// A random place in the ball around the target, with uniform density.
 fn in_ball(target: &Target, random: &mut Pcg64) -> DVec3 {
     let mut place = || DVec3::from_array(std::array::from_fn(|_| random.random_range(-1.0..1.0)));
     let mut inside = place();
@@ -190,7 +191,7 @@ fn in_ball(target: &Target, random: &mut Pcg64) -> DVec3 {
     target.center + inside * target.radius
 }
 
-/// From the target's distance to four times as far, evenly in the inverse of the depth.
+/// A random place along a ray, from the target's distance to four times as far, uniform in the inverse depth.
 fn along_a_ray(target: &Target, cameras: &[Camera], random: &mut Pcg64) -> DVec3 {
     let camera = &cameras[random.random_range(0..cameras.len())];
     let x = (random.random::<f64>() * f64::from(camera.width) - camera.cx) / camera.fl_x;
@@ -200,7 +201,7 @@ fn along_a_ray(target: &Target, cameras: &[Camera], random: &mut Pcg64) -> DVec3
     DVec3::from(camera.eye()) + (right * x + down * y + forward) * depth
 }
 
-/// At most `count` of the points, chosen at random, and their colors.
+/// At most `count` of the points, chosen at random, with their colors.
 fn choose(
     points: &[Point],
     count: usize,
@@ -212,7 +213,7 @@ fn choose(
     chosen.into_iter().map(|i| (DVec3::from(points[i].position), points[i].color)).unzip()
 }
 
-/// The root of the mean squared distance to the three nearest others.
+/// Root mean square distance of each place to its three nearest neighbors.
 fn spacing(places: &[DVec3]) -> Vec<f64> {
     let entries: Vec<_> = places.iter().map(DVec3::to_array).collect();
     let tree = ImmutableKdTree::new_from_slice(&entries);
@@ -221,7 +222,7 @@ fn spacing(places: &[DVec3]) -> Vec<f64> {
     entries
         .par_iter()
         .map(|entry| {
-            // the first is the place itself
+            // the first result is the place itself
             let found = tree.query(entry).nearest_n::<SquaredEuclidean<f64>>(neighbors).execute();
             let (sum, count) = found
                 .iter()
@@ -259,7 +260,7 @@ fn fill_vectors(
     };
     uniform(&mut gaussians.material);
     uniform(&mut gaussians.extra);
-    // the network reads the color of the point in the first values of its material
+    // the network reads the point's color in the first values of the material
     let material = config.scene.material as usize;
     for (values, color) in gaussians.material.chunks_mut(material.max(1)).zip(colors) {
         for (value, channel) in values.iter_mut().zip(color.iter().flatten()) {
@@ -268,7 +269,7 @@ fn fill_vectors(
     }
 }
 
-/// Random networks (He et al. 2015) and grids, as Instant NGP starts them.
+/// Random networks (He et al. 2015), and grids with the start values of Instant NGP.
 fn fill_fields(config: &TrainConfig, scene: &mut Scene) {
     let mut random = random(config.run.seed, FIELDS, 0);
     for field in [&mut scene.color, &mut scene.transmittance] {

@@ -1,11 +1,11 @@
-//! What a step has measured.
+//! Measurements of a step.
 
 use super::growth::Grown;
 use crate::error::{Error, Result};
 use crate::metrics;
 use crate::render::TileLoss;
 
-/// What a step has measured, before it moved anything.
+/// Measurements of a step, from before it changed anything.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct StepReport {
@@ -17,20 +17,20 @@ pub struct StepReport {
     pub ssim: f64,
     /// The PSNR of the batch's pixels, in decibels.
     pub psnr: f64,
-    /// Tiles of the batch.
+    /// Number of tiles in the batch.
     pub tiles: usize,
-    /// How the Gaussians changed, where they did.
+    /// Change of the Gaussians, if there was one.
     pub grown: Option<Grown>,
 }
 
 impl StepReport {
-    /// That of a batch's losses.
+    /// The report on a batch's losses.
     pub(super) fn of(losses: &[TileLoss], ssim_weight: f32) -> Self {
         let total = TileLoss::total(losses);
         let pixels = (3.0 * total.valid).max(1.0);
         Self {
             loss: total.value(ssim_weight),
-            // each part of the loss alone
+            // each part of the loss separately
             l1: total.value(0.0),
             ssim: 1.0 - total.value(1.0),
             psnr: metrics::psnr_of(total.squared / pixels),
@@ -39,7 +39,7 @@ impl StepReport {
         }
     }
 
-    /// Fails where the loss of the step is not finite.
+    /// Fails if the loss of the step is not finite.
     pub(super) fn check(&self, step: u32) -> Result<()> {
         if self.loss.is_finite() {
             return Ok(());

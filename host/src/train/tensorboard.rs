@@ -1,7 +1,7 @@
-//! TensorBoard's event file: a copy of the log in the format that TensorBoard reads, with pictures of held-out views.
+//! TensorBoard's event file: a copy of the log in TensorBoard's format, with pictures of held-out views.
 //!
-//! The file is a sequence of records: the length as u64, its checksum, the bytes, their checksum. The bytes are an `Event`
-//! of `tensorflow/core/util/event.proto`.
+//! The file is a sequence of records: the length as u64, its checksum, the bytes, and their checksum. The bytes are
+//! an `Event` of `tensorflow/core/util/event.proto`.
 
 #[cfg(test)]
 mod tests;
@@ -18,15 +18,15 @@ use crate::image::Image;
 use crate::input::read_file;
 use organza_core::write_atomic;
 
-/// The folder in a run's folder.
+/// Name of the folder in a run's folder.
 pub const TENSORBOARD: &str = "tensorboard";
-/// The file in it. TensorBoard takes every file with `tfevents` in its name.
+/// Name of the file in it. TensorBoard reads every file with `tfevents` in its name.
 const FILE: &str = "events.out.tfevents.0.organza";
-/// More than any run writes.
+/// Largest file, in bytes. No run writes as much.
 const MAX_BYTES: u64 = 4 << 30;
-/// Held-out views whose pictures are written.
+/// Number of held-out views whose pictures are written.
 pub(super) const MAX_VIEWS: usize = 8;
-/// The longer side of a picture, in pixels; larger ones are shrunk by a whole number.
+/// Longer side of a picture, in pixels. Larger pictures are shrunk by an integer factor.
 const MAX_SIDE: u32 = 512;
 
 #[derive(Clone, PartialEq, Message)]
@@ -63,14 +63,14 @@ struct Picture {
     height: i32,
     #[prost(int32, tag = "2")]
     width: i32,
-    /// 3 is RGB.
+    /// Color space; 3 is RGB.
     #[prost(int32, tag = "3")]
     colorspace: i32,
     #[prost(bytes = "vec", tag = "4")]
     encoded_image_string: Vec<u8>,
 }
 
-/// An event file that is being written.
+/// An event file that is open for writing.
 #[derive(Debug)]
 pub(super) struct EventLog {
     path: PathBuf,
@@ -78,13 +78,13 @@ pub(super) struct EventLog {
 }
 
 impl EventLog {
-    /// Begins a file in a run's folder; what was there is replaced.
+    /// Starts a file in a run's folder, and replaces an old one.
     pub fn create(run: &Path) -> Result<Self> {
         Self::begin(run, Vec::new())
     }
 
-    /// Continues a file after `step`: events after it are dropped, and so is one that was not written to its end. Where
-    /// there is no file, one is begun.
+    /// Continues a file after `step`. Later events are dropped, and so is an incomplete one. If there is no file, a
+    /// new one is started.
     pub fn resume(run: &Path, step: u64) -> Result<Self> {
         let path = run.join(TENSORBOARD).join(FILE);
         if !path.exists() {
@@ -117,7 +117,7 @@ impl EventLog {
         Ok(Self { path, file })
     }
 
-    /// Writes numbers of a step; one that is not there is left out.
+    /// Writes the numbers of a step; `None` is left out.
     pub fn scalars(
         &mut self,
         step: u64,
@@ -142,18 +142,18 @@ impl EventLog {
     fn append(&mut self, step: u64, value: Vec<Value>) -> Result<()> {
         let summary = Some(Summary { value });
         let event = Event { wall_time: now(), step: step as i64, file_version: None, summary };
-        // in one piece, so that only a crash can leave half of it
+        // written in one call, so that only a crash can leave half an event
         let written = self.file.write_all(&record(&event)).and_then(|()| self.file.flush());
         written.map_err(|source| Error::write(&self.path, source))
     }
 }
 
-/// Seconds since 1970.
+/// Seconds since 1970, now.
 fn now() -> f64 {
     SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).map_or(0.0, |time| time.as_secs_f64())
 }
 
-/// CRC-32C, rotated and shifted as TensorFlow does it.
+/// CRC-32C, rotated and shifted as in TensorFlow.
 fn checksum(bytes: &[u8]) -> [u8; 4] {
     let crc = crc32c::crc32c(bytes);
     crc.rotate_right(15).wrapping_add(0xa282_ead8).to_le_bytes()
@@ -165,7 +165,7 @@ fn record(event: &Event) -> Vec<u8> {
     [&length[..], &checksum(&length), &bytes, &checksum(&bytes)].concat()
 }
 
-/// The events of a file, up to the first that is not whole.
+/// The events of a file, up to the first incomplete one.
 fn events(mut bytes: &[u8]) -> impl Iterator<Item = Event> {
     std::iter::from_fn(move || {
         let (length, rest) = bytes.split_first_chunk::<8>()?;

@@ -1,4 +1,4 @@
-//! What the page is told when it opens: the scene, the cameras of its data set, and where to look from.
+//! Facts that the page gets when it opens: the scene, the cameras of its data set, and the first view.
 
 use glam::DVec3;
 use serde::Serialize;
@@ -10,16 +10,16 @@ use crate::demo;
 use crate::film::Kind;
 use crate::render::{DeviceScene, Renderer};
 
-/// Points that the page draws; of more, some are left out.
+/// Most points that the page draws; others are left out.
 const MAX_POINTS: usize = 20_000;
-/// The size of the first image of a scene without cameras.
+/// Size of the first image of a scene without cameras, in pixels.
 const SIZE: [u32; 2] = [960, 640];
 
-/// What the page is told when it opens.
+/// Facts that the page gets when it opens.
 #[derive(Debug)]
 pub struct About {
     json: String,
-    /// Positions as f32, then colors.
+    /// Positions as f32, followed by colors.
     points: Vec<u8>,
 }
 
@@ -34,15 +34,15 @@ struct Told<'a> {
     background: [f64; 3],
     /// A unit vector that points up in the world.
     up: [f64; 3],
-    /// What the camera goes around.
+    /// Center of the camera's orbit.
     center: [f64; 3],
     home: Lens,
     views: Vec<View>,
-    /// Whether views have photographs.
+    /// Whether there are photographs of the views.
     photographs: bool,
     points: usize,
     training: bool,
-    /// What films can be written as on this machine.
+    /// Formats of films that this machine can write.
     films: Vec<Kind>,
     modes: Vec<(Mode, Option<Vec<String>>)>,
 }
@@ -55,7 +55,7 @@ struct View {
 }
 
 impl About {
-    /// Of a scene and what is known of its data set. `title` is what the user named.
+    /// Facts about a scene and its data set. `title` is the path that the user named.
     #[must_use]
     pub fn new(
         title: &str,
@@ -115,11 +115,11 @@ impl About {
 /// A camera that sees the whole box.
 fn overview(aabb: [[f64; 3]; 2]) -> Camera {
     let cameras = Orbit::of_box(aabb, SIZE).cameras(1).ok().and_then(|mut cameras| cameras.pop());
-    // a box of no size has no outside
+    // a box without size has no outside
     cameras.unwrap_or_else(|| demo::turntable(1, SIZE[1]).remove(0))
 }
 
-/// Positions `[n, 3]` and colors `[n, 3]` of some of the points.
+/// Positions `[n, 3]` and colors `[n, 3]` of a sample of the points.
 fn sample(points: &[Point]) -> (Vec<f32>, Vec<u8>) {
     let every = points.len().div_ceil(MAX_POINTS).max(1);
     let some = points.iter().step_by(every);

@@ -1,6 +1,6 @@
 //! The page: plain modules that are part of the program.
 
-/// A file of the page: its address, what it is, and its content.
+/// A file of the page: its address, its media type, and its content.
 type Asset = (&'static str, &'static str, &'static str);
 
 pub const PAGE: &str = "text/html; charset=utf-8";

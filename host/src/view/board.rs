@@ -1,13 +1,13 @@
-//! What the page shows of a training: its curves, and the buttons to pause, step and stop.
+//! The state of a training for the page: its curves, and the buttons to pause, step and stop.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use serde::Serialize;
 
-/// A curve has at most so many points; when there are more, every second one is dropped.
+/// Most points of a curve. If there are more, every second one is dropped.
 const MAX_POINTS: usize = 2000;
 
-/// What the page asks of a training.
+/// A command from the page to a training.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Command {
@@ -15,13 +15,13 @@ pub enum Command {
     Pause,
     /// Go on.
     Go,
-    /// One step, then wait.
+    /// Take one step, then wait.
     Step,
     /// Save and stop.
     Stop,
 }
 
-/// A training, as far as the page shows it.
+/// The state of a training that the page shows.
 #[derive(Debug, Default)]
 pub struct Board {
     state: Mutex<State>,
@@ -36,16 +36,16 @@ struct State {
     paused: bool,
     /// Whether the page has asked to stop.
     stopping: bool,
-    /// The share of the time that images took.
+    /// Part of the time that images took.
     share: f64,
     curve: Curve,
     evaluations: Evaluations,
-    /// Steps that are asked for while it waits.
+    /// Number of steps requested while the training waits.
     #[serde(skip)]
     wanted: u64,
 }
 
-/// Of steps, each the mean of those since the point before.
+/// A curve over steps. Each point is the mean of the steps since the previous point.
 #[derive(Clone, Debug, Default, Serialize)]
 struct Curve {
     step: Vec<u64>,
@@ -97,18 +97,18 @@ impl Board {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Training begins, or goes on, after so many steps.
+    /// Training begins or continues after `step` steps.
     pub fn begin(&self, step: u64, steps: u64) {
         let mut state = self.state();
         (state.step, state.steps) = (step, steps);
     }
 
-    /// The number of all steps was chosen.
+    /// The total number of steps was chosen.
     pub fn planned(&self, steps: u64) {
         self.state().steps = steps;
     }
 
-    /// A step is done; `share` is that of the time that images took.
+    /// A step is done; `share` is the part of the time that images took.
     pub fn step(
         &self,
         step: u64,
@@ -132,7 +132,7 @@ impl Board {
         state.evaluations.psnr.push(psnr);
     }
 
-    /// What the page asks for.
+    /// Executes a command of the page.
     pub fn command(&self, command: Command) {
         let mut state = self.state();
         match command {
@@ -157,7 +157,7 @@ impl Board {
         self.state().stopping
     }
 
-    /// All of it, as JSON.
+    /// The whole state as JSON.
     pub(super) fn to_json(&self) -> String {
         let state = self.state().clone();
         serde_json::to_string(&state).expect("numbers and names")

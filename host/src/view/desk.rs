@@ -1,4 +1,4 @@
-//! Where requests wait for whoever paints.
+//! The desk where requests wait for the painter.
 
 use std::collections::BTreeMap;
 use std::collections::VecDeque;
@@ -11,12 +11,12 @@ use tokio::sync::oneshot;
 use super::message::{FrameRequest, Quality};
 use crate::camera::Camera;
 
-/// Clients that are remembered.
+/// Number of clients that are remembered.
 const MAX_CLIENTS: usize = 256;
-/// Questions that wait at once; more are refused.
+/// Most waiting questions; more are refused.
 const MAX_QUESTIONS: usize = 64;
 
-/// An answer: its bytes and what the page is told beside them, or what was wrong.
+/// An answer: its bytes and the facts for the page, or an error message.
 pub type Answer = Result<Painted, String>;
 
 /// An image, or another file.
@@ -24,7 +24,7 @@ pub type Answer = Result<Painted, String>;
 pub struct Painted {
     pub kind: &'static str,
     pub bytes: Vec<u8>,
-    /// JSON.
+    /// Facts for the page, as JSON.
     pub about: String,
 }
 
@@ -33,20 +33,20 @@ pub struct Painted {
 pub struct FrameJob {
     pub request: FrameRequest,
     pub camera: Camera,
-    /// Nobody waits for it any more where it is closed.
+    /// Closed if nobody waits for the image anymore.
     pub reply: oneshot::Sender<Answer>,
 }
 
-/// What else is asked of whoever paints.
+/// Other requests to the painter.
 #[derive(Debug)]
 pub enum Question {
     /// A pixel's column and row, in an image of the camera.
     Pixel([i32; 2], Box<Camera>),
-    /// The photograph of the data set's view.
+    /// The photograph of a view in the data set.
     Photograph(usize),
 }
 
-/// The next thing to do.
+/// The next request to handle.
 #[derive(Debug)]
 pub enum Job {
     Frame(Box<FrameJob>),
@@ -56,9 +56,9 @@ pub enum Job {
 #[derive(Debug, Default)]
 struct Client {
     job: Option<Box<FrameJob>>,
-    /// Of the newest request.
+    /// Sequence number of the newest request.
     sequence: u64,
-    /// When it asked last, counted in requests.
+    /// Time of the last request, counted in requests.
     last: u64,
 }
 
@@ -67,11 +67,11 @@ struct State {
     clients: BTreeMap<u64, Client>,
     questions: VecDeque<(Question, oneshot::Sender<Answer>)>,
     requests: u64,
-    /// The client whose turn it was.
+    /// The client whose turn it was last.
     turn: u64,
 }
 
-/// Requests that wait.
+/// Waiting requests.
 #[derive(Debug, Default)]
 pub struct Desk {
     state: Mutex<State>,
@@ -84,19 +84,19 @@ impl Desk {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Ends the waiting for requests, for good.
+    /// Ends the waiting for requests forever.
     pub fn stop(&self) {
         self.stopped.store(true, Ordering::Relaxed);
         let _state = self.state();
         self.wake.notify_all();
     }
 
-    /// Whether it was told to stop.
+    /// Whether [`Desk::stop`] was called.
     pub fn is_stopped(&self) -> bool {
         self.stopped.load(Ordering::Relaxed)
     }
 
-    /// Puts an image on the desk, in the place of the client's older one.
+    /// Adds an image request, in place of the client's older one.
     pub(super) fn post(&self, job: Box<FrameJob>) {
         let mut state = self.state();
         state.requests += 1;
@@ -106,13 +106,13 @@ impl Desk {
             let oldest = idle.min_by_key(|(_, client)| client.last).map(|(id, _)| *id);
             match oldest {
                 Some(oldest) => state.clients.remove(&oldest),
-                // its reply is dropped
+                // dropping the job drops its reply
                 None => return,
             };
         }
         let client = state.clients.entry(id).or_default();
         client.last = now;
-        // requests may overtake each other on their way
+        // requests may overtake each other on the way
         if job.request.sequence >= client.sequence {
             client.sequence = job.request.sequence;
             client.job = Some(job);
@@ -120,7 +120,7 @@ impl Desk {
         }
     }
 
-    /// Puts a question on the desk.
+    /// Adds a question.
     pub(super) fn ask(&self, question: Question, reply: oneshot::Sender<Answer>) {
         let mut state = self.state();
         if state.questions.len() < MAX_QUESTIONS {
@@ -129,7 +129,7 @@ impl Desk {
         }
     }
 
-    /// Puts back what was interrupted, unless the client wants something newer by now.
+    /// Returns an interrupted request, unless the client has a newer one by now.
     pub(super) fn put_back(&self, job: Box<FrameJob>) {
         let mut state = self.state();
         if let Some(client) = state.clients.get_mut(&job.request.client)
@@ -140,7 +140,7 @@ impl Desk {
         }
     }
 
-    /// The next thing to do; waits up to `patience` for it. Clients take turns.
+    /// Takes the next request, waiting for it for up to `patience`. Clients take turns.
     pub(super) fn take(&self, patience: Duration) -> Option<Job> {
         let mut state = self.state();
         if !state.is_waiting() && !self.is_stopped() && !patience.is_zero() {
@@ -163,7 +163,7 @@ impl Desk {
         state.clients.get_mut(&next).and_then(|client| client.job.take()).map(Job::Frame)
     }
 
-    /// Whether an image is not wanted any more: nobody waits for it, or its client wants another.
+    /// Whether an image is obsolete: nobody waits for it, or its client wants another one.
     pub(super) fn is_outdated(&self, job: &FrameJob) -> bool {
         let newest = self.state().clients.get(&job.request.client).map(|client| client.sequence);
         job.reply.is_closed()
@@ -171,7 +171,7 @@ impl Desk {
             || newest.is_some_and(|newest| newest > job.request.sequence)
     }
 
-    /// Whether something waits that is done sooner than an exact image.
+    /// Whether a request waits that has priority over an exact image.
     pub(super) fn has_urgent(&self) -> bool {
         let state = self.state();
         let is_urgent = |job: &FrameJob| job.request.quality != Quality::Exact;

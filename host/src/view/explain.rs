@@ -1,4 +1,4 @@
-//! What the page shows of a pixel that was clicked: the numbers of `organza explain`.
+//! Explains a pixel that was clicked, with the numbers of `organza explain`.
 
 use serde::Serialize;
 
@@ -9,14 +9,14 @@ use crate::error::Result;
 use crate::image::to_8_bit;
 use crate::render::{Contribution, Inspection, Trace};
 
-/// Gaussians that the page is told about: those with the largest alpha.
+/// Most Gaussians in an answer: those with the largest alpha.
 const MAX_GAUSSIANS: usize = 200;
 
-/// A pixel, with every digit that its numbers have.
+/// A pixel, with all digits of its numbers.
 #[derive(Debug, Serialize)]
 struct Explanation {
     pixel: [i32; 2],
-    /// How many Gaussians there are; the page gets those with the largest alpha.
+    /// Number of all Gaussians. The page gets those with the largest alpha.
     all: usize,
     gaussians: Vec<Row>,
     color_sum: [f32; 3],
@@ -32,12 +32,12 @@ struct Explanation {
 struct Row {
     #[serde(flatten)]
     contribution: Contribution,
-    /// Its ellipse on the screen.
+    /// Center of the Gaussian on the screen, in pixels.
     mean2d: [f32; 2],
-    /// Its depth along the camera's axis.
+    /// Depth along the camera's axis, in world units.
     depth: f64,
     conic: [f32; 3],
-    /// Its ray in the unit cube, and T from the Gaussian up to the end of each step.
+    /// The ray in the unit cube, and T from the Gaussian to the end of each step.
     places: Vec<[f32; 3]>,
     transmittances: Vec<f32>,
 }

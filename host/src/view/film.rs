@@ -1,8 +1,8 @@
-//! The film of a path, made while the page waits. Its frames are exact images that wait at the desk like any other, so whoever
-//! looks around meanwhile goes first.
+//! Makes the film of a path while the page waits. Its frames are exact images that wait at the desk like all others,
+//! so users who look around go first.
 //!
-//! The answer has a line of JSON for each frame, then one with the film's number of bytes, then these. A page that goes away ends
-//! the work.
+//! The answer has a line of JSON for each frame, then a line with the film's length in bytes, then the film. If the
+//! page goes away, the work ends.
 
 use std::fs::{self, File};
 use std::io::Read;
@@ -22,12 +22,12 @@ use crate::camera::Camera;
 use crate::error::{self, Result};
 use crate::film::{Frames, Kind};
 
-/// The fastest film, in frames a second.
+/// Largest frame rate, in frames per second.
 const MAX_FPS: u32 = 240;
-/// Bytes of a film that are sent at once.
+/// Bytes of a film that are sent at a time.
 const PART: u64 = 256 << 10;
 
-/// A film that the page asks for.
+/// A request for a film.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FilmRequest {
@@ -40,7 +40,7 @@ pub struct FilmRequest {
 }
 
 impl FilmRequest {
-    /// The camera of each frame, once everything else was looked at.
+    /// The camera of each frame, after everything else was checked.
     pub fn check(&self) -> Result<Vec<Camera>> {
         if !(1..=MAX_FPS).contains(&self.fps) {
             return refuse(format!("a film has 1 to {MAX_FPS} frames a second"));
@@ -59,7 +59,7 @@ impl FilmRequest {
     }
 }
 
-/// Why a film ends early: for the page, or because the page is gone.
+/// Why a film ends early: an error for the page, or the page is gone.
 enum End {
     Error(String),
     Gone,
@@ -71,7 +71,7 @@ impl From<error::Error> for End {
     }
 }
 
-/// Makes a film, and sends it.
+/// Makes a film and sends it.
 pub async fn make(
     desk: &Desk,
     request: &FilmRequest,
@@ -92,7 +92,7 @@ async fn send(
     let failed = |error: std::io::Error| End::Error(format!("the film cannot be written: {error}"));
     let folder = Arc::new(tempfile::tempdir().map_err(failed)?);
     let mut files = Vec::with_capacity(cameras.len());
-    // no page has a number as large
+    // larger than any page's number
     let client = (1 << 32) + u64::from(rand::random::<u32>());
     let all = cameras.len();
     for (frame, camera) in cameras.into_iter().enumerate() {
@@ -121,7 +121,7 @@ async fn say(sender: &mut Sender<Bytes>, line: &Value) -> Result<(), End> {
     sender.send_data(format!("{line}\n").into()).await.map_err(|_| End::Gone)
 }
 
-/// One frame, as `organza render` writes it.
+/// Renders one frame like `organza render`.
 async fn render(
     desk: &Desk,
     request: &FilmRequest,
@@ -147,7 +147,7 @@ async fn render(
     }
 }
 
-/// Encodes on a thread of its own: the server has one, and others wait for their images.
+/// Encodes the film on its own thread: the server has only one, and others wait for their images.
 async fn encode(
     request: &FilmRequest,
     files: Vec<PathBuf>,

@@ -1,45 +1,45 @@
-//! Who may ask: pages that this server gave out, and nobody else's.
+//! Decides who may send requests: only pages that this server gave out.
 //!
-//! Any page in a browser can send requests to this machine. Its requests name where the page is from (`Origin`), and a
-//! name that leads here by somebody's DNS is not a name of this machine (`Host`).
+//! Any page in a browser can send requests to this machine. A request names the origin of its page (`Origin`). It
+//! also names the host (`Host`): if somebody's DNS leads another name here, that name is not one of this machine.
 
 use std::net::SocketAddr;
 
 use hyper::header::{COOKIE, HOST, HeaderMap, ORIGIN};
 
-/// The cookie that has the token.
+/// Name of the cookie with the token.
 const TOKEN: &str = "organza-token";
 
-/// Who may ask.
+/// Decides who may send requests.
 #[derive(Clone, Debug)]
 pub struct Guard {
-    /// What everybody has to know; none where the server listens to this machine alone.
+    /// The token that every client needs; `None` if the server only listens to this machine.
     token: Option<String>,
 }
 
-/// What is done with a request.
+/// The decision about a request.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// It is answered, with a cookie where it has brought the token in its address.
+    /// The request is answered. The answer sets a cookie if the address had the token.
     Welcome { cookie: Option<String> },
-    /// It is refused for this reason.
+    /// The request is refused for this reason.
     Refused(&'static str),
 }
 
 impl Guard {
-    /// For a server at an address: one that other machines reach asks for a token.
+    /// A guard for a server at an address. If other machines can reach the address, it requires a token.
     pub fn new(address: SocketAddr) -> Self {
         let is_local = address.ip().is_loopback();
         let token = || format!("{:032x}", rand::random::<u128>());
         Self { token: (!is_local).then(token) }
     }
 
-    /// What everybody has to know.
+    /// The token that every client needs.
     pub fn token(&self) -> Option<&str> {
         self.token.as_deref()
     }
 
-    /// Looks at a request's headers and at its address behind the `?`.
+    /// Checks a request's headers, and the part of its address after the `?`.
     pub fn judge(&self, headers: &HeaderMap, query: Option<&str>) -> Verdict {
         let text = |name| headers.get(name).and_then(|value| value.to_str().ok());
         let Some(host) = text(HOST) else { return Verdict::Refused("the request names no host") };
@@ -65,7 +65,7 @@ impl Guard {
     }
 }
 
-/// Whether a host's name is one of this machine, whatever the port is: a forwarded one is another.
+/// Whether a host name belongs to this machine. The port is ignored, because forwarding changes it.
 fn is_this_machine(host: &str) -> bool {
     let name = match host.rsplit_once(':') {
         Some((name, port)) if port.bytes().all(|byte| byte.is_ascii_digit()) => name,
@@ -74,7 +74,7 @@ fn is_this_machine(host: &str) -> bool {
     ["localhost", "127.0.0.1", "[::1]"].contains(&name)
 }
 
-/// Whether one of some `name=value` is this one. The time does not depend on where values differ.
+/// Whether one of the `name=value` pairs is this one. The time does not depend on the place of a difference.
 fn has<'a>(mut pairs: impl Iterator<Item = &'a str>, name: &str, value: &str) -> bool {
     let is_same = |found: &str| {
         let differ = found.bytes().zip(value.bytes()).fold(0, |differ, (a, b)| differ | (a ^ b));

@@ -1,4 +1,4 @@
-//! Keyframes as files, `cameras.json` as every other command reads it, and the path through them.
+//! Keyframes as files, in the form `cameras.json` of all commands, and the path through them.
 
 use std::path::Path;
 
@@ -9,10 +9,10 @@ use super::message::{Lens, checked, refuse};
 use crate::camera::{Camera, CameraPath, file_of, parse};
 use crate::error::Result;
 
-/// Keyframes that are read from a file.
+/// Most keyframes in a file.
 const MAX_KEYFRAMES: usize = 1000;
 
-/// Cameras of a path.
+/// Most cameras in a path.
 const MAX_FRAMES: usize = 10_000;
 
 #[derive(Serialize)]
@@ -20,7 +20,7 @@ struct Cameras {
     cameras: Vec<Lens>,
 }
 
-/// A path that the page asks for.
+/// A request for a path.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PathRequest {
@@ -31,7 +31,7 @@ pub struct PathRequest {
 }
 
 impl PathRequest {
-    /// The cameras along the path, with images of the first keyframe's size, or of an even one.
+    /// The cameras along the path. Images have the first keyframe's size, made even with `is_even`.
     pub fn cameras(&self, is_even: bool) -> Result<Vec<Camera>> {
         let Self { keyframes, is_closed, frames } = self;
         if *frames > MAX_FRAMES || keyframes.len() > MAX_KEYFRAMES {
@@ -48,18 +48,18 @@ impl PathRequest {
     }
 }
 
-/// Cameras as the page has them.
+/// Cameras in the page's form.
 pub fn listed(cameras: &[Camera]) -> Result<Vec<u8>> {
     let cameras = Cameras { cameras: cameras.iter().map(Lens::from).collect() };
     serde_json::to_vec(&cameras).or_else(|error| refuse(error.to_string()))
 }
 
-/// The file of some keyframes.
+/// Writes keyframes as a file.
 pub fn write(keyframes: &[Lens]) -> Result<Vec<u8>> {
     file_of(&keyframes.iter().map(checked).collect::<Result<Vec<_>>>()?)
 }
 
-/// The keyframes of a file: cameras in any form that a `transforms.json` has.
+/// Reads the keyframes of a file: cameras in any form of a `transforms.json`.
 pub fn read(file: &Value) -> Result<Vec<u8>> {
     let cameras: Vec<Camera> = parse::cameras(file, Path::new("the file"))?;
     if cameras.len() > MAX_KEYFRAMES {

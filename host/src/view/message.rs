@@ -1,4 +1,4 @@
-//! What the page asks for.
+//! Requests of the page.
 
 use std::path::Path;
 
@@ -7,10 +7,10 @@ use serde::{Deserialize, Serialize};
 use crate::camera::Camera;
 use crate::error::{Error, Result};
 
-/// The largest image that is painted, in pixels a side.
+/// Largest side of an image, in pixels.
 pub const MAX_SIDE: u32 = 4096;
 
-/// A camera as the page has it: see [`Camera`].
+/// A camera in the page's form: see [`Camera`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Lens {
@@ -31,7 +31,7 @@ impl From<&Camera> for Lens {
 }
 
 impl Lens {
-    /// The camera, held to what cameras of files are held to.
+    /// The camera, checked like a camera from a file.
     pub fn camera(&self) -> Result<Camera> {
         let Self { camera_to_world, fl_x, fl_y, cx, cy, w, h } = *self;
         let camera = Camera::pinhole(camera_to_world, [fl_x, fl_y], [cx, cy], [w, h]);
@@ -40,64 +40,64 @@ impl Lens {
     }
 }
 
-/// What an image shows.
+/// The content of an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Mode {
     Color,
-    /// The mean of T by the weights.
+    /// The mean of T, weighted.
     Visibility,
-    /// S of Eq. 12.
+    /// S, the sum of weights in Eq. 12.
     Weight,
     Depth,
     Normal,
-    /// How many Gaussians a pixel sums up.
+    /// Number of Gaussians in the pixel's sum.
     Members,
     /// The difference from the photograph.
     Error,
 }
 
-/// How good an image has to be.
+/// The quality of an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Quality {
-    /// The camera moves: a small image with long steps, soon.
+    /// The camera moves: a small image with long steps, quickly.
     Moving,
     /// Every pixel, with long steps.
     Still,
-    /// What `organza render` writes.
+    /// The same image as `organza render`.
     Exact,
 }
 
-/// An image that a client asks for.
+/// A request for an image.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FrameRequest {
-    /// The page, by a number of its own.
+    /// Random number of the page.
     pub client: u64,
-    /// Requests of a page, counted: a higher one is newer.
+    /// Number of the request on the page: a higher one is newer.
     pub sequence: u64,
     pub camera: Lens,
     pub mode: Mode,
     pub quality: Quality,
-    /// Instead of the scene's.
+    /// Replaces the scene's background.
     #[serde(default)]
     pub background: Option<[f64; 3]>,
-    /// The data set's view whose photograph is compared.
+    /// View in the data set whose photograph is compared.
     #[serde(default)]
     pub view: Option<usize>,
 }
 
-/// A pixel that a client asks about.
+/// A request to explain a pixel.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PixelRequest {
     pub camera: Lens,
-    /// Column and row.
+    /// Column and row of the pixel.
     pub pixel: [i32; 2],
 }
 
-/// A camera that images are painted of: of a size that is painted.
+/// Checks a camera, and its image's size.
 pub fn checked(lens: &Lens) -> Result<Camera> {
     let camera = lens.camera()?;
     if camera.width.max(camera.height) > MAX_SIDE {
@@ -110,7 +110,7 @@ pub fn checked(lens: &Lens) -> Result<Camera> {
 }
 
 impl FrameRequest {
-    /// The camera, once everything else was looked at.
+    /// The camera, after everything else was checked.
     pub fn check(&self) -> Result<Camera> {
         checked_background(self.background)?;
         checked(&self.camera)

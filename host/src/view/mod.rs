@@ -1,8 +1,9 @@
-//! The viewer of `organza view` and `organza train --view`: a small HTTP server whose page asks for one image at a time.
+//! The viewer of `organza view` and `organza train --view`: a small HTTP server, whose page requests one image at a
+//! time.
 //!
-//! Two threads work. The [server](Server) reads requests and puts them on a [`Desk`]; the one that owns the scene takes them
-//! from there, one at a time, and [paints](Painter). A client has one image on the desk at most: a newer one takes the place
-//! of an older one, so that the latest camera wins. What nobody waits for is not painted.
+//! There are two threads. The [server](Server) reads requests and puts them on a [`Desk`]. The thread that owns the
+//! scene takes them from there, one at a time, and [paints](Painter). A client has at most one image on the desk: a
+//! newer request replaces an older one, so the latest camera wins. An image that nobody waits for is not painted.
 
 mod about;
 mod assets;

@@ -1,20 +1,21 @@
-//! How coarse an image is while the camera moves, so that it is fluid on this device and with this scene.
+//! Chooses the coarseness of images while the camera moves, so that motion is fluid on this device and with this
+//! scene.
 
-/// The time that the rest of a moving image is to take, in seconds: projection, composite and encoding.
+/// Target time for the other parts of a moving image, in seconds: projection, composite and encoding.
 const DRAW: f64 = 0.030;
-/// The time that colors and transmittances of a moving image are to take, in seconds.
+/// Target time for colors and transmittances of a moving image, in seconds.
 const FIELDS: f64 = 0.040;
-/// Sides of moving images are divided by up to this.
+/// Largest divisor of the sides of moving images.
 const MAX_SHRINK: u32 = 4;
-/// Steps of T are up to so many times as long.
+/// Largest length of T's steps, as a multiple of sigma.
 const MAX_STEPS: u16 = 32;
 
-/// What a client's images are painted with while its camera moves.
+/// The coarseness of a client's images while its camera moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pace {
-    /// Sides are divided by this.
+    /// Divisor of the image's sides.
     pub shrink: u32,
-    /// Steps of T are longer by this.
+    /// Factor of the length of T's steps.
     pub steps: u16,
 }
 
@@ -25,7 +26,7 @@ impl Default for Pace {
 }
 
 impl Pace {
-    /// After an image whose fields and whose rest have taken so many seconds.
+    /// Adapts to an image whose fields and other parts took this many seconds.
     pub fn learn(&mut self, fields: f64, draw: f64) {
         let per_side = f64::from(self.shrink) / f64::from(self.shrink.max(2) - 1);
         if draw > DRAW {
@@ -33,7 +34,7 @@ impl Pace {
         } else if draw * per_side * per_side < 0.6 * DRAW {
             self.shrink = (self.shrink - 1).max(1);
         }
-        // where all is known there is nothing to learn
+        // if all was known already, the time says nothing
         if fields > FIELDS {
             self.steps = (2 * self.steps).min(MAX_STEPS);
         } else if fields > 0.002 && 2.0 * fields < 0.6 * FIELDS {
@@ -48,7 +49,7 @@ mod tests {
 
     #[test]
     fn it_settles_where_an_image_takes_its_time() {
-        // seconds of a whole image, and of every sample
+        // seconds of a whole image, and of all its samples
         for (whole, samples) in [(0.01, 0.01), (0.1, 0.1), (0.25, 0.5), (5.0, 5.0)] {
             let mut pace = Pace::default();
             let mut seen = Vec::new();

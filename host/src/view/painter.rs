@@ -1,4 +1,4 @@
-//! Whoever owns the scene: takes requests from the desk, and answers them.
+//! The painter owns the scene, takes requests from the desk, and answers them.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -20,17 +20,17 @@ use crate::render::{DeviceScene, EyeCache, EyeOptions, Renderer};
 use crate::tile::TileBatch;
 use organza_core::RenderReport;
 
-/// Clients for whom what their eyes have seen is kept.
+/// Number of clients whose evaluated fields are kept.
 const MAX_EYES: usize = 8;
 
-/// The scene as it is now.
+/// The current scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Stage<'a> {
-    /// What renders it.
+    /// The renderer of the scene.
     pub renderer: &'a Renderer,
     /// The scene.
     pub scene: &'a DeviceScene,
-    /// Another number after every change: the steps of a training.
+    /// Changes with the scene: the number of training steps.
     pub version: u64,
 }
 
@@ -39,11 +39,11 @@ pub struct Stage<'a> {
 pub struct Painter {
     desk: Arc<Desk>,
     photographs: Photographs,
-    /// The one that was used last is last.
+    /// The eye that was used last is at the end.
     eyes: Vec<Eye>,
 }
 
-/// What is remembered of a client.
+/// Data kept for a client.
 #[derive(Debug)]
 struct Eye {
     client: u64,
@@ -52,22 +52,22 @@ struct Eye {
     pace: Pace,
 }
 
-/// What the page is told about an image.
+/// Facts about an image, for the page.
 #[derive(Debug, Serialize)]
 struct About {
     sequence: u64,
     quality: Quality,
     mode: Mode,
     size: [u32; 2],
-    /// Of the scene: the steps of a training.
+    /// Version of the scene: the number of training steps.
     version: u64,
     gaussians: usize,
-    /// (Gaussian, camera) pairs that the image needs.
+    /// Number of (Gaussian, camera) pairs in the image.
     pairs: u64,
     members: u64,
-    /// Samples of T that were computed for this image; those that were known are not among them.
+    /// Samples of T that were computed for this image, without those already known.
     samples: u64,
-    /// How much longer than sigma T's steps are.
+    /// Length of T's steps, as a multiple of sigma.
     steps: u16,
     milliseconds: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -75,13 +75,13 @@ struct About {
 }
 
 impl Painter {
-    /// Takes requests from `desk`.
+    /// A painter that takes requests from `desk`.
     #[must_use]
     pub fn new(desk: Arc<Desk>, photographs: Photographs) -> Self {
         Self { desk, photographs, eyes: Vec::new() }
     }
 
-    /// Answers one request; waits up to `patience` for it. Returns whether there was one.
+    /// Answers one request, waiting for it for up to `patience`. Returns whether there was one.
     pub fn serve(&mut self, stage: Stage<'_>, patience: Duration) -> bool {
         let Some(job) = self.desk.take(patience) else { return false };
         match job {
@@ -98,12 +98,12 @@ impl Painter {
                 }
             },
         }
-        // a training counts its own kernels
+        // a training measures its own kernels
         let _ = stage.renderer.device().take_timings();
         true
     }
 
-    /// Paints an image, or nothing where it was interrupted.
+    /// Paints an image; `None` if it was interrupted.
     fn frame(&mut self, stage: Stage<'_>, job: &FrameJob) -> Result<Option<Painted>> {
         let begin = Instant::now();
         let truth = match (job.request.mode, job.request.view) {
@@ -116,7 +116,7 @@ impl Painter {
         let canvas = paint(stage, job, eye, truth.as_deref(), &|slices| {
             let quality = job.request.quality;
             let outdated = quality != Quality::Moving && desk.is_outdated(job);
-            // every turn does something, or it would never end
+            // every turn must make progress, or it would never end
             let urgent = slices > 0 && quality == Quality::Exact && desk.has_urgent();
             job.reply.is_closed() || outdated || urgent
         })?;
@@ -150,7 +150,7 @@ impl Painter {
         Ok(Some(painted_as(kind, bytes, &about)))
     }
 
-    /// What is remembered of a client, of the scene as it is.
+    /// The data kept for a client, for the current version of the scene.
     fn eye(&mut self, client: u64, version: u64) -> &mut Eye {
         let found = self.eyes.iter().position(|eye| eye.client == client);
         if found.is_none() && self.eyes.len() >= MAX_EYES {
@@ -182,7 +182,7 @@ impl Painter {
     }
 }
 
-/// An error in words.
+/// Describes an error in words.
 fn told(error: error::Error) -> String {
     error::chain(&error)
 }
@@ -192,7 +192,7 @@ fn painted_as(kind: &'static str, bytes: Vec<u8>, about: &impl Serialize) -> Pai
     Painted { kind, bytes, about }
 }
 
-/// What was drawn.
+/// The result of drawing.
 struct Canvas {
     image: Image,
     range: Option<Range>,
@@ -200,7 +200,7 @@ struct Canvas {
     report: RenderReport,
 }
 
-/// Draws an image. `is_cancelled` is asked before each slice of the Gaussians, with the number of slices that are done.
+/// Draws an image. `is_cancelled` is called before each slice of the Gaussians, with the number of finished slices.
 fn paint(
     Stage { renderer, scene, .. }: Stage<'_>,
     FrameJob { request, camera, .. }: &FrameJob,
@@ -213,7 +213,7 @@ fn paint(
         Quality::Still => (1, pace.steps),
         Quality::Exact => (1, 1),
     };
-    // errors are those of the photograph's pixels
+    // errors are compared at the photograph's own pixels
     let camera = &camera.shrunk(if truth.is_some() { 1 } else { shrink });
     let size = [camera.width, camera.height];
     let batch = TileBatch::cover(0, size[0], size[1], TILE_SIDE)?;

@@ -1,4 +1,4 @@
-//! The photographs of a data set, read when somebody looks at them.
+//! The photographs of a data set, which are read on demand.
 
 use std::collections::VecDeque;
 use std::fmt;
@@ -11,23 +11,23 @@ use crate::demo;
 use crate::error::Result;
 use crate::render::{DeviceScene, Renderer};
 
-/// Photographs that are kept after they were read.
+/// Number of photographs that are kept after reading.
 const KEPT: usize = 4;
 
-/// Where photographs come from.
+/// The source of photographs.
 pub struct Photographs {
     source: Source,
-    /// The last ones, newest first.
+    /// The photographs used last, newest first.
     kept: VecDeque<(usize, Arc<Photograph>)>,
 }
 
 enum Source {
     None,
-    /// Those that a training has in memory.
+    /// A training's photographs, in memory.
     Dataset(Arc<Dataset>),
-    /// Files.
+    /// Photographs in files.
     Poses(Poses),
-    /// Views of the built-in scene, which are rendered.
+    /// Views of the built-in scene, rendered on demand.
     BuiltIn(Vec<Camera>, Option<Box<DeviceScene>>),
 }
 
@@ -43,19 +43,19 @@ impl Photographs {
         Self { source, kept: VecDeque::new() }
     }
 
-    /// There are none.
+    /// No photographs.
     #[must_use]
     pub fn none() -> Self {
         Self::from(Source::None)
     }
 
-    /// Those that a training has in memory.
+    /// A training's photographs, in memory.
     #[must_use]
     pub fn of_dataset(dataset: Arc<Dataset>) -> Self {
         Self::from(Source::Dataset(dataset))
     }
 
-    /// Those of files.
+    /// Photographs in files.
     #[must_use]
     pub fn of_poses(poses: Poses) -> Self {
         Self::from(Source::Poses(poses))
@@ -73,7 +73,7 @@ impl Photographs {
         matches!(self.source, Source::None)
     }
 
-    /// The photograph of a view of the data set.
+    /// The photograph of a view in the data set.
     pub(super) fn get(&mut self, renderer: &Renderer, view: usize) -> Result<Arc<Photograph>> {
         if let Some((_, found)) = self.kept.iter().find(|(kept, _)| *kept == view) {
             return Ok(Arc::clone(found));

@@ -1,4 +1,4 @@
-//! What is painted, as colors of 8 bits.
+//! Converts results to 8-bit colors.
 
 use ::image::ExtendedColorType;
 use ::image::codecs::jpeg::JpegEncoder;
@@ -13,10 +13,10 @@ use crate::render::DeviceScene;
 use crate::train::error_levels;
 use organza_core::Channel;
 
-/// JPEG's quality of images that are not exact, of 100.
+/// JPEG quality of images that are not exact, out of 100.
 const QUALITY: u8 = 85;
 
-/// What a color stands for.
+/// The values at both ends of a color scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {
     pub low: f64,
@@ -35,7 +35,7 @@ impl Mode {
         Self::Error,
     ];
 
-    /// The channels that are rendered for it.
+    /// The channels that the mode needs.
     pub fn channels(self) -> &'static [Channel] {
         match self {
             Self::Visibility => &[Channel::Visibility],
@@ -46,7 +46,7 @@ impl Mode {
         }
     }
 
-    /// The colors of its numbers.
+    /// The color gradient of the mode's numbers.
     fn gradient(self) -> Option<Gradient> {
         match self {
             Self::Visibility => Some(colorous::VIRIDIS),
@@ -58,7 +58,7 @@ impl Mode {
         }
     }
 
-    /// Colors from the lowest value to the highest, for the page's scale.
+    /// Colors from the lowest to the highest value, for the page's scale.
     pub fn ramp(self) -> Option<Vec<String>> {
         let gradient = self.gradient()?;
         let color = |at: usize| format!("#{:x}", gradient.eval_rational(at, 17));
@@ -91,10 +91,10 @@ pub fn of_channel(
     (scaled(mode, size, values, range), Some(range))
 }
 
-/// The image of how many Gaussians each pixel sums up.
+/// The image of the number of Gaussians in each pixel's sum.
 pub fn of_members(count: &[u32], size: [u32; 2]) -> (Image, Option<Range>) {
     let most = count.iter().copied().max().unwrap_or(0).max(8);
-    // so that it does not change with every pixel: 1, 2 or 5 times a power of ten
+    // in steps of 1, 2 or 5 times a power of ten, so that the scale rarely changes
     let mut power = 1;
     while 10 * power < most {
         power *= 10;
@@ -104,7 +104,7 @@ pub fn of_members(count: &[u32], size: [u32; 2]) -> (Image, Option<Range>) {
     (scaled(Mode::Members, size, count.iter().map(|&n| f64::from(n)), range), Some(range))
 }
 
-/// The image of the difference from a photograph: the mean over the channels, of 0 to 1 / [`ERROR_FACTOR`].
+/// The image of the difference from a photograph: the mean over the channels, from 0 to 1 / [`ERROR_FACTOR`].
 ///
 /// [`ERROR_FACTOR`]: crate::train::ERROR_FACTOR
 pub fn of_error(image: &Image, truth: &Photograph) -> Result<(Image, Option<Range>)> {
@@ -130,7 +130,7 @@ fn scaled(
     Image::of_pixels(size, &pixels)
 }
 
-/// The depths of the scene's box in a camera.
+/// The range of depths of the scene's box, as a camera sees it.
 fn depths(scene: &DeviceScene, camera: &Camera) -> Range {
     let [low, high] = scene.config().aabb;
     let depth = |corner: usize| {

@@ -1,4 +1,4 @@
-//! The HTTP server: gives out the page, and puts what it asks for on the desk.
+//! The HTTP server: delivers the page, and puts its requests on the desk.
 
 use std::convert::Infallible;
 use std::io;
@@ -29,23 +29,23 @@ use super::message::{FrameRequest, Lens, PixelRequest, checked};
 use crate::error::{self, Error, Result};
 use crate::web::WebPage;
 
-/// The port where nobody asks for another.
+/// Default port.
 const PORT: u16 = 4747;
-/// The largest request, in bytes.
+/// Largest request, in bytes.
 const MAX_BODY: usize = 4 << 20;
-/// Clients that are connected at once.
+/// Most connected clients.
 const MAX_CONNECTIONS: usize = 256;
-/// Films that are made at once.
+/// Most films in the making.
 const MAX_FILMS: usize = 2;
-/// How long a request may take to arrive.
+/// Longest time until a request has arrived.
 const PATIENCE: Duration = Duration::from_secs(20);
 
-/// Where a server listens.
+/// The address at which a server listens.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Address {
-    /// Without it, this machine alone is listened to.
+    /// Address of this machine. Without it, only this machine is served.
     pub bind: Option<IpAddr>,
-    /// Without it, a usual port or one that is free.
+    /// Port. Without it, the default port or a free one.
     pub port: Option<u16>,
 }
 
@@ -70,7 +70,7 @@ impl Address {
     }
 }
 
-/// A server that listens, on a thread of its own, until the program ends.
+/// A server that listens, on its own thread, until the program ends.
 #[derive(Debug)]
 pub struct Server {
     listener: TcpListener,
@@ -82,11 +82,11 @@ struct Shared {
     site: Site,
 }
 
-/// What is served.
+/// The site to serve.
 enum Site {
-    /// The page that asks this program for images.
+    /// The page that requests images from this program.
     Viewer(Viewer),
-    /// A page that renders by itself: each file's address, what it is, and its content.
+    /// A page that renders by itself: address, media type and content of each file.
     Client(Vec<(String, &'static str, Bytes)>),
 }
 
@@ -94,22 +94,22 @@ struct Viewer {
     desk: Arc<Desk>,
     about: About,
     board: Option<Arc<Board>>,
-    /// One of these for each film that is being made.
+    /// Permits for films in the making.
     films: Arc<Semaphore>,
 }
 
 impl Server {
-    /// Takes the port, and answers nobody yet.
+    /// Opens the port, without answering yet.
     ///
     /// # Errors
-    /// [`Error::Invalid`] where the port is taken, or the address is not one of this machine.
+    /// [`Error::Invalid`] if the port is taken, or the address is not one of this machine.
     pub fn listen(address: Address) -> Result<Self> {
         let listener = address.listen()?;
         let found = listener.local_addr().map_err(broken)?;
         Ok(Self { listener, guard: Guard::new(found) })
     }
 
-    /// Where the page is, the token included.
+    /// Address of the page, including the token.
     #[must_use]
     pub fn url(&self) -> String {
         let address = self.listener.local_addr().map(|address| address.to_string());
@@ -118,19 +118,19 @@ impl Server {
         format!("http://{address}/{}", token.unwrap_or_default())
     }
 
-    /// Answers from now on.
+    /// Starts to answer requests.
     ///
     /// # Errors
-    /// [`Error::Invalid`] where the system gives no thread.
+    /// [`Error::Invalid`] if the system cannot start a thread.
     pub fn start(self, desk: Arc<Desk>, about: About, board: Option<Arc<Board>>) -> Result<()> {
         let films = Arc::new(Semaphore::new(MAX_FILMS));
         self.serve(Site::Viewer(Viewer { desk, about, board, films }))
     }
 
-    /// Gives out a page that renders by itself, from now on.
+    /// Starts to serve a page that renders by itself.
     ///
     /// # Errors
-    /// As [`Server::start`].
+    /// The same errors as [`Server::start`].
     pub fn start_page(self, page: &WebPage) -> Result<()> {
         let [index, ..] = WebPage::FILES;
         let file = |(name, text): (&str, String)| match name == index {
@@ -161,7 +161,7 @@ async fn accept(listener: TcpListener, shared: Arc<Shared>) {
     let places = Arc::new(Semaphore::new(MAX_CONNECTIONS));
     loop {
         let Ok((stream, _)) = listener.accept().await else {
-            // too many open files, say
+            // for example, after too many open files
             tokio::time::sleep(Duration::from_millis(100)).await;
             continue;
         };
@@ -173,7 +173,7 @@ async fn accept(listener: TcpListener, shared: Arc<Shared>) {
                 let shared = Arc::clone(&shared);
                 async move { Ok::<_, Infallible>(answer(&shared, request).await) }
             };
-            // what a client does wrong is the end of its connection, and of nothing else
+            // a client's mistake only ends its own connection
             let _ = http1::Builder::new()
                 .timer(TokioTimer::new())
                 .header_read_timeout(PATIENCE)
@@ -185,10 +185,10 @@ async fn accept(listener: TcpListener, shared: Arc<Shared>) {
     }
 }
 
-/// What is there already, or a film that is being made.
+/// A complete answer, or a film in the making.
 type Reply = Response<Either<Full<Bytes>, Channel<Bytes>>>;
 
-/// Why a request is not answered as it asks.
+/// Status and reason of a refused request.
 struct Refusal(StatusCode, String);
 
 async fn answer(shared: &Shared, request: Request<Incoming>) -> Reply {
@@ -323,7 +323,7 @@ async fn painted(answer: oneshot::Receiver<Answer>) -> Result<Reply, Refusal> {
             Ok(reply)
         }
         Ok(Err(reason)) => Err(Refusal(StatusCode::UNPROCESSABLE_ENTITY, reason)),
-        // a newer one took its place
+        // a newer request has replaced it
         Err(_) => Err(Refusal(StatusCode::CONFLICT, "nobody waits for this any more".to_owned())),
     }
 }
@@ -351,7 +351,7 @@ fn text(status: StatusCode, kind: &'static str, content: &[u8]) -> Reply {
     whole(status, kind, Bytes::copy_from_slice(content))
 }
 
-/// Headers of every answer: nothing is kept, nothing is loaded from elsewhere, and nobody shows the page within theirs.
+/// Headers of every answer: no caching, no content from elsewhere, and no embedding in other pages.
 const HEADERS: [(&str, &str); 6] = [
     ("cache-control", "no-store"),
     (

@@ -1,4 +1,4 @@
-//! A training that is looked at: images between its steps, within a share of the time.
+//! Shows a running training: renders images between its steps, within a part of the time.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -15,21 +15,21 @@ use crate::error::Result;
 use crate::render::{DeviceScene, Renderer};
 use crate::train::Event;
 
-/// How soon a signal ends the waiting.
+/// Longest delay until a signal ends the waiting.
 const PATIENCE: Duration = Duration::from_millis(100);
 
-/// Shows a training to whoever looks. It reads the scene between steps and changes nothing, so the training's bits do not
+/// Shows a training to clients. It reads the scene between steps and changes nothing, so the training's bits do not
 /// depend on it.
 #[derive(Debug)]
 pub struct TrainingView<'a> {
     renderer: &'a Renderer,
     dataset: &'a Arc<Dataset>,
-    /// Set where the page asks to save and stop.
+    /// Set if the page asks to save and stop.
     stop: &'a AtomicBool,
-    /// The share of the time that images may take.
+    /// Part of the time that images may take.
     share: f64,
     title: String,
-    /// Until there is a scene to show.
+    /// Waits until there is a scene to show, and is started then.
     server: Option<Server>,
     desk: Arc<Desk>,
     board: Arc<Board>,
@@ -37,7 +37,7 @@ pub struct TrainingView<'a> {
     clock: Clock,
 }
 
-/// Where the time goes; while the training waits, it stands still.
+/// Measures the use of time. It stands still while the training waits.
 #[derive(Debug)]
 struct Clock {
     training: f64,
@@ -52,7 +52,7 @@ impl Clock {
 }
 
 impl<'a> TrainingView<'a> {
-    /// Shows a training on a `server`; images take up to `share` of the time. The page's button sets `stop`.
+    /// Shows a training on a `server`. Images take up to `share` of the time. The page's button sets `stop`.
     #[must_use]
     pub fn new(
         server: Server,
@@ -70,11 +70,11 @@ impl<'a> TrainingView<'a> {
         Self { renderer, dataset, stop, share, title, server, desk, board, painter, clock }
     }
 
-    /// Sees what happens in a training. After a step, answers what the page asks; returns after the page's
-    /// pause is over.
+    /// Handles an event of a training. After a step, answers the page's requests. If the page has paused the
+    /// training, this returns when the pause is over.
     ///
     /// # Errors
-    /// As [`Server::start`].
+    /// The same errors as [`Server::start`].
     pub fn see(&mut self, event: &Event<'_>, steps: u32) -> Result<()> {
         match event {
             Event::Begin(step) => self.board.begin(u64::from(*step), u64::from(steps)),

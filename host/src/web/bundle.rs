@@ -1,8 +1,8 @@
-//! The page's own files: plain modules, joined to one script, because a browser loads no modules from `file://`.
+//! The page's own files: plain modules, joined into one script, because browsers load no modules from `file://`.
 
 use maud::{DOCTYPE, PreEscaped, html};
 
-/// The modules, each after those that it imports from.
+/// The modules. Each comes after those that it imports.
 const MODULES: [&str; 6] = [
     include_str!("../view/page/camera.js"),
     include_str!("../view/page/controls.js"),
@@ -27,7 +27,7 @@ pub fn script() -> String {
     format!("\"use strict\";\n(async () => {{\n{}\n}})();\n", own.join("\n"))
 }
 
-/// The document; `scripts` are elements that load the scene and the page's script.
+/// The document. `scripts` are elements that load the scene and the page's script.
 pub fn html(title: &str, scripts: &str) -> String {
     use base64::Engine;
     let icon = base64::engine::general_purpose::STANDARD.encode(ICON);

@@ -13,39 +13,39 @@ use crate::scene::Scene;
 use crate::view::Lens;
 use organza_device::Device;
 
-/// What a page is made with.
+/// Options of a page.
 #[derive(Clone, Debug)]
 pub struct PageOptions {
-    /// The page's name.
+    /// Title of the page.
     pub title: String,
-    /// The largest image that it renders, in pixels; larger windows show it enlarged.
+    /// Largest image that the page renders, in pixels. A larger window shows it enlarged.
     pub size: [u32; 2],
-    /// Whether the hash grids are 16-bit floats.
+    /// Whether to store the hash grids as 16-bit floats.
     pub half_grids: bool,
 }
 
-/// A page: its files.
+/// The files of a page.
 #[derive(Clone, Debug)]
 pub struct WebPage {
     title: String,
     /// The scene, its plans and its kernels, packed.
     payload: String,
-    /// What was measured on the way.
+    /// Facts measured while making the page.
     pub facts: Facts,
 }
 
-/// What a page has.
+/// Facts about a page.
 #[derive(Clone, Copy, Debug)]
 pub struct Facts {
-    /// Plans of a frame.
+    /// Number of plans of a frame.
     pub plans: usize,
-    /// Kernels.
+    /// Number of kernels.
     pub kernels: usize,
-    /// Cameras that the plans' capacities were measured on.
+    /// Number of cameras for which the plans' capacities were measured.
     pub measured: usize,
 }
 
-/// What the page is told beside its plans.
+/// Data for the page besides its plans.
 #[derive(Serialize)]
 struct About<'a> {
     title: &'a str,
@@ -57,21 +57,21 @@ struct About<'a> {
     home: Lens,
 }
 
-/// Cameras on the orbit that capacities are measured on.
+/// Number of cameras on an orbit for which capacities are measured.
 const ORBIT: usize = 12;
-/// Of the scene's own cameras, so many are measured beside the orbit.
+/// Number of the scene's own cameras for which capacities are measured, too.
 const VIEWS: usize = 24;
 
 impl WebPage {
-    /// The names of [`Self::files`]; the first is what a browser opens.
+    /// Names of [`Self::files`]. A browser opens the first one.
     pub const FILES: [&str; 3] = ["index.html", "page.js", "scene.js"];
 
-    /// Makes the page of a scene. `cameras` are those that it was trained on, or none; `measuring` is what measures how much
-    /// memory their images need.
+    /// Makes the page of a scene. `cameras` are those that it was trained on, or empty. `measuring` measures the
+    /// memory that their images need.
     ///
     /// # Errors
-    /// As [`Renderer::upload`]; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory) if the scene is larger than
-    /// a browser can bind.
+    /// The same errors as [`Renderer::upload`]; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory)
+    /// if the scene is larger than a browser can bind.
     pub fn new(
         scene: &Scene,
         cameras: &[Camera],
@@ -82,7 +82,7 @@ impl WebPage {
             [] => Orbit::of_box(scene.config.aabb, options.size),
             _ => Orbit { size: options.size, ..Orbit::around(cameras)? },
         };
-        // a box of no size has no outside, and cameras above their center no way around
+        // a box without size has no outside, and cameras right above their center have no orbit
         let around = orbit.cameras(ORBIT).unwrap_or_default();
         let every = cameras.len().div_ceil(VIEWS).max(1);
         let measured: Vec<_> = around.iter().chain(cameras.iter().step_by(every)).collect();

@@ -1,7 +1,8 @@
-//! Everything that a page knows, packed: gzip in base64, so that it can be part of a script and needs no server.
+//! All data of a page, packed: gzip in base64, so that it can be part of a script and needs no server.
 //!
-//! After unpacking: the length of the JSON in bytes (u32, little endian), the JSON, zeros up to a multiple of 4, and then the buffers
-//! of the scene. Bytes of a buffer are sorted by their place in a word of 32 bits: the high bytes of floats are alike.
+//! Unpacked, it has the length of the JSON in bytes (u32, little endian), the JSON, zeros up to a multiple of 4, and
+//! the buffers of the scene. The bytes of a buffer are sorted by their place in a 32-bit word, because the high bytes
+//! of floats are similar.
 
 use std::io::Write;
 
@@ -19,13 +20,13 @@ use super::plans::{Kernel, PlannedFrame};
 struct Header<'a> {
     #[serde(flatten)]
     about: &'a About<'a>,
-    /// Bytes of each buffer of the scene.
+    /// Length of each buffer of the scene, in bytes.
     buffers: Vec<u64>,
     kernels: &'a [Kernel],
     plans: &'a [PlannedFrame],
 }
 
-/// Packs a page's knowledge.
+/// Packs a page's data.
 pub fn pack(
     about: &About<'_>,
     buffers: &[PlannedBuffer],
@@ -50,7 +51,7 @@ pub fn pack(
     STANDARD.encode(packed.finish().expect("memory can be written to"))
 }
 
-/// The first bytes of all words, then the second ones, and so on.
+/// The first bytes of all words, followed by all second bytes, and so on.
 fn by_place(bytes: &[u8]) -> Vec<u8> {
     (0..4).flat_map(|place| bytes.iter().skip(place).step_by(4).copied()).collect()
 }

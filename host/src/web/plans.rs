@@ -1,4 +1,4 @@
-//! The plans of a page: how large its images are, how long the steps of T, and how much memory each has.
+//! The plans of a page, for several image sizes, lengths of T's steps and amounts of memory.
 
 use std::collections::BTreeSet;
 
@@ -14,32 +14,32 @@ use crate::render::{Capacity, DeviceScene, Frame, FrameShape, Renderer};
 
 /// Side of a page's tiles, in pixels.
 const SIDE: u32 = 32;
-/// Sides of images are divided by these: while the camera moves, an image is smaller.
+/// Divisors of images' sides: while the camera moves, an image is smaller.
 const SHRINKS: [u32; 3] = [4, 2, 1];
-/// Steps of T are so many times as long as sigma.
+/// Lengths of T's steps, as multiples of sigma.
 const STEPS: [u16; 3] = [16, 4, 1];
-/// Capacities, in multiples of what the measured cameras need.
+/// Capacities, as multiples of the measured cameras' needs.
 const LEVELS: [f64; 3] = [1.2, 3.0, 8.0];
-/// Room for so many more, whatever was measured.
+/// Added to every capacity.
 const LEAST: u32 = 1024;
 
-/// A frame as the page plays it.
+/// A frame in the form that the page replays.
 #[derive(Debug, Serialize)]
 pub struct PlannedFrame {
     tiles: u32,
     side: u32,
     steps: u16,
-    /// Pairs, members, samples.
+    /// Capacities for pairs, members and samples.
     capacity: [u32; 3],
-    /// Bytes of each buffer that is the plan's own; their numbers follow those of the scene's buffers.
+    /// Length of each of the plan's own buffers, in bytes. Their numbers follow those of the scene's buffers.
     buffers: Vec<u64>,
-    /// Buffers that hold something: their words.
+    /// Buffers with initial content, as words.
     contents: Vec<(u32, Vec<u32>)>,
     camera: u32,
     tile: u32,
     counts: u32,
     image: u32,
-    /// As [`step`] writes them.
+    /// Steps in the form of [`step`].
     frame: Vec<Value>,
 }
 
@@ -47,12 +47,12 @@ pub struct PlannedFrame {
 #[derive(Debug, Serialize)]
 pub struct Kernel {
     name: &'static str,
-    /// `uniform`, `read` or `write` for each binding.
+    /// Access of each binding: `uniform`, `read` or `write`.
     access: Vec<&'static str>,
     code: &'static str,
 }
 
-/// What frames need of which the page has plans: those of one size and step one after another, from small to large capacities.
+/// Measures the capacities of a page's frames: each size with each length of steps, from small to large capacities.
 pub fn measure(
     renderer: &Renderer,
     scene: &DeviceScene,
@@ -77,7 +77,7 @@ pub fn measure(
                 let room = |number| (f64::from(number) * factor) as u32 + LEAST;
                 let gaussians = scene.len() as u32;
                 let capacity = Capacity {
-                    // one camera sees no more
+                    // one camera sees at most all Gaussians
                     pairs: room(most.pairs).min(gaussians),
                     members: room(most.members),
                     samples: room(most.samples),
@@ -89,8 +89,8 @@ pub fn measure(
     Ok(shapes)
 }
 
-/// Writes down a frame of each shape that a browser has room for: the first of each size and step at least. `scene_buffers` is
-/// the number of the scene's buffers.
+/// Records a frame of each shape that fits into a browser's memory, and at least the first for each size and length
+/// of steps. `scene_buffers` is the number of the scene's buffers.
 pub fn write(
     planner: &Renderer,
     scene: &DeviceScene,
@@ -101,7 +101,7 @@ pub fn write(
     for (index, shape) in shapes.iter().enumerate() {
         match planner.plan_frame(scene, shape) {
             Ok(frame) => frames.push(PlannedFrame::new(shape, &frame, scene_buffers)),
-            // what is larger than what was measured is a reserve
+            // frames above the measured capacity are only a reserve
             Err(error) if error.is_out_of_memory() && index % LEVELS.len() > 0 => {}
             Err(error) => return Err(error),
         }
@@ -110,7 +110,7 @@ pub fn write(
 }
 
 impl PlannedFrame {
-    /// `scene_buffers` is the number of the scene's buffers: the planner made them first.
+    /// `scene_buffers` is the number of the scene's buffers, which the planner made first.
     fn new(shape: &FrameShape, frame: &Frame, scene_buffers: u32) -> Self {
         let plan = &frame.plan;
         let number = |buffer: u32| match buffer.checked_sub(plan.first_buffer) {
@@ -138,7 +138,7 @@ impl PlannedFrame {
     }
 }
 
-/// A step as the page reads it:
+/// A step in the form that the page reads:
 /// - `[kernel, params, [[word, counts, place, first, most], ..], [[buffer, begin, bytes], ..], workgroups]`
 /// - `["clear", buffer, begin, bytes]`
 /// - `["copy", from, begin, bytes, to, at]`
@@ -164,7 +164,7 @@ fn step(step: &Step, number: &impl Fn(u32) -> u32) -> Value {
     }
 }
 
-/// The kernels of some frames, in WGSL, and the one that fills in counts.
+/// The kernels of some frames, in WGSL, and the kernel that fills in counts.
 pub fn kernels(frames: &[PlannedFrame]) -> Result<Vec<Kernel>> {
     let names = frames.iter().flat_map(|frame| &frame.frame).filter_map(|step| step[0].as_str());
     let names: BTreeSet<_> = names.chain(["count_fill"]).collect();

@@ -1,4 +1,4 @@
-//! The files that go into the repository: one module per entry point, and their manifest.
+//! The files for the repository: one module per entry point, and their manifest.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -26,8 +26,8 @@ impl Artifacts {
         files.map(|(name, contents)| (name.as_str(), contents.as_slice()))
     }
 
-    /// Updates a folder, and returns how many files changed. The manifest comes last:
-    /// when this is interrupted, the manifest's hashes give the mixture away.
+    /// Updates a folder, and returns the number of changed files. The manifest comes last: if this is interrupted,
+    /// the manifest's hashes reveal the mixture.
     pub fn write(&self, folder: &Path) -> Result<usize> {
         fs::create_dir_all(folder)?;
         let mut changed = 0;
@@ -43,7 +43,7 @@ impl Artifacts {
         Ok(changed)
     }
 
-    /// Fails, with a list of the differences, when a folder holds something else.
+    /// Fails with a list of differences if a folder has other content.
     pub fn check(&self, folder: &Path) -> Result<()> {
         let mut differences = Vec::new();
         for name in stale(self, folder)? {
@@ -87,15 +87,15 @@ fn is_module(name: &str) -> bool {
     name.ends_with(".spv")
 }
 
-/// Whether a file is one that this program writes, beside the manifest.
+/// Whether this program writes files of this name, besides the manifest.
 fn is_ours(name: &str) -> bool {
     is_module(name) || name.ends_with(".wgsl")
 }
 
-/// The modules and translations in a folder that belong to no kernel anymore.
+/// The modules and translations in a folder that do not belong to any kernel anymore.
 fn stale(artifacts: &Artifacts, folder: &Path) -> Result<Vec<String>> {
     let mut stale = Vec::new();
-    // A folder that does not exist yet holds nothing.
+    // A folder that does not exist yet is empty.
     for entry in fs::read_dir(folder).into_iter().flatten() {
         let name = entry?.file_name().to_string_lossy().into_owned();
         if is_ours(&name) && !artifacts.files.contains_key(&name) {
@@ -106,8 +106,8 @@ fn stale(artifacts: &Artifacts, folder: &Path) -> Result<Vec<String>> {
     Ok(stale)
 }
 
-/// Writes a temporary file and renames it, so that no reader sees half a file. Does not touch a file that is right already,
-/// so the host crate is not compiled again because of it.
+/// Writes a temporary file and renames it, so that no reader sees half a file. Does not touch a file whose content is
+/// right already, so that the host crate is not compiled again.
 fn replace(path: &Path, contents: &[u8]) -> Result<bool> {
     if fs::read(path).is_ok_and(|found| found == contents) {
         return Ok(false);
@@ -125,7 +125,7 @@ fn module_difference(name: &str, found: &[u8], want: &[u8]) -> String {
     format!("{name}: differs from byte {at} on ({found} bytes there, {want} from the sources)")
 }
 
-/// What differs between two manifests, as far as that says more than the modules' own differences.
+/// Differences between two manifests that are not just differences between modules.
 fn manifest_differences(found: &[u8], want: &[u8]) -> Vec<String> {
     let parse = |json: &[u8]| Manifest::parse(&String::from_utf8_lossy(json)).ok();
     let (Some(found), Some(want)) = (parse(found), parse(want)) else {

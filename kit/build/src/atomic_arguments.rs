@@ -1,8 +1,8 @@
 //! Copies arguments of atomics that come from another block.
 //!
-//! naga's SPIR-V reader takes an atomic's argument as it is, even if it was computed in a loop that has ended, and then refuses
-//! the module: "NotInScope". For every other instruction, it carries such a value out of the loop in a variable. So the argument
-//! is copied first, next to the atomic.
+//! naga's SPIR-V reader uses an atomic's argument directly, even if it was computed in a loop that has ended. It then
+//! refuses the module: "NotInScope". For every other instruction, it carries such a value out of the loop in a
+//! variable. So this pass copies the argument first, next to the atomic.
 
 use std::collections::HashMap;
 
@@ -14,7 +14,7 @@ use rspirv::spirv::{Op, Word};
 pub fn copy(module: &mut Module) -> Result<()> {
     let mut bound = module.header.as_ref().context("the module has no header")?.bound;
     for function in &mut module.functions {
-        // who computes a value, and where; parameters and constants are in scope everywhere
+        // the block that computes each value; parameters and constants are in scope everywhere
         let mut computed: HashMap<Word, (usize, Word)> = HashMap::new();
         for (at, block) in function.blocks.iter().enumerate() {
             for instruction in &block.instructions {
@@ -54,7 +54,7 @@ pub fn copy(module: &mut Module) -> Result<()> {
     Ok(())
 }
 
-/// The values that an atomic takes: what follows its pointer.
+/// The arguments of an atomic, after its pointer.
 fn arguments(instruction: &mut Instruction) -> impl Iterator<Item = &mut Word> {
     let is_atomic = instruction.class.opname.starts_with("Atomic");
     let operands = instruction.operands.iter_mut().skip(1).filter(move |_| is_atomic);
@@ -128,7 +128,7 @@ mod tests {
         crate::naga_check::check(&bytes(&module)).unwrap();
         let count = |op| module.all_inst_iter().filter(|i| i.class.opcode == op).count();
         assert_eq!(count(Op::CopyObject), 1);
-        // there is nothing more to copy
+        // a second run finds nothing to copy
         let once = bytes(&module);
         copy(&mut module).unwrap();
         assert_eq!(bytes(&module), once);

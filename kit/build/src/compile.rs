@@ -15,15 +15,15 @@ use crate::compiler::Compiler;
 use crate::lower::lower;
 use crate::{Project, module, naga_check, wgsl};
 
-/// Vulkan 1.2's SPIR-V 1.5 is the newest that every driver we aim at reads.
+/// SPIR-V 1.5, of Vulkan 1.2, is the newest version that all our drivers read.
 pub const TARGET: &str = "spirv-unknown-vulkan1.2";
 
-/// Compiles every kernel that the caller is linked with, to one module each.
+/// Compiles every kernel that the caller is linked with, each to one module.
 ///
 /// # Errors
-/// What the compiler says, and where a kernel and its module do not belong together.
+/// The compiler's errors, and an error if a kernel does not match its module.
 pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
-    // Before the build: a file saved while it runs must leave the kernels stale.
+    // Before the build: if a file is saved while it runs, the kernels must be stale.
     let source_hash = manifest::source_hash(&project.root, &project.sources)?;
     let mut modules = build(&project.root.join(&project.shader_crate), &project.target, compiler)?;
     let mut entries = Vec::new();
@@ -65,7 +65,7 @@ pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
     Ok(Artifacts::new(files))
 }
 
-/// All entry points are compiled together: two kernels need two names.
+/// All entry points are compiled together, so two kernels must not have the same name.
 fn refuse_one_name_twice() -> Result<()> {
     let mut found: BTreeMap<_, &KernelInfo> = BTreeMap::new();
     for kernel in organza_kernel::kernels() {
@@ -77,10 +77,10 @@ fn refuse_one_name_twice() -> Result<()> {
     Ok(())
 }
 
-/// Runs the compiler on a crate of kernels: the modules by entry point.
+/// Runs the compiler on a crate of kernels. Returns the modules by entry point.
 ///
 /// # Errors
-/// What the compiler says.
+/// The compiler's errors.
 pub fn build(
     shader_crate: &Path,
     target: &Path,

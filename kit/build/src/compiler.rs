@@ -10,16 +10,16 @@ use anyhow::{Context, Result, bail};
 use cargo_gpu_install::install::Install;
 use spirv_builder::SpirvBuilder;
 
-/// Names the compiler to use: a rustup toolchain, a sysroot, or [`PINNED`].
+/// Variable that names the compiler: a rustup toolchain, a sysroot, or [`PINNED`].
 const VARIABLE: &str = "ORGANZA_RUST_GPU";
 
-/// The rustup toolchain that is used when it exists.
+/// The rustup toolchain that is used if it exists.
 const TOOLCHAIN: &str = "rust-gpu";
 
-/// The value of [`VARIABLE`] that asks for the nightly that Rust-GPU pins, though others be there.
+/// The value of [`VARIABLE`] that asks for the nightly that Rust-GPU pins, even if there are others.
 const PINNED: &str = "pinned";
 
-/// What to do when no compiler can be had.
+/// Advice if there is no compiler.
 const ADVICE: &str = "docs/rebuilding-kernels.md tells how to get the compiler";
 
 /// Variables that would change the compiler's options, besides all `CARGO_PROFILE_*`. The modules must depend only on the
@@ -34,8 +34,8 @@ const UNWANTED: [&str; 7] = [
     "RUSTGPU_RUSTFLAGS",
 ];
 
-/// The profile of the kernels, whatever the workspace's own is. With debug information a module
-/// would carry the whole source text, and paths of the machine that compiled it.
+/// The profile of the kernels, independent of the workspace's. With debug information, a module would contain the
+/// whole source text, and paths of the machine that compiled it.
 const PROFILE: [(&str, &str); 3] = [
     ("CARGO_PROFILE_RELEASE_DEBUG", "false"),
     ("CARGO_PROFILE_RELEASE_INCREMENTAL", "false"),
@@ -44,10 +44,10 @@ const PROFILE: [(&str, &str); 3] = [
 
 /// A rustc with Rust-GPU's backend.
 pub struct Compiler {
-    /// The argument that makes cargo use this rustc; without a toolchain, the search path does.
+    /// The source of this rustc. A toolchain is an argument of cargo; others are in the search path.
     origin: Origin,
     backend: PathBuf,
-    /// The version of the rustc.
+    /// Version of the rustc.
     pub rustc: String,
 }
 
@@ -56,7 +56,7 @@ enum Origin {
     Sysroot(PathBuf),
 }
 
-/// Shields what this process builds from the user's environment. Call it before any thread starts.
+/// Protects builds of this process from the user's environment. Call it before any thread starts.
 pub fn isolate() {
     for (name, _) in env::vars_os() {
         let unwanted = |name: &str| UNWANTED.contains(&name) || name.starts_with("CARGO_PROFILE_");
@@ -73,8 +73,7 @@ pub fn isolate() {
 }
 
 impl Compiler {
-    /// Finds the compiler, or has rustup install the one that Rust-GPU documents. Call it before any
-    /// thread starts.
+    /// Finds the compiler, or lets rustup install the one that Rust-GPU documents. Call it before any thread starts.
     pub fn find(shader_crate: &Path) -> Result<Self> {
         match env::var(VARIABLE).unwrap_or_default().as_str() {
             "" if toolchain_exists(TOOLCHAIN)? => Self::toolchain(TOOLCHAIN),
@@ -85,7 +84,7 @@ impl Compiler {
         .with_context(|| format!("no SPIR-V compiler ({ADVICE})"))
     }
 
-    /// A rustup toolchain that carries the backend in its own `lib`.
+    /// A rustup toolchain with the backend in its own `lib`.
     fn toolchain(name: &str) -> Result<Self> {
         let sysroot = output(Command::new("rustup").args(["run", name, "rustc"]).args(SYSROOT))
             .with_context(|| format!("the rustup toolchain `{name}` does not work"))?;
@@ -93,7 +92,7 @@ impl Compiler {
         Self::new(origin, backend_in(Path::new(&sysroot))?)
     }
 
-    /// A toolchain that rustup need not know, backend included.
+    /// A toolchain, backend included, that rustup need not know.
     fn sysroot(sysroot: &Path) -> Result<Self> {
         let sysroot = sysroot.canonicalize()?;
         for tool in ["rustc", "cargo"] {
@@ -103,7 +102,7 @@ impl Compiler {
             }
         }
         let backend = backend_in(&sysroot)?;
-        // Its cargo and rustc are to be found before rustup's.
+        // Its cargo and rustc must be found before rustup's.
         let mut path = OsString::from(sysroot.join("bin"));
         if let Some(rest) = env::var_os("PATH") {
             path.push(if cfg!(windows) { ";" } else { ":" });
@@ -114,8 +113,8 @@ impl Compiler {
         Self::new(Origin::Sysroot(sysroot), backend)
     }
 
-    /// The nightly that this release of Rust-GPU pins, and the backend built with it: installed
-    /// the way `cargo gpu` does it, which is what Rust-GPU documents.
+    /// The nightly that this release of Rust-GPU pins, and the backend built with it. It is installed as `cargo gpu`
+    /// does it, the way that Rust-GPU documents.
     fn pinned(shader_crate: &Path) -> Result<Self> {
         output(Command::new("rustup").arg("--version"))?;
         eprintln!(
@@ -139,19 +138,19 @@ impl Compiler {
             Origin::Sysroot(sysroot) => Command::new(sysroot.join("bin/rustc")),
         };
         let version = output(rustc.arg("--version"))?;
-        // "rustc 1.98.0-nightly (hash date)": what is in brackets depends on who built it.
+        // "rustc 1.98.0-nightly (hash date)": the part in parentheses depends on who built it.
         let version = version.split(' ').nth(1).context("rustc does not tell its version")?;
         Ok(Self { origin, backend, rustc: version.to_owned() })
     }
 
-    /// Has a build use this compiler.
+    /// Makes a build use this compiler.
     pub fn configure(&self, builder: &mut SpirvBuilder) {
         builder.rustc_codegen_spirv_location = Some(self.backend.clone());
         builder.toolchain_overwrite = match &self.origin {
             Origin::Toolchain(name) => Some(name.clone()),
             Origin::Sysroot(_) => None,
         };
-        // This is no build script: cargo's messages go to the terminal as they are.
+        // This is no build script: cargo's messages go to the terminal unchanged.
         builder.build_script.defaults = false;
     }
 }
@@ -168,7 +167,7 @@ impl fmt::Display for Compiler {
 
 const SYSROOT: [&str; 2] = ["--print", "sysroot"];
 
-/// Whether rustup has a toolchain; false also where there is no rustup.
+/// Whether rustup has a toolchain; false without rustup.
 fn toolchain_exists(name: &str) -> Result<bool> {
     let Ok(list) = output(Command::new("rustup").args(["toolchain", "list", "-q"])) else {
         return Ok(false);
@@ -188,7 +187,7 @@ fn backend_in(sysroot: &Path) -> Result<PathBuf> {
 /// The trimmed output of a command that must succeed.
 fn output(command: &mut Command) -> Result<String> {
     let program = command.get_program().display().to_string();
-    // With this variable, rustup adds its own backtrace to the message that the user is to see.
+    // With this variable, rustup would add its own backtrace to the message for the user.
     let output = command.env_remove("RUST_BACKTRACE").output();
     let output = output.with_context(|| format!("cannot run {program}"))?;
     if !output.status.success() {

@@ -8,11 +8,11 @@ use anyhow::{Context, Result};
 use rspirv::dr::{Instruction, Module, Operand};
 use rspirv::spirv::{Decoration, Op};
 
-/// What the decoration may stand at.
+/// Operations that can have the decoration.
 const ARITHMETIC: [Op; 7] =
     [Op::FAdd, Op::FSub, Op::FMul, Op::FDiv, Op::FRem, Op::FNegate, Op::VectorTimesScalar];
 
-/// Makes a module compute what is written.
+/// Forbids a driver to change a module's arithmetic.
 pub fn forbid(module: &mut Module) -> Result<()> {
     let blocks = module.functions.iter().flat_map(|function| &function.blocks);
     let arithmetic = blocks

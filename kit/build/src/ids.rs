@@ -1,13 +1,14 @@
-//! Numbers the ids of a module in the order in which they appear.
+//! Numbers the ids of a module in order of appearance.
 //!
-//! The compiler numbers the ids of all kernels together, so a change in one kernel would give others new numbers.
+//! The compiler numbers the ids of all kernels together. Without this, a change in one kernel would give others new
+//! numbers.
 
 use std::collections::HashMap;
 
 use rspirv::dr::{Module, Operand};
 use rspirv::spirv::Word;
 
-/// Numbers all ids from 1 on.
+/// Numbers all ids, starting at 1.
 pub fn renumber(module: &mut Module) {
     let mut numbers: HashMap<Word, Word> = HashMap::new();
     let mut number = |id: &mut Word| {

@@ -1,4 +1,4 @@
-//! `cargo xtask isa`: what a GPU's compiler makes of the compiled kernels.
+//! `cargo xtask isa`: the machine code that a GPU's compiler makes of the compiled kernels.
 
 use std::env;
 use std::process::Command;
@@ -9,21 +9,21 @@ use organza_isa::{FAMILIES, Report};
 
 use crate::Project;
 
-/// What to show of the kernels' machine code.
+/// Options for the machine code of kernels.
 #[derive(Args, Clone, Debug)]
 pub struct IsaOptions {
     /// Show the machine code of this kernel's innermost loops, instead of the table
     #[arg(long, value_name = "KERNEL")]
     pub asm: Option<String>,
-    /// The family of AMD GPUs, as Mesa's RADV names it; can be given several times
+    /// A family of AMD GPUs, as Mesa's RADV names it; can be given several times
     #[arg(long, default_values = FAMILIES)]
     pub family: Vec<String>,
 }
 
-/// Prints what RADV makes of a project's compiled kernels. It needs no GPU.
+/// Prints the machine code that RADV makes of a project's compiled kernels. It needs no GPU.
 ///
 /// # Errors
-/// Without RADV, where it does not compile a kernel, and where there is no such kernel.
+/// If there is no RADV, if it does not compile a kernel, or if there is no such kernel.
 pub fn isa(project: &Project, options: &IsaOptions) -> Result<()> {
     let folder = project.root.join(&project.kernels);
     if organza_isa::answer(&folder) {

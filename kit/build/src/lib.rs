@@ -39,26 +39,26 @@ pub struct Project {
     pub root: PathBuf,
     /// The folder of the crate of kernels, relative to the workspace.
     pub shader_crate: String,
-    /// Folders whose sources are compiled into kernels, that of the crate among them, relative to the workspace.
+    /// Folders with sources of kernels, including that of the crate, relative to the workspace.
     pub sources: Vec<String>,
     /// The folder of the modules and their manifest, relative to the workspace.
     pub kernels: String,
-    /// Whether the kernels are also translated to WGSL, for browsers: this needs the feature `wgsl`. Variants are not: browsers refuse
-    /// their barriers.
+    /// Whether to translate the kernels to WGSL, too, for browsers: this needs the feature `wgsl`. Variants are left
+    /// out, because browsers refuse their barriers.
     pub wgsl: bool,
     /// Cargo's target folder.
     pub target: PathBuf,
 }
 
 impl Project {
-    /// The project of an xtask: `xtask` is that package's folder, a folder of the workspace, and `shader_crate` another one. The
-    /// modules go to `compiled`, beside it.
+    /// The project of an xtask. `xtask` is that package's folder, a folder of the workspace, and `shader_crate` is
+    /// another one. The modules go to `compiled`, beside them.
     ///
     /// # Panics
-    /// Where `xtask` is no folder of a workspace.
+    /// If `xtask` is not a folder of a workspace.
     #[must_use]
     pub fn of_xtask(xtask: &str, shader_crate: &str) -> Self {
-        // Cargo's word at run time: a copy of the workspace may share the compiled xtask.
+        // Asks cargo at run time: a copy of the workspace may share the compiled xtask.
         let xtask = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or(xtask.into());
         let root = Path::new(&xtask).parent().expect("a folder of the workspace").to_owned();
         let target = std::env::var_os("CARGO_TARGET_DIR").map_or("target".into(), PathBuf::from);
@@ -67,25 +67,25 @@ impl Project {
             sources: vec![shader_crate.into()],
             kernels: "compiled".into(),
             wgsl: false,
-            // Joining an absolute path gives that path.
+            // Joining an absolute path returns that path.
             target: root.join(target),
             root,
         }
     }
 }
 
-/// What an xtask that has only to do with kernels understands.
+/// The subcommands of an xtask that only handles kernels.
 #[derive(Parser)]
 #[command(bin_name = "cargo xtask")]
 enum Task {
     /// Compile the kernels to SPIR-V
     Kernels(Options),
-    /// Show what the compiler of an AMD GPU makes of the kernels, without the GPU
+    /// Show the machine code that the compiler of an AMD GPU makes of the kernels, without the GPU
     Isa(IsaOptions),
 }
 
-/// The whole xtask of a project: `cargo xtask kernels`, with [`Options`], and `cargo xtask isa`, with [`IsaOptions`]. It names the crate
-/// of kernels and the crate's folder in the workspace.
+/// The whole xtask of a project: `cargo xtask kernels`, with [`Options`], and `cargo xtask isa`, with [`IsaOptions`].
+/// The arguments are the crate of kernels and its folder in the workspace.
 ///
 /// ```ignore
 /// organza_build::xtask!(my_kernels in "kernels");
@@ -123,13 +123,13 @@ pub fn exit_code(result: Result<()>) -> ExitCode {
     }
 }
 
-/// What to do with the compiled kernels.
+/// Options for compiled kernels.
 #[derive(Args, Clone, Copy, Debug)]
 pub struct Options {
     /// Compile and compare with the folder of modules instead of writing there: fails on any difference
     #[arg(long, conflicts_with = "watch")]
     pub check: bool,
-    /// Hold each module against the SPIR-V specification with `spirv-val`
+    /// Check each module against the SPIR-V specification with `spirv-val`
     #[arg(long)]
     pub validate: bool,
     /// Compile again whenever a kernel source is saved, until interrupted
@@ -140,7 +140,7 @@ pub struct Options {
 /// Compiles the kernels of a project, and writes, checks or watches its modules.
 ///
 /// # Errors
-/// What the compiler or the check says.
+/// Errors of the compiler or of the check.
 pub fn run(project: &Project, options: Options) -> Result<()> {
     if options.watch {
         return watch::run(project, options.validate);

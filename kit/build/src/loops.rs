@@ -1,9 +1,9 @@
-//! Gives loops the form that the compilers in drivers are made for.
+//! Gives loops the form that compilers in drivers expect.
 //!
-//! Rust-GPU writes every loop as `do { body } while (again)`. A `while` then has its condition twice: in its body, around all that it
-//! does, and again at its end. Between the two, phis choose between what the body computed and undefined values. Drivers keep
-//! two copies of all values that such a loop carries, and copy one to the other in each iteration. This pass lets the condition leave the
-//! loop itself:
+//! Rust-GPU writes every loop as `do { body } while (again)`. A `while` then has its condition twice: in its body,
+//! around everything it does, and again at its end. In between, phis choose between the body's values and undefined
+//! values. Drivers keep two copies of all values that such a loop carries, and copy one to the other in each
+//! iteration. With this pass, the condition leaves the loop itself:
 //!
 //! ```text
 //! head: phis; branch test                         head: phis
@@ -15,8 +15,8 @@
 //! end:  ..                                        end:  ..
 //! ```
 //!
-//! A `break` or a second condition becomes another way to `end`, and the way through the loop becomes shorter by a join. Nothing is
-//! computed otherwise or in another order.
+//! A `break` or a second condition becomes another way to `end`, and the path through the loop has one join less. All
+//! computations and their order stay the same.
 
 mod exits;
 mod rewrite;
@@ -27,21 +27,21 @@ use anyhow::{Context, Result};
 use rspirv::dr::{Block, Function, Instruction, Module, Operand};
 use rspirv::spirv::{Op, Word};
 
-/// A loop as Rust-GPU writes it: what its last block branches on is a value of its body.
+/// A loop as Rust-GPU writes it: its last block branches on a value of its body.
 struct Loop {
-    /// The block with the phis, where each iteration begins.
+    /// The block with the phis, in which each iteration starts.
     head: Word,
-    /// The block that branches to the head again. It does nothing else.
+    /// The block that branches back to the head, and does nothing else.
     next: Word,
     /// The block after the loop.
     end: Word,
-    /// What the last block branches on.
+    /// The condition of the last block's branch.
     condition: Word,
-    /// The value of the condition for another iteration.
+    /// The value of the condition that starts another iteration.
     again: bool,
 }
 
-/// Lets all loops of a module end where their conditions are.
+/// Makes all loops of a module end at their conditions.
 pub fn end_at_conditions(module: &mut Module) -> Result<()> {
     let constants = Constants::of(module);
     let header = module.header.as_mut().context("the module has no header")?;
@@ -56,7 +56,7 @@ pub fn end_at_conditions(module: &mut Module) -> Result<()> {
             }
         }
     }
-    // names and decorations of the phis that are no more
+    // names and decorations of removed phis
     let names = |i: &Instruction| matches!(i.operands[0], Operand::IdRef(id) if gone.contains(&id));
     module.annotations.retain(|annotation| !names(annotation));
     module.debug_names.retain(|name| !names(name));
@@ -64,7 +64,7 @@ pub fn end_at_conditions(module: &mut Module) -> Result<()> {
 }
 
 impl Loop {
-    /// The loop of a head, if its last block only branches on a condition.
+    /// The loop with this head, if its last block only branches on a condition.
     fn at(function: &Function, head: Word) -> Option<Self> {
         let merge = find(block(function, head), Op::LoopMerge)?;
         let (end, next) = (id(merge, 0), id(merge, 1));
@@ -83,7 +83,7 @@ impl Loop {
     }
 }
 
-/// The module's two constants of truth; a module may have several of each.
+/// The module's constants of type bool. A module may have several of each value.
 struct Constants(Vec<(Word, bool)>);
 
 impl Constants {
@@ -129,7 +129,7 @@ fn id(instruction: &Instruction, at: usize) -> Word {
     instruction.operands[at].id_ref_any().expect("an operand of this kind is an id")
 }
 
-/// Where a branch can lead.
+/// The possible targets of a branch.
 fn targets(branch: &Instruction) -> Vec<Word> {
     let conditions = match branch.class.opcode {
         Op::Branch => 0,
@@ -145,7 +145,7 @@ fn sources(function: &Function, to: Word) -> Vec<Word> {
     all.map(label).collect()
 }
 
-/// What a phi is, for control that comes from a block.
+/// The value of a phi, for control that comes from a block.
 fn incoming(phi: &Instruction, from: Word) -> Option<Word> {
     phi.operands.chunks_exact(2).find(|pair| pair[1] == Operand::IdRef(from))?[0].id_ref_any()
 }

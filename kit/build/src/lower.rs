@@ -6,10 +6,10 @@ use rspirv::dr;
 
 use crate::{atomic_arguments, contraction, ids, loops, memory_model};
 
-/// The module as drivers get it; `fused` lets them regroup its arithmetic.
+/// The module for drivers. With `fused`, they may regroup its arithmetic.
 ///
 /// # Errors
-/// What the module has and must not have.
+/// If the module has something that it must not have.
 pub fn lower(spirv: &[u8], fused: bool) -> Result<Vec<u8>> {
     let mut module = dr::load_bytes(spirv).map_err(|error| anyhow!("a broken module: {error}"))?;
     memory_model::lower(&mut module)?;

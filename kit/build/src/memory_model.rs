@@ -1,9 +1,9 @@
-//! Rewrites the compiled modules from Vulkan's memory model, the only one that Rust-GPU has for Vulkan, to GLSL's.
+//! Rewrites compiled modules from Vulkan's memory model, the only one that Rust-GPU has for Vulkan, to GLSL's.
 //!
-//! A module with Vulkan's memory model asks for the device feature `vulkanMemoryModel`, which wgpu
-//! does not enable: the validation layers report every such module. And Rust-GPU never marks an
-//! access as non-private, so by the letter of that model no barrier would make a write to workgroup
-//! memory visible. Under GLSL's model, which naga and GLSL compilers use, it does.
+//! A module with Vulkan's memory model needs the device feature `vulkanMemoryModel`, which wgpu does not enable: the
+//! validation layers report every such module. Also, Rust-GPU never marks an access as non-private. So in that model,
+//! strictly, no barrier would make a write to workgroup memory visible. In GLSL's model, which naga and GLSL
+//! compilers use, it does.
 
 use anyhow::{Context, Result, bail};
 use rspirv::dr::{Instruction, Module, Operand};
@@ -11,7 +11,7 @@ use rspirv::spirv::{
     AddressingModel, Capability, MemoryAccess, MemoryModel, MemorySemantics, Op, Scope, Word,
 };
 
-/// What the memory semantics and accesses of Vulkan's model may hold and GLSL's may not.
+/// Memory semantics that Vulkan's model allows and GLSL's does not.
 const SEMANTICS: MemorySemantics = MemorySemantics::OUTPUT_MEMORY
     .union(MemorySemantics::MAKE_AVAILABLE)
     .union(MemorySemantics::MAKE_VISIBLE)
@@ -20,7 +20,7 @@ const ACCESSES: MemoryAccess = MemoryAccess::MAKE_POINTER_AVAILABLE
     .union(MemoryAccess::MAKE_POINTER_VISIBLE)
     .union(MemoryAccess::NON_PRIVATE_POINTER);
 
-/// Gives a module GLSL's memory model.
+/// Changes a module's memory model to GLSL's.
 pub fn lower(module: &mut Module) -> Result<()> {
     let model = module.memory_model.as_mut().context("the module has no memory model")?;
     model.operands = vec![
@@ -40,9 +40,9 @@ pub fn lower(module: &mut Module) -> Result<()> {
     widen_scopes(module)
 }
 
-/// GLSL's model has no scope of a queue family: `Device`, which holds all of them, takes its place.
+/// GLSL's model has no scope of a queue family. `Device` contains them all, and replaces it.
 fn widen_scopes(module: &mut Module) -> Result<()> {
-    // Constants of more than one type may hold the number of a scope.
+    // Constants of several types may have the number of a scope.
     while let Some(narrow) = find_scope(module, Scope::QueueFamily) {
         let wide = device_scope(module, narrow)?;
         for instruction in module.all_inst_iter_mut() {
@@ -56,7 +56,7 @@ fn widen_scopes(module: &mut Module) -> Result<()> {
     Ok(())
 }
 
-/// A constant that is used as a certain scope.
+/// A constant that is used as a given scope.
 fn find_scope(module: &Module, scope: Scope) -> Option<Word> {
     let mut operands = module.all_inst_iter().flat_map(|instruction| &instruction.operands);
     operands.find_map(|operand| match *operand {
@@ -65,7 +65,7 @@ fn find_scope(module: &Module, scope: Scope) -> Option<Word> {
     })
 }
 
-/// A constant `Device` of the type that another scope has.
+/// A constant `Device`, of the same type as another scope.
 fn device_scope(module: &mut Module, like: Word) -> Result<Word> {
     let at = module.types_global_values.iter().position(|i| i.result_id == Some(like));
     let at = at.context("a scope is a constant")?;
@@ -125,7 +125,7 @@ mod tests {
         crate::lower::lower(spirv, true)
     }
 
-    /// A module with one atomic addition, in Rust-GPU's manner.
+    /// A module with one atomic addition, in Rust-GPU's style.
     fn module(semantics: MemorySemantics) -> Vec<u8> {
         let mut b = Builder::new();
         b.set_version(1, 5);
@@ -140,7 +140,7 @@ mod tests {
         let semantics = b.constant_bit32(uint, semantics.bits());
         b.begin_function(void, None, rspirv::spirv::FunctionControl::NONE, function).unwrap();
         b.begin_block(None).unwrap();
-        // The number five is also added: that must stay.
+        // The number five is also added: that must not change.
         b.atomic_i_add(uint, None, counter, scope, semantics, scope).unwrap();
         b.ret().unwrap();
         b.end_function().unwrap();

@@ -7,8 +7,8 @@ use organza_kernel::{EntryPoint, KernelInfo};
 use rspirv::dr::{self, Instruction, Module, Operand};
 use rspirv::spirv::{Decoration, ExecutionMode, ExecutionModel, Op, StorageClass, Word};
 
-/// Checks that a module has only that entry point of the kernel, with its workgroup size, and no
-/// buffers besides the kernel's bindings.
+/// Checks that a module has only this entry point of the kernel, with its workgroup size, and no buffers besides the
+/// kernel's bindings.
 pub fn check(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> Result<()> {
     ensure!(spirv.len().is_multiple_of(4), "the module is no sequence of words");
     let module = dr::load_bytes(spirv).map_err(|error| anyhow!("the module is broken: {error}"))?;
@@ -48,7 +48,7 @@ fn check_buffer(kernel: &KernelInfo, buffer: &Buffer) -> Result<()> {
         "the module has binding {binding} as a {class:?}, the kernel declares `{}` as {access}",
         declared.name
     );
-    // Uniform buffers are read-only by nature.
+    // Uniform buffers are always read-only.
     ensure!(
         access == "uniform" || read_only == (access == "read"),
         "the kernel declares `{}` as {access}, the module does not",
@@ -118,7 +118,7 @@ fn buffers(module: &Module) -> Result<Vec<Buffer>> {
         let Some(&Operand::StorageClass(class)) = variable.operands.first() else {
             continue;
         };
-        // What is neither workgroup memory nor a builtin comes from the host.
+        // Everything but workgroup memory and builtins comes from the host.
         if matches!(class, StorageClass::Workgroup | StorageClass::Private | StorageClass::Input) {
             continue;
         }

@@ -1,17 +1,17 @@
-//! Has naga read a module, as every device does that is not Vulkan.
+//! Checks that naga reads a module, as every device other than Vulkan does.
 
 use anyhow::{Result, bail};
 use naga::front::spv;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
-/// Fails where naga refuses the module, and says why.
+/// Fails with the reason if naga refuses the module.
 pub fn check(spirv: &[u8]) -> Result<()> {
     let options = spv::Options::default();
     let module = match spv::parse_u8_slice(spirv, &options) {
         Ok(module) => module,
         Err(error) => bail!("naga cannot read the module: {error}"),
     };
-    // what wgpu asks an adapter for, where a kernel needs it
+    // features that wgpu requests from an adapter if a kernel needs them
     let offered = Capabilities::SHADER_FLOAT16;
     match Validator::new(ValidationFlags::all(), offered).validate(&module) {
         Ok(_) => Ok(()),

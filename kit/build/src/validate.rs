@@ -7,7 +7,7 @@ use anyhow::{Context, Result, bail};
 
 use crate::artifacts::Artifacts;
 
-/// Validates every module; fails when one is invalid, or when there is no validator.
+/// Validates every module. Fails if one is invalid, or if there is no validator.
 pub fn run(artifacts: &Artifacts) -> Result<()> {
     let mut invalid = Vec::new();
     for (name, spirv) in artifacts.modules() {
@@ -31,7 +31,7 @@ fn validate(spirv: &[u8]) -> Result<Result<(), String>> {
         .stderr(Stdio::piped())
         .spawn()
         .context("cannot run spirv-val (Debian's package spirv-tools, or the Vulkan SDK)")?;
-    // It reads everything before it writes anything, so this cannot lock up.
+    // It reads everything before it writes anything, so this cannot deadlock.
     child.stdin.take().context("spirv-val takes no input")?.write_all(spirv)?;
     let output = child.wait_with_output()?;
     if output.status.success() {

@@ -9,14 +9,14 @@ use organza_manifest::source_hash;
 
 use crate::Project;
 
-/// How long after saving a file the compiler starts, at most.
+/// Longest time between saving a file and starting the compiler.
 const INTERVAL: Duration = Duration::from_millis(300);
 
-/// Runs `cargo xtask kernels` now and after every change of the sources. Each run is a process of
-/// its own: xtask holds the kernels' declarations, so it must be compiled again, too.
+/// Runs `cargo xtask kernels` now and after every change of the sources. Each run is a new process: the xtask
+/// contains the kernels' declarations, so it must be compiled again, too.
 ///
 /// # Errors
-/// Where cargo cannot be run.
+/// If cargo cannot be run.
 pub fn run(project: &Project, validate: bool) -> Result<()> {
     let mut compiled = None;
     loop {
@@ -35,7 +35,7 @@ fn compile(project: &Project, validate: bool) -> Result<()> {
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
     cargo.current_dir(&project.root).args(["run", "--quiet", "--package", "xtask"]);
     if cfg!(windows) {
-        // A program that runs cannot be replaced there: let the child have its own.
+        // A running program cannot be replaced there, so the child has its own folder.
         cargo.arg("--target-dir").arg(project.target.join("watch"));
     }
     cargo.args(["--", "kernels"]);

@@ -2,14 +2,14 @@
 
 use anyhow::{Result, bail};
 
-/// A module in WGSL, if it needs no extension of WebGPU: 16-bit floats are one.
+/// Translates a module to WGSL; `None` if it needs an extension of WebGPU, such as 16-bit floats.
 #[cfg(feature = "wgsl")]
 pub fn translate(spirv: &[u8]) -> Result<Option<String>> {
     use naga::back::wgsl::{WriterFlags, write_string};
     use naga::front::spv;
     use naga::valid::{Capabilities, ValidationFlags, Validator};
 
-    // The largest f32, as naga writes it: in decimal, rounded up, so that browsers refuse it
+    // The largest f32 as naga writes it. In decimal it is rounded up, so browsers refuse it
     // (https://github.com/gfx-rs/wgpu/issues/10106).
     const LARGEST: &str = "340282350000000000000000000000000000000f";
     const LARGEST_IN_HEX: &str = "0x1.fffffep+127f";
@@ -27,7 +27,7 @@ pub fn translate(spirv: &[u8]) -> Result<Option<String>> {
     Ok(Some(text.replace(LARGEST, LARGEST_IN_HEX)))
 }
 
-/// Fails: the program was built without the feature `wgsl`.
+/// Always fails, because the program was built without the feature `wgsl`.
 #[cfg(not(feature = "wgsl"))]
 pub fn translate(_: &[u8]) -> Result<Option<String>> {
     bail!("this xtask was built without its feature `wgsl`; run it as `cargo xtask`")

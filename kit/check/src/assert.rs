@@ -1,4 +1,4 @@
-//! All cases on all devices of this machine, as one test.
+//! Runs all cases on all devices of this machine, as one test.
 
 use std::collections::BTreeSet;
 
@@ -8,13 +8,13 @@ use organza_kernel::{KernelInfo, kernels};
 use super::case::{Case, Rounding};
 use super::{devices, measure::Measure};
 
-/// Holds each kernel to its case, on every device of this machine: the CPU with each instruction set, the CPU that
-/// [checks](devices::checked) for mistakes, and the GPU, passed through and through naga. Each is compared with the CPU and with
-/// the equations. Every kernel of their package must have a case.
+/// Checks each kernel with its case on every device of this machine: the CPU with each instruction set, the CPU that
+/// [checks](devices::checked) for mistakes, and the GPU, passed through and through naga. Each result is compared
+/// with the CPU's and with the equations. Every kernel of the cases' packages must have a case.
 ///
 /// # Panics
-/// Where a device is out of a case's tolerance, a kernel makes a mistake or has no case, with a line for each; and as
-/// [`devices::gpus`].
+/// If a device is out of a case's tolerance, a kernel makes a mistake, or a kernel has no case. The message has a
+/// line for each. Also if [`devices::gpus`] panics.
 #[track_caller]
 pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
     let cpu = devices::cpu(None);
@@ -50,7 +50,7 @@ pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// The kernels without a case, of the packages whose kernels have some.
+/// Kernels without a case, in packages with at least one case.
 fn without_case(cases: &[Case]) -> Vec<String> {
     let has_case = |kernel: &&KernelInfo| cases.iter().any(|case| case.kernel == kernel.name);
     let packages: BTreeSet<_> = kernels().filter(has_case).map(|kernel| kernel.package).collect();
@@ -61,7 +61,7 @@ fn without_case(cases: &[Case]) -> Vec<String> {
     without.map(message).collect()
 }
 
-/// The GPU's variants, where it has any that [`devices::gpus`] does not run.
+/// The GPU with its variants, if it has any that [`devices::gpus`] does not run.
 fn variants(modules: &'static Modules) -> Vec<(&'static str, Device)> {
     if kernels().all(|kernel| kernel.variant.is_none()) {
         return Vec::new();

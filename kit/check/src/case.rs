@@ -1,4 +1,4 @@
-//! The test case of a kernel: its inputs, its equation, its tolerance.
+//! The test case of a kernel: its inputs, its equation and its tolerance.
 
 use super::hold::hold;
 use super::measure::{Bound, Measure, Output};
@@ -6,20 +6,20 @@ use super::runner::KernelRunner;
 use organza_device::{Device, Result};
 use organza_kernel::KernelInfo;
 
-/// One set of a kernel's inputs, with everything that tests need to know about the kernel.
+/// A set of a kernel's inputs, with everything that tests need to know about the kernel.
 pub trait Parity: Sized + 'static {
-    /// The kernel.
+    /// Name of the kernel.
     const KERNEL: &'static str;
-    /// How far an output may differ, in units of [`Parity::bound`]'s scale; 0 if all outputs are integers.
+    /// Largest error of an output, in units of [`Parity::bound`]'s scale; 0 if all outputs are integers.
     const TOLERANCE: f64 = 0.0;
-    /// Where the tolerance comes from, and what the inputs stay away from.
+    /// The reason for the tolerance, and the values that the inputs avoid.
     const WHY: &'static str = "integers";
-    /// The part of each output's written elements that [`Parity::exact`] must give, over all sets.
+    /// The fraction of each output's written elements for which [`Parity::exact`] must have a value, over all sets.
     ///
     /// If a case lowers it, a comment says why.
     const COMPARED: f64 = 0.9;
 
-    /// The sets, each with a name.
+    /// The sets of inputs, each with a name.
     fn sets() -> Vec<(String, Self)>;
 
     /// Runs the kernel.
@@ -28,37 +28,39 @@ pub trait Parity: Sized + 'static {
     /// Any error of the device.
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>>;
 
-    /// How far an element may differ; `cpu` is what the CPU has computed.
+    /// The error allowed for an element. `cpu` is the CPU's output.
     fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
         let _ = rounding;
         Bound::of(cpu.floats()[index].abs())
     }
 
-    /// The equations in f64, for the `len` elements of an output. `None` for padding, for elements that the kernel does not
-    /// write, and if rounding decides. Missing elements at the end count as `None`.
+    /// The equations in f64, for the `len` elements of an output. `None` for padding, for elements that the kernel
+    /// does not write, and where rounding decides. Missing elements at the end count as `None`.
     fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>>;
 
-    /// How far a device's element may be from `exact`: usually as far as from the CPU's.
+    /// The error allowed between a device's element and `exact`. By default it is the same as between the device and
+    /// the CPU.
     ///
-    /// It is wider only if the kernel's roundings, which are the same on all devices, exceed the differences between devices.
+    /// It is wider only if the kernel's roundings, which are the same on all devices, exceed the differences between
+    /// devices.
     fn exact_bound(&self, exact: &Output, index: usize, rounding: Rounding) -> Bound {
         self.bound(exact, index, rounding)
     }
 }
 
-/// How a device rounds.
+/// The rounding of a device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rounding {
-    /// Operations are those that were written: SPIR-V passed through, with its `NoContraction`.
+    /// Operations run as written: SPIR-V is passed through, with its `NoContraction`.
     AsWritten,
-    /// The driver may fuse and regroup them: naga drops the decoration.
+    /// The driver may fuse and regroup operations: naga drops the decoration.
     Regrouped,
 }
 
-/// A kernel's case, whatever its inputs' type.
+/// A kernel's case, without the type of its inputs.
 #[derive(Clone, Copy, Debug)]
 pub struct Case {
-    /// The kernel.
+    /// Name of the kernel.
     pub kernel: &'static str,
     /// See [`Parity::TOLERANCE`].
     pub tolerance: f64,
@@ -71,7 +73,7 @@ pub struct Case {
 }
 
 impl Case {
-    /// The case of a kernel.
+    /// The case of a kernel that implements [`Parity`].
     #[must_use]
     pub fn of<P: Parity>() -> Self {
         Self {
@@ -91,17 +93,17 @@ impl Case {
         kernel.map_or(self.kernel, |kernel| device.entry_point(kernel).name)
     }
 
-    /// Runs all sets on both devices.
+    /// Runs all sets on both devices, and compares the results.
     ///
     /// # Errors
-    /// What a device runs into.
+    /// Any error of a device.
     pub fn measure(&self, cpu: &Device, device: &Device, rounding: Rounding) -> Result<Measure> {
         (self.measure)(cpu, device, rounding)
     }
 
-    /// Runs all sets on a device and compares with the equations in f64, within the case's own bound.
+    /// Runs all sets on a device, and compares with the equations in f64, within the case's own bound.
     ///
-    /// [`Measure::values`] is the number of elements that the equations speak of.
+    /// [`Measure::values`] is the number of elements for which the equations have a value.
     ///
     /// # Errors
     /// Any error of the device.
@@ -125,9 +127,10 @@ fn measure<P: Parity>(cpu: &Device, device: &Device, rounding: Rounding) -> Resu
     Ok(measure)
 }
 
-/// What is to be done so that each of some kernels has a case, and each case a kernel; `folder` is where cases are.
+/// Lists what to do so that each of some kernels has a case, and each case a kernel. `folder` is the place for cases.
 ///
-/// A program passes its own kernels, [`kernels_of`](organza_kernel::kernels_of): it is linked with those of its dependencies, too.
+/// A program passes its own kernels, [`kernels_of`](organza_kernel::kernels_of): kernels of its dependencies are
+/// linked in, too.
 #[must_use]
 pub fn missing(
     kernels: impl Iterator<Item = &'static KernelInfo>,

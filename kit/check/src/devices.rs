@@ -3,25 +3,25 @@
 use crate::skip::skip;
 use organza_device::{Device, DeviceOptions, Error, InstructionSet, Modules, SpirvPath};
 
-/// How SPIR-V reaches a GPU, by name.
+/// The ways in which SPIR-V reaches a GPU, by name.
 const GPUS: [(&str, SpirvPath); 2] =
     [("gpu passthrough", SpirvPath::Passthrough), ("gpu naga", SpirvPath::Naga)];
 
-/// Every way to run a kernel: `cpu`, and [`gpus`].
+/// All devices to run a kernel on: `cpu`, and those of [`gpus`].
 ///
 /// # Panics
-/// As [`gpus`].
+/// If [`gpus`] panics.
 #[must_use]
 pub fn all(modules: &'static Modules) -> Vec<(&'static str, Device)> {
     std::iter::once(("cpu", cpu(None))).chain(gpus(modules)).collect()
 }
 
-/// The GPU, passed through and through naga; nothing where there is none.
+/// The GPU, passed through and through naga; empty without a GPU.
 ///
-/// Without a GPU the tests run only on the CPU, and say so; `ORGANZA_REQUIRE_GPU=1` makes that a failure.
+/// Without a GPU the tests run only on the CPU, and say so. `ORGANZA_REQUIRE_GPU=1` makes that a failure.
 ///
 /// # Panics
-/// Where a GPU is required and there is none, or one is there and cannot be used.
+/// If a GPU is required and there is none, or if there is one that cannot be used.
 #[must_use]
 pub fn gpus(modules: &'static Modules) -> Vec<(&'static str, Device)> {
     let mut devices = Vec::new();
@@ -40,10 +40,11 @@ pub fn gpus(modules: &'static Modules) -> Vec<(&'static str, Device)> {
     devices
 }
 
-/// The same GPU with plain kernels and with the variants that it can take, passed through and through naga where there is one.
+/// The GPU with plain kernels and the same GPU with its variants, passed through and through naga; empty without a
+/// GPU.
 ///
 /// # Panics
-/// As [`gpus`].
+/// If [`gpus`] panics.
 #[must_use]
 pub fn variants(modules: &'static Modules) -> Vec<(&'static str, [Device; 2])> {
     let open = |path, variants| {
@@ -55,7 +56,7 @@ pub fn variants(modules: &'static Modules) -> Vec<(&'static str, [Device; 2])> {
     gpus.filter_map(|(name, _)| Some((name, pair(path_of(name)?)))).collect()
 }
 
-/// How SPIR-V reaches a device of [`gpus`].
+/// The way in which SPIR-V reaches a device of [`gpus`].
 fn path_of(name: &str) -> Option<SpirvPath> {
     GPUS.into_iter().find(|gpu| gpu.0 == name).map(|gpu| gpu.1)
 }
@@ -63,26 +64,26 @@ fn path_of(name: &str) -> Option<SpirvPath> {
 /// The CPU with a number of threads.
 ///
 /// # Panics
-/// Where threads cannot be started.
+/// If threads cannot be started.
 #[must_use]
 pub fn cpu(threads: Option<usize>) -> Device {
     Device::open(&DeviceOptions::cpu(threads), Modules::none()).expect("the CPU")
 }
 
-/// The CPU that finds the most mistakes of kernels: [`DeviceOptions::checked`].
+/// The CPU with all checks for mistakes in kernels: [`DeviceOptions::checked`].
 ///
 /// # Panics
-/// Where threads cannot be started.
+/// If threads cannot be started.
 #[must_use]
 pub fn checked() -> Device {
     Device::open(&DeviceOptions::checked(), Modules::none()).expect("the CPU")
 }
 
-/// As [`checked`], with the [variants](organza_kernel::KernelInfo::variant) of kernels: their copies to workgroup memory run without
-/// a GPU.
+/// Like [`checked`], but with the [variants](organza_kernel::KernelInfo::variant) of kernels: so their copies to
+/// workgroup memory run without a GPU.
 ///
 /// # Panics
-/// Where threads cannot be started.
+/// If threads cannot be started.
 #[must_use]
 pub fn checked_variants() -> Device {
     Device::open(&DeviceOptions::checked().variants(true), Modules::none()).expect("the CPU")
@@ -91,14 +92,14 @@ pub fn checked_variants() -> Device {
 /// The CPU with an instruction set.
 ///
 /// # Panics
-/// Where this CPU does not have it.
+/// If this CPU does not have it.
 #[must_use]
 pub fn with(instruction_set: InstructionSet) -> Device {
     let options = DeviceOptions::cpu(None).instruction_set(instruction_set);
     Device::open(&options, Modules::none()).expect("the CPU")
 }
 
-/// The CPU with every instruction set that it has.
+/// The CPU with each instruction set that it has.
 #[must_use]
 pub fn cpus() -> Vec<(&'static str, Device)> {
     let sets = InstructionSet::ALL.into_iter().filter(|set| set.is_available());

@@ -6,7 +6,7 @@ use super::case::{Parity, Rounding};
 use super::measure::{Bound, Measure, Output, Values};
 use super::runner::{Canary, KernelRunner};
 
-/// The bound of what must be equal.
+/// The bound for elements that must be equal.
 const EQUAL: Bound = Bound { scale: 0.0, floor: 0.0 };
 
 /// Runs all sets and compares them with [`Parity::exact`].
@@ -35,7 +35,7 @@ fn add<P: Parity>(measure: &mut Measure, name: &str, set: &P, output: &Output, r
     let written = (0..found.len())
         .filter(|&index| exact[index].is_some() || !is_canary(found[index], is_float))
         .count();
-    // what the equations say nothing of is as it was found, but nothing is written where there is no output
+    // an element without a value in the equations is not checked, but padding must stay unwritten
     let expected = (0..found.len()).map(|index| match exact[index] {
         Some(exact) => exact,
         None if is_float && bound(output, index) == EQUAL && !is_canary(found[index], true) => {
@@ -52,7 +52,7 @@ fn add<P: Parity>(measure: &mut Measure, name: &str, set: &P, output: &Output, r
     *share = [share[0] + compared, share[1] + written];
 }
 
-/// Whether a kernel has not written an element; an output that adds two rows has two canaries.
+/// Whether a kernel has not written an element. An output that is the sum of two rows has two canaries.
 fn is_canary(found: f64, is_float: bool) -> bool {
     let [float, integer] = [f64::from(f32::CANARY), f64::from(u32::CANARY)];
     if is_float { found == float || found == 2.0 * float } else { found == integer }

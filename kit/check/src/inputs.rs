@@ -1,19 +1,19 @@
-//! Inputs for kernels, the same on every machine: random ones, and ones that break careless code.
+//! Inputs for kernels, the same on every machine: random numbers, and numbers that break careless code.
 
 use organza_kernel::math::TINY;
 
 /// Numbers of items around the size of a workgroup.
 pub const SIZES: [u32; 9] = [0, 1, 63, 64, 65, 127, 128, 129, 1000];
 
-/// Items of an adversarial set: two workgroups and one item.
+/// Number of items in an adversarial set: two workgroups and one more item.
 pub const ITEMS: u32 = 129;
 
-/// Random numbers (splitmix64), the same for the same seed.
+/// Random numbers (splitmix64). The same seed gives the same numbers.
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 
 impl Random {
-    /// Numbers of a seed.
+    /// Starts the sequence of a seed.
     #[must_use]
     pub fn new(seed: u64) -> Self {
         Self(seed)
@@ -27,45 +27,45 @@ impl Random {
         ((mixed ^ (mixed >> 31)) >> 32) as u32
     }
 
-    /// A number of `low..high`.
+    /// A number in `low..high`.
     pub fn between(&mut self, low: f32, high: f32) -> f32 {
         low + (high - low) * (self.bits() >> 8) as f32 / (1 << 24) as f32
     }
 
-    /// An integer below `end`; 0 where `end` is 0.
+    /// An integer below `end`; 0 if `end` is 0.
     pub fn below(&mut self, end: u32) -> u32 {
         self.bits() % end.max(1)
     }
 
-    /// `len` numbers of `low..high`.
+    /// `len` numbers in `low..high`.
     pub fn values(&mut self, len: usize, low: f32, high: f32) -> Vec<f32> {
         (0..len).map(|_| self.between(low, high)).collect()
     }
 }
 
-/// What an array is filled with.
+/// The content of an array.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fill {
-    /// Numbers of the kernel's usual range.
+    /// Numbers in the kernel's usual range.
     Random,
-    /// 0
+    /// 0.
     Zero,
-    /// -0
+    /// -0.
     NegativeZero,
     /// Numbers that a GPU may flush to zero.
     Denormal,
-    /// The largest numbers that the kernel takes, of both signs.
+    /// The largest numbers that the kernel accepts, of both signs.
     Huge,
     /// All of these, mixed.
     Mixed,
 }
 
 impl Fill {
-    /// All but the random one.
+    /// All fillings but the random one.
     pub const ADVERSARIAL: [Self; 5] =
         [Self::Zero, Self::NegativeZero, Self::Denormal, Self::Huge, Self::Mixed];
 
-    /// Its name in reports.
+    /// Name in reports.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -78,7 +78,7 @@ impl Fill {
         }
     }
 
-    /// `len` such numbers; `usual` is the range of random ones, `huge` the size of huge ones.
+    /// `len` numbers of this kind. `usual` is the range of random ones, `huge` the size of huge ones.
     pub fn values(
         self,
         random: &mut Random,
@@ -109,7 +109,7 @@ impl Fill {
     }
 }
 
-/// A random set of every size, and an adversarial one of every filling.
+/// A random set of every size, and an adversarial set of every filling.
 pub fn sets<T>(make: impl Fn(u32, Fill, &mut Random) -> T) -> Vec<(String, T)> {
     let sized = SIZES.map(|size| (size, Fill::Random));
     let filled = Fill::ADVERSARIAL.map(|fill| (ITEMS, fill));

@@ -2,7 +2,7 @@
 //!
 //! # How devices are compared
 //!
-//! A kernel's case has its inputs, its equation in f64, and how far a device may be off. It implements [`Parity`]:
+//! A kernel's case has its inputs, its equation in f64, and the error allowed on a device. It implements [`Parity`]:
 //!
 //! ```
 //! use organza_check::{KernelRunner, Output, Parity, Result, inputs};
@@ -50,7 +50,7 @@
 //! # }
 //! ```
 //!
-//! One test then runs all cases on every device of this machine, each beside the CPU and beside its equation:
+//! A test then runs all cases on every device of this machine, and compares each with the CPU and with its equation:
 //!
 //! ```ignore
 //! #[test]
@@ -59,12 +59,12 @@
 //! }
 //! ```
 //!
-//! Outputs start as canaries: a write in a wrong place, or a read of what was never written, is a difference. [`Report`] has the
-//! largest differences, for a table.
+//! Outputs start as canaries. So a write to a wrong place, or a read of an unwritten element, shows as a difference.
+//! [`Report`] has the largest differences, for a table.
 //!
 //! # Snapshots
 //!
-//! [`snapshots`] keeps what a program computes, and shows a change as a picture. It needs the feature `snapshots`.
+//! [`snapshots`] stores the results of a program, and shows a change as a picture. It needs the feature `snapshots`.
 
 mod assert;
 pub mod case;
@@ -80,7 +80,7 @@ pub mod snapshot;
 
 pub use assert::assert_parity;
 pub use case::{Case, Parity, Rounding, missing};
-// what cases return
+// the result type of cases
 pub use organza_device::Result;
 
 pub use measure::{Bound, Measure, Output, Values, Worst};

@@ -1,4 +1,4 @@
-//! Measures how far a device's outputs are from the CPU's.
+//! Measures the differences between a device's outputs and the CPU's.
 
 use std::collections::BTreeMap;
 
@@ -8,18 +8,18 @@ use serde::Serialize;
 /// One output of a kernel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Output {
-    /// Its name: mostly the binding's.
+    /// Name, usually that of the binding.
     pub name: &'static str,
-    /// What it holds.
+    /// Values of the output.
     pub values: Values,
 }
 
-/// What an output holds.
+/// Values of an output.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Values {
-    /// Numbers that may differ by rounding; f64 holds every f32, and sums of two.
+    /// Numbers that may differ by rounding. f64 represents every f32 exactly, and sums of two.
     Float(Vec<f64>),
-    /// Numbers that must be equal to the bit.
+    /// Numbers that must have equal bits.
     Exact(Vec<u32>),
 }
 
@@ -29,13 +29,13 @@ impl Output {
         Self { name, values: Values::Float(values.into_iter().map(f64::from).collect()) }
     }
 
-    /// An output that must be equal to the bit.
+    /// An output that must have equal bits.
     #[must_use]
     pub fn exact(name: &'static str, values: Vec<u32>) -> Self {
         Self { name, values: Values::Exact(values) }
     }
 
-    /// The numbers of an output that may differ by rounding; none otherwise.
+    /// The numbers of an output that may differ by rounding; empty for other outputs.
     #[must_use]
     pub fn floats(&self) -> &[f64] {
         match &self.values {
@@ -44,7 +44,7 @@ impl Output {
         }
     }
 
-    /// Its values as numbers.
+    /// The values as f64.
     #[must_use]
     pub fn to_f64(&self) -> Vec<f64> {
         match &self.values {
@@ -54,66 +54,67 @@ impl Output {
     }
 }
 
-/// How far an element may be off: `tolerance * scale + floor`.
+/// The error allowed for an element: `tolerance * scale + floor`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bound {
-    /// What the kernel's tolerance is multiplied by.
+    /// Factor of the kernel's tolerance.
     pub scale: f64,
-    /// What is allowed besides, such as a denormal that a GPU flushes to zero.
+    /// An additional allowance, for example for a denormal that a GPU flushes to zero.
     pub floor: f64,
 }
 
 impl Bound {
-    /// Relative to `scale`; denormals may be flushed.
+    /// A bound relative to `scale`. Denormals may be flushed to zero.
     #[must_use]
     pub fn of(scale: f64) -> Self {
         Self { scale, floor: f64::from(TINY) }
     }
 }
 
-/// The largest of one kind of difference, and where it is.
+/// The largest difference of one kind, and its place.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Worst {
-    /// How much.
+    /// The difference.
     pub value: f64,
-    /// The set of inputs.
+    /// Name of the set of inputs.
     pub set: String,
-    /// The output.
+    /// Name of the output.
     pub output: &'static str,
-    /// The element.
+    /// Index of the element.
     pub index: usize,
-    /// What the CPU has there.
+    /// The CPU's value.
     pub cpu: f64,
-    /// What the device has there.
+    /// The device's value.
     pub found: f64,
 }
 
 /// The largest differences of a kernel on a device.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Measure {
-    /// Largest absolute difference, if the scale is below 1e9: next to 1e30 it means nothing.
+    /// Largest absolute difference, among elements with a scale below 1e9: next to 1e30 it means nothing.
     pub absolute: Worst,
-    /// Largest difference relative to the CPU's value; flushed denormals do not count, and what a cancellation has
-    /// left (less than a thousandth of the scale) does not.
+    /// Largest difference relative to the CPU's value. Flushed denormals are left out, and so are results of a
+    /// cancellation: less than a thousandth of the scale.
     pub relative: Worst,
-    /// Largest difference in units in the last place (ulp) of the CPU's value, as an f32; likewise.
+    /// Largest difference in units in the last place (ulp) of the CPU's value as an f32. The same values are left
+    /// out.
     pub ulp: Worst,
-    /// Largest difference as a part of what is allowed: above 1 it is a failure.
+    /// Largest difference as a fraction of the allowed error: above 1 it is a failure.
     pub share: Worst,
-    /// Values compared.
+    /// Number of compared values.
     pub values: usize,
-    /// Values that are further off than allowed.
+    /// Number of values that exceed the allowed error.
     pub failures: usize,
-    /// Of each output that is held to the equations: elements that they speak of, and those that the kernel has
-    /// written.
+    /// For each output that is compared with the equations: the number of elements with a value in the equations, and
+    /// the number that the kernel has written.
     #[serde(skip)]
     pub compared: BTreeMap<&'static str, [usize; 2]>,
 }
 
 impl Measure {
-    /// Compares one output; `bound` is asked for each of its elements.
+    /// Compares one output. `bound` gives the allowed error of each element.
     ///
-    /// NaN is never equal to anything: no kernel's contract has one.
+    /// NaN never equals anything: no kernel may produce one.
     pub fn add(
         &mut self,
         set: &str,
@@ -127,7 +128,7 @@ impl Measure {
         assert_eq!(expected.len(), actual.len(), "lengths of `{}` differ", cpu.name);
         self.values += expected.len();
         for (index, (&cpu_value, &value)) in expected.iter().zip(&actual).enumerate() {
-            // equal infinities too
+            // equal infinities, too
             if cpu_value == value {
                 continue;
             }
@@ -157,7 +158,7 @@ impl Measure {
         }
     }
 
-    /// Whether everything is within what is allowed.
+    /// Whether all values are within the allowed error.
     #[must_use]
     pub fn is_ok(&self) -> bool {
         self.failures == 0
@@ -174,7 +175,7 @@ fn raise(largest: &mut Worst, value: f64, worst: impl Fn(f64) -> Worst) {
     }
 }
 
-/// The distance of the f32 numbers around a value.
+/// The distance between neighboring f32 numbers at a value.
 fn spacing(value: f64) -> f64 {
     let size = value.abs().clamp(f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX)) as f32;
     f64::from(f32::from_bits(size.to_bits() & 0x7f80_0000)) * f64::from(f32::EPSILON)

@@ -6,29 +6,29 @@ use super::case::{Case, Rounding};
 use super::measure::Measure;
 use organza_device::{AdapterInfo, Device, DeviceOptions, Modules, Result, SpirvPath};
 
-/// What the cases have found on a device.
+/// The results of the cases on a device.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
     /// The adapter's name, or `cpu`.
     pub adapter: String,
-    /// Its driver.
+    /// The adapter's driver.
     pub driver: String,
-    /// How the kernels reach it.
+    /// The way in which kernels reach the device.
     pub path: &'static str,
     /// A row for each entry point that the device can run.
     pub kernels: Vec<Row>,
 }
 
-/// What a kernel's case has found.
+/// The result of a kernel's case.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
     /// The entry point that ran: the kernel's name, or that of its variant.
     pub kernel: &'static str,
-    /// The tolerance, in units of each output's scale; 0 where all outputs are integers.
+    /// The tolerance, in units of each output's scale; 0 if all outputs are integers.
     pub tolerance: f64,
-    /// Where it comes from.
+    /// The reason for the tolerance.
     pub why: &'static str,
-    /// Whether all is within it.
+    /// Whether all values are within the tolerance.
     pub ok: bool,
     /// The largest differences.
     #[serde(flatten)]
@@ -36,10 +36,10 @@ pub struct Row {
 }
 
 impl Report {
-    /// Runs cases on a GPU and on the CPU; calls `done` after each kernel.
+    /// Runs cases on a GPU and on the CPU, and calls `done` after each kernel.
     ///
     /// # Errors
-    /// What a device runs into.
+    /// Any error of a device.
     pub fn of_gpu(
         cases: &[Case],
         modules: &'static Modules,
@@ -64,10 +64,10 @@ impl Report {
         Ok(Self { adapter, driver, path: path.as_str(), kernels })
     }
 
-    /// Runs cases on one thread of the CPU, and on all of them.
+    /// Runs cases on one thread of the CPU, and on all threads.
     ///
     /// # Errors
-    /// What a device runs into.
+    /// Any error of a device.
     pub fn of_cpu(cases: &[Case], cpu: &Device, done: impl FnMut(&'static str)) -> Result<Self> {
         let one = Device::open(&DeviceOptions::cpu(Some(1)), Modules::none())?;
         let kernels = rows(cases, cpu, &[&one], Rounding::AsWritten, done)?;
@@ -82,7 +82,7 @@ impl Report {
     }
 }
 
-/// The cases on each of the devices that runs another entry point than those before it.
+/// Runs the cases on each device whose entry point differs from those of the devices before it.
 fn rows(
     cases: &[Case],
     cpu: &Device,

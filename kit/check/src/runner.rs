@@ -6,7 +6,7 @@ use organza_kernel::kernel::Dispatch;
 
 use organza_device::{Buffer, Device, Error, Host, Result};
 
-/// Elements after every output that no kernel may touch.
+/// Number of elements after every output that no kernel may touch.
 const TAIL: usize = 8;
 
 /// A device with one kernel under test.
@@ -21,8 +21,9 @@ pub struct KernelRunner<'d> {
 pub trait Canary: Pod + PartialEq {
     /// A value that no kernel computes.
     const CANARY: Self;
-    /// Another one. A case fills the outputs of one device with this one, and those of the other device with that: a kernel
-    /// that computes with what it finds in its output then gives two results.
+    /// Another value that no kernel computes. A case fills the outputs of one device with this value, and those of
+    /// the other device with [`Canary::CANARY`]. A kernel that reads its unwritten output then gives two different
+    /// results.
     const OTHER_CANARY: Self;
 }
 
@@ -42,14 +43,14 @@ impl Canary for Vec4 {
 }
 
 impl<'d> KernelRunner<'d> {
-    /// Only the kernel of this name may run.
+    /// A runner for one kernel: only the kernel of this name may run.
     #[must_use]
     pub fn new(device: &'d Device, kernel: &'static str) -> Self {
         Self { device, kernel, has_other_canaries: false }
     }
 
-    /// As [`KernelRunner::new`], with [`Canary::OTHER_CANARY`] in the outputs. [`KernelRunner::read`] gives [`Canary::CANARY`] for
-    /// it.
+    /// Like [`KernelRunner::new`], but with [`Canary::OTHER_CANARY`] in the outputs. [`KernelRunner::read`] returns
+    /// it as [`Canary::CANARY`].
     #[must_use]
     pub fn with_other_canaries(device: &'d Device, kernel: &'static str) -> Self {
         Self { has_other_canaries: true, ..Self::new(device, kernel) }
@@ -59,37 +60,37 @@ impl<'d> KernelRunner<'d> {
         if self.has_other_canaries { T::OTHER_CANARY } else { T::CANARY }
     }
 
-    /// A buffer that holds `values`.
+    /// A buffer that contains `values`.
     ///
     /// # Errors
-    /// As [`Device::upload`].
+    /// The same errors as [`Device::upload`].
     pub fn upload<T: Pod>(&self, values: &[T]) -> Result<Buffer<T>> {
         self.device.upload("parity input", values)
     }
 
-    /// A buffer of `len` elements to write to, and canaries after them. A device that checks it fails where the kernel reads what
-    /// it has not written.
+    /// A buffer of `len` elements for output, followed by canaries. On a device that checks it, a kernel fails if it
+    /// reads an element that it has not written.
     ///
     /// # Errors
-    /// As [`Device::upload`].
+    /// The same errors as [`Device::upload`].
     pub fn output<T: Canary>(&self, len: usize) -> Result<Buffer<T>> {
         let buffer = self.output_of(&vec![self.canary::<T>(); len])?;
         self.device.forget(&buffer);
         Ok(buffer)
     }
 
-    /// A buffer of `values` that the kernel writes to, and canaries after them.
+    /// A buffer of `values` that the kernel may write to, followed by canaries.
     ///
     /// # Errors
-    /// As [`Device::upload`].
+    /// The same errors as [`Device::upload`].
     pub fn output_of<T: Canary>(&self, values: &[T]) -> Result<Buffer<T>> {
         self.upload(&[values, &[self.canary::<T>(); TAIL]].concat())
     }
 
-    /// What an output holds, canaries included.
+    /// Reads an output. Unwritten elements are canaries.
     ///
     /// # Errors
-    /// As [`Device::read`], or if the kernel has written after the output.
+    /// The same errors as [`Device::read`], or an error if the kernel has written after the output's end.
     pub fn read<T: Canary>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
         let mut values = self.device.read(buffer)?;
         let canary = self.canary::<T>();
@@ -97,17 +98,17 @@ impl<'d> KernelRunner<'d> {
             let reason = "it writes behind its output".into();
             return Err(Error::Kernel { kernel: self.kernel.into(), reason });
         }
-        // what was not written is the same on all devices
+        // unwritten elements must be the same on all devices
         for value in values.iter_mut().filter(|value| **value == canary) {
             *value = T::CANARY;
         }
         Ok(values)
     }
 
-    /// What an output holds, without the canaries behind it. The kernel must have written all of it.
+    /// Reads an output that the kernel must have written entirely.
     ///
     /// # Errors
-    /// As [`KernelRunner::read`], or if an element still holds its canary.
+    /// The same errors as [`KernelRunner::read`], or an error if an element still is a canary.
     pub fn read_all<T: Canary>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
         let mut values = self.read(buffer)?;
         values.truncate(values.len() - TAIL);
@@ -120,11 +121,11 @@ impl<'d> KernelRunner<'d> {
         }
     }
 
-    /// Runs the kernel with at least `items` invocations, and always with a workgroup: an empty input must be
-    /// left by the kernel's own test.
+    /// Runs the kernel with at least `items` invocations, and with at least one workgroup. The kernel itself must
+    /// test for an empty input.
     ///
     /// # Errors
-    /// As [`Device::run`].
+    /// The same errors as [`Device::run`].
     pub fn items<'a>(
         &self,
         kernel: &impl Dispatch<'a, Host>,
@@ -135,10 +136,10 @@ impl<'d> KernelRunner<'d> {
         self.device.run(kernel, items.max(1), workgroups_z.max(1))
     }
 
-    /// Runs the kernel over pixels: `side` x `side`, tiles along z.
+    /// Runs the kernel over the pixels of tiles: `side` x `side` invocations, with tiles along z.
     ///
     /// # Errors
-    /// As [`Device::dispatch`].
+    /// The same errors as [`Device::dispatch`].
     pub fn pixels<'a>(
         &self,
         kernel: &impl Dispatch<'a, Host>,

@@ -1,4 +1,4 @@
-//! Reports what was not tested.
+//! Reports tests that did not run.
 
 use std::collections::BTreeSet;
 use std::io::Write;
@@ -6,12 +6,12 @@ use std::sync::Mutex;
 
 static SAID: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
 
-/// Says, once, that something is left out, and why.
+/// Reports, once, that something is not tested, and why.
 ///
-/// It goes past the test harness, which shows nothing of what tests print that pass.
+/// The message bypasses the test harness, which hides the output of tests that pass.
 ///
 /// # Panics
-/// Where standard error is closed.
+/// If standard error is closed.
 pub fn skip(what: &str, reason: &str) {
     let line = format!("skipped {what}: {reason}");
     let mut said = SAID.lock().expect("no test panics there");

@@ -1,4 +1,4 @@
-//! Typed buffers of either backend.
+//! Typed buffers for both backends.
 
 use std::marker::PhantomData;
 use std::sync::Arc;
@@ -9,7 +9,7 @@ use organza_kernel::kernel::Storage;
 use crate::count::Count;
 use crate::cpu_memory::CpuMemory;
 
-/// The host's storage: its buffers live on a [`Device`](crate::Device).
+/// Marks the host's side of kernels: buffers are those of a [`Device`](crate::Device).
 #[derive(Debug)]
 pub enum Host {}
 
@@ -20,12 +20,12 @@ pub struct Buffer<T> {
     element: PhantomData<T>,
 }
 
-/// A buffer whose element type is forgotten.
+/// A buffer without its element type.
 #[derive(Clone, Debug)]
 pub struct RawBuffer {
     pub(super) memory: Memory,
     pub(super) label: &'static str,
-    /// Where it begins in the memory.
+    /// Offset in the memory, in bytes.
     pub(super) begin: u64,
     pub(super) bytes: u64,
 }
@@ -37,7 +37,7 @@ pub const TAIL_ALIGNMENT: usize = 256;
 pub(super) enum Memory {
     Cpu(Arc<CpuMemory>),
     Gpu(wgpu::Buffer),
-    /// The number of a buffer of a [plan](crate::plan).
+    /// The number of a buffer in a [plan](crate::plan).
     Planned(u32),
 }
 
@@ -54,10 +54,10 @@ impl<T: Pod> Buffer<T> {
         &mut self.raw
     }
 
-    /// The same memory as values of another type: what is written through one is read through the other.
+    /// The same memory with another element type. A write through one is visible through the other.
     ///
     /// # Panics
-    /// Where the memory does not hold a whole number of them.
+    /// If the memory does not hold a whole number of elements.
     #[must_use]
     pub fn view<U: Pod>(&self) -> Buffer<U> {
         let (label, bytes) = (self.raw.label, self.raw.bytes);
@@ -68,10 +68,10 @@ impl<T: Pod> Buffer<T> {
         Buffer::new(self.raw.clone())
     }
 
-    /// The same memory from an element on.
+    /// The same memory, starting at the element `first`.
     ///
     /// # Panics
-    /// Past the end, or where the element is not at a multiple of 256 bytes.
+    /// If `first` is past the end, or not at a multiple of 256 bytes.
     #[must_use]
     pub fn tail(&self, first: usize) -> Self {
         let skipped = first * size_of::<T>();
@@ -90,13 +90,13 @@ impl<T: Pod> Buffer<T> {
         self.raw.bytes as usize / size_of::<T>()
     }
 
-    /// Whether it holds nothing.
+    /// Whether it has no values.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.raw.bytes == 0
     }
 
-    /// Its number in a [`Plan`](crate::Plan); nothing on a device that runs kernels.
+    /// Number in a [`Plan`](crate::Plan); `None` on a device that runs kernels.
     #[must_use]
     pub fn planned(&self) -> Option<u32> {
         match self.raw.memory {

@@ -1,4 +1,4 @@
-//! A number of items that the host knows, or that only the device knows.
+//! Numbers of items that either the host knows, or only the device.
 
 use std::sync::Arc;
 
@@ -14,35 +14,35 @@ pub struct Count {
     total: Option<Total>,
 }
 
-/// The total that a number on the device is a piece of.
+/// The total of which a number on the device is a part.
 #[derive(Clone, Debug)]
 pub(super) struct Total {
-    /// As [`organza_kernel::count`] has it.
+    /// The buffer of counts: see [`organza_kernel::count`].
     pub counts: Arc<Buffer<u32>>,
     pub place: u32,
-    /// Items before this piece.
+    /// Number of items before this piece.
     pub first: u32,
 }
 
 impl Count {
-    /// A number that is known.
+    /// A number that the host knows.
     #[must_use]
     pub fn known(number: u32) -> Self {
         Self { at_most: number, total: None }
     }
 
-    /// The number at the index `place` of `counts`, for tables with room for `at_most`.
+    /// The number at index `place` of `counts`. Tables have room for `at_most` items.
     pub fn on_device(counts: &Arc<Buffer<u32>>, place: u32, at_most: u32) -> Self {
         Self { at_most, total: Some(Total { counts: counts.clone(), place, first: 0 }) }
     }
 
-    /// The number that tables and dispatches are sized for.
+    /// The number that determines the size of tables and dispatches.
     #[must_use]
     pub fn at_most(&self) -> u32 {
         self.at_most
     }
 
-    /// How many items there are from `first` on, at most `most`.
+    /// The number of items from `first` on, at most `most`.
     #[must_use]
     pub fn piece(&self, first: u32, most: u32) -> Self {
         let at_most = count::piece(self.at_most, first, most);
@@ -50,7 +50,7 @@ impl Count {
         Self { at_most, total: self.total.as_ref().map(further) }
     }
 
-    /// Whether the host knows it.
+    /// Whether the host knows the number.
     #[must_use]
     pub fn is_known(&self) -> bool {
         self.total.is_none()
@@ -60,7 +60,7 @@ impl Count {
         self.total.as_ref()
     }
 
-    /// The number, where the CPU is the device.
+    /// The number, on the CPU backend.
     pub(super) fn on_cpu(&self) -> u32 {
         let Some(total) = &self.total else { return self.at_most };
         let Memory::Cpu(memory) = &total.counts.raw().memory else {

@@ -22,11 +22,11 @@ use crate::written::Written;
 use crate::{memory, supervise};
 
 thread_local! {
-    /// Threads that have work of their own, this one among them; 0 where a dispatch is everyone's.
+    /// Number of threads that work independently, including this one; 0 if a dispatch uses all threads.
     static SINGLE_THREAD: Cell<u32> = const { Cell::new(0) };
 }
 
-/// While it lives, the thread's dispatches are its own.
+/// While this value lives, the thread runs its dispatches alone.
 struct SingleThread;
 
 impl SingleThread {
@@ -42,13 +42,13 @@ impl Drop for SingleThread {
     }
 }
 
-/// Workgroups that a thread runs one after the other: what it takes to hand them over counts less.
+/// Workgroups that a thread runs in sequence, so that the cost of handing them over counts less.
 const AT_ONCE: u64 = 8;
 
-/// A byte of an `f32` that is no number, and of an index that is out of range.
+/// Fills unwritten memory: as an `f32` it is NaN, and as an index it is out of range.
 const NOT_A_NUMBER: u8 = 0xff;
 
-/// The CPU as a device.
+/// The CPU backend.
 #[derive(Debug)]
 pub struct Cpu {
     pool: rayon::ThreadPool,
@@ -63,7 +63,7 @@ pub struct Cpu {
 impl Cpu {
     pub fn new(options: &DeviceOptions) -> Result<Self> {
         let DeviceOptions { threads, check_races, check_nan, instruction_set, .. } = *options;
-        // a monitor sees one invocation at a time
+        // a monitor handles one invocation at a time
         let best = if check_races { InstructionSet::Scalar } else { InstructionSet::best() };
         let instruction_set = instruction_set.unwrap_or(best);
         if !instruction_set.is_available() {
@@ -83,20 +83,20 @@ impl Cpu {
         Ok(Self { pool, check_races, check_nan, variants, instruction_set, pool_memory })
     }
 
-    /// The entry point of a kernel that stands for what runs: its variant only where a test asks for it.
+    /// The entry point that runs. It is the variant only if a test asks for it.
     pub fn entry_point(&self, kernel: &KernelInfo) -> EntryPoint {
         let variant = kernel.variant.filter(|_| self.variants && kernel.run_variant.is_some());
         variant.unwrap_or(kernel.plain())
     }
 
-    /// From now on nothing of these bytes was written, where that is checked.
+    /// Marks bytes as unwritten, if that is checked.
     pub fn forget(&self, memory: &CpuMemory, begin: u64, bytes: u64) {
         if self.check_races {
             memory.forget(begin as usize..(begin + bytes) as usize);
         }
     }
 
-    /// The host has written these bytes.
+    /// Marks bytes as written by the host.
     pub fn wrote(memory: &CpuMemory, begin: u64, bytes: u64) {
         if let Some(written) = memory.written() {
             written.set(begin as usize..(begin + bytes) as usize, true);
@@ -111,7 +111,8 @@ impl Cpu {
         self.pool.current_num_threads()
     }
 
-    /// Memory for a buffer. Without `zeros` it holds anything; in debug builds, what hardly goes unnoticed.
+    /// Allocates memory for a buffer. Without `zeros` it can contain anything. Debug builds fill it with bytes that
+    /// show up.
     pub fn allocate(&self, label: &'static str, bytes: u64, zeros: bool) -> Result<CpuMemory> {
         let (mut memory, is_new) = match self.pool_memory.take(bytes) {
             Some(memory) => (memory, false),
@@ -125,10 +126,10 @@ impl Cpu {
         Ok(memory)
     }
 
-    /// Zeros.
+    /// Allocates zeros.
     fn allocate_new(&self, label: &'static str, bytes: u64) -> Result<CpuMemory> {
         let what = format!("the buffer `{label}`");
-        // unused memory counts too
+        // unused memory counts, too
         memory::check(bytes, &what).or_else(|_| {
             self.pool_memory.clear();
             memory::check(bytes, &what)
@@ -193,7 +194,7 @@ impl Cpu {
         let [x, y, z] = workgroups.map(u64::from);
         let (size, local) = (UVec3::from(workgroups), UVec3::from(info.workgroup_size));
         let place = |index: u64| match info.z_innermost {
-            // z counts fastest
+            // z is the fastest axis
             true => unlinear(index, size.zxy()).yzx(),
             false => unlinear(index, size),
         };
@@ -226,7 +227,7 @@ impl Cpu {
                 })
             })
         };
-        // one thread runs all workgroups of one z
+        // one thread runs all workgroups with the same z
         let (all, at_once) = match info.z_serial {
             true => (z, x * y),
             false => ((x * y * z).div_ceil(AT_ONCE), AT_ONCE),
@@ -249,7 +250,7 @@ impl Cpu {
         result.and_then(|()| self.refuse_nan(info, &bindings, &monitors)).map_err(failed)
     }
 
-    /// Fails where a kernel has written NaN, on a device that looks for it.
+    /// Fails if a kernel has written NaN, on a device that checks this.
     fn refuse_nan(
         &self,
         info: &KernelInfo,
@@ -268,7 +269,7 @@ impl Cpu {
         Ok(())
     }
 
-    /// Runs `work` for every item, on all threads at once. The dispatches of an item run on its thread.
+    /// Runs `work` for every item, on all threads at once. An item's dispatches run on its thread.
     pub fn parallel_for<T: Send, E: Send>(
         &self,
         items: Vec<T>,
@@ -282,12 +283,12 @@ impl Cpu {
         self.pool.install(|| items.into_par_iter().with_max_len(1).try_for_each(alone))
     }
 
-    /// Threads that share the device with this one: more than one for an item of [`Cpu::parallel_for`].
+    /// Number of threads that share the device with this one: more than one in [`Cpu::parallel_for`].
     pub fn concurrent_threads() -> u32 {
         SINGLE_THREAD.get().max(1)
     }
 
-    /// Runs `work` on one of the device's threads: its dispatches need not wake one up.
+    /// Runs `work` on one of the device's threads, so that its dispatches need not wake one.
     pub fn run_in_pool<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
         self.pool.install(work)
     }
@@ -322,7 +323,7 @@ fn bind(
     for (at, (memory, info_of)) in memories.iter().zip(info.bindings).enumerate() {
         for (other, info_of_other) in memories.iter().zip(info.bindings).take(at) {
             let written = [info_of, info_of_other].iter().any(|info| info.access == Access::Write);
-            // GPUs refuse it, too, even where the parts that are bound do not meet
+            // GPUs also refuse it, even if the bound parts do not overlap
             if memory == other && written {
                 let names = (info_of_other.name, info_of.name);
                 return Err(format!(
@@ -335,13 +336,13 @@ fn bind(
     Ok(bindings)
 }
 
-/// Fails where two buffers are bound the wrong way round, which their labels show: each is called as the other's binding.
+/// Fails if two buffers are bound in each other's place: each has the other binding's name as its label.
 fn refuse_swapped(info: &KernelInfo, buffers: &[&RawBuffer]) -> Result<(), String> {
     let bindings = || info.bindings.iter().filter(|info| info.access != Access::Uniform);
     for (at, (info, buffer)) in bindings().zip(buffers).enumerate() {
         for (other, other_buffer) in bindings().zip(buffers).take(at) {
             let are_swapped = buffer.label == other.name && other_buffer.label == info.name;
-            // what one pass writes, the next one reads: there they take turns
+            // in passes that take turns, one's output is the other's input
             if are_swapped && info.access == other.access {
                 let (first, second) = (other.name, info.name);
                 return Err(format!(
@@ -353,7 +354,7 @@ fn refuse_swapped(info: &KernelInfo, buffers: &[&RawBuffer]) -> Result<(), Strin
     Ok(())
 }
 
-/// Sees the accesses to a binding.
+/// Watches the accesses to a binding.
 enum Monitor<'a> {
     Written(Races<'a>),
     Read(Reads<'a>),
@@ -368,7 +369,7 @@ impl Monitor<'_> {
     }
 }
 
-/// A monitor for every binding that is written, or that may hold what nothing has written.
+/// A monitor for every binding that is written, or that may have unwritten elements.
 fn monitors<'a>(
     info: &KernelInfo,
     bindings: &[CpuBinding<'_>],

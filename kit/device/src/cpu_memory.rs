@@ -1,4 +1,4 @@
-//! Memory of the CPU backend. It is reused: a step gets the memory that the step before has freed.
+//! Memory of the CPU backend. It is reused: a step gets the memory that the previous step has freed.
 
 use std::alloc::{self, Layout};
 use std::collections::VecDeque;
@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use crate::written::Written;
 
-/// Largest unused memory that is kept, in bytes.
+/// Most unused memory that is kept, in bytes.
 const SPARE_BYTES: usize = 256 << 20;
 
 /// Aligned memory that kernels write through pointers.
@@ -15,11 +15,11 @@ const SPARE_BYTES: usize = 256 << 20;
 pub struct CpuMemory {
     block: Option<Allocation>,
     pool_memory: MemoryPool,
-    /// What of it was written, if not all of it counts as that.
+    /// The written parts of the memory, if not all counts as written.
     written: OnceLock<Written>,
 }
 
-/// Memory that is not in use; the block that was unused longest is first.
+/// Unused memory. The block that was unused for the longest time is first.
 #[derive(Clone, Debug, Default)]
 pub struct MemoryPool(Arc<Mutex<VecDeque<Allocation>>>);
 
@@ -28,7 +28,7 @@ impl MemoryPool {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Memory of at least this many bytes, if the pool has some. It holds what it held before.
+    /// Takes memory of at least `bytes` bytes from the pool, if there is any. Its old content remains.
     pub fn take(&self, bytes: u64) -> Option<CpuMemory> {
         let layout = layout(bytes)?;
         let block = {
@@ -39,7 +39,7 @@ impl MemoryPool {
         Some(CpuMemory::new(block, self.clone()))
     }
 
-    /// New memory of at least this many bytes, all zeros; `None` if the system has none.
+    /// Allocates memory of at least `bytes` bytes, all zeros; `None` if the system has none.
     pub fn allocate(&self, bytes: u64) -> Option<CpuMemory> {
         let layout = layout(bytes)?;
         // SAFETY: the size is not zero
@@ -47,7 +47,7 @@ impl MemoryPool {
         Some(CpuMemory::new(Allocation { data, layout }, self.clone()))
     }
 
-    /// Gives everything back to the system.
+    /// Returns all memory to the system.
     pub fn clear(&self) {
         self.blocks().clear();
     }
@@ -62,11 +62,11 @@ impl MemoryPool {
     }
 }
 
-/// Sizes of four steps between powers of two, so that batches of about the same size share their memory.
+/// A layout with one of four sizes between powers of two, so that batches of similar size can share memory.
 fn layout(bytes: u64) -> Option<Layout> {
     let bytes = usize::try_from(bytes).ok()?.max(64);
     let step = (bytes.checked_next_power_of_two()? / 8).max(64);
-    // a cache line: enough for every element type, and for SIMD
+    // a cache line, which is enough for every element type and for SIMD
     Layout::from_size_align(bytes.checked_next_multiple_of(step)?, 64).ok()
 }
 
@@ -75,12 +75,12 @@ impl CpuMemory {
         Self { block: Some(block), pool_memory, written: OnceLock::new() }
     }
 
-    /// What of it was written; `None` where everything counts as written.
+    /// The written parts of the memory; `None` if everything counts as written.
     pub fn written(&self) -> Option<&Written> {
         self.written.get()
     }
 
-    /// From now on nothing of these bytes was written.
+    /// Marks bytes as unwritten.
     pub fn forget(&self, bytes: std::ops::Range<usize>) {
         let mut is_new = false;
         let written = self.written.get_or_init(|| {
@@ -97,7 +97,7 @@ impl CpuMemory {
         self.block.as_ref().expect("it has one until it is dropped")
     }
 
-    /// Where it begins.
+    /// Address of the first byte.
     pub fn data(&self) -> *mut u8 {
         self.block().data.as_ptr()
     }
@@ -123,7 +123,7 @@ impl Drop for CpuMemory {
     }
 }
 
-/// Memory of the system.
+/// Memory from the system.
 #[derive(Debug)]
 struct Allocation {
     data: NonNull<u8>,

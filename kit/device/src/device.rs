@@ -1,4 +1,4 @@
-//! A device: buffers and dispatches, whatever the backend.
+//! A device: buffers and dispatches, for every backend.
 
 use std::borrow::Cow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -17,7 +17,7 @@ use crate::open::{self, DeviceOptions};
 use crate::timings::{KernelTime, Timings};
 use crate::{cpu, gpu, plan};
 
-/// Where kernels run.
+/// A device that runs kernels.
 ///
 /// ```
 /// use organza_device::{Device, DeviceOptions, Modules};
@@ -33,10 +33,10 @@ pub struct Device {
     choice: String,
     /// Whether dispatches are timed on a GPU, and their work is counted.
     times: AtomicBool,
-    /// Whether a GPU's dispatches must be waited for to be timed.
+    /// Whether the host must wait for a GPU's dispatches to time them.
     waits: AtomicBool,
     timings: Timings,
-    /// Buffers until memory is refused; 0 where it is not.
+    /// Number of buffers until an allocation fails; 0 if none should fail.
     pub(crate) refused: AtomicU64,
     /// See [`DeviceOptions::extra_workgroup`].
     extra_workgroup: bool,
@@ -60,21 +60,21 @@ impl Device {
         Self { extra_workgroup, ..self }
     }
 
-    /// Opens the device that `options` ask for; `modules` are the compiled kernels that a GPU runs.
+    /// Opens the device that `options` describe. `modules` are the compiled kernels for a GPU.
     ///
     /// # Errors
-    /// [`Error::NoGpu`](crate::Error::NoGpu) where a GPU was demanded and none can be used.
+    /// [`Error::NoGpu`](crate::Error::NoGpu) if a GPU was demanded and none can be used.
     pub fn open(options: &DeviceOptions, modules: &'static Modules) -> Result<Self> {
         open::open(options, modules)
     }
 
-    /// Which device it is, and why it was taken.
+    /// Description of the device, and the reason for its choice.
     #[must_use]
     pub fn choice(&self) -> &str {
         &self.choice
     }
 
-    /// `cpu`, `gpu` or `planner`.
+    /// Name of the backend: `cpu`, `gpu` or `planner`.
     #[must_use]
     pub fn backend(&self) -> &'static str {
         match self.kind {
@@ -84,7 +84,7 @@ impl Device {
         }
     }
 
-    /// Whether this is a software device, or the CPU: small chunks that stay in its caches suit it.
+    /// Whether this is the CPU or a software device. Small chunks that stay in its caches are then best.
     pub fn is_cpu_like(&self) -> bool {
         match &self.kind {
             Kind::Cpu(_) => true,
@@ -93,8 +93,8 @@ impl Device {
         }
     }
 
-    /// What results depend on, to the bit: the instruction set of a CPU, or a GPU with its driver and how it gets its
-    /// kernels. Two devices of which this is the same compute the same.
+    /// Everything that the bits of results depend on: the instruction set of a CPU, or a GPU with its driver and its
+    /// path for kernels. Two devices with the same text compute the same bits.
     #[must_use]
     pub fn arithmetic(&self) -> String {
         match &self.kind {
@@ -106,7 +106,7 @@ impl Device {
         }
     }
 
-    /// Which of a kernel's entry points it runs: on the CPU, they stand for the function.
+    /// The entry point that runs for a kernel. On the CPU, it stands for the function.
     #[must_use]
     pub fn entry_point(&self, kernel: &KernelInfo) -> EntryPoint {
         match &self.kind {
@@ -126,11 +126,11 @@ impl Device {
         }
     }
 
-    /// Runs a kernel over `workgroups`; on the GPU it is queued.  None of the sizes may pass 65,535.
+    /// Runs a kernel over `workgroups`; on a GPU it is queued. No size may exceed 65,535.
     ///
     /// # Errors
-    /// [`Error::Kernel`](crate::Error::Kernel) where the kernel fails,
-    /// [`Error::StaleKernels`](crate::Error::StaleKernels) where its SPIR-V is not there.
+    /// [`Error::Kernel`](crate::Error::Kernel) if the kernel fails;
+    /// [`Error::StaleKernels`](crate::Error::StaleKernels) if its SPIR-V is missing.
     pub fn dispatch<'a>(
         &self,
         kernel: &impl Dispatch<'a, Host>,
@@ -153,7 +153,7 @@ impl Device {
             Kind::Cpu(cpu) => {
                 let start = Instant::now();
                 let result = cpu.dispatch(info, uniform, &buffers, workgroups);
-                // of the device's time
+                // the device's time
                 self.timings.add(
                     info.name,
                     start.elapsed() / cpu::Cpu::concurrent_threads(),
@@ -162,7 +162,7 @@ impl Device {
                 result
             }
             Kind::Gpu(gpu) if times && self.waits.load(Ordering::Relaxed) => {
-                // what was queued before is not this kernel's time
+                // earlier dispatches must not count as this kernel's time
                 gpu.wait()?;
                 let start = Instant::now();
                 gpu.dispatch(info, uniform, counts, &buffers, workgroups)?;
@@ -173,7 +173,7 @@ impl Device {
             Kind::Gpu(gpu) => {
                 gpu.dispatch(info, uniform, counts, &buffers, workgroups)?;
                 if times {
-                    // what it takes is known later
+                    // its time is known later
                     self.timings.add(info.name, Duration::ZERO, work());
                 }
                 Ok(())
@@ -185,7 +185,7 @@ impl Device {
         }
     }
 
-    /// A kernel's parameters with the numbers that kernels have written on the CPU; a GPU fills in its own.
+    /// A kernel's parameters with the numbers that kernels have written on the CPU. A GPU fills in its own.
     fn fill_in<'u>(&self, uniform: &'u [u8], counts: &[(usize, &Count)]) -> Cow<'u, [u8]> {
         let is_known = counts.iter().all(|(_, count)| count.is_known());
         if is_known || !matches!(self.kind, Kind::Cpu(_)) {
@@ -198,7 +198,7 @@ impl Device {
         Cow::Owned(filled)
     }
 
-    /// Says that what was dispatched before has written all [`Count`]s that are used from here on.
+    /// Declares that earlier dispatches have written all [`Count`]s that are used from here on.
     pub fn publish_counts(&self) {
         match &self.kind {
             Kind::Cpu(_) => {}
@@ -207,13 +207,13 @@ impl Device {
         }
     }
 
-    /// Whether numbers are better left on the device than read: on a GPU reading waits.  Where dispatches are timed, their
-    /// work is counted by those numbers.
+    /// Whether numbers should stay on the device: on a GPU, reading them means waiting. If dispatches are timed, they
+    /// are read, because their work is counted with them.
     pub fn leaves_counts_on_device(&self) -> bool {
         !matches!(self.kind, Kind::Cpu(_)) && !self.times.load(Ordering::Relaxed)
     }
 
-    /// Runs `work`, which dispatches many kernels. On a CPU it runs in the thread pool of the kernels, which is cheaper.
+    /// Runs `work`, which dispatches many kernels. On a CPU it runs in the kernels' thread pool, which is cheaper.
     pub fn run_in_pool<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
         match &self.kind {
             Kind::Cpu(cpu) => cpu.run_in_pool(work),
@@ -221,11 +221,11 @@ impl Device {
         }
     }
 
-    /// Does `work` for every item. On a CPU it takes one item per thread at a time, so that the data of an item stays in its
+    /// Runs `work` for every item. On a CPU each thread takes one item at a time, so the data of an item stays in its
     /// core's caches. Items must not write to the same memory.
     ///
     /// # Errors
-    /// What `work` runs into first.
+    /// The first error of `work`.
     pub fn parallel_for<T: Send, E: Send>(
         &self,
         items: impl Iterator<Item = T>,
@@ -237,10 +237,10 @@ impl Device {
         }
     }
 
-    /// As [`Device::parallel_for`], with scratch memory from `scratches`; `new` makes more of it.
+    /// Like [`Device::parallel_for`], but with scratch memory from `scratches`. `new` makes more of it.
     ///
     /// # Errors
-    /// What `new` or `work` runs into first.
+    /// The first error of `new` or `work`.
     pub fn parallel_for_with<T: Send, S: Send, E: Send>(
         &self,
         items: impl Iterator<Item = T>,
@@ -258,7 +258,7 @@ impl Device {
         })
     }
 
-    /// Threads of a CPU; 1 for a GPU.
+    /// Number of threads of a CPU; 1 for a GPU.
     pub fn threads(&self) -> usize {
         match &self.kind {
             Kind::Cpu(cpu) => cpu.threads(),
@@ -266,12 +266,13 @@ impl Device {
         }
     }
 
-    /// Whether a dispatch gets a workgroup more than its items need. Workgroups of one invocation always fit.
+    /// Whether a dispatch gets one workgroup more than its items need. Workgroups of one invocation have no excess,
+    /// so they do not.
     fn has_extra_workgroup(&self, info: &KernelInfo) -> bool {
         self.extra_workgroup && info.workgroup_size != [1; 3]
     }
 
-    /// Workgroups along x and y for this many items.
+    /// Number of workgroups along x and y for `items` items.
     fn workgroups_for(&self, info: &KernelInfo, items: u32) -> [u32; 2] {
         let invocations = match self.kind {
             Kind::Cpu(_) => items,
@@ -283,11 +284,11 @@ impl Device {
         }
     }
 
-    /// Runs a kernel over at least `items` items along x and y, one for each invocation or as many as it takes, and `workgroups_z`
-    /// workgroups along z.
+    /// Runs a kernel over at least `items` items along x and y, and `workgroups_z` workgroups along z. An invocation
+    /// handles one item, or as many as the kernel declares.
     ///
     /// # Errors
-    /// As [`Device::dispatch`].
+    /// The same errors as [`Device::dispatch`].
     pub fn run<'a>(
         &self,
         kernel: &impl Dispatch<'a, Host>,
@@ -301,16 +302,16 @@ impl Device {
     /// Runs a kernel with at least `size` invocations along x and y, and `size[2]` workgroups along z.
     ///
     /// # Errors
-    /// As [`Device::dispatch`].
+    /// The same errors as [`Device::dispatch`].
     pub fn run_over<'a>(&self, kernel: &impl Dispatch<'a, Host>, size: [u32; 3]) -> Result<()> {
         let [x, y, _] = kernel.info().workgroup_size;
         let extra = u32::from(self.has_extra_workgroup(kernel.info()) && !size.contains(&0));
         self.dispatch(kernel, [size[0].div_ceil(x) + extra, size[1].div_ceil(y) + extra, size[2]])
     }
 
-    /// From now on, whether a GPU's dispatches are timed and every device's [`Work`] is counted; the CPU's times are always
-    /// there.  A GPU writes timestamps, so that nothing waits; where it has none, each dispatch is waited for: its time
-    /// has the way to the device and back, and the whole takes longer.
+    /// Turns timing on or off: of a GPU's dispatches, and the counting of every device's [`Work`]. The CPU's times
+    /// are always measured. A GPU writes timestamps, so nothing waits. On a GPU without timestamps, the host waits
+    /// for each dispatch: a time then includes the way to the device and back, and everything takes longer.
     pub fn time_dispatches(&self, times: bool) {
         if let Kind::Gpu(gpu) = &self.kind {
             let has_timestamps = gpu.time_dispatches(times);
@@ -319,8 +320,8 @@ impl Device {
         self.times.store(times, Ordering::Relaxed);
     }
 
-    /// What the kernels have taken since the last call, by name.  Waits for what was timed on a GPU; there is nothing unless
-    /// [asked for](Device::time_dispatches), nor of a device that was lost.
+    /// Returns the times of kernels since the last call, by name. Waits for timed dispatches of a GPU. The list is
+    /// empty if timing was not [turned on](Device::time_dispatches), or if the device is lost.
     #[must_use]
     pub fn take_timings(&self) -> Vec<KernelTime> {
         if let Kind::Gpu(gpu) = &self.kind {
@@ -331,7 +332,7 @@ impl Device {
         self.timings.take()
     }
 
-    /// How often the host has waited for what it read from a GPU; 0 on a CPU.
+    /// Number of times that the host has waited to read from a GPU; 0 on a CPU.
     #[doc(hidden)]
     #[must_use]
     pub fn waits(&self) -> u64 {
@@ -341,7 +342,7 @@ impl Device {
         }
     }
 
-    /// Makes the device fail as a lost one does: for tests of what happens then.
+    /// Makes the device fail like a lost one, for tests.
     #[doc(hidden)]
     pub fn lose(&self) {
         if let Kind::Gpu(gpu) = &self.kind {
@@ -350,7 +351,7 @@ impl Device {
     }
 }
 
-/// Elements of each buffer, in the order of the bindings.
+/// Number of elements of each buffer, in the order of the bindings.
 fn elements(info: &KernelInfo, buffers: &[&RawBuffer]) -> Vec<u64> {
     let bindings = info.bindings.iter().filter(|binding| binding.access != Access::Uniform);
     let count = |(binding, buffer): (&BindingInfo, &&RawBuffer)| {
@@ -359,7 +360,7 @@ fn elements(info: &KernelInfo, buffers: &[&RawBuffer]) -> Vec<u64> {
     bindings.zip(buffers).map(count).collect()
 }
 
-/// Workgroups along x and y that hold `items` invocations; an axis ends at 65,535.
+/// Number of workgroups along x and y with at least `items` invocations in all. No axis exceeds 65,535.
 fn workgroups_for(info: &KernelInfo, items: u32) -> [u32; 2] {
     const MAX: u32 = 65_535;
     let groups = items.div_ceil(info.workgroup_size[0]);

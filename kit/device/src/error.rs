@@ -9,28 +9,28 @@ pub type Result<T, E = Error> = std::result::Result<T, E>;
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A setting makes no sense on this machine.
+    /// A setting is not valid on this machine.
     #[error("{reason}")]
     Argument {
-        /// What is wrong and what is allowed.
+        /// The mistake, and the allowed values.
         reason: String,
     },
 
     /// No usable GPU.
     #[error("no usable GPU: {reason}; the CPU backend needs none")]
     NoGpu {
-        /// What was looked for and what was found.
+        /// GPUs that were requested and found.
         reason: String,
     },
 
-    /// Memory, on the host or on the device, does not suffice.
+    /// The memory of the host or of the device is not enough.
     #[error("{}", describe_memory(*needed, *available, what))]
     OutOfMemory {
-        /// Bytes asked for; 0 where the driver did not say.
+        /// Bytes requested; 0 if the driver did not say.
         needed: u64,
-        /// Bytes there are, where that is known.
+        /// Bytes available, if known.
         available: Option<u64>,
-        /// What the memory was for.
+        /// Purpose of the memory.
         what: String,
     },
 
@@ -40,7 +40,7 @@ pub enum Error {
          batch helps where a watchdog ended it)"
     )]
     DeviceLost {
-        /// What the driver said.
+        /// The driver's message.
         reason: String,
     },
 
@@ -49,7 +49,7 @@ pub enum Error {
     Kernel {
         /// The kernel's entry point.
         kernel: String,
-        /// What went wrong.
+        /// The cause.
         reason: String,
     },
 
@@ -58,12 +58,12 @@ pub enum Error {
         "the compiled kernels are stale: {reason}; build them again with `cargo xtask kernels`"
     )]
     StaleKernels {
-        /// Which kernels, and what differs.
+        /// The kernels, and the difference.
         reason: String,
     },
 }
 
-/// A size in the largest binary unit that keeps it at least 1, such as `1.50 GiB`.
+/// Formats a size in the largest binary unit that keeps it at least 1, such as `1.50 GiB`.
 #[must_use]
 pub fn format_bytes(bytes: u64) -> String {
     const UNITS: [(u64, &str); 3] = [(1 << 30, "GiB"), (1 << 20, "MiB"), (1 << 10, "KiB")];
@@ -74,7 +74,7 @@ pub fn format_bytes(bytes: u64) -> String {
 }
 
 fn describe_memory(needed: u64, available: Option<u64>, what: &str) -> String {
-    // A driver may run out without saying over what.
+    // A driver may run out of memory without giving a size.
     let needed = match needed {
         0 => String::new(),
         bytes => format!(" needs {}", format_bytes(bytes)),

@@ -35,7 +35,8 @@
 //! }
 //! ```
 //!
-//! This device is the CPU. `DeviceOptions::default()` takes a GPU where there is one, and needs the program's compiled kernels.
+//! This device is the CPU. `DeviceOptions::default()` takes a GPU if there is one, and needs the program's compiled
+//! kernels.
 //!
 //! # Kernels for GPUs
 //!
@@ -47,17 +48,18 @@
 //! let device = Device::open(&DeviceOptions::default(), &MODULES)?;
 //! ```
 //!
-//! Where a module is missing or older than its kernel's declaration, the device refuses that kernel and says so.
+//! If a module is missing, or older than its kernel's declaration, the device refuses that kernel and says so.
 //!
 //! # Elsewhere
 //!
-//! [`Device::planner`] runs nothing. It writes down buffers and dispatches as a [`Plan`], which something else can run, such as a
-//! browser with WebGPU.
+//! [`Device::planner`] runs nothing. It records buffers and dispatches as a [`Plan`], which something else can run:
+//! for example, a browser with WebGPU.
 //!
 //! # The device for tests
 //!
-//! [`DeviceOptions::checked`] is the CPU as tests want it. It finds races between invocations, NaN, and reads of what nothing has
-//! written: allocate what kernels fill with [`Device::unwritten`]. It also runs one workgroup more than needed, which must do nothing.
+//! [`DeviceOptions::checked`] is a CPU for tests. It finds races between invocations, NaN, and reads of unwritten
+//! elements. Allocate the outputs of kernels with [`Device::unwritten`]. It also runs one workgroup more than needed,
+//! which must do nothing.
 
 mod buffer;
 mod count;

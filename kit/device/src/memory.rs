@@ -1,4 +1,4 @@
-//! How much memory there is, and how to allocate it without being killed.
+//! Measures available memory, and allocates without being killed.
 
 use std::cell::Cell;
 use std::fs;
@@ -8,16 +8,16 @@ use bytemuck::Zeroable;
 
 use crate::error::{Error, Result};
 
-/// Less than this is asked for without looking first.
+/// Smaller allocations are made without a check, in bytes.
 const SMALL: u64 = 64 << 20;
 
-/// Fails where `bytes` are more than the system can still give.
+/// Fails if the system has less than `bytes` left.
 ///
-/// Linux promises more memory than there is and kills the process that uses it, so an allocation
-/// that succeeds proves nothing.
+/// Linux promises more memory than there is, and kills the process that uses it. So a successful allocation proves
+/// nothing.
 ///
 /// # Errors
-/// [`Error::OutOfMemory`] with both numbers, and what the memory is for.
+/// [`Error::OutOfMemory`] with both numbers, and the purpose of the memory.
 pub fn check(bytes: u64, what: &str) -> Result<()> {
     if bytes < SMALL {
         return Ok(());
@@ -30,14 +30,14 @@ pub fn check(bytes: u64, what: &str) -> Result<()> {
     }
 }
 
-/// `len` zeros, or [`Error::OutOfMemory`] with what was needed.
+/// Allocates `len` zeros, or fails with [`Error::OutOfMemory`].
 pub fn zeros<T: Zeroable + Clone>(len: usize, what: &str) -> Result<Vec<T>> {
     let mut values = reserve(len, what)?;
     values.resize(len, T::zeroed());
     Ok(values)
 }
 
-/// An empty vector with room for `len` values, or [`Error::OutOfMemory`] with what was needed.
+/// Allocates an empty vector with room for `len` values, or fails with [`Error::OutOfMemory`].
 pub fn reserve<T>(len: usize, what: &str) -> Result<Vec<T>> {
     let needed = (len as u64).saturating_mul(size_of::<T>() as u64);
     check(needed, what)?;
@@ -51,11 +51,11 @@ pub fn reserve<T>(len: usize, what: &str) -> Result<Vec<T>> {
 }
 
 thread_local! {
-    /// Whether this thread asks for memory and has an answer where it gets none.
+    /// Whether this thread is making an allocation whose failure it can handle.
     static ASKING: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Runs an allocation that may fail: the caller turns the failure into an error.
+/// Runs an allocation that may fail. The caller turns the failure into an error.
 pub(crate) fn asking<T>(allocate: impl FnOnce() -> T) -> T {
     let before = ASKING.replace(true);
     let result = allocate();
@@ -63,20 +63,20 @@ pub(crate) fn asking<T>(allocate: impl FnOnce() -> T) -> T {
     result
 }
 
-/// Whether the allocation that this thread is making may fail. A program's allocator asks, to end
-/// the program with a message where no one could answer.
+/// Whether the current allocation of this thread may fail. A program's allocator can ask. If it may not, the
+/// allocator should end the program with a message.
 #[doc(hidden)]
 #[must_use]
 pub fn may_fail() -> bool {
     ASKING.try_with(Cell::get).unwrap_or(false)
 }
 
-/// Bytes that this process can still get, where the system says so.
+/// Bytes that this process can still allocate, if the system says so.
 pub fn available() -> Option<u64> {
     [of_the_system(), of_the_address_space(), of_the_control_groups()].into_iter().flatten().min()
 }
 
-/// The most memory that this process has held so far, in bytes, where the system says so (Linux).
+/// Peak memory of this process, in bytes, if the system says so (Linux).
 #[must_use]
 pub fn peak() -> Option<u64> {
     kilobytes("/proc/self/status", "VmHWM:")
@@ -86,7 +86,7 @@ fn of_the_system() -> Option<u64> {
     kilobytes("/proc/meminfo", "MemAvailable:")
 }
 
-/// What `ulimit -v` leaves.
+/// The rest under `ulimit -v`, in bytes.
 fn of_the_address_space() -> Option<u64> {
     let text = fs::read_to_string("/proc/self/limits").ok()?;
     let line = text.lines().find_map(|line| line.strip_prefix("Max address space"))?;
@@ -94,7 +94,7 @@ fn of_the_address_space() -> Option<u64> {
     Some(limit.saturating_sub(kilobytes("/proc/self/status", "VmSize:")?))
 }
 
-/// What the tightest limit of a container or a service leaves.
+/// The rest under the tightest limit of a container or a service, in bytes.
 fn of_the_control_groups() -> Option<u64> {
     let text = fs::read_to_string("/proc/self/cgroup").ok()?;
     let path = text.lines().find_map(|line| line.strip_prefix("0::/"))?;
@@ -102,7 +102,7 @@ fn of_the_control_groups() -> Option<u64> {
     let left = |group: &Path| {
         let group = Path::new("/sys/fs/cgroup").join(group);
         let limit = number(&group.join("memory.max"))?;
-        // The page cache counts as used, but is given up before anything is refused.
+        // The page cache counts as used, but the system drops it before it refuses memory.
         let stat = fs::read_to_string(group.join("memory.stat")).ok()?;
         let cache = stat.lines().find_map(|line| line.strip_prefix("file "))?.parse().ok()?;
         let used = number(&group.join("memory.current"))?.saturating_sub(cache);
@@ -111,7 +111,7 @@ fn of_the_control_groups() -> Option<u64> {
     Path::new(path).ancestors().filter_map(left).min()
 }
 
-/// The number after a label, as files of `/proc` have it.
+/// The number after a label, in the format of files in `/proc`.
 fn kilobytes(path: &str, label: &str) -> Option<u64> {
     let text = fs::read_to_string(path).ok()?;
     let line = text.lines().find_map(|line| line.strip_prefix(label))?;

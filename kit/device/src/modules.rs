@@ -8,18 +8,18 @@ use organza_manifest::{Interface, KernelEntry, Manifest};
 
 use crate::error::{Error, Result};
 
-/// Bytes that begin at a multiple of four, so that they can be read as words.
+/// Bytes aligned to four, so that they can be read as words.
 #[derive(Debug)]
 #[repr(C, align(4))]
 pub struct Aligned<T: ?Sized>(pub T);
 
-/// The name of an entry point, its module, and the same in WGSL.
+/// Name of an entry point, its module, and the module in WGSL.
 type Module = (&'static str, &'static Aligned<[u8]>, Option<&'static str>);
 
 /// The compiled kernels of a program, by entry point; [`modules`](crate::modules!) embeds them.
 #[derive(Debug)]
 pub struct Modules {
-    /// The manifest's text.
+    /// Text of the manifest.
     json: &'static str,
     table: &'static [Module],
     manifest: OnceLock<Manifest>,
@@ -51,7 +51,7 @@ pub struct CompiledKernel {
 }
 
 impl CompiledKernel {
-    /// What the manifest says about the kernel.
+    /// The kernel's entry in the manifest.
     #[must_use]
     pub fn entry(&self) -> &'static KernelEntry {
         self.entry
@@ -63,13 +63,13 @@ impl CompiledKernel {
         self.spirv
     }
 
-    /// The module in WGSL, if it is there.
+    /// The module in WGSL, if it exists.
     #[must_use]
     pub fn wgsl(&self) -> Option<&'static str> {
         self.wgsl
     }
 
-    /// The module as the words that SPIR-V is made of.
+    /// The module as SPIR-V words.
     #[must_use]
     pub fn spirv_words(&self) -> Cow<'static, [u32]> {
         match bytemuck::try_cast_slice(self.spirv) {
@@ -97,7 +97,7 @@ impl Modules {
         Self { json, table, manifest: OnceLock::new() }
     }
 
-    /// The manifest that the program was compiled with; without kernels, if there was none.
+    /// The manifest that was embedded; without kernels, if there was none.
     pub fn manifest(&'static self) -> &'static Manifest {
         self.manifest.get_or_init(|| match self.json {
             "" => Manifest::empty(),
@@ -115,21 +115,21 @@ impl Modules {
         CompiledKernel { entry, spirv: &spirv.0, wgsl: *wgsl }
     }
 
-    /// The compiled kernel of a name.
+    /// The compiled kernel named `name`.
     ///
     /// # Errors
-    /// [`Error::StaleKernels`] when the kernel was not compiled yet.
+    /// [`Error::StaleKernels`] if the kernel has not been compiled yet.
     pub fn find(&'static self, name: &str) -> Result<CompiledKernel> {
         let module = self.table.iter().find(|(found, ..)| *found == name);
         let module = module.ok_or_else(|| stale(format!("`{name}` is not among them")))?;
         Ok(self.compiled(module))
     }
 
-    /// The compiled form of a kernel's entry point, which must expect of the host what the sources declare: a driver
-    /// trusts the bindings it is given.
+    /// The compiled form of a kernel's entry point. It must match the declaration in the sources, because a driver
+    /// trusts its bindings.
     ///
     /// # Errors
-    /// [`Error::StaleKernels`] when the kernel was not compiled since its declaration changed.
+    /// [`Error::StaleKernels`] if the kernel has not been compiled since its declaration changed.
     pub fn of(&'static self, kernel: &KernelInfo, point: &EntryPoint) -> Result<CompiledKernel> {
         let compiled = self.find(point.name)?;
         if compiled.entry.package != kernel.package {
@@ -146,17 +146,17 @@ impl Modules {
     }
 }
 
-/// What a module's code consists of.
+/// The size of a module's code.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub struct CodeSize {
-    /// Instructions of functions, without labels and what else computes nothing.
+    /// Number of instructions in functions, without labels and others that compute nothing.
     pub instructions: u32,
-    /// Loops.
+    /// Number of loops.
     pub loops: u32,
 }
 
 impl CodeSize {
-    /// Counts in a module: each instruction begins with its length and its number.
+    /// Counts the instructions of a module. Each begins with its length and its opcode.
     #[must_use]
     pub fn of(spirv: &[u32]) -> Self {
         const HEADER: usize = 5;

@@ -1,4 +1,4 @@
-//! Chooses a device.
+//! Options of a device, and its choice.
 
 use organza_kernel::kernel::InstructionSet;
 
@@ -7,10 +7,10 @@ use crate::error::{Error, Result};
 use crate::modules::Modules;
 use crate::{cpu, gpu};
 
-/// Which backend to take.
+/// The backend to use.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum BackendChoice {
-    /// A GPU where there is one, else the CPU.
+    /// A GPU if there is one, otherwise the CPU.
     #[default]
     Auto,
     /// A GPU, or an error.
@@ -19,17 +19,17 @@ pub enum BackendChoice {
     Cpu,
 }
 
-/// How SPIR-V reaches the driver.
+/// The path of SPIR-V to the driver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SpirvPath {
-    /// Unchanged: only on Vulkan.
+    /// Unchanged, only on Vulkan.
     Passthrough,
-    /// Read and written again by naga: everywhere.
+    /// Translated by naga, on every interface.
     Naga,
 }
 
 impl SpirvPath {
-    /// `passthrough` or `naga`.
+    /// Name of the path: `passthrough` or `naga`.
     #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
@@ -39,7 +39,7 @@ impl SpirvPath {
     }
 }
 
-/// What device to open; the default is the best there is.
+/// Options of the device to open. The default is the best device of the machine.
 ///
 /// ```
 /// use organza_device::{DeviceOptions, SpirvPath};
@@ -51,36 +51,36 @@ impl SpirvPath {
 #[derive(Clone, Debug, Default)]
 #[non_exhaustive]
 pub struct DeviceOptions {
-    /// Which backend.
+    /// The backend to use.
     pub backend: BackendChoice,
-    /// How SPIR-V reaches the driver; passed through where that can be had, unless set.
+    /// The path of SPIR-V to the driver. By default it is passed through if possible.
     pub spirv: Option<SpirvPath>,
-    /// Threads of the CPU backend; one for each core unless set.
+    /// Number of threads of the CPU backend. By default, one per core.
     pub threads: Option<usize>,
-    /// Part of the name of the GPU to take, in any case.
+    /// Part of the GPU's name, in upper or lower case.
     pub adapter: Option<String>,
-    /// Which of several equally capable GPUs to take, counted from 0 and around: for processes that share a machine.
+    /// Index among equally capable GPUs, modulo their number: for processes that share a machine.
     pub place: usize,
-    /// On the CPU, whether to fail where two invocations of a dispatch get in each other's way in a storage buffer, where a
-    /// kernel reads what [nothing has written](Device::unwritten). For tests of kernels: slow, and 24
-    /// bytes for every element that a kernel may write.
+    /// Whether the CPU fails if two invocations of a dispatch conflict in a storage buffer, or if a kernel reads an
+    /// [unwritten](Device::unwritten) element. For tests of kernels: it is slow, and takes 24 bytes for every element
+    /// that a kernel may write.
     pub check_races: bool,
-    /// With [`check_races`](Self::check_races), whether to fail where a kernel writes NaN to `f32` or vectors of them, also to
-    /// elements that nobody reads.
+    /// With [`check_races`](Self::check_races), whether to fail if a kernel writes NaN to `f32` or vectors of them,
+    /// even to elements that nobody reads.
     pub check_nan: bool,
-    /// Whether [`Device::run`] and [`Device::run_over`] start one workgroup more than needed, along x and, for a size, along
-    /// y. For tests of kernels: their invocations must do nothing.
+    /// Whether [`Device::run`] and [`Device::run_over`] start one workgroup more than needed along x, and along y if
+    /// there is a size. For tests of kernels: the additional invocations must do nothing.
     pub extra_workgroup: bool,
-    /// On the CPU, what kernels with lanes run on; the best that there is unless set.
+    /// Instruction set of kernels with lanes, on the CPU. By default, the best one of the CPU.
     pub instruction_set: Option<InstructionSet>,
-    /// On a GPU, whether kernels that have a [variant](organza_kernel::KernelInfo::variant) run that, or their plain entry
-    /// point; a hardware device runs variants, unless set. The CPU runs variants if this is set with
+    /// Whether a GPU runs the [variant](organza_kernel::KernelInfo::variant) of a kernel that has one, or its plain
+    /// entry point. By default, a hardware device runs variants. The CPU runs variants if this is set together with
     /// [`check_races`](Self::check_races).
     pub variants: Option<bool>,
 }
 
 impl DeviceOptions {
-    /// The CPU with a number of threads; `None` takes one for each core.
+    /// The CPU with a number of threads; `None` means one per core.
     #[must_use]
     pub fn cpu(threads: impl Into<Option<usize>>) -> Self {
         Self { backend: BackendChoice::Cpu, threads: threads.into(), ..Self::default() }
@@ -92,8 +92,8 @@ impl DeviceOptions {
         Self { backend: BackendChoice::Gpu, spirv: Some(spirv), ..Self::default() }
     }
 
-    /// The CPU as tests of kernels want it: it [looks for races](Self::check_races), for reads of what nothing has written and
-    /// for [NaN](Self::check_nan), and runs [one workgroup more](Self::extra_workgroup) than needed.
+    /// The CPU for tests of kernels: it [looks for races](Self::check_races), for reads of unwritten elements and for
+    /// [NaN](Self::check_nan), and runs [one workgroup more](Self::extra_workgroup) than needed.
     #[must_use]
     pub fn checked() -> Self {
         Self { check_races: true, check_nan: true, extra_workgroup: true, ..Self::cpu(None) }
@@ -179,7 +179,7 @@ pub fn open(options: &DeviceOptions, modules: &'static Modules) -> Result<Device
             Ok(Device::new(Kind::Gpu(Box::new(gpu)), choice))
         }
         BackendChoice::Auto => match gpu::Gpu::open(options, modules) {
-            // a software device runs the same kernels on the same cores, with less to choose from
+            // a software device runs the same kernels on the same cores, with fewer choices
             Ok(gpu) if gpu.is_software() => {
                 open_cpu(options, &format!("the only GPU is a software device, {}", gpu.name()))
             }

@@ -1,4 +1,4 @@
-//! A device that runs nothing: it writes down what it is asked for, so that something else can do it, such as a browser.
+//! A device that runs nothing. It records all requests, so that something else can run them, such as a browser.
 
 use std::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -10,101 +10,101 @@ use crate::count::Count;
 use crate::device::{Device, Kind};
 use crate::error::{Error, Result};
 
-/// The largest buffer that every browser with WebGPU can bind: `maxStorageBufferBindingSize`.
+/// Largest buffer that every browser with WebGPU can bind, in bytes: `maxStorageBufferBindingSize`.
 const MAX_BUFFER_BYTES: u64 = 128 << 20;
 
-/// What a device was asked for: buffers, and what is done with them.
+/// The requests to a device: buffers, and steps that use them.
 #[derive(Clone, Debug, Default)]
 pub struct Plan {
-    /// The number of the first buffer: those before it belong to earlier plans.
+    /// Number of the first buffer. Lower numbers belong to earlier plans.
     pub first_buffer: u32,
-    /// The buffers that were made, in the order of their numbers.
+    /// The created buffers, in the order of their numbers.
     pub buffers: Vec<PlannedBuffer>,
-    /// In order.
+    /// The steps, in order.
     pub steps: Vec<Step>,
 }
 
 /// A buffer of a [`Plan`].
 #[derive(Clone, Debug)]
 pub struct PlannedBuffer {
-    /// As for a debugger.
+    /// Label for debugging.
     pub label: &'static str,
-    /// Its size, a multiple of 4.
+    /// Size in bytes, a multiple of 4.
     pub bytes: u64,
-    /// What it holds at first; zeros if nothing is said.
+    /// Initial content; `None` means zeros.
     pub contents: Option<Vec<u8>>,
 }
 
 /// A part of a buffer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// The buffer's number.
+    /// Number of the buffer.
     pub buffer: u32,
-    /// The first byte.
+    /// Offset of the first byte.
     pub begin: u64,
-    /// Their number, a multiple of 4.
+    /// Number of bytes, a multiple of 4.
     pub bytes: u64,
 }
 
-/// What is done with buffers.
+/// An operation on buffers.
 #[derive(Clone, Debug)]
 pub enum Step {
-    /// A kernel runs.
+    /// Runs a kernel.
     Dispatch {
-        /// The name of the kernel, and of its plain entry point.
+        /// Name of the kernel and of its plain entry point.
         kernel: &'static str,
-        /// Its parameters.
+        /// Bytes of the kernel's parameters.
         params: Vec<u8>,
-        /// Numbers among the parameters that only the device knows.
+        /// Parameters that only the device knows.
         counts: Vec<PlannedCount>,
-        /// What its other bindings are, in their order.
+        /// Parts of buffers for the other bindings, in order.
         buffers: Vec<Part>,
-        /// Workgroups along x, y and z.
+        /// Number of workgroups along x, y and z.
         workgroups: [u32; 3],
     },
-    /// Bytes become zeros.
+    /// Sets bytes to zero.
     Clear(Part),
-    /// Bytes are copied.
+    /// Copies bytes.
     Copy {
-        /// From here.
+        /// The source.
         from: Part,
-        /// To this buffer.
+        /// Number of the target buffer.
         to: u32,
-        /// From this byte on.
+        /// Offset in the target buffer, in bytes.
         begin: u64,
     },
-    /// Dispatches before have written the [counts](PlannedCount) that those after it use.
+    /// Earlier dispatches have written the [counts](PlannedCount) that later ones use.
     PublishCounts,
 }
 
-/// A number among the parameters of a kernel that `count_fill` writes: see [`organza_kernel::count`].
+/// A kernel parameter that `count_fill` writes: see [`organza_kernel::count`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PlannedCount {
-    /// Where it belongs: the byte of the parameters.
+    /// Offset in the parameters, in bytes.
     pub offset: usize,
-    /// The buffer of the counts.
+    /// Number of the buffer with the counts.
     pub counts: u32,
-    /// Which of them.
+    /// Index of the count in that buffer.
     pub place: u32,
-    /// Items before this piece.
+    /// Number of items before this piece.
     pub first: u32,
-    /// The most that there is room for.
+    /// Largest number that there is room for.
     pub at_most: u32,
 }
 
-/// The planning device.
+/// The planning backend.
 #[derive(Debug, Default)]
 pub(crate) struct Planner(Mutex<Plan>);
 
 impl Device {
-    /// A device that runs nothing and writes down what it is asked for: [`Device::take_plan`]. Reading a buffer of it is an error. It
-    /// has the limits that every browser with WebGPU has.
+    /// A device that runs nothing and records all requests for [`Device::take_plan`]. Reading one of its buffers is
+    /// an error. It has the limits that every browser with WebGPU supports.
     #[must_use]
     pub fn planner() -> Self {
         Self::new(Kind::Planner(Planner::default()), "a plan, to be run elsewhere".into())
     }
 
-    /// What a [planner](Device::planner) was asked for since the last call; nothing on another device.
+    /// The requests to a [planner](Device::planner) since the last call; empty on another device.
     #[must_use]
     pub fn take_plan(&self) -> Plan {
         let Kind::Planner(planner) = &self.kind else { return Plan::default() };
@@ -123,9 +123,9 @@ impl Planner {
         MAX_BUFFER_BYTES
     }
 
-    /// A buffer's number.
+    /// Records a buffer, and returns its number.
     pub fn allocate(&self, label: &'static str, bytes: u64) -> Result<u32> {
-        // as on a GPU
+        // the same size as on a GPU
         let size = bytes.max(16).next_multiple_of(4);
         if size > MAX_BUFFER_BYTES {
             return Err(Error::OutOfMemory {
@@ -140,7 +140,7 @@ impl Planner {
         Ok(number)
     }
 
-    /// What a new buffer holds at first.
+    /// Sets the initial content of a new buffer.
     pub fn fill(&self, buffer: u32, contents: &[u8]) {
         let mut plan = self.plan();
         let at = (buffer - plan.first_buffer) as usize;
@@ -196,12 +196,12 @@ impl Planner {
 }
 
 impl RawBuffer {
-    /// Its number and its part of it.
+    /// The number of the buffer, and its part in the plan.
     fn planned(&self) -> (u32, Part) {
         let Memory::Planned(buffer) = self.memory else {
             panic!("the buffer `{}` belongs to another device", self.label)
         };
-        // what has no bytes has memory nevertheless
+        // an empty buffer has memory, too
         let bytes = self.bytes.max(4).next_multiple_of(4);
         (buffer, Part { buffer, begin: self.begin, bytes })
     }

@@ -1,5 +1,5 @@
-//! Finds data races between invocations: their results would depend on which one comes first. And reads of what nothing was
-//! written to.
+//! Finds data races between invocations, whose results would depend on their order. Also finds reads of unwritten
+//! elements.
 
 use std::panic::Location;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -11,13 +11,13 @@ use organza_kernel::running::{self, unlinear};
 
 use crate::written::Written;
 
-/// Monitors what is only read: parts of the buffer may be unwritten.
+/// Monitors a binding that is only read: parts of the buffer may be unwritten.
 pub struct Reads<'a> {
     written: Elements<'a>,
 }
 
 impl<'a> Reads<'a> {
-    /// `begin` is the binding's first byte in the buffer.
+    /// `begin` is the offset of the binding's first byte in the buffer.
     pub fn new(info: &BindingInfo, written: &'a Written, begin: usize) -> Self {
         let bytes = info.element_bytes as usize;
         Self { written: Elements { written, begin, bytes } }
@@ -39,7 +39,7 @@ impl AccessMonitor for Reads<'_> {
     }
 }
 
-/// Which elements of a binding were written.
+/// The written elements of a binding.
 struct Elements<'a> {
     written: &'a Written,
     begin: usize,
@@ -65,18 +65,18 @@ fn unwritten(does: &str, index: u32, name: &str) -> String {
     format!("{does} element {index} of `{name}`, which nothing has written")
 }
 
-/// Monitors a storage buffer during one dispatch: no barrier orders what different invocations do to it.
+/// Monitors a storage buffer during one dispatch: no barrier orders the accesses of different invocations.
 pub struct Races<'a> {
     invocations: UVec3,
-    /// Whether the workgroups of one z run on one thread (`z_serial`).
+    /// Whether workgroups with the same z run on one thread (`z_serial`).
     layers: bool,
     elements: Vec<Touched>,
-    /// Where parts of the buffer may be unwritten.
+    /// The written elements, if parts of the buffer may be unwritten.
     written: Option<Elements<'a>>,
 }
 
-/// Who has touched an element in this dispatch, each in its own way: nobody, or the first one, with marks. What an
-/// invocation does in one way does not hide what others did in another.
+/// The invocations that have accessed an element in this dispatch, for each kind of access: none, or the first one,
+/// with marks. An access of one kind does not hide others' accesses of another kind.
 #[derive(Default)]
 struct Touched {
     writer: AtomicU64,
@@ -84,30 +84,31 @@ struct Touched {
     reader: AtomicU64,
 }
 
-/// Marks what several invocations did.
+/// Marks an access of several invocations.
 const SEVERAL: u64 = 1 << 63;
 
-/// Marks atomics that do not disturb others of the same z.
+/// Marks atomics that do not conflict with others of the same z.
 const SERIAL: u64 = 1 << 62;
 
-/// Who left a mark, or left it first.
+/// The invocation that left a mark first.
 const fn who(mark: u64) -> u64 {
     mark & !(SEVERAL | SERIAL)
 }
 
-/// Leaves a mark; returns what was there.
+/// Adds a mark, and returns the previous content.
 fn leave(slot: &AtomicU64, own: u64) -> u64 {
     let merge = |before: u64| match before {
         0 => own,
         _ if who(before) == who(own) => before & (own | !SERIAL),
         _ => before & (own | !SERIAL) | SEVERAL,
     };
-    // the closure always gives a value
+    // the closure always returns a value
     slot.fetch_update(Ordering::SeqCst, Ordering::SeqCst, |before| Some(merge(before))).unwrap_or(0)
 }
 
 impl<'a> Races<'a> {
-    /// `invocations` are those of the dispatch, along each axis; `begin` is the binding's first byte in the buffer.
+    /// `invocations` are those of the dispatch, along each axis. `begin` is the offset of the binding's first byte in
+    /// the buffer.
     pub fn new(
         info: &BindingInfo,
         bytes: usize,
@@ -126,7 +127,7 @@ impl<'a> Races<'a> {
         self.written.as_ref().is_none_or(|written| written.has(index))
     }
 
-    /// Whether two atomics let each other be, on the CPU too.
+    /// Whether two atomics do not conflict, also on the CPU.
     fn agree(&self, own: u64, other: u64) -> bool {
         let layer = |mark| unlinear(who(mark) - 1, self.invocations).z;
         (own | other) & SERIAL == 0
@@ -144,7 +145,7 @@ impl<'a> Races<'a> {
         format!("{does} {element}, which {who} {did} in the same dispatch")
     }
 
-    /// What is wrong if the kernel has written a number that is none; `data` is the binding's.
+    /// An error if the kernel has written NaN; `data` is that of the binding.
     pub fn nan(&self, info: &BindingInfo, data: &[u8]) -> Option<String> {
         let element = info.element.rsplit("::").next().unwrap_or_default().trim();
         if !["f32", "Vec2", "Vec3", "Vec4"].contains(&element) {
@@ -167,7 +168,7 @@ impl<'a> Races<'a> {
 }
 
 impl AccessMonitor for Races<'_> {
-    // who comes second sees the first: each leaves its own mark before it looks for the other's
+    // the second invocation sees the first, because each leaves its own mark before it looks for the other's
     fn touch(
         &self,
         name: &str,

@@ -1,4 +1,4 @@
-//! Turns a kernel's panic into an error that says where it happened, and in which invocation.
+//! Turns a kernel's panic into an error with its place and its invocation.
 
 use std::any::Any;
 use std::cell::Cell;
@@ -8,12 +8,12 @@ use std::sync::Once;
 use organza_kernel::running;
 
 thread_local! {
-    /// Where the thread's last panic happened.
+    /// The place of the thread's last panic.
     static LOCATION: Cell<Option<String>> = const { Cell::new(None) };
 }
 
-/// Keeps panics of kernels from being printed: they come back as errors.
-/// With `RUST_BACKTRACE` they are printed all the same.
+/// Suppresses the output of kernels' panics, which are returned as errors. With `RUST_BACKTRACE` they are still
+/// printed.
 pub fn install() {
     static INSTALLED: Once = Once::new();
     INSTALLED.call_once(|| {
@@ -28,7 +28,7 @@ pub fn install() {
     });
 }
 
-/// Runs workgroups; each of them calls [`running::begin`].
+/// Runs workgroups, each of which calls [`running::begin`].
 pub fn supervise(workgroups: impl FnOnce() -> Result<(), String>) -> Result<(), String> {
     let result = panic::catch_unwind(AssertUnwindSafe(workgroups));
     let result = result.unwrap_or_else(|payload| Err(describe(payload.as_ref())));

@@ -1,4 +1,4 @@
-//! How long kernels took, and how much they computed and moved.
+//! The time that kernels took, and their work: operations and bytes.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -6,16 +6,16 @@ use std::time::Duration;
 
 use organza_kernel::work::Work;
 
-/// What the dispatches of a kernel took.
+/// The total cost of a kernel's dispatches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KernelTime {
-    /// The kernel.
+    /// Name of the kernel.
     pub kernel: &'static str,
-    /// How often it was dispatched.
+    /// Number of dispatches.
     pub dispatches: u64,
-    /// Seconds of all dispatches.
+    /// Time of all dispatches, in seconds.
     pub seconds: f64,
-    /// What all dispatches computed and moved, where that was counted.
+    /// Operations and bytes of all dispatches, if they were counted.
     pub work: Work,
 }
 
@@ -36,7 +36,7 @@ impl Timings {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Counts a dispatch.
+    /// Adds a dispatch.
     pub fn add(&self, kernel: &'static str, time: Duration, work: Work) {
         let mut sums = self.sums();
         let sums = sums.entry(kernel).or_default();
@@ -45,12 +45,12 @@ impl Timings {
         sums.work += work;
     }
 
-    /// Adds what a dispatch took that was counted before.
+    /// Adds the time of a dispatch that was counted before.
     pub fn add_time(&self, kernel: &'static str, time: Duration) {
         self.sums().entry(kernel).or_default().time += time;
     }
 
-    /// Returns all sums, and starts again at 0.
+    /// Returns all sums, and resets them.
     pub fn take(&self) -> Vec<KernelTime> {
         let sums = std::mem::take(&mut *self.sums());
         let time = |(kernel, Sums { dispatches, time, work }): (&'static str, Sums)| KernelTime {

@@ -10,10 +10,10 @@ use crate::device::{Device, Kind};
 use crate::error::{Error, Result};
 
 impl Device {
-    /// A buffer of `len` zeros.
+    /// Creates a buffer of `len` zeros.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`], with what was needed.
+    /// [`Error::OutOfMemory`], with the size.
     pub fn zeros<T: Pod>(&self, label: &'static str, len: usize) -> Result<Buffer<T>> {
         self.buffer(label, len, true)
     }
@@ -29,19 +29,20 @@ impl Device {
         Ok(Buffer::new(RawBuffer { memory, label, begin: 0, bytes }))
     }
 
-    /// A buffer of `len` elements that kernels write before anything reads them. Until then they can be anything.
+    /// Creates a buffer of `len` elements that kernels write before anything reads them. Until then they can have any
+    /// value.
     ///
-    /// A device that [checks](crate::DeviceOptions::check_races) fails where a kernel reads an element that nothing has written.
+    /// A device that [checks](crate::DeviceOptions::check_races) fails if a kernel reads an unwritten element.
     ///
     /// # Errors
-    /// As [`Device::zeros`].
+    /// The same errors as [`Device::zeros`].
     pub fn unwritten<T: Pod>(&self, label: &'static str, len: usize) -> Result<Buffer<T>> {
         let buffer = self.buffer(label, len, false)?;
         self.forget(&buffer);
         Ok(buffer)
     }
 
-    /// Says that nothing was written to a buffer, whatever it holds: see [`Device::unwritten`].
+    /// Marks a buffer as unwritten, whatever it contains: see [`Device::unwritten`].
     pub fn forget<T: Pod>(&self, buffer: &Buffer<T>) {
         let raw = buffer.raw();
         if let (Kind::Cpu(cpu), Memory::Cpu(memory)) = (&self.kind, &raw.memory) {
@@ -49,7 +50,7 @@ impl Device {
         }
     }
 
-    /// Fails where [`Device::refuse_one`] has said so.
+    /// Fails if [`Device::refuse_one`] has asked for it.
     fn refuse(&self, label: &'static str, bytes: u64) -> Result<()> {
         let is_due = |left: u64| left.checked_sub(1);
         match self.refused.fetch_update(Ordering::Relaxed, Ordering::Relaxed, is_due) {
@@ -62,17 +63,17 @@ impl Device {
         }
     }
 
-    /// Makes the device refuse memory once, for the buffer of this number from now on, counted from 1: for tests of what
-    /// happens then.  Returns whether one that was asked for before is still to be refused.
+    /// Makes the device refuse memory once: for the buffer number `number` from now on, counted from 1. For tests.
+    /// Returns whether an earlier request is still pending.
     #[doc(hidden)]
     pub fn refuse_one(&self, number: u64) -> bool {
         self.refused.swap(number, Ordering::Relaxed) > 0
     }
 
-    /// A buffer that holds `values`.
+    /// Creates a buffer that contains `values`.
     ///
     /// # Errors
-    /// As [`Device::zeros`].
+    /// The same errors as [`Device::zeros`].
     pub fn upload<T: Pod>(&self, label: &'static str, values: &[T]) -> Result<Buffer<T>> {
         let mut buffer = self.buffer(label, values.len(), false)?;
         match (&self.kind, &mut buffer.raw_mut().memory) {
@@ -92,7 +93,7 @@ impl Device {
         Ok(buffer)
     }
 
-    /// Makes a buffer all zeros again, after everything that was dispatched before.
+    /// Sets a buffer to zeros, after all earlier dispatches.
     pub fn clear<T: Pod>(&self, buffer: &Buffer<T>) {
         let raw = buffer.raw();
         match (&self.kind, &raw.memory) {
@@ -105,14 +106,14 @@ impl Device {
         }
     }
 
-    /// Copies a buffer into another of its size, after everything that was dispatched before.
+    /// Copies a buffer to another of the same size, after all earlier dispatches.
     pub fn copy<T: Pod>(&self, from: &Buffer<T>, to: &Buffer<T>) {
         let labels = [from, to].map(|buffer| buffer.raw().label);
         assert_eq!(from.len(), to.len(), "{labels:?} are of one size");
         self.copy_to(from, to, 0);
     }
 
-    /// Copies a buffer into another, from the element `first` on.
+    /// Copies a buffer into another, starting at the element `first`.
     fn copy_to<T: Pod>(&self, from: &Buffer<T>, to: &Buffer<T>, first: usize) {
         let (from, to) = (from.raw(), to.raw());
         let range = from.begin..from.begin + from.bytes;
@@ -131,13 +132,13 @@ impl Device {
         }
     }
 
-    /// Copies `values` into a buffer, from the element `first` on, after everything that was dispatched before.
+    /// Copies `values` into a buffer, starting at the element `first`, after all earlier dispatches.
     ///
     /// # Errors
-    /// As [`Device::upload`].
+    /// The same errors as [`Device::upload`].
     ///
     /// # Panics
-    /// Past the buffer's end, and for elements whose size is not a multiple of 4 bytes.
+    /// If the values extend past the buffer's end, or if an element's size is not a multiple of 4 bytes.
     pub fn write<T: Pod>(&self, buffer: &Buffer<T>, first: usize, values: &[T]) -> Result<()> {
         // a GPU copies whole words
         assert!(size_of::<T>().is_multiple_of(4), "elements of {} bytes", size_of::<T>());
@@ -151,24 +152,24 @@ impl Device {
             cpu.write(memory, begin, bytemuck::cast_slice(values));
             return Ok(());
         }
-        // through a buffer: a copy waits for what was dispatched before
+        // through a buffer: a copy comes after earlier dispatches
         let values = self.upload(raw.label, values)?;
         self.copy_to(&values, buffer, first);
         Ok(())
     }
 
-    /// What a buffer holds, after everything that was dispatched before.
+    /// Reads a buffer, after all earlier dispatches.
     ///
     /// # Errors
-    /// [`Error::DeviceLost`], or what an earlier dispatch ran into.
+    /// [`Error::DeviceLost`], or the error of an earlier dispatch.
     pub fn read<T: Pod>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
         self.read_range(buffer, 0, buffer.len())
     }
 
-    /// `len` elements from `first` on; as [`Device::read`].
+    /// Reads `len` elements, starting at `first`: see [`Device::read`].
     ///
     /// # Errors
-    /// As [`Device::read`].
+    /// The same errors as [`Device::read`].
     pub fn read_range<T: Pod>(
         &self,
         buffer: &Buffer<T>,
@@ -180,13 +181,13 @@ impl Device {
         Ok(values)
     }
 
-    /// Reads elements from `first` on into memory of the caller's, as many as it holds; as [`Device::read`].
+    /// Reads elements, starting at `first`, until `values` is full: see [`Device::read`].
     ///
     /// # Errors
-    /// As [`Device::read`].
+    /// The same errors as [`Device::read`].
     ///
     /// # Panics
-    /// Past the buffer's end.
+    /// If the range extends past the buffer's end.
     pub fn read_into<T: Pod>(
         &self,
         buffer: &Buffer<T>,
@@ -215,7 +216,7 @@ impl Device {
         }
     }
 
-    /// As [`Device::read`], of many buffers: waits once.
+    /// Like [`Device::read`], but reads many buffers and waits only once.
     pub fn read_all(&self, buffers: &[Buffer<u32>]) -> Result<Vec<Vec<u32>>> {
         let Kind::Gpu(gpu) = &self.kind else {
             return buffers.iter().map(|buffer| self.read(buffer)).collect();

@@ -1,9 +1,9 @@
-//! Which bytes of a buffer were written, on a device that checks that nothing else is read.
+//! Keeps track of the written bytes of a buffer, on a device that checks for unwritten reads.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Bytes that are written or not together.
+/// Bytes that share one flag.
 const WORD: usize = 4;
 
 /// For each word of a buffer, whether it was written.
@@ -11,7 +11,7 @@ const WORD: usize = 4;
 pub struct Written(Box<[AtomicBool]>);
 
 impl Written {
-    /// Of a buffer of so many bytes, with nothing written.
+    /// Flags for a buffer of `bytes` bytes, all unwritten.
     pub fn none(bytes: usize) -> Self {
         Self((0..bytes.div_ceil(WORD)).map(|_| AtomicBool::new(false)).collect())
     }
@@ -21,17 +21,17 @@ impl Written {
         &self.0[(bytes.start / WORD).min(end)..end]
     }
 
-    /// Whether all of these bytes were.
+    /// Whether all of these bytes were written.
     pub fn has(&self, bytes: Range<usize>) -> bool {
         self.words(bytes).iter().all(|word| word.load(Ordering::Relaxed))
     }
 
-    /// Says whether these bytes were.
+    /// Marks bytes as written or unwritten.
     pub fn set(&self, bytes: Range<usize>, written: bool) {
         self.words(bytes).iter().for_each(|word| word.store(written, Ordering::Relaxed));
     }
 
-    /// The bytes from `begin` on are copies of those of `range`, which belong to `from`.
+    /// Copies the flags of `range`, which belongs to `from`, to the bytes starting at `begin`.
     pub fn copy(&self, from: Option<&Self>, range: Range<usize>, begin: usize) {
         let target = self.words(begin..begin + range.len());
         for (at, word) in target.iter().enumerate() {

@@ -1,24 +1,24 @@
-//! Integer atomics, on storage buffers and workgroup memory of `u32` and `i32`. All return the value that was there before.
+//! Integer atomics, on storage buffers and workgroup memory of `u32` and `i32`. All return the old value.
 //!
-//! | method of `Write` and `Shared` | the element becomes | |
+//! | method of `Write` and `Shared` | new value of the element | |
 //! | --- | --- | --- |
 //! | `atomic_add(index, value)` | the sum, modulo 2^32 | does not depend on the order |
 //! | `atomic_min(index, value)`, `atomic_max(index, value)` | the smaller, the larger | does not depend on the order |
-//! | `atomic_and(index, value)`, `atomic_or(index, value)`, `atomic_xor(index, value)` | what the bits give | does not depend on the order |
+//! | `atomic_and(index, value)`, `atomic_or(index, value)`, `atomic_xor(index, value)` | the bitwise result | does not depend on the order |
 //! | `atomic_exchange(index, value)` | `value` | |
 //! | `atomic_compare_exchange(index, expected, value)` | `value`, if it was `expected` | |
-//! | `atomic_load(index)` | what it was | |
+//! | `atomic_load(index)` | unchanged | |
 //! | `atomic_store(index, value)` | `value`; returns nothing | |
 //!
-//! The element that results does not depend on the order of the invocations, where the table says so. What an atomic *returns*
-//! always does: use it as a ticket (a free slot), and not as a number that is part of the result.
+//! Where the table says so, the resulting element does not depend on the order of the invocations. The *returned*
+//! value always does. Use it as a ticket (for a free slot), and not as a number that is part of the result.
 //!
-//! Atomics order nothing else: between a write and another invocation's read there must be a barrier, or a dispatch. An
-//! element that one invocation changes atomically must not be read or written plainly by another before that: the CPU run
-//! reports it.
+//! Atomics order nothing else. Between a write and another invocation's read there must be a barrier, or a new
+//! dispatch. Until then, if one invocation changes an element atomically, no other may read or write it plainly. The
+//! CPU run reports that.
 //!
-//! [`add`] and [`raise`] are the two that kernels need most, as functions. [`add_wide`] adds to 64-bit integers. Rust-GPU's own atomics
-//! panic on the CPU.
+//! [`add`] and [`raise`] are functions for the two most common atomics. [`add_wide`] adds to 64-bit integers.
+//! Rust-GPU's own atomics panic on the CPU.
 
 #[cfg(target_arch = "spirv")]
 use spirv_std::arch::IndexUnchecked;
@@ -34,7 +34,7 @@ use crate::memory::Shared;
 use crate::memory::Touch;
 use crate::memory::Write;
 
-/// The whole dispatch.
+/// The whole dispatch takes part.
 #[cfg(target_arch = "spirv")]
 const SCOPE: u32 = Scope::QueueFamily as u32;
 /// Nothing else is ordered.
@@ -119,7 +119,7 @@ device_atomics!([const N: usize] [u32; N], u32, atomic_u_min, atomic_u_max);
 #[cfg(target_arch = "spirv")]
 device_atomics!([const N: usize] [i32; N], i32, atomic_s_min, atomic_s_max);
 
-/// The atomics of the CPU; `$view` is the buffer of a `self`.
+/// The atomics of the CPU. `$view` is the buffer of a `self`.
 #[cfg(not(target_arch = "spirv"))]
 macro_rules! host_atomics {
     ([$($generics:tt)*] $buffer:ty, $element:ty, $atomic:ty, $self:ident => $view:expr) => {
@@ -132,7 +132,8 @@ macro_rules! host_atomics {
             host_atomics!(method $element, $atomic, $self => $view, atomic_xor, fetch_xor, "Flips the bits of `value` at `index`.");
             host_atomics!(method $element, $atomic, $self => $view, atomic_exchange, swap, "Stores `value` at `index`.");
 
-            /// Stores `value` at `index`, if `expected` is there. Returns what was there; panics out of range.
+            /// Stores `value` at `index` if `expected` is there. Returns the old value. Panics if `index` is out of
+            /// range.
             #[inline(always)]
             #[track_caller]
             pub fn atomic_compare_exchange(&$self, index: u32, expected: $element, value: $element) -> $element {
@@ -142,7 +143,7 @@ macro_rules! host_atomics {
                 result.unwrap_or_else(|found| found)
             }
 
-            /// What is at `index`; panics out of range.
+            /// The value at `index`. Panics if `index` is out of range.
             #[inline(always)]
             #[track_caller]
             pub fn atomic_load(&$self, index: u32) -> $element {
@@ -150,7 +151,7 @@ macro_rules! host_atomics {
                 unsafe { <$atomic>::from_ptr($view.address(index, Touch::Atomic)) }.load(Ordering::Relaxed)
             }
 
-            /// Stores `value` at `index`; panics out of range.
+            /// Stores `value` at `index`. Panics if `index` is out of range.
             #[inline(always)]
             #[track_caller]
             pub fn atomic_store(&$self, index: u32, value: $element) {
@@ -161,12 +162,12 @@ macro_rules! host_atomics {
     };
     (method $element:ty, $atomic:ty, $self:ident => $view:expr, $name:ident, $operation:ident, $doc:literal) => {
         #[doc = $doc]
-        /// Returns what was there; panics out of range.
+        /// Returns the old value. Panics if `index` is out of range.
         #[inline(always)]
         #[track_caller]
         pub fn $name(&$self, index: u32, value: $element) -> $element {
-            // SAFETY: the address is in range and aligned, and kernels touch such an element only through atomics: the CPU run
-            // with `check_races` sees to it
+            // SAFETY: the address is in range and aligned. Kernels touch such an element only through atomics, which
+            // the CPU run with `check_races` checks.
             unsafe { <$atomic>::from_ptr($view.address(index, Touch::Atomic)) }.$operation(value, Ordering::Relaxed)
         }
     };
@@ -181,14 +182,15 @@ host_atomics!(['a, const N: usize] Shared<'a, u32, N>, u32, AtomicU32, self => s
 #[cfg(not(target_arch = "spirv"))]
 host_atomics!(['a, const N: usize] Shared<'a, i32, N>, i32, AtomicI32, self => self.0);
 
-/// Adds `value` at `index`; sums of integers do not depend on the order. Returns what was there.
+/// Adds `value` at `index`, and returns the old value. Sums of integers do not depend on the order.
 #[inline(always)]
 #[cfg_attr(not(target_arch = "spirv"), track_caller)]
 pub fn add(buffer: Write<u32>, index: u32, value: u32) -> u32 {
     buffer.atomic_add(index, value)
 }
 
-/// Raises what is at `index` to `value`; the largest of integers does not depend on the order. Returns what was there.
+/// Raises the value at `index` to at least `value`, and returns the old value. The maximum does not depend on the
+/// order.
 #[inline(always)]
 #[cfg_attr(not(target_arch = "spirv"), track_caller)]
 pub fn raise(buffer: Write<u32>, index: u32, value: u32) -> u32 {
@@ -198,7 +200,7 @@ pub fn raise(buffer: Write<u32>, index: u32, value: u32) -> u32 {
     {
         // SAFETY: as in the methods
         let at = unsafe { AtomicU32::from_ptr(buffer.address(index, Touch::Atomic)) };
-        // mostly there is nothing to do, and threads do not wait for each other
+        // usually there is nothing to do, and then threads do not wait for each other
         let found = at.load(Ordering::Relaxed);
         if found < value { at.fetch_max(value, Ordering::Relaxed) } else { found }
     }
@@ -224,7 +226,7 @@ pub fn add_wide(buffer: Write<u32>, index: u32, [low, high]: [u32; 2]) {
     add_wide_lanes(buffer, [index], [(u64::from(high) << 32 | u64::from(low)) as i64]);
 }
 
-/// As [`add_wide`], for several integers one after another.
+/// Like [`add_wide`], for several integers one after another.
 #[cfg(not(target_arch = "spirv"))]
 #[inline(always)]
 #[track_caller]
@@ -236,7 +238,7 @@ pub fn add_wide_lanes<const N: usize>(buffer: Write<u32>, index: [u32; N], value
         let at = unsafe { AtomicU64::from_ptr(first.add(index[i] as usize)) };
         let sum = |words: u64| words.wrapping_add(value[i] as u64);
         let before = at.load(Ordering::Relaxed);
-        // the low word comes first on every machine
+        // the low word is first on every machine
         #[cfg(target_endian = "little")]
         at.store(sum(before), Ordering::Relaxed);
         #[cfg(target_endian = "big")]
@@ -245,7 +247,7 @@ pub fn add_wide_lanes<const N: usize>(buffer: Write<u32>, index: [u32; N], value
     }
 }
 
-/// As [`add_wide_lanes`] for two integers each, the second one after the first.
+/// Like [`add_wide_lanes`], for two consecutive integers each.
 #[cfg(not(target_arch = "spirv"))]
 #[inline(always)]
 #[track_caller]

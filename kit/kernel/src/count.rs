@@ -1,7 +1,8 @@
-//! Counts that stay on the device: how many items a dispatch has, if an earlier dispatch has computed that.
+//! Counts that stay on the device: numbers of items that an earlier dispatch has computed.
 //!
-//! The host sizes tables and dispatches for the number that it expects, and does not wait for the real one. The buffer
-//! `counts` has the numbers. If one of them exceeds its capacity, [`OVERFLOW`] is raised and all of them count as 0.
+//! The host sizes tables and dispatches for the number that it expects, and does not wait for the real one. The
+//! buffer `counts` has the numbers. If one of them exceeds its capacity, [`OVERFLOW`] is raised and all of them count
+//! as 0.
 
 use organza_macros::kernel;
 
@@ -13,10 +14,10 @@ use crate::memory::{ReadBuffer, WriteBuffer};
 /// Index in `counts` of a flag: not 0 if a number exceeds its capacity.
 pub const OVERFLOW: u32 = 0;
 
-/// Values of `placement` for each number, and before the first one: see [`count_fill`].
+/// Number of values in a row of `placement`: see [`count_fill`].
 pub const PLACEMENT_VALUES: u32 = 4;
 
-/// How many of `total` items there are from `first` on, at most `most`.
+/// The number of items from `first` on among `total`, at most `most`.
 #[inline(always)]
 pub fn piece(total: u32, first: u32, most: u32) -> u32 {
     let rest = if total > first { total - first } else { 0 };

@@ -41,7 +41,7 @@ fn negated([low, high]: [u32; 2]) -> [u32; 2] {
     [low, high]
 }
 
-/// As [`words`], for numbers of less than 2^63, where there are 64-bit integers.
+/// Like [`words`], for numbers below 2^63, on machines with 64-bit integers.
 #[cfg(not(target_arch = "spirv"))]
 #[inline(always)]
 pub fn integers<const N: usize>(mut x: [f32; N]) -> [i64; N] {
@@ -72,7 +72,7 @@ pub fn take(sum: Write<u32>, index: u32) -> f32 {
     number(words)
 }
 
-/// As [`take`], for consecutive integers, with one rounding.
+/// Like [`take`], for consecutive integers, with one rounding.
 #[cfg(not(target_arch = "spirv"))]
 #[inline(always)]
 #[track_caller]
@@ -108,7 +108,7 @@ mod tests {
         [value as u32, (value >> 32) as u32]
     }
 
-    /// Every exponent below 62, with mantissas that round every way.
+    /// Every exponent below 62, with mantissas that round in every way.
     fn numbers() -> impl Iterator<Item = f32> {
         let mantissas = (0..512_u32).map(|i| i.wrapping_mul(0x9e37_79b9) >> 9);
         let edges = [0, 1, 2, 3, 0x40_0000, 0x3f_ffff, 0x7f_fffe, 0x7f_ffff];

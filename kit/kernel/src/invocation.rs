@@ -12,19 +12,19 @@ pub struct Invocation {
     pub local: UVec3,
     /// Position of the workgroup in the dispatch.
     pub workgroup: UVec3,
-    /// Workgroups in the dispatch.
+    /// Number of workgroups in the dispatch, per axis.
     pub workgroups: UVec3,
-    /// Invocations in a workgroup.
+    /// Number of invocations in a workgroup, per axis.
     pub size: UVec3,
-    /// Items along x that an invocation takes.
+    /// Number of items along x that an invocation handles.
     pub each: u32,
-    /// What [`Invocation::barrier`] calls: the executor sets it.
+    /// Called by [`Invocation::barrier`]. The executor sets it.
     #[cfg(not(target_arch = "spirv"))]
     pub wait: fn(&'static Location<'static>),
 }
 
 impl Invocation {
-    /// An invocation that has no barriers to wait at.
+    /// An invocation without barriers.
     #[inline(always)]
     pub fn new(local: UVec3, workgroup: UVec3, workgroups: UVec3, size: UVec3) -> Self {
         Self {
@@ -38,7 +38,7 @@ impl Invocation {
         }
     }
 
-    /// The same invocation where each takes `each` items.
+    /// The same invocation, handling `each` items.
     #[inline(always)]
     #[must_use]
     pub fn of(self, each: u32) -> Self {
@@ -51,25 +51,25 @@ impl Invocation {
         self.workgroup * self.size + self.local
     }
 
-    /// Number of the workgroup, counted along x and then y: a single axis has at most 65,535.
+    /// Index of the workgroup, along x and then y, because a single axis has at most 65,535.
     #[inline(always)]
     pub fn workgroup_index(&self) -> u32 {
         self.workgroup.x + self.workgroup.y * self.workgroups.x
     }
 
-    /// Number of the invocation's item, or of the first one, in a dispatch of one-dimensional workgroups.
+    /// Index of the invocation's first item, in a dispatch of one-dimensional workgroups.
     #[inline(always)]
     pub fn index(&self) -> u32 {
         (self.workgroup_index() * self.size.x + self.local.x) * self.each
     }
 
-    /// Number of the invocation in its workgroup.
+    /// Index of the invocation in its workgroup.
     #[inline(always)]
     pub fn local_index(&self) -> u32 {
         self.local.x + self.size.x * (self.local.y + self.size.y * self.local.z)
     }
 
-    /// Waits for the whole workgroup; what it wrote to workgroup memory is visible afterwards.
+    /// Waits for the whole workgroup. Afterwards, everything that it wrote to workgroup memory is visible.
     #[inline(always)]
     #[cfg_attr(not(target_arch = "spirv"), track_caller)]
     pub fn barrier(&self) {

@@ -12,7 +12,7 @@ use crate::memory::{AccessMonitor, Read, Shared, Write};
 pub use crate::running::{PanicContext, allow_iterations, enter, iterate};
 use crate::work::{Shape, Work, WorkOf};
 
-/// How a kernel uses a binding.
+/// The way in which a kernel uses a binding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Access {
     /// A uniform buffer.
@@ -24,7 +24,7 @@ pub enum Access {
 }
 
 impl Access {
-    /// `uniform`, `read` or `write`.
+    /// Name of the access: `uniform`, `read` or `write`.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Uniform => "uniform",
@@ -39,34 +39,34 @@ impl Access {
 pub struct BindingInfo {
     /// Name of the parameter.
     pub name: &'static str,
-    /// How it is used.
+    /// Use of the buffer.
     pub access: Access,
-    /// The element's type.
+    /// Type of an element.
     pub element: &'static str,
-    /// The element's size.
+    /// Size of an element, in bytes.
     pub element_bytes: u32,
 }
 
-/// Workgroup memory of a kernel.
+/// An array of a kernel in workgroup memory.
 #[derive(Clone, Copy, Debug)]
 pub struct SharedInfo {
     /// Name of the parameter.
     pub name: &'static str,
-    /// The element's type.
+    /// Type of an element.
     pub element: &'static str,
-    /// Elements.
+    /// Number of elements.
     pub len: u32,
-    /// Bytes in all.
+    /// Size of the array, in bytes.
     pub bytes: u32,
 }
 
-/// The most bytes of workgroup memory that a kernel has: what every implementation of WebGPU offers.
+/// Most bytes of workgroup memory in a kernel: every implementation of WebGPU offers these.
 pub const MAX_WORKGROUP_BYTES: u32 = 16_384;
 
-/// The most storage buffers that a kernel binds: what every implementation of WebGPU offers.
+/// Most storage buffers of a kernel: every implementation of WebGPU offers these.
 pub const MAX_STORAGE_BUFFERS: u32 = 8;
 
-/// The most invocations of a workgroup: what every implementation of WebGPU offers.
+/// Most invocations of a workgroup: every implementation of WebGPU offers these.
 pub const MAX_WORKGROUP_INVOCATIONS: u32 = 256;
 
 /// Bytes of all arrays in workgroup memory.
@@ -82,39 +82,39 @@ pub const fn workgroup_bytes(shared: &[SharedInfo]) -> u32 {
 /// One of a kernel's SPIR-V entry points. All have the same body and bindings.
 #[derive(Clone, Copy, Debug)]
 pub struct EntryPoint {
-    /// Its name, and that of its module.
+    /// Name of the entry point, and of its module.
     pub name: &'static str,
     /// Workgroup memory: the kernel's, and in the variant that of its [shared tiles](crate::shared_tile).
     pub shared: &'static [SharedInfo],
 }
 
-/// Everything about a kernel that its declaration says.
+/// The declaration of a kernel.
 pub struct KernelInfo {
     /// Name of the function and of the plain SPIR-V entry point.
     pub name: &'static str,
-    /// The package that declares it: two packages can have kernels of one name.
+    /// Package that declares the kernel: two packages can have kernels of the same name.
     pub package: &'static str,
-    /// The source file, as the compiler has it: relative to the workspace, or of a package from elsewhere.
+    /// Source file in the compiler's form: relative to the workspace, or to a package from elsewhere.
     pub file: &'static str,
-    /// Invocations of a workgroup.
+    /// Number of invocations in a workgroup, per axis.
     pub workgroup_size: [u32; 3],
-    /// Largest number of iterations of all loops of one invocation together; `None` without a loop.
+    /// Upper limit for the iterations of all loops of one invocation together; `None` without a loop.
     pub iterations: Option<u32>,
     /// Whether drivers may fuse and regroup its arithmetic.
     pub fused: bool,
-    /// Whether the CPU runs the workgroups of one z one after another, on one thread.
+    /// Whether the CPU runs workgroups with the same z one after another, on one thread.
     pub z_serial: bool,
-    /// Whether the CPU runs the workgroups of one x and y one after another.
+    /// Whether the CPU runs workgroups with the same x and y one after another.
     pub z_innermost: bool,
-    /// Items along x that an invocation of a GPU takes.
+    /// Number of items along x that an invocation handles on a GPU.
     pub each: u32,
     /// Bindings, by number.
     pub bindings: &'static [BindingInfo],
     /// Workgroup memory.
     pub shared: &'static [SharedInfo],
-    /// The second entry point of kernels with shared tiles: the variant, in which these are workgroup memory.
+    /// The second entry point of a kernel with shared tiles: the variant, in which they are in workgroup memory.
     pub variant: Option<EntryPoint>,
-    /// Counts what a dispatch computes and moves, if the kernel declares it.
+    /// Counts the work of a dispatch, if the kernel declares it.
     pub work: Option<WorkOf>,
     /// The CPU execution.
     pub run: CpuRun,
@@ -128,15 +128,15 @@ impl KernelInfo {
         EntryPoint { name: self.name, shared: self.shared }
     }
 
-    /// What a dispatch computes and moves: its parameters' bytes, the elements of its storage buffers, and its workgroups
-    /// along z.  Zeros where the kernel is not counted.
+    /// The work of a dispatch, given its parameters' bytes, the number of elements of its storage buffers, and its
+    /// workgroups along z. Zero if the kernel is not counted.
     pub fn work(&self, uniform: &[u8], elements: &[u64], workgroups_z: u32) -> Work {
         let shape = Shape { elements, workgroups_z: u64::from(workgroups_z) };
         self.work.map_or_else(Work::default, |work| work(uniform, shape))
     }
 
-    /// The source file by a name that depends on no machine: relative to the workspace, or `package/src/..` where the package
-    /// comes from elsewhere.
+    /// The source file with a name that does not depend on the machine: relative to the workspace, or
+    /// `package/src/..` if the package comes from elsewhere.
     pub fn source(&self) -> std::string::String {
         let file = self.file.replace('\\', "/");
         match std::path::Path::new(self.file).is_relative() && !file.starts_with("../") {
@@ -154,19 +154,18 @@ impl KernelInfo {
     }
 }
 
-/// How the CPU runs a kernel.
+/// The function with which the CPU runs a kernel.
 ///
 /// # Safety
-/// Both functions take the bindings in the order of [`KernelInfo::bindings`], then those of
-/// [`KernelInfo::shared`], each holding values of the declared type, aligned for it.  A binding that is
-/// written is not written by others meanwhile.
+/// Both functions take the bindings in the order of [`KernelInfo::bindings`], then those of [`KernelInfo::shared`].
+/// Each contains values of the declared type, with its alignment. Nobody else writes to a written binding meanwhile.
 #[derive(Clone, Copy)]
 pub enum CpuRun {
     /// Runs a whole workgroup: bindings, workgroup, workgroups.
     Workgroup(unsafe fn(&[CpuBinding], UVec3, UVec3)),
     /// Runs one invocation, which may wait at barriers.
     Invocation(unsafe fn(&[CpuBinding], Invocation)),
-    /// As `Workgroup`, for each instruction set.
+    /// Like `Workgroup`, for each instruction set.
     Lanes(LaneRuns),
 }
 
@@ -191,12 +190,12 @@ impl LaneRuns {
     }
 }
 
-/// What the CPU runs kernels with lanes on.
+/// The instruction set of kernels with lanes on the CPU.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum InstructionSet {
-    /// One lane: for debuggers, and to find invocations that get in each other's way.
+    /// One lane: for debuggers, and to find races between invocations.
     Scalar,
-    /// Eight lanes of whatever the program is compiled for.
+    /// Eight lanes, with the instructions that the program is compiled for.
     Plain,
     /// AVX2 and FMA: eight lanes.
     Avx2,
@@ -205,10 +204,10 @@ pub enum InstructionSet {
 }
 
 impl InstructionSet {
-    /// All of them, the best last.
+    /// All instruction sets, the best last.
     pub const ALL: [Self; 4] = [Self::Scalar, Self::Plain, Self::Avx2, Self::Avx512];
 
-    /// `scalar`, `plain`, `avx2` or `avx512`.
+    /// Name: `scalar`, `plain`, `avx2` or `avx512`.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Scalar => "scalar",
@@ -218,7 +217,7 @@ impl InstructionSet {
         }
     }
 
-    /// Whether this CPU has it.
+    /// Whether this CPU has the instruction set.
     pub fn is_available(self) -> bool {
         match self {
             Self::Scalar | Self::Plain => true,
@@ -239,7 +238,7 @@ impl InstructionSet {
         }
     }
 
-    /// The best that this CPU has.
+    /// The best instruction set of this CPU.
     pub fn best() -> Self {
         let best = Self::ALL.into_iter().rfind(|set| set.is_available());
         best.unwrap_or(Self::Scalar)
@@ -299,22 +298,22 @@ pub use crate::lane_runs;
 /// Memory of one binding.
 #[derive(Clone, Copy)]
 pub struct CpuBinding<'a> {
-    /// First byte.
+    /// Address of the first byte.
     pub data: *mut u8,
-    /// Size.
+    /// Size in bytes.
     pub bytes: usize,
-    /// Sees every access: where the binding is written and races are looked for, and where nothing was written to parts of it.
+    /// Watches every access: if the binding is written and races are checked, and if parts of it are unwritten.
     pub monitor: Option<&'a dyn AccessMonitor>,
 }
 
-// SAFETY: a pointer and a size; what is done with them is the business of `CpuRun`'s contract
+// SAFETY: a pointer and a size; `CpuRun`'s contract restricts their use
 unsafe impl Send for CpuBinding<'_> {}
 // SAFETY: as above
 unsafe impl Sync for CpuBinding<'_> {}
 
 impl<'a> CpuBinding<'a> {
     /// # Safety
-    /// Holds a `T`.
+    /// The binding must contain a `T`.
     pub unsafe fn uniform<T: Pod>(self) -> &'a T {
         // SAFETY: the caller's
         let bytes = unsafe { slice::from_raw_parts(self.data, self.bytes) };
@@ -322,7 +321,7 @@ impl<'a> CpuBinding<'a> {
     }
 
     /// # Safety
-    /// As [`Read::from_raw`].
+    /// The same as for [`Read::from_raw`].
     pub unsafe fn read<T: Pod>(self) -> Read<'a, T> {
         // SAFETY: the caller's
         unsafe { Read::from_raw(self.data.cast(), self.bytes / size_of::<T>()) }
@@ -330,7 +329,7 @@ impl<'a> CpuBinding<'a> {
     }
 
     /// # Safety
-    /// As [`Write::from_raw`].
+    /// The same as for [`Write::from_raw`].
     pub unsafe fn write<T: Pod>(self) -> Write<'a, T> {
         // SAFETY: the caller's
         unsafe { Write::from_raw(self.data.cast(), self.bytes / size_of::<T>()) }
@@ -338,7 +337,7 @@ impl<'a> CpuBinding<'a> {
     }
 
     /// # Safety
-    /// As [`Shared::from_raw`].
+    /// The same as for [`Shared::from_raw`].
     pub unsafe fn shared<T: Pod, const N: usize>(self) -> Shared<'a, T, N> {
         debug_assert_eq!(self.bytes, size_of::<[T; N]>());
         // SAFETY: the caller's
@@ -346,44 +345,44 @@ impl<'a> CpuBinding<'a> {
     }
 }
 
-/// Where buffers live: the host implements it once for all its backends.
+/// The types of buffers. The host implements it once for all its backends.
 pub trait Storage {
     /// A buffer of `T`.
     type Buffer<T: Pod>;
-    /// A buffer whose element type is forgotten.
+    /// A buffer without its element type.
     type Binding<'a>;
     /// A number of items that only the device may know.
     type Count;
-    /// Forgets the element type.
+    /// Removes the element type.
     fn bind<T: Pod>(buffer: &Self::Buffer<T>) -> Self::Binding<'_>;
     /// The number, or an upper bound if only the device knows it.
     fn at_most(count: &Self::Count) -> u32;
 }
 
-/// A kernel with all its bindings, ready to run.  `#[kernel]` implements it.
+/// A kernel with all its bindings, ready to run. `#[kernel]` implements it.
 pub trait Dispatch<'a, S: Storage> {
-    /// The kernel.
+    /// The kernel's declaration.
     fn info(&self) -> &'static KernelInfo;
-    /// The uniform buffer's bytes; empty where the kernel has none.
+    /// Bytes of the uniform buffer; empty if the kernel has none.
     fn uniform(&self) -> &[u8];
     /// Visits the storage buffers in order.
     fn bind(&self, visit: &mut dyn FnMut(S::Binding<'a>));
-    /// Parameters that only the device may know, with their byte offset in the uniform buffer.  The buffer has their upper
-    /// bounds.
+    /// Parameters that only the device may know, with their offset in the uniform buffer, in bytes. The buffer has
+    /// their upper bounds.
     fn counts(&self) -> &[(usize, &'a S::Count)] {
         &[]
     }
 }
 
-/// A dispatch with parameters that only the device may know.  Made by `counted`, which kernels have that declare
-/// `counts(..)`.
+/// A dispatch with parameters that only the device may know. A kernel that declares `counts(..)` has a function
+/// `counted`, which makes it.
 pub struct Counted<'a, S: Storage, K, const N: usize> {
     kernel: K,
     counts: [(usize, &'a S::Count); N],
 }
 
 impl<'a, S: Storage, K, const N: usize> Counted<'a, S, K, N> {
-    /// A kernel and its counts, with their byte offsets in the uniform buffer.
+    /// A kernel and its counts, with their offsets in bytes.
     #[doc(hidden)]
     pub const fn new(kernel: K, counts: [(usize, &'a S::Count); N]) -> Self {
         Self { kernel, counts }
@@ -408,11 +407,11 @@ impl<'a, S: Storage, K: Dispatch<'a, S>, const N: usize> Dispatch<'a, S> for Cou
     }
 }
 
-/// Every kernel that the program is linked with; `#[kernel]` adds to it.
+/// Every kernel that the program is linked with. `#[kernel]` adds to it.
 #[linkme::distributed_slice]
 pub static KERNELS: [KernelInfo];
 
-/// Every kernel that the program is linked with, those of its dependencies included.
+/// Every kernel that the program is linked with, including those of its dependencies.
 pub fn kernels() -> impl Iterator<Item = &'static KernelInfo> {
     KERNELS.iter()
 }

@@ -1,8 +1,8 @@
 //! Lanes: several invocations at once, as SIMD on the CPU.
 //!
-//! A kernel declared with `lanes(samples)` is generic over [`Lane`]. A GPU runs it with `f32`: an invocation already is a
-//! lane. The CPU runs it with [`Wide`]: as many invocations along x at once as its registers hold. The rest runs with one lane
-//! of the same arithmetic, so no result depends on where a group of lanes ends.
+//! A kernel declared with `lanes(samples)` is generic over [`Lane`]. A GPU runs it with `f32`: an invocation already
+//! is a lane. The CPU runs it with [`Wide`]: as many invocations along x at once as its registers hold. The rest runs
+//! with one lane of the same arithmetic, so no result depends on the end of a group of lanes.
 
 use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
 
@@ -18,7 +18,7 @@ use crate::{atomic, fixed};
 #[cfg(not(target_arch = "spirv"))]
 pub use crate::wide::{Wide, WideIndex, WideMask};
 
-/// The most lanes that a [`Lane`] has: workgroups are multiples of it.
+/// Largest number of lanes in a [`Lane`]: workgroups are multiples of it.
 pub const MAX_WIDTH: u32 = 16;
 
 /// One `f32` for each of several invocations.
@@ -30,11 +30,11 @@ pub trait Lane:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// Lanes.
+    /// Number of lanes.
     const WIDTH: u32;
-    /// Columns of four sums that fit in the registers, together with the terms: 2 or 4.
+    /// Number of columns of four sums that fit in the registers, together with the terms: 2 or 4.
     const COLUMNS: u32;
-    /// Whether adding two values at once to [fixed-point](crate::fixed) sums is faster than one after the other.
+    /// Whether adding two values to [fixed-point](crate::fixed) sums at once is faster than one after the other.
     const ADDS_TWO: bool;
     /// One lane of the same arithmetic.
     type One: Lane;
@@ -47,7 +47,7 @@ pub trait Lane:
     fn splat(value: f32) -> Self;
     /// 0, 1, 2, ...
     fn ramp() -> Self;
-    /// `self * a + b`, with one rounding where the hardware has that: for kernels that are `fused`.
+    /// `self * a + b`, with one rounding if the hardware has that: for kernels that are `fused`.
     fn mul_add(self, a: Self, b: Self) -> Self;
     /// The smaller of two values.
     fn min(self, other: Self) -> Self;
@@ -57,9 +57,9 @@ pub trait Lane:
     fn less(self, other: Self) -> Self::Mask;
     /// `self <= other`
     fn at_most(self, other: Self) -> Self::Mask;
-    /// `yes` where the mask holds, `no` elsewhere.
+    /// `yes` in lanes where the mask holds, `no` in others.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
-    /// Where both masks hold.
+    /// The lanes in which both masks hold.
     fn both(a: Self::Mask, b: Self::Mask) -> Self::Mask;
     /// Whether a mask holds in any lane.
     fn any(mask: Self::Mask) -> bool;
@@ -71,31 +71,31 @@ pub trait Lane:
     fn truncate(self) -> Self;
     /// The value without its fraction as an integer, for values from 0 to 2^31.
     fn index(self) -> Self::Index;
-    /// The same value.  On the CPU it goes through memory, so the compiler keeps a sum in one register until then and does
-    /// not split it for the sum of all lanes.
+    /// The same value. On the CPU it goes through memory. So the compiler keeps a sum in one register until then, and
+    /// does not split it for the sum of all lanes.
     fn settled(self) -> Self;
-    /// The sum of all lanes, of pairs of halves: the same order for every run.
+    /// The sum of all lanes, as a tree of pairs: always in the same order.
     fn sum(self) -> f32;
-    /// Consecutive values from `first` on.
+    /// Reads consecutive values, starting at `first`.
     fn read(buffer: Read<f32>, first: u32) -> Self;
-    /// Consecutive values from `first` on, of a buffer that is written, too.
+    /// Reads consecutive values, starting at `first`, from a buffer that is also written.
     fn read_written(buffer: Write<f32>, first: u32) -> Self;
-    /// Values at any indices.
+    /// Reads values at arbitrary indices.
     fn gather(buffer: Read<f32>, at: Self::Index) -> Self;
-    /// The two [16-bit floats](crate::half::half_value) of words at any indices, the lower one first.
+    /// Reads words at arbitrary indices, each with two [16-bit floats](crate::half::half_value), the lower one first.
     fn gather_halves(buffer: Read<u32>, at: Self::Index) -> [Self; 2];
-    /// Stores consecutive values from `first` on.
+    /// Stores consecutive values, starting at `first`.
     fn write(self, buffer: Write<f32>, first: u32);
-    /// Adds the values to the [fixed-point](crate::fixed) sums at `at`, where the mask holds: see
+    /// Adds the values to the [fixed-point](crate::fixed) sums at `at`, in lanes where the mask holds: see
     /// [`atomic::add_wide`].
     fn add_fixed(self, mask: Self::Mask, sum: Write<u32>, at: Self::Index);
-    /// As [`Lane::add_fixed`] for two values each, the second one after the first.
+    /// Like [`Lane::add_fixed`], for two consecutive values each.
     fn add_fixed_two(values: [Self; 2], mask: Self::Mask, sum: Write<u32>, at: Self::Index);
-    /// Says that the fixed-point sums at `at` are about to be added to.
+    /// Hints that the fixed-point sums at `at` are about to be changed.
     fn expect_fixed(sum: Write<u32>, at: Self::Index);
-    /// Consecutive fixed-point sums from `first` on; leaves zeros.
+    /// Takes consecutive fixed-point sums, starting at `first`, and leaves zeros.
     fn take_fixed(sum: Write<u32>, first: u32) -> Self;
-    /// Sets the flags of the blocks of `block` elements that the elements `at` belong to, if the mask is set.
+    /// In lanes where the mask holds, sets the flag of the block of `block` elements that contains the element `at`.
     fn flag(mask: Self::Mask, flags: Write<u32>, at: Self::Index, block: u32);
 }
 
@@ -113,7 +113,7 @@ pub trait LaneIndex: Copy + BitXor<Output = Self> + BitAnd<Output = Self> {
     fn wrapping_mul(self, other: Self) -> Self;
     /// `self < other`
     fn less(self, other: Self) -> Self::Mask;
-    /// `yes` where the mask holds, `no` elsewhere.
+    /// `yes` in lanes where the mask holds, `no` in others.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// The value of a lane.
     fn lane(self, lane: u32) -> u32;

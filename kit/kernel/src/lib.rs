@@ -31,7 +31,7 @@
 //! [`Shared`](memory::Shared), and wait for each other, [`Invocation::barrier`](invocation::Invocation::barrier). [`atomic`] lets
 //! invocations count together. [`lane`] and [`samples`] are SIMD on the CPU.
 //!
-//! # How it is run
+//! # How it runs
 //!
 //! On the CPU a kernel is compiled with the rest of the program. For GPUs, `organza-build` compiles it to SPIR-V with
 //! [Rust-GPU](https://rust-gpu.github.io). The attribute also writes a struct with a field for each binding, here `SquareKernel`. With
@@ -47,7 +47,7 @@
 //! All kernels that a program is linked with are in a [registry](kernel::kernels). A program finds its own by the
 //! [package](kernel::kernels_of) that declares them.
 //!
-//! # How it is tested
+//! # How to test it
 //!
 //! A test beside the kernel calls it as a function. [`Workgroup`](workgroup::Workgroup) does so for every invocation of a workgroup,
 //! with barriers, in a second:
@@ -71,23 +71,24 @@
 //! # }
 //! ```
 //!
-//! The CPU run is strict where a GPU goes on with garbage. It reports an index out of range, a missing or divergent barrier, a race,
-//! memory that is read before it is written, and a loop that takes longer than declared. Each message has the kernel, the line, the
-//! invocation and the buffer:
+//! The CPU run is strict where a GPU continues with garbage. It reports an index out of range, a missing or divergent
+//! barrier, a race, a read of unwritten memory, and a loop that runs longer than declared. Each message has the
+//! kernel, the line, the invocation and the buffer:
 //!
 //! ```text
 //! kernel `square`: index 100 is out of range of `input`, which has 100 elements, at kernels/src/lib.rs:14:29,
 //! in invocation [36, 0, 0] of workgroup [1, 0, 0], [100, 0, 0] in the dispatch
 //! ```
 //!
-//! `DeviceOptions::checked()` of `organza-device` is the device that finds most.
+//! `DeviceOptions::checked()` of `organza-device` is the device that finds most mistakes.
 //!
-//! # How devices are compared
+//! # How to compare devices
 //!
-//! `organza-check` runs a kernel with many inputs on the CPU and on a GPU, in both ways that SPIR-V takes to a driver, and compares the
-//! results with each other and with the equations in f64. It also keeps snapshots of tensors and pictures.
+//! `organza-check` runs a kernel with many inputs on the CPU and on a GPU, with both paths of SPIR-V to a driver. It
+//! compares the results with each other and with the equations in f64. It also keeps snapshots of tensors and
+//! pictures.
 //!
-//! # How it is debugged
+//! # How to debug it
 //!
 //! On the CPU a kernel is an ordinary function, and a debugger stops in it. Compile without optimizations, so that every variable can
 //! be printed, and start the test's program, whose path `cargo test --no-run` prints:
@@ -102,22 +103,22 @@
 //! ```
 //!
 //! The condition stops in one invocation. Kernels with lanes show single values with `InstructionSet::Scalar`, which
-//! `DeviceOptions::checked()` has. If a GPU gives something else than the CPU, the parity test names the output and the element, and
-//! the same element is the one to stop at.
+//! `DeviceOptions::checked()` uses. If a GPU's result differs from the CPU's, the parity test names the output and
+//! the element: stop at this element.
 //!
 //! # The crate
 //!
-//! Start with the [`prelude`], [`memory`] (buffers) and [`invocation`]. [`shared_tile`] is workgroup memory as a cache, [`fixed`] are
-//! sums that do not depend on the order, and [`count`] has numbers that stay on the device.
+//! Start with the [`prelude`], [`memory`] (buffers) and [`invocation`]. [`shared_tile`] is workgroup memory as a
+//! cache, [`fixed`] has sums that do not depend on the order, and [`count`] has numbers that stay on the device.
 //!
-//! The crate is compiled twice. Rust-GPU compiles it to SPIR-V, where [`memory::Read`] and [`memory::Write`] are storage
-//! buffers. For the CPU they are views of slices, and every access is checked.
+//! The crate is compiled twice. Rust-GPU compiles it to SPIR-V, where [`memory::Read`] and [`memory::Write`] are
+//! storage buffers. For the CPU they are views of slices, and every access is checked.
 #![no_std]
 #![cfg_attr(target_arch = "spirv", feature(f16, asm_experimental_arch))]
-// the shader compiler cannot compile what clippy suggests instead
+// the shader compiler cannot compile clippy's suggestions
 #![allow(clippy::implicit_saturating_sub, clippy::manual_range_contains, clippy::manual_clamp)]
 
-// `#[kernel]` writes `::organza_kernel`, here as everywhere
+// `#[kernel]` generates the path `::organza_kernel`, also in this crate
 extern crate self as organza_kernel;
 
 pub mod atomic;
@@ -150,10 +151,10 @@ mod workgroup_memory;
 #[cfg(not(target_arch = "spirv"))]
 pub use kernel::{Access, BindingInfo, EntryPoint, KernelInfo, SharedInfo, kernels, kernels_of};
 
-// vectors, as kernels and their hosts use them
+// vectors for kernels and their hosts
 pub use glam;
 
-/// Dependencies of what `#[kernel]` writes.
+/// Dependencies of the code that `#[kernel]` generates.
 #[doc(hidden)]
 pub mod dependencies {
     pub use bytemuck;

@@ -49,17 +49,18 @@ pub fn truncate(x: f32) -> f32 {
     {
         Float::trunc(x)
     }
-    // an instruction each way, where `libm` computes with bits
+    // one instruction each way, while `libm` computes with bits
     #[cfg(not(target_arch = "spirv"))]
     {
         x as i32 as f32
     }
 }
 
-/// x without its fraction, for x from 0 to below 2^32. Anything else gives some number, and on the CPU the nearest.
+/// x without its fraction, for x from 0 to below 2^32. Any other x gives some number, which on the CPU is the
+/// nearest.
 #[inline(always)]
 pub fn to_u32(x: f32) -> u32 {
-    // `as` is four instructions more on a GPU: it compares with both limits
+    // `as` takes four more instructions on a GPU, because it compares with both limits
     #[cfg(target_arch = "spirv")]
     {
         // SAFETY: SPIR-V's conversion has an undefined result there, but no undefined behavior
@@ -89,7 +90,7 @@ pub fn max(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
-/// x, limited to `[low, high]`.
+/// x, clamped to `[low, high]`.
 #[inline(always)]
 pub fn clamp(x: f32, low: f32, high: f32) -> f32 {
     min(max(x, low), high)
@@ -122,8 +123,8 @@ fn minus_size<L: Lane>(x: L) -> L {
     L::select(x.less(L::splat(0.0)), x, -x)
 }
 
-/// ln(1 + x) = 2 atanh(x / (2 + x)) for x in [0, 1], by its series (error below 1e-8): 1 + x would lose the digits of
-/// a small x.
+/// ln(1 + x) = 2 atanh(x / (2 + x)) for x in [0, 1], by its series (error below 1e-8). Computing 1 + x would lose the
+/// digits of a small x.
 #[inline(always)]
 fn ln_1p<L: Lane>(x: L) -> L {
     let number = L::splat;
@@ -152,7 +153,7 @@ pub fn length(v: Vec3) -> f32 {
     sqrt(dot(v, v))
 }
 
-/// v / |v|, and zero for zero.
+/// v / |v|; zero for zero.
 #[inline(always)]
 pub fn normalize(v: Vec3) -> Vec3 {
     v * (1.0 / max(length(v), TINY))

@@ -1,9 +1,9 @@
-//! Buffers, as kernels see them: [`Read`], [`Write`] and workgroup memory, [`Shared`].
+//! Buffers for kernels: [`Read`], [`Write`], and workgroup memory, [`Shared`].
 //!
-//! On the GPU [`Read`] and [`Write`] are slices, indexed without checks: a bounds check inside nested loops
-//! becomes an exit through several levels, which naga's SPIR-V reader miscompiles
-//! (<https://github.com/gfx-rs/wgpu/issues/4449>), and plain `get_unchecked` is not known to Rust-GPU.
-//! On the CPU they are views that check every access.
+//! On the GPU, [`Read`] and [`Write`] are slices, indexed without checks. A bounds check inside nested loops would
+//! become an exit through several levels, which naga's SPIR-V reader miscompiles
+//! (<https://github.com/gfx-rs/wgpu/issues/4449>). Rust-GPU does not know plain `get_unchecked`. On the CPU they are
+//! views that check every access.
 
 #[cfg(target_arch = "spirv")]
 mod device;

@@ -1,4 +1,4 @@
-//! Which invocation a CPU thread runs, so that error messages can name it.
+//! The invocation that a CPU thread runs, for error messages.
 
 extern crate std;
 
@@ -21,35 +21,35 @@ pub struct RunningInvocation {
 std::thread_local! {
     /// The first invocation of the workgroup.
     static WORKGROUP: Cell<Option<RunningInvocation>> = const { Cell::new(None) };
-    /// Number of the invocation in it.
+    /// Index of the invocation in it.
     static INVOCATION: Cell<u32> = const { Cell::new(0) };
-    /// Iterations that its loops may still take.
+    /// Number of iterations that its loops may still run.
     static ITERATIONS: Cell<u32> = const { Cell::new(u32::MAX) };
-    /// Whether invocations end that have not failed: they have nothing to say.
+    /// Whether invocations are ending that have not failed: they print nothing.
     static SILENT: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Sets the workgroup that the thread runs from now on, by its first invocation; `None` after the dispatch.
+/// Sets the thread's workgroup by its first invocation; `None` after the dispatch.
 #[inline]
 pub fn begin(workgroup: Option<RunningInvocation>) {
     WORKGROUP.set(workgroup);
 }
 
-/// Sets the invocation of the workgroup that the thread runs. It takes only the number, which costs nothing: to store the
-/// whole invocation would cost a tenth of a render.
+/// Sets the thread's invocation in its workgroup. It takes only the index, which costs nothing: storing the whole
+/// invocation would cost a tenth of a render.
 #[inline(always)]
 pub fn enter(invocation: u32) {
     INVOCATION.set(invocation);
 }
 
-/// Sets how many iterations the loops of the invocation may take from now on. In debug builds, `#[kernel]` and `#[loops]` count
-/// them.
+/// Sets the number of iterations that the invocation's loops may run from now on. In debug builds, `#[kernel]` and
+/// `#[loops]` count them.
 #[inline(always)]
 pub fn allow_iterations(most: u32) {
     ITERATIONS.set(most);
 }
 
-/// What is left of them.
+/// The number of iterations left.
 pub fn iterations_left() -> u32 {
     ITERATIONS.get()
 }
@@ -72,32 +72,32 @@ fn too_many_iterations() -> ! {
     panic!("the loops take more iterations than the kernel declares with `iterations`");
 }
 
-/// Says whether invocations end that have not failed.
+/// Sets whether invocations are ending that have not failed.
 pub(crate) fn silence(silent: bool) {
     SILENT.set(silent);
 }
 
-/// Number of the invocation that the thread runs.
+/// Index of the thread's invocation.
 pub fn invocation() -> u32 {
     INVOCATION.get()
 }
 
-/// The invocation that the thread runs; `None` outside of a dispatch.
+/// The thread's invocation; `None` outside of a dispatch.
 pub fn current() -> Option<RunningInvocation> {
     let mut place = WORKGROUP.get()?;
     place.id.local = unlinear(u64::from(INVOCATION.get()), place.id.size);
     Some(place)
 }
 
-/// The position of the element `index` in a box of `size`, such as an invocation in its workgroup or a workgroup in its
-/// dispatch. x counts fastest.
+/// The position of the element `index` in a box of `size`, such as an invocation in its workgroup or a workgroup in
+/// its dispatch. x is the fastest axis.
 pub fn unlinear(index: u64, size: UVec3) -> UVec3 {
     let [x, y] = [size.x, size.y].map(u64::from);
     UVec3::new((index % x) as u32, (index / x % y) as u32, (index / x / y) as u32)
 }
 
-/// Prints the invocation if a kernel panics outside of a dispatch, as in a unit test that calls it. In debug builds every
-/// kernel has one.
+/// Prints the invocation if a kernel panics outside of a dispatch, as in a unit test that calls it. In debug builds
+/// every kernel creates one.
 pub struct PanicContext(RunningInvocation);
 
 impl PanicContext {

@@ -1,8 +1,8 @@
 //! Several samples per invocation, for the layers of networks.
 //!
-//! A layer reads sixteen weights for sixteen multiply-adds of one sample; with four samples they serve for sixty-four. So a
-//! kernel can be generic over [`Samples`] instead of [`Lane`]. A GPU runs it with [`Four`]: an invocation takes four
-//! consecutive samples. The CPU runs it with lanes, like other kernels.
+//! For one sample, a layer reads sixteen weights for sixteen multiply-adds. For four samples, the same weights serve
+//! sixty-four. So a kernel can be generic over [`Samples`] instead of [`Lane`]. A GPU runs it with [`Four`]: an
+//! invocation handles four consecutive samples. The CPU runs it with lanes, like other kernels.
 
 use crate::lane::Lane;
 use crate::memory::{Read, Write};
@@ -11,22 +11,22 @@ use crate::memory::{ReadBuffer, WriteBuffer};
 
 /// One `f32` for each of several samples.
 pub trait Samples: Copy {
-    /// Samples.
+    /// Number of samples.
     const WIDTH: u32;
-    /// As [`Lane::COLUMNS`].
+    /// Same as [`Lane::COLUMNS`].
     const COLUMNS: u32;
     /// The same value for every sample.
     fn splat(value: f32) -> Self;
-    /// `self * a + b`, as [`Lane::mul_add`].
+    /// `self * a + b`, see [`Lane::mul_add`].
     fn mul_add(self, a: Self, b: Self) -> Self;
     /// The larger of two values.
     fn max(self, other: Self) -> Self;
-    /// `self` where `x` is above 0, and 0 elsewhere.
+    /// `self` where `x` is greater than 0, and 0 elsewhere.
     fn where_positive(self, x: Self) -> Self;
-    /// Consecutive values from `first` on. All of them must be in the buffer: each row has room for three values after its
-    /// last sample.
+    /// Reads consecutive values, starting at `first`. All of them must be in the buffer: each row has room for three
+    /// values after its last sample.
     fn read(buffer: Read<f32>, first: u32) -> Self;
-    /// Stores consecutive values from `first` on, those of the first `count` samples; at least 1.
+    /// Stores consecutive values of the first `count` samples, at least 1, starting at `first`.
     fn write(self, buffer: Write<f32>, first: u32, count: u32);
 }
 
@@ -72,7 +72,7 @@ impl<L: Lane> Samples for L {
     }
 }
 
-/// What an invocation of a GPU takes: enough for arithmetic to outweigh reading, few enough for its registers.
+/// The samples of a GPU's invocation: enough for arithmetic to outweigh reading, and few enough for its registers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Four {
     x: f32,
@@ -151,7 +151,7 @@ impl Samples for Four {
 mod tests {
     use super::*;
 
-    /// A few steps of what a layer does with samples.
+    /// A few steps of a layer, with samples.
     fn layer<S: Samples>(input: &[f32], output: &mut [f32], first: u32, count: u32) {
         let (a, b) = (S::read(Read::from(input), first), S::read(Read::from(input), first + 1));
         let sum = a.mul_add(S::splat(-1.5), S::splat(0.25)).max(b);

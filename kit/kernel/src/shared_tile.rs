@@ -1,9 +1,9 @@
 //! Workgroup memory as a cache.
 //!
-//! A kernel with a parameter `near: &mut impl SharedTile<Vec4, 192>` has two entry points with the same body. In the plain
-//! one the tile is [`Unshared`]: it is empty, and reads go to its [`Source`]. In the one named `_shared` it is workgroup memory: each
-//! invocation copies a share of what all of them will read, and reads go there. The CPU runs the plain one, and the other where a
-//! test asks for it.
+//! A kernel with a parameter `near: &mut impl SharedTile<Vec4, 192>` has two entry points with the same body. In the
+//! plain one the tile is [`Unshared`]: it is empty, and reads go to its [`Source`]. In the one with the suffix
+//! `_shared`, the tile is workgroup memory: each invocation copies a part of what all of them will read, and reads go
+//! there. The CPU runs the plain one, and the other if a test asks for it.
 
 use crate::invocation::Invocation;
 #[cfg(not(target_arch = "spirv"))]
@@ -11,9 +11,9 @@ use crate::memory::Shared;
 #[cfg(target_arch = "spirv")]
 use crate::memory::{ReadBuffer, SharedBuffer, WriteBuffer};
 
-/// Where a tile's elements come from: items of several elements each.
+/// The source of a tile's elements: items of several elements each.
 pub trait Source<T>: Copy {
-    /// Elements of an item.
+    /// Number of elements in an item.
     const ELEMENTS: u32;
 
     /// Index of an item's first element; the others follow.
@@ -25,17 +25,17 @@ pub trait Source<T>: Copy {
 
 /// Up to `N` elements that all invocations of a workgroup read.
 pub trait SharedTile<T: Copy, const N: usize> {
-    /// Whether invocations without an item must take part: they copy, and the others wait for them at barriers.
+    /// Whether invocations without an item must take part: they copy, and wait at barriers.
     fn is_shared(&self) -> bool;
 
-    /// How many of the next `items` fit at once; all of them if nothing is copied.
+    /// Number of the next `items` that fit at once; all of them if nothing is copied.
     fn capacity<S: Source<T>>(&self, source: S, items: u32) -> u32;
 
     /// Waits for the workgroup. Call it before filling, so that all invocations have read the last items, and again after,
     /// so that the tile is full. One wait is enough for all tiles of a kernel.
     fn wait(&self, id: Invocation);
 
-    /// Copies the first `items`.  Each element is copied by one invocation.
+    /// Copies the first `items`. One invocation copies each element.
     fn fill<S: Source<T>>(&mut self, id: Invocation, items: u32, source: S);
 
     /// Index of an item's first element, in workgroup memory or at the source; the others follow.
@@ -45,7 +45,7 @@ pub trait SharedTile<T: Copy, const N: usize> {
     fn element<S: Source<T>>(&self, offset: u32, source: S) -> T;
 }
 
-/// A tile that is empty: reads go to the source.
+/// An empty tile: reads go to the source.
 pub struct Unshared;
 
 impl<T: Copy, const N: usize> SharedTile<T, N> for Unshared {
@@ -77,7 +77,7 @@ impl<T: Copy, const N: usize> SharedTile<T, N> for Unshared {
     }
 }
 
-/// Workgroup memory, which a `Shared` is on both sides.
+/// Implements a tile in workgroup memory, for `Shared` on the CPU and on a GPU.
 macro_rules! impl_shared_tile {
     ([$($generics:tt)*] $shared:ty) => {
         impl<$($generics)*> SharedTile<T, N> for $shared {

@@ -9,10 +9,10 @@ use crate::memory::{Read, Write};
 use crate::wide_math::{exp, fma, pairwise, wholes};
 use crate::{atomic, fixed};
 
-/// `N` values; with `FUSED`, the instruction set it is compiled for has a fused multiply-add.
+/// `N` values. With `FUSED`, the instruction set has a fused multiply-add.
 ///
-/// The arithmetic is that of plain arrays: inlined into a function with the right target features, the compiler
-/// makes vector instructions of it.
+/// The arithmetic is that of plain arrays. Inlined into a function with the right target features, the compiler turns
+/// it into vector instructions.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub struct Wide<const N: usize, const FUSED: bool>(pub [f32; N]);
@@ -182,7 +182,7 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
 
     #[inline(always)]
     fn exp(self) -> Self {
-        // what a GPU may flush is zero
+        // values that a GPU may flush are zero
         let zero = self.less(Self::splat(-87.336_54));
         Self::select(zero, Self::splat(0.0), exp(self))
     }

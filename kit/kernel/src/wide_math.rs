@@ -5,8 +5,8 @@ use core::array::from_fn;
 use crate::lane::Lane;
 use crate::wide::Wide;
 
-/// e^x = 2^n e^r with |r| <= ln 2 / 2: Cephes' polynomial.  Step by step for all lanes: the compiler would leave
-/// a closure of this length as it is, one lane after the other.
+/// e^x = 2^n e^r with |r| <= ln 2 / 2: Cephes' polynomial. Each step runs for all lanes: a closure of this length
+/// would not be vectorized.
 #[inline(always)]
 pub fn exp<const N: usize, const FUSED: bool>(x: Wide<N, FUSED>) -> Wide<N, FUSED> {
     /// 1.5 * 2^23: adding it leaves the nearest integer in the low bits.
@@ -43,7 +43,7 @@ pub fn exp<const N: usize, const FUSED: bool>(x: Wide<N, FUSED>) -> Wide<N, FUSE
     p * first * second
 }
 
-/// The sum of pairs of halves.  Not inlined: it would have the compiler keep what is summed up in pairs of lanes.
+/// The sum as a tree of pairs. It is not inlined: otherwise the compiler would keep the terms in pairs of lanes.
 #[inline(never)]
 pub fn pairwise<const N: usize>(values: &[f32; N]) -> f32 {
     let mut values = *values;
@@ -59,7 +59,7 @@ pub fn pairwise<const N: usize>(values: &[f32; N]) -> f32 {
     values[0]
 }
 
-/// Values without their fractions, limited to what an integer holds.  A plain `as` does the same, one by one.
+/// Values without their fractions, clamped to the range of an integer. A plain `as` does the same, but one by one.
 #[inline(always)]
 pub fn wholes<const N: usize>(mut x: [f32; N]) -> [i32; N] {
     /// The largest number below 2^31.
@@ -76,7 +76,7 @@ pub fn wholes<const N: usize>(mut x: [f32; N]) -> [i32; N] {
     whole
 }
 
-/// `a b + c`, with one rounding where the instruction set has that.
+/// `a b + c`, with one rounding if the instruction set has that.
 #[inline(always)]
 pub fn fma<const FUSED: bool>(a: f32, b: f32, c: f32) -> f32 {
     if FUSED { a.mul_add(b, c) } else { a * b + c }

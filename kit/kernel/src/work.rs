@@ -1,11 +1,11 @@
-//! How many operations a dispatch computes and how many bytes it moves, from its parameters.
+//! Counts the operations and bytes of a dispatch from its parameters.
 //!
-//! A kernel declares its formula: `#[kernel(threads(64), work(square_work))]`. That is a function of the parameters and the
-//! dispatch's [`Shape`]; write it next to the parameters.
+//! A kernel declares its formula: `#[kernel(threads(64), work(square_work))]`. The formula is a function of the
+//! parameters and the dispatch's [`Shape`]. Write it next to the parameters.
 
 use core::ops::AddAssign;
 
-/// What was computed and moved; zeros if that is not counted.
+/// Operations and bytes; zeros if they are not counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
     /// Floating-point operations: a multiply-add is two, an elementary function one.
@@ -21,12 +21,12 @@ impl AddAssign for Work {
     }
 }
 
-/// What a formula knows about a dispatch, besides its parameters.
+/// The data of a dispatch for a formula, besides its parameters.
 #[derive(Clone, Copy, Debug)]
 pub struct Shape<'a> {
-    /// Elements of each storage buffer, in the order of the bindings.
+    /// Number of elements of each storage buffer, in the order of the bindings.
     pub elements: &'a [u64],
-    /// Workgroups along z.
+    /// Number of workgroups along z.
     pub workgroups_z: u64,
 }
 
@@ -39,7 +39,7 @@ pub const NUMBER: u64 = 4;
 /// Bytes of a `Vec4`.
 pub const VECTOR: u64 = 16;
 
-/// Parameters as numbers to calculate with.
+/// Converts parameters to `u64`, to calculate with them.
 #[must_use]
 pub fn wide<const N: usize>(numbers: [u32; N]) -> [u64; N] {
     numbers.map(u64::from)

@@ -1,12 +1,12 @@
 //! Workgroups with barriers on the CPU: each invocation is a coroutine that yields at them.
 //!
-//! A device runs kernels with workgroup memory like this. A unit test beside a kernel does so with [`Workgroup`]:
+//! A device runs kernels with workgroup memory this way. A unit test beside a kernel does so with [`Workgroup`]:
 //!
 //! ```
 //! use organza_kernel::prelude::*;
 //! use organza_kernel::workgroup::{SharedMemory, Workgroup};
 //!
-//! /// Turns the values of a workgroup around.
+//! /// Reverses the values of a workgroup.
 //! #[kernel(threads(64))]
 //! pub fn reverse(id: Invocation, data: Write<u32>, values: Shared<u32, 64>) {
 //!     values.write(id.local.x, data.read(id.index()));
@@ -43,10 +43,10 @@ use crate::memory::Shared;
 use crate::running::{self, unlinear};
 use crate::workgroup_memory::WorkgroupMemory;
 
-/// Stack of an invocation, in bytes: kernels need little, panics and unoptimized builds more.
+/// Stack of an invocation, in bytes: kernels need little, but panics and unoptimized builds need more.
 const STACK: usize = 64 << 10;
 
-/// Where in the source an invocation waits.
+/// The place in the source where an invocation waits.
 type Barrier = &'static Location<'static>;
 
 /// An invocation.
@@ -55,27 +55,27 @@ type Body = Coroutine<(), Barrier, (), DefaultStack>;
 std::thread_local! {
     static STACKS: RefCell<Vec<DefaultStack>> = const { RefCell::new(Vec::new()) };
     static CURRENT: Cell<*const Yielder<(), Barrier>> = const { Cell::new(ptr::null()) };
-    /// Barriers and workgroups so far: between two of them is a phase.
+    /// Number of barriers and workgroups so far. Between two of them is a phase.
     static PHASE: Cell<u64> = const { Cell::new(1) };
-    /// Invocations of the workgroup.
+    /// Number of invocations in the workgroup, per axis.
     static SIZE: Cell<UVec3> = const { Cell::new(UVec3::ONE) };
     /// The phase in which the workgroup began.
     static FIRST_PHASE: Cell<u64> = const { Cell::new(1) };
-    /// What is wrong with the workgroup's memory: the first thing of a phase.
+    /// The first conflict of a phase in workgroup memory.
     static CONFLICT: RefCell<Option<String>> = const { RefCell::new(None) };
 }
 
-/// The phase between two barriers that the thread's workgroup is in.
+/// The current phase of the thread's workgroup.
 pub(crate) fn phase() -> u64 {
     PHASE.get()
 }
 
-/// The phase that the thread's workgroup began with.
+/// The first phase of the thread's workgroup.
 pub(crate) fn first_phase() -> u64 {
     FIRST_PHASE.get()
 }
 
-/// Invocations of the thread's workgroup.
+/// Number of invocations in the thread's workgroup, per axis.
 pub(crate) fn size() -> UVec3 {
     SIZE.get()
 }
@@ -84,8 +84,8 @@ fn next_phase() {
     PHASE.set(PHASE.get() + 1);
 }
 
-/// Notes what an invocation does wrong with workgroup memory. The workgroup fails at the end of the phase: only then is it
-/// known whether the reason is a barrier that some invocations have not reached.
+/// Records that an invocation uses workgroup memory wrongly. The workgroup fails at the end of the phase: only then
+/// is it known whether the cause is a barrier that some invocations have not reached.
 pub(crate) fn conflict(reason: &str, at: &'static Location<'static>) {
     CONFLICT.with_borrow_mut(|conflict| {
         conflict.get_or_insert_with(|| match running::current() {
@@ -98,24 +98,24 @@ pub(crate) fn conflict(reason: &str, at: &'static Location<'static>) {
     });
 }
 
-/// Where a coroutine waits for its workgroup.
+/// Suspends the current coroutine until its workgroup has reached the barrier.
 fn wait(at: &'static Location<'static>) {
     let yielder = CURRENT.get();
     assert!(!yielder.is_null(), "a barrier outside of a workgroup");
     let (invocation, left) = (running::invocation(), running::iterations_left());
     // SAFETY: set by the coroutine that runs now, whose yielder lives as long as it
     unsafe { &*yielder }.suspend(at);
-    // others ran meanwhile
+    // other coroutines ran meanwhile
     CURRENT.set(yielder);
     running::enter(invocation);
     running::allow_iterations(left);
 }
 
-/// Runs the invocations of one workgroup of a dispatch, from barrier to barrier. `shared` is the workgroup memory that `run`
-/// takes after the bindings.
+/// Runs the invocations of one workgroup in a dispatch, from barrier to barrier. `run` takes the workgroup memory
+/// `shared` after the bindings.
 ///
 /// # Errors
-/// What is wrong with its barriers or its memory.
+/// A mistake in its use of barriers or memory.
 #[doc(hidden)]
 pub fn run_bound(
     shared: &[SharedInfo],
@@ -127,7 +127,7 @@ pub fn run_bound(
 ) -> Result<(), String> {
     let watches: Vec<_> = shared.iter().map(|shared| WorkgroupMemory::new(shared.len)).collect();
     let words: usize = shared.iter().map(|shared| shared.bytes.div_ceil(16) as usize).sum();
-    // no kernel can see the zeros: what it has not written it must not read
+    // no kernel can see the zeros: it must not read unwritten elements
     let mut memory = vec![0_u128; words];
     let mut bindings = bindings.to_vec();
     let mut rest = memory.as_mut_slice();
@@ -141,8 +141,8 @@ pub fn run_bound(
         rest = tail;
     }
     let bindings = bindings.as_slice();
-    // SAFETY: the caller's bindings, and workgroup memory of the declared types; the coroutines of a workgroup share a thread,
-    // so that only one touches memory at a time
+    // SAFETY: the caller's bindings, and workgroup memory of the declared types. The coroutines of a workgroup share
+    // a thread, so only one at a time touches memory.
     let body = |id| unsafe { run(bindings, id) };
     let place = Invocation::new(UVec3::ZERO, workgroup, workgroups, size);
     run_to_end(place, &body).map_err(|reason| match reason {
@@ -151,13 +151,14 @@ pub fn run_bound(
     })
 }
 
-/// Why a workgroup fails.
+/// The reason why a workgroup fails.
 enum Failure {
     Divergence(String),
     Memory(String),
 }
 
-/// Runs all invocations of a workgroup from barrier to barrier: every one waits at the same, or none. `place` is the first.
+/// Runs all invocations of a workgroup from barrier to barrier. Either all wait at the same barrier, or none waits.
+/// `place` is the first invocation.
 fn run_to_end(place: Invocation, run: &dyn Fn(Invocation)) -> Result<(), Failure> {
     let size = place.size;
     next_phase();
@@ -187,7 +188,7 @@ fn run_to_end(place: Invocation, run: &dyn Fn(Invocation)) -> Result<(), Failure
                 Ok(barrier) => waiting.push(barrier),
                 Err(panic) => {
                     give_up(invocations);
-                    // it may have panicked because of what it has read
+                    // it may have panicked because of a wrong value
                     match CONFLICT.take() {
                         Some(conflict) => return Err(Failure::Memory(conflict)),
                         None => resume_unwind(panic),
@@ -216,7 +217,7 @@ fn run_to_end(place: Invocation, run: &dyn Fn(Invocation)) -> Result<(), Failure
     Ok(())
 }
 
-/// Ends invocations that still wait.
+/// Ends invocations that are still waiting.
 fn give_up(invocations: Vec<Body>) {
     CURRENT.set(ptr::null());
     running::silence(true);
@@ -224,7 +225,7 @@ fn give_up(invocations: Vec<Body>) {
     running::silence(false);
 }
 
-/// Who waits where, when the invocations of a workgroup do not wait together.
+/// Lists which invocations wait at which barrier, if they do not all wait at the same one.
 fn divergence(waiting: &[Option<Barrier>], size: UVec3) -> String {
     let (first, others): (Vec<_>, Vec<_>) =
         (0..waiting.len()).partition(|&index| waiting[index] == waiting[0]);
@@ -260,13 +261,13 @@ pub struct Workgroup {
 }
 
 impl Workgroup {
-    /// The only workgroup of a dispatch; `size` is the kernel's `threads`.
+    /// The only workgroup of a dispatch. `size` is the kernel's `threads`.
     #[must_use]
     pub fn new(size: [u32; 3]) -> Self {
         Self { size: size.into(), place: UVec3::ZERO, among: UVec3::ONE }
     }
 
-    /// The workgroup at `place` of a dispatch of `among` workgroups.
+    /// Places the workgroup at `place` in a dispatch of `among` workgroups.
     #[must_use]
     pub fn at(self, place: [u32; 3], among: [u32; 3]) -> Self {
         Self { place: place.into(), among: among.into(), ..self }
@@ -275,8 +276,8 @@ impl Workgroup {
     /// Calls `kernel` for every invocation.
     ///
     /// # Panics
-    /// Where the kernel does, where invocations do not reach the same barrier, and where a barrier is missing between what two
-    /// of them do to one element of workgroup memory.
+    /// If the kernel panics, if invocations do not reach the same barrier, or if a barrier is missing between two
+    /// accesses to an element of workgroup memory.
     #[track_caller]
     pub fn run(&self, kernel: impl Fn(Invocation)) {
         let place = Invocation::new(UVec3::ZERO, self.place, self.among, self.size);
@@ -294,7 +295,7 @@ pub struct SharedMemory<T, const N: usize> {
 }
 
 impl<T: Pod, const N: usize> SharedMemory<T, N> {
-    /// Memory that nothing was written to.
+    /// Unwritten memory.
     #[must_use]
     pub fn new() -> Self {
         Self {
@@ -303,7 +304,7 @@ impl<T: Pod, const N: usize> SharedMemory<T, N> {
         }
     }
 
-    /// The array as a kernel takes it.
+    /// The array as a parameter of a kernel.
     pub fn view(&self) -> Shared<'_, T, N> {
         // SAFETY: N values, which only the views touch, on one thread, as an `UnsafeCell` is not shared between threads
         let view = unsafe { Shared::from_raw((*self.elements.get()).as_mut_ptr()) };

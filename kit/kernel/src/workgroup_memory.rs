@@ -14,20 +14,20 @@ use crate::memory::{AccessMonitor, Touch};
 use crate::running::{self, unlinear};
 use crate::workgroup;
 
-/// Bits of a stamp that have the invocation, counted from 1.
+/// Number of bits in a stamp for the invocation, which is counted from 1.
 const INVOCATION_BITS: u32 = 16;
 
 /// Watches an array of workgroup memory.
 ///
-/// The invocations of a workgroup take turns on one thread; atomics are here for the trait's sake.
+/// The invocations of a workgroup take turns on one thread. The fields are atomic only because the trait requires it.
 pub struct WorkgroupMemory {
     elements: Vec<Element>,
-    /// The phase that the current round began in: what was written before is unwritten.
+    /// The phase in which the current round began. Earlier writes count as unwritten.
     round: AtomicU64,
 }
 
-/// Who touched an element last, and in which phase. Two of those who did it, where several may in one phase: so that the one
-/// who asks does not hide another.
+/// The last accesses to an element, with their phases. If several invocations may make the same access in one phase,
+/// two of them are kept, so that the one that asks does not hide another.
 #[derive(Default)]
 struct Element {
     writer: AtomicU64,
@@ -35,7 +35,7 @@ struct Element {
     readers: [AtomicU64; 2],
 }
 
-/// What invocations must not do to one element in one phase.
+/// An access that may conflict with others to the same element in the same phase.
 #[derive(Clone, Copy)]
 enum Did {
     Written,
@@ -60,7 +60,7 @@ impl WorkgroupMemory {
         Self { elements, round: AtomicU64::new(0) }
     }
 
-    /// The invocation that runs now, and the phase, as they are written into an element: never 0.
+    /// The running invocation and the phase, as stored in an element. It is never 0.
     fn stamp() -> u64 {
         workgroup::phase() << INVOCATION_BITS | u64::from(1 + running::invocation())
     }
@@ -72,7 +72,7 @@ impl WorkgroupMemory {
         stamps.map(load).all(|stamp| stamp >> INVOCATION_BITS < begin)
     }
 
-    /// What is wrong with touching an element.
+    /// The error of an access to an element, if it is wrong.
     fn fault(&self, element: &Element, touch: Touch, own: u64) -> Option<String> {
         if !matches!(touch, Touch::Write | Touch::Store) && self.is_unwritten(element) {
             let earlier = element.atomics.iter().chain([&element.writer]).map(load);
@@ -115,7 +115,7 @@ fn other(stamp: u64, own: u64) -> Option<UVec3> {
     conflict.then(|| unlinear(invocation, workgroup::size()))
 }
 
-/// Leaves a stamp, and keeps that of one other invocation.
+/// Adds a stamp, and keeps that of one other invocation.
 fn leave([last, before]: &[AtomicU64; 2], own: u64) {
     let found = load(last);
     if found != own {

@@ -1,4 +1,4 @@
-//! Embeds compiled kernels in a program; its build script calls this.
+//! Embeds compiled kernels in a program. Its build script calls this.
 
 use std::env;
 use std::fmt::Write;
@@ -7,18 +7,18 @@ use std::path::{Path, PathBuf};
 
 use crate::{Manifest, source_hash};
 
-/// Has the crate embed the modules of a folder and their manifest; `workspace` is what the manifest's sources are
-/// relative to.  Called by a build script; `organza_device::modules!()` is the counterpart in the crate.
+/// Makes the crate embed the modules of a folder and their manifest. The manifest's sources are relative to
+/// `workspace`. A build script calls this; `organza_device::modules!()` is the counterpart in the crate.
 ///
-/// Nothing here fails: where kernels are missing or older than their sources, the crate compiles all the same, and its
-/// program says at run time which kernel it lacks and how to compile it.
+/// Nothing here fails. If kernels are missing or older than their sources, the crate still compiles. Its program then
+/// says at run time which kernel it lacks, and how to compile it.
 ///
 /// # Panics
-/// Where cargo does not run it, or its output folder cannot be written to.
+/// If cargo does not run it, or if its output folder cannot be written to.
 pub fn embed(kernels: &Path, workspace: &Path) {
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
     println!("cargo::rerun-if-changed=build.rs");
-    // A missing folder would have the script run at every build.
+    // Watching a missing folder would run the script at every build.
     let watched = if kernels.is_dir() { kernels } else { kernels.parent().unwrap_or(kernels) };
     println!("cargo::rerun-if-changed={}", watched.display());
 
@@ -31,17 +31,17 @@ pub fn embed(kernels: &Path, workspace: &Path) {
     fs::write(out.join("kernels.rs"), table(kernels, &manifest)).expect("OUT_DIR is writable");
 }
 
-/// As [`embed`], for a package at the root of its workspace whose modules are in `compiled`: the whole build script of a project
-/// that `cargo xtask new` makes.
+/// Like [`embed`], but for a package at the root of its workspace whose modules are in `compiled`. This is the whole
+/// build script of a project that `cargo xtask new` makes.
 ///
 /// # Panics
-/// As [`embed`].
+/// If [`embed`] panics.
 pub fn embed_compiled() {
     let folder = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("cargo sets it"));
     embed(&folder.join("compiled"), &folder);
 }
 
-/// Rust source: an array of the modules that are there, each with its kernel's name, and in WGSL if there is that.
+/// Rust source: an array of the existing modules, each with its kernel's name, and in WGSL if that exists.
 fn table(kernels: &Path, manifest: &Manifest) -> String {
     let mut table = String::from("[\n");
     for kernel in &manifest.kernels {
@@ -60,7 +60,7 @@ fn table(kernels: &Path, manifest: &Manifest) -> String {
     table + "]\n"
 }
 
-/// Says so when the GPU still runs the last version of a kernel. Where there are no sources, there is nothing to say.
+/// Warns if the GPU still runs an old version of a kernel. Without sources, there is no warning.
 fn warn_when_stale(workspace: &Path, manifest: &Manifest) {
     let folders: Vec<_> = manifest.sources.iter().map(|folder| workspace.join(folder)).collect();
     if folders.is_empty() || !folders.iter().all(|folder| folder.is_dir()) {

@@ -1,8 +1,8 @@
-//! The manifest of compiled kernels: which SPIR-V module has which kernel, what the kernel expects from the host, and which
-//! sources and compiler the modules were built from.
+//! The manifest of compiled kernels: the SPIR-V module of each kernel, the interface between kernel and host, and the
+//! sources and the compiler of the modules.
 //!
-//! The kernel builder writes it, a build script [embeds](embed()) it, and tests compare it with the kernel sources. Nothing
-//! in it depends on the machine that wrote it.
+//! The kernel builder writes it, a build script [embeds](embed()) it, and tests compare it with the kernel sources.
+//! Nothing in it depends on the machine that wrote it.
 
 mod embed;
 mod source;
@@ -16,13 +16,13 @@ use sha2::{Digest, Sha256};
 pub use embed::{embed, embed_compiled};
 pub use source::{locked_version, source_hash};
 
-/// The layout of the manifest that this crate reads and writes.
+/// Version of the manifest's layout that this crate reads and writes.
 pub const FORMAT_VERSION: u32 = 3;
 
-/// The manifest's file name, in the folder of the modules it describes.
+/// Name of the manifest's file, in the folder of the modules.
 pub const FILE_NAME: &str = "manifest.json";
 
-/// What can go wrong with a manifest or with the sources it describes.
+/// Errors about a manifest or about the sources that it describes.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// A file could not be read.
@@ -30,21 +30,21 @@ pub enum Error {
     Read {
         /// The file.
         path: PathBuf,
-        /// What the system said.
+        /// The system's error.
         reason: std::io::Error,
     },
     /// The text is not a manifest.
     #[error("the kernel manifest is malformed: {0}")]
     Malformed(serde_json::Error),
-    /// The manifest has a layout that this crate does not know.
+    /// The manifest's layout has a version that this crate does not know.
     #[error("the kernel manifest has format {0}, this crate reads format {FORMAT_VERSION}")]
     UnknownFormat(u32),
-    /// The lock file does not hold a package that the kernels are compiled with.
+    /// The lock file lacks a package that the kernels are compiled with.
     #[error("{} does not name the package `{package}`", path.display())]
     NotLocked {
         /// The lock file.
         path: PathBuf,
-        /// The package missing from it.
+        /// The missing package.
         package: String,
     },
 }
@@ -54,7 +54,7 @@ pub enum Error {
 pub struct Manifest {
     /// Always [`FORMAT_VERSION`].
     pub format_version: u32,
-    /// The folders of the sources that the modules were compiled from, relative to the workspace.
+    /// Folders of the sources that the modules were compiled from, relative to the workspace.
     pub sources: Vec<String>,
     /// [`source_hash`] of those sources.
     pub source_hash: String,
@@ -67,9 +67,9 @@ pub struct Manifest {
 /// The compiler that made the modules.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Compiler {
-    /// The version of Rust-GPU.
+    /// Version of Rust-GPU.
     pub rust_gpu: String,
-    /// The version of the rustc that Rust-GPU was plugged into.
+    /// Version of the rustc with Rust-GPU's backend.
     pub rustc: String,
     /// The SPIR-V target.
     pub target: String,
@@ -78,22 +78,24 @@ pub struct Compiler {
 /// One compiled kernel.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct KernelEntry {
-    /// The name of the SPIR-V entry point: the kernel's, or that of its variant.
+    /// Name of the SPIR-V entry point: the kernel's, or that of its variant.
     pub name: String,
-    /// The package that declares it.
+    /// Package that declares the kernel.
     pub package: String,
-    /// The Rust source that declares it: relative to the workspace, or `package/src/..` where the package comes from elsewhere.
+    /// Rust source that declares it: relative to the workspace, or `package/src/..` if the package comes from
+    /// elsewhere.
     pub file: String,
-    /// The module's file name, in the manifest's folder.
+    /// Name of the module's file, in the manifest's folder.
     pub spirv: String,
-    /// The module's length.
+    /// Length of the module, in bytes.
     pub spirv_bytes: u64,
-    /// The module's SHA-256, in lower-case hexadecimal.
+    /// SHA-256 of the module, in lower-case hexadecimal.
     pub spirv_sha256: String,
-    /// The same in WGSL, for browsers; nothing where the project has none, or where WebGPU does not offer what the kernel needs.
+    /// The module in WGSL, for browsers; `None` if the project has none, or if WebGPU lacks a feature that the kernel
+    /// needs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wgsl: Option<Translation>,
-    /// What the kernel expects of the host.
+    /// The interface between the kernel and the host.
     #[serde(flatten)]
     pub interface: Interface,
 }
@@ -101,53 +103,53 @@ pub struct KernelEntry {
 /// A module in another language.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Translation {
-    /// The file's name, in the manifest's folder.
+    /// Name of the file, in the manifest's folder.
     pub file: String,
-    /// The file's SHA-256, in lower-case hexadecimal.
+    /// SHA-256 of the file, in lower-case hexadecimal.
     pub sha256: String,
 }
 
-/// What a kernel expects of the host that dispatches it.
+/// The interface between a kernel and the host that dispatches it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Interface {
-    /// The invocations of one workgroup along x, y and z.
+    /// Number of invocations in one workgroup, along x, y and z.
     pub workgroup_size: [u32; 3],
-    /// The items along x that an invocation takes.
+    /// Number of items along x per invocation.
     pub each: u32,
-    /// The buffers, all in descriptor set 0: a buffer's position is its binding number.
+    /// Buffers, all in descriptor set 0. A buffer's index is its binding number.
     pub bindings: Vec<Binding>,
-    /// The workgroup's shared arrays.
+    /// Arrays in workgroup memory.
     pub shared: Vec<Shared>,
 }
 
 /// One buffer of a kernel.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Binding {
-    /// The name of the kernel's parameter.
+    /// Name of the kernel's parameter.
     pub name: String,
-    /// How the kernel uses the buffer: `uniform`, `read` or `write`.
+    /// Use of the buffer: `uniform`, `read` or `write`.
     pub access: String,
-    /// The Rust type of an element.
+    /// Rust type of an element.
     pub element: String,
-    /// The size of an element.
+    /// Size of an element, in bytes.
     pub element_bytes: u32,
 }
 
-/// One workgroup-shared array of a kernel.
+/// An array of a kernel in workgroup memory.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Shared {
-    /// The name of the kernel's parameter.
+    /// Name of the kernel's parameter.
     pub name: String,
-    /// The Rust type of an element.
+    /// Rust type of an element.
     pub element: String,
-    /// The number of elements.
+    /// Number of elements.
     pub len: u32,
-    /// The size of the whole array.
+    /// Size of the whole array, in bytes.
     pub bytes: u32,
 }
 
 impl Manifest {
-    /// A manifest of these kernels, in whatever order they come.
+    /// A manifest of these kernels, given in any order.
     pub fn new(
         sources: Vec<String>,
         source_hash: String,
@@ -158,14 +160,14 @@ impl Manifest {
         Self { format_version: FORMAT_VERSION, sources, source_hash, compiler, kernels }
     }
 
-    /// A manifest without kernels: what a checkout has before its kernels are compiled.
+    /// A manifest without kernels, as in a checkout whose kernels have not been compiled.
     pub fn empty() -> Self {
         Self::new(Vec::new(), String::new(), Compiler::default(), Vec::new())
     }
 
     /// Reads a manifest from its text.
     pub fn parse(json: &str) -> Result<Self, Error> {
-        /// The one field that every format has.
+        /// The only field that every format has.
         #[derive(Deserialize)]
         struct Head {
             format_version: u32,
@@ -184,10 +186,10 @@ impl Manifest {
         Self::parse(&json)
     }
 
-    /// The manifest's text: the same bytes for the same manifest, on every machine.
+    /// The manifest's text. It has the same bytes on every machine.
     pub fn to_json(&self) -> String {
         let json = serde_json::to_string_pretty(self);
-        // Serialization fails on maps with odd keys and on failing writers: neither is here.
+        // Serialization only fails on maps with odd keys and on failing writers, and there are none.
         json.expect("a manifest is made of strings and numbers") + "\n"
     }
 
@@ -199,7 +201,7 @@ impl Manifest {
 
 #[cfg(feature = "kernels")]
 impl Interface {
-    /// The interface that a kernel declares in the sources, by one of its entry points.
+    /// The interface that a kernel's source declares, for one of its entry points.
     pub fn of(kernel: &organza_kernel::KernelInfo, point: &organza_kernel::EntryPoint) -> Self {
         let binding = |binding: &organza_kernel::BindingInfo| Binding {
             name: binding.name.to_owned(),

@@ -1,4 +1,4 @@
-//! The hash that ties compiled kernels to the sources they were compiled from.
+//! The hash that connects compiled kernels with their sources.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,8 +7,8 @@ use sha2::{Digest, Sha256};
 
 use crate::{Error, hex};
 
-/// The packages whose code or whose compiler ends up in the SPIR-V: another version of one of them
-/// may give other modules from the same sources.
+/// Packages whose code or whose compiler influences the SPIR-V: with another version, the same sources may give other
+/// modules.
 const COMPILED_IN: [&str; 7] = [
     "glam",
     "libm",
@@ -19,13 +19,13 @@ const COMPILED_IN: [&str; 7] = [
     "spirv-std-macros",
 ];
 
-/// The hash of the kernel sources: every `.rs` file and `Cargo.toml` under the folders, which are relative to the
-/// workspace, and the versions, from the workspace's lock file, of the packages that are compiled into kernels.
+/// The hash of the kernel sources: of every `.rs` file and `Cargo.toml` in the folders, which are relative to the
+/// workspace, and of the versions in the workspace's lock file of the packages that are compiled into kernels.
 ///
-/// Line ends count as `\n` and paths with `/`, so that checkouts on every system agree.
+/// Line breaks count as `\n`, and paths have `/`, so that checkouts on all systems agree.
 ///
 /// # Errors
-/// [`Error::Read`], and [`Error::NotLocked`] where the lock file lacks one of the packages.
+/// [`Error::Read`]; [`Error::NotLocked`] if the lock file lacks one of the packages.
 pub fn source_hash(workspace: &Path, folders: &[String]) -> Result<String, Error> {
     let mut files = Vec::new();
     for folder in folders {
@@ -35,7 +35,7 @@ pub fn source_hash(workspace: &Path, folders: &[String]) -> Result<String, Error
     let mut hash = Sha256::new();
     for (name, path) in files {
         let contents = fs::read(&path).map_err(|reason| Error::Read { path, reason })?;
-        // Lengths go in too, so that text cannot move from one file to the next unnoticed.
+        // Lengths are hashed, too, so that text cannot move from one file to the next unnoticed.
         let contents = without_carriage_returns(&contents);
         hash.update(format!("file {name} {}\n", contents.len()));
         hash.update(contents);
@@ -47,7 +47,7 @@ pub fn source_hash(workspace: &Path, folders: &[String]) -> Result<String, Error
     Ok(hex(hash.finalize().as_slice()))
 }
 
-/// The version of a package in a `Cargo.lock`; all of them, when several are locked.
+/// The version of a package in a `Cargo.lock`; all of them if several are locked.
 pub fn locked_version(lock: &Path, package: &str) -> Result<String, Error> {
     let text =
         fs::read_to_string(lock).map_err(|reason| Error::Read { path: lock.to_owned(), reason })?;
@@ -68,7 +68,7 @@ pub fn locked_version(lock: &Path, package: &str) -> Result<String, Error> {
     Ok(versions.join(", "))
 }
 
-/// Finds the hashed files below a folder, with their names relative to the workspace.
+/// Finds the files to hash below a folder, with their names relative to the workspace.
 fn collect(folder: &Path, prefix: &str, files: &mut Vec<(String, PathBuf)>) -> Result<(), Error> {
     let unreadable = |reason| Error::Read { path: folder.to_owned(), reason };
     for entry in fs::read_dir(folder).map_err(unreadable)? {
@@ -100,7 +100,7 @@ fn without_carriage_returns(text: &[u8]) -> Vec<u8> {
 mod tests {
     use super::*;
 
-    /// A workspace with a shader crate of one file, and the lock file of `glam`'s given version.
+    /// A workspace with a shader crate of one file, and a lock file with the given version of `glam`.
     fn workspace(source: &str, glam: &str) -> tempfile::TempDir {
         let root = tempfile::tempdir().unwrap();
         let lock: String = COMPILED_IN

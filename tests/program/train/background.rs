@@ -1,4 +1,4 @@
-//! What photographs with an alpha channel are put in front of.
+//! The background of photographs with an alpha channel.
 
 use std::fs;
 
@@ -15,7 +15,7 @@ fn blenders_photographs_with_alpha_are_in_front_of_white() {
     fs::rename(data.join("transforms.json"), data.join("transforms_train.json")).unwrap();
     for file in fs::read_dir(data.join("images")).unwrap() {
         let path = file.unwrap().path();
-        // beside the pictures is the list of them
+        // the list of pictures is in the same folder
         if path.extension().is_none_or(|extension| extension != "png") {
             continue;
         }

@@ -1,4 +1,4 @@
-//! The same settings come to the same bits.
+//! The same settings give the same bits.
 
 use std::fs;
 
@@ -23,7 +23,7 @@ fn the_same_settings_give_the_same_bits_on_any_number_of_threads() {
     assert_eq!(config("again"), config("one"));
     let read = |name: &str| TrainConfig::load(sandbox.path(name)).expect("settings");
     let mut given = read("tiny.toml");
-    // what the data set says is written down
+    // settings that come from the data set are written
     given.data.path = Some(sandbox.path("views"));
     given.data.background = Background::Color([0.0; 3]);
     assert_eq!(read("one/config.toml"), given);
@@ -34,14 +34,14 @@ fn a_run_of_so_many_minutes_is_repeated_from_its_settings() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} one --minutes 0.01")).assert_ok();
     let config = TrainConfig::load(sandbox.path("one/config.toml")).expect("settings");
-    // the first, and after the steps 1, 2 and 4 at least
+    // the first plan, and those after the steps 1, 2 and 4 at least
     assert!(config.run.plan.len() >= 4, "{:?}", config.run);
     sandbox.run("train --config one/config.toml --backend cpu -o again").assert_ok();
     assert_same("again", &bits(&sandbox, "again"), &bits(&sandbox, "one"));
     let told = |run: &str| without_times(&records(&sandbox.path(run)));
     assert_eq!(told("again"), told("one"));
     assert_eq!(TrainConfig::load(sandbox.path("again/config.toml")).expect("settings"), config);
-    // a number of steps of its own needs no plan
+    // a fixed number of steps needs no plan
     let words = "train --config one/config.toml --backend cpu --steps 5 -o five";
     sandbox.run(words).assert_ok();
     let five = TrainConfig::load(sandbox.path("five/config.toml")).expect("settings");

@@ -21,13 +21,13 @@ use crate::sandbox::{Outcome, Sandbox};
 
 const LONGEST: Duration = Duration::from_secs(120);
 
-/// The steps in a log, also while it is written to.
+/// The number of steps in a log, which may still be written.
 fn steps(folder: &Path) -> usize {
     let text = fs::read_to_string(folder.join(METRICS)).unwrap_or_default();
     text.lines().filter(|line| line.starts_with("{\"kind\":\"step\"")).count()
 }
 
-/// Waits until a run has done a number of steps, or has ended.
+/// Waits until a run has done `count` steps, or has ended.
 fn wait_for_steps(child: &mut Child, folder: &Path, count: usize) {
     let start = Instant::now();
     while steps(folder) < count && child.try_wait().unwrap().is_none() {
@@ -36,7 +36,7 @@ fn wait_for_steps(child: &mut Child, folder: &Path, count: usize) {
     }
 }
 
-/// Sends a signal, and waits for the end.
+/// Sends a signal and waits for the end.
 fn stop(child: Child, signal: &str) -> Outcome {
     processes::signal(&child, signal);
     child.wait_with_output().expect("it ends").into()
@@ -50,7 +50,7 @@ fn pictures(folder: &Path) -> BTreeMap<String, Vec<u8>> {
         .collect()
 }
 
-/// `run` has come to what `whole` has, and tells the same.
+/// Asserts that `run` has the same result and the same log as `whole`.
 #[track_caller]
 fn assert_like_whole(sandbox: &Sandbox, run: &str) {
     assert_same(run, &bits(sandbox, run), &bits(sandbox, "whole"));
@@ -67,7 +67,7 @@ fn a_run_that_is_told_to_stop_goes_on_to_the_same_bits() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} whole")).assert_ok();
     let mut words = format!("{TINY} run");
-    // before Gaussians change for the first time, and between the second and the third
+    // before the first change of the Gaussians, and between the second and the third
     for (signal, after) in [("TERM", 3), ("INT", 23)] {
         let mut child = start(&sandbox, &words);
         wait_for_steps(&mut child, &sandbox.path("run"), after);
@@ -111,7 +111,7 @@ fn a_run_at_its_time_limit_goes_on_to_the_same_bits() {
         session.run(resume, &mut |_| {}).expect("it trains")
     };
     assert_eq!(train("whole", false, None), train::Outcome::Finished);
-    // no step is faster
+    // no step takes so little time
     assert_eq!(train("run", false, Some(1e-6)), train::Outcome::TimeLimit);
     for limits in 1.. {
         let progress = Checkpoint::load(sandbox.path("run").join(CHECKPOINT)).unwrap().progress;
@@ -128,7 +128,7 @@ fn a_run_at_its_time_limit_goes_on_to_the_same_bits() {
     assert_eq!(steps(&sandbox.path("run")), 40);
 }
 
-/// Whatever there is can be read.
+/// Asserts that every existing file can be read.
 fn assert_readable(folder: &Path) {
     TrainConfig::load(folder.join(CONFIG)).expect("settings");
     if folder.join(METRICS).exists() {
@@ -142,7 +142,7 @@ fn assert_readable(folder: &Path) {
 #[test]
 fn a_run_that_is_killed_goes_on_to_the_same_bits() {
     let sandbox = sandbox();
-    // most of the time it is writing
+    // makes the run write most of the time
     let config = fs::read_to_string(sandbox.path("tiny.toml")).unwrap();
     let often = config.replace("checkpoint_every = 5", "checkpoint_every = 1");
     assert_ne!(often, config);
@@ -153,7 +153,7 @@ fn a_run_that_is_killed_goes_on_to_the_same_bits() {
     let mut kills = 0;
     for delay in [0, 7, 31, 2, 19, 53] {
         let mut child = start(&sandbox, &words);
-        // at least one more step, so that it gets anywhere
+        // at least one more step, so that there is progress
         let count = steps(&folder) + 1;
         wait_for_steps(&mut child, &folder, count);
         thread::sleep(Duration::from_millis(delay));
@@ -173,7 +173,7 @@ fn a_run_that_is_killed_goes_on_to_the_same_bits() {
     assert_eq!(names, [BEST, CHECKPOINT, CONFIG, EVALUATIONS, METRICS, PICTURES, REPORT]);
 }
 
-/// What was planned after the checkpoint does not keep a run from going on from it.
+/// A plan made after the checkpoint must not prevent a resume from it.
 #[test]
 fn a_run_of_so_many_minutes_that_is_killed_goes_on_as_it_was_planned() {
     let sandbox = sandbox();
@@ -192,7 +192,7 @@ fn a_run_of_so_many_minutes_that_is_killed_goes_on_as_it_was_planned() {
     assert_like_whole(&sandbox, "run");
 }
 
-/// The best checkpoint is that of the best evaluation.
+/// The best checkpoint belongs to the best evaluation.
 #[test]
 fn the_best_checkpoint_is_kept() {
     let sandbox = sandbox();

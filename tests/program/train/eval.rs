@@ -1,4 +1,4 @@
-//! `organza eval RUN`: what a run was trained on is known to it.
+//! `organza eval RUN`: the run knows its own data.
 
 use std::fs;
 
@@ -17,7 +17,7 @@ fn eval(sandbox: &Sandbox, words: &str) -> (Vec<String>, f64) {
     (views.map(name).collect(), found["mean"]["psnr"].as_f64().expect("a number"))
 }
 
-/// What the run measured after its last step.
+/// The run's own evaluation after its last step.
 fn measured(sandbox: &Sandbox, run: &str) -> (Vec<String>, f64) {
     let evaluation = |record| match record {
         Record::Evaluation { views, psnr, .. } => {
@@ -48,7 +48,7 @@ fn the_built_in_scene_is_measured_as_the_run_measured_it() {
     assert_like(eval(&sandbox, "run"), expected);
     assert_eq!(eval(&sandbox, "run --split train").0.len(), 4);
     assert_eq!(eval(&sandbox, "run --split all").0.len(), 6);
-    // options count before the run's own settings
+    // options take precedence over the run's own settings
     assert_eq!(eval(&sandbox, "run --hold-out-every 2").0, ["view-000", "view-002", "view-004"]);
 }
 

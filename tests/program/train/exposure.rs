@@ -1,4 +1,4 @@
-//! Photographs of different exposures.
+//! Photographs with different exposures.
 
 use std::sync::Arc;
 
@@ -10,13 +10,13 @@ use organza_tests::devices;
 
 use super::runs::{TINY, assert_same, begun, bits, records, sandbox, stopped, without_times};
 
-/// The gains of the photograph at `index` among those to train on. The geometric mean of three in a row is 1.
+/// Gains of the photograph at `index` among those to train on. The geometric mean of three successive ones is 1.
 fn gains(index: usize) -> [f64; 3] {
     const GAINS: [f64; 3] = [0.6, 1.0, 1.0 / 0.6];
     [0, 1, 2].map(|channel| GAINS[(index + channel) % 3])
 }
 
-/// A darker image, so that no gain is cut off, with gains.
+/// A darker image with gains, so that no gain saturates.
 fn exposed(image: &Photograph, gains: [f64; 3]) -> Photograph {
     let shown = |(value, gain): (u8, f64)| (0.6 * f64::from(value) * gain).round() as u8;
     let pixel = |pixel: &[u8; 3]| [0, 1, 2].map(|channel| shown((pixel[channel], gains[channel])));
@@ -24,7 +24,7 @@ fn exposed(image: &Photograph, gains: [f64; 3]) -> Photograph {
     Photograph::new([image.width(), image.height()], pixels, None).expect("a photograph")
 }
 
-/// The scene's own colors are found, though no photograph shows them.
+/// The scene's own colors must be found, though no photograph shows them.
 #[test]
 fn exposures_are_learned_and_held_out_views_keep_their_colors() {
     let (mut config, _, _) = begun();
@@ -58,7 +58,7 @@ fn exposures_are_learned_and_held_out_views_keep_their_colors() {
     let worst = errors.fold(0.0, f64::max);
     // measured after 300 steps: 22.0 and 16.9 dB
     assert!(with.0 > without.0 + 1.0, "{} dB with exposures, {} without", with.0, without.0);
-    // where nothing is learned, it is ln(1 / 0.6) = 0.51
+    // without learning, it would be ln(1 / 0.6) = 0.51
     assert!(worst < 0.4, "{worst}");
     for at in 0..6 {
         let mean = exposures.values.iter().map(|values| values[at]).sum::<f32>() / 9.0;
@@ -66,7 +66,7 @@ fn exposures_are_learned_and_held_out_views_keep_their_colors() {
     }
 }
 
-/// A run that learns exposures and is killed, or stopped, goes on as if it had not been.
+/// A run that learns exposures, and is killed or stopped, must have the bits of one without interruption.
 #[test]
 fn a_resumed_run_has_the_bits_of_one_that_never_stopped() {
     let sandbox = sandbox();

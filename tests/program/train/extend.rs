@@ -1,4 +1,4 @@
-//! A run that goes on with more steps or more Gaussians than it began with.
+//! Runs that continue with more steps or more Gaussians.
 #![cfg(target_os = "linux")]
 
 use std::fs;
@@ -45,7 +45,7 @@ fn a_finished_run_is_extended_to_the_same_bits_whatever_happens() {
     assert_eq!((config.run.steps, config.growth.max_gaussians), (40, 450));
     let told = without_times(&records(&sandbox.path("run")));
     assert_eq!(told[..before.len()], before, "what was measured stays");
-    // 0.8 of 40 steps: growth goes on
+    // 0.8 of 40 steps: there is still growth
     let is_late = |record: &Record| matches!(record, Record::Growth { step: 30, .. });
     assert!(records(&sandbox.path("run")).iter().any(is_late));
 
@@ -67,7 +67,7 @@ fn a_finished_run_is_extended_to_the_same_bits_whatever_happens() {
         child.kill().unwrap();
         child.wait().unwrap();
     }
-    // what was asked for is written down, so that nobody has to say it again
+    // new settings are written, so that nobody has to repeat them
     sandbox.run("train --resume killed --backend cpu").assert_ok();
     assert_same("killed", &bits(&sandbox, "killed"), &bits(&sandbox, "run"));
     let numbers = |run: &str| {
@@ -98,7 +98,7 @@ fn what_cannot_be_extended_is_refused() {
     }
     let outcome = sandbox.run("train --resume run --backend cpu").assert_ok();
     assert!(outcome.stderr.contains("all 13 steps are done; `--steps N` extends"), "{outcome:?}");
-    // a file that was edited asks for the same
+    // an edited file has the same effect
     let path = sandbox.path("run/config.toml");
     let config = fs::read_to_string(&path).unwrap();
     fs::write(&path, config.replacen("steps = 13", "steps = 15", 1)).unwrap();

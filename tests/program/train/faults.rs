@@ -1,4 +1,4 @@
-//! Every system call by which a training writes fails once, or is the last one; then it goes on.
+//! Each system call that writes in a training fails once, or is the last before a kill. Then the run resumes.
 #![cfg(target_os = "linux")]
 
 use std::collections::BTreeMap;
@@ -13,17 +13,17 @@ use organza::train::{
 use super::runs::{Bits, assert_same, bits, photographs, records, sandbox};
 use crate::sandbox::{Outcome, Sandbox, program};
 
-/// What writes, and what makes it last.
+/// System calls that write, or make writes durable.
 const CALLS: &str = "write,fsync,rename,renameat,renameat2,unlink,ftruncate,openat";
-/// One call in this many is taken, unless all are asked for.
+/// One call in this many is tested, unless the environment asks for all.
 const SAMPLE: usize = 8;
 const RUN: &str = "train data --config tiny.toml --downscale 4 --hold-out-every 2 --backend cpu --threads 1 --steps 6 -o run";
 const RESUME: &str = "train --resume run --backend cpu --threads 1";
 
-/// A kind of call and its number among those of its kind, from 1.
+/// The name of a system call, and its number among calls of that name, from 1.
 type Place = (String, usize);
 
-/// Runs the program under strace with more options.
+/// Runs the program under strace with additional options.
 fn strace(sandbox: &Sandbox, options: &[&str], words: &str) -> Outcome {
     let mut command = Command::new("strace");
     command.args(["-f", "-qq", "-y"]).args(options).arg(program()).args(words.split(' '));
@@ -31,8 +31,8 @@ fn strace(sandbox: &Sandbox, options: &[&str], words: &str) -> Outcome {
     command.output().expect("strace runs").into()
 }
 
-/// The calls of a run that are about its folder. strace counts each thread's calls by themselves, and these are the first
-/// one's.
+/// The calls of a run that concern its folder. strace counts the calls of each thread separately, and these belong to
+/// the first one.
 fn places(sandbox: &Sandbox) -> Vec<Place> {
     let trace = sandbox.path("trace");
     let options = ["-o", trace.to_str().expect("a path"), "-e", &format!("trace={CALLS}")];
@@ -59,7 +59,7 @@ fn places(sandbox: &Sandbox) -> Vec<Place> {
     places
 }
 
-/// Whatever there is can be read.
+/// Asserts that every existing file can be read.
 fn assert_readable(folder: &Path) {
     if folder.join(CONFIG).exists() {
         TrainConfig::load(folder.join(CONFIG)).expect("settings");
@@ -72,7 +72,7 @@ fn assert_readable(folder: &Path) {
     }
 }
 
-/// Goes on, and comes to the same bits; nothing else is left.
+/// Asserts that the run resumes and ends with the same bits, and that no other file is left.
 fn assert_goes_on(sandbox: &Sandbox, what: &str, expected: &Bits) {
     let folder = sandbox.path("run");
     assert_readable(&folder);
@@ -91,7 +91,7 @@ fn assert_goes_on(sandbox: &Sandbox, what: &str, expected: &Bits) {
 #[test]
 fn a_run_goes_on_whatever_fails_in_writing() {
     if std::env::var_os("ORGANZA_VALIDATION").is_some() {
-        // nothing of it is about Vulkan
+        // none of this depends on Vulkan
         return;
     }
     if Command::new("strace").arg("-V").output().is_err() {
@@ -118,7 +118,7 @@ fn a_run_goes_on_whatever_fails_in_writing() {
     let (mut killed, mut refused) = (0, 0);
     for (number, (call, count)) in places.iter().enumerate() {
         for (which, fault) in faults.iter().enumerate() {
-            // each fault at others
+            // each fault at different places
             if !(number + 2 * which).is_multiple_of(every) {
                 continue;
             }
@@ -127,13 +127,14 @@ fn a_run_goes_on_whatever_fails_in_writing() {
             let options = ["-o", "/dev/null", "-e", &format!("trace={call}"), "-e", &inject];
             let outcome = strace(&sandbox, &options, RUN);
             match outcome.code {
-                // strace ends as its program did
+                // strace ends in the same way as its program
                 None => killed += 1,
                 Some(2) => {
                     outcome.assert_refused(&["cannot write"]);
                     refused += 1;
                 }
-                // what a file system cannot do is not needed: to sync a folder, to remove a file
+                // some operations are optional, because a file system may not support them: syncing a folder,
+                // removing a file
                 code => assert_eq!(code, Some(0), "{what}: {outcome:?}"),
             }
             if sandbox.path("run").exists() {

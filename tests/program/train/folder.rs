@@ -1,4 +1,4 @@
-//! A run's folder is one thing: its settings, its data and its checkpoint, and one training that writes to it.
+//! A run's folder belongs together: its settings, its data, its checkpoint, and a single training that writes to it.
 
 use std::fs;
 use std::path::Path;
@@ -13,7 +13,7 @@ use crate::sandbox::{Metadata, Sandbox, Tensors};
 
 const RESUME: &str = "train --resume run --backend cpu";
 
-/// A run on photographs that was stopped after ten steps of 40.
+/// A run on photographs that was stopped after ten of 40 steps.
 fn stopped(sandbox: &Sandbox) {
     photographs(sandbox);
     let words =
@@ -24,7 +24,7 @@ fn stopped(sandbox: &Sandbox) {
     });
 }
 
-/// Takes the checkpoint apart, and writes it again as `edit` left it.
+/// Reads the checkpoint, and writes it again after `edit`.
 fn edit_checkpoint(sandbox: &Sandbox, edit: impl FnOnce(&mut Metadata, &mut Tensors)) {
     let (checkpoint, scene) =
         (sandbox.path("run").join(CHECKPOINT), sandbox.path("scene.safetensors"));
@@ -49,7 +49,7 @@ fn settings_that_are_not_the_checkpoints_are_refused_by_name() {
     stopped(&sandbox);
     let config = fs::read_to_string(sandbox.path("run/config.toml")).unwrap();
     let facts = ["run/config.toml", "but the checkpoint beside it was trained with"];
-    // the steps may change: see `extend.rs`
+    // the number of steps may change: see `extend.rs`
     for (from, to, name) in [
         ("seed = 0", "seed = 1", "`run.seed` is 1"),
         ("tile_size = 16", "tile_size = 8", "`run.tile_size` is 8"),
@@ -61,7 +61,7 @@ fn settings_that_are_not_the_checkpoints_are_refused_by_name() {
         sandbox.assert_refuses("eval run --backend cpu", &[facts[0], facts[1], name]);
         fs::write(sandbox.path("run/config.toml"), &config).unwrap();
     }
-    // cut short anywhere, and to nothing
+    // cut short anywhere, also to nothing
     for part in [0, 1, 3, 5, 7] {
         edit_config(&sandbox, |config| config[..config.len() * part / 8].to_owned());
         sandbox.assert_refuses(RESUME, &["run/config.toml"]);
@@ -83,7 +83,7 @@ fn data_that_is_not_the_checkpoints_is_refused_by_name() {
     fs::copy(sandbox.path("data/images/0000.png"), sandbox.path("data/images/0001.png")).unwrap();
     sandbox.assert_refuses(RESUME, &["data", "photographs", other]);
     fs::write(sandbox.path("data/images/0001.png"), &photograph).unwrap();
-    // it may move
+    // the data may move
     fs::rename(sandbox.path("data"), sandbox.path("moved")).unwrap();
     edit_config(&sandbox, |config| config.replacen("/data\"", "/moved\"", 1));
     sandbox.run(RESUME).assert_ok();
@@ -100,7 +100,7 @@ fn a_checkpoint_of_an_older_program_goes_on_with_a_warning() {
     let outcome = sandbox.run(RESUME).assert_ok();
     assert!(outcome.stderr.contains("warning: the checkpoint does not say"), "{outcome:?}");
     assert_same("run", &bits(&sandbox, "run"), &bits(&sandbox, "whole"));
-    // but not with settings that may be any
+    // but not with other settings that may have any value
     edit_checkpoint(&sandbox, |metadata, _| {
         metadata.remove("run");
     });
@@ -150,7 +150,7 @@ fn a_second_training_in_the_same_folder_is_refused() {
     assert!(first.try_wait().unwrap().is_none(), "the first goes on");
     first.kill().unwrap();
     first.wait().unwrap();
-    // what a kill leaves does not lock anybody out, and goes
+    // the lock of a killed run blocks nobody, and is removed
     sandbox.run(&format!("{RESUME} --time-limit 1")).assert_ok();
     assert!(!sandbox.path("run/.organza-lock").exists());
 }
@@ -178,7 +178,7 @@ fn what_a_kill_left_before_the_first_step_is_removed() {
     assert_eq!(names, expected);
 }
 
-/// Opening one for writing would wait, and writing through one would change what is elsewhere.
+/// Opening a pipe for writing would wait, and writing through a link would change a file elsewhere.
 #[cfg(unix)]
 #[test]
 fn pipes_and_links_in_the_place_of_a_runs_files_are_refused() {

@@ -1,4 +1,4 @@
-//! Intermediate evaluations of some of the held-out views.
+//! Intermediate evaluations with some of the held-out views.
 
 use organza::train::metrics::Record;
 use organza::train::{BEST, Checkpoint};
@@ -6,7 +6,7 @@ use organza::train::{BEST, Checkpoint};
 use super::runs::{TINY, assert_same, bits, records, sandbox, stopped};
 use crate::sandbox::Sandbox;
 
-/// Step, number of views, and PSNR of the first view of each evaluation of a run.
+/// Step, number of views, and the first view's PSNR, for each evaluation of a run.
 fn evaluations(sandbox: &Sandbox, run: &str) -> Vec<(u64, usize, f64)> {
     let evaluation = |record| match record {
         Record::Evaluation { step, views, .. } => {
@@ -18,7 +18,7 @@ fn evaluations(sandbox: &Sandbox, run: &str) -> Vec<(u64, usize, f64)> {
     records(&sandbox.path(run)).into_iter().filter_map(evaluation).collect()
 }
 
-/// The last evaluation measures all views; the best checkpoint goes by the view that every evaluation measures.
+/// The last evaluation measures all views. The best checkpoint is chosen by the view that every evaluation measures.
 #[test]
 fn some_views_are_measured_before_the_end() {
     let sandbox = sandbox();

@@ -1,4 +1,4 @@
-//! A hook between a step's gradient and the optimizer.
+//! Hooks between a step's gradient and the optimizer.
 
 use std::fs;
 
@@ -23,7 +23,7 @@ fn bits(scene: &Scene) -> Vec<(String, Vec<u32>)> {
 #[test]
 fn a_tensor_whose_gradient_is_zeroed_stays_as_it_is() {
     let (mut config, checkpoint, dataset) = begun();
-    // weight decay would move it, and so would moments
+    // weight decay and moments would change it, too
     config.optimizer.transmittance_decay = 0.0;
     let begin = Checkpoint::begin(checkpoint.scene, &config).expect("a start");
     for (device, renderer) in devices::all() {
@@ -62,7 +62,7 @@ fn a_tensor_whose_gradient_is_zeroed_stays_as_it_is() {
     }
 }
 
-/// What a sum over processes does, with one process.
+/// Acts like a sum over processes, with a single process.
 fn write_back(step: &StepGradient<'_>) -> Result<()> {
     for (_, tensor) in step.gradient.tensors().iter() {
         tensor.write(step.device, &tensor.read(step.device)?)?;
@@ -119,7 +119,7 @@ fn a_run_calls_its_hook_every_step_and_lends_the_scene() {
     drop(hooks);
     let (steps, before): (Vec<_>, Vec<_>) = hooked.into_iter().unzip();
     assert_eq!(steps, [0, 1, 2]);
-    // a hook sees the scene that the step before has left
+    // a hook sees the scene after the previous step
     assert!(before[1..] == scenes[..2] && scenes.windows(2).all(|pair| pair[0] != pair[1]));
     let saved = Checkpoint::load(folder.path().join(CHECKPOINT)).expect("a checkpoint");
     assert!(scenes[2] == saved.scene);

@@ -1,4 +1,4 @@
-//! Data sets that mean harm, or were damaged as if they did.
+//! Data sets that are malicious, or as damaged as if they were.
 #![cfg(target_os = "linux")]
 
 use std::fs;
@@ -18,7 +18,7 @@ fn data() -> Sandbox {
     sandbox
 }
 
-/// A gray JPEG that says it has so many pixels, and holds one block.
+/// A gray JPEG whose header announces a size, with a single block of data.
 fn small_jpeg([width, height]: [u16; 2]) -> Vec<u8> {
     let mut file = vec![0xff, 0xd8, 0xff, 0xdb, 0, 67, 0];
     file.extend([1; 64]);
@@ -45,7 +45,7 @@ fn chunk(name: &[u8; 4], data: &[u8]) -> Vec<u8> {
     [&(data.len() as u32).to_be_bytes(), body.as_slice(), &crc.to_be_bytes()].concat()
 }
 
-/// A PNG that says it has so many pixels, and holds none.
+/// A PNG whose header announces a size, without any pixel.
 fn small_png(size: [u32; 2], depth: u8, color: u8) -> Vec<u8> {
     let [width, height] = size.map(u32::to_be_bytes);
     let header = [width.as_slice(), &height, &[depth, color, 0, 0, 0]].concat();
@@ -59,7 +59,7 @@ fn small_png(size: [u32; 2], depth: u8, color: u8) -> Vec<u8> {
     .concat()
 }
 
-/// The first photograph, and every camera, has this size.
+/// Replaces the first photograph, and gives every camera its size.
 fn replace_photograph(sandbox: &Sandbox, file: &[u8], [width, height]: [u32; 2]) {
     fs::write(sandbox.path("data/images/0000.png"), file).unwrap();
     sandbox.edit_json("data/transforms.json", "/w", json!(width));
@@ -89,7 +89,7 @@ fn photographs_that_say_they_are_huge_are_refused() {
     }
 }
 
-/// All of it is there, and one after the other all would fit.
+/// All photographs exist, and each alone would fit.
 #[test]
 fn decoding_has_a_budget() {
     let sandbox = data();
@@ -109,7 +109,7 @@ fn decoding_has_a_budget() {
     sandbox.run(&train).assert_ok();
 }
 
-/// Zlib's stream of `length` zeros, 158 times smaller: copies of 258 bytes, in 13 bits each.
+/// A zlib stream of `length` zeros, 158 times smaller: copies of 258 bytes, in 13 bits each.
 fn zeros(length: usize) -> Vec<u8> {
     // a last block with fixed codes, a zero, the copies, and the end
     let copies = (0..length / 258).flat_map(|_| *b"1100010100000");
@@ -124,7 +124,7 @@ fn zeros(length: usize) -> Vec<u8> {
     stream
 }
 
-/// A color profile is nothing that anybody needs here, and may hold less than it says.
+/// Color profiles are not needed here, and may be shorter than they say.
 #[test]
 fn profiles_that_grow_are_passed_over() {
     let sandbox = data();
@@ -173,7 +173,7 @@ fn files_outside_the_data_sets_folder_are_read_where_that_is_allowed() {
         let outcome = sandbox.run(&allow).assert_ok();
         assert!(outcome.stderr.contains("read outside the data set's folder"), "{outcome:?}");
         assert!(outcome.stderr.contains("1 file, the first is "), "{outcome:?}");
-        // the run says so itself
+        // the run's own settings allow it
         sandbox.run("train --resume run --backend cpu").assert_ok();
         sandbox
             .run("eval scene.safetensors data --split all --allow-outside --backend cpu")
@@ -241,7 +241,7 @@ fn lines_of_text_models_are_bounded() {
     };
     let long = "1 ".repeat(1 << 20);
     write("cameras", "1 PINHOLE 96 80 90 90 48 40\n");
-    // what an image has seen may be long, and is not kept
+    // an image's observations may be a long line, and are not kept
     write("images", &format!("1 1 0 0 0 0 0 0 1 a.png\n{long}\n"));
     write("points3D", &format!("1 0 0 0 1 2 3 0.5 {long}\n"));
     sandbox.assert_refuses(TRAIN, &["points3D.txt", "line 1 is longer than 1048576 bytes"]);
@@ -251,7 +251,7 @@ fn lines_of_text_models_are_bounded() {
     sandbox.assert_refuses(TRAIN, &["cameras.txt", "line 1 is longer"]);
 }
 
-/// Empty lines are no records, and take nothing.
+/// Empty lines are no records, and take no memory.
 #[test]
 fn logs_are_read_line_by_line() {
     let sandbox = sandbox();
@@ -284,7 +284,7 @@ fn settings_that_are_no_files_are_refused() {
     }
 }
 
-/// 1e38 at every pixel sums up to more than f32 can hold.
+/// 1e38 at every pixel adds up to more than an f32 can represent.
 #[test]
 fn gradients_that_overflow_are_refused() {
     let sandbox = sandbox();

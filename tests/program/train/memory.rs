@@ -26,16 +26,16 @@ fn a_step_that_does_not_fit_goes_in_parts() {
                 device.refuse_one(number);
             });
             if renderer.device().refuse_one(0) {
-                // there were not so many
+                // there were fewer allocations
                 break;
             }
             match found {
-                // parts end where cameras do, so they have the bits of the whole step
+                // parts end between cameras, so their bits are those of the whole step
                 Ok(bits) => {
                     split += 1;
                     assert!(bits == whole, "{name}: buffer {number}");
                 }
-                // what is not a part's: the scene, when it is read
+                // an allocation outside of parts: the scene, when it is read
                 Err(error) if error.is_out_of_memory() => refused += 1,
                 Err(error) => panic!("{name}: buffer {number}: {error}"),
             }

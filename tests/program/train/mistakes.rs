@@ -1,4 +1,4 @@
-//! What cannot be trained is said in one message, and leaves nothing.
+//! Trainings that are not possible are refused with one message, and leave no files.
 
 use std::fs;
 
@@ -7,7 +7,7 @@ use serde_json::json;
 use super::runs::{TINY, photographs, sandbox};
 use crate::sandbox::Sandbox;
 
-/// `tiny.toml` with something else in it, as `other.toml`.
+/// `tiny.toml` with a replacement in it, as `other.toml`.
 fn other(sandbox: &Sandbox, from: &str, to: &str) {
     let config = fs::read_to_string(sandbox.path("tiny.toml")).unwrap();
     let changed = config.replacen(from, to, 1);
@@ -59,7 +59,7 @@ fn bad_settings() {
     }
 }
 
-/// Whoever asks for fewer Gaussians than a run begins with gets that many.
+/// With a smaller limit, a run begins with that many Gaussians.
 #[test]
 fn the_most_gaussians_are_the_most_at_the_start() {
     let sandbox = sandbox();
@@ -78,14 +78,14 @@ fn data_with_nothing_to_train_on() {
     let frame: serde_json::Value = serde_json::from_slice(&frame).unwrap();
     sandbox.edit_json("data/transforms.json", "/frames", json!([]));
     sandbox.assert_refuses(train, &["transforms.json", "frames"]);
-    // the only one is held out
+    // the only frame is held out
     sandbox.edit_json("data/transforms.json", "/frames", json!([frame["frames"][0]]));
     sandbox.assert_refuses(train, &["data", "held out", "none is left to train on"]);
     fs::write(sandbox.path("data/images/0000.png"), "no picture").unwrap();
     sandbox.assert_refuses(&format!("{train} --hold-out-every 0"), &["0000.png"]);
 }
 
-/// Values that numbers cannot hold end a run; its last checkpoint stays.
+/// Values that overflow end a run, and its last checkpoint stays.
 #[test]
 fn what_diverges_is_said() {
     let sandbox = sandbox();
@@ -93,7 +93,7 @@ fn what_diverges_is_said() {
     let checkpoint = sandbox.path("run/checkpoint.safetensors");
     fs::copy(&checkpoint, sandbox.path("scene.safetensors")).unwrap();
     sandbox.edit_scene(|metadata, tensors| {
-        // as if it had been stopped on the way
+        // as if it had been stopped during the run
         metadata.insert("train".to_owned(), json!(r#"{"step": 4, "seconds": 1.0}"#));
         let is_color = |name: &str| name.starts_with("color") && name.ends_with("weight");
         for (_, _, data) in tensors.iter_mut().filter(|(name, ..)| is_color(name)) {

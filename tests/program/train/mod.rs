@@ -1,4 +1,4 @@
-//! `organza train` as a user meets it: what a run leaves, whatever happens to it.
+//! `organza train` from a user's point of view: the files that a run leaves, whatever happens to it.
 
 mod background;
 mod bits;

@@ -1,4 +1,4 @@
-//! Settings of any size: each is refused in a second, with what it takes and what there is.
+//! Settings of any size: too large ones are refused within a second, with the memory needed and the memory available.
 #![cfg(target_os = "linux")]
 
 use std::fs;
@@ -6,12 +6,12 @@ use std::time::{Duration, Instant};
 
 use super::runs::{photographs, sandbox};
 
-/// As an ordinary machine with some memory in use has it.
+/// Memory limit of an ordinary machine with some memory in use.
 const LIMIT: &str = "ulimit -v 6000000;";
-/// The program's own start is in it, and a machine that does other things.
+/// Includes the program's start, and the load of a busy machine.
 const SOON: Duration = Duration::from_secs(5);
 
-/// The color grid with something else in it.
+/// The color grid with a replacement in it.
 fn grid(from: &str, to: &str) -> String {
     let grid = "[scene.color_grid]\nlevels = 8\nfeatures = 2\nlog2_table = 14\nbase_resolution = 16.0\n\
                 growth = 1.35\n";
@@ -55,7 +55,7 @@ fn monstrous_settings_are_refused_at_once() {
         ("[scene]\nstep = 1e-30", ["`scene.step`", "16384 samples"]),
         ("[run]\nsteps = 99999999999999999999", ["line 2", ""]),
     ] {
-        // sizes that a file leaves out are those of the default
+        // sizes that a file leaves out have their defaults
         fs::write(sandbox.path("monster.toml"), settings).unwrap();
         let before = sandbox.files();
         let start = Instant::now();
@@ -89,7 +89,7 @@ fn monstrous_options_are_refused_at_once() {
     }
 }
 
-/// Tiles of one pixel are as many as pixels; photographs of 24 million would be 24 million tiles.
+/// Tiles of one pixel are as many as the pixels. Photographs of 24 million pixels would have 24 million tiles.
 #[test]
 fn an_image_of_any_size_is_held_to_memory_before_it_is_rendered() {
     let sandbox = sandbox();

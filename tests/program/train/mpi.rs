@@ -1,4 +1,4 @@
-//! Trainings whose ranks are MPI processes. They need a program that was built with the feature `mpi`, whose path is in
+//! Trainings whose ranks are MPI processes. They need a program with the feature `mpi`, whose path is in
 //! `ORGANZA_MPI`: `scripts/mpi.sh` builds it and runs these tests.
 
 use std::process::{Command, Stdio};
@@ -8,7 +8,7 @@ use std::{fs, thread};
 use super::runs::{TINY, assert_same, bits, photographs, records, sandbox, without_times};
 use crate::sandbox::Sandbox;
 
-/// So many processes for each of the command lines. CI is root, and has fewer cores than there are ranks.
+/// Starts a number of processes for each command line. CI is root, and has fewer cores than there are ranks.
 fn mpirun(sandbox: &Sandbox, parts: &[(usize, &str)]) -> Command {
     let program = std::env::var_os("ORGANZA_MPI").expect("scripts/mpi.sh sets it");
     let mut command = Command::new("mpirun");
@@ -18,20 +18,20 @@ fn mpirun(sandbox: &Sandbox, parts: &[(usize, &str)]) -> Command {
         command.args(["-n", &ranks.to_string()]).arg(&program).args(words.split(' '));
         command.args(["--ranks", "mpi"]);
     }
-    // a container may forbid reading another process's memory, which Open MPI would complain about
+    // a container may forbid reading another process's memory, and Open MPI would report that
     command.env("OMPI_MCA_btl_vader_single_copy_mechanism", "none");
     command.current_dir(sandbox.path("."));
     command
 }
 
-/// Ends well.
+/// Asserts that a command succeeds.
 #[track_caller]
 fn assert_ok(mut command: Command) {
     let output = command.output().expect("mpirun");
     assert!(output.status.success(), "{output:?}");
 }
 
-/// Ends with a message of these words.
+/// Asserts that a command fails, with these words in its message.
 #[track_caller]
 fn assert_fails(mut command: Command, words: &[&str]) {
     let output = command.output().expect("mpirun");
@@ -57,7 +57,7 @@ fn any_number_of_processes_gives_the_same_bits() {
     }
 }
 
-/// The scene is one slice: two of three processes hold nothing.
+/// The scene is a single slice: two of three processes have no Gaussians.
 #[test]
 #[ignore = "scripts/mpi.sh runs it"]
 fn processes_with_shares_train_what_threads_train() {
@@ -68,7 +68,7 @@ fn processes_with_shares_train_what_threads_train() {
     assert!(threads["gaussians.opacity"].1.len() > 200, "the scene has grown");
     assert_ok(mpirun(&sandbox, &[(3, &words("processes"))]));
     assert_same("processes", &bits(&sandbox, "processes"), &threads);
-    // two groups, whose first share is empty
+    // two groups, in which the first share is empty
     assert_ok(mpirun(&sandbox, &[(4, &format!("{} --shares 2", words("grid")))]));
     assert_same("grid", &bits(&sandbox, "grid"), &threads);
     let told = |run: &str| without_times(&records(&sandbox.path(run)));
@@ -78,7 +78,7 @@ fn processes_with_shares_train_what_threads_train() {
     assert_fails(mpirun(&sandbox, &[(4, &refused)]), &["must divide the number of ranks, 4"]);
 }
 
-/// All end with the rank that is killed; another number of ranks goes on from the checkpoint.
+/// If a rank is killed, all end. Another number of ranks continues from the checkpoint.
 #[test]
 #[ignore = "scripts/mpi.sh runs it"]
 fn a_killed_rank_ends_all_and_another_number_goes_on() {
@@ -97,7 +97,7 @@ fn a_killed_rank_ends_all_and_another_number_goes_on() {
     let mut processes = children(child.id());
     processes.sort_unstable();
     assert!(processes.len() >= 3, "{processes:?}");
-    // the last one that was started is not the first rank
+    // the process started last is not the first rank
     let last = processes.pop().expect("a process").to_string();
     assert!(Command::new("kill").args(["-KILL", &last]).status().expect("kill").success());
     assert!(!child.wait().expect("mpirun").success());
@@ -138,7 +138,7 @@ fn processes_that_round_differently_must_be_allowed() {
     assert_ok(mpirun(&sandbox, &[(1, &mixed[0]), (1, &mixed[1])]));
 }
 
-/// The scene is one slice: two of three processes hold nothing.
+/// The scene is a single slice: two of three processes have no Gaussians.
 #[test]
 #[ignore = "scripts/mpi.sh runs it"]
 fn processes_render_what_threads_render() {
@@ -157,13 +157,13 @@ fn processes_render_what_threads_render() {
     assert_fails(command, &["leave out `--ranks`"]);
 }
 
-/// The processes that a process has started.
+/// The child processes of a process.
 fn children(parent: u32) -> Vec<u32> {
     let processes = fs::read_dir("/proc").expect("Linux").flatten();
     let numbers = processes.filter_map(|entry| entry.file_name().to_str()?.parse().ok());
     let is_child = |process: &u32| {
         let stat = fs::read_to_string(format!("/proc/{process}/stat")).unwrap_or_default();
-        // after the program's name: the state, and the parent
+        // after the program's name: the state, and the parent's id
         let after = stat.rsplit(") ").next().unwrap_or_default();
         after.split(' ').nth(1) == Some(&parent.to_string())
     };

@@ -1,4 +1,4 @@
-//! Losses of a caller, on the host and on the device.
+//! Losses of the caller's, on the host and on the device.
 
 use organza::render::{DeviceLossGradient, Loss, LossBatch, LossGradient, TileLoss};
 use organza::train::{Checkpoint, StepHooks, Trainer};
@@ -7,7 +7,7 @@ use organza_tests::devices;
 
 use super::runs::{begun, state_bits};
 
-/// The settings' own loss, computed by a caller. Poses are refined with both.
+/// The caller computes the settings' own loss. Poses are refined with both.
 #[test]
 fn the_same_loss_on_the_device_gives_the_same_bits() {
     let (mut config, checkpoint, dataset) = begun();
@@ -54,7 +54,7 @@ fn squares(batch: &LossBatch<'_>) -> LossGradient {
     LossGradient { loss: 0.5 * squares.sum::<f64>(), grad_output }
 }
 
-/// What a batch is compared with is what the photographs show.
+/// Asserts that a batch is compared with its photographs.
 fn assert_shows(batch: &LossBatch<'_>, dataset: &Dataset) {
     let (side, area) = (batch.rendered.side, (batch.rendered.side * batch.rendered.side) as usize);
     for (index, tile) in batch.batch.tiles.iter().enumerate() {
@@ -70,7 +70,7 @@ fn assert_shows(batch: &LossBatch<'_>, dataset: &Dataset) {
     }
 }
 
-/// The step's gradient is what [`Renderer::gradient`] gives for the loss's dL/dY, in one part and in many.
+/// For the loss's dL/dY, the step's gradient must equal that of [`Renderer::gradient`], in one part and in many.
 #[test]
 fn a_loss_on_the_host_sees_the_whole_batch_and_reaches_every_tensor() {
     let (config, checkpoint, dataset) = begun();
@@ -106,7 +106,7 @@ fn a_loss_on_the_host_sees_the_whole_batch_and_reaches_every_tensor() {
             let expected = renderer.gradient(&scene, &cameras, batch, &found.grad_output).unwrap();
             assert!(gradients[0] == expected, "{what}: the gradient");
             assert!(expected.gaussians().opacity.iter().any(|&slope| slope != 0.0), "{what}");
-            // the squares that the loss adds up
+            // the squares that the loss sums
             let squared = f64::powf(10.0, -report.psnr / 10.0);
             let values = 2.0 * found.loss / squared;
             let most = found.grad_output.len() as f64;

@@ -1,4 +1,4 @@
-//! Cameras whose poses are off.
+//! Cameras with wrong poses.
 
 use organza::data::{Dataset, Frame, Photograph};
 use organza::train::config::{OptimizerConfig, Rate};
@@ -9,7 +9,7 @@ use serde_json::Value;
 
 use super::runs::{TINY, assert_same, begun, bits, records, sandbox, stopped, without_times};
 
-/// How a photograph's camera is off, by its place among those to train on: a degree, and 2% of the distance.
+/// The error of a photograph's camera, by its index among those to train on: a degree, and 2% of the distance.
 fn off(index: usize) -> [f64; 6] {
     std::array::from_fn(|at| {
         let size = if at < 3 { 0.015 } else { 0.06 };
@@ -17,7 +17,7 @@ fn off(index: usize) -> [f64; 6] {
     })
 }
 
-/// The mean distance, in pixels, of where two cameras have some places around the origin.
+/// The mean distance, in pixels, between the images of some places around the origin in two cameras.
 fn distance(a: &Camera, b: &Camera) -> f64 {
     let pixel = |camera: &Camera, place: [f64; 3]| {
         let eye = camera.eye();
@@ -35,7 +35,7 @@ fn distance(a: &Camera, b: &Camera) -> f64 {
     distances.sum::<f64>() / 8.0
 }
 
-/// Five photographs around a scene, of which the first is held out.
+/// Five photographs around a scene; the first is held out.
 fn dataset_of(renderer: &Renderer, scene: &Scene) -> Dataset {
     let uploaded = renderer.upload(scene).expect("memory");
     let frame = |(index, camera): (usize, Camera)| {
@@ -48,7 +48,7 @@ fn dataset_of(renderer: &Renderer, scene: &Scene) -> Dataset {
     dataset
 }
 
-/// With the scene that the photographs show, which learns next to nothing.
+/// Training starts with the scene in the photographs, which hardly changes.
 #[test]
 fn cameras_come_back_to_where_they_were() {
     let (mut config, _, _) = begun();
@@ -92,7 +92,8 @@ fn cameras_come_back_to_where_they_were() {
     assert!(before > 0.8 && after < 0.4 * before, "{before} and {after}");
 }
 
-/// A run that refines poses and is killed, or stopped, goes on as if it had not been, with any number of ranks.
+/// A run that refines poses, and is killed or stopped, must have the bits of one without interruption, for any number
+/// of ranks.
 #[test]
 fn runs_resumed_or_of_ranks_have_the_bits_of_one_that_never_stopped() {
     let sandbox = sandbox();
@@ -116,14 +117,14 @@ fn runs_resumed_or_of_ranks_have_the_bits_of_one_that_never_stopped() {
     cameras_are_those_of_the_checkpoint(&sandbox, &whole);
 }
 
-/// The commands that take a run's folder use its refined cameras, and those that are held out stay where they were.
+/// Commands that take a run's folder use its refined cameras. Held-out cameras stay at their places.
 fn cameras_are_those_of_the_checkpoint(sandbox: &crate::sandbox::Sandbox, refined: &[Camera]) {
     let given = built_in::cameras(6, 32, 3);
     for (index, (refined, given)) in refined.iter().zip(&given).enumerate() {
         let is_given = refined.camera_to_world == given.camera.camera_to_world;
         assert_eq!(is_given, given.held_out, "{index}");
     }
-    // all frames are held out to measure, or none: the run knows which it was trained on
+    // all frames are held out for measuring, or none: the run knows which it was trained on
     sandbox.run("render whole --split train --backend cpu -o by-run").assert_ok();
     sandbox.run("render whole whole/cameras.json --backend cpu -o by-file").assert_ok();
     sandbox.run("render whole --hold-out-every 2 --backend cpu -o by-option").assert_ok();

@@ -1,4 +1,4 @@
-//! Runs as processes of their own, and the signals that they get.
+//! Runs in separate processes, and the signals sent to them.
 #![cfg(unix)]
 
 use std::process::{Child, Command, Stdio};
@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use crate::sandbox::Sandbox;
 
-/// Starts the program; what it says is kept.
+/// Starts the program, and captures its output.
 pub fn start(sandbox: &Sandbox, words: &str) -> Child {
     let mut command = sandbox.command(words);
     command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
@@ -19,7 +19,7 @@ pub fn signal(child: &Child, signal: &str) {
     assert!(Command::new("sh").args(["-c", &kill]).status().expect("a shell").success());
 }
 
-/// The program ends within seconds.
+/// Waits for the program's end, which must come within seconds.
 pub fn wait_for_end(child: &mut Child) {
     let begin = Instant::now();
     while child.try_wait().unwrap().is_none() {

@@ -1,4 +1,4 @@
-//! What a training says where there is no terminal.
+//! The messages of a training without a terminal.
 
 use super::runs::{TINY, sandbox};
 
@@ -18,13 +18,13 @@ fn a_log_file_has_steps_evaluations_and_the_end() {
     let end = position("finished: 40 steps in 00:00:");
     assert!(first < early && early < last && last < end, "{lines:#?}");
     assert!(lines[end].contains("of training, ") && lines[end].ends_with(" Gaussians"));
-    // not a line a step
+    // not one line per step
     assert!(lines.len() < 20, "{lines:#?}");
     let outcome = sandbox.run(&format!("{TINY} quiet --quiet")).assert_ok();
     assert_eq!(outcome.stderr, "");
 }
 
-/// The next lines are due after seconds, and say how fast it goes and how long it takes.
+/// Later lines are due after some seconds. They give the speed and the remaining time.
 #[test]
 fn a_longer_training_says_how_long_it_takes() {
     let sandbox = sandbox();
@@ -35,7 +35,7 @@ fn a_longer_training_says_how_long_it_takes() {
     let (_, rest) = second.split_once(" Gaussians, ").expect("a count");
     let (speed, rest) = rest.split_once(" steps/s, ").expect("a speed");
     assert!(speed.parse::<f64>().is_ok_and(|speed| speed > 0.0), "{second}");
-    // until the time limit, not for a million steps
+    // up to the time limit, not for a million steps
     let left = rest.strip_suffix("s left").expect("a time");
     assert!(left.parse::<u32>().is_ok_and(|left| left <= 2), "{second}");
     assert!(outcome.stderr.contains("finished at the time limit: "), "{outcome:?}");

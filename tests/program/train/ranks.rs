@@ -1,4 +1,4 @@
-//! Trainings that ranks share: the same bits for any number of them.
+//! Trainings that ranks share: the same bits for any number of ranks.
 
 use std::fs;
 use std::sync::Arc;
@@ -13,7 +13,7 @@ use super::runs::{TINY, assert_same, begun, bits, records, sandbox, state_bits, 
 
 type Begun = (TrainConfig, Checkpoint, Arc<Dataset>);
 
-/// A run after nine of 40 steps: it grows after the next.
+/// A run after nine of 40 steps. It grows after the next one.
 fn begun_of_40() -> Begun {
     let (mut config, checkpoint, dataset) = begun();
     config.run.steps = 40;
@@ -26,7 +26,7 @@ fn begun_of_40() -> Begun {
     (config, trainer.checkpoint(0.0).expect("a state"), dataset)
 }
 
-/// Trains so many steps on each of so many ranks; returns the states of all.
+/// Trains `steps` steps on each of `size` ranks. Returns the states of all.
 fn train(begun: &Begun, name: &str, size: usize, steps: u32) -> Vec<Checkpoint> {
     let (config, checkpoint, dataset) = begun;
     std::thread::scope(|scope| {
@@ -47,7 +47,7 @@ fn train(begun: &Begun, name: &str, size: usize, steps: u32) -> Vec<Checkpoint> 
     })
 }
 
-/// Trains so many steps without ranks, with parts of about so many bytes.
+/// Trains `steps` steps without ranks, with parts of about `part_bytes` bytes.
 fn train_alone(begun: &Begun, name: &str, part_bytes: Option<u64>, steps: u32) -> Checkpoint {
     let (config, checkpoint, dataset) = begun.clone();
     let (_, device) =
@@ -65,8 +65,8 @@ fn train_alone(begun: &Begun, name: &str, part_bytes: Option<u64>, steps: u32) -
     trainer.checkpoint(0.0).expect("a state")
 }
 
-/// Four tiles a step are four units at most: with more ranks, some hold nothing. Without ranks, they are one part, or several:
-/// in so many bytes are all tiles of a camera, and two cameras at most.
+/// Four tiles per step are at most four units, so with more ranks, some have no work. Without ranks, they are one
+/// part, or several: a part of this size has all tiles of a camera, and at most two cameras.
 #[test]
 fn any_number_of_ranks_and_parts_gives_the_same_bits_on_every_device() {
     let begun = begun_of_40();
@@ -76,7 +76,7 @@ fn any_number_of_ranks_and_parts_gives_the_same_bits_on_every_device() {
         assert!(alone.scene.gaussians.len() > 200, "{name}: the scene has grown");
         let parts = train_alone(&begun, name, Some(20_000), 2);
         assert!(state_bits(&parts) == state_bits(&alone), "{name}: in parts");
-        // a software GPU takes its time
+        // a software GPU is slow
         let sizes = if name == "cpu" { &[1, 2, 3, 5][..] } else { &[3] };
         for &size in sizes {
             for (rank, state) in train(&begun, name, size, 2).iter().enumerate() {
@@ -111,7 +111,7 @@ fn a_run_of_ranks_is_one_run() {
     run("exposed", "--set exposure.learn=true");
     run("exposed-of-3", "--set exposure.learn=true --ranks 3 --threads 1");
     assert_same("exposed-of-3", &bits(&sandbox, "exposed-of-3"), &bits(&sandbox, "exposed"));
-    // stopped, and continued by another number
+    // stopped, and continued with another number of ranks
     run("other", "--ranks 4 --time-limit 1");
     sandbox.run("train --resume other --ranks 2 --backend cpu").assert_ok();
     assert_same("resumed", &bits(&sandbox, "other"), &one);
@@ -135,7 +135,7 @@ fn a_rank_that_fails_ends_all_with_its_message() {
     thread.join().expect("a thread");
 }
 
-/// Ranks that would round differently are refused before the first step.
+/// Ranks with different rounding are refused before the first step.
 #[test]
 fn ranks_of_other_devices_must_be_allowed() {
     let (_, _, dataset) = begun();
@@ -148,7 +148,7 @@ fn ranks_of_other_devices_must_be_allowed() {
                 let options = organza::DeviceOptions::cpu(Some(1)).instruction_set(set);
                 let renderer = Renderer::new(organza::open_device(&options).expect("a CPU"));
                 let ranks: Arc<dyn Ranks> = Arc::new(ranks);
-                // there is no rank 0 that leads: what fails is told
+                // rank 0 is not there to lead, so the error comes from here
                 organza::train::follow(&renderer, &dataset, &ranks, mixed).unwrap_err().to_string()
             };
             let threads: Vec<_> = ThreadRanks::new(2)

@@ -1,4 +1,4 @@
-//! What a run learns, and its report.
+//! The success of training, and the run's report.
 
 use std::fs;
 
@@ -28,7 +28,7 @@ fn held_out_views_come_closer() {
     assert!(last.1 > first.1 + 2.5, "{first:?} {last:?}");
 }
 
-/// With a box of what is in focus, and all of space around it.
+/// With a box around the part in focus, and all of space around it.
 #[test]
 fn a_contracted_scene_learns_and_says_what_it_is() {
     let sandbox = sandbox();
@@ -49,7 +49,7 @@ fn a_contracted_scene_learns_and_says_what_it_is() {
     ]);
 }
 
-/// What the page is made of is tested where it is made.
+/// The page's module has tests of its content.
 #[test]
 fn the_report_shows_the_run() {
     let sandbox = sandbox();
@@ -98,7 +98,7 @@ fn runs_are_compared() {
     sandbox.assert_refuses("compare a b -o a/report.html", &["would replace the input"]);
 }
 
-/// A photograph alone, smaller than a tile: nothing is held out, and nothing is in the tile's other pixels.
+/// A single photograph, smaller than a tile: nothing is held out, and the tile's other pixels are empty.
 #[test]
 fn one_small_photograph_is_enough() {
     let sandbox = sandbox();

@@ -1,4 +1,4 @@
-//! Runs of seconds, and what they leave.
+//! Runs that take seconds, and their files.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -23,11 +23,11 @@ use crate::sandbox::Sandbox;
 /// A run of 40 steps on the photographs of [`sandbox`].
 pub const TINY: &str = "train views --config tiny.toml --backend cpu -o";
 
-/// Five steps on the built-in scene, whose views take their time to render.
+/// Five steps on the built-in scene, whose views take long to render.
 pub const BUILT_IN: &str = "train --config tiny.toml --backend cpu --steps 5 \
     --set data.built_in_side=16 -o";
 
-/// How many photographs a sandbox has in `views`, and their width and height in pixels.
+/// Number of photographs in a sandbox's folder `views`, and their width and height in pixels.
 pub const VIEWS: u32 = 6;
 pub const SIDE: u32 = 32;
 
@@ -42,8 +42,8 @@ pub fn sandbox() -> Sandbox {
     sandbox
 }
 
-/// A data set of the built-in scene: names and contents of its files. Rendering takes longer than a run does, so all tests
-/// share the images.
+/// Names and contents of the files of a data set of the built-in scene. Rendering takes longer than a run, so all
+/// tests share the images.
 fn views() -> &'static [(String, Vec<u8>)] {
     static FILES: OnceLock<Vec<(String, Vec<u8>)>> = OnceLock::new();
     FILES.get_or_init(|| {
@@ -66,7 +66,7 @@ fn views() -> &'static [(String, Vec<u8>)] {
     })
 }
 
-/// More photographs in a sandbox: each is there again under other names, until there are `count`.
+/// Adds copies of a sandbox's photographs under other names, until there are `count`.
 pub fn add_views(sandbox: &Sandbox, count: u32) {
     let path = sandbox.path("views/transforms.json");
     let mut json: Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
@@ -83,13 +83,13 @@ pub fn add_views(sandbox: &Sandbox, count: u32) {
     fs::write(path, json.to_string()).unwrap();
 }
 
-/// The photographs of [`sandbox`], as the settings of a run have them.
+/// The photographs of [`sandbox`], read with a run's settings.
 pub fn dataset(sandbox: &Sandbox, config: &TrainConfig) -> Arc<Dataset> {
     let options = config.data.options();
     Arc::new(Dataset::load(sandbox.path("views"), &options).expect("photographs"))
 }
 
-/// A run after five steps: its settings, its state, and what it is trained on.
+/// A run after five steps: its settings, its state, and its data.
 pub fn begun() -> (TrainConfig, Checkpoint, Arc<Dataset>) {
     static BEGUN: OnceLock<(TrainConfig, Checkpoint, Arc<Dataset>)> = OnceLock::new();
     let begun = BEGUN.get_or_init(|| {
@@ -104,7 +104,7 @@ pub fn begun() -> (TrainConfig, Checkpoint, Arc<Dataset>) {
     begun.clone()
 }
 
-/// Begins a run with the settings of another, and stops it after some steps.
+/// Begins a run with another one's settings, and stops it after `steps` steps.
 pub fn stopped(sandbox: &Sandbox, run: &str, settings_of: &str, steps: u32) {
     let path = sandbox.path(run);
     fs::create_dir(&path).expect("a folder");
@@ -123,7 +123,7 @@ pub fn stopped(sandbox: &Sandbox, run: &str, settings_of: &str, steps: u32) {
     assert_eq!(outcome.expect("a run"), Outcome::Stopped);
 }
 
-/// All that a state has, as bits.
+/// The bits of all values in a state.
 pub fn state_bits(state: &Checkpoint) -> Vec<Vec<u32>> {
     let [first, second] = &state.moments;
     let scenes = [&state.scene, first, second];
@@ -134,16 +134,16 @@ pub fn state_bits(state: &Checkpoint) -> Vec<Vec<u32>> {
     bits
 }
 
-/// Photographs of a case's scene, downscaled by nobody yet, in the folder `data`.
+/// Writes photographs of a case's scene to the folder `data`, at full size.
 pub fn photographs(sandbox: &Sandbox) {
     sandbox.run("render scene.safetensors cameras.json -o data/images --backend cpu").assert_ok();
     fs::copy(sandbox.path("cameras.json"), sandbox.path("data/transforms.json")).unwrap();
 }
 
-/// The shape and the bits of each tensor of a run's checkpoint: the scene, Adam's moments, what growth goes by.
+/// Shape and bits of each tensor in a run's checkpoint: the scene, Adam's moments, and statistics for growth.
 pub type Bits = BTreeMap<String, (Vec<usize>, Vec<u32>)>;
 
-/// What a run has come to.
+/// The final bits of a run.
 #[track_caller]
 pub fn bits(sandbox: &Sandbox, run: &str) -> Bits {
     let tensors = read_tensors(sandbox.path(run).join(CHECKPOINT)).expect("a checkpoint");
@@ -159,7 +159,7 @@ pub fn bits(sandbox: &Sandbox, run: &str) -> Bits {
     bits
 }
 
-/// Two runs came to the same bits.
+/// Asserts that two runs have the same bits.
 #[track_caller]
 pub fn assert_same(what: &str, found: &Bits, expected: &Bits) {
     assert_eq!(found.keys().collect::<Vec<_>>(), expected.keys().collect::<Vec<_>>(), "{what}");
@@ -174,7 +174,7 @@ pub fn records(folder: &Path) -> Vec<Record> {
     MetricsLog::read(folder.join(METRICS)).expect("every line is a record")
 }
 
-/// What does not depend on the clock: each step's numbers, each change of the Gaussians, each evaluation.
+/// The parts of a log that do not depend on the clock: numbers of each step, changes of the Gaussians, evaluations.
 pub fn without_times(records: &[Record]) -> Vec<String> {
     let told = |record: &Record| match record {
         Record::Step { step, loss, l1, ssim, psnr, gaussians, rates, .. } => {

@@ -1,4 +1,4 @@
-//! The table of settings in `docs/training.md` is that of the program.
+//! The table of settings in `docs/training.md` must match the program.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -9,7 +9,7 @@ use serde_json::Value;
 
 use crate::sandbox::Sandbox;
 
-/// Every setting's values: one, a list's, or the first and the last of a rate.
+/// The values of every setting: a single one, those of a list, or the first and the last of a rate.
 fn defaults() -> BTreeMap<String, Vec<Value>> {
     fn walk(name: &str, value: &Value, found: &mut BTreeMap<String, Vec<Value>>) {
         let dotted =
@@ -29,14 +29,14 @@ fn defaults() -> BTreeMap<String, Vec<Value>> {
             }
         }
     }
-    // through text, so that an f32 has its own digits
+    // through text, so that an f32 keeps its own digits
     let text = serde_json::to_string(&TrainConfig::default()).expect("plain values");
     let mut found = BTreeMap::new();
     walk("", &serde_json::from_str(&text).expect("JSON"), &mut found);
-    // they have no default, and no place where there is none
+    // paths have no default, so they are not in the text
     found.insert("data.path".to_owned(), Vec::new());
     found.insert("start.path".to_owned(), Vec::new());
-    // it is written where it is true alone
+    // it is only written if it is true
     found.insert("data.allow_outside".to_owned(), vec![Value::Bool(false)]);
     found
 }
@@ -46,7 +46,7 @@ fn page() -> String {
     fs::read_to_string(path).expect("the page")
 }
 
-/// The rows of the table: names are in backticks in the first cell, values in the second.
+/// The rows of the table: names in backticks in the first cell, values in the second.
 fn documented() -> BTreeMap<String, Vec<Value>> {
     let text = page();
     let (_, table) = text.split_once("| setting | default |").expect("a table");
@@ -101,7 +101,7 @@ fn the_settings_of_the_built_in_scene_are_those_of_the_program() {
     }
 }
 
-/// What `--print-config` prints for some options.
+/// The settings that `--print-config` prints for some options.
 #[track_caller]
 fn printed(words: &str) -> TrainConfig {
     let outcome = Sandbox::new("tiny").run(&format!("train --print-config {words}")).assert_ok();
@@ -122,7 +122,7 @@ fn later_settings_override_earlier_ones() {
     let config = printed(&words);
     assert_eq!((config.run.steps, config.run.tile_size, config.run.seed), (11, 32, 5));
     assert_eq!(config.growth, best.growth, "what the file leaves out is the preset's");
-    // a part of a table
+    // only a part of a table
     let grid = sandbox.path("grid.toml");
     fs::write(&grid, "[scene.color_grid]\nlevels = 9\n[optimizer]\ngrids.last = 1e-3\n").unwrap();
     let config = printed(&format!("/data --preset best --config {}", grid.display()));

@@ -1,4 +1,4 @@
-//! Signals, whenever they come.
+//! Signals at any time.
 #![cfg(target_os = "linux")]
 
 use std::fs;
@@ -18,13 +18,13 @@ fn wait_until(what: &str, mut is_so: impl FnMut() -> bool) {
     }
 }
 
-/// The program ends within seconds.
+/// Waits for the program's end, which must come within seconds.
 fn end(mut child: Child) -> Outcome {
     wait_for_end(&mut child);
     child.wait_with_output().expect("it has ended").into()
 }
 
-/// Half a minute of views are to be rendered.
+/// Rendering the views would take half a minute.
 #[test]
 fn a_signal_while_loading_ends_at_once_and_leaves_nothing() {
     let sandbox = sandbox();
@@ -45,7 +45,7 @@ fn a_signal_while_loading_ends_at_once_and_leaves_nothing() {
     }
 }
 
-/// Nobody reads what it says, so that it blocks in saying it.
+/// Nobody reads the program's messages, so writing them blocks.
 #[test]
 fn a_signal_is_not_swallowed_where_standard_error_blocks() {
     let sandbox = sandbox();
@@ -56,7 +56,7 @@ fn a_signal_is_not_swallowed_where_standard_error_blocks() {
     command.args(["-c", &script]).env("ORGANZA", crate::sandbox::program());
     command.current_dir(sandbox.path("")).stdin(Stdio::null());
     let mut child = command.spawn().expect("a shell");
-    // It has locked the folder, and is about to say which device it has.
+    // The folder is locked, and the next message names the device.
     wait_until("the folder is locked", || sandbox.path("run/.organza-lock").exists());
     thread::sleep(Duration::from_millis(500));
     signal(&child, "TERM");
@@ -65,7 +65,7 @@ fn a_signal_is_not_swallowed_where_standard_error_blocks() {
     assert!(!sandbox.path("run").exists());
 }
 
-/// Half of the views are measured after each step.
+/// After each step, half of the views are measured.
 #[test]
 fn a_signal_while_measuring_saves_and_stops() {
     let sandbox = sandbox();

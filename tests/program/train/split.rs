@@ -1,4 +1,4 @@
-//! Trainings whose Gaussians are dealt to ranks: the same bits for any number of ranks.
+//! Trainings whose Gaussians are distributed over ranks: the same bits for any number of ranks.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -15,11 +15,11 @@ use super::runs::{TINY, assert_same, begun, bits, records, sandbox, state_bits, 
 
 type Begun = (TrainConfig, Checkpoint, Arc<Dataset>);
 
-/// One of so many Gaussians is rendered.
+/// One Gaussian in this many is rendered.
 const VISIBLE: usize = 64;
 
-/// A run with just two slices of Gaussians, which grows to three after two more steps. Most Gaussians have no rotation, so they
-/// are not rendered: that would take its time.
+/// A run with just two slices of Gaussians, which grows to three after two more steps. Most Gaussians have no
+/// rotation, so they are not rendered, which would take long.
 fn begun_of_slices() -> Begun {
     let (mut config, mut checkpoint, dataset) = begun();
     config.run.steps = 40;
@@ -45,7 +45,7 @@ fn begun_of_slices() -> Begun {
     (config, checkpoint, dataset)
 }
 
-/// Does `work` on each of so many ranks.
+/// Runs `work` on each of `size` ranks.
 fn on_ranks<R: Send>(size: usize, work: impl Fn(Arc<dyn Ranks>) -> R + Sync) -> Vec<R> {
     let work = &work;
     std::thread::scope(|scope| {
@@ -56,7 +56,7 @@ fn on_ranks<R: Send>(size: usize, work: impl Fn(Arc<dyn Ranks>) -> R + Sync) -> 
     })
 }
 
-/// The trainer of a rank, in groups of so many.
+/// The trainer of a rank in a group of `shares` ranks.
 fn trainer(begun: &Begun, name: &str, ranks: Arc<dyn Ranks>, shares: usize) -> Trainer {
     let (config, checkpoint, dataset) = begun;
     let device = match name {
@@ -76,8 +76,8 @@ fn trainer(begun: &Begun, name: &str, ranks: Arc<dyn Ranks>, shares: usize) -> T
     trainer.expect("a trainer")
 }
 
-/// Trains so many steps on so many ranks in groups of so many, and joins the shares of a group, which all have; a file of the
-/// state if there is a path for it.
+/// Trains on several ranks in groups, and joins the shares of a group. All groups have the same. With a path, the
+/// state is also written to a file.
 fn train(
     begun: &Begun,
     name: &str,
@@ -122,7 +122,8 @@ fn join(shares: Vec<CheckpointShare>) -> Checkpoint {
     whole
 }
 
-/// With four shares, one holds nothing. A step has four cameras at most: one of five groups has nothing to render.
+/// With four shares, one has no Gaussians. A step has at most four cameras, so one of five groups has nothing to
+/// render.
 #[test]
 fn any_number_of_ranks_and_groups_gives_the_same_bits_on_every_device() {
     let begun = begun_of_slices();
@@ -131,7 +132,7 @@ fn any_number_of_ranks_and_groups_gives_the_same_bits_on_every_device() {
         assert_eq!(one.progress.step, 11);
         assert_eq!(one.scene.gaussians.len(), 2 * SLICE + 200, "{name}: the scene has grown");
         assert!(one.statistics.iter().any(|[_, views, ..]| *views > 0.0), "{name}");
-        // a software GPU takes its time
+        // a software GPU is slow
         let grids = match name {
             "cpu" => &[[2, 2], [3, 3], [4, 4], [4, 2], [5, 1], [8, 4]][..],
             _ => &[[2, 2], [2, 1]],
@@ -144,8 +145,8 @@ fn any_number_of_ranks_and_groups_gives_the_same_bits_on_every_device() {
     }
 }
 
-/// Each slice is rendered in parts, the last ones first. Where a camera's tiles are cut, the sums of several parts are one
-/// unit's.
+/// Each slice is rendered in parts, the last ones first. If a camera's tiles are in several parts, the sums of these
+/// parts belong to one unit.
 #[test]
 fn parts_of_slices_give_the_same_bits() {
     let mut begun = begun_of_slices();
@@ -164,7 +165,7 @@ fn parts_of_slices_give_the_same_bits() {
     }
 }
 
-/// One file, as any run writes it; and each rank reads its share of it.
+/// Ranks write one file, like any run, and each rank reads its share of it.
 #[test]
 fn ranks_write_one_checkpoint_and_read_their_shares() {
     let begun = begun_of_slices();
@@ -181,7 +182,7 @@ fn ranks_write_one_checkpoint_and_read_their_shares() {
             assert!(share == CheckpointShare::of(&joined, rank, size), "rank {rank} of {size}");
         }
     }
-    // what one rank has lost is not written
+    // a state that one rank has lost is not written
     let failed = on_ranks(2, |ranks| {
         let mut share = CheckpointShare::of(&joined, ranks.rank(), 2);
         if ranks.rank() == 0 {
@@ -196,7 +197,7 @@ fn ranks_write_one_checkpoint_and_read_their_shares() {
     assert!(std::fs::read(&path).unwrap() == std::fs::read(&again).unwrap());
 }
 
-/// Both sum the same terms, and round differently.
+/// Both sum the same terms, but round differently.
 #[test]
 fn ranks_train_what_a_trainer_alone_trains() {
     let begun = begun_of_slices();
@@ -239,7 +240,7 @@ fn ranks_train_what_a_trainer_alone_trains() {
     }
 }
 
-/// All Gaussians are one slice: the other shares hold nothing.
+/// All Gaussians are in one slice: the other shares have none.
 #[test]
 fn a_run_of_shares_is_one_run() {
     let sandbox = sandbox();
@@ -259,7 +260,7 @@ fn a_run_of_shares_is_one_run() {
     let losses: Vec<_> = records(&sandbox.path("one")).iter().filter_map(loss).collect();
     let mean = |losses: &[f64]| losses.iter().sum::<f64>() / losses.len() as f64;
     assert!(mean(&losses[16..]) < 0.9 * mean(&losses[..8]), "{losses:?}");
-    // stopped, and continued by another number
+    // stopped, and continued with another number of ranks
     run("other", "--ranks 3 --threads 1 --time-limit 1");
     sandbox.run("train --resume other --ranks 2 --split gaussians --backend cpu").assert_ok();
     run("grid", "--ranks 4 --shares 2 --threads 1 --time-limit 1");

@@ -1,4 +1,4 @@
-//! What a run writes for other programs: a table of scores, and TensorBoard's event file.
+//! Files of a run for other programs: a table of scores, and TensorBoard's event file.
 
 use std::fs;
 use std::path::Path;
@@ -8,13 +8,13 @@ use organza::train::{EVALUATIONS, METRICS};
 
 use super::runs::{TINY, sandbox};
 
-/// The rows of a table of which no cell needs quotes.
+/// The rows of a table without quoted cells.
 fn rows(path: &Path) -> Vec<Vec<String>> {
     let text = fs::read_to_string(path).unwrap();
     text.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect()
 }
 
-/// The step of each event of a file: the second field, after 8 bytes of time. The first event is the version's.
+/// The step of each event in a file: the second field, after 8 bytes of time. The first event has the version.
 fn steps(file: &Path) -> Vec<u64> {
     let bytes = fs::read(file).unwrap();
     let (mut rest, mut steps) = (&bytes[..], Vec::new());
@@ -23,7 +23,7 @@ fn steps(file: &Path) -> Vec<u64> {
         let event = &rest[12..12 + length];
         assert_eq!(event[0], 0x09, "a time comes first");
         if event[9] == 0x10 {
-            // less than 128, so one byte
+            // below 128, so one byte is enough
             steps.push(u64::from(event[10]));
         } else {
             assert!(steps.is_empty() && event.ends_with(b"brain.Event:2"));
@@ -80,14 +80,14 @@ fn events_have_each_step_once() {
     let mut distinct = all.clone();
     distinct.dedup();
     assert_eq!(distinct, (1..=12).collect::<Vec<_>>());
-    // a step's numbers; with an evaluation its scores, and pictures
+    // numbers of a step; with an evaluation also its scores and pictures
     let of = |step| all.iter().filter(|&&other| other == step).count();
     assert_eq!(of(4), 1);
     let pictures = of(10) - 2;
     assert!(pictures >= 1);
     assert_eq!(of(5) - 2, 2 * pictures, "the first evaluation has the photographs, too");
     assert_eq!(of(12), of(10));
-    // a run that is done adds nothing
+    // a finished run adds nothing
     sandbox.run("train --resume run --backend cpu").assert_ok();
     assert_eq!(steps(&files[0]), all);
 }

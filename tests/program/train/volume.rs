@@ -1,4 +1,4 @@
-//! What ranks hand over: counted, and by the formulas of `docs/cluster.md`.
+//! The bytes that ranks send: counted, and compared with the formulas of `docs/cluster.md`.
 
 use std::sync::{Arc, Mutex};
 
@@ -12,15 +12,16 @@ use organza_tests::devices;
 
 use super::runs::begun;
 
-/// Numbers of a scene that the formulas are made of.
+/// Sizes of a scene in the formulas.
 struct Sizes {
-    /// Values of a Gaussian.
+    /// Number of values of a Gaussian.
     pub d: u64,
-    /// Values of each grid.
+    /// Number of values of each grid.
     pub grids: [u64; 2],
-    /// Parameters of both networks, as devices have them: a hidden layer's outputs in multiples of 16, the last one's of 4.
+    /// Parameters of both networks on a device: a hidden layer's outputs are padded to multiples of 16, the last
+    /// one's to 4.
     pub p: u64,
-    /// Layers of both networks.
+    /// Number of layers of both networks.
     pub layers: u64,
 }
 
@@ -53,13 +54,13 @@ impl Sizes {
         self.grids.iter().map(|values| values.div_ceil(64) + 1).sum()
     }
 
-    /// Bytes of a Gaussian's row: its index, its values, and three statistics.
+    /// Bytes in a Gaussian's row: its index, its values, and three statistics.
     pub fn row(&self) -> u64 {
         4 * (self.d + 4)
     }
 }
 
-/// Ranks that write down what they hand over.
+/// Ranks that record the bytes that they send.
 #[derive(Debug)]
 struct Counted {
     ranks: ThreadRanks,
@@ -111,7 +112,7 @@ impl Ranks for Counted {
     }
 }
 
-/// What each of so many ranks hands over, call by call.
+/// The bytes that each of `size` ranks sends, call by call.
 fn counted(
     size: u64,
     work: impl Fn(&Renderer, Arc<Counted>) + Sync,
@@ -130,7 +131,7 @@ fn counted(
     })
 }
 
-/// As the test below, of a step with `--split gaussians`, and of growth after it.
+/// Like the test below, but for a step with `--split gaussians`, followed by growth.
 #[test]
 fn a_step_of_shares_hands_over_what_the_formulas_say() {
     const RANKS: u64 = 2;
@@ -147,7 +148,7 @@ fn a_step_of_shares_hands_over_what_the_formulas_say() {
         assert!(report.grown.is_some());
     });
     let (tiles, side) = (u64::from(config.run.tiles_per_step), u64::from(config.run.tile_size));
-    // the scene is one slice, which the second rank has
+    // the scene is a single slice, which the second rank has
     for (calls, held) in all.iter().zip([0, gaussians]) {
         let names: Vec<_> = calls.iter().map(|(name, _)| *name).collect();
         let expected = ["sum", "or", "sum", "max", "max", "sum", "or", "sum", "gather", "exchange"];
@@ -167,7 +168,7 @@ fn a_step_of_shares_hands_over_what_the_formulas_say() {
     assert_eq!(all[0][7], all[1][7], "all ranks add the same blocks");
 }
 
-/// As above, in two groups of two.
+/// Like the test above, but in two groups of two ranks.
 #[test]
 fn a_step_of_groups_hands_over_what_the_formulas_say() {
     const SHARES: u64 = 2;
@@ -186,7 +187,7 @@ fn a_step_of_groups_hands_over_what_the_formulas_say() {
         assert!(report.grown.is_some());
     });
     let side = u64::from(config.run.tile_size);
-    // what the ranks of a group tell each other of the sums that are theirs
+    // values that the ranks of a group exchange for the sums that each of them owns
     let told = |share: u64, values: u64| values * (share + 1) / SHARES - values * share / SHARES;
     let mut tiles = 0;
     for (rank, calls) in (0..).zip(&all) {
@@ -205,7 +206,8 @@ fn a_step_of_groups_hands_over_what_the_formulas_say() {
         assert_eq!(bytes[4..6], [16, 4 * (2 + sizes.layers)]);
         assert_eq!(bytes[8..11], [4, 8 * sizes.p, 4 * sizes.flags()]);
         assert!(bytes[11] > 0 && bytes[11] <= 8 * sizes.grids.iter().sum::<u64>(), "{bytes:?}");
-        // the scene is one slice, which the second share has: a number for each owner and camera, less than a row, and rows
+        // the scene is a single slice, in the second share: a number for each owner and camera, less than a row, and
+        // rows
         let held = [0, gaussians][share as usize];
         let units = bytes[6] % sizes.row() / (4 * GROUPS);
         assert_eq!((bytes[6] - 4 * GROUPS * units) % sizes.row(), 0, "rows of units");
@@ -219,7 +221,7 @@ fn a_step_of_groups_hands_over_what_the_formulas_say() {
     assert_eq!(tiles, SHARES * u64::from(config.run.tiles_per_step));
 }
 
-/// The bytes of one step, call by call, are those of the table "What a step hands over".
+/// The bytes of a step, call by call, must match the table "What a step hands over".
 #[test]
 fn a_step_hands_over_what_the_formulas_say() {
     const RANKS: u64 = 2;
@@ -261,7 +263,7 @@ fn a_step_hands_over_what_the_formulas_say() {
     assert!((2..=tiles).contains(&units), "{units}");
 }
 
-/// The page has the sizes of the default settings.
+/// The page must have the sizes for the default settings.
 #[test]
 fn the_page_has_the_sizes() {
     let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/cluster.md");

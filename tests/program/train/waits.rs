@@ -1,4 +1,4 @@
-//! How often a step waits for the device.
+//! The number of times that a step waits for the device.
 
 use organza::Renderer;
 use organza::train::{Checkpoint, Trainer};
@@ -24,10 +24,10 @@ fn a_step_waits_once_and_that_changes_nothing() {
         }
         match device.backend() {
             "cpu" => assert_eq!(waits, [0; 4]),
-            // the first one learns how much room there must be
+            // the first step determines the sizes of tables
             _ => assert!(waits[0] > 1 && waits[1..] == [1; 3], "{name}: {waits:?}"),
         }
-        // every step the first one of a device
+        // every step is the first one on a device
         let mut state = checkpoint.clone();
         for _ in 0..4 {
             let (_, device) =

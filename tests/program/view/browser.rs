@@ -1,4 +1,4 @@
-//! The page in a browser, as somebody uses it.
+//! The page in a browser, used like a person would.
 
 use std::fs;
 
@@ -11,11 +11,11 @@ use crate::train::runs::{TINY, sandbox};
 
 const REST: &str = "document.documentElement.dataset.quality === 'exact' && !organza.frames.busy \
     && !organza.frames.wanted";
-/// The bytes of the image that is shown, in base64.
+/// The bytes of the displayed image, in base64.
 const SHOWN: &str = "new Promise((done) => { const reader = new FileReader(); reader.onload = () => \
     done(reader.result.split(',')[1]); reader.readAsDataURL(organza.view.shown.blob); })";
 
-/// The canvas's middle on the screen.
+/// The center of the canvas on the screen.
 fn middle(page: &mut Page) -> [f64; 2] {
     let middle = page.eval(
         "(() => { const box = document.getElementById('overlay').getBoundingClientRect(); \
@@ -24,7 +24,7 @@ fn middle(page: &mut Page) -> [f64; 2] {
     serde_json::from_value(middle).expect("a place")
 }
 
-/// What `render` writes for the camera that is shown.
+/// The output of `render` for the camera of the page.
 fn rendered(sandbox: &Sandbox, viewer: &Viewer, camera: &Value) -> Vec<u8> {
     let file = viewer.post("/cameras.json", &json!([camera])).ok();
     fs::write(sandbox.path("shown.json"), file.body).unwrap();
@@ -49,7 +49,7 @@ fn a_scene_in_a_browser() {
     let (before, first) = (shown(&mut page), camera(&mut page));
     assert!(before == rendered(&sandbox, &viewer, &first), "at rest");
 
-    // a drag moves the camera around what it looks at
+    // dragging moves the camera around its target
     let [x, y] = middle(&mut page);
     page.drag([x, y], [x + 60.0, y + 25.0]);
     page.wait(REST);
@@ -91,7 +91,7 @@ fn a_scene_in_a_browser() {
 
     page.screenshot("viewer-explain");
 
-    // keyframes come back as they were saved
+    // keyframes survive saving and loading
     page.eval("document.getElementById('add-keyframe').click()");
     page.drag([x, y], [x - 40.0, y]);
     page.key("k");
@@ -108,7 +108,7 @@ fn a_scene_in_a_browser() {
     page.eval(&format!("organza.keyframes.load({saved})"));
     assert_eq!(page.eval("organza.keyframes.list.map((one) => one.camera)"), keyframes);
 
-    // their film
+    // the film of the keyframes
     page.eval("document.getElementById('pace').value = 0.2");
     page.eval("document.getElementById('film-kind').value = 'png'");
     page.eval("document.getElementById('film').click()");
@@ -124,7 +124,7 @@ fn a_scene_in_a_browser() {
         film[0].as_u64().unwrap() > 1000 && page.eval("organza.keyframes.film.abort").is_null()
     );
 
-    // a camera of the data set, and the photograph beside it
+    // a camera of the data set, beside its photograph
     page.eval("document.getElementById('compare').click()");
     page.wait(REST);
     page.wait("document.getElementById('photograph').complete");

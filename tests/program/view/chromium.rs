@@ -1,4 +1,4 @@
-//! Chromium without a window, driven by its DevTools protocol through a pair of pipes.
+//! Chromium without a window, controlled by its DevTools protocol through two pipes.
 
 use std::fs::{File, OpenOptions};
 use std::io::{BufRead, BufReader, Write};
@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
-/// Names of the program, as distributions have it.
+/// Names of the program in distributions.
 const PROGRAMS: [&str; 4] =
     ["chromium", "chromium-headless-shell", "chromium-browser", "google-chrome"];
 
@@ -21,12 +21,12 @@ pub struct Page {
     output: BufReader<File>,
     session: String,
     next: u64,
-    /// What the page has complained about.
+    /// Errors that the page has reported.
     pub errors: Vec<String>,
     _folder: TempDir,
 }
 
-/// The browser's program. None where there is none, unless `ORGANZA_REQUIRE_BROWSER` asks for it.
+/// Path of the browser; `None` if there is none, unless `ORGANZA_REQUIRE_BROWSER` requires it.
 pub fn program() -> Option<&'static str> {
     let works = |name: &&str| {
         let output = Command::new(name).arg("--version").stderr(Stdio::null()).output();
@@ -47,7 +47,7 @@ impl Page {
         Self::launch(program, url, size, &["--disable-gpu"])
     }
 
-    /// As [`Page::open`], with WebGPU on the CPU.
+    /// Like [`Page::open`], but with WebGPU on the CPU.
     pub fn open_with_webgpu(program: &str, url: &str, size: [u32; 2]) -> Self {
         let adapter = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"];
         // for canvases
@@ -91,7 +91,7 @@ impl Page {
         page
     }
 
-    /// Goes to another address.
+    /// Navigates to another address.
     pub fn go(&mut self, url: &str) {
         self.call("Page.navigate", json!({ "url": url }));
         self.wait("document.documentElement?.dataset.ready !== undefined");
@@ -127,7 +127,7 @@ impl Page {
         }
     }
 
-    /// The value of an expression, or of what it promises.
+    /// The value of an expression. A promise is awaited.
     #[track_caller]
     pub fn eval(&mut self, expression: &str) -> Value {
         let params = json!({"expression": expression, "awaitPromise": true, "returnByValue": true});
@@ -147,7 +147,7 @@ impl Page {
         }
     }
 
-    /// An event of the mouse.
+    /// Sends a mouse event.
     pub fn mouse(&mut self, kind: &str, [x, y]: [f64; 2]) {
         let held = u32::from(kind != "mouseReleased" && kind != "mouseWheel");
         let mut event = json!({"type": kind, "x": x, "y": y, "button": "left", "buttons": held,
@@ -182,14 +182,14 @@ impl Page {
         }
     }
 
-    /// Presses a letter's key, or lets it go.
+    /// Presses or releases a letter's key.
     pub fn letter(&mut self, kind: &str, letter: char) {
         let code = format!("Key{}", letter.to_ascii_uppercase());
         let event = json!({"type": kind, "code": code, "key": letter, "text": letter});
         self.call("Input.dispatchKeyEvent", event);
     }
 
-    /// Fingers that touch the page, move on it by the same steps, and leave it: where each begins and ends.
+    /// Touches the page with fingers, moves them in equal steps, and lifts them. Each finger has a start and an end.
     pub fn fingers(&mut self, ways: &[[[f64; 2]; 2]]) {
         let places = |part: f64| -> Vec<Value> {
             let way = |(id, [from, to]): (usize, &[[f64; 2]; 2])| {
@@ -207,7 +207,7 @@ impl Page {
         }
     }
 
-    /// A picture of the page, to be looked at: in the folder that `ORGANZA_SCREENSHOTS` names, if it does.
+    /// Takes a screenshot for people, if `ORGANZA_SCREENSHOTS` names a folder.
     pub fn screenshot(&mut self, name: &str) {
         let Some(folder) = std::env::var_os("ORGANZA_SCREENSHOTS") else { return };
         let picture = self.call("Page.captureScreenshot", json!({"format": "png"}));

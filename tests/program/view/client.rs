@@ -1,4 +1,4 @@
-//! A viewer that runs, and a small HTTP client.
+//! A running viewer, and a small HTTP client.
 
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::{Shutdown, TcpStream};
@@ -12,16 +12,16 @@ use serde_json::{Value, json};
 
 use crate::sandbox::Sandbox;
 
-/// A program that shows a page. It ends with the test.
+/// A program that serves a page. It ends with the test.
 pub struct Viewer {
     pub child: Child,
-    /// `127.0.0.1:port`
+    /// Host and port: `127.0.0.1:port`
     pub host: String,
-    /// What it says after its address.
+    /// The program's output after its address.
     said: Mutex<Receiver<String>>,
 }
 
-/// What a server answers.
+/// The answer of a server.
 #[derive(Debug)]
 pub struct Reply {
     pub status: u16,
@@ -30,7 +30,7 @@ pub struct Reply {
 }
 
 impl Viewer {
-    /// Starts the program with these words, and waits until it says where its page is.
+    /// Starts the program with some words, and waits until it prints the address of its page.
     pub fn start(sandbox: &Sandbox, words: &str) -> Self {
         let mut command = sandbox.command(words);
         let mut child =
@@ -49,7 +49,7 @@ impl Viewer {
         Self { child, host, said: Mutex::new(said) }
     }
 
-    /// The lines that it has said after its address, once it has ended.
+    /// The lines that the program printed after its address, once it has ended.
     pub fn last_words(&self) -> Vec<String> {
         self.said.lock().expect("nobody panicked").iter().collect()
     }
@@ -58,7 +58,7 @@ impl Viewer {
         connect(&self.host).expect("it listens")
     }
 
-    /// Sends bytes as they are; returns what comes back until the server closes.
+    /// Sends bytes unchanged. Returns the bytes that come back until the server closes.
     pub fn send(&self, bytes: &[u8]) -> Vec<u8> {
         exchange(self.connect(), bytes)
     }
@@ -72,7 +72,7 @@ impl Viewer {
         self.ask(&head, value.to_string().as_bytes())
     }
 
-    /// A request of a head, to which what is missing is added, and a body.
+    /// Sends a request with a head, to which missing lines are added, and a body.
     pub fn ask(&self, head: &str, body: &[u8]) -> Reply {
         let mut stream = self.connect();
         let head = format!("{head}Connection: close\r\nContent-Length: {}\r\n\r\n", body.len());
@@ -86,7 +86,7 @@ impl Viewer {
         self.get("/scene.json").json()
     }
 
-    /// Asks for an image.
+    /// Requests an image.
     pub fn frame(&self, camera: &Value, quality: &str, more: &Value) -> Reply {
         let mut request = json!({"client": 1, "sequence": 0, "camera": camera, "mode": "color", "quality": quality});
         let more = more.as_object().cloned().unwrap_or_default();
@@ -95,17 +95,17 @@ impl Viewer {
     }
 }
 
-/// A connection, while somebody listens.
+/// Connects, if somebody listens.
 pub fn connect(host: &str) -> io::Result<TcpStream> {
     let stream = TcpStream::connect(host)?;
     stream.set_read_timeout(Some(Duration::from_secs(60)))?;
     Ok(stream)
 }
 
-/// As [`Viewer::send`].
+/// Like [`Viewer::send`].
 pub fn exchange(mut stream: TcpStream, bytes: &[u8]) -> Vec<u8> {
     let mut back = Vec::new();
-    // a server that has heard enough closes
+    // a server may close before it has read everything
     let _ = stream.write_all(bytes);
     let _ = stream.shutdown(Shutdown::Write);
     let _ = stream.read_to_end(&mut back);
@@ -140,7 +140,7 @@ impl Reply {
         serde_json::from_slice(&self.ok().body).expect("JSON")
     }
 
-    /// What is said of an image.
+    /// The facts about an image.
     #[track_caller]
     pub fn about(&self) -> Value {
         let line = self.headers.lines().find_map(|line| line.strip_prefix("x-organza: "));

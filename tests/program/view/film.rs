@@ -1,4 +1,4 @@
-//! Films that the page asks for are those of `organza film`.
+//! Films of the page must equal those of `organza film`.
 
 use std::fs;
 use std::io::Write;
@@ -12,7 +12,7 @@ use crate::sandbox::Sandbox;
 
 const VIEW: &str = "view scene.safetensors cameras.json --port 0 --backend cpu";
 
-/// Asks for a film. An answer of HTTP/1.0 comes in one piece.
+/// Requests a film. An HTTP/1.0 answer comes in one piece.
 fn film(viewer: &Viewer, request: &Value) -> Reply {
     let head = format!("POST /film HTTP/1.0\r\nHost: {}\r\n", viewer.host);
     viewer.ask(&head, request.to_string().as_bytes())
@@ -74,7 +74,7 @@ fn a_film_of_keyframes_is_that_of_the_command() {
     }
 }
 
-/// Two films are made at once; who goes away makes room.
+/// At most two films are made at once. When a page goes away, it makes room.
 #[test]
 fn a_page_that_goes_away_ends_its_film() {
     let sandbox = Sandbox::new("tiny");
@@ -92,7 +92,7 @@ fn a_page_that_goes_away_ends_its_film() {
     };
     let films = [begin(), begin()];
     assert_eq!(film(&viewer, &request(&keyframes, 2)).status, 503);
-    // whoever looks around has images meanwhile
+    // other pages get images meanwhile
     viewer.frame(&keyframes[0], "moving", &json!({})).ok();
     drop(films);
     let since = Instant::now();

@@ -1,4 +1,4 @@
-//! Images and numbers of the page are those of the other commands.
+//! Images and numbers of the page must equal those of other commands.
 
 use std::fs;
 
@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::client::Viewer;
 use crate::sandbox::Sandbox;
 
-// even who wants nothing said must know where the page is
+// even with `--quiet`, the user needs the page's address
 const VIEW: &str = "view scene.safetensors cameras.json --port 0 --backend cpu --quiet";
 
 #[test]
@@ -27,7 +27,7 @@ fn images_at_rest_are_the_bytes_of_render() {
     assert!(images.len() == views.len() && views.len() > 1);
     for (index, (view, image)) in views.iter().zip(&images).enumerate() {
         let camera = &view["camera"];
-        // of a client that was not here before, the pace is not known yet
+        // for a new client, the pace is not known yet
         let moving = viewer.frame(camera, "moving", &json!({ "client": 10 + index })).ok();
         assert!(moving.body.starts_with(b"\xff\xd8") && moving.about()["steps"] != 1);
         let size = [&camera["w"], &camera["h"]].map(|side| side.as_u64().unwrap().div_ceil(2));
@@ -35,7 +35,7 @@ fn images_at_rest_are_the_bytes_of_render() {
         let exact = viewer.frame(camera, "exact", &json!({})).ok();
         assert!(exact.body == fs::read(image.path()).unwrap(), "{}", image.path().display());
         assert!(exact.about()["samples"].as_u64().unwrap() > 0);
-        // what does not depend on where one looks is kept
+        // values that do not depend on the direction are kept
         let mut turned = camera.clone();
         let pose: [[f64; 4]; 4] =
             serde_json::from_value(camera["camera_to_world"].clone()).unwrap();
@@ -49,19 +49,19 @@ fn images_at_rest_are_the_bytes_of_render() {
     }
 }
 
-/// As a colleague would: numbers of the page, then those of the command.
+/// Compares numbers of the page with those of the command.
 #[test]
 fn a_pixel_is_explained_with_the_numbers_of_explain() {
     assert_explained("basic");
 }
 
-/// Where rays are not straight.
+/// A case in which rays are not straight.
 #[test]
 fn a_pixel_of_a_contracted_scene_is_explained() {
     assert_explained("contracted");
 }
 
-/// The equations of docs/conventions.md: a place of the world in the unit cube.
+/// The equations of docs/conventions.md that map a place of the world to the unit cube.
 fn in_the_cube(config: &SceneConfig, place: [f64; 3]) -> [f64; 3] {
     let [low, high] = config.aabb;
     let part = |axis: usize| (place[axis] - low[axis]) / (high[axis] - low[axis]);
@@ -104,7 +104,7 @@ fn assert_explained(case: &str) {
             let last = ray.last().map_or(1.0, |value| value.as_f64().unwrap());
             let t = row["transmittance"].as_f64().unwrap();
             assert!((last - t).abs() <= 1e-5 * t, "{pixel}: {last} and {t}");
-            // and goes from the Gaussian to the eye, or to where it leaves the cube
+            // and goes from the Gaussian to the eye, or to the border of the cube
             let places: Vec<[f64; 3]> = serde_json::from_value(other["places"].clone()).unwrap();
             let gaussian = row["gaussian"].as_u64().unwrap() as usize;
             let position = scene.gaussians.position[gaussian].map(f64::from);
@@ -141,7 +141,7 @@ fn every_mode_has_an_image_and_errors_need_a_photograph() {
     let refused = viewer.frame(camera, "exact", &json!({"mode": "error"}));
     assert_eq!(refused.status, 422);
     let error = viewer.frame(camera, "exact", &json!({"mode": "error", "view": 1})).ok();
-    // the photograph is a rendering: there is no error, and so one color
+    // the photograph is a rendering, so there is no error, and only one color
     let decoded = image::load_from_memory(&error.body).expect("an image").to_rgb8();
     let first = decoded.pixels().next().expect("a pixel");
     assert!(decoded.pixels().all(|pixel| pixel == first), "an error of a rendering");

@@ -1,4 +1,4 @@
-//! `organza view` and `train --view`, as a browser and as other programs meet them.
+//! `organza view` and `train --view`, for browsers and for other programs.
 #![cfg(target_os = "linux")]
 
 mod browser;

@@ -1,4 +1,4 @@
-//! Clients that are foreign, broken, slow, many or gone; ports that are taken; signals.
+//! Foreign, broken, slow, numerous and vanishing clients; occupied ports; signals.
 
 use std::fs;
 use std::io::{Read, Write};
@@ -53,7 +53,7 @@ fn a_page_that_renders_by_itself_is_given_out() {
     assert_eq!(script.body, fs::read(sandbox.path("page/page.js")).expect("a script"));
     assert!(script.headers.contains("content-type: text/javascript"), "{}", script.headers);
     assert!(viewer.get("/scene.js").ok().body.starts_with(b"const ORGANZA_SCENE = "));
-    // and nothing else, to nobody else
+    // and nothing else, for nobody else
     for (head, status) in [
         ("GET /scene.json", 404),
         ("GET /main.js", 404),
@@ -130,7 +130,7 @@ fn garbage_ends_a_connection_and_nothing_else() {
         let back = String::from_utf8_lossy(&back[..back.len().min(30)]).into_owned();
         assert!(!back.starts_with("HTTP/1.1 2") && !back.starts_with("HTTP/1.1 5"), "{back}");
     }
-    // requests that are none
+    // invalid requests
     let camera = viewer.scene()["views"][0]["camera"].clone();
     let edit = |name: &str, value: serde_json::Value| {
         let mut camera = camera.clone();
@@ -169,7 +169,7 @@ fn garbage_ends_a_connection_and_nothing_else() {
     viewer.frame(&camera, "exact", &json!({})).ok();
 }
 
-/// Each client moves through all views and rests at the last one.
+/// Each client moves through all views, and rests at the last one.
 #[test]
 fn ten_clients_get_their_images_while_others_are_slow_or_gone() {
     let sandbox = Sandbox::new("tiny");
@@ -186,7 +186,8 @@ fn ten_clients_get_their_images_while_others_are_slow_or_gone() {
         let (host, length) = (&viewer.host, body.len());
         format!("POST /frame HTTP/1.1\r\nHost: {host}\r\nContent-Length: {length}\r\n\r\n{body}")
     };
-    // one asks for megabytes and never reads, one has gone before its image is done, one never ends its request
+    // one client requests megabytes and never reads, one goes away before its image is done, one never finishes its
+    // request
     let mut slow = viewer.connect();
     slow.write_all(request(100, &views[0]["camera"], "exact").as_bytes()).unwrap();
     let mut gone = viewer.connect();
@@ -232,7 +233,7 @@ fn an_image_that_nobody_waits_for_is_dropped() {
     let mut camera = viewer.scene()["views"][0]["camera"].clone();
     (camera["w"], camera["h"]) = (json!(4000), json!(4000));
     thread::scope(|scope| {
-        // the first is painted, the second waits, and the third takes its place
+        // the first is painted, the second waits, and the third replaces it
         let ask = |sequence: u64| {
             let (viewer, camera) = (&viewer, &camera);
             let ask = move || viewer.frame(camera, "exact", &json!({ "sequence": sequence }));
@@ -243,7 +244,7 @@ fn an_image_that_nobody_waits_for_is_dropped() {
         let [_, second, third] = [1, 2, 3].map(ask);
         assert_eq!(second.join().unwrap().status, 409);
         third.join().unwrap().ok();
-        // a request that was overtaken on its way
+        // a request that arrives after a newer one
         assert_eq!(ask(1).join().unwrap().status, 409);
     });
 }
@@ -267,7 +268,7 @@ fn a_signal_ends_it_at_once_and_well() {
     let sandbox = Sandbox::new("tiny");
     for name in ["INT", "TERM"] {
         let mut viewer = Viewer::start(&sandbox, VIEW);
-        // somebody is in the middle of a request
+        // a client is in the middle of a request
         let mut stream = viewer.connect();
         stream.write_all(b"GET / HTTP/1.1\r\n").unwrap();
         let begin = Instant::now();

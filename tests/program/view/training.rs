@@ -1,4 +1,4 @@
-//! `organza train --view`: what it shows, and that nobody who looks changes anything.
+//! `organza train --view`: the page shows the training, and watching changes nothing.
 
 use std::fs;
 use std::thread;
@@ -54,7 +54,7 @@ fn the_bits_do_not_depend_on_who_watches() {
     let length = |name: &str| curve[name].as_array().expect("a list").len();
     assert_eq!([length("step"), length("loss"), length("psnr")], [step(&paused) as usize + 1; 3]);
     command(&viewer, "go");
-    // it trains on, also where somebody always wants an image
+    // training goes on, even if a client always wants an image
     thread::scope(|scope| {
         let host = &viewer.host;
         scope.spawn(move || {

@@ -1,4 +1,4 @@
-//! `organza export-web`: the page in a browser, beside what the program renders.
+//! `organza export-web`: the page in a browser, compared with the program's images.
 
 use std::fs;
 use std::path::Path;
@@ -14,7 +14,7 @@ use crate::sandbox::Sandbox;
 use crate::view::chromium::{Page, base64, program};
 use crate::view::client::Viewer;
 
-/// Side of the page's tiles.
+/// Side of the page's tiles, in pixels.
 const SIDE: u32 = 32;
 const SIZE: [u32; 2] = [160, 128];
 const WINDOW: [u32; 2] = [400, 320];
@@ -30,8 +30,8 @@ fn thinned() -> Scene {
     scene
 }
 
-/// A sandbox with that scene, cameras around it, and cameras that see it from far away. `outside` is the same scene, with a box
-/// that half of it lies outside of.
+/// A sandbox with that scene, cameras around it, and cameras far away. `outside` is the same scene, with a box that
+/// contains only half of it.
 fn sandbox() -> (Sandbox, [Scene; 2], Vec<Camera>) {
     let (sandbox, scene) = (Sandbox::new("tiny"), thinned());
     let mut outside = scene.clone();
@@ -54,13 +54,14 @@ fn url(path: &Path) -> String {
     format!("file://{}", path.display())
 }
 
-/// A camera as a page has it.
+/// A camera in the page's form.
 fn lens(camera: &Camera) -> Value {
     json!({"camera_to_world": camera.camera_to_world, "fl_x": camera.fl_x, "fl_y": camera.fl_y,
         "cx": camera.cx, "cy": camera.cy, "w": camera.width, "h": camera.height})
 }
 
-/// What a page renders: pixels, and the numbers of pairs, members and samples. Also the number of plans that were too small.
+/// An image of the page: pixels, the numbers of pairs, members and samples, and the number of plans that were too
+/// small.
 fn played(page: &mut Page, camera: &Camera, steps: u16) -> (Vec<f32>, [u64; 3], u64) {
     let script = include_str!("played.js");
     let found = page.eval(&format!("({script})({}, {steps})", lens(camera)));
@@ -69,7 +70,8 @@ fn played(page: &mut Page, camera: &Camera, steps: u16) -> (Vec<f32>, [u64; 3], 
     (bytemuck::pod_collect_to_vec(&bytes), counts, found["small"].as_u64().expect("a number"))
 }
 
-/// The page's image is that of the program on the CPU, with the same tiles and 16-bit grids. Returns how many plans were too small.
+/// Asserts that the page's image equals that of the program on the CPU, with the same tiles and 16-bit grids. Returns
+/// the number of plans that were too small.
 fn assert_same(page: &mut Page, scene: &Scene, camera: &Camera, steps: u16) -> u64 {
     let cpu = Renderer::new(devices::cpu(None));
     let scene = cpu.upload_with(scene, UploadOptions::default().half_grids(true)).expect("memory");
@@ -102,12 +104,12 @@ fn assert_same(page: &mut Page, scene: &Scene, camera: &Camera, steps: u16) -> u
     small
 }
 
-/// Where a page's camera is.
+/// The pose of a page's camera.
 #[derive(Debug)]
 struct Place {
     eye: DVec3,
     forward: DVec3,
-    /// What is orbited.
+    /// Center of the orbit.
     center: DVec3,
 }
 
@@ -125,10 +127,10 @@ impl Place {
     }
 }
 
-/// The mouse, fingers and keys move the camera as the page's help says.
+/// Asserts that mouse, fingers and keys move the camera as the page's help says.
 fn assert_controls(page: &mut Page) {
     let [middle, right] = [[200.0, 160.0], [260.0, 170.0]];
-    // each turns the scene: the distance stays, the direction does not
+    // each rotates the scene: the distance stays, and the direction changes
     let orbits: [&dyn Fn(&mut Page); 2] =
         [&|page| page.drag(middle, right), &|page| page.fingers(&[[middle, right]])];
     for (orbit, what) in orbits.iter().zip(["the mouse", "a finger"]) {
@@ -140,21 +142,21 @@ fn assert_controls(page: &mut Page) {
         assert!((after.distance() / before.distance() - 1.0).abs() < 1e-6, "{what}");
     }
 
-    // two fingers that part bring the scene nearer: as much as they part
+    // spreading two fingers brings the scene nearer, by the same factor
     let before = Place::of(page);
     page.fingers(&[[[180.0, 160.0], [150.0, 160.0]], [[220.0, 160.0], [250.0, 160.0]]]);
     let after = Place::of(page);
     let nearer = after.distance() / before.distance();
     assert!((nearer - 0.4).abs() < 0.01, "{nearer}: {before:?} {after:?}");
     assert!(after.forward.distance(before.forward) < 1e-6, "{before:?} {after:?}");
-    // two that move side by side move it
+    // moving two fingers in parallel moves it
     page.fingers(&[[[180.0, 160.0], [180.0, 200.0]], [[220.0, 160.0], [220.0, 200.0]]]);
     let (moved, by) = (Place::of(page), Place::of(page).center - after.center);
     assert!((moved.distance() / after.distance() - 1.0).abs() < 1e-6);
     assert!(by.length() > 0.05 * after.distance(), "{by}");
     assert!(by.dot(after.forward).abs() < 1e-6 * by.length(), "{by} {after:?}");
 
-    // a key flies along the axis of sight, as long as it is held
+    // holding a key flies along the line of sight
     page.letter("keyDown", 'w');
     page.wait(&format!("organza.center[0] !== {:?}", moved.center.x));
     page.letter("keyUp", 'w');
@@ -165,7 +167,7 @@ fn assert_controls(page: &mut Page) {
     assert_eq!(Place::of(page).eye, stopped.eye);
 }
 
-/// Every kernel compiles on a device with the limits that all have.
+/// Asserts that every kernel compiles on a device with the guaranteed limits.
 fn assert_all_compile(page: &mut Page) {
     let kernel = |kernel: organza_device::CompiledKernel| {
         let access = kernel.entry().interface.bindings.iter().map(|binding| &*binding.access);
@@ -211,14 +213,14 @@ fn a_page_renders_by_itself() {
     assert_same(&mut page, &scene, &cameras[0], 1);
     assert_eq!(page.eval("organza.errors"), json!([]));
 
-    // plans that were measured from far away are too small from nearby: larger ones take their place
+    // plans measured from far away are too small for a near camera: larger ones replace them
     let words = "export-web outside.safetensors far.json -o far.html --single-file --size 160x128";
     sandbox.run(&format!("{words} --title Far --backend cpu")).assert_ok();
     page.go(&url(&sandbox.path("far.html")));
     page.wait(AT_REST);
     assert_eq!(page.eval("document.title"), "Far \u{b7} organza");
     assert!(assert_same(&mut page, &outside, &cameras[0], 1) > 0, "no plan was too small");
-    // and the page itself takes them: it shows the image of a larger plan, and none of those that came out empty
+    // the page itself does that: it shows the image of a larger plan, and no empty one
     let script = include_str!("grown.js");
     let grown = page.eval(&format!("({script})({})", lens(&cameras[0])));
     assert_eq!(grown, json!({"shown": 1, "grown": true}));
@@ -252,7 +254,7 @@ fn a_page_replaces_no_other() {
     sandbox
         .run("export-web scene.safetensors -o scene.safetensors --single-file")
         .assert_refused(&["would replace the input"]);
-    // its own page is
+    // a page of its own may
     for _ in 0..2 {
         sandbox.run("export-web scene.safetensors -o page --size 64x48").assert_ok();
     }

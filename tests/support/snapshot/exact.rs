@@ -1,4 +1,4 @@
-//! What the equations say, in f64: a snapshot locks a value, these show that it was right when it was locked.
+//! The equations in f64. A snapshot locks a value, and these show that it was right when it was locked.
 
 use organza::{Camera, Scene, Stages, TileBatch};
 use organza_parity::exact::composite::{self, Splat};
@@ -78,19 +78,19 @@ pub fn gaussian(scene: &Scene, gaussian: usize) -> Gaussian<f64> {
     }
 }
 
-/// EWA; nothing where the Gaussian is culled.
+/// Projects a Gaussian with EWA; `None` if it is culled.
 pub fn project(scene: &Scene, camera: &Camera, index: usize) -> Option<Projected<f64>> {
     project::project(&view(camera), scene.config.blur, &gaussian(scene, index))
 }
 
-/// Pixels of tiles by the branch of Eq. 13 that they took.
+/// Numbers of pixels by their branch of Eq. 13.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Branches {
-    /// S > 1
+    /// Pixels with S > 1.
     pub divided: usize,
-    /// 0 < S <= 1
+    /// Pixels with 0 < S <= 1.
     pub mixed: usize,
-    /// S = 0: background.
+    /// Pixels with S = 0, which show the background.
     pub empty: usize,
 }
 

@@ -3,7 +3,7 @@
 use organza::scene::{Contraction, GridConfig, MlpConfig, Network, SceneConfig};
 use organza::{Camera, Scene};
 
-/// Numbers without a pattern, in [0, 1).
+/// Pseudo-random numbers in [0, 1).
 #[derive(Clone, Debug)]
 pub struct Noise(u32);
 
@@ -23,24 +23,24 @@ impl Noise {
     }
 }
 
-/// What a scene is made of.
+/// The parameters of a scene.
 #[derive(Clone, Debug)]
 pub struct Recipe {
-    /// Scenes of different seeds have nothing in common.
+    /// Different seeds give independent scenes.
     pub seed: u32,
     /// Number of Gaussians.
     pub gaussians: usize,
-    /// Of the harmonics.
+    /// Degree of the harmonics.
     pub degree: u32,
     /// Width of the material.
     pub material: u32,
     /// Width of the extra vector.
     pub extra: u32,
-    /// Bias of the scalar network's output: the larger, the clearer.
+    /// Bias of the transmittance network's output: a larger one is clearer.
     pub clearness: f32,
-    /// Least and largest logarithm of a scale.
+    /// Smallest and largest logarithm of a scale.
     pub log_scale: [f32; 2],
-    /// Least and largest opacity logit.
+    /// Smallest and largest opacity logit.
     pub opacity: [f32; 2],
 }
 
@@ -76,7 +76,7 @@ impl Recipe {
         let [small, large] = self.log_scale;
         gaussians.log_scale.as_flattened_mut().fill_with(|| noise.within(small, large));
         gaussians.opacity.fill_with(|| noise.within(self.opacity[0], self.opacity[1]));
-        // the material tells Gaussians of one neighborhood apart
+        // the material distinguishes Gaussians of one neighborhood
         gaussians.material.fill_with(|| noise.within(-4.0, 4.0));
         for values in [&mut gaussians.extra, &mut scene.color.grid, &mut scene.transmittance.grid] {
             values.fill_with(|| noise.within(-1.0, 1.0));
@@ -117,7 +117,7 @@ impl Recipe {
     }
 }
 
-/// Weights that keep the values' size from layer to layer; the last layer has a gain and a bias of its own.
+/// Fills weights that keep the size of values from layer to layer. The last layer has its own gain and bias.
 fn fill_network(network: &mut Network, noise: &mut Noise, [gain, bias]: [f32; 2]) {
     let last = network.layers.len() - 1;
     for (index, layer) in network.layers.iter_mut().enumerate() {
@@ -128,7 +128,7 @@ fn fill_network(network: &mut Network, noise: &mut Noise, [gain, bias]: [f32; 2]
     }
 }
 
-/// A camera at `eye` that looks at the middle of the scenes' box.
+/// A camera at `eye` that looks at the center of the scenes' box.
 pub fn camera(eye: [f64; 3], size: [u32; 2]) -> Camera {
     camera_to(eye, [0.0, 0.0, 0.2], size)
 }
@@ -138,7 +138,7 @@ pub fn camera_to(eye: [f64; 3], target: [f64; 3], size: [u32; 2]) -> Camera {
     Camera::look_at(eye, target, [0.0, 1.0, 0.0], 0.9, size).expect("a camera")
 }
 
-/// The scene with these of its Gaussians alone.
+/// The scene with only these Gaussians.
 pub fn keep(scene: &Scene, gaussians: &[usize]) -> Scene {
     Scene { gaussians: scene.gaussians.select(gaussians), ..scene.clone() }
 }

@@ -1,4 +1,4 @@
-//! Snapshots: what is recorded, how two records are compared, and what a failure leaves behind.
+//! Snapshots: records, comparisons of two records, and the files of a failure.
 
 pub mod exact;
 pub mod generator;

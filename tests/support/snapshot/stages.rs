@@ -1,4 +1,4 @@
-//! A and B on their own, and the projection of C: every stage for every Gaussian.
+//! A and B alone, and the projection of C: every stage for every Gaussian.
 
 use organza::{Camera, Renderer, Scene, Stages};
 
@@ -8,11 +8,11 @@ use crate::snapshot::generator::{Recipe, camera, camera_to};
 use crate::snapshot::tensors::Tensors;
 use crate::snapshots::{RENDERERS, SNAPSHOTS};
 
-/// Values of about 1.  Measured: features 8e-7 where naga lets a driver fuse, 1e-7 elsewhere.
+/// For values of about 1. Measured: features 8e-7 if naga lets a driver fuse, 1e-7 otherwise.
 const COLOR: Tolerance = Tolerance { absolute: 5e-6, relative: 5e-6 };
-/// T of up to 20 samples.  Measured: 1e-7.
+/// For T with up to 20 samples. Measured: 1e-7.
 const TRANSMITTANCE: Tolerance = Tolerance { absolute: 1e-6, relative: 2e-6 };
-/// Pixels, and inverse square pixels.  Measured: 5e-7 relative.
+/// For pixels and inverse square pixels. Measured: 5e-7 relative.
 const PROJECTION: Tolerance = Tolerance { absolute: 1e-6, relative: 1e-5 };
 
 fn stages(renderer: &Renderer, scene: &Scene, camera: &Camera) -> Stages {
@@ -25,7 +25,7 @@ fn near(what: &str, found: f32, exact: f64, tolerance: f64) {
     assert!(apart <= tolerance, "{what} is {found} for {exact}, {apart:.1e} off");
 }
 
-/// Adds harmonics, features and colors, held to the equations.
+/// Adds harmonics, features and colors, and compares them with the equations.
 fn record_color(tensors: &mut Tensors, scene: &Scene, camera: &Camera, stages: &Stages) {
     let count = scene.gaussians.len();
     let (sh, grid) = (scene.config.sh_width(), scene.config.color_grid.width());
@@ -95,12 +95,12 @@ fn color_without_material() {
     }
 }
 
-/// Gaussians in the places where a ray's clip has a branch of its own.
+/// Gaussians in places for which the clip of a ray has a separate branch.
 fn clip_scene(extra: u32) -> Scene {
     let recipe = Recipe { seed: 41, gaussians: 9, extra, clearness: 1.5, ..Recipe::default() };
     let mut scene = recipe.scene();
-    // The camera of these tests is at (0.1, 0.3, -4) or inside; the box is [-1.5, 1.5] x [-1.2, 1.2] x [-1, 1.4], and
-    // the cube a ninth larger on each side.
+    // The camera of these tests is at (0.1, 0.3, -4) or inside. The box is [-1.5, 1.5] x [-1.2, 1.2] x [-1, 1.4], and
+    // the cube is a ninth larger on each side.
     scene.gaussians.position = vec![
         [0.2, -0.4, 0.5],   // inside
         [0.1, 0.3, 0.9],    // axis-parallel: straight ahead
@@ -115,7 +115,7 @@ fn clip_scene(extra: u32) -> Scene {
     scene
 }
 
-/// K and T of Eq. 8 and 11, held to the equations.
+/// Records K and T of Eq. 8 and 11, and compares them with the equations.
 pub fn record_transmittance(scene: &Scene, camera: &Camera, stages: &Stages) -> Tensors {
     let count = scene.gaussians.len();
     for gaussian in 0..count {
@@ -172,7 +172,7 @@ fn transmittance_from_inside() {
 fn projection() {
     let recipe = Recipe { seed: 51, gaussians: 24, log_scale: [-4.0, 0.3], ..Recipe::default() };
     let scene = recipe.scene();
-    // in the middle of the Gaussians: some lie behind, some so far aside that J is clamped
+    // among the Gaussians: some are behind, and some so far to the side that J is clamped
     let camera = camera_to([0.1, 0.1, 0.1], [0.3, 0.0, 1.4], [64, 48]);
     for (backend, renderer) in RENDERERS.iter() {
         let stages = stages(renderer, &scene, &camera);

@@ -1,4 +1,4 @@
-//! C on its own, and A, B and C together: rendered tiles, as pictures and as values.
+//! C alone, and A, B and C together: rendered tiles, as pictures and as values.
 
 use organza::{Camera, RenderedTiles, Scene, Stages, Tile, TileBatch};
 
@@ -10,24 +10,25 @@ use crate::snapshot::tensors::Tensors;
 use crate::snapshots::stages::record_transmittance;
 use crate::snapshots::{RENDERERS, SNAPSHOTS};
 
-/// Weighted means of colors are no farther off than the colors.  Measured: 4e-7.
+/// Weighted means of colors have no larger errors than the colors. Measured: 4e-7.
 const TILES: Tolerance = Tolerance { absolute: 5e-6, relative: 5e-6 };
-/// Pictures are about this wide.
+/// Approximate width of pictures, in pixels.
 const WIDTH: usize = 320;
 
-/// A scene, where it is seen from, and which tiles are rendered.
+/// A scene, its cameras, and the tiles to render.
 struct Shot<'a> {
     name: &'a str,
     description: &'a str,
     scene: Scene,
     cameras: Vec<Camera>,
     batch: TileBatch,
-    /// Tiles in a row of the picture.
+    /// Number of tiles in a row of the picture.
     columns: usize,
 }
 
 impl Shot<'_> {
-    /// Holds the tiles to the equations and to both snapshots on every device.  `look` sees what each device rendered.
+    /// Compares the tiles with the equations and with both snapshots, on every device. `look` gets the results of
+    /// each device.
     fn check(&self, look: impl Fn(&RenderedTiles, &[Stages], Branches)) {
         let [tiles, _, side, _] = self.batch.output_shape();
         let columns = self.columns.min(tiles);
@@ -40,7 +41,7 @@ impl Shot<'_> {
             SNAPSHOTS.assert_picture([&name, self.description], backend, &found.data, montage);
             let mut tensors = Tensors::default();
             tensors.push("tiles", &self.batch.output_shape(), &found.data);
-            // more would not fit into a file; the picture shows them
+            // more would not fit into a file, but the picture shows them
             if found.data.len() <= 5000 {
                 let name = format!("{}_values", self.name);
                 SNAPSHOTS.assert_tensors([&name, self.description], backend, &tensors, TILES);
@@ -89,7 +90,7 @@ fn is_background(found: &RenderedTiles, tile: usize, scene: &Scene) -> bool {
 
 #[test]
 fn tiles_alone() {
-    // no color and no loss: what is left is projection, tiling and the falloff
+    // no color and no loss: only projection, tiling and the falloff
     let recipe = Recipe { seed: 61, gaussians: 16, log_scale: [-2.6, -0.9], ..Recipe::default() };
     let mut scene = recipe.scene();
     for field in [&mut scene.color, &mut scene.transmittance] {
@@ -197,7 +198,7 @@ fn crowded_tile() {
     };
     shot.check(|found, stages, branches| {
         assert_eq!(branches, Branches { divided: 24 * 24, ..Branches::default() });
-        // a weighted mean of the colors: no background in it
+        // a weighted mean of the colors, without any background
         for channel in 0..3 {
             let colors = stages[0].color.iter().skip(channel).step_by(3);
             let low = colors.clone().copied().fold(f32::INFINITY, f32::min);
@@ -231,7 +232,7 @@ fn sheer_tile() {
     });
 }
 
-/// Opaque and sheer Gaussians that take both branches of Eq. 13.
+/// Opaque and transparent Gaussians for both branches of Eq. 13.
 fn both() -> Scene {
     let recipe = Recipe {
         seed: 112,

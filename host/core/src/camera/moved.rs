@@ -3,15 +3,15 @@
 use super::{Camera, cross, dot};
 
 impl Camera {
-    /// The camera after a motion of its own space, in OpenCV axes (x right, y down, z forward): a rotation vector w in radians,
-    /// then a shift v in world units. A point t of the camera's space becomes `t' = exp([w]x) t + v`, so the camera turns about
-    /// its own center.
+    /// The camera after a small motion in its own space, in OpenCV axes (x right, y down, z forward): first a
+    /// rotation vector w in radians, then a shift v in world units. A point t in camera space becomes `t' = exp([w]x)
+    /// t + v`, so the camera turns about its own center.
     ///
     /// ```
     /// use organza_core::Camera;
     ///
     /// let camera = Camera::look_at([0.0, -4.0, 1.0], [0.0; 3], [0.0, 0.0, 1.0], 0.8, [640, 480])?;
-    /// // what the camera sees comes half a unit nearer: the camera has moved half a unit forward
+    /// // the scene comes half a unit nearer: the camera has moved half a unit forward
     /// let moved = camera.moved([0.0, 0.0, 0.0, 0.0, 0.0, -0.5]);
     /// assert!((moved.depth([0.0; 3]) - camera.depth([0.0; 3]) + 0.5).abs() < 1e-12);
     /// # Ok::<(), organza_core::Error>(())
@@ -41,8 +41,8 @@ pub fn turned(w: [f64; 3], t: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|axis| t[axis] + sine * once[axis] + cosine * twice[axis])
 }
 
-/// `J^T g`, where `exp([w + dw]x) = exp([J dw]x) exp([w]x)`: from the gradient by a further small rotation to the one by the
-/// rotation vector w. J is the left Jacobian of SO(3).
+/// `J^T g`, where `exp([w + dw]x) = exp([J dw]x) exp([w]x)`. It turns the gradient g by a further small rotation into
+/// the gradient by the rotation vector w. J is the left Jacobian of SO(3).
 pub fn to_rotation_vector(w: [f64; 3], g: [f64; 3]) -> [f64; 3] {
     let [_, cosine, rest] = coefficients(w);
     // J = 1 + cosine [w]x + rest [w]x^2, and [w]x^T = -[w]x
@@ -72,7 +72,7 @@ mod tests {
         Camera::look_at([0.3, -4.0, 1.0], [0.1, 0.2, 0.0], [0.0, 0.0, 1.0], 0.8, [64, 48]).unwrap()
     }
 
-    /// Where the camera has a place, in OpenCV axes.
+    /// A place in the camera's OpenCV axes.
     fn seen(camera: &Camera, place: [f64; 3]) -> [f64; 3] {
         let eye = camera.eye();
         let offset = std::array::from_fn(|axis| place[axis] - eye[axis]);
@@ -101,7 +101,7 @@ mod tests {
         }
     }
 
-    /// A loss that is linear in the place where the camera sees something.
+    /// The loss is linear in the place as the camera sees it.
     #[test]
     fn a_gradient_is_that_of_the_rotation_vector() {
         let (t, slope) = ([0.4, -0.3, 3.0], [0.2, 0.7, -0.1]);

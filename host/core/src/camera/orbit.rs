@@ -1,4 +1,4 @@
-//! Circles around a place.
+//! Orbits: circles of cameras around a place.
 
 use std::f64::consts::TAU;
 
@@ -8,36 +8,36 @@ use super::Camera;
 use super::{Target, median};
 use crate::error::{Error, Result};
 
-/// What [`Orbit::of_box`] sees from left to right, in radians.
+/// Horizontal field of view of [`Orbit::of_box`], in radians.
 const ANGLE: f64 = 0.7;
-/// How far above the horizon it stands, in radians.
+/// Elevation of [`Orbit::of_box`] above the horizon, in radians.
 const ELEVATION: f64 = 0.3;
-/// How much a direction that some cameras' images have as their horizontal one may be upward. Small: the horizon of
-/// photographs is nearly always level.
+/// Part of an image's horizontal direction that may point upward. It is small: the horizon of photographs is nearly
+/// always level.
 const SLANT: f64 = 0.01;
 
-/// A circle that a camera turns on, with its eye on the center.
+/// A circle of cameras that all look at its center.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Orbit {
     /// Where the camera looks, in world units.
     pub center: [f64; 3],
-    /// The axis it turns around; upward in its image.
+    /// Axis of the circle; upward in the images.
     pub up: [f64; 3],
-    /// From the center toward where the first camera stands; the part along `up` does not matter.
+    /// Direction from the center to the first camera; the part along `up` is ignored.
     pub toward: [f64; 3],
     /// Distance from the center, in world units.
     pub distance: f64,
     /// Angle above the plane through the center, in radians.
     pub elevation: f64,
-    /// What the camera sees from left to right, in radians.
+    /// Horizontal field of view, in radians.
     pub angle: f64,
     /// Width and height of the image, in pixels.
     pub size: [u32; 2],
 }
 
 impl Orbit {
-    /// The circle that is most like where some cameras stand: around the place that they look at, at their median
-    /// distance and elevation, from where the first one stands, with its image size and field of view.
+    /// The orbit most like some given cameras: around the place that they look at, at their median distance and
+    /// elevation. It starts where the first camera stands, with its image size and field of view.
     ///
     /// # Errors
     /// [`Error::Argument`] without cameras.
@@ -51,7 +51,7 @@ impl Orbit {
             cameras.iter().map(|camera| DVec3::from(camera.eye()) - center).collect();
         let elevations = offsets.iter().map(|offset| offset.normalize_or_zero().dot(up).asin());
         let toward = offsets[0].reject_from_normalized(up);
-        // a camera right above the center stands on no side of it
+        // a camera right above the center is on no side of it
         let is_above = toward.length() <= 1e-6 * offsets[0].length();
         Ok(Self {
             center: center.to_array(),
@@ -64,12 +64,12 @@ impl Orbit {
         })
     }
 
-    /// A circle around a box, lowest corner and highest, from which all of it is seen; z is up.
+    /// An orbit around a box (its lowest and highest corner) that sees all of it; z is up.
     #[must_use]
     pub fn of_box([low, high]: [[f64; 3]; 2], size: [u32; 2]) -> Self {
         let [low, high] = [low, high].map(DVec3::from);
         let [width, height] = size.map(f64::from);
-        // of the image's shorter side
+        // half the field of view along the image's shorter side
         let half = (0.5 * ANGLE).tan() * (height / width).min(1.0);
         Self {
             center: (0.5 * (low + high)).to_array(),
@@ -85,7 +85,7 @@ impl Orbit {
     /// `count` cameras at equal intervals, once around, counterclockwise as seen from above.
     ///
     /// # Errors
-    /// [`Error::Argument`] where `up` is zero or `toward` lies along it; [`Error::Camera`] as [`Camera::look_at`].
+    /// [`Error::Argument`] if `up` is zero or `toward` lies along it; [`Error::Camera`] as [`Camera::look_at`].
     pub fn cameras(&self, count: usize) -> Result<Vec<Camera>> {
         let up = DVec3::from(self.up).normalize_or_zero();
         let ahead = DVec3::from(self.toward).reject_from(DVec3::from(self.up)).normalize_or_zero();
@@ -107,11 +107,11 @@ impl Orbit {
     }
 }
 
-/// The direction upward in the world, a unit vector, from how cameras were held.
+/// The world's upward direction, a unit vector, from how cameras were held.
 ///
-/// The mean of their images' upward directions leans to where the cameras look down from. Photographers hold the horizon
-/// level, so what is to the right in an image is horizontal: those directions count little. Without cameras it is z, as in
-/// most data sets.
+/// The mean of the images' upward directions is biased if cameras look down from one side. But photographers hold the
+/// horizon level, so an image's direction to the right is horizontal, and directions along it get little weight.
+/// Without cameras the result is z, as in most data sets.
 pub fn upward<'a>(cameras: impl ExactSizeIterator<Item = &'a Camera> + Clone) -> DVec3 {
     let column = |camera: &Camera, column: usize| {
         DVec3::from_array(std::array::from_fn(|row| camera.camera_to_world[row][column]))
@@ -122,7 +122,7 @@ pub fn upward<'a>(cameras: impl ExactSizeIterator<Item = &'a Camera> + Clone) ->
         let right = column(camera, 0);
         sum + DMat3::from_cols(right * right.x, right * right.y, right * right.z) * (1.0 / count)
     });
-    // cameras that look straight down in all directions have no upward of their own
+    // cameras that look straight down in all directions define no upward direction
     let up = (level.inverse() * mean).normalize_or_zero();
     if mean.length() < 1e-6 || up == DVec3::ZERO { DVec3::Z } else { up }
 }
@@ -186,7 +186,7 @@ mod tests {
         assert!(close(toward, orbit.toward, 0.005), "{found:?}");
     }
 
-    /// Cameras on one side alone, which look down: the mean of their upward directions leans by 20 degrees.
+    /// All cameras are on one side and look down: the mean of their upward directions leans by 20 degrees.
     #[test]
     fn cameras_on_one_side_do_not_tilt_the_axis() {
         let orbit = Orbit { elevation: 0.4, ..orbit() };
@@ -206,7 +206,7 @@ mod tests {
         let found = Orbit::around(&cameras).unwrap();
         assert!(close(found.up, [0.0, 0.0, 1.0], 1e-6), "{found:?}");
         assert!((found.elevation.to_degrees() - 90.0).abs() < 1e-3);
-        // right above there is no way around; a little lower there is
+        // there is no orbit right above the center, but a little lower there is
         assert!(Orbit { elevation: 1.4, ..found }.cameras(3).is_ok());
     }
 

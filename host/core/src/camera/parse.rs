@@ -1,4 +1,4 @@
-//! From the JSON of a `transforms.json` to cameras, naming frame and field of what is wrong.
+//! Parses the JSON of a `transforms.json` into cameras. Errors name the frame and the field.
 
 use std::path::Path;
 
@@ -8,10 +8,10 @@ use super::{Camera, MAX_IMAGE_SIDE, camera_error};
 use crate::error::{Error, Result};
 use crate::input::{integer, kind};
 
-/// Models whose images are pinhole images where their coefficients are zero. A fisheye's are not.
+/// Camera models that are pinholes if their coefficients are zero. A fisheye model is not.
 pub const PERSPECTIVE_MODELS: [&str; 6] =
     ["PINHOLE", "SIMPLE_PINHOLE", "OPENCV", "SIMPLE_RADIAL", "RADIAL", "FULL_OPENCV"];
-/// Models that have no coefficients; any in the file mean nothing.
+/// Models without coefficients; any that the file gives are ignored.
 pub const PINHOLE_MODELS: [&str; 2] = ["PINHOLE", "SIMPLE_PINHOLE"];
 const COEFFICIENTS: [&str; 8] = ["k1", "k2", "k3", "k4", "k5", "k6", "p1", "p2"];
 
@@ -51,18 +51,18 @@ pub(super) fn focal_length(side: f64, angle: f64) -> Result<f64, String> {
     Ok(0.5 * side / (0.5 * angle).tan())
 }
 
-/// One frame and the file whose values stand in for those it does not have.
+/// A frame, and the file whose values replace those that the frame lacks.
 pub struct Source<'a> {
     /// The whole file.
     pub file: &'a Value,
     /// The frame.
     pub frame: &'a Value,
-    /// Width and height in pixels where neither says: the photograph's own.
+    /// Width and height in pixels, if neither gives them: those of the photograph itself.
     pub size: Option<[u32; 2]>,
 }
 
 impl Source<'_> {
-    /// The frame's camera. `index` and `origin` are what errors name.
+    /// The frame's camera. Errors name `index` and `origin`.
     pub fn valid_camera(&self, index: usize, origin: &Path) -> Result<Camera> {
         let camera = self.camera().map_err(|reason| camera_error(origin, index, reason))?;
         camera.validate_at(index, origin)?;
@@ -105,7 +105,7 @@ impl Source<'_> {
         [self.frame, self.file].into_iter().find(present)?.get(key)
     }
 
-    /// The number of a key, where the file has one.
+    /// The number of a key; `None` if the file has none.
     pub fn number(&self, key: &str) -> Result<Option<f64>, String> {
         match self.get(key) {
             None => Ok(None),

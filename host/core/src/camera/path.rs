@@ -6,23 +6,25 @@ use super::Camera;
 use super::Target;
 use crate::error::{Error, Result};
 
-/// The shortest time from a key to the next, as a part of the mean: two equal keys make the camera stop, not jump.
+/// Shortest time between two keys, as a fraction of the mean. With it, two equal keys make the camera stop and not
+/// jump.
 const SHORTEST: f64 = 0.01;
 /// Where a camera looks, by its own axes.
 const FORWARD: DVec3 = DVec3::NEG_Z;
 
-/// A smooth path through cameras of one image size: its keys.
+/// A smooth path through keys: cameras of one image size.
 ///
-/// What is looked at, the distance from there, the rotation, the logarithm of the focal lengths (so that a zoom looks
-/// steady) and the principal point each follow a Catmull-Rom spline: from key to key a cubic Bézier curve, whose tangent
-/// at a key is that of the parabola through the key and its neighbors. Rotations use spherical interpolation in the
+/// A Catmull-Rom spline interpolates the target, the distance to it, the rotation, the logarithm of the focal lengths
+/// (so a zoom looks steady) and the principal point. Between two keys it is a cubic Bézier curve. Its tangent at a
+/// key is that of the parabola through the key and its neighbors. Rotations use spherical interpolation in the
 /// curve's construction (Shoemake, "Animating rotation with quaternion curves", 1985).
 ///
-/// If the keys look at one place, a key looks at the point of its axis that is nearest to that place: the camera turns
-/// around it and keeps it in view. Otherwise the distance is 0, and the camera's own position follows the spline.
+/// If all keys look at one place, a key's target is the point of its axis nearest to that place. The camera then
+/// turns around the place and keeps it in view. Otherwise the distance is 0, and the spline interpolates the camera's
+/// position.
 ///
-/// Time from key to key is as long as the camera's way, so the camera moves at an even pace. Position and rotation have
-/// continuous velocities everywhere.
+/// The time between two keys is proportional to the camera's way, so the camera moves at an even pace. Position and
+/// rotation have continuous velocities everywhere.
 ///
 /// ```
 /// use organza_core::Camera;
@@ -42,17 +44,17 @@ pub struct CameraPath {
     keys: Vec<State>,
     /// The motion in a unit of time at each key.
     tangents: Vec<Motion>,
-    /// When the camera is at each key, from 0; for a closed path also when it is back at the first one.
+    /// Time of each key, from 0. A closed path has one more: the time back at the first key.
     times: Vec<f64>,
 }
 
 impl CameraPath {
-    /// A path through `keys`, which have images of one size ([`Camera::with_size`] gives them one). A closed path leads from
-    /// the last key back to the first.
+    /// A path through `keys`, which have images of one size ([`Camera::with_size`] gives them one). A closed path
+    /// leads from the last key back to the first.
     ///
     /// # Errors
-    /// [`Error::Argument`] where there are fewer than two keys, or sizes differ; [`Error::Camera`] for the first key
-    /// that is not valid.
+    /// [`Error::Argument`] for fewer than two keys, or if sizes differ; [`Error::Camera`] for the first key that is
+    /// not valid.
     pub fn through(keys: &[Camera], is_closed: bool) -> Result<Self> {
         let size = |camera: &Camera| [camera.width, camera.height];
         let (first, others) = match keys {
@@ -91,13 +93,13 @@ impl CameraPath {
         Ok(Self { size: size(first), keys, tangents, times })
     }
 
-    /// When the camera is at each key, from 0 to 1; for a closed path 1 is when it is back at the first one.
+    /// Time of each key, from 0 to 1. On a closed path, 1 is the time back at the first key.
     #[must_use]
     pub fn times(&self) -> Vec<f64> {
         self.times.iter().map(|time| time / self.end()).collect()
     }
 
-    /// The camera at a time of 0 to 1.
+    /// The camera at a time from 0 to 1.
     #[must_use]
     pub fn at(&self, time: f64) -> Camera {
         let time = time.clamp(0.0, 1.0) * self.end();
@@ -134,12 +136,12 @@ impl CameraPath {
     }
 }
 
-/// What a path interpolates.
+/// The values that a path interpolates.
 #[derive(Clone, Debug)]
 struct State {
-    /// What it looks at.
+    /// The point that the camera looks at, in world units.
     target: DVec3,
-    /// Distance from there.
+    /// Distance to the target, in world units.
     distance: f64,
     /// From the camera's axes to the world's.
     rotation: DQuat,
@@ -152,13 +154,13 @@ struct State {
 struct Motion {
     shift: DVec3,
     distance: f64,
-    /// Along the axis, in world space, and as long as the angle.
+    /// Rotation vector in world space: along the axis, as long as the angle in radians.
     turn: DVec3,
     lens: [f64; 4],
 }
 
 impl State {
-    /// `center` is what all keys look at, if they do.
+    /// `center` is the place that all keys look at, if there is one.
     fn of(camera: &Camera, center: Option<DVec3>) -> Self {
         let (eye, axis) = (DVec3::from(camera.eye()), camera.world_to_camera_opencv()[2]);
         let distance = center.map_or(0.0, |center| (center - eye).dot(DVec3::from(axis)).max(0.0));
@@ -211,8 +213,8 @@ impl State {
         }
     }
 
-    /// How long the way looks: the angle in radians, and the shift as a part of how far the keys are apart. On a circle,
-    /// and looking at its center, both are the same.
+    /// How long the way looks: the angle in radians, and the shift divided by the keys' spread. On a circle around
+    /// the target both are the same.
     fn way_to(&self, other: &Self, spread: f64) -> f64 {
         let Motion { turn, lens, .. } = self.motion_to(other);
         let shift = if spread > 0.0 { self.eye().distance(other.eye()) / spread } else { 0.0 };
@@ -250,16 +252,16 @@ fn spread(keys: &[State]) -> f64 {
     (squares.sum::<f64>() / count).sqrt()
 }
 
-/// The time of each segment, as long as its way.
+/// The time of each segment, proportional to its length.
 fn spans(lengths: Vec<f64>) -> Vec<f64> {
     let mean = lengths.iter().sum::<f64>() / lengths.len() as f64;
-    // a camera that stands still has all the time
+    // if the camera stands still, every segment gets the same time
     let mean = if mean > 0.0 { mean } else { 1.0 };
     lengths.into_iter().map(|length| length.max(SHORTEST * mean)).collect()
 }
 
-/// The tangent at each key: that of the parabola through it and its neighbors. `rates` are the mean velocities of the
-/// segments.
+/// The tangent at each key: that of the parabola through the key and its neighbors. `rates` are the mean velocities
+/// of the segments.
 fn tangents(rates: &[Motion], spans: &[f64], is_closed: bool) -> Vec<Motion> {
     let inner = |before: usize, after: usize| {
         let (a, b) = (spans[before], spans[after]);

@@ -1,25 +1,25 @@
-//! What cameras look at.
+//! The place that cameras look at.
 
 use glam::{DMat3, DVec3};
 
 use super::Camera;
 
-/// What the cameras look at.
+/// The place that cameras look at, and its size.
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
-    /// The point that they look at.
+    /// The point that they look at, in world units.
     pub center: DVec3,
-    /// Typical distance of the cameras.
+    /// Typical distance of the cameras, in world units.
     pub distance: f64,
-    /// Radius of the ball around it that fills the images' longer sides.
+    /// Radius of the ball around the center that fills the images' longer sides, in world units.
     pub radius: f64,
-    /// Whether the optical axes meet in front of the cameras. Otherwise the distance is a guess, from how far the
-    /// cameras are apart.
+    /// Whether the optical axes meet in front of the cameras. Otherwise the distance is a guess from the cameras'
+    /// spread.
     pub is_met: bool,
 }
 
 impl Target {
-    /// The point that is nearest to the cameras' optical axes. A few cameras that look elsewhere do not move it.
+    /// The point nearest to the cameras' optical axes. A few cameras that look elsewhere do not move it.
     #[must_use]
     pub fn of(cameras: &[Camera]) -> Self {
         let eyes: Vec<_> = cameras.iter().map(|camera| DVec3::from(camera.eye())).collect();
@@ -38,7 +38,7 @@ impl Target {
         let (center, distance) = if is_met {
             (center, distance)
         } else {
-            // a camera that stands still tells nothing about distances
+            // a camera that stands still gives no distance
             let is_still = spread <= 1e-6 * (1.0 + middle.length());
             let distance = if is_still { 1.0 } else { 2.0 * spread };
             (middle + axes.iter().sum::<DVec3>() / axes.len().max(1) as f64 * distance, distance)
@@ -51,25 +51,25 @@ impl Target {
         Self { center, distance, radius: distance * median(cameras.iter().map(half)), is_met }
     }
 
-    /// The box of the ball that the images show.
+    /// The box around the ball that the images show, its radius times `part`: lowest and highest corner.
     #[must_use]
     pub fn ball(&self, part: f64) -> [DVec3; 2] {
         [self.center - part * self.radius, self.center + part * self.radius]
     }
 }
 
-/// Where a camera looks, a unit vector.
+/// The direction that a camera looks in, a unit vector.
 fn axis(camera: &Camera) -> DVec3 {
     DVec3::from(camera.world_to_camera_opencv()[2]).normalize_or_zero()
 }
 
-/// The point with the least sum of distances to the axes, found by repeated weighted least squares (Weiszfeld).
+/// The point with the least sum of distances to the axes, by iteratively reweighted least squares (Weiszfeld).
 fn nearest_to_axes(eyes: &[DVec3], axes: &[DVec3], middle: DVec3, spread: f64) -> DVec3 {
     let least = (1e-3 * spread).max(1e-12);
     let mut center = middle;
     let mut weights = vec![1.0; eyes.len()];
     for _ in 0..30 {
-        // where all axes are parallel no point is nearest: a little weight on the middle of the eyes decides
+        // if all axes are parallel, no point is nearest: a small weight on the middle of the eyes decides
         let ridge = 1e-3 * weights.iter().sum::<f64>().max(1e-12);
         let (mut matrix, mut right) = (DMat3::from_diagonal(DVec3::splat(ridge)), middle * ridge);
         for ((&eye, &axis), &weight) in eyes.iter().zip(axes).zip(&weights) {
@@ -86,7 +86,7 @@ fn nearest_to_axes(eyes: &[DVec3], axes: &[DVec3], middle: DVec3, spread: f64) -
     center
 }
 
-/// The middle of numbers in their order; 0 of none.
+/// The median; 0 without numbers.
 #[must_use]
 pub fn median(numbers: impl Iterator<Item = f64>) -> f64 {
     let mut numbers: Vec<_> = numbers.collect();

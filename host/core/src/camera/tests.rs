@@ -53,7 +53,7 @@ fn opencv_axes_are_down_and_forward() {
     );
 }
 
-/// A point of the scene keeps its place relative to the image's middle, in units of the side that limits.
+/// A point of the scene keeps its place relative to the image's middle, in units of the limiting side.
 #[test]
 fn another_size_shows_the_same_and_more() {
     let camera = &parse(&file()).unwrap()[0];

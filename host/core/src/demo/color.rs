@@ -1,20 +1,21 @@
 //! The color field: Blinn-Phong shading in two hidden layers.
 //!
-//! What does not depend on the view is baked into each Gaussian's material as logits. The network adds highlights.
-//! With v the direction camera -> Gaussian, n the normal and l the direction to a lamp, all of length 1, the half
-//! vector is `h = l - v`, and the highlight is a function of
+//! The part of the color that does not depend on the view is baked into each Gaussian's material as logits. The
+//! network adds highlights. Let v be the direction camera -> Gaussian, n the normal and l the direction to a lamp,
+//! all of length 1. The half vector is `h = l - v`, and the highlight is a function of
 //!
 //! `q = n.h - |h|`, which is 0 where n points along h and negative elsewhere: about `-|h| angle^2 / 2`.
 //!
 //! - v is linear in the spherical harmonics of degree 1.
-//! - `n.v = |n + v|^2 / 2 - 1`: three squares, and a square is a spline of ReLUs. This is how a network that
-//!   multiplies nothing multiplies.
-//! - `|h| = sqrt(2 - 2 l.v)`, one more spline.
-//! - `exp(q / width)` is a spline in the second layer. There a lobe is switched off for what it is not meant for, and
-//!   where the pearl's shadow falls.
+//! - v is linear in the spherical harmonics of degree 1.
+//! - `n.v = |n + v|^2 / 2 - 1` needs three squares, and a square is a spline of ReLUs. So a network that cannot
+//!   multiply multiplies all the same.
+//! - `|h| = sqrt(2 - 2 l.v)` is one more spline.
+//! - `exp(q / width)` is a spline in the second layer. There, each lobe is switched off on the wrong material and in
+//!   the pearl's shadow.
 //!
-//! The grid holds what happens to the light on its way to a place: three logits to subtract for what the cloth has
-//! taken out of it, and how much of it the pearl holds up.
+//! The grid holds what happens to light on its way to a place: three logits to subtract for the light that the cloth
+//! has absorbed, and the fraction that the pearl blocks.
 
 use glam::Vec3;
 
@@ -40,13 +41,13 @@ const PEARL: usize = CLOTH + 1;
 
 /// The factor of band 1 of the spherical harmonics.
 const BAND_1: f32 = 0.488_602_5;
-/// No logit is lower.
+/// The lowest logit.
 const LEAST_LOGIT: f32 = -8.0;
 /// Knots of a square on each side of 0, and their distance: the spline is off by 1/512 at most.
 const SQUARE_KNOTS: usize = 16;
 const SQUARE_STEP: f32 = 2.0 / SQUARE_KNOTS as f32;
 
-/// What a Gaussian is part of.
+/// The kind of surface that a Gaussian belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     Cloth,
@@ -54,7 +55,7 @@ pub enum Kind {
     Floor,
 }
 
-/// What a Gaussian looks like.
+/// The appearance of a Gaussian.
 #[derive(Clone, Copy, Debug)]
 pub struct Material {
     pub color: Vec3,
@@ -92,19 +93,19 @@ pub fn fill(scene: &mut Scene, surroundings: &Surroundings) {
 
 /// The features of a vertex.
 fn light_at(surroundings: &Surroundings, position: Vec3) -> [f32; FEATURES] {
-    // vertices inside the pearl take part in what its surface reads: they hold what its surface has
+    // vertices inside the pearl are interpolated at its surface, so they hold the surface's values
     let depth = (-pearl_distance(position)).max(0.0);
     let position = position + position.normalize_or_zero() * depth;
-    // a sheet does not stand in its own light
+    // a sheet does not shade itself
     let arrival = surroundings.arrival(position + light::key() * 0.06, light::key());
     let taken = (0.5 + 0.5 * arrival.through_cloth).map(|light| -light.ln());
     [taken.x, taken.y, taken.z, 1.0 - arrival.past_pearl]
 }
 
-/// What the first layer computes.
+/// Outputs of the first layer.
 struct Geometry {
     logits: [Form; 3],
-    /// What the cloth has taken out of the light.
+    /// Logits that the cloth subtracts from the light.
     taken: [Form; 3],
     /// The pearl's shadow.
     shadow: Form,
@@ -159,10 +160,10 @@ fn square(units: &mut Units, x: &Form) -> Form {
 struct Highlight<'g> {
     lamp: &'g (Form, Form),
     kind: &'g Form,
-    /// 1 for the side that the normal points to, -1 for the back.
+    /// 1 for the side that the normal points to, -1 for the back side.
     side: f32,
     width: f32,
-    /// How much of it the pearl's shadow takes.
+    /// Fraction of the highlight that the pearl's shadow removes.
     shadow: f32,
 }
 
@@ -183,7 +184,7 @@ impl Highlight<'_> {
 fn shade(units: &mut Units, geometry: &Geometry) -> [Form; 3] {
     let Geometry { logits, taken, shadow, cloth, pearl, facing, lamps } = geometry;
     let mut color: [Form; 3] = std::array::from_fn(|c| {
-        // the cloth is tinted less: it glows with the light that others lose
+        // the cloth is tinted less: it glows with the light that other surfaces lose
         let light = logits[c].clone().plus(-1.0, &taken[c]);
         let glow = units.take(&taken[c].clone().gated(cloth));
         units.pass(&light, LEAST_LOGIT - 4.0).plus(0.6, &glow)

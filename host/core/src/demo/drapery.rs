@@ -6,34 +6,34 @@ use glam::{Mat3, Vec3};
 
 use super::smoothstep;
 
-/// Alpha of one layer of cloth, seen squarely.
+/// Alpha of one layer of cloth, seen head-on.
 const COVERAGE: f32 = 0.45;
 
 /// A sheet over the parameters t along it and v across it, each from 0 to 1.
 ///
-/// Its middle runs around a tilted axis from one radius to another; across it the sheet leans out from the axis
-/// by an angle that changes along it. Folds push it along its normal: a billow, pleats that run aslant, and ruffles
-/// that grow towards the loose edge at v = 1.
+/// Its center line runs around a tilted axis from one radius to another. Across, the sheet leans away from the axis
+/// by an angle that changes along it. Folds displace it along its normal: a billow, slanted pleats, and ruffles that
+/// grow toward the loose edge at v = 1.
 #[derive(Debug)]
 pub struct Sheet {
     /// Rotations of the axis around x and y, in radians.
     pub tilt: [f32; 2],
-    /// Azimuth at t = 0 and how far it goes on from there, in radians.
+    /// Azimuth at t = 0, and the further angle up to t = 1, in radians.
     pub azimuth: [f32; 2],
     /// Distance from the axis at t = 0 and t = 1.
     pub radius: [f32; 2],
-    /// How far the middle climbs along the axis.
+    /// Height that the center line climbs along the axis.
     pub rise: f32,
     pub width: f32,
-    /// Angle that the sheet leans out by at t = 0, and how much more at t = 1, in radians.
+    /// Leaning angle at t = 0, and its increase up to t = 1, in radians.
     pub lean: [f32; 2],
     /// Height of the billow.
     pub fold: f32,
-    /// Pleats from end to end.
+    /// Number of pleats from end to end.
     pub pleats: f32,
     /// Colors of its two ends.
     pub hue: [Vec3; 2],
-    /// Optical depth of red, green and blue light, for one of what the eye sees.
+    /// Optical depth for red, green and blue light, relative to the visible depth.
     pub absorption: Vec3,
 }
 
@@ -76,7 +76,7 @@ impl Sheet {
         let across = Vec3::Z * lean.cos() + outward * lean.sin();
         let normal = outward * lean.cos() - Vec3::Z * lean.sin();
 
-        // the ends taper and hang without folds
+        // the ends taper and have no folds
         let taper = (PI * t.clamp(0.0, 1.0)).sin().max(0.0).sqrt();
         let calm = smoothstep(t / 0.22) * smoothstep((1.0 - t) / 0.22);
         let middle = outward * radius + Vec3::Z * (self.rise * (t - 0.5));
@@ -89,7 +89,7 @@ impl Sheet {
     /// Displacement along the normal, in units of the billow's height.
     fn folds(&self, t: f32, v: f32) -> f32 {
         let s = v - 0.5;
-        // pleats that come at one pace look like corrugated iron
+        // evenly spaced pleats would look like corrugated iron
         let pace = self.pleats * (t + 0.018 * (TAU * 2.7 * t + self.azimuth[0]).sin());
         let wave =
             |pleats: f32, slant: f32, phase: f32| (TAU * (pleats * pace + slant * s) + phase).sin();
@@ -101,24 +101,24 @@ impl Sheet {
             + 0.16 * wave(3.2, -0.3, 0.3) * fixed_edge
     }
 
-    /// Alpha of the sheet seen squarely: its ends dissolve.
+    /// Alpha of the sheet seen head-on; its ends fade out.
     pub fn coverage(&self, t: f32) -> f32 {
         COVERAGE * smoothstep(t / 0.09) * smoothstep((1.0 - t) / 0.09)
     }
 
-    /// Optical depth of the sheet seen squarely: what lets `1 - coverage` through.
+    /// Optical depth of the sheet seen head-on: it lets `1 - coverage` through.
     pub fn depth(&self, t: f32) -> f32 {
         -(1.0 - self.coverage(t)).ln()
     }
 
-    /// Its own color: it changes along the sheet, and a little across.
+    /// The sheet's own color. It changes along the sheet, and a little across.
     pub fn color(&self, t: f32, v: f32) -> Vec3 {
         let place = 0.15 + 0.7 * t + 0.3 * (v - 0.5);
         self.hue[0].lerp(self.hue[1], place.clamp(0.0, 1.0))
     }
 }
 
-/// Optical depth of one full layer, seen squarely.
+/// Optical depth of one full layer, seen head-on.
 pub fn full_depth() -> f32 {
     -(1.0 - COVERAGE).ln()
 }

@@ -1,9 +1,9 @@
 //! Surfaces as lattices of flat Gaussians.
 //!
-//! A Gaussian takes the shape of its cell: for tangents `a` and `b` along the cell's sides its covariance is
-//! `k^2 (a a^T + b b^T)` and a little along the normal. The sum of a lattice of such Gaussians ripples by
-//! `2 exp(-2 pi^2 k^2)` at most, however the surface stretches and shears, and its height is the peak opacity times
-//! `2 pi k^2`. So a surface is closed and even at every size of the image.
+//! A Gaussian takes the shape of its cell. For tangents `a` and `b` along the cell's sides, its covariance is `k^2 (a
+//! a^T + b b^T)`, and small along the normal. The sum of a lattice of such Gaussians ripples by at most `2 exp(-2
+//! pi^2 k^2)`, however the surface stretches and shears. Its height is the peak opacity times `2 pi k^2`. So a
+//! surface is closed and even at every image size.
 
 use std::f32::consts::TAU;
 
@@ -14,7 +14,7 @@ use crate::scene::Gaussians;
 
 /// k: standard deviation of a Gaussian in units of its cell. It ripples by 0.04 percent.
 const SPREAD: f32 = 0.66;
-/// Gaussians that cover less are left out: they would not change an 8-bit image.
+/// Gaussians with less coverage are left out: they would not change an 8-bit image.
 const LEAST_COVERAGE: f32 = 0.006;
 /// Step of the central differences that give the tangents, in units of the surface's parameters.
 const DIFFERENCE: f32 = 2e-3;
@@ -22,12 +22,12 @@ const DIFFERENCE: f32 = 2e-3;
 /// A cell of a surface's lattice.
 #[derive(Clone, Copy, Debug)]
 pub struct Cell {
-    /// Its middle, in parameters of the surface.
+    /// The cell's center, in parameters of the surface.
     pub u: f32,
     pub v: f32,
-    /// Its middle in space.
+    /// The cell's center in space.
     pub position: Vec3,
-    /// Its sides.
+    /// The cell's sides.
     pub along_u: Vec3,
     pub along_v: Vec3,
 }
@@ -63,22 +63,22 @@ pub fn cells(
     })
 }
 
-/// What a Gaussian is besides its cell.
+/// Thickness, coverage and material of a Gaussian.
 #[derive(Clone, Copy, Debug)]
 pub struct Look {
     /// Standard deviation along the normal.
     pub thickness: f32,
-    /// Height of the lattice's sum: the alpha of the surface where nothing is before it.
+    /// Height of the lattice's sum: the alpha of the surface if nothing is in front.
     pub coverage: f32,
     pub material: Material,
 }
 
-/// Gaussians in the making.
+/// Gaussians under construction.
 #[derive(Debug, Default)]
 pub struct Splats(Gaussians);
 
 impl Splats {
-    /// Puts a Gaussian into a cell, unless the cell has no area or the Gaussian covers nothing.
+    /// Adds a Gaussian for a cell, unless the cell has no area or the Gaussian's coverage is too small.
     pub fn push(&mut self, cell: &Cell, look: &Look) {
         let normal = cell.normal();
         if normal == Vec3::ZERO || look.coverage < LEAST_COVERAGE {
@@ -102,7 +102,7 @@ impl From<Splats> for Gaussians {
     }
 }
 
-/// The inverse of the sigmoid; probabilities are kept off 0 and 1.
+/// The inverse of the sigmoid; probabilities are clamped away from 0 and 1.
 pub fn logit(probability: f32) -> f32 {
     let probability = probability.clamp(0.003, 0.997);
     (probability / (1.0 - probability)).ln()

@@ -8,42 +8,42 @@ use super::volume::Volume;
 use super::{HALF_BOX, pearl_distance};
 use crate::scene::SceneConfig;
 
-/// Standard deviation of a sheet's density along its normal: as thin as the grid can hold.
+/// Standard deviation of a sheet's density along its normal: as small as the grid can represent.
 pub const SHEET_THICKNESS: f32 = 0.012;
-/// How far the density stays off the hems: it is blurred, and must not dim what lies beside the cloth.
+/// Distance of the density from the hems. The density is blurred, and must not dim anything beside the cloth.
 const INSET: f32 = 0.012;
-/// Points that draw a sheet's density, along and across.
+/// Points along and across a sheet that make up its density.
 const POINTS: [usize; 2] = [420, 90];
-/// Step of a ray of light.
+/// Step of a ray of light, in world units.
 const STEP: f32 = 0.035;
-/// Steps after which a ray has left the box.
+/// Steps after which every ray has left the box.
 const STEPS: usize = 60;
-/// How sharp the pearl's shadow is.
+/// Sharpness of the pearl's shadow.
 const SHARPNESS: f32 = 3.5;
 
-/// Towards the lamp above.
+/// Direction to the lamp above.
 pub fn key() -> Vec3 {
     Vec3::new(-0.28, -0.3, 0.9).normalize()
 }
 
-/// Towards the lamp beside, which makes highlights alone.
+/// Direction to the lamp at the side, which only makes highlights.
 pub fn fill() -> Vec3 {
     Vec3::new(-0.45, -0.85, 0.3).normalize()
 }
 
-/// What light meets on its way.
+/// The volumes that light passes through.
 #[derive(Debug)]
 pub struct Surroundings {
     /// Density of each sheet: optical depth per world unit.
     pub sheets: [Volume; 2],
 }
 
-/// Light that arrives somewhere.
+/// Light that arrives at a place.
 #[derive(Clone, Copy, Debug)]
 pub struct Arrival {
-    /// What the cloth has let through of red, green and blue.
+    /// Fraction of red, green and blue light that the cloth lets through.
     pub through_cloth: Vec3,
-    /// What the pearl has not held up.
+    /// Fraction of the light that the pearl does not block.
     pub past_pearl: f32,
 }
 
@@ -65,7 +65,7 @@ impl Surroundings {
 
     /// Follows light back from `position` to a lamp in `direction`.
     ///
-    /// The penumbra is Quilez's: how near the ray comes to the pearl, by how far away that happens.
+    /// The penumbra is Quilez's: how near the ray passes the pearl, divided by how far away that is.
     pub fn arrival(&self, position: Vec3, direction: Vec3) -> Arrival {
         let mut depth = Vec3::ZERO;
         let mut past_pearl = 1.0_f32;

@@ -40,7 +40,7 @@ impl Form {
         self
     }
 
-    /// Itself where `gate` is 1, and far below every knot where it is 0.
+    /// The form itself where `gate` is 1, and far below every knot where it is 0.
     #[must_use]
     pub fn gated(self, gate: &Self) -> Self {
         const CLOSED: f32 = 10.0;
@@ -48,7 +48,7 @@ impl Form {
     }
 }
 
-/// A layer whose units are given out one by one.
+/// A layer whose units are allocated one by one.
 #[derive(Debug)]
 pub struct Units<'l> {
     layer: &'l mut Layer,
@@ -60,7 +60,7 @@ impl<'l> Units<'l> {
         Self { layer, used: 0 }
     }
 
-    /// Takes the next unit for a form; returns the unit's value, for the next layer: `max(form, 0)` in a hidden
+    /// Allocates the next unit for a form. Returns the unit's value, for the next layer: `max(form, 0)` in a hidden
     /// layer, the form itself in the last one.
     pub fn take(&mut self, form: &Form) -> Form {
         let unit = self.used;
@@ -73,13 +73,13 @@ impl<'l> Units<'l> {
         Form::input(unit)
     }
 
-    /// Hands a form on to the next layer as it is; it must be at least `least`.
+    /// Passes a form unchanged to the next layer. It must be at least `least`.
     pub fn pass(&mut self, form: &Form, least: f32) -> Form {
         self.take(&form.clone().offset(-least)).offset(least)
     }
 
-    /// The piecewise linear function of `x` through `knots`, as a sum of hinges `max(x - knot, 0)`: constant before
-    /// the first knot, straight on after the last.
+    /// The piecewise linear function of `x` through `knots`, as a sum of hinges `max(x - knot, 0)`. It is constant
+    /// before the first knot, and continues straight after the last.
     pub fn spline(&mut self, x: &Form, knots: &[(f32, f32)]) -> Form {
         let mut sum = Form::constant(knots[0].1);
         let mut slope = 0.0;

@@ -10,24 +10,24 @@ use super::lattice::{Cell, Look, Splats, cells};
 use super::light::{self, Surroundings};
 use super::{BACKGROUND, FLOOR, HALF_BOX, PEARL};
 
-/// Gaussians of the pearl.
+/// Number of Gaussians of the pearl.
 const PEARL_POINTS: usize = 6400;
-/// Sum of the pearl's alphas. Its surface must still weigh 1 behind one layer of cloth, or the background would
-/// come through.
+/// Sum of the pearl's alphas. Behind one layer of cloth its surface must still have weight 1, or the background would
+/// shine through.
 const PEARL_COVERAGE: f32 = 2.2;
-/// Gaussians of a sheet, along and across.
+/// Number of Gaussians of a sheet, along and across.
 const SHEET_POINTS: [usize; 2] = [290, 39];
-/// Gaussians of a hem.
+/// Number of Gaussians of a hem.
 const HEM_POINTS: usize = 420;
 /// Width of a hem.
 const HEM_WIDTH: f32 = 0.0045;
-/// Gaussians of the floor, along each side.
+/// Number of Gaussians of the floor, along each side.
 const FLOOR_POINTS: usize = 52;
-/// How dark a shadow on the floor may be.
+/// Darkest shadow on the floor.
 const SHADOW: f32 = 0.44;
-/// What the pearl's shadow takes from red, green and blue: it is a little violet.
+/// Fraction of red, green and blue light that the pearl's shadow removes: the shadow is a little violet.
 const PEARL_SHADOW: Vec3 = Vec3::new(0.62, 0.70, 0.56);
-/// Size of the lamp that casts the floor's shadows, as a tangent.
+/// Radius of the lamp that casts the floor's shadows, as a tangent.
 const LAMP: f32 = 0.3;
 /// Rays to that lamp.
 const LAMP_RAYS: usize = 24;
@@ -37,7 +37,7 @@ fn golden_angle() -> f32 {
     PI * (3.0 - 5.0_f32.sqrt())
 }
 
-/// A pearl: points of a Fibonacci sphere, lit from above, with the cloth's rose in its shade.
+/// The pearl: points of a Fibonacci sphere, lit from above, with the cloth's rose in its shade.
 pub fn pearl(splats: &mut Splats) {
     let (light, shade) = (Vec3::new(0.985, 0.91, 0.80), Vec3::new(0.60, 0.31, 0.33));
     let spacing = PEARL * (4.0 * PI / PEARL_POINTS as f32).sqrt();
@@ -53,7 +53,7 @@ pub fn pearl(splats: &mut Splats) {
             along_u: tangent * spacing,
             along_v: normal.cross(tangent) * spacing,
         };
-        // light that wraps around, as if it went under the surface
+        // light that wraps around, as if it scattered under the surface
         let wrapped = (0.5 + 0.5 * normal.dot(light::key())).powf(1.2);
         let color = shade.lerp(light, (1.25 * wrapped - 0.05).clamp(0.0, 1.0));
         let material = Material { color, normal, kind: Kind::Pearl };
@@ -66,12 +66,12 @@ pub fn cloth(splats: &mut Splats) {
     for sheet in &SHEETS {
         for cell in cells(SHEET_POINTS, |t, v| sheet.at(t, v)) {
             let normal = cell.normal();
-            // lit from either side; what is turned away is deeper in color rather than darker
+            // lit from either side; cloth that is turned away has a deeper color, but is not darker
             let lit = normal.dot(light::key()).abs();
             let deep = sheet.color(cell.u, cell.v).powf(1.45 - 0.45 * lit);
             let material =
                 Material { color: deep * (0.80 + 0.22 * lit), normal, kind: Kind::Cloth };
-            // some thickness, so that a fold seen along the sheet is denser than one seen squarely
+            // some thickness, so that a fold seen edge-on is denser than one seen head-on
             let thickness = 0.3 * cell.area().sqrt().max(1e-4);
             splats.push(&cell, &Look { thickness, coverage: sheet.coverage(cell.u), material });
         }
@@ -80,7 +80,7 @@ pub fn cloth(splats: &mut Splats) {
     }
 }
 
-/// The hem along an edge of a sheet, as needles.
+/// The hem along an edge of a sheet, as thin needles.
 fn hem(splats: &mut Splats, sheet: &Sheet, v: f32) {
     for edge in cells([HEM_POINTS, 1], |t, _| sheet.at(t, v)) {
         let t = edge.u;
@@ -96,10 +96,10 @@ fn hem(splats: &mut Splats, sheet: &Sheet, v: f32) {
     }
 }
 
-/// The shadows on the floor, and nothing else of it.
+/// The shadows on the floor. Nothing else of the floor is visible.
 ///
-/// Over a background b, Gaussians of alpha a and color c give `a c + (1 - a) b`. That is the background in a light
-/// l, `l b`, for `a = 1 - min(l)` and `c = b (1 - (1 - l) / a)`.
+/// Over a background b, Gaussians of alpha a and color c give `a c + (1 - a) b`. The background in a light l is `l
+/// b`. Both are equal for `a = 1 - min(l)` and `c = b (1 - (1 - l) / a)`.
 pub fn floor(splats: &mut Splats, surroundings: &Surroundings) {
     let background = Vec3::from_array(BACKGROUND.map(|channel| channel as f32));
     let square = |u: f32, v: f32| Vec3::new(2.0 * u - 1.0, 2.0 * v - 1.0, 0.0) * HALF_BOX;
@@ -116,7 +116,7 @@ pub fn floor(splats: &mut Splats, surroundings: &Surroundings) {
     }
 }
 
-/// Light of a round lamp on the floor.
+/// Light of a round lamp that arrives at a place of the floor.
 fn floor_light(surroundings: &Surroundings, position: Vec3) -> Vec3 {
     let ray = |index: usize| {
         let radius = LAMP * ((index as f32 + 0.5) / LAMP_RAYS as f32).sqrt();

@@ -1,12 +1,12 @@
-//! The transmittance field: the pearl holds light up, the cloth dims it.
+//! The transmittance field: the pearl blocks light, the cloth dims it.
 //!
-//! The grid holds two features: the cloth's optical depth per step, and the depth inside the pearl, a signed
-//! distance, which trilinear interpolation keeps far sharper than an occupancy. The network turns them into
+//! The grid holds two features: the cloth's optical depth per step, and the depth inside the pearl. The latter is a
+//! signed distance, which trilinear interpolation keeps far sharper than an occupancy. The network turns them into
 //! the logit a of Eq. 10. For an optical depth d per step, `-ln sigmoid(a) = d`, so `a(d) = -ln(exp(d) - 1)`, a
-//! spline; inside the pearl a falls without end.
+//! spline. Inside the pearl, a falls without limit.
 //!
-//! To add to a is to divide d: the extra vector tells the network whose Gaussian looks out, and the cloth is denser
-//! for the pearl, thinner for the floor.
+//! Adding to a divides d. With the extra vector the network knows which piece's Gaussian it evaluates: the cloth is
+//! denser for the pearl, and thinner for the floor.
 
 use std::f32::consts::TAU;
 
@@ -23,20 +23,20 @@ pub const EXTRA: usize = 2;
 /// Features of the grid: the cloth's optical depth per step, depth inside the pearl.
 pub const FEATURES: usize = 2;
 
-/// a where there is nothing: a whole ray of steps takes about a hundredth.
+/// Logit a in empty space: a whole ray of steps loses about a hundredth.
 const CLEAR: f32 = 9.5;
-/// How fast a falls with the depth inside the pearl: opaque within a hair's breadth.
+/// Slope of a with the depth inside the pearl: opaque within a hair's breadth.
 const SOLID: f32 = 20_000.0;
-/// The pearl's own Gaussians look out from under its surface as far as this.
+/// Depth below the surface from which the pearl's own Gaussians still see out, in world units.
 const SKIN: f32 = 0.001;
-/// What is left out of the cloth's density, as a share of a sheet's peak. The density is blurred by the grid, and its
-/// tails would dim what one sees beside a fold rather than through it.
+/// Part of the cloth's density that is left out, as a fraction of a sheet's peak. The grid blurs the density, and its
+/// tails would dim what is beside a fold and not behind it.
 const TAILS: f32 = 0.3;
-/// What makes up for them.
+/// Factor that compensates for the missing tails.
 const GAIN: f32 = 1.35;
-/// Added to a for the pearl, which weighs more than 1: the cloth's share in the sum is to be seen before it.
+/// Added to a for the pearl. Its alphas add up to more than 1, so the cloth needs more weight to show in front of it.
 const FOR_PEARL: f32 = -0.6;
-/// Added to a for the floor's shadows, which are seen through the cloth along with the background.
+/// Added to a for the floor's shadows, which are seen through the cloth together with the background.
 const FOR_FLOOR: f32 = 0.72;
 /// Knots of a(d), each at 2.3 times the one before.
 const KNOTS: usize = 14;
@@ -53,7 +53,7 @@ impl Kind {
 pub fn fill(scene: &mut Scene, surroundings: &Surroundings) {
     let world_per_step = scene.config.step as f32 * WORLD_PER_UNIT;
     let grid = Volume::zeros(&scene.config.transmittance_grid);
-    // a few cells around the surface are all that is interpolated
+    // interpolation only needs a few cells around the surface
     let band = 2.5 * grid.cell();
     for (index, position) in grid.vertices() {
         let density: f32 = surroundings.sheets.iter().map(|sheet| sheet.values[index]).sum();
@@ -62,7 +62,7 @@ pub fn fill(scene: &mut Scene, surroundings: &Surroundings) {
         scene.transmittance.grid[index * FEATURES..][..FEATURES].copy_from_slice(&features);
     }
 
-    // a sheet's profile is a Gaussian, widened by the interpolation: deviation 0.41 cells
+    // a sheet's profile is a Gaussian, widened by interpolation with a deviation of 0.41 cells
     let deviation = SHEET_THICKNESS.hypot(0.41 * grid.cell());
     let peak = drapery::full_depth() * world_per_step / (TAU.sqrt() * deviation);
     let [first, last] = &mut scene.transmittance.network.layers[..] else {
@@ -78,7 +78,7 @@ pub fn fill(scene: &mut Scene, surroundings: &Surroundings) {
     Units::new(last).take(&logit);
 }
 
-/// a(d) from the depth that [`CLEAR`] stands for, evenly in its logarithm.
+/// Knots of a(d), from the depth of [`CLEAR`] on, evenly spaced in its logarithm.
 fn knots() -> Vec<(f32, f32)> {
     let least = (-CLEAR).exp().ln_1p();
     (0..KNOTS as i32)

@@ -1,4 +1,4 @@
-//! A dense level of a grid as a volume: numbers at vertices, interpolated between them as the kernels do it.
+//! A dense level of a grid as a volume: numbers at vertices, interpolated as the kernels do it.
 
 use std::f32::consts::TAU;
 
@@ -20,7 +20,7 @@ pub struct Volume {
 }
 
 impl Volume {
-    /// Zeros at the vertices of a grid's only level.
+    /// Zeros at all vertices of a grid with one level.
     pub fn zeros(grid: &GridConfig) -> Self {
         let GridLevelGeometry { scale, resolution, count, hashed, .. } = grid.levels_geometry()[0];
         assert!(!hashed, "a hashed level has no vertices of its own");
@@ -33,7 +33,7 @@ impl Volume {
         1.0 / self.density
     }
 
-    /// Where vertices lie: the inverse of `position = x' * scale + 0.5`.
+    /// Position of a vertex: the inverse of `position = x' * scale + 0.5`.
     fn vertex(&self, cell: UVec3) -> Vec3 {
         let [x, y, z] = cell.to_array().map(|c| (c as f32 - 0.5) / self.density);
         Vec3::new(x, y, z) - 0.5 * WORLD_PER_UNIT
@@ -47,7 +47,7 @@ impl Volume {
         (cell.x + (cell.y + cell.z * self.resolution) * self.resolution) as usize
     }
 
-    /// Every vertex: its index and where it lies.
+    /// Every vertex: its index and position.
     pub fn vertices(&self) -> impl Iterator<Item = (usize, Vec3)> + '_ {
         let side = self.resolution;
         (0..side * side * side).map(move |index| {
@@ -81,7 +81,7 @@ impl Volume {
         }
     }
 
-    /// Interpolates; 0 outside.
+    /// The interpolated value at a place; 0 outside.
     pub fn sample(&self, position: Vec3) -> f32 {
         let place = self.cell_of(position);
         let inside =

@@ -1,4 +1,4 @@
-//! Channels beside color as images: 16-bit PNG, or OpenEXR.
+//! Channels besides color as images: 16-bit PNG, or OpenEXR.
 
 use std::io::{self, Cursor};
 use std::path::Path;
@@ -13,24 +13,24 @@ use crate::tile::TileBatch;
 use crate::write_atomic;
 use organza_device::memory;
 
-/// Levels of a 16-bit PNG for one unit of depth, unless told otherwise: a level is a thousandth, as in the depth images
-/// that nerfstudio reads.
+/// Default levels of a 16-bit PNG for one unit of depth. A level is a thousandth, as in the depth images that
+/// nerfstudio reads.
 pub const PNG_DEPTH_SCALE: f32 = 1000.0;
 
-/// How the images of channels are written.
+/// The format of channels' images.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ChannelFormat {
     /// 16-bit PNG.
     Png {
-        /// Levels for one world unit of depth, above 0; usually [`PNG_DEPTH_SCALE`].
+        /// Levels for one world unit of depth, greater than 0; usually [`PNG_DEPTH_SCALE`].
         depth_scale: f32,
     },
-    /// OpenEXR, 32-bit floats: the values as they are.
+    /// OpenEXR with 32-bit floats: the exact values.
     Exr,
 }
 
 impl ChannelFormat {
-    /// `png` or `exr`.
+    /// Extension of the format's files: `png` or `exr`.
     #[must_use]
     pub fn extension(self) -> &'static str {
         match self {
@@ -60,7 +60,8 @@ impl ChannelImage {
         Ok(Self { channel, size: [width, height], values: memory::zeros(len, &what)? })
     }
 
-    /// Fails where an image cannot be made and written, which may take as much again twice.
+    /// Fails if there is not enough memory to make and write an image. Writing may take twice as much as the image
+    /// again.
     ///
     /// # Errors
     /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
@@ -72,7 +73,7 @@ impl ChannelImage {
         Ok(memory::check(plane * (planes + 2 * largest) as u64, &what)?)
     }
 
-    /// Which channel it shows.
+    /// The channel that it shows.
     #[must_use]
     pub fn channel(&self) -> Channel {
         self.channel
@@ -84,16 +85,16 @@ impl ChannelImage {
         self.size
     }
 
-    /// `[planes, height, width]`
+    /// Values, `[planes, height, width]`.
     #[must_use]
     pub fn values(&self) -> &[f32] {
         &self.values
     }
 
-    /// Puts a rendered channel where `batch` has its tiles; what hangs over the edge is cut off.
+    /// Copies a rendered channel to the places of its tiles in `batch`. Parts beyond the edge are cut off.
     ///
     /// # Errors
-    /// [`Error::Argument`] where the tiles are not those of the batch, or do not have the channel.
+    /// [`Error::Argument`] if the tiles are not those of the batch, or do not have the channel.
     pub fn paste(&mut self, batch: &TileBatch, tiles: &RenderedTiles) -> Result<()> {
         let (area, planes) = ((batch.side * batch.side) as usize, self.channel.planes());
         let rendered = tiles.channels.get(&self.channel);
@@ -112,7 +113,7 @@ impl ChannelImage {
         Ok(())
     }
 
-    /// Pixels whose depth is more than a 16-bit PNG holds: they get its largest level.
+    /// Number of pixels whose depth exceeds a 16-bit PNG's range: they get its largest level.
     #[must_use]
     pub fn clipped(&self, format: ChannelFormat) -> u64 {
         match (self.channel, format) {
@@ -126,9 +127,9 @@ impl ChannelImage {
 
     /// Writes the image, atomically.
     ///
-    /// - PNG: depth times `depth_scale`; alpha and visibility from 0 to 1; each part of a normal from -1 to 1. Values are
-    ///   clamped, and rounded to the nearest of 65,536 levels. NaN is 0.
-    /// - EXR: the values as they are, as `Y`, or `R`, `G`, `B` of a normal.
+    /// - PNG: depth times `depth_scale`; alpha and visibility from 0 to 1; each component of a normal from -1 to 1.
+    ///   Values are clamped, and rounded to the nearest of 65,536 levels. NaN is 0.
+    /// - EXR: the exact values, as `Y`, or as `R`, `G`, `B` of a normal.
     ///
     /// # Errors
     /// [`Error::WriteFile`].
@@ -139,9 +140,9 @@ impl ChannelImage {
         }
     }
 
-    /// The channel as a picture for people: depth from red, `near`, to blue, `far`; alpha and visibility from black, 0, to
-    /// white, 1; each part of a normal from 0, -1, to 255, 1. What no Gaussian covers is black. Depth has Google's color
-    /// map Turbo.
+    /// The channel as a picture for people. Depth goes from red at `near` to blue at `far`, in Google's color map
+    /// Turbo. Alpha and visibility go from black, 0, to white, 1. Each component of a normal goes from 0, for -1, to
+    /// 255, for 1. A pixel without Gaussians is black.
     #[must_use]
     pub fn picture(&self, [near, far]: [f32; 2]) -> Image {
         let pixels = self.values.len() / self.channel.planes();
@@ -192,7 +193,7 @@ impl ChannelImage {
             AnyChannels::sort(channels),
         );
         write_atomic(path, |writer| {
-            // the format begins with where its lines end
+            // in EXR, offsets of the lines come first
             let mut file = Cursor::new(Vec::new());
             image.write().non_parallel().to_buffered(&mut file).map_err(io::Error::other)?;
             writer.write_all(file.get_ref())
@@ -200,7 +201,7 @@ impl ChannelImage {
     }
 }
 
-/// The nearest of 65,536 levels to a value of 0 to 1; what lies outside is clamped, and NaN is 0.
+/// Rounds a value from 0 to 1 to the nearest of 65,536 levels. Values outside are clamped, and NaN is 0.
 fn to_16_bit(value: f32) -> u16 {
     (value.clamp(0.0, 1.0) * 65_535.0).round() as u16
 }

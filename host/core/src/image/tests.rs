@@ -2,7 +2,7 @@ use super::*;
 use crate::rendered::Channel;
 use crate::tile::Tile;
 
-/// What a tile shows: a value that tells column, row and channel.
+/// The content of a tile: a value that encodes column, row and channel.
 fn rendered(batch: &TileBatch, value: impl Fn(i32, i32, usize) -> f32) -> RenderedTiles {
     let side = batch.side as i32;
     let mut data = Vec::new();
@@ -125,7 +125,7 @@ fn a_png_holds_what_was_written() {
     assert_eq!(read.as_raw().as_slice(), image.pixels().as_flattened());
 }
 
-/// Turbo's ends are those of d3-scale-chromatic, rounded down.
+/// The ends of Turbo are those of d3-scale-chromatic, rounded down.
 #[test]
 fn channels_make_pictures() {
     let of = |channel: Channel, value: fn(i32, i32, usize) -> f32| {

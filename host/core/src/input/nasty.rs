@@ -1,4 +1,4 @@
-//! JSON values that parsers trip over, and a way to put them anywhere.
+//! JSON values that parsers stumble over, and a way to put them anywhere.
 
 use proptest::prelude::*;
 use proptest::sample::Index;

@@ -19,14 +19,14 @@ use organza_device::memory;
 /// The value of `format` in a weights file's metadata.
 const FORMAT: &str = "organza.lpips";
 
-/// What a network does, in order.
+/// A layer of the network.
 #[derive(Clone, Copy, Debug)]
 enum Step {
     /// A convolution with a bias, then a ReLU.
     Convolve { outputs: usize, side: usize, stride: usize, padding: usize },
     /// The largest value of each square.
     Pool { side: usize, stride: usize },
-    /// Features that are compared.
+    /// Compares the features at this point.
     Compare,
 }
 
@@ -80,7 +80,7 @@ const VGG: &[Step] = &[
     Step::Compare,
 ];
 
-/// The mean and the deviation of each channel that the networks expect, for colors of -1 to 1.
+/// Mean and deviation of each channel that the networks expect, for colors from -1 to 1.
 const SHIFT: [f32; 3] = [-0.030, -0.088, -0.188];
 const SCALE: [f32; 3] = [0.458, 0.448, 0.450];
 
@@ -96,12 +96,13 @@ pub struct Lpips {
 }
 
 impl Lpips {
-    /// Reads a file of weights: safetensors with `conv.I.weight [rows, columns, inputs, outputs]`, `conv.I.bias [outputs]`
-    /// and `linear.I.weight [features]`; its metadata have `format`, `organza.lpips`, and `network`, `alex` or `vgg`.
-    /// `scripts/lpips-weights.py` writes it.
+    /// Reads a safetensors file of weights: `conv.I.weight [rows, columns, inputs, outputs]`, `conv.I.bias [outputs]`
+    /// and `linear.I.weight [features]`. In its metadata, `format` is `organza.lpips` and `network` is `alex` or
+    /// `vgg`. `scripts/lpips-weights.py` writes it.
     ///
     /// # Errors
-    /// [`Error::ReadFile`]; [`Error::Invalid`] for another file; [`Error::MissingTensor`] and [`Error::WrongShape`].
+    /// [`Error::ReadFile`]; [`Error::Invalid`] for any other file; [`Error::MissingTensor`] and
+    /// [`Error::WrongShape`].
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         let metadata = |key| {
@@ -156,20 +157,19 @@ impl Lpips {
         Ok(Self { network, steps, convolutions, weights })
     }
 
-    /// The network: `alex` or `vgg`.
+    /// Name of the network: `alex` or `vgg`.
     #[must_use]
     pub fn network(&self) -> &'static str {
         self.network
     }
 
-    /// How different two images of `[width, height]` look. Pixels are RGB, row by row, with colors in 0 to 1. None where
-    /// an image is too small for the network: below 31 pixels a side for `alex`, 16 for `vgg`.
-    ///
+    /// The LPIPS distance of two images of `[width, height]`. Pixels are RGB, row by row, with colors from 0 to 1.
+    /// `None` if an image is too small for the network: less than 31 pixels wide or high for `alex`, 16 for `vgg`.
     /// # Errors
     /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
     ///
     /// # Panics
-    /// Where the images do not have width x height pixels.
+    /// If the images do not have width x height pixels.
     pub fn distance(
         &self,
         size: [usize; 2],
@@ -232,7 +232,7 @@ impl Map {
         Ok(map)
     }
 
-    /// The size after windows of `side` pixels were laid over it; none where there is no room for one.
+    /// The output size of a window of `side` pixels; `None` if no window fits.
     fn windows(&self, side: usize, stride: usize, padding: usize) -> Option<[usize; 2]> {
         let of = |length: usize| Some((length + 2 * padding).checked_sub(side)? / stride + 1);
         Some([of(self.width)?, of(self.height)?])
@@ -250,7 +250,7 @@ impl Map {
         let mut next = Self::zeros(size, outputs)?;
         let row = size[0] * outputs;
         next.values.par_chunks_exact_mut(row).enumerate().for_each(|(y, output)| {
-            // every window of the row, one after the other
+            // all windows of the row, one after the other
             let mut windows = vec![0.0; size[0] * inputs];
             for (x, window) in windows.chunks_exact_mut(inputs).enumerate() {
                 for (at, line) in window.chunks_exact_mut(side * self.channels).enumerate() {
@@ -264,7 +264,7 @@ impl Map {
         Ok(Some(next))
     }
 
-    /// Copies the part of a row from column `left - padding` on; what lies outside stays 0.
+    /// Copies a part of a row, starting at column `left - padding`. Everything outside the map stays 0.
     fn copy_line(&self, line: &mut [f32], left: usize, top: usize, padding: usize) {
         let Some(y) = top.checked_sub(padding).filter(|&y| y < self.height) else { return };
         let pixels = line.len() / self.channels;
@@ -318,9 +318,9 @@ fn multiply(a: &[f32], b: &[f32], c: &mut [f32], [rows, inner, columns]: [usize;
     }
 }
 
-/// The weighted squares of the differences of features of length 1: the mean over the pixels.
+/// The weighted squared differences of the normalized features, averaged over the pixels.
 fn compare([first, second]: &[Map; 2], weights: &[f32]) -> f64 {
-    /// Added to a length, so that nothing is divided by 0.
+    /// Added to each length to avoid a division by 0.
     const LEAST: f64 = 1e-10;
     let length = |features: &[f32]| {
         features.iter().map(|&f| f64::from(f).powi(2)).sum::<f64>().sqrt() + LEAST

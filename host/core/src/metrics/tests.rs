@@ -3,7 +3,7 @@ use super::*;
 /// Kind, size, PSNR and SSIM.
 type Known = (&'static str, [usize; 2], f64, f64);
 
-/// What scikit-image 0.26.0 has: `python3 tests/reference/metrics.py` prints it.
+/// The results of scikit-image 0.26.0, as `python3 tests/reference/metrics.py` prints them.
 const KNOWN: [Known; 10] = [
     ("random", [11, 11], 7.4093023022983, -0.000915114326176488),
     ("random", [40, 12], 7.7584137641086, 0.0833364611368309),
@@ -19,7 +19,7 @@ const KNOWN: [Known; 10] = [
 
 type Pixels = Vec<[f32; 3]>;
 
-/// As `tests/reference/metrics.py` has it.
+/// The same as in `tests/reference/metrics.py`.
 fn noise(index: u32) -> u32 {
     let mut x = index.wrapping_add(1).wrapping_mul(0x9e37_79b9);
     x = (x ^ (x >> 16)).wrapping_mul(0x85eb_ca6b);
@@ -27,7 +27,7 @@ fn noise(index: u32) -> u32 {
     (x ^ (x >> 16)) >> 8
 }
 
-/// As `tests/reference/metrics.py` has it.
+/// The same as in `tests/reference/metrics.py`.
 fn scene(x: u32, y: u32, channel: u32) -> u32 {
     let ramp = (5 * x + (3 + channel) * y) % 512;
     let block = if (x / 9 + y / 7 + channel).is_multiple_of(3) { 200 } else { 0 };
@@ -35,7 +35,7 @@ fn scene(x: u32, y: u32, channel: u32) -> u32 {
     (ramp + block + stripe) % 1024
 }
 
-/// An image and a photograph, those of `tests/reference/metrics.py`.
+/// An image and a photograph, the same as in `tests/reference/metrics.py`.
 fn images(kind: &str, [width, height]: [usize; 2]) -> (Pixels, Pixels) {
     let value = |at: usize, channel: u32| {
         let index = 3 * at as u32 + channel;
@@ -69,7 +69,7 @@ fn numbers_are_those_of_scikit_image() {
         worst = worst.max(apart[0]).max(apart[1]);
         assert!(apart[0] < 1e-10, "{kind} {size:?}: PSNR {} for {expected_psnr}", found.0);
         assert!(apart[1] < 1e-10, "{kind} {size:?}: SSIM {} for {expected_ssim}", found.1);
-        // both are symmetric
+        // PSNR and SSIM are symmetric
         let other = ssim(size, &truth, &image, None).expect("windows");
         assert!((other - found.1).abs() < 1e-14, "{kind} {size:?}: {other} the other way round");
     }
@@ -101,7 +101,7 @@ fn a_window_does_not_fit_into_less_than_eleven_pixels() {
 fn invalid_pixels_do_not_count() {
     let size = [30, 24];
     let (mut image, truth) = images("natural", size);
-    // all but the right 11 columns and the lower 12 rows: two windows
+    // only the right 11 columns and the lower 12 rows are valid: two windows
     let valid: Vec<_> = (0..30 * 24).map(|at| at % 30 >= 19 && at / 30 >= 12).collect();
     let cut = |pixels: &Pixels| -> Pixels {
         pixels.iter().zip(&valid).filter(|(_, valid)| **valid).map(|(pixel, _)| *pixel).collect()

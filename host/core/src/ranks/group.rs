@@ -1,21 +1,21 @@
-//! Some of the ranks, as ranks of their own.
+//! Groups of ranks, which are ranks of their own.
 
 use super::Ranks;
 use crate::error::{Error, Result};
 
-/// Ranks in groups. Each group has the whole scene, and each of its ranks one share of it. Rank r has share `r % shares`, and
-/// is in group `r / shares`.
+/// Ranks in groups. Each group has the whole scene, and each rank of a group has one share of it. Rank r has share `r
+/// % shares` and is in group `r / shares`.
 #[derive(Clone, Copy, Debug)]
 pub struct Grid<'a> {
     /// All ranks.
     pub all: &'a dyn Ranks,
-    /// Ranks of a group.
+    /// Number of ranks in a group.
     pub shares: usize,
 }
 
 impl<'a> Grid<'a> {
     /// # Errors
-    /// [`Error::Argument`] where groups of so many do not come out even.
+    /// [`Error::Argument`] if `shares` does not divide the number of ranks.
     pub fn new(all: &'a dyn Ranks, shares: usize) -> Result<Self> {
         let size = all.size();
         if shares > 0 && size.is_multiple_of(shares) {
@@ -25,22 +25,22 @@ impl<'a> Grid<'a> {
         Err(Error::Argument { reason })
     }
 
-    /// One group.
+    /// All ranks in one group.
     pub fn of_one_group(all: &'a dyn Ranks) -> Self {
         Self { all, shares: all.size() }
     }
 
-    /// The share of this rank.
+    /// Index of this rank's share.
     pub fn share(self) -> usize {
         self.all.rank() % self.shares
     }
 
-    /// The group of this rank.
+    /// Index of this rank's group.
     pub fn group(self) -> usize {
         self.all.rank() / self.shares
     }
 
-    /// How many groups there are.
+    /// Number of groups.
     pub fn groups(self) -> usize {
         self.all.size() / self.shares
     }
@@ -51,14 +51,14 @@ impl<'a> Grid<'a> {
         Group { all: self.all, first, step: 1, size: self.shares }
     }
 
-    /// The ranks of all groups that have this rank's share.
+    /// The ranks that have this rank's share, one of each group.
     pub fn column(self) -> Group<'a> {
         Group { all: self.all, first: self.share(), step: self.shares, size: self.groups() }
     }
 }
 
-/// The ranks `first`, `first + step`, and so on. All groups of a [`Grid`] make the same calls at once: each is a call of all
-/// ranks.
+/// The ranks `first`, `first + step`, and so on. A call of a group is a call of all ranks, so all groups of a
+/// [`Grid`] must make the same calls at the same time.
 #[derive(Clone, Copy, Debug)]
 pub struct Group<'a> {
     all: &'a dyn Ranks,
@@ -76,7 +76,7 @@ impl Group<'_> {
         self.size == self.all.size()
     }
 
-    /// Each member adds up a part of all values, and sends the sums to the others.
+    /// Each member sums a part of all values, and sends the sums to the others.
     fn reduce<T: bytemuck::Pod>(
         &self,
         values: &mut [T],
@@ -156,7 +156,8 @@ mod tests {
     use super::*;
     use crate::ranks::ThreadRanks;
 
-    /// Six ranks as three groups of two, two of three, and so on: both ways, a group's calls give what they say.
+    /// Six ranks as three groups of two, two groups of three, and so on. Calls along rows and columns must stay in
+    /// their group.
     #[test]
     fn groups_are_ranks_of_their_own() {
         for shares in [1, 2, 3, 6] {
@@ -175,7 +176,7 @@ mod tests {
         }
     }
 
-    /// All that a rank hears from a group of these members.
+    /// Asserts what a rank receives from every call of a group with these members.
     fn assert_calls(rank: usize, group: Group<'_>, members: &[usize]) {
         let place = members.iter().position(|&member| member == rank).expect("a member");
         assert_eq!((group.rank(), group.size()), (place, members.len()));

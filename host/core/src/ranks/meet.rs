@@ -1,15 +1,15 @@
-//! What ranks make sure of before they begin.
+//! Checks that ranks make before they begin.
 
 use super::Ranks;
 use crate::error::{Error, Result};
 use organza_device::Device;
 
-/// Makes sure that all ranks compute the same bits from the same input: that they are the same version of the program, on
-/// devices that round alike. `commit` is what the program was built from. `input` is what the ranks have read, and what
-/// identifies it, such as a hash. `mixed` allows other programs and devices.
+/// Makes sure that all ranks compute the same bits from the same input: that they run the same version of the
+/// program, on devices that round alike. `commit` is the program's commit. `input` names each input that the ranks
+/// have read, with a value that identifies it, such as a hash. `mixed` allows different programs and devices.
 ///
 /// # Errors
-/// [`Error::Rank`], on every rank, of the first that differs from rank 0; as [`Ranks::max`].
+/// [`Error::Rank`], on every rank, for the first rank that differs from rank 0; those of [`Ranks::max`].
 pub fn meet(
     ranks: &dyn Ranks,
     device: &Device,

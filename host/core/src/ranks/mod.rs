@@ -1,8 +1,8 @@
 //! Ranks: processes, or threads of one process, that train or render one scene together.
 //!
-//! A rank is one of them, numbered from 0. In a training, each holds the whole scene and computes its share of every step,
-//! or each holds [a share](crate::scene::SceneShare) of the Gaussians, as for rendering. What they tell each other are the
-//! calls of [`Ranks`]. All ranks make the same calls in the same order.
+//! Ranks are numbered from 0. In a training run, each rank either holds the whole scene and computes its share of
+//! every step, or it holds [a share](crate::scene::SceneShare) of the Gaussians, as in rendering. Ranks communicate
+//! through the calls of [`Ranks`]. All ranks make the same calls in the same order.
 
 mod group;
 mod meet;
@@ -22,54 +22,54 @@ pub use meet::meet;
 pub use mpi::MpiRanks;
 pub use threads::ThreadRanks;
 
-/// What ranks tell each other. Every call waits for all ranks.
+/// Communication between ranks. Every call waits for all ranks.
 pub trait Ranks: Debug + Send + Sync {
-    /// This rank, from 0.
+    /// Index of this rank, from 0.
     fn rank(&self) -> usize;
 
-    /// How many there are.
+    /// Number of ranks.
     fn size(&self) -> usize;
 
-    /// The largest of all ranks' values, place by place.
+    /// The maximum over all ranks, element by element.
     ///
     /// # Errors
-    /// [`Error::Rank`] where another rank has failed; so do all calls.
+    /// [`Error::Rank`] if another rank has failed. All calls have this error.
     fn max(&self, values: &mut [u32]) -> Result<()>;
 
-    /// The bits that any rank has set, place by place.
+    /// The bitwise or over all ranks, element by element.
     ///
     /// # Errors
-    /// As [`Ranks::max`].
+    /// The same errors as [`Ranks::max`].
     fn or(&self, values: &mut [u32]) -> Result<()>;
 
-    /// The sum of all ranks' values, place by place. It wraps.
+    /// The sum over all ranks, element by element, with wraparound.
     ///
     /// # Errors
-    /// As [`Ranks::max`].
+    /// The same errors as [`Ranks::max`].
     fn sum(&self, values: &mut [i64]) -> Result<()>;
 
-    /// Every rank's bytes, in the order of the ranks.
+    /// The bytes of every rank, in the order of the ranks.
     ///
     /// # Errors
-    /// As [`Ranks::max`].
+    /// The same errors as [`Ranks::max`].
     fn gather(&self, mine: Vec<u8>) -> Result<Vec<Vec<u8>>>;
 
-    /// Sends each rank its own bytes; returns what each rank has sent to this one.
+    /// Sends each rank its own bytes. Returns the bytes that each rank has sent to this one.
     ///
     /// # Errors
-    /// As [`Ranks::max`].
+    /// The same errors as [`Ranks::max`].
     fn exchange(&self, for_each: Vec<Vec<u8>>) -> Result<Vec<Vec<u8>>>;
 
-    /// The bytes of rank 0; those of the others do not count.
+    /// The bytes of rank 0. Those of other ranks are ignored.
     ///
     /// # Errors
-    /// As [`Ranks::max`].
+    /// The same errors as [`Ranks::max`].
     fn broadcast(&self, mine: Vec<u8>) -> Result<Vec<u8>>;
 
-    /// This rank cannot go on. The other ranks end, with this message.
+    /// Reports that this rank cannot go on. The other ranks end with this message.
     fn fail(&self, message: &str);
 
-    /// Bytes that this rank has handed over to all of these calls.
+    /// Bytes that this rank has sent in all calls so far.
     fn sent(&self) -> u64;
 }
 

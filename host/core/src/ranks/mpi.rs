@@ -1,4 +1,4 @@
-//! Ranks that are MPI's processes.
+//! Ranks that are MPI processes.
 
 use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -15,7 +15,7 @@ use super::Ranks;
 use super::rounds::{part, receive};
 use crate::error::{Error, Result};
 
-/// Bytes of one call of MPI's, which counts in 31 bits.
+/// Most bytes in one MPI call: MPI counts bytes in 31 bits.
 const AT_ONCE: usize = 1 << 28;
 
 /// A rank that is a process started by `mpirun`, `srun` or the like.
@@ -26,13 +26,13 @@ pub struct MpiRanks {
     sent: AtomicU64,
 }
 
-/// What calls of MPI's need. The communicator goes before MPI ends.
+/// State that MPI calls need. The communicator must be freed before MPI ends.
 struct Calls {
     world: SimpleCommunicator,
     _universe: Universe,
 }
 
-// SAFETY: MPI was started so that any thread may call it while no other does, and calls are made under a lock
+// SAFETY: MPI was started in a mode in which any thread may call it while no other does. A lock guards all calls.
 unsafe impl Send for Calls {}
 
 impl fmt::Debug for MpiRanks {
@@ -42,10 +42,10 @@ impl fmt::Debug for MpiRanks {
 }
 
 impl MpiRanks {
-    /// Starts MPI; a process can do so once. A process that MPI has not started is the only rank.
+    /// Starts MPI. A process can do so once. A process that MPI did not start is the only rank.
     ///
     /// # Errors
-    /// [`Error::Argument`] where MPI was started before, or where it does not let threads take turns.
+    /// [`Error::Argument`] if MPI was started before, or if it does not support calls from alternating threads.
     pub fn start() -> Result<Self> {
         let refuse = |reason: &str| Err(Error::Argument { reason: reason.to_owned() });
         let Some((universe, threading)) = mpi::initialize_with_threading(Threading::Serialized)
@@ -71,7 +71,7 @@ impl MpiRanks {
         self.sent.fetch_add(bytes as u64, Ordering::Relaxed);
     }
 
-    /// Bytes of a round for each rank.
+    /// Most bytes per rank in one round.
     fn most(&self) -> usize {
         (AT_ONCE / self.size).max(1)
     }
@@ -90,13 +90,13 @@ impl MpiRanks {
     }
 }
 
-/// The same bytes at an address that is one. An empty vector has the address 1, which Open MPI takes for `MPI_IN_PLACE`.
+/// The same bytes at a valid address. An empty vector has the address 1, which Open MPI takes for `MPI_IN_PLACE`.
 fn addressed(bytes: &[u8]) -> &[u8] {
     static NOTHING: [u8; 1] = [0];
     if bytes.is_empty() { &NOTHING[..0] } else { bytes }
 }
 
-/// How many bytes there are of each part, and where each begins.
+/// The number of bytes of each part, and its offset.
 fn layout(counts: &[usize]) -> (Vec<Count>, Vec<Count>) {
     let counts: Vec<_> = counts.iter().map(|&count| count as Count).collect();
     let begin = |end: &mut Count, count: &Count| Some(std::mem::replace(end, *end + count));
@@ -104,7 +104,7 @@ fn layout(counts: &[usize]) -> (Vec<Count>, Vec<Count>) {
     (counts, begins)
 }
 
-/// Room for all parts, and not for nothing: see [`addressed`].
+/// A buffer for all parts that is never empty: see [`addressed`].
 fn room(counts: &[usize]) -> Vec<u8> {
     vec![0; counts.iter().sum::<usize>().max(1)]
 }
@@ -188,7 +188,7 @@ impl Ranks for MpiRanks {
         Ok(bytes)
     }
 
-    /// Says why, and ends all processes: the others may be waiting for this one.
+    /// Prints the message and ends all processes, which may be waiting for this one.
     fn fail(&self, message: &str) {
         match message.starts_with("rank ") {
             true => eprintln!("error: {message}"),
@@ -196,7 +196,7 @@ impl Ranks for MpiRanks {
         }
         match self.calls.try_lock() {
             Ok(calls) => calls.world.abort(2),
-            // another thread waits in a call; what started the processes ends them
+            // another thread is waiting in a call; the launcher ends the other processes
             Err(_) => std::process::exit(2),
         }
     }
@@ -206,7 +206,7 @@ impl Ranks for MpiRanks {
     }
 }
 
-/// The other processes would wait for one that has panicked.
+/// A rank that has panicked ends all processes, which would wait for it forever.
 impl Drop for MpiRanks {
     fn drop(&mut self) {
         if std::thread::panicking() {

@@ -2,14 +2,14 @@
 
 use crate::error::Result;
 
-/// The part of a message that goes in the round that begins at a byte, of at most so many bytes.
+/// The part of a message that is sent in the round that starts at byte `begin`: at most `most` bytes.
 pub fn part(bytes: &[u8], begin: usize, most: usize) -> &[u8] {
     &bytes[begin.min(bytes.len())..begin.saturating_add(most).min(bytes.len())]
 }
 
-/// Receives messages of these lengths, in rounds of at most `most` bytes each. `longest` is the longest message that any
-/// rank receives: all ranks take the same rounds. `round` gets the byte where a round begins and how many bytes
-/// come from each rank, and returns these, one after the other.
+/// Receives messages of known lengths, in rounds of at most `most` bytes each. `longest` is the longest message that
+/// any rank receives, so that all ranks take the same number of rounds. `round` is called with the byte where a round
+/// begins and the number of bytes from each rank. It returns these bytes, one rank after the other.
 pub fn receive(
     lengths: &[usize],
     longest: usize,
@@ -36,7 +36,7 @@ mod tests {
     use super::*;
     use crate::ranks::{Ranks, ThreadRanks};
 
-    /// Rounds of three bytes give what one call gives.
+    /// Rounds of three bytes give the same result as one call.
     #[test]
     fn messages_of_any_length_arrive() {
         let lengths = [[0, 1, 7], [3, 0, 4], [9, 2, 0]];

@@ -6,10 +6,10 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use super::{Ranks, ended};
 use crate::error::Result;
 
-/// What a rank hands over: everyone's bytes are everyone's to read.
+/// The bytes that a rank sends. Every rank can read the bytes of all others.
 type Message = Arc<Vec<Vec<u8>>>;
 
-/// A rank that is a thread: give each thread one of [`ThreadRanks::new`].
+/// A rank that is a thread. Give each thread one of [`ThreadRanks::new`].
 ///
 /// ```
 /// use organza_core::ranks::{Ranks, ThreadRanks};
@@ -42,11 +42,11 @@ struct Shared {
 
 #[derive(Debug)]
 struct State {
-    /// Calls that all ranks have made.
+    /// Number of calls that all ranks have completed.
     calls: u64,
-    /// What ranks have handed over to the call that is being made.
+    /// Messages of the ranks that have joined the current call.
     messages: Vec<Option<Message>>,
-    /// What they handed over to the last one. The next cannot end before everyone has read it.
+    /// Messages of the last call. The next call cannot end before every rank has read them.
     last: Vec<Message>,
     /// The first rank that has failed, and why.
     failed: Option<(usize, String)>,
@@ -56,7 +56,7 @@ impl ThreadRanks {
     /// All ranks, in order.
     ///
     /// # Panics
-    /// For no rank.
+    /// If `size` is 0.
     #[must_use]
     pub fn new(size: usize) -> Vec<Self> {
         assert!(size > 0, "no rank");
@@ -70,7 +70,7 @@ impl ThreadRanks {
         self.shared.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Hands something over, and waits for what the others do.
+    /// Sends a message to all ranks, and waits for theirs.
     fn all(&self, mine: Vec<Vec<u8>>) -> Result<Vec<Message>> {
         let bytes: usize = mine.iter().map(Vec::len).sum();
         self.sent.fetch_add(bytes as u64, Ordering::Relaxed);
@@ -91,7 +91,7 @@ impl ThreadRanks {
         Ok(state.last.clone())
     }
 
-    /// Combines every rank's values, place by place, in the order of the ranks.
+    /// Combines the values of all ranks, element by element, in the order of the ranks.
     fn reduce<T: bytemuck::Pod>(
         &self,
         values: &mut [T],
@@ -165,7 +165,7 @@ impl Ranks for ThreadRanks {
     }
 }
 
-/// A rank that is gone, even by a panic, is one that nobody needs to wait for.
+/// A rank that ends counts as failed, even after a panic, so that no other rank waits for it.
 impl Drop for ThreadRanks {
     fn drop(&mut self) {
         self.end("it has ended");

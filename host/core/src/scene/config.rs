@@ -8,17 +8,17 @@ use serde::{Deserialize, Serialize};
 use super::grid::GridConfig;
 use crate::error::{Error, IN_MEMORY, Result};
 
-/// The most hidden layers a network may have.
+/// Largest number of hidden layers in a network.
 pub const MAX_HIDDEN_LAYERS: usize = 4;
 /// Outputs of the color network: red, green, blue.
 pub const COLOR_OUTPUTS: usize = 3;
 /// Outputs of the transmittance network: one logit.
 pub const TRANSMITTANCE_OUTPUTS: usize = 1;
 
-/// The length of the unit cube's diagonal, the longest segment there is.
+/// Length of the unit cube's diagonal: the longest possible segment.
 const DIAGONAL: f64 = 1.732_050_807_568_877_2;
 
-/// Everything about a scene but its tensors. Field names are those of the file.
+/// Everything in a scene but its tensors. Fields have the same names in the file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SceneConfig {
     /// Degree of the spherical harmonics of the view direction, 0 to [`MAX_SH_DEGREE`].
@@ -37,37 +37,37 @@ pub struct SceneConfig {
     pub transmittance_mlp: MlpConfig,
     /// Length of a transmittance step (sigma), in units of the unit cube.
     pub step: f64,
-    /// What is added to the diagonal of a projected covariance, in square pixels.
+    /// Added to the diagonal of each projected covariance, in square pixels.
     pub blur: f64,
     /// Background color: red, green, blue.
     pub background: [f64; 3],
     /// The scene's box in world space, `[lo, hi]`.
     pub aabb: [[f64; 3]; 2],
-    /// What becomes of space outside this box. A file without this field has [`Contraction::None`].
+    /// Treatment of space outside this box. A file without this field has [`Contraction::None`].
     #[serde(default, skip_serializing_if = "Contraction::is_none")]
     pub contraction: Contraction,
 }
 
-/// What becomes of space outside the scene's box; `docs/conventions.md` has the equations.
+/// Treatment of space outside the scene's box. `docs/conventions.md` has the equations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Contraction {
-    /// Rays end at the unit cube, and the grids repeat its border.
+    /// Rays end at the unit cube, and the grids extend their border values.
     #[default]
     None,
-    /// All of space is contracted to the unit cube, as in Mip-NeRF 360. Rays are sampled from end to end, more coarsely the
-    /// farther they are from the box.
+    /// All of space is contracted into the unit cube, as in Mip-NeRF 360. Rays are sampled from end to end, more
+    /// coarsely farther from the box.
     Cube,
 }
 
 impl Contraction {
-    /// Whether space outside the box is not contracted.
+    /// Whether this is [`Contraction::None`].
     #[must_use]
     pub fn is_none(&self) -> bool {
         *self == Self::None
     }
 
-    /// As kernels read it: 0 or 1.
+    /// The value that kernels read: 0 or 1.
     #[must_use]
     pub fn for_kernels(self) -> u32 {
         u32::from(!self.is_none())
@@ -81,7 +81,7 @@ pub struct MlpConfig {
     pub hidden: Vec<u32>,
 }
 
-/// A field that is out of range, before it is known which file it came from.
+/// A field that is out of range, before its file is known.
 #[derive(Debug)]
 pub(super) struct Problem {
     /// Path of the field in the JSON.
@@ -101,11 +101,11 @@ impl Problem {
 }
 
 impl SceneConfig {
-    /// Parses and validates the JSON of `origin`'s `config` metadata. Unknown fields are ignored.
+    /// Parses and validates JSON: the `config` metadata of the file `origin`. Unknown fields are ignored.
     ///
     /// # Errors
-    /// [`Error::BadJson`] where the text is not JSON of the right structure, [`Error::BadConfig`]
-    /// where a value is out of range.
+    /// [`Error::BadJson`] if the text is not JSON of the right structure; [`Error::BadConfig`] if a value is out of
+    /// range.
     pub fn from_json(text: &str, origin: impl AsRef<Path>) -> Result<Self> {
         let origin = origin.as_ref();
         let config: Self = serde_json::from_str(text).map_err(|error| {
@@ -115,7 +115,7 @@ impl SceneConfig {
         Ok(config)
     }
 
-    /// The text that [`SceneConfig::from_json`] parses.
+    /// JSON that [`SceneConfig::from_json`] parses.
     pub fn to_json(&self) -> Result<String> {
         serde_json::to_string(self).map_err(|error| Error::Argument { reason: error.to_string() })
     }
@@ -155,7 +155,7 @@ impl SceneConfig {
     /// Checks that every field is in range.
     ///
     /// # Errors
-    /// [`Error::BadConfig`] for the first field that is not.
+    /// [`Error::BadConfig`] for the first field that is out of range.
     pub fn validate(&self) -> Result<()> {
         self.validate_at(Path::new(IN_MEMORY))
     }
@@ -250,7 +250,7 @@ impl MlpConfig {
     }
 }
 
-/// Whether the kernels, which compute in f32, can hold a number at all.
+/// Whether the kernels, which compute in f32, can represent a number.
 fn fits_f32(value: f64) -> bool {
     (value as f32).is_finite()
 }

@@ -17,25 +17,24 @@ pub(super) const FORMAT: &str = "organza.scene";
 pub(super) const VERSION: &str = "1";
 
 impl Scene {
-    /// Reads and validates a scene file. Tensors the configuration does not ask for are ignored,
-    /// see [`Self::unused_tensors`].
+    /// Reads and validates a scene file. Tensors that the configuration does not ask for are ignored: see
+    /// [`Self::unused_tensors`].
     ///
     /// # Errors
-    /// Everything the file can have wrong, by kind: [`Error::ReadFile`], [`Error::BadSafetensors`],
-    /// [`Error::WrongFormat`], [`Error::UnknownVersion`], [`Error::BadJson`], [`Error::BadConfig`],
-    /// [`Error::EmptyScene`], [`Error::MissingTensor`], [`Error::WrongDtype`],
-    /// [`Error::WrongShape`], [`Error::TooManyValues`], [`Error::NotFinite`]. All but the last are
-    /// found before any tensor is read.
+    /// One for each kind of problem: [`Error::ReadFile`], [`Error::BadSafetensors`], [`Error::WrongFormat`],
+    /// [`Error::UnknownVersion`], [`Error::BadJson`], [`Error::BadConfig`], [`Error::EmptyScene`],
+    /// [`Error::MissingTensor`], [`Error::WrongDtype`], [`Error::WrongShape`], [`Error::TooManyValues`],
+    /// [`Error::NotFinite`]. All but the last are found before any tensor is read.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         let (file, length) = open_regular(path)?;
         read_scene(&mut BufReader::new(file), length, path)
     }
 
-    /// [`Self::load`] from memory; `origin` is the name errors give to the bytes.
+    /// [`Self::load`] from memory. Errors name the bytes `origin`.
     ///
     /// # Errors
-    /// As [`Self::load`].
+    /// The same errors as [`Self::load`].
     pub fn from_bytes(bytes: &[u8], origin: impl AsRef<Path>) -> Result<Self> {
         read_scene(&mut &bytes[..], bytes.len() as u64, origin.as_ref())
     }
@@ -43,12 +42,12 @@ impl Scene {
     /// Validates the scene and writes it atomically. The same scene gives the same bytes.
     ///
     /// # Errors
-    /// As [`Self::validate`], and [`Error::WriteFile`].
+    /// The same errors as [`Self::validate`], and [`Error::WriteFile`].
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         self.with_encoding(|tensors, metadata| write_tensors(path, tensors, metadata))
     }
 
-    /// [`Self::save`] with further tensors and metadata, which [`Self::load`] ignores.
+    /// [`Self::save`] with additional tensors and metadata, which [`Self::load`] ignores.
     pub fn save_with(
         &self,
         path: impl AsRef<Path>,
@@ -76,15 +75,15 @@ impl Scene {
     /// [`Self::save`] to memory.
     ///
     /// # Errors
-    /// As [`Self::validate`].
+    /// The same errors as [`Self::validate`].
     pub fn to_bytes(&self) -> Result<Vec<u8>> {
         self.with_encoding(encode)
     }
 
-    /// The names of a scene file's tensors that [`Self::load`] ignores. Reads the header alone.
+    /// Names of the tensors in a scene file that [`Self::load`] ignores. Reads only the header.
     ///
     /// # Errors
-    /// As [`Self::load`] for the header and the configuration.
+    /// The same errors as [`Self::load`], for the header and the configuration.
     pub fn unused_tensors(path: impl AsRef<Path>) -> Result<Vec<String>> {
         let path = path.as_ref();
         let (file, length) = open_regular(path)?;
@@ -109,12 +108,12 @@ impl Scene {
     }
 }
 
-/// What the metadata of a scene file says; `config` is [`SceneConfig::to_json`].
+/// The metadata of a scene file. `config` is the text of [`SceneConfig::to_json`].
 pub fn scene_metadata(config: &str) -> [(&'static str, &str); 3] {
     [("format", FORMAT), ("version", VERSION), ("config", config)]
 }
 
-/// [`Scene::load`] from what is `length` bytes long; `origin` is what errors name.
+/// [`Scene::load`] from a reader of `length` bytes. Errors name `origin`.
 pub fn read_scene(reader: &mut impl Read, length: u64, origin: &Path) -> Result<Scene> {
     let header = Header::read(reader, length, origin)?;
     let config = read_config(&header, origin)?;
@@ -124,8 +123,8 @@ pub fn read_scene(reader: &mut impl Read, length: u64, origin: &Path) -> Result<
         check_declared(&header, spec, origin)?;
     }
     validate::check_sizes(specs.iter(), origin)?;
-    // The file declares every tensor with the size allocated here, so no header can ask for more
-    // memory than its file is long; what may be absent has no values.
+    // Every tensor allocated here is declared in the file with this size, so no header can request more memory than
+    // the file is long. A tensor that may be absent has no values.
     let mut scene = Scene::zeros(config, gaussians)?;
     let slices: HashMap<_, _> =
         scene.tensors_mut().into_iter().map(|(spec, data)| (spec.name, data)).collect();
@@ -134,7 +133,7 @@ pub fn read_scene(reader: &mut impl Read, length: u64, origin: &Path) -> Result<
     Ok(scene)
 }
 
-/// Format, version and configuration, in that order: a later version's configuration may differ.
+/// Reads format, version and configuration, in that order: a later version may have another configuration.
 pub(super) fn read_config(header: &Header, origin: &Path) -> Result<SceneConfig> {
     let quoted =
         |found: Option<&str>| found.map_or("missing".to_owned(), |text| format!("{text:?}"));
@@ -154,7 +153,7 @@ pub(super) fn read_config(header: &Header, origin: &Path) -> Result<SceneConfig>
     SceneConfig::from_json(config, origin)
 }
 
-/// N, the one size that no configuration tells.
+/// N, the only size that the configuration does not contain.
 pub(super) fn count_gaussians(
     header: &Header,
     config: &SceneConfig,
@@ -164,7 +163,7 @@ pub(super) fn count_gaussians(
     match header.shape(&first(1).name) {
         Some([0, ..]) => Err(Error::EmptyScene { origin: origin.to_owned() }),
         Some([gaussians, 3]) => Ok(*gaussians),
-        // With any count, this one cannot be right: let the common check word it.
+        // Any count would be wrong for this shape: the common check reports it.
         other => {
             let gaussians = other.and_then(|shape| shape.first()).copied().unwrap_or(1);
             check_declared(header, &first(gaussians), origin).map(|()| gaussians)
@@ -172,11 +171,11 @@ pub(super) fn count_gaussians(
     }
 }
 
-/// Checks one tensor's presence, type and shape in the header.
+/// Checks that a tensor is in the header, with the right type and shape.
 pub(super) fn check_declared(header: &Header, spec: &TensorSpec, origin: &Path) -> Result<()> {
     let (tensor, why) = (&spec.name, spec.why);
     match header.shape(tensor) {
-        // A vector of no length need not be there.
+        // A tensor of vectors without elements may be absent.
         None if spec.values() == 0 => Ok(()),
         None => Err(Error::MissingTensor {
             origin: origin.to_owned(),

@@ -1,4 +1,4 @@
-//! The table of per-Gaussian tensors, and everything that follows from it.
+//! The table of per-Gaussian tensors, and everything generated from it.
 
 use super::config::SceneConfig;
 use super::spec::TensorSpec;
@@ -10,8 +10,8 @@ use organza_device::memory;
 /// A line has the tensor's name, the shape of one Gaussian's row, and the reason for this shape, for error messages.
 /// A row is `[]` for one number, `[3]` for three, and `[field]` if a field of [`SceneConfig`] gives the length.
 ///
-/// The name is the field of [`Gaussians`], the tensor `gaussians.name` of a scene file, and the learning rate
-/// `optimizer.name` of a training run. `OptimizerConfig` has the default rate.
+/// The name appears as a field of [`Gaussians`], as the tensor `gaussians.name` of a scene file, and as the learning
+/// rate `optimizer.name` of a training run. `OptimizerConfig` has the default rate.
 #[macro_export]
 macro_rules! gaussian_tensors {
     ($with:ident) => {
@@ -77,7 +77,7 @@ macro_rules! length {
 
 macro_rules! define {
     ($($(#[$doc:meta])* $name:ident: $row:tt, $why:literal;)+) => {
-        /// N Gaussians, one vector per tensor.
+        /// N Gaussians, with one vector per tensor.
         #[derive(Clone, Debug, Default, PartialEq)]
         pub struct Gaussians {
             $($(#[$doc])* pub $name: Vec<element!($row)>,)+
@@ -90,26 +90,26 @@ macro_rules! define {
         }
 
         impl Gaussians {
-            /// `len` Gaussians of zeros.
+            /// `len` Gaussians, with every value 0.
             pub fn zeros(config: &SceneConfig, len: usize) -> Result<Self> {
                 Ok(Self {
                     $($name: memory::zeros(elements!(config, len, $row), file_name!($name))?,)+
                 })
             }
 
-            /// Each tensor's values, row-major.
+            /// The values of each tensor, row-major.
             #[must_use]
             pub fn tensors(&self) -> GaussianTensors<&[f32]> {
                 GaussianTensors { $($name: bytemuck::cast_slice(&self.$name),)+ }
             }
 
-            /// Each tensor's values for writing, row-major.
+            /// The values of each tensor for writing, row-major.
             #[must_use]
             pub fn tensors_mut(&mut self) -> GaussianTensors<&mut [f32]> {
                 GaussianTensors { $($name: bytemuck::cast_slice_mut(&mut self.$name),)+ }
             }
 
-            /// Puts other Gaussians behind these; their vectors must have the same lengths.
+            /// Appends other Gaussians, whose vectors must have the same lengths.
             pub fn append(&mut self, other: &Self) {
                 $(self.$name.extend_from_slice(&other.$name);)+
             }
@@ -144,7 +144,7 @@ macro_rules! define {
         }
 
         impl<T> GaussianTensors<T> {
-            /// Borrows each.
+            /// Borrows each value.
             pub fn as_ref(&self) -> GaussianTensors<&T> {
                 GaussianTensors { $($name: &self.$name,)+ }
             }
@@ -165,12 +165,12 @@ macro_rules! define {
                 Ok(GaussianTensors { $($name: f(file_name!($name), self.$name)?,)+ })
             }
 
-            /// Pairs each with that of another.
+            /// Pairs each value with the other's value for the same tensor.
             pub fn zip<U>(self, other: GaussianTensors<U>) -> GaussianTensors<(T, U)> {
                 GaussianTensors { $($name: (self.$name, other.$name),)+ }
             }
 
-            /// All, in the table's order.
+            /// All values, in the table's order.
             pub fn into_vec(self) -> Vec<T> {
                 vec![$(self.$name),+]
             }
@@ -201,13 +201,13 @@ impl Gaussians {
     }
 }
 
-/// The rows of these indices, of `values` with `len` rows.
+/// The rows with these indices, from `values` with `len` rows.
 fn select<E: Copy>(values: &[E], len: usize, indices: &[usize]) -> Vec<E> {
     let width = values.len() / len.max(1);
     indices.iter().flat_map(|&index| &values[index * width..][..width]).copied().collect()
 }
 
-/// The logit that a Gaussian has for an opacity of 0 to 1, both excluded.
+/// The logit of an opacity between 0 and 1, both excluded.
 pub fn logit(opacity: f32) -> f32 {
     (opacity / (1.0 - opacity)).ln()
 }

@@ -10,7 +10,7 @@ use super::{Scene, SceneConfig};
 use crate::error::{Error, Result};
 use crate::ranks::Ranks;
 
-/// What the names of gradients begin with in a file.
+/// Prefix of gradients' names in a file.
 const PREFIX: &str = "grad.";
 
 /// dLoss/dtensor for every tensor of a scene, in the shape of the scene.
@@ -18,15 +18,16 @@ const PREFIX: &str = "grad.";
 pub struct Gradient(Scene);
 
 impl Gradient {
-    /// From values in the shape of a scene.
+    /// A gradient from values in the shape of a scene.
     pub fn of(values: Scene) -> Self {
         Self(values)
     }
 
-    /// Of ranks' gradients of their [shares](super::SceneShare): that of the whole scene on rank 0, and nothing on the others.
+    /// Gathers the gradients of ranks' [shares](super::SceneShare). Rank 0 gets the gradient of the whole scene,
+    /// other ranks get `None`.
     ///
     /// # Errors
-    /// As [`Scene::zeros`]; as [`Ranks::max`].
+    /// The same errors as [`Scene::zeros`] and [`Ranks::max`].
     pub fn gather(self, ranks: &dyn Ranks) -> Result<Option<Self>> {
         let mine = self.0.gaussians.tensors().into_vec();
         let mut for_each = vec![Vec::new(); ranks.size()];
@@ -57,25 +58,25 @@ impl Gradient {
         Ok(Some(Self(whole)))
     }
 
-    /// The configuration of the scene that it is a gradient of.
+    /// The configuration of the scene.
     #[must_use]
     pub fn config(&self) -> &SceneConfig {
         &self.0.config
     }
 
-    /// Of the Gaussians.
+    /// The gradient of the Gaussians.
     #[must_use]
     pub fn gaussians(&self) -> &Gaussians {
         &self.0.gaussians
     }
 
-    /// Of the color grid and network.
+    /// The gradient of the color grid and network.
     #[must_use]
     pub fn color(&self) -> &Field {
         &self.0.color
     }
 
-    /// Of the transmittance grid and network.
+    /// The gradient of the transmittance grid and network.
     #[must_use]
     pub fn transmittance(&self) -> &Field {
         &self.0.transmittance
@@ -87,13 +88,13 @@ impl Gradient {
         self.0.tensors()
     }
 
-    /// The gradient of the tensor with a name, such as `gaussians.position`, row-major.
+    /// The gradient of the tensor named `name`, such as `gaussians.position`, row-major.
     #[must_use]
     pub fn tensor(&self, name: &str) -> Option<&[f32]> {
         self.tensors().into_iter().find(|(spec, _)| spec.name == name).map(|(_, values)| values)
     }
 
-    /// The values, in the shape of the scene that it is a gradient of.
+    /// The values, in the shape of the scene.
     #[must_use]
     pub fn into_values(self) -> Scene {
         self.0
@@ -102,7 +103,7 @@ impl Gradient {
     /// Writes a safetensors file with `grad.<tensor>` for each tensor of the scene, atomically.
     ///
     /// # Errors
-    /// [`Error::Diverged`] where a value is not finite; [`Error::WriteFile`].
+    /// [`Error::Diverged`] if a value is not finite; [`Error::WriteFile`].
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         for (spec, values) in self.tensors() {
             if let Some(index) = values.iter().position(|value| !value.is_finite()) {

@@ -7,11 +7,11 @@ use serde::{Deserialize, Serialize};
 
 use super::config::Problem;
 
-/// The finest resolution a level may have: beyond it an f32 position has no useful fraction left.
+/// Finest resolution of a level: beyond it, an f32 position has no useful fraction left.
 pub const MAX_RESOLUTION: u32 = 1 << 20;
 /// The largest base-2 logarithm of a level's entry count.
 pub const MAX_LOG2_TABLE: u32 = 24;
-/// The feature widths an entry may have.
+/// Allowed numbers of features per entry.
 pub const FEATURE_WIDTHS: [u32; 4] = [1, 2, 4, MAX_FEATURES];
 /// Below this the first level's scale is less than -0.5 and a position could land in cell -1.
 const MIN_BASE_RESOLUTION: f64 = 0.5;
@@ -40,7 +40,7 @@ struct GridFile {
     log2_table: u32,
     base_resolution: f64,
     growth: f64,
-    /// How positions inside a cell are interpolated. Older files say it.
+    /// Interpolation of positions inside a cell. Only older files have it.
     interpolation: Option<String>,
 }
 
@@ -61,7 +61,7 @@ impl TryFrom<GridFile> for GridConfig {
     }
 }
 
-/// Where one level lies in its table and how positions map to its cells.
+/// Place of a level in the table, and its mapping from positions to cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GridLevelGeometry {
     /// `position = x' * scale + 0.5`, in cells, for x' in the unit cube.
@@ -77,7 +77,7 @@ pub struct GridLevelGeometry {
 }
 
 impl GridLevelGeometry {
-    /// The level as kernels read it.
+    /// The level in the form that kernels read.
     #[must_use]
     pub fn for_kernels(&self) -> GridLevel {
         GridLevel::new(self.scale, self.resolution, self.first, self.count, self.hashed)
@@ -87,7 +87,7 @@ impl GridLevelGeometry {
 impl GridConfig {
     /// The geometry of every level, coarsest first, computed in f64.
     ///
-    /// Meaningful for a configuration that passed validation; others saturate rather than panic.
+    /// Meaningful only for a valid configuration. An invalid one gives saturated numbers, and never panics.
     #[must_use]
     pub fn levels_geometry(&self) -> Vec<GridLevelGeometry> {
         let largest = 1_u64 << self.log2_table.min(31);
@@ -110,7 +110,7 @@ impl GridConfig {
         (0..self.levels.min(MAX_LEVELS)).map(level_geometry).collect()
     }
 
-    /// The levels as kernels read them, coarsest first.
+    /// The levels in the form that kernels read, coarsest first.
     #[must_use]
     pub fn levels_for_kernels(&self) -> Vec<GridLevel> {
         self.levels_geometry().iter().map(GridLevelGeometry::for_kernels).collect()
@@ -122,7 +122,7 @@ impl GridConfig {
         self.levels_geometry().iter().map(|level| level.count as usize).sum()
     }
 
-    /// Number of values the grid encodes a position to, `levels * features`.
+    /// Number of values that encode a position, `levels * features`.
     #[must_use]
     pub fn width(&self) -> usize {
         (self.levels as usize).saturating_mul(self.features as usize)
@@ -135,8 +135,8 @@ impl GridConfig {
     }
 
     fn scale(&self, level: u32) -> f64 {
-        // powf and not powi: the reference's `growth ** level` is the C library's pow too, and a
-        // last bit of difference would turn up in the ceil.
+        // powf and not powi: the reference's `growth ** level` is the C library's pow, too. A difference in the last
+        // bit would change the ceil.
         self.base_resolution * self.growth.powf(f64::from(level)) - 1.0
     }
 
@@ -189,7 +189,7 @@ mod tests {
         GridConfig { levels, features: 2, log2_table, base_resolution, growth }
     }
 
-    /// Printed by `grid_levels` of tests/reference/reference.py for the grid of the case `basic`.
+    /// The expected numbers are from `grid_levels` in tests/reference/reference.py, for the grid of the case `basic`.
     #[test]
     fn geometry_is_the_references() {
         let expected = [
@@ -219,7 +219,7 @@ mod tests {
         assert!(!levels[0].hashed && !levels[1].hashed);
     }
 
-    /// A table of exactly `resolution^3` is dense, one entry more of resolution is hashed.
+    /// A table of exactly `resolution^3` entries is dense. With one more cell of resolution, it is hashed.
     #[test]
     fn hashed_begins_beyond_the_table() {
         assert!(!grid(1, 9, 8.0, 1.0).levels_geometry()[0].hashed);

@@ -59,7 +59,7 @@ use organza_device::memory;
 pub struct Scene {
     /// Shapes and constants.
     pub config: SceneConfig,
-    /// What is splatted.
+    /// The Gaussians to be splatted.
     pub gaussians: Gaussians,
     /// The color grid and network.
     pub color: Field,
@@ -68,19 +68,19 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// A scene of `gaussians` Gaussians with every tensor zero: a start to fill in, or a place for
-    /// gradients. Zero quaternions are no rotations, so such a scene renders as background.
+    /// A scene of `gaussians` Gaussians in which every tensor is zero: a start to fill in, or storage for gradients.
+    /// Zero quaternions are not rotations, so such a scene renders as background.
     ///
     /// # Errors
     /// [`Error::BadConfig`](crate::error::Error::BadConfig);
-    /// [`Error::TooManyValues`](crate::error::Error::TooManyValues) where a tensor would be larger
-    /// than the kernels can address; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+    /// [`Error::TooManyValues`](crate::error::Error::TooManyValues) if a tensor would be larger than the kernels can
+    /// address; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
     pub fn zeros(config: SceneConfig, gaussians: usize) -> Result<Self> {
         config.validate()?;
         let specs = config.tensors(gaussians);
         validate::check_sizes(specs.iter(), crate::error::IN_MEMORY.as_ref())?;
         let values: u64 = specs.iter().map(|spec| spec.values() as u64).sum();
-        // All at once: each tensor alone may fit.
+        // Checks all tensors together: each alone may fit.
         memory::check(values * size_of::<f32>() as u64, "the scene")?;
         let [color, transmittance] = config.fields().map(|spec| -> Result<Field> {
             let table = spec.table();
@@ -95,8 +95,7 @@ impl Scene {
         })
     }
 
-    /// Every tensor of the scene's file and its values, row-major, in the order of
-    /// [`SceneConfig::tensors`].
+    /// Every tensor in the scene's file with its values, row-major, in the order of [`SceneConfig::tensors`].
     #[must_use]
     pub fn tensors(&self) -> Vec<(TensorSpec, &[f32])> {
         let specs = self.config.tensors(self.gaussians.len());
@@ -113,7 +112,7 @@ impl Scene {
         tensors
     }
 
-    /// As [`Self::tensors`], for writing.
+    /// Like [`Self::tensors`], but mutable.
     #[must_use]
     pub fn tensors_mut(&mut self) -> Vec<(TensorSpec, &mut [f32])> {
         let specs = self.config.tensors(self.gaussians.len());

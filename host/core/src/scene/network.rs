@@ -3,7 +3,7 @@
 /// A hash grid and the network that reads it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Field {
-    /// The grid's table, `[entries, features]`, row-major; levels follow each other.
+    /// The grid's table, `[entries, features]`, row-major, level after level.
     pub grid: Vec<f32>,
     /// The network.
     pub network: Network,
@@ -23,21 +23,21 @@ pub struct Layer {
     pub weight: Vec<f32>,
     /// b, `[outputs]`.
     pub bias: Vec<f32>,
-    /// Width of x.
+    /// Number of inputs.
     pub inputs: usize,
-    /// Width of the result.
+    /// Number of outputs.
     pub outputs: usize,
 }
 
 impl Field {
-    /// Every tensor's values: the grid's, then each layer's weight and bias.
+    /// The values of every tensor: the grid's, then each layer's weight and bias.
     pub(super) fn tensors(&self) -> Vec<&[f32]> {
         let layers = self.network.layers.iter();
         let layers = layers.flat_map(|layer| [&layer.weight[..], &layer.bias]);
         std::iter::once(&self.grid[..]).chain(layers).collect()
     }
 
-    /// As [`Field::tensors`], for writing.
+    /// Like [`Field::tensors`], but mutable.
     pub(super) fn tensors_mut(&mut self) -> Vec<&mut [f32]> {
         let layers = self.network.layers.iter_mut();
         let layers = layers.flat_map(|layer| [&mut layer.weight[..], &mut layer.bias]);
@@ -46,14 +46,14 @@ impl Field {
 }
 
 impl Network {
-    /// A network of zeros; `widths` are those [`Self::widths`] returns, such as
-    /// [`SceneConfig::color_widths`](super::SceneConfig::color_widths).
+    /// A network of zeros. `widths` has the form of [`Self::widths`]:
+    /// [`SceneConfig::color_widths`](super::SceneConfig::color_widths), for example.
     #[must_use]
     pub fn zeros(widths: &[usize]) -> Self {
         Self { layers: widths.windows(2).map(|pair| Layer::zeros(pair[0], pair[1])).collect() }
     }
 
-    /// The width of each layer's input, then of the last layer's output.
+    /// The number of inputs of each layer, then the number of outputs of the last layer.
     #[must_use]
     pub fn widths(&self) -> Vec<usize> {
         let inputs = self.layers.iter().map(|layer| layer.inputs);

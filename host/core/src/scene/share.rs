@@ -13,8 +13,8 @@ use crate::error::Result;
 use crate::input::open_regular;
 use organza_device::memory;
 
-/// Gaussians of a slice. A scene is cut into slices by index, and each rank has whole slices: so what is rounded does not
-/// depend on the number of ranks.
+/// Number of Gaussians in a slice. A scene is cut into slices by index, and each rank has whole slices. So rounding
+/// does not depend on the number of ranks.
 pub const SLICE: usize = 1 << 14;
 
 /// The Gaussians of one rank, and the fields of the scene.
@@ -33,14 +33,14 @@ pub const SLICE: usize = 1 << 14;
 pub struct SceneShare {
     /// The configuration, the fields, and the share's Gaussians. With more ranks than slices, some have no Gaussians.
     pub scene: Scene,
-    /// The share's Gaussians among those of the whole scene.
+    /// Indices of the share's Gaussians in the whole scene.
     pub range: Range<usize>,
-    /// Gaussians of the whole scene.
+    /// Number of Gaussians in the whole scene.
     pub gaussians: usize,
 }
 
 impl SceneShare {
-    /// The share of a rank, of a scene in memory.
+    /// The share of a rank, from a scene in memory.
     #[must_use]
     pub fn of(scene: &Scene, rank: usize, ranks: usize) -> Self {
         let gaussians = scene.gaussians.len();
@@ -55,17 +55,17 @@ impl SceneShare {
         Self { scene, range, gaussians }
     }
 
-    /// Reads the share of a rank from a scene file, and no more of it. A tensor of the whole file may be larger than what
+    /// Reads the share of a rank from a scene file, and nothing more. A tensor of the whole file may be larger than
     /// kernels can address.
     ///
     /// # Errors
-    /// As [`Scene::load`], for the share.
+    /// The same errors as [`Scene::load`], for the share.
     pub fn load(path: impl AsRef<Path>, rank: usize, ranks: usize) -> Result<Self> {
         Self::load_more(path, rank, ranks, [], None).map(|(share, ..)| share)
     }
 
-    /// As [`SceneShare::load`], with what else the file has of the same Gaussians: scenes of the same shape, with these
-    /// prefixes before their tensors' names, and the rows of another tensor, of a name and a width.
+    /// Like [`SceneShare::load`], but also reads other data of the same Gaussians: scenes of the same shape, whose
+    /// tensors' names have these prefixes, and the rows of another tensor, given its name and width.
     pub fn load_more<const P: usize>(
         path: impl AsRef<Path>,
         rank: usize,
@@ -109,7 +109,7 @@ impl SceneShare {
     }
 }
 
-/// The Gaussians of a rank: whole slices, as many for each as can be.
+/// The Gaussians of a rank: whole slices, distributed as evenly as possible.
 pub fn range_of(gaussians: usize, rank: usize, ranks: usize) -> Range<usize> {
     let slices = gaussians.div_ceil(SLICE);
     let begin = |rank: usize| (slices * rank / ranks * SLICE).min(gaussians);

@@ -1,46 +1,46 @@
-//! The names and shapes of a scene file's tensors, and why they have them.
+//! Names and shapes of the tensors in a scene file, and the reason for each shape.
 
 use super::config::SceneConfig;
 use super::grid::GridConfig;
 use super::tensor_file::TensorRef;
 
-/// The kernels address values with 32 bits, of which one is kept free.
+/// Kernels address values with 32 bits, and one bit is kept free.
 pub(super) const MAX_VALUES: usize = 1 << 31;
 
-/// What a scene file says about one tensor.
+/// The declaration of one tensor in a scene file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TensorSpec {
-    /// Its name in the file.
+    /// Name in the file.
     pub name: String,
-    /// Its shape, row-major.
+    /// Shape, row-major.
     pub shape: Vec<usize>,
-    /// Where the shape comes from, for messages.
+    /// The reason for the shape, for messages.
     pub why: &'static str,
 }
 
 impl TensorSpec {
-    /// The tensor with these values, for writing.
+    /// The tensor with its values, for writing.
     #[must_use]
     pub fn of<'a>(&'a self, data: &'a [f32]) -> TensorRef<'a> {
         TensorRef { name: &self.name, shape: &self.shape, data }
     }
 
-    /// How many values the tensor holds.
+    /// Number of values in the tensor.
     #[must_use]
     pub fn values(&self) -> usize {
         self.shape.iter().fold(1, |values, &size| values.saturating_mul(size))
     }
 }
 
-/// A field of a scene as the configuration has it.
+/// The configuration of one field of a scene.
 pub(super) struct FieldSpec<'a> {
-    /// What the names of its tensors begin with.
+    /// Prefix of its tensors' names.
     name: &'static str,
-    /// Its hash grid.
+    /// Configuration of the hash grid.
     pub grid: &'a GridConfig,
-    /// Its network: the inputs, the hidden layers, the outputs.
+    /// Widths of the network: inputs, hidden layers, outputs.
     pub widths: Vec<usize>,
-    /// Why the tensors have their shapes: the grid, the first weight, every other weight, every bias.
+    /// Reasons for the tensors' shapes: the grid, the first weight, every other weight, every bias.
     why: [&'static str; 4],
 }
 
@@ -54,7 +54,7 @@ impl FieldSpec<'_> {
         }
     }
 
-    /// A layer's weights; layers are counted from 0.
+    /// The weights of a layer, counted from 0.
     pub fn weight(&self, layer: usize, shape: Vec<usize>) -> TensorSpec {
         let why = self.why[if layer == 0 { 1 } else { 2 }];
         TensorSpec { name: format!("{}.mlp.{layer}.weight", self.name), shape, why }
@@ -65,7 +65,7 @@ impl FieldSpec<'_> {
         TensorSpec { name, shape: vec![outputs], why: self.why[3] }
     }
 
-    /// All its tensors, in the order of [`Field::tensors`](super::Field::tensors).
+    /// All tensors, in the order of [`Field::tensors`](super::Field::tensors).
     fn tensors(&self) -> Vec<TensorSpec> {
         let mut specs = vec![self.table()];
         for (layer, pair) in self.widths.windows(2).enumerate() {

@@ -1,4 +1,4 @@
-//! Safetensors files of F32 tensors, whatever the tensors mean.
+//! Safetensors files of F32 tensors of any meaning.
 
 use std::collections::{BTreeMap, HashMap};
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
@@ -12,43 +12,43 @@ use crate::error::{Error, Result};
 use crate::input::open_regular;
 use organza_device::memory;
 
-/// Far more header than the few dozen tensors of a scene need; safetensors itself allows 100 MB.
+/// Largest header, in bytes. The few dozen tensors of a scene need far less; safetensors itself allows 100 MB.
 const MAX_HEADER_BYTES: u64 = 16 << 20;
-/// Bytes of the number in front of the header, and what the data is aligned to.
+/// Bytes of the length before the header, and the alignment of the data.
 const WORD: usize = 8;
 
-/// One tensor in memory.
+/// A tensor in memory.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tensor {
-    /// Its shape, row-major.
+    /// Shape, row-major.
     pub shape: Vec<usize>,
-    /// Its values; as many as the product of the shape.
+    /// Values, as many as the product of the shape.
     pub data: Vec<f32>,
 }
 
-/// One tensor to be written.
+/// A tensor to be written.
 #[derive(Clone, Copy, Debug)]
 pub struct TensorRef<'a> {
-    /// Its name, unique in the file.
+    /// Name, unique in the file.
     pub name: &'a str,
-    /// Its shape, row-major.
+    /// Shape, row-major.
     pub shape: &'a [usize],
-    /// Its values; as many as the product of the shape.
+    /// Values, as many as the product of the shape.
     pub data: &'a [f32],
 }
 
 /// Reads every tensor of a safetensors file. All must be F32.
 ///
 /// # Errors
-/// [`Error::ReadFile`], [`Error::BadSafetensors`] for a file that is cut short, damaged or
-/// something else, [`Error::WrongDtype`], [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+/// [`Error::ReadFile`]; [`Error::BadSafetensors`] for a file that is cut short, damaged or of another kind;
+/// [`Error::WrongDtype`]; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
 pub fn read_tensors(path: impl AsRef<Path>) -> Result<BTreeMap<String, Tensor>> {
     let path = path.as_ref();
     let (file, length) = open_regular(path)?;
     read_tensors_from(&mut BufReader::new(file), length, path)
 }
 
-/// [`read_tensors`] from what is `length` bytes long; `origin` is what errors name.
+/// [`read_tensors`] from a reader of `length` bytes. Errors name `origin`.
 pub fn read_tensors_from(
     reader: &mut impl Read,
     length: u64,
@@ -59,7 +59,7 @@ pub fn read_tensors_from(
     for name in header.names() {
         header.require_f32(name, origin)?;
         let shape = header.shape(name).unwrap_or_default().to_vec();
-        // The header was held to the file's length, so this asks for no more than the file has.
+        // The header was checked against the file's length, so this allocates no more than the file has.
         let mut data = memory::zeros(shape.iter().product(), name)?;
         read_values(reader, &mut data, origin)?;
         tensors.insert(name.clone(), Tensor { shape, data });
@@ -67,10 +67,10 @@ pub fn read_tensors_from(
     Ok(tensors)
 }
 
-/// Reads one tensor of a safetensors file, and nothing else of it; none where the file has no tensor of that name.
+/// Reads a single tensor of a safetensors file; `None` if the file has no tensor of that name.
 ///
 /// # Errors
-/// As [`read_tensors`].
+/// The same errors as [`read_tensors`].
 pub fn read_tensor(path: &Path, name: &str) -> Result<Option<Tensor>> {
     let (file, length) = open_regular(path)?;
     let mut reader = BufReader::new(file);
@@ -83,7 +83,7 @@ pub fn read_tensor(path: &Path, name: &str) -> Result<Option<Tensor>> {
     Ok(Some(Tensor { shape, data }))
 }
 
-/// An entry of the metadata of a safetensors file that is `length` bytes long.
+/// Reads an entry from the metadata of a safetensors file of `length` bytes.
 pub fn read_metadata(
     reader: &mut impl Read,
     length: u64,
@@ -94,12 +94,10 @@ pub fn read_metadata(
     Ok(header.metadata(key).map(str::to_owned))
 }
 
-/// Writes tensors and metadata to a safetensors file, atomically. The same input gives the same
-/// bytes.
+/// Writes tensors and metadata to a safetensors file, atomically. The same input gives the same bytes.
 ///
 /// # Errors
-/// [`Error::WriteFile`]; [`Error::Argument`] for a name that occurs twice or is empty, or a shape
-/// that does not fit its data.
+/// [`Error::WriteFile`]; [`Error::Argument`] if a name occurs twice or is empty, or if a shape does not fit its data.
 pub fn write_tensors(
     path: impl AsRef<Path>,
     tensors: &[TensorRef<'_>],
@@ -109,11 +107,11 @@ pub fn write_tensors(
     write_atomic(path, |writer| write_all(writer, &header, &tensors))
 }
 
-/// As [`write_tensors`], for tensors that are not in memory: they are names and shapes, and `write` writes the values of
-/// each, in the order of the names.
+/// Like [`write_tensors`], but for tensors that are not in memory. The arguments give names and shapes. `write` is
+/// called for each tensor, in the order of the names, and writes its values.
 ///
 /// # Errors
-/// As [`write_tensors`]; those of `write`.
+/// The same errors as [`write_tensors`], and those of `write`.
 pub fn write_streamed(
     path: impl AsRef<Path>,
     tensors: &[(&str, &[usize])],
@@ -145,15 +143,15 @@ pub(super) fn encode(tensors: &[TensorRef<'_>], metadata: &[(&str, &str)]) -> Re
     Ok(bytes)
 }
 
-/// The header of a safetensors file, held to the file's length.
+/// The header of a safetensors file, checked against the file's length.
 pub(super) struct Header {
     header: Metadata,
-    /// In the order of their data, which has no gaps.
+    /// Names in the order of their data, which has no gaps.
     names: Vec<String>,
 }
 
 impl Header {
-    /// Reads the header from the start of a file of `length` bytes and leaves `reader` at the data.
+    /// Reads the header at the start of a file of `length` bytes, and leaves `reader` at the data.
     pub fn read(reader: &mut impl Read, length: u64, origin: &Path) -> Result<Self> {
         let bad = |reason| Error::BadSafetensors { origin: origin.to_owned(), reason };
         if length < WORD as u64 {
@@ -198,12 +196,12 @@ impl Header {
         self.header.metadata().as_ref()?.get(key).map(String::as_str)
     }
 
-    /// The tensor's shape, where there is one of that name.
+    /// The shape of the tensor named `name`, if there is one.
     pub fn shape(&self, name: &str) -> Option<&[usize]> {
         self.header.info(name).map(|info| info.shape.as_slice())
     }
 
-    /// Fails unless a tensor that is there is F32.
+    /// Fails if the tensor exists and is not F32.
     pub fn require_f32(&self, name: &str, origin: &Path) -> Result<()> {
         match self.header.info(name) {
             Some(TensorInfo { dtype, .. }) if *dtype != Dtype::F32 => Err(Error::WrongDtype {
@@ -215,9 +213,9 @@ impl Header {
         }
     }
 
-    /// Reads the data into the slices of that name, skipping tensors that have none.
+    /// Reads the data into the slice for each name, and skips tensors without a slice.
     ///
-    /// The slices' tensors must be F32 and have the file's number of values.
+    /// The tensors must be F32 and have as many values as their slices.
     pub fn read_into(
         &self,
         reader: &mut impl Read,
@@ -233,7 +231,8 @@ impl Header {
         Ok(())
     }
 
-    /// As [`Header::read_into`], for ranges of the tensors: each slice comes with the tensor's values before it.
+    /// Like [`Header::read_into`], for parts of tensors. Each slice comes with the number of the tensor's values
+    /// before it.
     pub fn read_ranges(
         &self,
         reader: &mut (impl Read + Seek),
@@ -293,14 +292,14 @@ fn encode_tensors<'a>(
     Ok((encode_header(&shapes, metadata)?, tensors))
 }
 
-/// The number of values of a shape.
+/// The number of values of a shape; `None` on overflow.
 fn count(shape: &[usize]) -> Option<usize> {
     shape.iter().try_fold(1_usize, |values, &size| values.checked_mul(size))
 }
 
 /// Returns the header's bytes, length included, for tensors in the order of their names.
 ///
-/// The safetensors crate would do, but it writes metadata in an order that changes from run to run.
+/// The safetensors crate writes metadata in an order that changes from run to run, so it cannot be used here.
 fn encode_header(tensors: &[(&str, &[usize])], metadata: &[(&str, &str)]) -> Result<Vec<u8>> {
     let argument = |reason| Err(Error::Argument { reason });
     let mut header = Map::new();

@@ -1,19 +1,19 @@
-//! One value for each tensor of a scene: its buffers, its gradient, an optimizer's moments, and learning rates.
+//! One value for each tensor of a scene: a buffer, a gradient, an optimizer's moments, or a learning rate.
 
 use std::convert::Infallible;
 
 use super::gaussians::GaussianTensors;
 
-/// One `T` for each tensor of a scene. A network is one tensor, all its layers, as on a device.
+/// One `T` for each tensor of a scene. All layers of a network are one tensor, as on a device.
 ///
-/// The fields have the names of [`Scene`](super::Scene)'s.
+/// The fields have the same names as those of [`Scene`](super::Scene).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tensors<T> {
-    /// Of the Gaussians.
+    /// The Gaussians' values.
     pub gaussians: GaussianTensors<T>,
-    /// Of the color field.
+    /// The color field's values.
     pub color: FieldTensors<T>,
-    /// Of the transmittance field.
+    /// The transmittance field's values.
     pub transmittance: FieldTensors<T>,
 }
 
@@ -22,12 +22,12 @@ pub struct Tensors<T> {
 pub struct FieldTensors<T> {
     /// The hash grid's table, `[entries, features]`.
     pub grid: T,
-    /// The network's parameters.
+    /// All parameters of the network.
     pub network: T,
 }
 
 impl<T> Tensors<T> {
-    /// Borrows each.
+    /// Borrows each value.
     pub fn as_ref(&self) -> Tensors<&T> {
         Tensors {
             gaussians: self.gaussians.as_ref(),
@@ -36,8 +36,8 @@ impl<T> Tensors<T> {
         }
     }
 
-    /// Calls `f` with each tensor's name and value, always in the same order. The names are those of a scene file; the
-    /// networks are `color.mlp` and `transmittance.mlp`.
+    /// Calls `f` with each tensor's name and value, always in the same order. The names are those in a scene file.
+    /// The networks are `color.mlp` and `transmittance.mlp`.
     ///
     /// # Errors
     /// The first error of `f`.
@@ -60,7 +60,7 @@ impl<T> Tensors<T> {
         mapped
     }
 
-    /// Pairs each with that of another.
+    /// Pairs each value with the other's value for the same tensor.
     pub fn zip<U>(self, other: Tensors<U>) -> Tensors<(T, U)> {
         Tensors {
             gaussians: self.gaussians.zip(other.gaussians),
@@ -87,7 +87,7 @@ impl<T> IntoIterator for Tensors<T> {
 }
 
 impl<T> FieldTensors<T> {
-    /// Borrows each.
+    /// Borrows each value.
     pub fn as_ref(&self) -> FieldTensors<&T> {
         FieldTensors { grid: &self.grid, network: &self.network }
     }
@@ -104,7 +104,7 @@ impl<T> FieldTensors<T> {
         Ok(FieldTensors { grid: f(grid, self.grid)?, network: f(network, self.network)? })
     }
 
-    /// Pairs each with that of another.
+    /// Pairs each value with the other's value for the same tensor.
     pub fn zip<U>(self, other: FieldTensors<U>) -> FieldTensors<(T, U)> {
         FieldTensors { grid: (self.grid, other.grid), network: (self.network, other.network) }
     }

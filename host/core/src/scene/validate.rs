@@ -1,4 +1,4 @@
-//! Whether a scene's tensors agree with its configuration.
+//! Checks that a scene's tensors agree with its configuration.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use super::spec::{MAX_VALUES, TensorSpec};
 use crate::error::{Error, IN_MEMORY, Result};
 
 impl TensorSpec {
-    /// Checks that values are as many as the tensor has, and finite.
+    /// Checks that the number of values is right and that all are finite.
     pub fn check(&self, values: &[f32]) -> Result<()> {
         let origin = Path::new(IN_MEMORY);
         if values.len() != self.values() {
@@ -18,12 +18,12 @@ impl TensorSpec {
 }
 
 impl Scene {
-    /// Checks that the configuration is in range, that there are Gaussians, that every tensor has
-    /// the shape the configuration gives it, and that every value is finite.
+    /// Checks that the configuration is in range, that there are Gaussians, that every tensor has the shape that the
+    /// configuration gives it, and that every value is finite.
     ///
     /// # Errors
-    /// [`Error::BadConfig`], [`Error::EmptyScene`], [`Error::WrongShape`],
-    /// [`Error::TooManyValues`], [`Error::NotFinite`], for the first thing found in that order.
+    /// [`Error::BadConfig`], [`Error::EmptyScene`], [`Error::WrongShape`], [`Error::TooManyValues`] or
+    /// [`Error::NotFinite`], for the first problem found in that order.
     pub fn validate(&self) -> Result<()> {
         self.validate_at(Path::new(IN_MEMORY))
     }
@@ -44,11 +44,11 @@ impl Scene {
         tensors.iter().try_for_each(|(spec, data)| check_finite(spec, data, origin))
     }
 
-    /// Checks the layers' widths, after which [`Self::tensors`] has the configuration's order.
+    /// Checks the layers' widths. After that, [`Self::tensors`] is in the configuration's order.
     fn check_layers(&self, origin: &Path) -> Result<()> {
         let networks = [&self.color.network, &self.transmittance.network];
         for (network, field) in networks.into_iter().zip(self.config.fields()) {
-            // To the longer of the two: a layer that only one side has is a difference too.
+            // Go on to the longer of the two: a layer that only one side has is a difference, too.
             for index in 0..network.layers.len().max(field.widths.len() - 1) {
                 let layer = network.layers.get(index);
                 let found = layer.map_or(Vec::new(), |layer| vec![layer.outputs, layer.inputs]);

@@ -1,12 +1,12 @@
-//! What is legal in a scene but probably not meant.
+//! Warnings about a scene that is valid but probably not as intended.
 
 use super::Scene;
 
-/// From here on an f32 position keeps fewer than 11 bits of its fraction inside a cell.
+/// From this resolution on, an f32 position keeps fewer than 11 bits of its fraction inside a cell.
 const FINE_RESOLUTION: u32 = 8192;
 
 impl Scene {
-    /// What is legal but suspicious, one sentence each, with counts; empty for an ordinary scene.
+    /// One sentence, with counts, for each suspicious but valid property; empty for an ordinary scene.
     #[must_use]
     pub fn warnings(&self) -> Vec<String> {
         let mut warnings = self.gaussian_warnings();
@@ -42,7 +42,7 @@ impl Scene {
         let extents = lo.iter().zip(hi).map(|(lo, hi)| hi - lo);
         let diagonal = extents.map(|extent| extent * extent).sum::<f64>().sqrt();
         let is_contracted = !self.config.contraction.is_none();
-        // cells are larger where space is contracted: what is far away may be as large as it is far
+        // cells are larger where space is contracted: a far Gaussian may be as large as its distance
         let far = |position: &[f32; 3]| {
             let axes = position.iter().zip(lo).zip(hi);
             axes.map(|((&at, lo), hi)| (f64::from(at) - (lo + hi) / 2.0).powi(2))
@@ -53,7 +53,7 @@ impl Scene {
             let most = if is_contracted { diagonal.max(far(position)) } else { diagonal };
             log_scale.iter().any(|&value| f64::from(value).exp() > most)
         };
-        // In f32, as the kernels do it: small components may square to zero.
+        // In f32, as in the kernels: small components may square to zero.
         let no_rotation = |rotation: &&[f32; 4]| {
             let squared: f32 = rotation.iter().map(|value| value * value).sum();
             !squared.is_normal()

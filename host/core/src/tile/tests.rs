@@ -122,7 +122,7 @@ proptest! {
 
     #[test]
     fn cover_holds_or_fails(width in 0..60_000_u32, height in 0..60_000_u32, side in 0..5000_u32) {
-        // Sides of a few pixels make tiles by the hundred million.
+        // Tiny sides would make hundreds of millions of tiles.
         prop_assume!(side == 0 || width * height / (side * side) < 1 << 20);
         if let Ok(batch) = TileBatch::cover(0, width, height, side) {
             let last = batch.tiles[batch.tiles.len() - 1].origin.map(|value| value as u32);

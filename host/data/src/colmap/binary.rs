@@ -1,4 +1,4 @@
-//! `cameras.bin`, `images.bin` and `points3D.bin`: little endian, a count and as many records.
+//! Reads `cameras.bin`, `images.bin` and `points3D.bin`: little endian, a count followed by as many records.
 
 use std::io::{BufRead, BufReader, Read, Seek};
 use std::path::Path;
@@ -8,9 +8,9 @@ use super::{Cameras, Image, Points, add};
 use crate::{Point, invalid};
 use organza_core::error::{Error, Result};
 
-/// A point of an image in bytes: two coordinates and a point's id.
+/// Bytes of an image's observation: two coordinates and a point's id.
 const OBSERVATION: u64 = 24;
-/// A place of a point's track in bytes: an image's id and an index.
+/// Bytes of an entry in a point's track: an image's id and an index.
 const TRACK_ENTRY: u64 = 8;
 
 /// Reads `cameras.bin`.
@@ -67,20 +67,20 @@ pub(super) fn points(source: impl Read + Seek, length: u64, path: &Path) -> Resu
     Ok(points)
 }
 
-/// A file of records that is never believed to be longer than it is.
+/// A file of records. A count in it is never trusted beyond the file's length.
 struct Records<'a, R> {
     reader: BufReader<R>,
     path: &'a Path,
     what: &'static str,
-    /// Bytes that have not been read.
+    /// Bytes not read yet.
     remaining: u64,
     count: u64,
-    /// The record that is being read, counted from 1.
+    /// Number of the current record, from 1.
     current: u64,
 }
 
 impl<'a, R: Read + Seek> Records<'a, R> {
-    /// What is `length` bytes long, and whose records have at least `smallest` bytes each.
+    /// Opens a file of `length` bytes, whose records have at least `smallest` bytes each.
     fn open(
         source: R,
         length: u64,
@@ -102,7 +102,7 @@ impl<'a, R: Read + Seek> Records<'a, R> {
         Ok(records)
     }
 
-    /// Whether there is another record, which then is the current one.
+    /// Moves to the next record, if there is one.
     fn next(&mut self) -> bool {
         self.current += 1;
         self.current <= self.count
@@ -140,7 +140,7 @@ impl<'a, R: Read + Seek> Records<'a, R> {
         self.take().map(f64::from_le_bytes)
     }
 
-    /// Text up to a zero.
+    /// Reads text up to a zero byte.
     fn name(&mut self) -> Result<String> {
         let mut bytes = Vec::new();
         let mut limited = self.reader.by_ref().take(self.remaining);
@@ -160,7 +160,7 @@ impl<'a, R: Read + Seek> Records<'a, R> {
         let left = bytes.and_then(|bytes| self.remaining.checked_sub(bytes));
         let (Some(bytes), Some(left)) = (bytes, left) else { return self.cut_short() };
         self.remaining = left;
-        // No file is so long that this wraps: what is skipped is less than what remained.
+        // This cannot overflow: the skipped bytes are fewer than the remaining ones.
         let skipped = self.reader.seek_relative(bytes.cast_signed());
         skipped.map_err(|source| Error::read(self.path, source))
     }

@@ -15,14 +15,14 @@ use organza_core::camera::Camera;
 use organza_core::error::Result;
 use organza_core::input::open_regular;
 
-/// Where a model may be in a data set, the first one first.
+/// Folders in a data set that may hold a model, by priority.
 const FOLDERS: [&str; 4] = ["sparse/0", "sparse", "colmap/sparse/0", ""];
 
-/// A photograph as COLMAP writes it.
+/// A photograph in COLMAP's form.
 struct Image {
-    /// From world to camera: a quaternion, w first.
+    /// Rotation from world to camera: a quaternion, w first.
     rotation: [f64; 4],
-    /// From world to camera, after the rotation.
+    /// Translation from world to camera, applied after the rotation.
     translation: [f64; 3],
     camera: u32,
     name: String,
@@ -32,7 +32,7 @@ type Cameras = HashMap<u32, Intrinsics>;
 /// Points by their ids.
 type Points = Vec<(u64, Point)>;
 
-/// Adds a camera, whose id no other may have: one of the two would be lost.
+/// Adds a camera. A repeated id is an error, because one of the cameras would be lost.
 fn add(cameras: &mut Cameras, id: u32, camera: Intrinsics, path: &Path) -> Result<()> {
     match cameras.insert(id, camera) {
         Some(_) => invalid(path, format!("camera {id} is there twice; is the file damaged?")),
@@ -48,7 +48,7 @@ pub(super) struct Model {
     is_binary: bool,
 }
 
-/// The model of a data set; where one is there both ways, the binary one, as COLMAP takes it.
+/// The model of a data set. If both forms exist, the binary one is used, as in COLMAP.
 pub(super) fn find(folder: &Path) -> Option<Model> {
     let model = |(folder, extension): (PathBuf, &str)| {
         let file = |stem: &str| folder.join(format!("{stem}.{extension}"));
@@ -60,8 +60,7 @@ pub(super) fn find(folder: &Path) -> Option<Model> {
     folders.flat_map(both).find_map(model)
 }
 
-/// What a model holds. Images are sorted by name, and points by id: COLMAP writes both in no
-/// particular order.
+/// Reads a model. Images are sorted by name and points by id, because COLMAP writes both in no particular order.
 pub(super) fn list(
     folder: &Path,
     model: &Model,
@@ -121,7 +120,7 @@ fn read(model: &Model) -> Result<(Cameras, Vec<Image>, Points)> {
         true => binary::images(images_file, length, images)?,
         false => text::images(images_file, images)?,
     };
-    // A model without points still has cameras, and other starting points will do.
+    // A model without points still has cameras, and training can start from other points.
     let points = match (points.exists().then(|| open_regular(points)).transpose()?, is_binary) {
         (Some((file, length)), true) => binary::points(file, length, points)?,
         (Some((file, _)), false) => text::points(file, points)?,
@@ -153,7 +152,7 @@ pub(super) fn fuzz(bytes: &[u8], path: &Path) {
     }
 }
 
-/// The lens of a model's name and parameters.
+/// The lens for a model's name and parameters.
 #[cfg(test)]
 pub(super) fn lens_of(name: &str, values: &[f64]) -> Result<super::lens::Lens, String> {
     model::Lenses::of_name(name)?.intrinsics([64, 48], values).map(|camera| camera.lens)

@@ -1,4 +1,4 @@
-//! COLMAP's camera models and poses in organza's terms.
+//! Converts COLMAP's camera models and poses to organza's.
 
 use glam::{DMat3, DQuat, DVec3};
 
@@ -7,8 +7,8 @@ use crate::lens::Lens;
 use Parameter::{CenterX, CenterY, D, Focal, FocalX, FocalY, K, P};
 use organza_core::camera::MAX_IMAGE_SIDE;
 
-/// COLMAP's models: their ids are their places in this list. Those that are read have what their parameters are, as COLMAP
-/// orders them.
+/// COLMAP's camera models; a model's id is its index here. Supported ones have their list of parameters, in COLMAP's
+/// order.
 const MODELS: [(&str, Option<&[Parameter]>); 16] = [
     ("SIMPLE_PINHOLE", Some(&[Focal, CenterX, CenterY])),
     ("PINHOLE", Some(&[FocalX, FocalY, CenterX, CenterY])),
@@ -40,11 +40,11 @@ enum Parameter {
     FocalY,
     CenterX,
     CenterY,
-    /// A radial term: k1 is the first.
+    /// A radial coefficient; k1 is the first.
     K(usize),
-    /// A radial term of the denominator: k4 is the first.
+    /// A radial coefficient of the denominator; k4 is the first.
     D(usize),
-    /// A tangential term: p1 is the first.
+    /// A tangential coefficient; p1 is the first.
     P(usize),
 }
 
@@ -56,7 +56,7 @@ pub(crate) struct Intrinsics {
     pub lens: Lens,
 }
 
-/// A camera model that is read.
+/// A supported camera model.
 #[derive(Clone, Copy)]
 pub(super) struct Lenses {
     name: &'static str,
@@ -64,7 +64,7 @@ pub(super) struct Lenses {
 }
 
 impl Lenses {
-    /// The model of a name, as text files have it.
+    /// The model with a name, as in text files.
     pub fn of_name(name: &str) -> Result<Self, String> {
         match MODELS.iter().find(|(known, _)| *known == name) {
             Some(&(name, Some(parameters))) => Ok(Self { name, parameters }),
@@ -72,7 +72,7 @@ impl Lenses {
         }
     }
 
-    /// The model of a number, as binary files have it.
+    /// The model with an id, as in binary files.
     pub fn of_id(id: i32) -> Result<Self, String> {
         let model = usize::try_from(id).ok().and_then(|id| MODELS.get(id));
         match model {
@@ -81,7 +81,7 @@ impl Lenses {
         }
     }
 
-    /// The camera of a size and as many values as the model has parameters.
+    /// The camera for an image size and the values of the model's parameters.
     pub fn intrinsics(self, size: [u64; 2], values: &[f64]) -> Result<Intrinsics, String> {
         let side = |side: u64| u32::try_from(side).ok().filter(|side| *side <= MAX_IMAGE_SIDE);
         let [Some(width), Some(height)] = size.map(side) else {
@@ -114,7 +114,7 @@ impl Lenses {
         Ok(Intrinsics { focal, center, size: [width, height], lens })
     }
 
-    /// How many parameters it has, 12 at most.
+    /// Number of parameters, at most 12.
     pub fn parameters(self) -> usize {
         self.parameters.len()
     }
@@ -130,8 +130,8 @@ fn refusal(name: &str) -> String {
     )
 }
 
-/// The camera of an image. COLMAP maps world to camera and has OpenCV axes; the result maps camera
-/// to world and has OpenGL axes.
+/// The camera of an image. COLMAP maps world to camera and has OpenCV axes. The result maps camera to world and has
+/// OpenGL axes.
 pub(super) fn camera(image: &Image, intrinsics: &Intrinsics) -> Result<Camera, String> {
     let [w, x, y, z] = image.rotation;
     let rotation = DQuat::from_xyzw(x, y, z, w);

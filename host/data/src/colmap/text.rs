@@ -1,4 +1,4 @@
-//! `cameras.txt`, `images.txt` and `points3D.txt`: a record a line, values between blanks.
+//! Reads `cameras.txt`, `images.txt` and `points3D.txt`: one record per line, with values between spaces.
 
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
@@ -9,7 +9,7 @@ use super::{Cameras, Image, Points, add};
 use crate::{Point, invalid};
 use organza_core::error::{Error, Result};
 
-/// The longest line of a record; a point that 50,000 images see has less.
+/// Longest line of a record, in bytes. A point that 50,000 images see needs less.
 const MAX_LINE: u64 = 1 << 20;
 
 /// Reads `cameras.txt`.
@@ -29,7 +29,7 @@ pub(super) fn images(source: impl Read, path: &Path) -> Result<Vec<Image>> {
     let mut images = Vec::new();
     while lines.next_record()? {
         images.push(lines.parse(image)?);
-        // The second line has the image's points, and may be empty.
+        // The second line has the image's observations, and may be empty.
         lines.skip()?;
     }
     Ok(images)
@@ -76,7 +76,7 @@ fn point(mut line: &str) -> Result<(u64, Point), String> {
     Ok((id, Point { position, color: Some(color) }))
 }
 
-/// The next word of a line, which loses it.
+/// Removes the next word from a line.
 fn word<'a>(line: &mut &'a str) -> &'a str {
     let (word, rest) = line.split_once(|c: char| c.is_whitespace()).unwrap_or((line, ""));
     *line = rest.trim_start();
@@ -90,7 +90,7 @@ fn value<T: FromStr>(line: &mut &str, name: &str) -> Result<T, String> {
     }
 }
 
-/// The lines of a file, and where it is.
+/// The lines of a file, with the current position.
 struct Lines<'a, R> {
     reader: BufReader<R>,
     path: &'a Path,
@@ -103,7 +103,7 @@ impl<'a, R: Read> Lines<'a, R> {
         Self { reader: BufReader::new(source), path, line: String::new(), number: 0 }
     }
 
-    /// Goes to the next line, if there is one.
+    /// Moves to the next line, if there is one.
     fn advance(&mut self) -> Result<bool> {
         self.line.clear();
         self.number += 1;
@@ -117,14 +117,14 @@ impl<'a, R: Read> Lines<'a, R> {
         Ok(read > 0)
     }
 
-    /// Passes over the next line, however long.
+    /// Skips the next line, of any length.
     fn skip(&mut self) -> Result<()> {
         self.number += 1;
         self.reader.skip_until(b'\n').map_err(|source| Error::read(self.path, source))?;
         Ok(())
     }
 
-    /// Goes to the next line that is neither empty nor a comment.
+    /// Moves to the next line that is neither empty nor a comment.
     fn next_record(&mut self) -> Result<bool> {
         while self.advance()? {
             let line = self.line.trim();

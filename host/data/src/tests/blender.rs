@@ -2,7 +2,7 @@ use std::fs;
 
 use super::*;
 
-/// A file of Blender's: an angle and no size, paths without extension.
+/// A file of Blender's: a camera angle, no image size, and paths without extension.
 fn blender(names: &[&str]) -> Value {
     let frame =
         |name: &&str| json!({"file_path": name, "rotation": 0.01, "transform_matrix": POSE});
@@ -65,14 +65,14 @@ fn alpha_lets_the_background_through() {
     }
 }
 
-/// Published tables of Blender's scenes are measured in front of white.
+/// Published tables of Blender's scenes use a white background.
 #[test]
 fn alpha_is_in_front_of_white_unless_told_otherwise() {
     let folder = folder();
     let dataset = load(folder.path()).unwrap();
     assert_eq!(dataset.background, [1.0; 3]);
     assert_eq!(dataset.frames[2].image.pixels()[0], [255; 3]);
-    // no alpha, nothing to put in front of anything
+    // without alpha there is nothing to composite
     for name in ["train/r_0.png", "train/r_1.png", "test/r_0.png"] {
         image::RgbImage::new(8, 6).save(folder.path().join(name)).unwrap();
     }

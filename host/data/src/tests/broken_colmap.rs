@@ -87,7 +87,7 @@ fn cameras_and_poses_are_checked() {
     assert_error(|model| model.images[2].0 = "a.png", &["images.", "image `a.png` is there twice"]);
 }
 
-/// Every length, and nothing but errors: no panic, no hang, no allocation that a count asks for.
+/// Tries every length. Each must give an error: no panic, no hang, and no allocation of the size that a count claims.
 #[test]
 fn binary_files_cut_short_anywhere_are_errors() {
     let model = sample();
@@ -129,7 +129,7 @@ fn counts_are_not_believed() {
     }
 }
 
-/// Any byte of any file may be wrong.
+/// Any byte of any file may be damaged.
 #[test]
 fn damaged_bytes_are_survived() {
     let model = sample();
@@ -145,7 +145,7 @@ fn damaged_bytes_are_survived() {
             let mut content = content.clone();
             content[at] = value;
             fs::write(&path, &content).unwrap();
-            // Either is right; what matters is that it ends.
+            // Both are right; it only must end.
             let _ = list_folder(folder.path());
         }
         fs::write(&path, content).unwrap();

@@ -9,7 +9,7 @@ fn dataset(model: &Model, binary: bool) -> Dataset {
     Dataset { path: PathBuf::new(), ..load(folder.path()).unwrap() }
 }
 
-/// Where organza sees a point, in pixels.
+/// The pixel position of a point in organza's camera.
 fn project(camera: &Camera, point: [f64; 3]) -> [f64; 2] {
     let eye = camera.eye();
     let seen = camera.world_to_camera_opencv().map(|row| -> f64 {
@@ -22,7 +22,7 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// COLMAP's own way: the point turned by the quaternion, moved, and projected without distortion.
+/// COLMAP's own computation: rotates the point by the quaternion, translates it, and projects it without distortion.
 fn colmap_project(
     quaternion: [f64; 4],
     translation: [f64; 3],
@@ -39,8 +39,8 @@ fn colmap_project(
     [f_x * seen[0] / seen[2] + cx, f_y * seen[1] / seen[2] + cy]
 }
 
-/// The rotation by 120 degrees about (1, 1, 1) makes (z, x, y) of (x, y, z), so that (1, 2, 10) is
-/// seen at (10, 1, 2) + (-9.5, -1.25, 2) = (0.5, -0.25, 4).
+/// The rotation by 120 degrees about (1, 1, 1) turns (x, y, z) into (z, x, y). So (1, 2, 10) is seen at (10, 1, 2) +
+/// (-9.5, -1.25, 2) = (0.5, -0.25, 4).
 #[test]
 fn a_known_rotation_gives_the_pixels_computed_by_hand() {
     let dataset = dataset(&sample(), true);
@@ -126,7 +126,7 @@ fn every_model_that_is_known_is_read() {
     }
 }
 
-/// The parameters in COLMAP's order, of which each is another number.
+/// The parameters in COLMAP's order, each with a different number.
 #[test]
 fn parameters_are_where_colmap_has_them() {
     use super::super::colmap::lens_of;
@@ -155,7 +155,7 @@ fn models_and_images_are_found_where_they_may_be() {
         write(root, &sample(), true);
         fs::remove_dir_all(root.join("sparse")).unwrap();
         write_model(&root.join(place), &sample(), false);
-        // Photographs may lie in the folder itself.
+        // Photographs may be in the folder itself.
         fs::rename(root.join("images/a.png"), root.join("a.png")).unwrap();
         fs::remove_file(root.join("images/b c.png")).unwrap();
         let dataset = load(root).unwrap();
@@ -178,7 +178,7 @@ fn binary_goes_before_text_and_points_are_not_needed() {
     assert_refused(root, &["images.txt", "no such file"]);
 }
 
-/// An editor may have taken the last, empty line.
+/// An editor may have removed the last, empty line.
 #[test]
 fn the_last_line_of_images_may_be_missing() {
     let mut model = sample();
@@ -192,7 +192,7 @@ fn the_last_line_of_images_may_be_missing() {
     assert_eq!(load(folder.path()).unwrap().frames.len(), 2);
 }
 
-/// nerfstudio's file of a data set's cameras, turned by 90 degrees about z, twice as far apart, and moved.
+/// nerfstudio's file with a data set's cameras rotated by 90 degrees about z, twice as far apart, and moved.
 fn moved_transforms(dataset: &Dataset) -> Value {
     let frame = |frame: &Frame| {
         let Camera { camera_to_world, fl_x, fl_y, cx, cy, width, height, .. } = &frame.camera;
@@ -224,7 +224,7 @@ fn a_models_points_follow_the_cameras_of_a_transforms_file_beside_it() {
         assert!(point.position.iter().zip(expected).all(is_near), "{point:?} {expected:?}");
         assert_eq!(point.color, other.color);
     }
-    // cameras that stand elsewhere belong to another model
+    // cameras at other places belong to another model
     file["frames"][1]["transform_matrix"][0][3] = json!(40.0);
     write_json(&path, &file);
     assert!(load(folder.path()).unwrap().points.is_empty());

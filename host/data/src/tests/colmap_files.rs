@@ -1,4 +1,4 @@
-//! Writes sparse models as COLMAP does.
+//! Writes sparse models like COLMAP.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 
 use super::write_image;
 
-/// One of COLMAP's models and its id, and the camera's parameters.
+/// A camera's id, its model's name and id, its image size, and its parameters.
 pub type CameraRecord = (u32, (&'static str, i32), [u64; 2], Vec<f64>);
 
-/// Name, rotation, translation, camera.
+/// An image's name, rotation, translation and camera.
 pub type ImageRecord = (&'static str, [f64; 4], [f64; 3], u32);
 
 #[derive(Clone)]
@@ -19,7 +19,7 @@ pub struct Model {
     pub points: Vec<(u64, [f64; 3], [u8; 3])>,
 }
 
-/// Three photographs of two cameras, in no order.
+/// Three photographs from two cameras, in no order.
 pub fn sample() -> Model {
     Model {
         cameras: vec![
@@ -35,7 +35,7 @@ pub fn sample() -> Model {
     }
 }
 
-/// Writes a model to `sparse/0` and its photographs to `images`.
+/// Writes a model to `sparse/0`, and its photographs to `images`.
 pub fn write(root: &Path, model: &Model, binary: bool) {
     for (index, (name, _, _, camera)) in model.images.iter().enumerate() {
         let size = model.cameras.iter().find(|record| record.0 == *camera).unwrap().2;
@@ -81,7 +81,7 @@ pub fn images_bin(model: &Model) -> Vec<u8> {
         bytes.extend(camera.to_le_bytes());
         bytes.extend(name.as_bytes());
         bytes.push(0);
-        // Observations: as many as the image's index.
+        // The number of observations is the image's index.
         bytes.extend((index as u64).to_le_bytes());
         for _ in 0..index {
             bytes.extend([1.5_f64, 2.5].map(f64::to_le_bytes).as_flattened());
@@ -106,7 +106,7 @@ pub fn points_bin(model: &Model) -> Vec<u8> {
     bytes
 }
 
-/// Values as COLMAP separates them.
+/// Joins values with COLMAP's separator.
 fn join<T: ToString>(values: &[T]) -> String {
     values.iter().map(T::to_string).collect::<Vec<_>>().join(" ")
 }

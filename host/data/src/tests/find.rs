@@ -1,4 +1,4 @@
-//! Where photographs and masks are found.
+//! Finding photographs and masks.
 
 use std::fs;
 
@@ -11,7 +11,7 @@ fn load_with(path: &Path, edit: impl FnOnce(&mut DatasetOptions)) -> Result<Data
     Dataset::load(path, &options)
 }
 
-/// Two photographs of 6 x 4 pixels whose `file_path` is edited.
+/// Two photographs of 6 x 4 pixels, whose `file_path` is edited.
 fn renamed(edit: impl Fn(&str) -> String) -> TempDir {
     let mut file = transforms(2);
     let folder = nerfstudio_folder(&file);
@@ -33,7 +33,7 @@ fn paths_may_begin_above_the_data_set() {
     }
 }
 
-/// Names of files repeat from camera to camera: the folder must be right.
+/// Names of files repeat from camera to camera, so the folder must match.
 #[test]
 fn a_tail_has_a_folder() {
     let folder = renamed(|name| name.replace("images/", "left/"));
@@ -59,10 +59,10 @@ fn smaller_photographs_are_used_if_they_are_there() {
     let Camera { fl_x, fl_y, cx, cy, width, height, .. } = frame.camera;
     assert_eq!(([width, height], [fl_x, cx]), ([2, 1], [8.0 / 3.0, 3.25 / 3.0]));
     assert_eq!([fl_y, cy], [9.0 / 4.0, 1.75 / 4.0]);
-    // Another factor reads the whole ones.
+    // For another factor, the whole photographs are read.
     let dataset = load_with(folder.path(), |options| options.downscale = 2).unwrap();
     assert_eq!((dataset.prepared, dataset.frames[1].image.color(0, 0)[0]), (0, 1.0 / 255.0));
-    // Alone they are enough; without the factor, the message says so.
+    // The smaller photographs alone are enough. Without the factor, the message says so.
     fs::remove_dir_all(folder.path().join("images")).unwrap();
     assert_eq!(load_with(folder.path(), |options| options.downscale = 4).unwrap().frames.len(), 2);
     assert_refused(folder.path(), &["images_4 is there", "--downscale 4"]);
@@ -103,7 +103,7 @@ fn what_a_mask_hides_is_not_valid() {
     let dataset = load_with(folder.path(), |options| options.downscale = 2).unwrap();
     let valid: Vec<_> = (0..3).map(|x| dataset.frames[0].image.is_valid(x, 0)).collect();
     assert_eq!(valid, [false, false, true]);
-    // The fingerprint knows of masks.
+    // The fingerprint includes masks.
     half(&folder.path().join("masks/1.png.png"), [6, 4]);
     let before = load(folder.path()).unwrap().fingerprint;
     write_image(&folder.path().join("masks/1.png.png"), [6, 4], [255; 3]);
@@ -126,7 +126,7 @@ fn masks_of_colmap_and_of_smaller_photographs() {
     let dataset = load(root).unwrap();
     assert_half(&dataset.frames[2].image);
     assert!(dataset.frames[0].image.all_valid());
-    // A smaller photograph without its mask is not used.
+    // A smaller photograph without its mask must not be used.
     write_image(&root.join("images_2/sub/c.png"), [32, 24], [1; 3]);
     let smaller = || load_with(root, |options| options.downscale = 2).unwrap();
     assert_eq!(smaller().prepared, 0);
@@ -147,7 +147,7 @@ fn alpha_can_be_a_mask() {
     let photograph = &dataset.frames[0].image;
     let valid: Vec<_> = (0..6).map(|x| photograph.is_valid(x, 0)).collect();
     assert_eq!(valid, [false, false, true, true, true, true]);
-    // What is used has its own color, not one mixed with the background.
+    // A used pixel has its own color, without a part of the background.
     assert_eq!(photograph.pixels()[2], [200, 100, 50]);
     assert!(dataset.frames[1].image.all_valid());
     assert!(load(folder.path()).unwrap().frames[0].image.all_valid());
@@ -160,7 +160,7 @@ fn a_data_set_within_is_named() {
     let dense = root.join("dense/0");
     colmap_files::write(&dense, &sample(), true);
     assert_refused(root, &["no data set", &dense.display().to_string()]);
-    // The sparse model is above, and its photographs are within.
+    // The sparse model is above the photographs.
     colmap_files::write_model(&root.join("sparse/0"), &sample(), true);
     assert_refused(root, &["none of the 3 photographs", &dense.display().to_string()]);
 }

@@ -1,4 +1,4 @@
-//! The lens, held to OpenCV.
+//! Compares the lens with OpenCV.
 
 use super::super::lens::{Lens, Undistortion};
 use super::*;
@@ -13,10 +13,10 @@ const WIDE: ([u32; 2], [f64; 4]) = ([640, 480], [500.0, 510.0, 321.25, 238.5]);
 const ROUND: ([u32; 2], [f64; 4]) = ([640, 480], [210.0, 212.0, 321.25, 238.5]);
 const PORTRAIT: ([u32; 2], [f64; 4]) = ([270, 480], [343.88, 343.6225, 138.6395, 241.317]);
 
-/// Where OpenCV 5.0 puts the centers of pixels: `cv2.projectPoints` of `((x + 0.5 - cx) / fl_x,
-/// (y + 0.5 - cy) / fl_y, 1)` with the camera matrix of `cx - 0.5` and `cy - 0.5` (its pixels have
-/// their centers at whole numbers) and the coefficients `(k1, k2, p1, p2, k3)`, plus 0.5.
-/// `cv2.initUndistortRectifyMap` gave the same, in f32.
+/// Positions of pixel centers according to OpenCV 5.0: `cv2.projectPoints` of `((x + 0.5 - cx) / fl_x, (y + 0.5 - cy)
+/// / fl_y, 1)` with the camera matrix of `cx - 0.5` and `cy - 0.5` (OpenCV's pixels have their centers at whole
+/// numbers) and the coefficients `(k1, k2, p1, p2, k3)`, plus 0.5. `cv2.initUndistortRectifyMap` gave the same, in
+/// f32.
 type Table = [([u32; 2], [f64; 2]); 5];
 const PHONE: Table = [
     ([0, 0], [-0.116033784, -0.854650846]),
@@ -47,7 +47,7 @@ const TILTED: Table = [
     ([200, 100], [198.671623157, 100.584598769]),
 ];
 
-/// With `cv2.projectPoints` and the coefficients `(k1, k2, p1, p2, k3, k4, k5, k6)`.
+/// From `cv2.projectPoints` with the coefficients `(k1, k2, p1, p2, k3, k4, k5, k6)`.
 const FULL: Table = [
     ([0, 0], [37.348001468, 28.390182410]),
     ([639, 0], [602.266608860, 28.562787900]),
@@ -55,7 +55,7 @@ const FULL: Table = [
     ([320, 240], [320.499987973, 240.500026408]),
     ([200, 100], [203.713090618, 104.305222289]),
 ];
-/// With `cv2.fisheye.projectPoints`.
+/// From `cv2.fisheye.projectPoints`.
 const FISHEYE: Table = [
     ([0, 0], [133.353197779, 99.078522436]),
     ([639, 0], [508.258412510, 98.647675798]),
@@ -110,11 +110,11 @@ fn a_pinhole_bends_nothing() {
     assert!(!lens([0.0, 0.0, 1e-9], [0.0; 2]).is_pinhole());
     assert!(!lens([0.0; 3], [0.0, 1e-9]).is_pinhole());
     assert!(!Lens { denominator: [0.0, 0.0, 1e-9], ..Lens::default() }.is_pinhole());
-    // Its radius is an angle, even without coefficients.
+    // Its radius is a function of the angle, even without coefficients.
     assert!(!fisheye([0.0; 4]).is_pinhole());
 }
 
-/// r (1 - r^2 / 3) turns around at r = 1, and is back in the middle of the photograph at 1.7.
+/// r (1 - r^2 / 3) turns around at r = 1, and is back at the photograph's center at 1.7.
 #[test]
 fn what_lies_beyond_the_fold_is_outside() {
     let camera = camera([400, 400], [100.0, 100.0, 200.0, 200.0]);
@@ -129,7 +129,7 @@ fn what_lies_beyond_the_fold_is_outside() {
     }
 }
 
-/// A denominator of 1 - r^2 has a pole at r = 1: beyond it the lens shows nothing that is there.
+/// A denominator of 1 - r^2 has a pole at r = 1. Beyond it, a place in the image shows nothing real.
 #[test]
 fn what_lies_beyond_a_pole_is_outside() {
     let camera = camera([1000, 1000], [100.0, 100.0, 500.0, 500.0]);

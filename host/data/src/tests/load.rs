@@ -1,4 +1,4 @@
-//! What is the same for every kind: which kind it is, which frames are held out, what is missing.
+//! Behavior that all formats share: recognizing the format, holding out frames, missing photographs.
 
 use std::fs;
 
@@ -53,7 +53,7 @@ fn every_eighth_frame_is_held_out() {
     assert_eq!(generated.kind, DatasetKind::Generated);
 }
 
-/// Cameras that are read without the photographs are those of the frames.
+/// Cameras read without the photographs equal those of the frames.
 #[test]
 fn poses_are_those_of_the_frames() {
     let mut distorted = transforms(3);
@@ -95,7 +95,7 @@ fn progress_counts_every_photograph() {
     assert_eq!(calls, [(0, 5), (1, 5), (2, 5), (3, 5), (4, 5), (5, 5)]);
 }
 
-/// Frames are not exchanged between training and measuring when a photograph gets lost.
+/// Frames must not move between training and measuring when a photograph is lost.
 #[test]
 fn missing_photographs_are_named_and_left_out() {
     let folder = nerfstudio_folder(&transforms(10));

@@ -19,7 +19,7 @@ use tempfile::TempDir;
 use super::*;
 use organza_core::error::chain;
 
-/// A camera at (0, 0, 4) that looks at the origin.
+/// The pose of a camera at (0, 0, 4) that looks at the origin.
 const POSE: [[f64; 4]; 4] =
     [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 4.0], [0.0, 0.0, 0.0, 1.0]];
 
@@ -37,7 +37,7 @@ fn write_json(path: &Path, value: &Value) {
     std::fs::write(path, serde_json::to_vec(value).unwrap()).unwrap();
 }
 
-/// nerfstudio's file of `count` photographs of 6 x 4 pixels.
+/// A nerfstudio file with `count` photographs of 6 x 4 pixels.
 fn transforms(count: usize) -> Value {
     let frame =
         |index| json!({"file_path": format!("images/{index}.png"), "transform_matrix": POSE});
@@ -45,7 +45,7 @@ fn transforms(count: usize) -> Value {
         "cy": 1.75, "frames": (0..count).map(frame).collect::<Vec<_>>()})
 }
 
-/// A data set of [`transforms`] whose photographs differ in their red.
+/// Writes a data set of [`transforms`] whose photographs differ in red.
 fn nerfstudio_folder(file: &Value) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     for (index, frame) in file["frames"].as_array().unwrap().iter().enumerate() {
@@ -60,7 +60,7 @@ fn load(path: &Path) -> Result<Dataset> {
     Dataset::load(path, &DatasetOptions::default())
 }
 
-/// Asserts that a data set is refused with all the facts.
+/// Asserts that a data set is refused, with all the facts in the message.
 #[track_caller]
 fn assert_refused(path: &Path, facts: &[&str]) {
     assert_facts(load(path).map(|_| "a data set"), facts);

@@ -56,11 +56,11 @@ fn lenses_are_undone() {
     let [bent, straight] = dataset.frames.as_slice() else { panic!("{dataset:?}") };
     assert!(!bent.camera.distorted && !straight.camera.distorted);
     assert!(!bent.image.all_valid() && straight.image.all_valid());
-    // What a pinhole has no coefficients for means nothing.
+    // Coefficients that a pinhole does not have are ignored.
     file["camera_model"] = json!("PINHOLE");
     write_json(&folder.path().join("transforms.json"), &file);
     assert!(load(folder.path()).unwrap().frames[0].image.all_valid());
-    // Without a model, the coefficients tell.
+    // Without a model, the coefficients decide.
     file["camera_model"] = json!(null);
     write_json(&folder.path().join("transforms.json"), &file);
     assert!(!load(folder.path()).unwrap().frames[0].image.all_valid());

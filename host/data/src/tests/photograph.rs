@@ -28,20 +28,20 @@ fn shot(path: PathBuf, camera: Camera, lens: Lens) -> Shot {
     Shot { name, path, mask, camera, lens, factor: 1, held_out: false }
 }
 
-/// One that becomes `factor` times smaller.
+/// A photograph to be reduced by `factor`.
 fn smaller_shot(path: PathBuf, camera: Camera, lens: Lens, factor: u32) -> Shot {
     Shot { factor, ..shot(path, camera, lens) }
 }
 
 impl Shot {
-    /// The frame, with all memory there is.
+    /// Reads the frame, with all memory available.
     fn developed(&self) -> Result<Frame> {
         let options = DatasetOptions::default();
         self.develop(&options, &Budget::of(u64::MAX)).map(|(frame, _)| frame)
     }
 }
 
-/// A photograph whose red is its column and whose green is its row.
+/// Writes a photograph whose red is its column and whose green is its row.
 fn ramp(path: &Path, width: u32, height: u32) {
     let pixel = |x: u32, y: u32| image::Rgb([x as u8, y as u8, 7]);
     image::RgbImage::from_fn(width, height, pixel).save(path).unwrap();
@@ -64,7 +64,7 @@ fn sizes_and_masks_are_checked() {
     assert_eq!(Photograph::from(&image), Photograph::new([3, 2], vec![[0; 3]; 6], None).unwrap());
 }
 
-/// Linear ramps are what bilinear sampling keeps, so a pixel's color says where it came from.
+/// Bilinear sampling keeps linear ramps, so a pixel's color is its origin.
 #[test]
 fn undistorted_pixels_come_from_where_the_lens_put_them() {
     let folder = tempfile::tempdir().unwrap();
@@ -101,7 +101,7 @@ fn downscaling_takes_means_and_scales_the_camera() {
     let path = folder.path().join("ramp.png");
     ramp(&path, 11, 7);
     let frame = smaller_shot(path.clone(), camera(11, 7), Lens::default(), 3).developed().unwrap();
-    // The last two columns and the last row are cut off.
+    // The last two columns and the last row do not fill a square.
     assert_eq!((frame.image.width(), frame.image.height()), (3, 2));
     let expected = [[1, 1, 7], [4, 1, 7], [7, 1, 7], [1, 4, 7], [4, 4, 7], [7, 4, 7]];
     assert_eq!(frame.image.pixels(), expected);
@@ -114,7 +114,7 @@ fn downscaling_takes_means_and_scales_the_camera() {
     assert_facts(result, &["ramp.png", "downscale of 8", "11 x 7"]);
 }
 
-/// A small pixel counts as valid only where all of its square is.
+/// A small pixel is valid only if its whole square is.
 #[test]
 fn downscaled_masks_are_strict() {
     let folder = tempfile::tempdir().unwrap();
@@ -130,7 +130,7 @@ fn downscaled_masks_are_strict() {
         assert_eq!(half.is_valid(x, y), all);
         if all {
             let mean: f32 = square.iter().map(|&[x, y]| full.color(x, y)[0]).sum::<f32>() / 4.0;
-            // Either is rounded once: the means were not taken of rounded values.
+            // Each is rounded once, because the means are not of rounded values.
             assert!((half.color(x, y)[0] - mean).abs() <= 1.01 / 255.0);
         }
     }
@@ -149,10 +149,10 @@ fn every_depth_and_format_is_read() {
     let deep = image::Rgb([32768_u16, 0, 65535]);
     image::ImageBuffer::from_pixel(5, 4, deep).save(path("deep.png")).unwrap();
     assert_eq!(develop(path("deep.png")), [128, 0, 255]);
-    // JPEG keeps gray as it is, but for roundings.
+    // JPEG keeps gray, except for rounding.
     write_image(&path("b.jpg"), [5, 4], [60; 3]);
     assert!(develop(path("b.jpg")).iter().all(|&value| value.abs_diff(60) <= 1));
-    // The content counts, not the name.
+    // The content decides, not the name.
     fs::rename(path("gray.png"), path("gray.jpg")).unwrap();
     assert_eq!(develop(path("gray.jpg")), [77; 3]);
 }
@@ -181,7 +181,7 @@ fn a_lens_that_leaves_nothing_is_an_error() {
     assert_facts(shot(path, far, lens).developed(), &["a.png", "coefficients"]);
 }
 
-/// A photograph that was cut short anywhere is an error, and never half gray.
+/// A photograph cut short anywhere must be an error, and never be half gray.
 #[test]
 fn damaged_photographs_are_named() {
     let folder = tempfile::tempdir().unwrap();
@@ -192,7 +192,7 @@ fn damaged_photographs_are_named() {
         image::RgbImage::from_fn(40, 30, noise).save(&path).unwrap();
         let whole = fs::read(&path).unwrap();
         shot(path.clone(), camera(40, 30), Lens::default()).developed().unwrap();
-        // PNG's last 12 bytes say only that it ends.
+        // The last 12 bytes of a PNG only mark its end.
         for length in (0..whole.len() - 12).step_by(7).chain([whole.len() - 13]) {
             fs::write(&path, &whole[..length]).unwrap();
             let result = shot(path.clone(), camera(40, 30), Lens::default()).developed();

@@ -60,7 +60,7 @@ fn text_and_binary_are_read() {
 
 #[test]
 fn files_cut_short_anywhere_are_errors() {
-    // The face that follows is not read.
+    // The face after the vertices is not read.
     let text = text();
     let end = text.len() - "5 6 255 0 9 0\n3 0 1 0\n".len();
     for length in 0..end {

@@ -1,4 +1,4 @@
-//! `organza explain --summary`: where the weight of whole views lies.
+//! `organza explain --summary`: the distances of whole views' weight from their surfaces.
 
 use organza::render::{Leakage, Renderer};
 use organza::{Camera, DeviceScene, Result};
@@ -7,10 +7,10 @@ use serde::Serialize;
 use super::super::console::{Console, print, print_json};
 use super::super::table::Table;
 
-/// Pixels of a view that are looked at.
+/// Number of pixels per view that are measured.
 const PIXELS: u32 = 1024;
 
-/// What `--json` prints.
+/// The output of `--json`.
 #[derive(Debug, Serialize)]
 struct Summary {
     views: Vec<View>,
@@ -25,7 +25,7 @@ struct View {
     leakage: Leakage,
 }
 
-/// Measures and prints the views of these indices.
+/// Measures and prints the views with these indices.
 pub fn run(
     renderer: &Renderer,
     scene: &DeviceScene,

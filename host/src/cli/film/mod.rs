@@ -1,4 +1,4 @@
-//! `organza film`: a camera that moves.
+//! `organza film`: a moving camera.
 
 mod way;
 
@@ -26,10 +26,10 @@ use super::written::{Found, Written};
 use way::{Inputs, WayArgs, described};
 
 const TILE_SIZE: u32 = 64;
-/// Frames that are looked at to find the range of a film's depths, and the part of their sides.
+/// Number of frames that determine the range of a film's depths, and the divisor of their sides.
 const PROBES: usize = 5;
 const PROBE_SHRINK: u32 = 4;
-/// The part of the depths that a range leaves out at each end.
+/// Part of the depths that the range leaves out at each end.
 const LEFT_OUT: f64 = 0.01;
 
 const EXAMPLES: &str = "\
@@ -70,14 +70,14 @@ pub struct Args {
     #[arg(long, value_name = "F", default_value_t = 30)]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=240))]
     fps: u32,
-    /// Show a channel in place of the color: depth from red (near) to blue, the others as in PNG images
+    /// Show a channel instead of the color: depth from red (near) to blue, the others as in PNG images
     #[arg(long, value_enum)]
     channel: Option<ChannelName>,
-    /// Depths that are shown as red and as blue, in world units [default: from a few frames]
+    /// Depths shown as red and as blue, in world units [default: from a few frames]
     #[arg(long, value_name = "NEAR,FAR", value_parser = depth_range, allow_hyphen_values = true)]
     #[arg(requires = "channel")]
     depth_range: Option<[f32; 2]>,
-    /// Print JSON: the film, and what rendering took (docs/json.md)
+    /// Print JSON: the film, and the cost of rendering (docs/json.md)
     #[arg(long)]
     json: bool,
     #[command(flatten)]
@@ -137,7 +137,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     if args.json { print_json(&made) } else { Ok(()) }
 }
 
-/// What `--json` prints.
+/// The output of `--json`.
 #[derive(Debug, Serialize)]
 struct Made<'a> {
     film: &'a Path,
@@ -145,7 +145,7 @@ struct Made<'a> {
     fps: u32,
     width: u32,
     height: u32,
-    /// Frames that this call rendered; earlier ones the others.
+    /// Number of frames that this call rendered. Earlier calls rendered the others.
     rendered: usize,
     #[serde(flatten)]
     cost: Cost,
@@ -156,7 +156,7 @@ struct Film<'a> {
     renderer: &'a Renderer,
     scene: &'a DeviceScene,
     cameras: &'a [Camera],
-    /// What is shown in place of color, and the range of depths.
+    /// The channel shown instead of color, and the range of depths.
     look: Option<(Channel, [f32; 2])>,
 }
 
@@ -181,7 +181,7 @@ impl Film<'_> {
         let files: Vec<_> =
             (0..self.cameras.len()).map(|frame| folder.join(&format!("{frame:05}.png"))).collect();
         let todo = written.missing(files.iter().map(std::slice::from_ref))?;
-        // a signal while frames were looked at has ended the program, and nothing was changed
+        // before this, a signal has ended the program, and nothing was changed
         let signals = Signals::listen()?;
         signals.keeps_results();
         let announced: Vec<_> = todo.iter().map(|&frame| files[frame].clone()).collect();
@@ -210,7 +210,7 @@ impl Film<'_> {
                 }
                 written.discard()?;
                 remove_leftovers(folder.path());
-                // fails, as it should, where somebody has put something in it
+                // fails on purpose if somebody has put a file into the folder
                 let _ = fs::remove_dir(folder.path());
             }
         }
@@ -221,7 +221,7 @@ impl Film<'_> {
         Ok(Made { film, frames, fps: args.fps, width, height, rendered, cost })
     }
 
-    /// Renders frames; nothing where a signal asks to stop.
+    /// Renders frames. Returns `None` if a signal asks to stop.
     fn render(
         &self,
         files: &[PathBuf],
@@ -239,7 +239,7 @@ impl Film<'_> {
         {
             let progress = console.progress(todo.len() as u64, "frames");
             progress.say("rendering");
-            // the bar counts frames
+            // the bar counts frames, not tiles
             let silent = console.hidden();
             for &frame in todo {
                 if signals.stop().load(Ordering::Relaxed) {
@@ -270,7 +270,7 @@ impl Film<'_> {
         Ok(look.map_or(image, |(_, range)| beside[0].picture(range)))
     }
 
-    /// The range of depths, without the nearest and the farthest few, of a few small frames.
+    /// The range of depths in a few small frames, without the nearest and the farthest few.
     fn depth_range(&self, console: Console) -> Result<[f32; 2]> {
         let last = self.cameras.len() - 1;
         let probes: BTreeSet<_> = (0..PROBES).map(|probe| probe * last / (PROBES - 1)).collect();
@@ -294,7 +294,7 @@ impl Film<'_> {
             depths.get(place as usize).copied().unwrap_or(1.0)
         };
         let (near, far) = (at(LEFT_OUT), at(1.0 - LEFT_OUT));
-        // a flat thing has a range all the same
+        // a flat scene has a range, too
         let far = far.max(near * 1.001);
         console.note(&format!(
             "depth: red is {near:.4}, blue is {far:.4}; `--depth-range` changes it"

@@ -1,4 +1,4 @@
-//! Where the camera of a film goes.
+//! The path of a film's camera.
 
 use std::path::Path;
 
@@ -12,16 +12,16 @@ use crate::cli::summary::count;
 use crate::cli::views::ViewList;
 
 const USAGE: &str = "organza film SCENE CAMERAS -o FILE";
-/// The longer side of a film whose size nobody says: photographs may be several times as large.
+/// Longer side of a film by default, in pixels: photographs may be several times as large.
 const LONGEST_SIDE: u32 = 1920;
-/// Size where there is no camera that has one.
+/// Default width and height if no camera has a size.
 const SIZE: [u32; 2] = [640, 480];
 
-/// Options that say where the camera goes.
+/// Options of the camera's path.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Camera")]
 pub struct WayArgs {
-    /// Turn once around what the cameras look at [default without CAMERAS]
+    /// Turn once around the point that the cameras look at [default without CAMERAS]
     #[arg(long, conflicts_with = "between")]
     orbit: bool,
     /// Move smoothly through the cameras, in their order [default with CAMERAS]
@@ -33,10 +33,11 @@ pub struct WayArgs {
     /// Return from the last camera to the first
     #[arg(long = "loop", conflicts_with = "orbit")]
     is_closed: bool,
-    /// Center of the orbit, in world units [default: what the cameras look at, or the middle of the scene's box]
+    /// Center of the orbit, in world units [default: the point that the cameras look at, or the middle of the scene's
+    /// box]
     #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true, requires = "orbit")]
     center: Option<[f64; 3]>,
-    /// Axis of the orbit, upward in the film [default: as the cameras were held, or 0,0,1]
+    /// Axis of the orbit, upward in the film [default: the cameras' own, or 0,0,1]
     #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true, requires = "orbit")]
     up: Option<[f64; 3]>,
     /// Distance from the center, in world units [default: the cameras' median]
@@ -45,7 +46,7 @@ pub struct WayArgs {
     /// Angle above the horizon, in degrees, -89 to 89 [default: the cameras' median]
     #[arg(long, value_name = "DEGREES", value_parser = elevation, allow_hyphen_values = true, requires = "orbit")]
     elevation: Option<f64>,
-    /// What an orbit shows from left to right, in degrees, 1 to 170 [default: as the first camera]
+    /// Horizontal field of view of an orbit, in degrees, 1 to 170 [default: that of the first camera]
     #[arg(long, value_name = "DEGREES", value_parser = field_of_view, requires = "orbit")]
     field_of_view: Option<f64>,
     /// Width and height in pixels, such as 1280x720 [default: the first camera's, if that has at most 1920 pixels a side]
@@ -53,11 +54,11 @@ pub struct WayArgs {
     size: Option<[u32; 2]>,
 }
 
-/// What a film is made from.
+/// The inputs of a film.
 pub struct Inputs<'a> {
     pub source: &'a SceneSource,
     pub scene: &'a Scene,
-    /// The cameras that were named.
+    /// The cameras that the user named.
     pub named: Option<&'a Path>,
     pub data: &'a DataArgs,
 }
@@ -66,12 +67,12 @@ pub struct Inputs<'a> {
 #[derive(Debug)]
 pub struct Way {
     pub frames: Vec<Camera>,
-    /// What they were made from, if there are any.
+    /// The cameras that the path was made from, if there are any.
     pub cameras: Option<Cameras>,
 }
 
 impl WayArgs {
-    /// The cameras of so many frames. Without `--size` their width and height are even if `is_even` says so.
+    /// The cameras of `count` frames. Without `--size`, width and height are even if `is_even` is true.
     pub fn frames(
         &self,
         inputs: &Inputs<'_>,
@@ -142,7 +143,7 @@ impl WayArgs {
             ..found
         };
         let cameras = orbit.cameras(frames)?;
-        // a field of view that was asked for is that of the film
+        // a field of view that the user gave is that of the film
         if self.field_of_view.is_some() {
             let size = size(&cameras[0]);
             return Orbit { size, ..orbit }.cameras(frames);
@@ -151,7 +152,7 @@ impl WayArgs {
     }
 }
 
-/// A camera's own size, or a smaller one of its shape.
+/// A camera's own size, or a smaller one of the same shape.
 fn default_size(camera: &Camera, is_even: bool) -> [u32; 2] {
     let size = [camera.width, camera.height];
     let longest = size[0].max(size[1]);
@@ -162,7 +163,7 @@ fn default_size(camera: &Camera, is_even: bool) -> [u32; 2] {
     })
 }
 
-/// `6.0 s of 640 x 480, 180 frames`
+/// Length, size and frames of a film: `6.0 s of 640 x 480, 180 frames`
 pub fn described(frames: &[Camera], fps: u32) -> String {
     let (number, [width, height]) = (frames.len(), [frames[0].width, frames[0].height]);
     let seconds = number as f64 / f64::from(fps);

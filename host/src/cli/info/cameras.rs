@@ -1,4 +1,4 @@
-//! What a cameras file holds.
+//! Describes a cameras file.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -19,7 +19,7 @@ pub struct CameraFile {
     file: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     file_bytes: Option<u64>,
-    /// Of a data set.
+    /// The format of a data set; `None` for other files.
     #[serde(skip_serializing_if = "Option::is_none")]
     format: Option<String>,
     cameras: Vec<CameraInfo>,
@@ -36,7 +36,7 @@ struct CameraInfo {
     cy: f64,
     eye: [f64; 3],
     distorted: bool,
-    /// Of a data set: whether the frame is kept from training.
+    /// In a data set: whether training does not see the frame.
     #[serde(skip_serializing_if = "Option::is_none")]
     held_out: Option<bool>,
 }
@@ -69,7 +69,7 @@ impl CameraFile {
         }
     }
 
-    /// A data set's cameras, as training has them unless an option says otherwise.
+    /// Reads a data set's cameras as training has them, unless an option says otherwise.
     pub fn of_data_set(path: &Path) -> Result<Self> {
         let poses = Poses::load(path, &DatasetOptions::default())?;
         let info = |pose: Pose| CameraInfo {

@@ -1,4 +1,4 @@
-//! `organza info`: what a file holds.
+//! `organza info`: describes a file.
 
 mod cameras;
 mod scene;
@@ -12,7 +12,7 @@ use organza::{Camera, Error, Result, Scene, TileBatch};
 use super::console::{Console, print, print_json};
 use super::inputs::{Format, Kind, SceneSource, format};
 
-/// Rows of a table that could have as many as a data set has photographs.
+/// Most rows of a table that could have as many rows as a data set has photographs.
 const MOST_ROWS: usize = 24;
 
 const EXAMPLES: &str = "\
@@ -27,7 +27,7 @@ Examples:
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The file; its content decides what it is. Or a folder: a training run's, or a data set
+    /// The file, which is recognized by its content. Or a folder: a training run's, or a data set
     file: PathBuf,
     /// Print JSON
     #[arg(long)]
@@ -44,7 +44,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     match format(path)? {
         Format::Safetensors => match Scene::load(path) {
             Ok(scene) => show(args, &scene::SceneInfo::new(path, &scene)?),
-            // No other program's name for its content: tensors of anyone's.
+            // No program has named the file's content: it has just tensors.
             Err(Error::WrongFormat { found, .. }) if found == "missing" => {
                 show(args, &tensors::TensorFile::load(path)?)
             }
@@ -59,7 +59,7 @@ fn show(args: &Args, info: &(impl serde::Serialize + std::fmt::Display)) -> Resu
     if args.json { print_json(info) } else { print(&info.to_string()) }
 }
 
-/// How many rows a table leaves out.
+/// The number of rows that a table leaves out, as text.
 fn and_more(all: usize) -> String {
     match all.saturating_sub(MOST_ROWS) {
         0 => String::new(),
@@ -67,7 +67,7 @@ fn and_more(all: usize) -> String {
     }
 }
 
-/// A file's size; a file that has gone meanwhile has none.
+/// A file's size in bytes; 0 if the file has been removed meanwhile.
 fn file_bytes(path: &Path) -> u64 {
     std::fs::metadata(path).map_or(0, |found| found.len())
 }

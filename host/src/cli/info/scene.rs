@@ -1,4 +1,4 @@
-//! What a scene holds.
+//! Describes a scene.
 
 use std::fmt;
 use std::path::Path;
@@ -104,7 +104,7 @@ impl SceneInfo {
         };
         let harmonics = config.sh_width();
         let samples = (3_f64.sqrt() / config.step).ceil();
-        // Scenes are made in f32: its digits are what was meant.
+        // Scenes are made in f32, so its digits are the intended ones.
         let [lo, hi] = config.aabb.map(|corner| corner.map(|value| value as f32));
         let [r, g, b] = config.background;
         let outside = match config.contraction {

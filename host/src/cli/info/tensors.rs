@@ -16,11 +16,11 @@ use crate::cli::table::{Table, number};
 pub struct TensorInfo {
     pub name: String,
     pub shape: Vec<usize>,
-    /// Of the finite values; absent where there is none.
+    /// Smallest finite value; absent if there is none.
     min: Option<f32>,
     max: Option<f32>,
     mean: Option<f64>,
-    /// NaNs and infinities.
+    /// Number of NaNs and infinities.
     not_finite: usize,
 }
 
@@ -64,7 +64,7 @@ pub fn table(tensors: &[TensorInfo]) -> Table {
     table
 }
 
-/// A file of tensors that is no scene: a rendered batch, or whatever else.
+/// A file of tensors that is no scene, such as a rendered batch.
 #[derive(Debug, Serialize)]
 pub struct TensorFile {
     kind: &'static str,

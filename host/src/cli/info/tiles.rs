@@ -1,4 +1,4 @@
-//! What a tiles file holds.
+//! Describes a tiles file.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -21,7 +21,7 @@ pub struct TileFile {
     tiles: usize,
     output_shape: [usize; 4],
     output_bytes: u64,
-    /// By camera, ascending.
+    /// One entry per camera, by ascending index.
     cameras: Vec<CameraTiles>,
 }
 
@@ -30,7 +30,7 @@ pub struct TileFile {
 struct CameraTiles {
     camera: usize,
     tiles: usize,
-    /// Column and row of the first and past the last pixel.
+    /// Column and row of the first pixel, and of the pixel after the last.
     low: [i32; 2],
     high: [i32; 2],
 }

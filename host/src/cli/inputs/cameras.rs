@@ -1,4 +1,4 @@
-//! Cameras of a file, or of a data set.
+//! Cameras from a file or from a data set.
 
 use std::collections::HashSet;
 use std::fs;
@@ -13,23 +13,23 @@ use crate::cli::console::Console;
 use crate::cli::summary::count;
 use crate::cli::views::photographs;
 
-/// Cameras, and where they came from.
+/// Cameras and their origin.
 #[derive(Debug)]
 pub struct Cameras {
     /// The cameras, in the order of the file or the data set.
     pub list: Vec<Camera>,
-    /// Those of the whole file or data set, of which `--split` chose some.
+    /// All cameras of the file or data set, of which `--split` chose some.
     pub all: Vec<Camera>,
-    /// The file, the data set or the run that messages name.
+    /// The file, the data set or the run, for messages.
     pub origin: PathBuf,
-    /// The photographs that are there, by their paths without links: no output may replace them.
+    /// Existing photographs, by their paths without links. No output may replace them.
     photographs: HashSet<PathBuf>,
 }
 
 impl Cameras {
-    /// Reads cameras: those of a transforms.json as they stand there, or those of a data set as training has them.
-    /// A folder is a data set, and so is a file if an option of [`DataArgs`] is given. Without a name, the data set
-    /// is that of the scene's run. `usage` shows how to name cameras.
+    /// Reads cameras. Those of a transforms.json are unchanged; those of a data set are as training has them. A
+    /// folder is a data set, and so is a file if an option of [`DataArgs`] is given. Without a name, the data set is
+    /// that of the scene's run. `usage` shows how to name cameras.
     pub fn load(
         scene: &SceneSource,
         named: Option<&Path>,
@@ -75,7 +75,7 @@ impl Cameras {
         Ok(Self { list, all, origin, photographs })
     }
 
-    /// Whether some camera's photograph is there.
+    /// Whether the photograph of some camera exists.
     pub fn has_photographs(&self) -> bool {
         !self.photographs.is_empty()
     }
@@ -86,7 +86,7 @@ impl Cameras {
     }
 }
 
-/// Those that are there, without links.
+/// The existing paths, without links.
 fn existing(paths: impl Iterator<Item = PathBuf>) -> HashSet<PathBuf> {
     paths.filter_map(|path| fs::canonicalize(path).ok()).collect()
 }

@@ -1,4 +1,4 @@
-//! A data set: which one, read how, and which of its frames.
+//! Options that name a data set, say how to read it, and choose its frames.
 
 use std::fs;
 use std::path::Path;
@@ -15,7 +15,7 @@ use super::scene::SceneSource;
 use crate::cli::console::Console;
 use crate::cli::summary::count;
 
-/// Options that say how a data set is read, and which of its frames are used.
+/// Options that say how to read a data set, and which of its frames to use.
 #[derive(Debug, Default, clap::Args)]
 pub struct DataArgs {
     /// The frames of the data set to use [default: held-out for `eval`, all for other commands]
@@ -29,12 +29,12 @@ pub struct DataArgs {
     #[arg(long, value_name = "N", help_heading = "Data set")]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=1024))]
     downscale: Option<u32>,
-    /// Read what the data set names outside its own folder, by a path or a link
+    /// Read files that the data set names outside its own folder, by path or by link
     #[arg(long, help_heading = "Data set")]
     allow_outside: bool,
 }
 
-/// Some of a data set's frames.
+/// A subset of a data set's frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Split {
     /// The frames that training does not see
@@ -45,12 +45,12 @@ pub enum Split {
     All,
 }
 
-/// A data set whose photographs are not read yet.
+/// A data set whose photographs have not been read yet.
 pub struct DataSet {
     settings: DataConfig,
-    /// None for the built-in scene.
+    /// `None` for the built-in scene.
     poses: Option<Poses>,
-    /// How the cameras of the built-in scene have moved.
+    /// Motions of the built-in scene's cameras.
     motions: Vec<Option<[f64; 6]>>,
 }
 
@@ -66,7 +66,7 @@ impl DataArgs {
         self.split.unwrap_or(default)
     }
 
-    /// Which data set, and how it is read: as the scene's run says, unless an argument or an option says otherwise.
+    /// The settings of the data set: those of the scene's run, unless an argument or an option says otherwise.
     /// `usage` shows how to name a data set.
     pub fn settings(
         &self,
@@ -97,7 +97,7 @@ impl DataArgs {
 }
 
 impl Split {
-    /// Whether a frame is one of them.
+    /// Whether the subset contains a frame.
     pub fn takes(self, is_held_out: bool) -> bool {
         match self {
             Self::HeldOut => is_held_out,
@@ -106,7 +106,7 @@ impl Split {
         }
     }
 
-    /// The error where there is no such frame; `origin` is the data set.
+    /// The error if the subset is empty; `origin` is the data set.
     pub fn nothing<T>(self, origin: &Path) -> Result<T> {
         let reason = match self {
             Self::Train => {
@@ -122,7 +122,7 @@ impl Split {
 }
 
 impl DataSet {
-    /// Reads the cameras, and says what is missing or outside. Photographs are read by [`Self::read`].
+    /// Reads the cameras, and warns of files that are missing or outside. [`Self::read`] reads the photographs.
     pub fn open(settings: DataConfig, console: Console) -> Result<Self> {
         let open = |path| Poses::load(path, &settings.options());
         let poses = match &settings.path {
@@ -144,13 +144,13 @@ impl DataSet {
         Ok(Self { settings, poses, motions: Vec::new() })
     }
 
-    /// With the cameras where a run has moved them, if it has refined poses: those of the frames that it was trained on.
-    /// Where the user has named a data set, its cameras are meant.
+    /// The data set with the cameras that the run has refined, if it has refined poses: those of its training frames.
+    /// If the user has named a data set, its own cameras are used.
     pub fn refined(mut self, scene: &SceneSource, named: Option<&Path>) -> Result<Self> {
         let run = scene.settings()?.filter(|run| run.poses.refine);
         let Some(run) = run.filter(|_| named.is_none()) else { return Ok(self) };
         let learned = Checkpoint::load_poses(scene.file())?;
-        // those that the run was trained on, whatever is held out now
+        // the frames that the run was trained on, whatever is held out now
         let frames = match &run.data.path {
             Some(path) => Poses::load(path, &run.data.options())?.cameras()?,
             None => built_in_cameras(&run.data),
@@ -173,7 +173,7 @@ impl DataSet {
         Ok(self)
     }
 
-    /// Its cameras as training has them.
+    /// The cameras as training has them.
     pub fn cameras(&self) -> Result<Vec<Pose>> {
         let data = &self.settings;
         match &self.poses {
@@ -194,7 +194,7 @@ impl DataSet {
         }
     }
 
-    /// Its photographs, each read when it is looked at, and its points.
+    /// The photographs, each of which is read when needed, and the points.
     pub fn photographs(self) -> (Photographs, Vec<Point>) {
         match self.poses {
             Some(poses) => {
@@ -208,7 +208,7 @@ impl DataSet {
         }
     }
 
-    /// The same without the photographs that are not used: they are not read.
+    /// The data set without unused photographs, which are not read.
     pub fn only(mut self, split: Split) -> Result<Self> {
         self.poses = match (self.poses, split) {
             (Some(poses), Split::HeldOut) => Some(poses.only(true)?),
@@ -259,12 +259,12 @@ impl DataSet {
     }
 }
 
-/// The cameras of the built-in scene, where its photographs were taken.
+/// The cameras of the built-in scene, from which its photographs were rendered.
 fn built_in_cameras(data: &DataConfig) -> Vec<Pose> {
     built_in::cameras(data.built_in_views, data.built_in_side, data.hold_out_every)
 }
 
-/// Says which files of a data set are not there, and which are outside its folder.
+/// Warns of files of a data set that do not exist, and of those outside its folder.
 fn warn_of_files(console: Console, poses: &Poses) {
     let kinds = [
         (&poses.missing, "photograph", "missing, so left out"),

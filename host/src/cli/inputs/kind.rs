@@ -1,4 +1,4 @@
-//! What a file or a folder is, by its content.
+//! Recognizes files and folders by their content.
 
 use std::fs::File;
 use std::io::{BufReader, Read};
@@ -9,7 +9,7 @@ use organza::{Error, Result, Scene, data};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
-/// What can be told apart.
+/// The kinds of files and folders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     Scene,
@@ -21,7 +21,7 @@ pub enum Kind {
     DataSet,
 }
 
-/// How a file is written.
+/// The format of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     Safetensors,
@@ -29,7 +29,7 @@ pub enum Format {
     Tiles,
 }
 
-/// What an argument should be.
+/// The kind of input that an argument expects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Expected {
     Scene,
@@ -39,7 +39,7 @@ pub enum Expected {
 }
 
 impl Kind {
-    /// What a path holds; none where it cannot be told.
+    /// The kind of a path's content; `None` if it is unknown.
     pub fn of(path: &Path) -> Option<Self> {
         if path.is_dir() {
             let is_run = [CHECKPOINT, CONFIG].iter().any(|name| path.join(name).exists());
@@ -51,7 +51,7 @@ impl Kind {
         match format(path).ok()? {
             Format::Cameras => Some(Self::Cameras),
             Format::Tiles => Some(Self::Tiles),
-            // Reads the header alone.
+            // Reads only the header.
             Format::Safetensors => match Scene::unused_tensors(path) {
                 Ok(_) => Some(Self::Scene),
                 Err(Error::WrongFormat { .. }) => Some(Self::Tensors),
@@ -75,7 +75,7 @@ impl Kind {
 impl Expected {
     fn accepts(self, kind: Kind) -> bool {
         match self {
-            // Tensors of another format are refused in better words by the loader.
+            // For tensors in another format, the loader has a better message.
             Self::Scene => matches!(kind, Kind::Scene | Kind::Run | Kind::Tensors),
             // A transforms.json is both.
             Self::Cameras | Self::DataSet => matches!(kind, Kind::Cameras | Kind::DataSet),
@@ -93,8 +93,8 @@ impl Expected {
     }
 }
 
-/// A loader's error, or a better one where the path holds something of another kind: arguments in the wrong order
-/// are the likely reason.
+/// A better error than the loader's if the path holds something of another kind: then the arguments are probably in
+/// the wrong order.
 pub fn told_apart(error: Error, path: &Path, expected: Expected) -> Error {
     match Kind::of(path) {
         Some(found) if !expected.accepts(found) => Error::Invalid {
@@ -109,7 +109,7 @@ pub fn told_apart(error: Error, path: &Path, expected: Expected) -> Error {
     }
 }
 
-/// What JSON is about, by its top-level keys.
+/// The top-level keys that show the meaning of a JSON file.
 #[derive(Deserialize)]
 struct Keys {
     frames: Option<IgnoredAny>,
@@ -117,10 +117,10 @@ struct Keys {
     tiles: Option<IgnoredAny>,
 }
 
-/// How a file is written, by its content.
+/// The format of a file, by its content.
 pub fn format(path: &Path) -> Result<Format> {
     let cannot_read = |source| Error::read(path, source);
-    // What is no regular file could block or never end: a loader says so.
+    // Other files could block or never end. The loader reports them.
     if !std::fs::metadata(path).is_ok_and(|found| found.is_file()) {
         return Ok(Format::Safetensors);
     }
@@ -129,7 +129,7 @@ pub fn format(path: &Path) -> Result<Format> {
     file.take(64).read_to_end(&mut start).map_err(cannot_read)?;
     let text = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&start);
     let is_json = text.iter().find(|byte| !byte.is_ascii_whitespace()) == Some(&b'{');
-    // The length in front of a safetensors header ends in zeros, which JSON has none of.
+    // The length before a safetensors header ends in zero bytes, which JSON never contains.
     let named = path.extension().is_some_and(|extension| extension == "safetensors");
     if named || start.iter().take(8).any(|&byte| byte == 0) {
         return Ok(Format::Safetensors);
@@ -143,7 +143,7 @@ pub fn format(path: &Path) -> Result<Format> {
             Ok(keys) if keys.tiles.is_some() || keys.side.is_some() => return Ok(Format::Tiles),
             Ok(keys) if keys.frames.is_some() => return Ok(Format::Cameras),
             Ok(_) => "it is JSON, but has neither the `frames` of cameras nor `side` and `tiles`",
-            // The loader words it better.
+            // The loader has a better message.
             Err(_) => return Ok(Format::Cameras),
         }
     } else {

@@ -1,4 +1,4 @@
-//! What commands take: a scene or a run's folder, cameras or a data set.  One place for each, used by all.
+//! Inputs of commands: a scene or a run's folder, cameras or a data set. All commands share one place for each.
 
 mod cameras;
 mod data;

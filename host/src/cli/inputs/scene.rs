@@ -1,4 +1,4 @@
-//! A scene's file, or that of a training run's folder.
+//! A scene from its file, or from a training run's folder.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,20 +11,20 @@ use super::kind::{Expected, told_apart};
 use crate::cli::console::Console;
 use crate::cli::summary::count;
 
-/// Where a scene is read from.
+/// The origin of a scene.
 #[derive(Clone, Debug)]
 pub struct SceneSource {
-    /// What the user named.
+    /// The path that the user named.
     named: PathBuf,
     /// The scene's file.
     file: PathBuf,
 }
 
 impl SceneSource {
-    /// Finds the file: the one that was named, or the checkpoint of a run's folder. Reads nothing yet.
+    /// Finds the scene's file: the named one, or the checkpoint in a run's folder. Reads nothing yet.
     ///
     /// # Errors
-    /// Where there is no such file, or a folder that is not a run's.
+    /// If there is no such file, or the folder is not a run's.
     pub fn find(path: &Path) -> Result<Self> {
         let found = fs::metadata(path).map_err(|source| Error::read(path, source))?;
         let checkpoint = path.join(CHECKPOINT);
@@ -46,12 +46,12 @@ impl SceneSource {
         Err(told_apart(error, path, Expected::Scene))
     }
 
-    /// The scene's file.
+    /// Path of the scene's file.
     pub fn file(&self) -> &Path {
         &self.file
     }
 
-    /// What the user named: the file, or the run's folder.
+    /// The path that the user named: the scene's file, or the run's folder.
     pub fn named(&self) -> &Path {
         &self.named
     }
@@ -71,7 +71,7 @@ impl SceneSource {
         Ok(scene)
     }
 
-    /// The settings of the run whose folder was named; none for a scene's file.
+    /// The settings of the run, if the user named a run's folder.
     pub fn settings(&self) -> Result<Option<TrainConfig>> {
         if self.named.join(CONFIG).exists() {
             return train::settings_of(&self.named).map(Some);

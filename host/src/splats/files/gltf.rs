@@ -1,5 +1,5 @@
-//! Binary glTF 2.0 with `KHR_gaussian_splatting`, as the Khronos Group ratified it: points with attributes of the extension, all
-//! floats.
+//! Binary glTF 2.0 with `KHR_gaussian_splatting`, as the Khronos Group ratified it. Gaussians are points with the
+//! extension's attributes, all of them floats.
 
 use std::io::{self, Write};
 
@@ -10,13 +10,13 @@ use serde_json::{Map, Value, json};
 use super::{Splat, base_color, byte, turned};
 
 const EXTENSION: &str = "KHR_gaussian_splatting";
-/// glTF's numbers of the types of components.
+/// glTF's code for components of type float.
 const FLOAT: u32 = 5126;
 const BYTE: u32 = 5121;
-/// And of a buffer of vertices' attributes.
+/// glTF's code for a buffer of vertex attributes.
 const VERTICES: u32 = 34962;
 
-/// An attribute: the name, the type of a Gaussian's value, and the value's bytes.
+/// An attribute: its name, the type of a Gaussian's value, and the bytes of all values.
 struct Attribute {
     name: String,
     kind: &'static str,
@@ -65,7 +65,7 @@ pub fn write(splats: &[Splat], up: Vec3, file: &mut dyn Write) -> io::Result<()>
     let named =
         attributes.iter().enumerate().map(|(at, attribute)| (attribute.name.clone(), at.into()));
     let named: Map<String, Value> = named.collect();
-    // glTF's own upward direction is y
+    // in glTF, y points up
     let turn = Quat::from_rotation_arc(up.try_normalize().unwrap_or(Vec3::Y), Vec3::Y);
     let primitive = json!({"attributes": named, "mode": 0, "extensions": {EXTENSION: {"kernel": "ellipse",
         "colorSpace": "srgb_rec709_display", "projection": "perspective", "sortingMethod": "cameraDistance"}}});
@@ -90,7 +90,7 @@ pub fn write(splats: &[Splat], up: Vec3, file: &mut dyn Write) -> io::Result<()>
     write_words(file, &[json.len() as u32, u32::from_le_bytes(*b"JSON")])?;
     file.write_all(&json)?;
     write_words(file, &[length as u32, u32::from_le_bytes(*b"BIN\0")])?;
-    // each attribute is freed when it is written
+    // each attribute is freed after it is written
     attributes.drain(..).try_for_each(|attribute| file.write_all(&attribute.bytes))
 }
 
@@ -98,7 +98,7 @@ fn write_words(file: &mut dyn Write, words: &[u32]) -> io::Result<()> {
     words.iter().try_for_each(|word| file.write_all(&word.to_le_bytes()))
 }
 
-/// The attributes; lengths are multiples of 4.
+/// The attributes. Their lengths are multiples of 4.
 fn attributes(splats: &[Splat]) -> Vec<Attribute> {
     let own = |name: &str| format!("{EXTENSION}:{name}");
     let mut attributes = vec![
@@ -115,7 +115,7 @@ fn attributes(splats: &[Splat]) -> Vec<Attribute> {
         let name = own(&format!("SH_DEGREE_{degree}_COEF_{at}"));
         attributes.push(Attribute::new(&name, splats, |splat| splat.color[harmonic]));
     }
-    // what programs show that know only points
+    // for programs that only show points
     let color = splats.iter().flat_map(|splat| {
         let [r, g, b] = base_color(splat);
         [r, g, b, sigmoid(splat.opacity)].map(|value| byte(255.0 * value))

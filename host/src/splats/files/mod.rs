@@ -1,4 +1,4 @@
-//! Files of other programs.
+//! Reads and writes files of other programs.
 
 mod gltf;
 mod ply;
@@ -16,24 +16,24 @@ use crate::error::{Error, Result};
 use crate::input::open_regular;
 use organza_core::write_atomic;
 
-/// A kind of file.
+/// A file format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// PLY with the properties of 3D Gaussian Splatting: all values as 32-bit floats.
     Ply,
-    /// SPZ of Niantic: quantized and packed, a tenth of a PLY's size.
+    /// Niantic's SPZ: quantized and compressed, a tenth of a PLY's size.
     Spz,
     /// Binary glTF with the extension `KHR_gaussian_splatting`.
     Glb,
-    /// 32 bytes for each Gaussian, which has one color from all sides.
+    /// 32 bytes for each Gaussian, with one color for all directions.
     Splat,
 }
 
 impl Format {
-    /// By a file's ending.
+    /// The format for a file's extension.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for an ending of none of them.
+    /// [`Error::Invalid`] for any other extension.
     pub fn of(path: &Path) -> Result<Self> {
         let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
         match ending.as_ref().and_then(|ending| ending.to_str()) {
@@ -49,7 +49,7 @@ impl Format {
     }
 }
 
-/// Writes a file, atomically. `up` is the upward direction of the world, for formats that have one of their own.
+/// Writes a file, atomically. `up` is the world's upward direction, for formats with a fixed one.
 ///
 /// # Errors
 /// [`Error::WriteFile`](crate::Error::WriteFile).
@@ -62,21 +62,21 @@ pub fn save(splats: &[Splat], path: impl AsRef<Path>, format: Format, up: [f64; 
     })
 }
 
-/// The largest logarithm of a scale, either way: the scale of others is no number.
+/// Largest absolute logarithm of a scale: beyond it, the scale is not an f32.
 const LARGEST_LOG_SCALE: f32 = 80.0;
 
 /// Reads the Gaussians of a PLY or an SPZ file.
 ///
 /// # Errors
-/// [`Error::ReadFile`]; [`Error::Invalid`] for a file of another kind, one that was cut short, or values that no Gaussian has;
-/// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+/// [`Error::ReadFile`]; [`Error::Invalid`] for another kind of file, a truncated one, or values that are not valid
+/// for a Gaussian; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
 pub fn load(path: impl AsRef<Path>) -> Result<Vec<Splat>> {
     let path = path.as_ref();
     let (file, length) = open_regular(path)?;
     read_from(BufReader::new(file), length, path)
 }
 
-/// [`load`] of what is `length` bytes long; `path` is what errors name.
+/// [`load`] from a reader of `length` bytes. Errors name `path`.
 pub(crate) fn read_from(mut source: impl BufRead, length: u64, path: &Path) -> Result<Vec<Splat>> {
     let begin = source.fill_buf().map_err(|error| Error::read(path, error))?;
     let splats = match begin {
@@ -113,9 +113,9 @@ fn invalid<T>(path: &Path, reason: impl Into<String>) -> Result<T> {
     Err(Error::Invalid { origin: path.to_owned(), reason: reason.into() })
 }
 
-/// Center and scales as floats, color and opacity as bytes, and the quaternion as bytes around 128.
+/// Writes center and scales as floats, color and opacity as bytes, and the quaternion as bytes around 128.
 fn write_splat(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
-    // the largest and most opaque first: viewers show what has arrived
+    // the largest and most opaque first: viewers show a file while it loads
     let weight =
         |splat: &&Splat| splat.log_scale.iter().sum::<f32>().exp() * sigmoid(splat.opacity);
     let mut order: Vec<_> = splats.iter().collect();
@@ -131,18 +131,18 @@ fn write_splat(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-/// The color without what depends on the direction.
+/// The color without the parts that depend on the direction.
 pub(crate) fn base_color(splat: &Splat) -> [f32; 3] {
     splat.color[0].map(|value| MIDDLE + FIRST * value)
 }
 
-/// The quaternion w x y z, of length 1; one of no length turns nothing.
+/// The quaternion w x y z, scaled to length 1; the identity for length 0.
 fn turned(splat: &Splat) -> [f32; 4] {
     let length = splat.rotation.iter().map(|part| part * part).sum::<f32>().sqrt();
     if length > 0.0 { splat.rotation.map(|part| part / length) } else { [1.0, 0.0, 0.0, 0.0] }
 }
 
-/// The nearest byte.
+/// Rounds to the nearest byte.
 fn byte(value: f32) -> u8 {
     value.round() as u8
 }

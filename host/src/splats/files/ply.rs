@@ -1,4 +1,4 @@
-//! PLY as the authors of 3D Gaussian Splatting write it: an element `vertex` whose properties are floats.
+//! PLY in the form of the authors of 3D Gaussian Splatting: an element `vertex` whose properties are floats.
 
 use std::io::{self, Read, Write};
 use std::path::Path;
@@ -10,13 +10,13 @@ use crate::data::ply::{number, vertices};
 use crate::error::Result;
 use crate::splats::harmonics::HARMONICS;
 
-/// Coefficients `f_rest_*`: all but the first harmonic, of red, then of green, then of blue.
+/// Number of coefficients `f_rest_*`: all but the first harmonic, of red, then of green, then of blue.
 const REST: usize = 3 * (HARMONICS - 1);
-/// Properties that are numbered: the name, how many there are, and where they are in a [`Row`].
+/// Numbered properties: the name, their number, and their index in a [`Row`].
 const NUMBERED: [(&str, usize, usize); 4] =
     [("f_dc_", 3, 3), ("f_rest_", REST, 6), ("scale_", 3, OPACITY + 1), ("rot_", 4, OPACITY + 4)];
 const OPACITY: usize = 6 + REST;
-/// What a Gaussian has at least.
+/// Properties that a Gaussian must have.
 const NEEDED: [&str; 14] = [
     "x", "y", "z", "f_dc_0", "f_dc_1", "f_dc_2", "opacity", "scale_0", "scale_1", "scale_2",
     "rot_0", "rot_1", "rot_2", "rot_3",
@@ -57,7 +57,7 @@ pub fn write(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-/// A vertex as it is read: position, f_dc, f_rest, opacity, scale, rot.
+/// The values of a vertex: position, f_dc, f_rest, opacity, scale, rot.
 struct Row([f32; OPACITY + 8]);
 
 impl PropertyAccess for Row {

@@ -1,5 +1,5 @@
-//! SPZ of Niantic: a header of 16 bytes and one array for each attribute, quantized, in gzip. Version 2 is written, which all
-//! readers know; version 3 is read, too.
+//! Niantic's SPZ: a header of 16 bytes and an array for each attribute, quantized, in gzip. Writes version 2, which
+//! all readers know. Reads version 3, too.
 
 use std::io::{self, Read, Write};
 use std::path::Path;
@@ -17,15 +17,15 @@ use crate::splats::harmonics::{DEGREE, HARMONICS};
 
 const MAGIC: u32 = 0x5053_474e;
 const VERSION: u32 = 2;
-/// A coordinate is an integer of 24 bits; its fraction has at most so many.
+/// Most bits in the fraction of a coordinate, which is an integer of 24 bits.
 const MOST_FRACTION: i32 = 20;
-/// Factor and offset of a logarithm of a scale as a byte.
+/// Factor and offset that turn the logarithm of a scale into a byte.
 const SCALE: [f32; 2] = [16.0, 160.0];
-/// Of a first harmonic.
+/// Factor and offset for a first harmonic.
 const COLOR: [f32; 2] = [0.15 * 255.0, 127.5];
-/// Of another harmonic.
+/// Factor and offset for any other harmonic.
 const REST: [f32; 2] = [128.0, 128.0];
-/// The most that gzip packs into a byte.
+/// Most bytes that one byte of gzip can expand to.
 const MOST_PACKED: u64 = 1032;
 
 pub fn write(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
@@ -50,13 +50,13 @@ pub fn write(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
         file.write_all(&splat.log_scale.map(|value| byte(value * SCALE[0] + SCALE[1])))?;
     }
     for [w, x, y, z] in splats.iter().map(turned) {
-        // q and -q are the same rotation; w is what is left to length 1, not negative
+        // q and -q are the same rotation; w follows from the length of 1, and is not negative
         let sign = if w < 0.0 { -127.5 } else { 127.5 };
         file.write_all(&[x, y, z].map(|part| byte(sign * part + 127.5)))?;
     }
     for splat in splats {
         for (index, harmonic) in splat.color.iter().enumerate().skip(1) {
-            // as Niantic does, with fewer steps than a byte has: five bits for degree 1, four for the others
+            // like Niantic, with fewer levels than a byte has: five bits for degree 1, four for the others
             let step = if index < 4 { 8.0 } else { 16.0 };
             let packed =
                 harmonic.map(|value| byte(((value * REST[0] + REST[1]) / step).round() * step));
@@ -66,7 +66,7 @@ pub fn write(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
     file.finish().map(drop)
 }
 
-/// Bits of the fraction with which all coordinates fit.
+/// Most bits of the fraction with which all coordinates fit.
 fn fraction(splats: &[Splat]) -> i32 {
     let largest = splats
         .iter()
@@ -120,7 +120,7 @@ pub fn read(source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
         *value = fixed as f32 * unit;
     }
     for (splat, byte) in splats.iter_mut().zip(array(1)?) {
-        // opacities of 0 and 1 have no logit
+        // opacities of 0 and 1 have no finite logit
         let opacity = f32::from(byte).clamp(0.25, 254.75) / 255.0;
         splat.opacity = logit(opacity);
     }
@@ -155,13 +155,14 @@ fn values(
     splats.iter_mut().flat_map(of)
 }
 
-/// Version 2: x, y and z of a quaternion of length 1 whose w is not negative.
+/// Version 2: x, y and z of a unit quaternion whose w is not negative.
 fn rotation(bytes: [u8; 3]) -> [f32; 4] {
     let [x, y, z] = bytes.map(|byte| f32::from(byte) / 127.5 - 1.0);
     [(1.0 - x * x - y * y - z * z).max(0.0).sqrt(), x, y, z]
 }
 
-/// Version 3: of x, y, z and w, the number of the largest in two bits, and the others in ten: a sign, and a part of sqrt(1/2).
+/// Version 3: two bits have the index of the largest of x, y, z and w. The others have ten bits each: a sign, and a
+/// fraction of sqrt(1/2).
 fn smallest_three(bytes: [u8; 4]) -> [f32; 4] {
     let mut bits = u32::from_le_bytes(bytes);
     let largest = (bits >> 30) as usize;
@@ -213,7 +214,7 @@ mod tests {
             let dot: f32 = found.rotation.iter().zip(turned(expected)).map(|(a, b)| a * b).sum();
             assert!(dot.abs() > 0.999, "{dot}");
         }
-        // the checksum and the end of gzip are not needed
+        // gzip's checksum and end are not needed
         for length in 0..bytes.len() - 16 {
             assert_refused(&bytes[..length], &[]);
         }
@@ -221,9 +222,9 @@ mod tests {
 
     #[test]
     fn quaternions_of_version_3() {
-        // half a turn around x: the largest is x, number 0
+        // a half turn around x: the largest is x, with index 0
         assert_eq!(smallest_three(0_u32.to_le_bytes()), [0.0, 1.0, 0.0, 0.0]);
-        // y is -sqrt(1/2), so w is sqrt(1/2): 3 is the largest; x, y and z follow
+        // y is -sqrt(1/2), so w is sqrt(1/2): the largest has index 3; x, y and z follow
         let bits: u32 = (3 << 30) | ((512 | 511) << 10);
         let [w, x, y, z] = smallest_three(bits.to_le_bytes());
         let half = std::f32::consts::FRAC_1_SQRT_2;

@@ -1,4 +1,4 @@
-//! `key=value`: one setting, in the type that it has.
+//! Assignments `key=value`, which set one setting in its own type.
 
 use serde::Deserialize;
 use toml::{Table, Value};
@@ -6,15 +6,15 @@ use toml::{Table, Value};
 use super::TrainConfig;
 use super::builder::merge;
 
-/// How alike two names are, 0 to 1, for one to be suggested in place of the other.
+/// Similarity of two names, 0 to 1, from which one is suggested for the other.
 const ALIKE: f64 = 0.8;
 
-/// A table with all settings: also those that a file leaves out where they have their default.
+/// A table with all settings, including those that a file omits if they have their default.
 fn template() -> Table {
     let mut config = TrainConfig::default();
     config.data.path = Some("the built-in scene".into());
     config.data.allow_outside = true;
-    // through text, so that an f32 has its own digits
+    // through text, so that an f32 keeps its own digits
     let mut table: Table = toml::from_str(&config.to_toml()).expect("it was just written");
     if let Some(Value::Table(data)) = table.get_mut("data") {
         data.insert("allow_outside".to_owned(), Value::Boolean(false));
@@ -22,7 +22,7 @@ fn template() -> Table {
     table
 }
 
-/// Every setting, as `table.name`, and its default. A learning rate is one setting.
+/// Every setting as `table.name`, and its default. A learning rate is one setting.
 #[must_use]
 pub fn defaults() -> Vec<(String, String)> {
     fn walk(prefix: &str, table: &Table, found: &mut Vec<(String, String)>) {
@@ -47,7 +47,7 @@ pub fn defaults() -> Vec<(String, String)> {
     found
 }
 
-/// The table that an assignment stands for.
+/// Parses an assignment into a table with one setting.
 pub fn parse(text: &str) -> Result<Table, String> {
     let Some((key, value)) = text.split_once('=') else {
         return Err(format!("`{text}` sets nothing; write KEY=VALUE, such as run.steps=3000"));
@@ -68,7 +68,7 @@ pub fn parse(text: &str) -> Result<Table, String> {
     }
 }
 
-/// The default of a setting; an error that suggests another where there is none of that name.
+/// The default of a setting. If there is none of that name, the error suggests a similar one.
 fn find(key: &str) -> Result<Value, String> {
     let table = Value::Table(template());
     let found = key.split('.').try_fold(&table, |value, name| value.get(name));
@@ -86,7 +86,7 @@ fn find(key: &str) -> Result<Value, String> {
     }
 }
 
-/// The setting whose name, with its table or without, is most like a key.
+/// The setting whose name, with or without its table, is most similar to a key.
 fn nearest(key: &str) -> Option<String> {
     let alike = |name: &str| {
         let last = name.rsplit('.').next().unwrap_or(name);
@@ -97,7 +97,7 @@ fn nearest(key: &str) -> Option<String> {
     best.filter(|(rating, _)| *rating >= ALIKE).map(|(_, name)| name)
 }
 
-/// A value as the user writes it, in the type of a default.
+/// Parses a value that the user wrote, in the type of a default.
 fn read(default: &Value, text: &str) -> Option<Value> {
     match default {
         Value::Integer(_) => text.replace('_', "").parse().ok().map(Value::Integer),
@@ -105,7 +105,7 @@ fn read(default: &Value, text: &str) -> Option<Value> {
         Value::Boolean(_) => text.parse().ok().map(Value::Boolean),
         Value::Array(values) => {
             let Some(first) = values.first() else {
-                // what a run writes itself, such as its plan, can be removed
+                // values that a run itself writes, such as its plan, can be removed
                 let inner = text.trim_matches(['[', ']']).trim();
                 return inner.is_empty().then(|| Value::Array(Vec::new()));
             };
@@ -127,13 +127,13 @@ fn read(default: &Value, text: &str) -> Option<Value> {
     }
 }
 
-/// The parts of a list, with or without its brackets.
+/// The elements of a list, with or without its brackets.
 fn list(text: &str) -> impl Iterator<Item = &str> {
     let inner = text.strip_prefix('[').and_then(|text| text.strip_suffix(']'));
     inner.unwrap_or(text).split(',').map(str::trim)
 }
 
-/// What a value of a default's type looks like.
+/// Describes the form of a value that has a default's type.
 fn kind(default: &Value) -> &'static str {
     match default {
         Value::Integer(_) => "a whole number",
@@ -148,7 +148,7 @@ fn kind(default: &Value) -> &'static str {
     }
 }
 
-/// Whether a table is a learning rate, which is one setting.
+/// Whether a table is a learning rate, which counts as one setting.
 fn is_rate(value: &Value) -> bool {
     value.get("first").is_some()
 }

@@ -1,4 +1,4 @@
-//! Settings from several places, put together.
+//! Combines settings from several places.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ use super::{MAX_BYTES, TrainConfig};
 use crate::error::{Error, Result};
 use crate::input::read_text;
 
-/// Puts settings together. A later call overrides earlier ones; what none of them sets has its default.
+/// Combines settings. A later call overrides earlier ones. A setting that no call sets has its default.
 ///
 /// ```
 /// use organza::train::{ConfigBuilder, Preset};
@@ -30,16 +30,16 @@ pub struct ConfigBuilder {
 }
 
 impl ConfigBuilder {
-    /// Begins with the settings of a preset.
+    /// Starts with the settings of a preset.
     ///
     /// # Errors
-    /// As [`TrainConfig::load`], which means that the program's own file is wrong.
+    /// The same errors as [`TrainConfig::load`]. An error means that a file of the program is wrong.
     pub fn new(preset: Preset) -> Result<Self> {
         Self::from_config(&TrainConfig::default())
             .text(preset.toml(), Path::new(&format!("the preset {}", preset.name())))
     }
 
-    /// Begins with settings that are put together already.
+    /// Starts with given settings.
     #[must_use]
     pub fn from_config(config: &TrainConfig) -> Self {
         Self { table: Table::try_from(config).expect("plain tables of numbers and strings") }
@@ -48,19 +48,19 @@ impl ConfigBuilder {
     /// Adds the settings of a file.
     ///
     /// # Errors
-    /// As [`TrainConfig::load`].
+    /// The same errors as [`TrainConfig::load`].
     pub fn file(self, path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         self.text(&read_text(path, MAX_BYTES, "settings")?, path)
     }
 
-    /// Adds the settings of a TOML text; `origin` is the name that errors give to it.
+    /// Adds the settings in a TOML text. Errors call it `origin`.
     ///
     /// # Errors
-    /// As [`TrainConfig::load`].
+    /// The same errors as [`TrainConfig::load`].
     pub fn text(mut self, text: &str, origin: &Path) -> Result<Self> {
         let invalid = |reason| Error::Invalid { origin: origin.to_owned(), reason };
-        // only the text has lines
+        // only this text has line numbers
         let at_line = |error: toml::de::Error| {
             let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
             format!("line {line}: {}", error.message())
@@ -70,7 +70,7 @@ impl ConfigBuilder {
         merge(&mut self.table, table);
         let config = self.parse().map_err(|reason| {
             let alone = toml::from_str::<TrainConfig>(text).err();
-            // what the text leaves out is not missing
+            // a setting that the text leaves out is not missing
             let alone = alone.filter(|error| !error.message().starts_with("missing field"));
             invalid(alone.map_or(reason, at_line))
         })?;
@@ -78,13 +78,14 @@ impl ConfigBuilder {
         Ok(self)
     }
 
-    /// Sets one value. The assignment reads `key=value`, such as `run.steps=3000`; the key is the setting's table and
-    /// name. Text needs no quotes, a list no brackets. A learning rate is two numbers, `first,last`, or one for both.
+    /// Sets one value. The assignment has the form `key=value`, for example `run.steps=3000`. The key is the
+    /// setting's table and name. Text needs no quotes, and a list no brackets. A learning rate is two numbers,
+    /// `first,last`, or one for both.
     ///
-    /// The value's range is checked by [`ConfigBuilder::build`].
+    /// [`ConfigBuilder::build`] checks the value's range.
     ///
     /// # Errors
-    /// [`Error::Invalid`] where there is no such setting, or where the value is not of its type.
+    /// [`Error::Invalid`] if there is no such setting, or if the value is not of its type.
     pub fn set(mut self, assignment: &str) -> Result<Self> {
         let invalid = |reason| Error::Invalid { origin: Path::new("").to_owned(), reason };
         let table = assignment::parse(assignment).map_err(invalid)?;
@@ -92,7 +93,7 @@ impl ConfigBuilder {
         Ok(self)
     }
 
-    /// The settings.
+    /// Returns the combined settings.
     ///
     /// # Errors
     /// [`Error::Invalid`] for a value out of range.
@@ -108,7 +109,7 @@ impl ConfigBuilder {
     }
 }
 
-/// Puts the values of one table over those of another.
+/// Overwrites values of the table `under` with those of `over`.
 pub(super) fn merge(under: &mut Table, over: Table) {
     for (key, value) in over {
         match (under.get_mut(&key), value) {

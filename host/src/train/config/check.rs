@@ -1,4 +1,4 @@
-//! Values that no run can have.
+//! Range checks of the settings.
 
 use std::fmt::Display;
 
@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::tile::most_tiles;
 
 impl TrainConfig {
-    /// The first value that is out of range, as a sentence.
+    /// Checks all values. The error is a sentence about the first one out of range.
     pub(in crate::train) fn check(&self) -> Result<(), String> {
         let positive = |name: &str, value: u32| match value {
             0 => Err(format!("`{name}` is 0, expected 1 or more")),
@@ -43,7 +43,7 @@ impl TrainConfig {
         self.optimizer.check()
     }
 
-    /// What the kernels can address, and what a scene can be.
+    /// Checks that kernels can address the scene, and that the scene is valid.
     fn check_scene(&self) -> Result<(), String> {
         let (tiles, side) = (self.run.tiles_per_step, self.run.tile_size);
         let most = most_tiles(side);
@@ -64,7 +64,7 @@ impl TrainConfig {
         within("start.gaussians", gaussians, 1, most)
     }
 
-    /// What one value says about another.
+    /// Checks values that constrain each other.
     fn check_together(&self) -> Result<(), String> {
         if self.data.hold_out_every == 1 {
             return Err(
@@ -85,7 +85,7 @@ impl TrainConfig {
 }
 
 impl TrainConfig {
-    /// A plan that a run could have made.
+    /// Checks that a run could have made this plan.
     fn check_plan(&self) -> Result<(), String> {
         let plan = &self.run.plan;
         let ascends =
@@ -107,7 +107,7 @@ impl TrainConfig {
     }
 }
 
-/// In the value's own type, whose digits are those of the file.
+/// Checks a value in its own type, so that messages have the file's digits.
 pub(super) fn within<T: Copy + PartialOrd + Display>(
     name: &str,
     value: T,

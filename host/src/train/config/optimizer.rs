@@ -9,23 +9,24 @@ use crate::scene::{FieldTensors, GaussianTensors, Tensors};
 
 /// Adam's epsilon.
 pub(in crate::train) const EPSILON: f64 = 1e-12;
-/// Where the rates are at the end of their cooldown, as a part of what they would be without one.
+/// Factor of the rates at the end of their cooldown.
 const COOLED: f64 = 0.02;
 
-/// A learning rate that falls from the first step to the last, by the same factor each step; see also
+/// A learning rate that falls from the first step to the last by a constant factor per step. See also
 /// [`OptimizerConfig::cooldown`].
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Rate {
-    /// At the first step.
+    /// Rate at the first step.
     pub first: f64,
-    /// At the last step, without the cooldown.
+    /// Rate at the last step, without the cooldown.
     pub last: f64,
 }
 
 macro_rules! define {
     ($($(#[$doc:meta])* $name:ident: $row:tt, $why:literal;)+) => {
-        /// Adam (Kingma and Ba) and its rates.  The rate of `position` is a part of half the scene box's longest side.
+        /// Adam (Kingma and Ba) and its rates. The rate of `position` is relative to half the longest side of the
+        /// scene's box.
         #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
         #[serde(deny_unknown_fields, default)]
         pub struct OptimizerConfig {
@@ -33,22 +34,22 @@ macro_rules! define {
             pub beta1: f64,
             /// beta2
             pub beta2: f64,
-            /// The part of the run at its end, 0 to 1, in which all rates also fall linearly, to a fiftieth: what noise moved
-            /// comes to rest (Hägele et al. 2024, "Scaling Laws and Compute-Optimal Training Beyond Fixed Training
+            /// Final part of the run, 0 to 1, in which all rates also fall linearly to a fiftieth, so that noise
+            /// settles (Hägele et al. 2024, "Scaling Laws and Compute-Optimal Training Beyond Fixed Training
             /// Durations").
             pub cooldown: f64,
-            /// lambda, the weight decay of the transmittance network's grid (AdamW, Loshchilov and Hutter 2019): each step
-            /// multiplies its values by `1 - alpha lambda`. Space stays empty where photographs do not ask for more.
+            /// lambda, the weight decay of the transmittance network's grid (AdamW, Loshchilov and Hutter 2019). Each
+            /// step multiplies its values by `1 - alpha lambda`, so space stays empty unless photographs need more.
             pub transmittance_decay: f64,
             $($(#[$doc])* pub $name: Rate,)+
-            /// Both hash grids.
+            /// Rate of both hash grids.
             pub grids: Rate,
-            /// Both networks.
+            /// Rate of both networks.
             pub networks: Rate,
-            /// The exposures of photographs, where they are learned.
+            /// Rate of the photographs' exposures, if they are learned.
             pub exposure: Rate,
-            /// The poses of cameras, where they are refined: of rotations in radians. That of shifts is a part of half the
-            /// scene box's longest side.
+            /// Rate of the cameras' poses, if they are refined: of rotations in radians. The rate of shifts is
+            /// relative to half the longest side of the scene's box.
             pub pose: Rate,
         }
 
@@ -61,7 +62,7 @@ macro_rules! define {
                 Tensors { gaussians, color: field, transmittance: field }
             }
 
-            /// Every rate and its name in the file.
+            /// Every rate with its name in the file.
             pub(in crate::train) fn named_rates(&self) -> impl Iterator<Item = (&'static str, Rate)> {
                 let of_gaussians = [$((stringify!($name), self.$name)),+];
                 let others = [
@@ -101,7 +102,7 @@ impl Default for OptimizerConfig {
 }
 
 impl OptimizerConfig {
-    /// A rate when a part of the run is done, 0 to 1: see [`RunConfig::share`](super::RunConfig::share).
+    /// A rate after the part `share` of the run, 0 to 1: see [`RunConfig::share`](super::RunConfig::share).
     #[must_use]
     pub fn rate_at(&self, rate: Rate, share: f64) -> f64 {
         let share = share.min(1.0);
@@ -109,7 +110,7 @@ impl OptimizerConfig {
         rate.first * (rate.last / rate.first).powf(share) * left.clamp(COOLED, 1.0)
     }
 
-    /// The first value that is out of range, as a sentence.
+    /// Checks the rates. The error is a sentence about the first value out of range.
     pub(super) fn check(&self) -> Result<(), String> {
         within("optimizer.beta1", self.beta1, 0.0, 0.999_999)?;
         within("optimizer.beta2", self.beta2, 0.0, 0.999_999_9)?;

@@ -5,7 +5,7 @@
 pub enum Preset {
     /// A first look, in a fraction of the time.
     Fast,
-    /// Every setting has its default.
+    /// The defaults of all settings.
     #[default]
     Default,
     /// An hour or more: more steps, more Gaussians, finer colors.
@@ -18,7 +18,7 @@ impl Preset {
     /// Every preset.
     pub const ALL: [Self; 4] = [Self::Fast, Self::Default, Self::Best, Self::BuiltIn];
 
-    /// Its name, which is that of its file.
+    /// Name of the preset and of its file.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -29,7 +29,7 @@ impl Preset {
         }
     }
 
-    /// The text of its file, TOML. Settings that it leaves out have their default.
+    /// Text of the preset's file, TOML. Settings that it leaves out have their default.
     #[must_use]
     pub const fn toml(self) -> &'static str {
         match self {

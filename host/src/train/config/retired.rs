@@ -1,9 +1,9 @@
-//! Settings of earlier versions, in files of theirs.
+//! Settings of earlier versions, in their files.
 
 use toml::Table;
 
-/// The group and the name of a setting that is no more, a value as TOML writes it, and what stands for it today: nothing where
-/// it is the only way.
+/// Group, name and TOML value of a retired setting, and its replacement today. The replacement is empty if the
+/// program no longer has a choice.
 const RETIRED: [[&str; 4]; 8] = [
     ["exposure", "method", "'none'", "learn = false"],
     ["exposure", "method", "'affine'", "learn = true"],
@@ -15,10 +15,10 @@ const RETIRED: [[&str; 4]; 8] = [
     ["optimizer", "epsilon", "1e-12", ""],
 ];
 
-/// Puts what stands for them today in the place of settings that are no more.
+/// Replaces retired settings by those of today.
 ///
 /// # Errors
-/// A sentence about a value that nothing stands for.
+/// A sentence about a value without a replacement.
 pub(super) fn replace(settings: &mut Table) -> Result<(), String> {
     for [group, name, value, today] in RETIRED {
         let parse = |text: &str| text.parse::<Table>().expect("TOML of the program");

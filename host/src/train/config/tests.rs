@@ -40,7 +40,7 @@ fn mistakes_are_named() {
     }
 }
 
-/// In f32 the nearest number to 1e-4 is less than that of f64.
+/// The f32 nearest to 1e-4 is less than the f64.
 #[test]
 fn the_ends_of_a_range_belong_to_it() {
     for text in ["[start]\nopacity = 1e-4", "[start]\nopacity = 0.9999", "[start]\nscale = 1e-4"] {
@@ -88,7 +88,7 @@ fn a_plan_spreads_what_is_left_over_the_steps_that_are_left() {
     run.replan(50, 150);
     let shares = [0, 25, 50, 100, 150].map(|step| run.share(step));
     assert_eq!(shares, [0.0, 0.25, 0.5, 0.75, 1.0]);
-    // what comes later changes nothing before, to the bit
+    // a later plan must not change earlier shares by a single bit
     let before: Vec<_> = (0..=60).map(|step| run.share(step).to_bits()).collect();
     run.replan(61, 90);
     assert!((0..=60).map(|step| run.share(step).to_bits()).eq(before));

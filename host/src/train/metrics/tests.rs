@@ -72,7 +72,7 @@ fn records_are_lines_of_json() {
     assert!(matches!(&records[2], Record::Evaluation { psnr: None, ssim: Some(0.5), .. }));
 }
 
-/// Logs of a program that did not write these fields.
+/// Reads logs of a program that did not write these fields.
 #[test]
 fn the_log_of_an_older_program_is_read() {
     let line = r#"{"kind":"step","step":1,"seconds":1.0,"loss":1.0,"psnr":20.5,"tiles_per_second":1e3,"gaussians":11}"#;
@@ -110,7 +110,7 @@ fn half_a_line_is_dropped() {
     let whole = fs::read(&path).unwrap();
     for cut in [1, 2, 20, 60] {
         fs::write(&path, &whole[..whole.len() - cut]).unwrap();
-        // without its line break alone, a record is whole
+        // a record without its line break is complete
         let kept = if cut == 1 { 2 } else { 1 };
         assert_eq!(MetricsLog::read(&path).unwrap().len(), kept, "{cut}");
         MetricsLog::resume(&path, 9).unwrap().append(&step(3)).unwrap();

@@ -1,25 +1,25 @@
-//! The curves of runs, as the numbers that `page.js` draws with uPlot.
+//! The curves of runs: numbers that `page.js` draws with uPlot.
 
 use serde::Serialize;
 
 use super::run::Run;
 use crate::train::metrics::Record;
 
-/// A curve has at most this many points; of more, every second, third, ... is taken.
+/// Largest number of points in a curve. A longer one is thinned to every second, third, ... point.
 const MAX_POINTS: usize = 4000;
-/// Learning rates are smooth.
+/// Largest number of points in a curve of learning rates, which are smooth.
 const MAX_RATES: usize = 250;
-/// Colors that the style sheet has, beside `--batch` and `--held-out`.
+/// Number of colors in the style sheet, besides `--batch` and `--held-out`.
 const COLORS: usize = 8;
 
-/// What `page.js` reads.
+/// The data that `page.js` reads.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub(super) struct Charts {
     pub tables: Vec<Table>,
     pub charts: Vec<Chart>,
 }
 
-/// What the points of curves have in common.
+/// Columns that several curves share.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub(super) struct Table {
     pub step: Vec<u64>,
@@ -31,7 +31,7 @@ pub(super) struct Chart {
     pub title: &'static str,
     pub unit: &'static str,
     pub scale: Scale,
-    /// Digits after the point of a value that one points at; four digits in all where it is none.
+    /// Digits after the point for the value under the pointer. `None` means four digits in all.
     pub digits: Option<usize>,
     pub series: Vec<Series>,
 }
@@ -41,7 +41,7 @@ pub(super) struct Chart {
 pub(super) enum Scale {
     Linear,
     Log,
-    /// Linear, from 0.
+    /// Linear, starting at 0.
     Zero,
 }
 
@@ -49,13 +49,13 @@ pub(super) enum Scale {
 #[serde(rename_all = "lowercase")]
 pub(super) enum Style {
     Line,
-    /// Values, and their running mean in front.
+    /// Values, with their running mean in front.
     Noise,
-    /// The running mean alone.
+    /// Only the running mean.
     Mean,
     /// A mark at each value.
     Marks,
-    /// A value holds until the next.
+    /// A step curve: each value holds until the next.
     Steps,
 }
 
@@ -66,12 +66,12 @@ pub(super) struct Series {
     pub color: String,
     pub dash: bool,
     pub style: Style,
-    /// Its index among the tables.
+    /// Index of the curve's table.
     pub table: usize,
     pub y: Vec<Number>,
 }
 
-/// A number of the log with the digits of an `f32`, which is what it was computed from; null where it is not finite.
+/// A number of the log, with the digits of the `f32` that it was computed from. Null if it is not finite.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(transparent)]
 pub(super) struct Number(pub Option<f32>);
@@ -83,7 +83,7 @@ impl From<f64> for Number {
     }
 }
 
-/// A curve's value of a record.
+/// Reads a curve's value from a record.
 type Value = fn(&Record) -> f64;
 
 const STEP_CHARTS: [(&str, &str, Scale, Option<usize>, Value); 4] = [
@@ -109,11 +109,11 @@ fn speed(record: &Record) -> f64 {
     if let Record::Step { tiles_per_second, .. } = record { *tiles_per_second } else { f64::NAN }
 }
 
-/// The records of steps and those of evaluations, as many as are drawn, with their tables.
+/// Records of steps and of evaluations, thinned for drawing, with their tables.
 struct Source<'a> {
     steps: Vec<&'a Record>,
     evaluations: Vec<&'a Record>,
-    /// The first one's index: steps, then evaluations.
+    /// Index of the table of steps; that of evaluations follows.
     table: usize,
 }
 
@@ -167,12 +167,12 @@ impl Table {
     }
 }
 
-/// What a scale can show of a value.
+/// The value as a scale can show it.
 fn drawn(value: f64, scale: Scale) -> Number {
     if scale == Scale::Log && value <= 0.0 { Number(None) } else { value.into() }
 }
 
-/// Evenly chosen ones, the last included.
+/// At most `most` of the elements, evenly chosen, including the last.
 pub(super) fn thinned<T>(all: Vec<T>, most: usize) -> Vec<T> {
     let every = all.len().div_ceil(most.max(1)).max(1);
     let last = all.len().saturating_sub(1);
@@ -182,7 +182,7 @@ pub(super) fn thinned<T>(all: Vec<T>, most: usize) -> Vec<T> {
 }
 
 impl Charts {
-    /// Those of one run.
+    /// The charts of one run.
     pub fn of_run(run: &Run) -> Self {
         let mut charts = Self::default();
         let source = Source::new(run, &mut charts);
@@ -204,7 +204,7 @@ impl Charts {
         charts
     }
 
-    /// Those of several runs, each curve with the name of its run.
+    /// The charts of several runs. Each curve has its run's name.
     pub fn of_runs(runs: &[(String, Run)]) -> Self {
         let mut charts = Self::default();
         let sources: Vec<_> = runs.iter().map(|(_, run)| Source::new(run, &mut charts)).collect();
@@ -238,7 +238,7 @@ impl Charts {
         charts
     }
 
-    /// A curve for each rate.
+    /// Adds a curve for each learning rate.
     fn add_rates(&mut self, steps: &[&Record]) {
         let steps = thinned(steps.to_vec(), MAX_RATES);
         let rates = |record: &&Record| match record {
@@ -265,7 +265,7 @@ impl Charts {
         self.add(Chart { title: "Learning rates", unit: "", scale, digits: None, series });
     }
 
-    /// Leaves out what has no value.
+    /// Adds a chart, without curves that have no value.
     fn add(&mut self, mut chart: Chart) {
         chart.series.retain(|series| series.y.iter().any(|value| value.0.is_some()));
         if !chart.series.is_empty() {
@@ -273,7 +273,7 @@ impl Charts {
         }
     }
 
-    /// JSON that can stand in a page: no `<` ends the element that it is in.
+    /// JSON that is safe inside a page: no `<` can end its element.
     pub fn json(&self) -> String {
         let text = serde_json::to_string(self).unwrap_or_default();
         text.replace('<', "\\u003c")

@@ -1,4 +1,4 @@
-//! A page that compares runs.
+//! The page that compares runs.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -13,19 +13,19 @@ use super::run::Run;
 use crate::error::Result;
 use organza_core::write_atomic;
 
-/// Pictures that the page holds: of many runs it shows few views.
+/// Largest number of pictures on the page: with many runs it shows few views.
 const MAX_PICTURES: usize = 48;
 
-/// A setting that is not the same in all runs.
+/// A setting that differs between runs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Difference {
     /// The setting's name.
     pub setting: String,
-    /// Its value in each run, as `config.toml` has it; none where it is not set.
+    /// Value in each run, as in `config.toml`; `None` if it is not set.
     pub values: Vec<Option<String>>,
 }
 
-/// The settings in which runs differ, in the order of `config.toml`.
+/// The settings that differ between runs, in the order of `config.toml`.
 #[must_use]
 pub fn differences<'a>(runs: impl IntoIterator<Item = &'a Run>) -> Vec<Difference> {
     let lists: Vec<_> = runs.into_iter().map(|run| run.config.list()).collect();
@@ -42,7 +42,7 @@ pub fn differences<'a>(runs: impl IntoIterator<Item = &'a Run>) -> Vec<Differenc
     names.filter_map(difference).collect()
 }
 
-/// Writes a page that shows runs side by side, each under its name, atomically.
+/// Writes a page that shows runs side by side, each with its name, atomically.
 ///
 /// # Errors
 /// [`Error::WriteFile`](crate::Error::WriteFile).
@@ -114,7 +114,7 @@ fn settings(runs: &[(String, Run)]) -> Markup {
     )
 }
 
-/// The views that all runs hold out, each run's rendered image beside the photograph.
+/// The views that all runs hold out: each run's image beside the photograph.
 fn views(runs: &[(String, Run)]) -> Markup {
     let evaluations: Vec<_> =
         runs.iter().map(|(_, run)| run.evaluations().last().copied()).collect();

@@ -1,4 +1,4 @@
-//! What all pages have: the frame around them, and how numbers are written.
+//! Parts that all pages share: the frame, and the format of numbers.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -19,7 +19,7 @@ const SCRIPT: &str = concat!(
     include_str!("assets/page.js")
 );
 
-/// A whole page. The policy lets nothing be loaded, and nothing run but [`SCRIPT`].
+/// A whole page. Its policy allows no request, and no script but [`SCRIPT`].
 pub fn page(title: &str, charts: &Charts, body: &Markup) -> String {
     let hash = STANDARD.encode(Sha256::digest(SCRIPT));
     let policy = format!(
@@ -50,7 +50,7 @@ pub fn page(title: &str, charts: &Charts, body: &Markup) -> String {
     page.into_string()
 }
 
-/// Text without characters that no page may hold, which names of files can.
+/// Removes characters that a page must not contain, but names of files may.
 pub fn clean(text: &str) -> String {
     let shown = |character: char| match character {
         '\n' | '\t' => character,
@@ -61,12 +61,12 @@ pub fn clean(text: &str) -> String {
     text.chars().map(shown).collect()
 }
 
-/// A heading with what belongs to it.
+/// A heading with its content.
 pub fn section(heading: &str, content: &Markup) -> Markup {
     html! { section { h2 { (heading) } (content) } }
 }
 
-/// The curves, and the choice of what they are over.
+/// The curves, and a choice of their x axis.
 pub fn curves(charts: &Charts, note: &Markup) -> Markup {
     if charts.charts.is_empty() {
         return Markup::default();
@@ -98,7 +98,7 @@ pub fn curves(charts: &Charts, note: &Markup) -> Markup {
     }
 }
 
-/// A table with titles. Of each row the first `words` cells are words, the others numbers.
+/// A table with a title row. In each row, the first `words` cells are text and the others are numbers.
 pub fn table(class: &str, titles: &[String], words: usize, rows: &[Vec<String>]) -> Markup {
     let kind = |column: usize| (column >= words).then_some("number");
     html! {
@@ -115,14 +115,14 @@ pub fn table(class: &str, titles: &[String], words: usize, rows: &[Vec<String>])
     }
 }
 
-/// A picture; small ones keep their pixels.
+/// A picture. Small ones are enlarged without smoothing.
 pub fn image(picture: &Picture, what: &str) -> Markup {
     let [width, height] = picture.size;
     let small = (width.max(height) < 256).then_some("small");
     html! { img class=[small] src=(picture.data) width=(width) height=(height) alt=(clean(what)); }
 }
 
-/// What the colors of error pictures mean.
+/// The legend of error pictures.
 pub fn error_legend() -> Markup {
     const STOPS: u32 = 16;
     let color = |stop| {
@@ -140,14 +140,14 @@ pub fn error_legend() -> Markup {
     }
 }
 
-/// A score, or a dash.
+/// A score, or a dash for `None`.
 pub fn score(value: Option<f64>, digits: usize) -> String {
     value
         .filter(|value| value.is_finite())
         .map_or_else(|| "–".to_owned(), |value| format!("{value:.digits$}"))
 }
 
-/// Digits in groups of three.
+/// Formats a number with its digits in groups of three.
 pub fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::new();
@@ -160,7 +160,7 @@ pub fn grouped(number: u64) -> String {
     text
 }
 
-/// A time as one says it: `4.2 s`, `12 min 3 s`, `2 h 5 min`.
+/// Formats a time for people: `4.2 s`, `12 min 3 s`, `2 h 5 min`.
 pub fn duration(seconds: f64) -> String {
     let whole = seconds.max(0.0).round() as u64;
     match whole {
@@ -170,7 +170,7 @@ pub fn duration(seconds: f64) -> String {
     }
 }
 
-/// A date of the log for people: `2026-01-31 09:30 UTC`.
+/// Formats a date of the log for people: `2026-01-31 09:30 UTC`.
 pub fn date(text: &str) -> String {
     match (text.get(..10), text.get(11..16)) {
         (Some(day), Some(time)) if text.ends_with('Z') => format!("{day} {time} UTC"),
@@ -193,7 +193,7 @@ mod tests {
         assert_eq!(date("<yesterday>"), "<yesterday>");
     }
 
-    /// Either would end the element that it is in.
+    /// Either text would end the element that contains it.
     #[test]
     fn script_and_style_are_whole() {
         assert!(!SCRIPT.contains("</script") && !SCRIPT.contains("<!--") && !SCRIPT.contains('\r'));

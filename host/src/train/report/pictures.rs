@@ -1,8 +1,8 @@
-//! A run's folder `pictures`: small JPEG files of the held-out views, which its report shows.
+//! A run's folder `pictures`: small JPEG files of held-out views, for the report.
 //!
-//! `view-1-photograph.jpg` is the first view's photograph, `view-1-step-000500.jpg` the rendered image after 500 steps, and
-//! `view-1-error-000500.jpg` its error. Those of earlier evaluations are removed. `over-time-000500.jpg` stays: the first
-//! view after each evaluation, as a thumbnail.
+//! `view-1-photograph.jpg` is the first view's photograph, `view-1-step-000500.jpg` its rendered image after 500
+//! steps, and `view-1-error-000500.jpg` its error. Only those of the last evaluation are kept. `over-time-000500.jpg`
+//! stays: a thumbnail of the first view after each evaluation.
 
 use std::fs;
 use std::io::{self, Cursor};
@@ -21,53 +21,54 @@ use crate::image::Image;
 use crate::input::read_file;
 use organza_core::{remove_leftovers, write_atomic};
 
-/// The folder's name in a run's folder.
+/// Name of the folder in a run's folder.
 pub const PICTURES: &str = "pictures";
-/// The error picture shows the difference times this.
+/// Factor of the difference in error pictures.
 pub const ERROR_FACTOR: u32 = 5;
 
-/// JPEG's quality, of 100.
+/// JPEG quality, out of 100.
 const QUALITY: u8 = 88;
-/// The longer side of a view's pictures, in pixels: the largest with which they take at most [`VIEW_BYTES`] together.
+/// Sizes of a view's pictures: the longer side in pixels. The largest is used with which they take at most
+/// [`VIEW_BYTES`] together.
 const SIDES: [u32; 4] = [800, 560, 400, 280];
 const VIEW_BYTES: usize = 768 << 10;
-/// The longer side of a thumbnail.
+/// Longer side of a thumbnail, in pixels.
 const THUMBNAIL: u32 = 320;
-/// A picture file that is larger is not one of ours.
+/// Largest picture file, in bytes. A larger file was not written by this program.
 const MAX_BYTES: u64 = 4 << 20;
 
-/// The pictures of a run.
+/// The pictures in a run's folder.
 #[derive(Clone, Debug)]
 pub struct Pictures {
     folder: PathBuf,
 }
 
-/// What a view's picture shows.
+/// The content of a view's picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     Photograph,
-    /// The rendered image after so many steps.
+    /// The rendered image after this many steps.
     Rendered(u64),
-    /// The error after so many steps.
+    /// The error after this many steps.
     Error(u64),
 }
 
-/// A picture as a page holds it.
+/// A picture in the form that pages contain.
 #[derive(Clone, Debug)]
 pub struct Picture {
-    /// Its size in pixels.
+    /// Width and height in pixels.
     pub size: [u32; 2],
-    /// A `data:` address.
+    /// A `data:` URL.
     pub data: String,
 }
 
 impl Pictures {
-    /// Those of a run's folder.
+    /// The pictures of the run in a folder.
     pub fn of_run(folder: &Path) -> Self {
         Self { folder: folder.join(PICTURES) }
     }
 
-    /// Makes the folder, and removes what belongs to later steps than `step`.
+    /// Creates the folder, and removes pictures of later steps than `step`.
     ///
     /// # Errors
     /// [`Error::WriteFile`].
@@ -82,10 +83,10 @@ impl Pictures {
         Ok(())
     }
 
-    /// Writes the pictures of the view at `index`, which was rendered after `step` steps.
+    /// Writes the pictures of the view at `index`, rendered after `step` steps.
     ///
     /// # Errors
-    /// [`Error::WriteFile`]; [`Error::Argument`] where the image is not of its photograph's size.
+    /// [`Error::WriteFile`]; [`Error::Argument`] if the image does not have its photograph's size.
     pub fn write(&self, index: usize, step: u64, truth: &Photograph, image: &Image) -> Result<()> {
         if index == 0 {
             self.save(&thumbnail_name(step), &encode(&shrink(&rgb(image), THUMBNAIL))?)?;
@@ -107,17 +108,17 @@ impl Pictures {
         self.save(&thumbnail_name(0), &encode(&shrink(&rgb(image), THUMBNAIL))?)
     }
 
-    /// Removes the views of other evaluations than that after `step` steps. Thumbnails stay.
+    /// Removes the views of all evaluations but the one after `step` steps. Thumbnails stay.
     pub fn keep(&self, step: u64) {
         self.remove(|name| name.starts_with("view-") && step_of(name).is_some_and(|at| at != step));
     }
 
-    /// A view's picture, where it is there.
+    /// Reads a view's picture, if it exists.
     pub fn view(&self, index: usize, kind: Kind) -> Option<Picture> {
         self.read(&name(index, kind))
     }
 
-    /// The thumbnail after `step` steps, where it is there.
+    /// Reads the thumbnail after `step` steps, if it exists.
     pub fn thumbnail(&self, step: u64) -> Option<Picture> {
         self.read(&thumbnail_name(step))
     }
@@ -126,7 +127,7 @@ impl Pictures {
         write_atomic(self.folder.join(name), |writer| writer.write_all(bytes))
     }
 
-    /// Where it is missing, or something else, the page is without it.
+    /// Reads a picture. If it is missing or invalid, the page leaves it out.
     fn read(&self, name: &str) -> Option<Picture> {
         let bytes = read_file(&self.folder.join(name), MAX_BYTES, "a picture").ok()?;
         let reader = ImageReader::with_format(Cursor::new(&bytes), ImageFormat::Jpeg);
@@ -140,7 +141,7 @@ impl Pictures {
         entries.filter_map(|entry| entry.file_name().into_string().ok()).collect()
     }
 
-    /// What cannot be removed does no harm: pages show only what the log has.
+    /// Removes pictures. Failures are ignored: pages show only what the log has.
     fn remove(&self, is_gone: impl Fn(&str) -> bool) {
         for name in self.names().iter().filter(|name| is_gone(name)) {
             let _ = fs::remove_file(self.folder.join(name));
@@ -161,7 +162,7 @@ fn name(index: usize, kind: Kind) -> String {
     }
 }
 
-/// The step in a file's name; none where the name has none, or is not one of ours.
+/// The step in a file's name; `None` if the name has none, or is not one of ours.
 fn step_of(name: &str) -> Option<u64> {
     let (_, step) = name.strip_suffix(".jpg")?.rsplit_once('-')?;
     let step = step.parse().ok()?;
@@ -174,7 +175,7 @@ fn step_of(name: &str) -> Option<u64> {
     is_ours.then_some(step)
 }
 
-/// Photograph, rendered image and error of a view, small enough for a page.
+/// Photograph, rendered image and error of a view, each reduced to fit a page.
 fn of_view(truth: &Photograph, image: &Image) -> Result<[Vec<u8>; 3]> {
     let [width, height] = image.size();
     if [truth.width(), truth.height()] != [width, height] {
@@ -189,7 +190,7 @@ fn of_view(truth: &Photograph, image: &Image) -> Result<[Vec<u8>; 3]> {
     let rendered = rgb(image);
     let mut found = Default::default();
     for side in SIDES {
-        // Errors are made smaller as numbers, and colored after that.
+        // Errors are reduced as numbers, and colored afterwards.
         found = [
             encode(&shrink(&photograph, side))?,
             encode(&shrink(&rendered, side))?,
@@ -208,7 +209,7 @@ fn rgb(image: &Image) -> RgbImage {
     RgbImage::from_raw(width, height, pixels).expect("as many pixels as the size says")
 }
 
-/// The mean absolute difference of the channels times [`ERROR_FACTOR`]; 0 where the photograph has no pixel.
+/// The mean absolute difference of the channels times [`ERROR_FACTOR`]; 0 where the photograph has no valid pixel.
 pub fn error_levels(truth: &[[u8; 3]], rendered: &[[u8; 3]], valid: Option<&[bool]>) -> Vec<u8> {
     let level = |(at, (a, b)): (usize, (&[u8; 3], &[u8; 3]))| {
         let sum: u32 = a.iter().zip(b).map(|(a, b)| u32::from(a.abs_diff(*b))).sum();
@@ -225,12 +226,12 @@ fn colored(levels: &GrayImage) -> RgbImage {
     image
 }
 
-/// The color of an error of 0 to 1, the factor included.
+/// The color of an error from 0 to 1, with the factor included.
 pub fn error_color(level: f64) -> [u8; 3] {
     colorous::INFERNO.eval_continuous(level.clamp(0.0, 1.0)).into_array()
 }
 
-/// An image whose longer side has at most so many pixels.
+/// Shrinks an image so that its longer side has at most `side` pixels.
 fn shrink<P>(image: &ImageBuffer<P, Vec<u8>>, side: u32) -> ImageBuffer<P, Vec<u8>>
 where
     P: ::image::Pixel<Subpixel = u8> + 'static,

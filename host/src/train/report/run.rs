@@ -1,4 +1,4 @@
-//! A run as its folder holds it.
+//! A run as read from its folder.
 
 use std::path::{Path, PathBuf};
 
@@ -21,20 +21,20 @@ pub struct Run {
     pub(super) pictures: Pictures,
 }
 
-/// How far a run has come: its last evaluation, or else its last logged step.
+/// The progress of a run, at its last evaluation or else at its last logged step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Summary {
     /// Mean PSNR of the held-out views, in decibels.
     pub psnr: Option<f64>,
     /// Mean SSIM of the held-out views.
     pub ssim: Option<f64>,
-    /// Steps until then.
+    /// Number of steps at that time.
     pub step: u64,
-    /// Seconds of training until then.
+    /// Seconds of training at that time.
     pub seconds: f64,
-    /// Gaussians at that time.
+    /// Number of Gaussians at that time.
     pub gaussians: Option<u64>,
-    /// The median of the logged speeds.
+    /// Median of the logged speeds.
     pub tiles_per_second: Option<f64>,
 }
 
@@ -42,7 +42,7 @@ impl Run {
     /// Reads a run's folder.
     ///
     /// # Errors
-    /// [`Error::ReadFile`](crate::Error::ReadFile) and [`Error::Invalid`](crate::Error::Invalid), as
+    /// [`Error::ReadFile`](crate::Error::ReadFile) and [`Error::Invalid`](crate::Error::Invalid), like
     /// [`TrainConfig::load`] and [`MetricsLog::read`].
     pub fn load(folder: impl AsRef<Path>) -> Result<Self> {
         let folder = folder.as_ref();
@@ -54,7 +54,7 @@ impl Run {
         })
     }
 
-    /// How far it has come.
+    /// The progress of the run.
     #[must_use]
     pub fn summary(&self) -> Summary {
         let last = |is: fn(&Record) -> bool| self.records.iter().rfind(|record| is(record));
@@ -91,19 +91,19 @@ impl Run {
         speeds.get(speeds.len() / 2).copied()
     }
 
-    /// The folder's name.
+    /// Name of the folder.
     #[must_use]
     pub fn name(&self) -> String {
         name_of(&self.folder)
     }
 
-    /// What it was trained on.
+    /// Name of the data that the run was trained on.
     pub(super) fn data(&self) -> String {
         let path = self.config.data.path.as_deref();
         path.map_or_else(|| "the built-in scene".to_owned(), name_of)
     }
 
-    /// The steps that were taken, also those since the last evaluation.
+    /// Number of steps, including those after the last evaluation.
     #[must_use]
     pub fn last_step(&self) -> u64 {
         self.records.iter().map(Record::step).max().unwrap_or_default()
@@ -129,7 +129,7 @@ impl Run {
         self.records.iter().filter_map(evaluation).collect()
     }
 
-    /// The settings that a resume changed.
+    /// The settings that resumes changed.
     pub(super) fn changes<'a>(&'a self) -> Vec<&'a Change> {
         let change = |record: &'a Record| match record {
             Record::Change(change) => Some(change),
@@ -138,7 +138,7 @@ impl Run {
         self.records.iter().filter_map(change).collect()
     }
 
-    /// Where the time of the last session went.
+    /// The time of each stage in the last session.
     pub(super) fn timing<'a>(&'a self) -> &'a [TimingRow] {
         let timing = |record: &'a Record| match record {
             Record::Timing { rows, .. } => Some(rows.as_slice()),
@@ -147,7 +147,7 @@ impl Run {
         self.records.iter().rev().find_map(timing).unwrap_or_default()
     }
 
-    /// How many were split and pruned, and in how many changes.
+    /// Numbers of split and pruned Gaussians, and the number of changes.
     pub(super) fn growth(&self) -> ([u64; 2], usize) {
         let events = self.records.iter().filter_map(|record| match record {
             Record::Growth { split, pruned, .. } => Some([split, pruned]),
@@ -159,7 +159,7 @@ impl Run {
     }
 }
 
-/// A record of that kind.
+/// The fields of an evaluation's record.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Evaluation<'a> {
     pub step: u64,

@@ -17,9 +17,9 @@ use crate::train::config::TrainConfig;
 use crate::train::metrics::TimingRow;
 use organza_core::write_atomic;
 
-/// Pictures over time that the page shows.
+/// Largest number of pictures over time.
 const MAX_TIMES: usize = 24;
-/// Evaluations that the table shows.
+/// Largest number of evaluations in the table.
 const MAX_ROWS: usize = 100;
 
 /// Writes a run's page, atomically. It takes a few MiB: pictures and curves are thinned out to fit.
@@ -48,7 +48,7 @@ pub(super) fn html_of(run: &Run) -> String {
     page(&format!("{} – organza", run.data()), &charts, &body)
 }
 
-/// What one wants to know first.
+/// The facts that a reader wants first.
 fn header(run: &Run) -> Markup {
     let summary = run.summary();
     let mut facts = Vec::new();
@@ -87,7 +87,7 @@ fn header(run: &Run) -> Markup {
     }
 }
 
-/// What became of the Gaussians, in a sentence.
+/// A sentence about the changes of the Gaussians.
 fn growth(run: &Run) -> Markup {
     let ([split, pruned], times) = run.growth();
     if times == 0 {
@@ -100,7 +100,7 @@ fn growth(run: &Run) -> Markup {
     } }
 }
 
-/// The first held-out view, from before the first step on.
+/// The first held-out view over time, starting before the first step.
 fn over_time(run: &Run, evaluations: &[Evaluation<'_>]) -> Markup {
     let steps = std::iter::once(0).chain(evaluations.iter().map(|evaluation| evaluation.step));
     let steps = thinned(steps.collect(), MAX_TIMES);
@@ -154,7 +154,7 @@ fn views(run: &Run, last: &Evaluation<'_>) -> Markup {
     )
 }
 
-/// With scripts, the photograph lies over the rendered image, and a slider says how far.
+/// A view's pictures. With scripts, the photograph lies over the rendered image, and a slider moves the border.
 fn figure_of(view: &ViewScore, [photograph, rendered, error]: [Picture; 3]) -> Markup {
     let name = &view.name;
     let [width, height] = rendered.size;
@@ -182,7 +182,7 @@ fn titles<const N: usize>(titles: [&str; N]) -> Vec<String> {
     titles.map(str::to_owned).to_vec()
 }
 
-/// All evaluations, and all views of the last.
+/// All evaluations, and all views of the last one.
 fn scores(evaluations: &[Evaluation<'_>]) -> Markup {
     let Some(last) = evaluations.last() else { return Markup::default() };
     let row = |one: &Evaluation<'_>| {
@@ -208,7 +208,7 @@ fn scores(evaluations: &[Evaluation<'_>]) -> Markup {
     )
 }
 
-/// What ran, when and where: for each time that training began or continued.
+/// A row for each start or resume: program, date and device.
 fn sessions(run: &Run) -> Markup {
     let sessions = run.sessions();
     if sessions.is_empty() {
@@ -236,7 +236,7 @@ fn sessions(run: &Run) -> Markup {
 }
 
 fn timing(run: &Run) -> Markup {
-    /// The longest stages, which are shown at once.
+    /// Number of longest stages that are shown without unfolding.
     const LONGEST: usize = 8;
     let rows = run.timing();
     let (first, rest) = rows.split_at(rows.len().min(LONGEST));
@@ -274,7 +274,7 @@ fn timing_table(rows: &[TimingRow]) -> Markup {
     } } }
 }
 
-/// As `config.toml` has them: those that are not the defaults first.
+/// The settings as in `config.toml`: first those that differ from the defaults.
 fn settings(run: &Run) -> Markup {
     let (all, defaults) = (run.config.list(), TrainConfig::default().list());
     let default = |name: &str| {

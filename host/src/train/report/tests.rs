@@ -20,10 +20,10 @@ use crate::train::config::TrainConfig;
 use crate::train::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
 use crate::train::{CONFIG, METRICS};
 
-/// Nothing that a page shows may become part of it.
+/// Text that must not become part of a page's markup.
 const NASTY: &str =
     "</title></script><script>alert(\"1\")</script><img src=x onerror=alert(1)>&amp;\0'\u{1b}";
-/// As it is shown.
+/// The same text as a page shows it.
 const SHOWN: &str = "</title></script><script>alert(\"1\")</script><img src=x onerror=alert(1)>&amp;\u{fffd}'\u{fffd}";
 
 fn step(step: u64) -> Record {
@@ -83,7 +83,7 @@ fn records(names: &[&str]) -> Vec<Record> {
     records
 }
 
-/// A run's folder; pictures of the first two views are there after steps 0, 500 and 1000.
+/// Writes a run's folder, with pictures of the first two views after steps 0, 500 and 1000.
 fn run(folder: &Path, config: &str, records: &[Record]) -> Run {
     fs::create_dir_all(folder).unwrap();
     let config = TrainConfig::parse(config, Path::new("")).unwrap();
@@ -103,7 +103,7 @@ fn run(folder: &Path, config: &str, records: &[Record]) -> Run {
     Run::load(folder).unwrap()
 }
 
-/// An element: its name, its attributes, the text in it.
+/// An element: its name, its attributes and its text.
 #[derive(Debug)]
 struct Element {
     tag: String,
@@ -111,7 +111,7 @@ struct Element {
     text: String,
 }
 
-/// Every element of a page, which a parser of HTML has nothing to say against.
+/// Every element of a page, after a parser of HTML has accepted it.
 fn elements(html: &str) -> Vec<Element> {
     let page = parse_document(RcDom::default(), ParseOpts::default()).one(html);
     assert!(page.errors.borrow().is_empty(), "{:?}", page.errors.borrow());
@@ -143,7 +143,7 @@ fn texts<'a>(elements: &'a [Element], tag: &str) -> Vec<&'a str> {
     found.map(|element| element.text.as_str()).collect()
 }
 
-/// Nothing that a browser would fetch, and no script but the page's.
+/// Asserts that a browser would fetch nothing, and that the page's script is the only one.
 fn assert_alone(elements: &[Element]) {
     let policy = elements.iter().find_map(|element| element.attributes.get("content")).unwrap();
     assert!(policy.starts_with("default-src 'none'; img-src data:;"), "{policy}");
@@ -199,7 +199,7 @@ fn every_number_that_is_drawn_is_in_the_page() {
     let page = elements(&fs::read_to_string(path).unwrap());
     assert_alone(&page);
     let data = data(&page);
-    // as text: a value of JSON would hold the digits of an f64
+    // as text: a JSON value would hold the digits of an f64
     let number = |value: f64| -> Value {
         let text = serde_json::to_string(&Number::from(value)).unwrap();
         serde_json::from_str(&text).unwrap()
@@ -277,7 +277,7 @@ fn the_page_says_what_ran_and_how_far_it_came() {
     let text = "[loss]\nssim_weight = 0.3\n[optimizer]\nbeta1 = 0.8\n";
     let run = run(&folder.path().join("garden run"), text, &records(&["a", "b", "c"]));
     let page = elements(&single::html_of(&run));
-    // of the last evaluation, not of the last step
+    // from the last evaluation, not from the last step
     let facts = texts(&page, "dd");
     for fact in ["21.29 dB", "0.6429", "1,000 of 2,000", "6 min 20 s", "2,000"] {
         assert!(facts.contains(&fact), "{fact}: {facts:?}");

@@ -1,4 +1,4 @@
-//! The loop of a run: steps, and what is logged, saved and measured between them.
+//! The loop of a run: its steps, and the logging, saving and measuring between them.
 
 use std::collections::BTreeMap;
 use std::ptr;
@@ -24,29 +24,29 @@ use crate::train::step_report::StepReport;
 use crate::train::tensorboard::{EventLog, MAX_VIEWS};
 use crate::train::trainer::Trainer;
 
-/// What changes while a run goes on.
+/// State that changes while a run goes on.
 pub(super) struct State<'a, 'w, 'h> {
     pub session: &'a Session<'a>,
     pub trainer: Trainer,
     pub log: MetricsLog,
-    /// How the settings changed, in this resume and in earlier ones.
+    /// Changed settings, in this resume and in earlier ones.
     pub changes: Vec<Change>,
     pub pictures: Pictures,
-    /// Whether this session has taken a step: one that has not leaves no record.
+    /// Whether this session has taken a step. A session without a step leaves no record.
     pub has_begun: bool,
     /// The log for TensorBoard, if the settings ask for it.
     pub events: Option<EventLog>,
-    /// The log's last evaluation: its step, and the number of views.
+    /// The log's last evaluation: its step, and its number of views.
     pub evaluated: Option<(u64, usize)>,
     pub seconds: f64,
     /// When this session began.
     pub begin: Instant,
     pub planner: Option<Planner>,
-    /// The PSNR of the best checkpoint, by the views that all evaluations measure.
+    /// PSNR of the best checkpoint, over the views that all evaluations measure.
     pub best: Option<f64>,
-    /// Seconds of each kernel and of what surrounds them.
+    /// Seconds of each kernel and of other stages.
     pub stages: BTreeMap<&'static str, f64>,
-    /// When the last line was logged: tiles since, and the seconds then.
+    /// Tiles since the last logged line, and the seconds at that time.
     pub since: (usize, f64),
     pub watch: &'w mut dyn FnMut(Event<'_>),
     pub hooks: &'w mut StepHooks<'h>,
@@ -69,7 +69,7 @@ impl State<'_, '_, '_> {
             if self.session.stop.load(Ordering::Relaxed) {
                 break Outcome::Stopped;
             }
-            // here, so that whoever was ended between a checkpoint and this makes up for it
+            // here, so that a resume catches up if the run was killed between a checkpoint and this
             let is_due = run.evaluate_every > 0 && step.is_multiple_of(run.evaluate_every);
             let evaluated = self.evaluated.is_some_and(|(at, _)| at == u64::from(step));
             let is_due = is_due && step > 0 && !evaluated;
@@ -97,12 +97,12 @@ impl State<'_, '_, '_> {
         Ok(outcome)
     }
 
-    /// Tells other ranks what comes next.
+    /// Tells the other ranks what comes next.
     fn order(&self, order: Order) -> Result<()> {
         self.session.ranks.as_deref().map_or(Ok(()), |ranks| order.give(ranks))
     }
 
-    /// Where the run has a time and not a number of steps: chooses the number once more, and writes it down.
+    /// In a run planned by time, updates the number of steps and writes it to the settings.
     fn plan(&mut self) -> Result<()> {
         let Some(planner) = &mut self.planner else { return Ok(()) };
         let (step, gaussians) = (self.trainer.steps(), self.trainer.gaussians());
@@ -116,7 +116,7 @@ impl State<'_, '_, '_> {
         Ok(())
     }
 
-    /// Before the first step of this session.
+    /// Writes the records that belong before the first step of this session.
     fn begin(&mut self) -> Result<()> {
         if std::mem::replace(&mut self.has_begun, true) {
             return Ok(());
@@ -132,11 +132,11 @@ impl State<'_, '_, '_> {
         if step > 0 {
             return Ok(());
         }
-        // one view, so that a report shows where training began
+        // a single view, so that a report shows the start of training
         let frames: Vec<_> = self.session.dataset.held_out_frames().take(1).collect();
         if !frames.is_empty() {
             let begin = Instant::now();
-            // where ranks have the whole scene, one is enough
+            // if ranks have the whole scene, one of them is enough
             let found = match self.trainer.scene() {
                 Some(_) => self.trainer.measure_alone(frames[0])?,
                 None => {
@@ -155,7 +155,7 @@ impl State<'_, '_, '_> {
         Ok(())
     }
 
-    /// The rates of the step that was just done.
+    /// The learning rates of the last step.
     fn rates(&self) -> BTreeMap<String, f32> {
         let config = self.trainer.config();
         let at = self.trainer.steps().saturating_sub(1);
@@ -226,7 +226,7 @@ impl State<'_, '_, '_> {
         Ok(())
     }
 
-    /// What a step's kernels took, and what remains of it.
+    /// Adds the times of a step's kernels, and the rest of the step's time.
     fn add_times(&mut self, seconds: f64) {
         let mut rest = seconds;
         for time in self.session.renderer.device().take_timings() {
@@ -245,7 +245,7 @@ impl State<'_, '_, '_> {
         if name == CHECKPOINT { self.save_cameras() } else { Ok(()) }
     }
 
-    /// Where poses are refined: writes all cameras of the data set, those that are held out as they were given.
+    /// If poses are refined, writes all cameras of the data set. Held-out cameras keep their given pose.
     fn save_cameras(&self) -> Result<()> {
         let Some(refined) = self.trainer.refined_cameras() else { return Ok(()) };
         let Session { dataset, folder, .. } = self.session;
@@ -259,8 +259,8 @@ impl State<'_, '_, '_> {
         Camera::save_all(folder.path().join(CAMERAS), &cameras)
     }
 
-    /// Measures the held-out views, all of them or those of intermediate evaluations; false where it was told to stop
-    /// before the last.
+    /// Measures the held-out views, all of them or those of an intermediate evaluation. Returns false if the run was
+    /// stopped before the last view.
     fn evaluate(&mut self, all: bool) -> Result<bool> {
         let views = self.trainer.config().run.evaluate_views;
         let dataset = self.session.dataset;
@@ -292,7 +292,7 @@ impl State<'_, '_, '_> {
             }
         }
         let evaluation = Evaluation::of_parts(parts);
-        // before the log says so: who is killed in between makes up for both
+        // written before the log entry: if the run is killed in between, a resume makes both again
         if let Some(psnr) = held_out::comparable(&evaluation.views, count, views)
             && self.best.is_none_or(|best| psnr > best)
         {
@@ -309,7 +309,7 @@ impl State<'_, '_, '_> {
         if let Some(planner) = &mut self.planner {
             planner.evaluated(begin.elapsed().as_secs_f64(), frames.len());
         }
-        // what evaluating took is no part of training
+        // the time of an evaluation is not part of training
         let _ = self.session.renderer.device().take_timings();
         self.report().map(|()| true)
     }
@@ -322,7 +322,7 @@ impl State<'_, '_, '_> {
         write_report(folder.join(REPORT), &run)
     }
 
-    /// Where the time of this session went, the longest first.
+    /// Logs the time of each stage in this session, longest first.
     fn timing(&mut self) -> Result<()> {
         if self.stages.is_empty() {
             return Ok(());
@@ -339,7 +339,7 @@ impl State<'_, '_, '_> {
     }
 }
 
-/// Writes a step for TensorBoard. Learning rates are those of the step that is done.
+/// Writes a step for TensorBoard, with the learning rates of this step.
 fn log_step(
     events: &mut EventLog,
     step: u32,

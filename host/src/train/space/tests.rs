@@ -1,4 +1,4 @@
-//! Captures of many kinds, made of few numbers.
+//! Captures of many kinds, made from few numbers.
 
 use std::f64::consts::TAU;
 
@@ -18,7 +18,7 @@ fn look(eye: DVec3, at: DVec3) -> Camera {
     Camera::look_at(eye.to_array(), at.to_array(), [0.02, 0.01, 1.0], 0.9, [64, 48]).unwrap()
 }
 
-/// Evenly from -1 to 1 on each axis.
+/// A random point in the cube from -1 to 1.
 fn in_cube(random: &mut Pcg64) -> DVec3 {
     DVec3::from_array(std::array::from_fn(|_| random.random_range(-1.0..1.0)))
 }
@@ -31,7 +31,7 @@ fn circle(count: usize, radius: f64, height: f64) -> impl Iterator<Item = DVec3>
     })
 }
 
-/// A ring of cameras at 2 from what they look at.
+/// A ring of cameras at distance 2 from their target.
 fn inward() -> Vec<Camera> {
     circle(40, 1.8, 0.9).map(|eye| look(eye, DVec3::ZERO)).collect()
 }
@@ -70,7 +70,7 @@ fn longest([low, high]: [DVec3; 2]) -> f64 {
     (high - low).max_element()
 }
 
-/// The part of some places that a box holds.
+/// Fraction of some places that a box contains.
 fn share([low, high]: [DVec3; 2], places: &[Point]) -> f64 {
     let is_in = |point: &&Point| {
         let place = DVec3::from(point.position);
@@ -110,7 +110,7 @@ fn cameras_look_at_their_target() {
     let target = Target::of(&cameras);
     assert!(target.is_met && target.center.distance(at) < 1e-2, "{target:?}");
     assert!((target.distance - 5.0).abs() < 1e-2);
-    // some that look elsewhere, and one whose pose is wrong
+    // some cameras look elsewhere, and one has a wrong pose
     for eye in circle(3, 3.0, 1.0) {
         cameras.push(look(at + eye, at + 3.0 * eye));
     }
@@ -141,7 +141,7 @@ fn an_object_on_a_table_is_not_lost_among_far_points() {
 
 #[test]
 fn an_object_without_points_is_in_the_box() {
-    // a table with a pattern, 1 below, and a white sphere of which nothing was matched
+    // a table with a pattern, 1 below, and a white sphere without any matched point
     let mut random = numbers();
     let pattern = (0..500).map(|_| in_cube(&mut random).with_z(-0.4));
     let [low, high] = box_of(&inward(), &points(pattern));
@@ -198,7 +198,7 @@ fn ground_below_a_drone_is_in_the_box() {
 
 #[test]
 fn without_points_the_cameras_decide() {
-    // what they look at fills their images
+    // the target fills their images
     let [low, high] = box_of(&inward(), &[]);
     assert!(low.max_element() < -0.5 && high.min_element() > 0.5, "{low} {high}");
     assert!(longest([low, high]) < 4.0);

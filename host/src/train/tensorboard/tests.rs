@@ -82,7 +82,7 @@ fn integer(fields: &BTreeMap<u64, Vec<Field>>, number: u64) -> u64 {
     }
 }
 
-/// Step, tag, and number or picture of every value of a file.
+/// Step, tag, and number or picture of every value in a file.
 fn read(run: &Path) -> Vec<(u64, String, Result<f32, Vec<u8>>)> {
     let file = fs::read(run.join(TENSORBOARD).join(FILE)).unwrap();
     let (mut rest, mut found, mut versions) = (&file[..], Vec::new(), 0);

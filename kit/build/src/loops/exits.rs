@@ -1,11 +1,11 @@
-//! Finds where a loop decides to end.
+//! Finds the places where a loop decides to end.
 
 use rspirv::dr::{Block, Function, Instruction};
 use rspirv::spirv::{Op, Word};
 
 use super::{Constants, Loop, block, find, id, incoming, label, sources, targets, terminator};
 
-/// A condition in a loop that decides whether it ends. One side of it does, the other goes on; both meet at a join.
+/// A condition that decides whether a loop ends. One side ends it, the other goes on, and both meet at a join.
 pub struct Exit {
     /// The block that branches on the condition.
     pub decider: Word,
@@ -13,23 +13,23 @@ pub struct Exit {
     ends_if: bool,
     /// The block where both sides meet. It only chooses between values of the two sides.
     pub join: Word,
-    /// The first block of the side that ends the loop. It is the join where that side has no block.
+    /// The first block of the side that ends the loop. If that side has no block, it is the join.
     pub side: Word,
-    /// The block from which that side comes to the join.
+    /// The block from which that side branches to the join.
     pub from: Word,
     /// The first block of the side that goes on.
     pub onward: Word,
 }
 
 impl Exit {
-    /// What a value of the join is if the loop ends there, or if it goes on, and control comes from a block.
+    /// Resolves `value` at the join, for control that comes from the block `from`. With `ends`, the loop ends there.
     pub fn value(&self, function: &Function, value: Word, ends: bool, from: Word) -> Word {
         let taken = if ends { self.ends_if } else { !self.ends_if };
         value_in(block(function, self.join), value, taken, from)
     }
 }
 
-/// What a value of a join is if its condition was true or false, and control comes from a block.
+/// Resolves `value` at a join whose condition was `taken`, for control that comes from the block `from`.
 fn value_in(join: &Block, value: Word, taken: bool, from: Word) -> Word {
     let found = join.instructions.iter().find(|i| i.result_id == Some(value));
     match found {
@@ -39,17 +39,17 @@ fn value_in(join: &Block, value: Word, taken: bool, from: Word) -> Word {
     }
 }
 
-/// The way of an iteration that does not end the loop, backwards.
+/// The path of an iteration that does not end the loop, backward.
 pub struct Path {
-    /// What it passes, the last join first. Each exit is within the side of the one before that goes on.
+    /// Exits on the path, the last join first. Each exit is in the side of the previous one that goes on.
     pub exits: Vec<Exit>,
-    /// The block that comes to the end of this way.
+    /// The block before the end of this path.
     pub from: Word,
-    /// What decides there about another iteration; nothing, if it is certain.
+    /// The condition for another iteration there; `None` if it is certain.
     pub condition: Option<Word>,
 }
 
-/// Follows a loop backwards from its last block through all joins at which one side ends the loop.
+/// Follows a loop backward from its last block, through all joins at which one side ends the loop.
 pub fn follow(function: &Function, cycle: &Loop, constants: &Constants) -> Path {
     let mut path = Path { exits: Vec::new(), from: cycle.next, condition: Some(cycle.condition) };
     let [from] = sources(function, cycle.next)[..] else { return path };
@@ -102,7 +102,7 @@ fn step(
         [Some(b), Some(a)] if a.ends == Some(true) && b.ends != Some(true) => (a, b),
         _ => return None,
     };
-    // The decider's own branch has no place for a second condition.
+    // The decider's own branch has no room for a second condition.
     if onward.from == label(decider) && onward.ends.is_none() {
         return None;
     }
@@ -124,15 +124,15 @@ fn step(
 struct Side {
     start: Word,
     from: Word,
-    /// The condition for another iteration, there.
+    /// The condition for another iteration on this side.
     value: Word,
-    /// The value of the condition that it belongs to.
+    /// The condition's value on this side.
     taken: bool,
-    /// Whether it ends the loop, if that is known.
+    /// Whether this side ends the loop, if known.
     ends: Option<bool>,
 }
 
-/// Whether a join only chooses between values of its two sides: with phis, or by their condition.
+/// Whether a join only chooses between the values of its two sides: with phis, or by their condition.
 fn only_chooses(join: &Block, condition: Word) -> bool {
     let (last, choices) = join.instructions.split_last().expect("a block ends in a branch");
     let chooses = |choice: &Instruction| match choice.class.opcode {
@@ -143,7 +143,7 @@ fn only_chooses(join: &Block, condition: Word) -> bool {
     last.class.opcode == Op::Branch && choices.iter().all(chooses)
 }
 
-/// The block from which one side of a condition comes to its join.
+/// The block from which one side of a condition branches to its join.
 fn source_of_side(
     function: &Function,
     cycle: &Loop,
@@ -154,7 +154,7 @@ fn source_of_side(
     if start == join {
         return Some(decider);
     }
-    // A side can also leave the loop by itself.
+    // A side can also leave the loop directly.
     let outside = [cycle.head, cycle.next, cycle.end];
     let mut seen = vec![start];
     let mut at = 0;

@@ -1,4 +1,4 @@
-//! Lets a loop end where it decides to.
+//! Makes a loop end where it decides to.
 
 use std::collections::HashMap;
 
@@ -11,22 +11,22 @@ use super::{Loop, block, block_mut, find, id, label, sources, targets, terminato
 /// A branch to the block after the loop.
 struct Edge {
     from: Word,
-    /// The exits on its way, the last join first.
+    /// Number of exits on its path, the last join first.
     exits: usize,
-    /// Whether the loop ends at the first of them, and not after it.
+    /// Whether the loop ends at the first of these exits, and not after it.
     ends: bool,
 }
 
-/// A value of a join, and what it is at each edge.
+/// A value that a join chooses, resolved at each edge.
 struct Chosen {
     value: Word,
     kind: Option<Word>,
     at_edges: Vec<Word>,
-    /// What it is in an iteration that does not end the loop.
+    /// Its value in an iteration that does not end the loop.
     carried: Word,
 }
 
-/// Rewrites a loop; `bound` is the first free id. Returns the ids that the function no longer has.
+/// Rewrites a loop; `bound` is the first free id. Returns the ids that were removed from the function.
 pub fn apply(function: &mut Function, cycle: &Loop, path: &Path, bound: &mut Word) -> Vec<Word> {
     let edges = edges(function, path);
     let chosen = chosen(function, path, &edges);
@@ -45,13 +45,13 @@ pub fn apply(function: &mut Function, cycle: &Loop, path: &Path, bound: &mut Wor
     chosen.iter().map(|chosen| chosen.value).collect()
 }
 
-/// Whether the ending side of a condition does nothing.
+/// Whether the side that ends the loop does nothing.
 fn is_empty(function: &Function, exit: &Exit) -> bool {
     let only = exit.from == exit.side && block(function, exit.side).instructions.len() == 1;
     exit.side == exit.join || only
 }
 
-/// The ways out of the loop that go through its joins.
+/// The paths out of the loop that go through its joins.
 fn edges(function: &Function, path: &Path) -> Vec<Edge> {
     let mut edges = Vec::new();
     for (at, exit) in path.exits.iter().enumerate() {
@@ -64,7 +64,7 @@ fn edges(function: &Function, path: &Path) -> Vec<Edge> {
     edges
 }
 
-/// What a value of a join is on a way through the joins, backwards from the last of them.
+/// Resolves a join's `value` on a path through the joins, backward from the last of them.
 fn value_at(function: &Function, path: &Path, value: Word, edge: &Edge) -> Word {
     let mut value = value;
     for (at, exit) in path.exits[..edge.exits].iter().enumerate() {
@@ -92,7 +92,8 @@ fn chosen(function: &Function, path: &Path, edges: &[Edge]) -> Vec<Chosen> {
     all
 }
 
-/// The loop's first block gets what an iteration carries on, the block after the loop one value for each edge.
+/// Gives the loop's first block the values that an iteration carries, and the block after the loop one value for each
+/// edge.
 fn rewrite_phis(function: &mut Function, cycle: &Loop, chosen: &[Chosen], edges: &[Edge]) {
     let find = |value: Word| chosen.iter().find(|chosen| chosen.value == value);
     for phi in phis(function, cycle.head) {
@@ -123,7 +124,7 @@ fn phis(function: &mut Function, of: Word) -> impl Iterator<Item = &mut Instruct
     block_mut(function, of).instructions.iter_mut().filter(|i| i.class.opcode == Op::Phi)
 }
 
-/// Lets the ending side of a condition leave the loop.
+/// Makes the ending side of a condition leave the loop.
 fn leave(function: &mut Function, cycle: &Loop, exit: &Exit) {
     let empty = is_empty(function, exit);
     if !empty {
@@ -132,7 +133,7 @@ fn leave(function: &mut Function, cycle: &Loop, exit: &Exit) {
     let decider = block_mut(function, exit.decider);
     let merge = decider.instructions.len() - 2;
     if empty || exit.onward == exit.join {
-        // A side that leaves the loop at once needs no block where the sides meet.
+        // A side that leaves the loop directly needs no merge block.
         decider.instructions.remove(merge);
     } else {
         decider.instructions[merge].operands[0] = Operand::IdRef(exit.onward);
@@ -142,7 +143,7 @@ fn leave(function: &mut Function, cycle: &Loop, exit: &Exit) {
     }
 }
 
-/// Ends the way of an iteration at the last block.
+/// Ends the path of an iteration at the last block.
 fn go_on(function: &mut Function, cycle: &Loop, path: &Path) {
     let join = path.exits.last().expect("there is an exit").join;
     match path.condition {
@@ -173,7 +174,7 @@ fn retarget(function: &mut Function, of: Word, old: Word, new: Word) {
     }
 }
 
-/// What a join has chosen, and the code after the loop uses, is chosen at the loop's end now.
+/// Moves a join's choice to the loop's end, for code after the loop.
 fn carry_out(
     function: &mut Function,
     cycle: &Loop,
@@ -202,7 +203,7 @@ fn carry_out(
     rename(function, &new, |_| true);
 }
 
-/// Puts other ids into the operands of some instructions.
+/// Replaces ids in the operands of some instructions.
 fn rename(function: &mut Function, new: &HashMap<Word, Word>, of: impl Fn(&Instruction) -> bool) {
     let all = function.blocks.iter_mut().flat_map(|block| &mut block.instructions);
     for operand in all.filter(|i| of(i)).flat_map(|i| &mut i.operands) {
@@ -212,7 +213,8 @@ fn rename(function: &mut Function, new: &HashMap<Word, Word>, of: impl Fn(&Instr
     }
 }
 
-/// Where the loop can end before it does anything else, its first block decides that: the form of a `while`.
+/// If the loop can end before it does anything else, moves that decision to its first block. This is the form of a
+/// `while`.
 fn join_head(function: &mut Function, cycle: &Loop) {
     let head = block(function, cycle.head);
     let (Op::Branch, first) = (terminator(head).class.opcode, id(terminator(head), 0)) else {

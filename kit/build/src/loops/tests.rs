@@ -1,4 +1,4 @@
-//! Each test has one shape of loop, and runs it step by step before and after the pass.
+//! Each test has one shape of a loop, and runs it step by step before and after the pass.
 
 mod interpreter;
 
@@ -9,8 +9,9 @@ use rspirv::spirv::Op;
 use super::{block, end_at_conditions, find, id, terminator};
 use interpreter::{module, run};
 
-/// Runs the pass over a function of `%a` and `%b`: it must compute the same in the same order, naga must read it, and a second run
-/// must find nothing to do. Returns how many of its loops end at conditions, and not at their last block.
+/// Runs the pass over a function of `%a` and `%b`. The result must compute the same in the same order, and naga must
+/// read it. A second run must find nothing to do. Returns the number of loops that end at conditions and not at their
+/// last block.
 fn check(text: &str) -> usize {
     let before = module(text);
     let mut after = module(text);
@@ -35,14 +36,14 @@ fn bytes(module: &Module) -> Vec<u8> {
     module.assemble().into_iter().flat_map(u32::to_le_bytes).collect()
 }
 
-/// Opcodes of a block's instructions, of the module after the pass.
+/// The module after the pass.
 fn after(text: &str) -> Module {
     let mut module = module(text);
     end_at_conditions(&mut module).unwrap();
     module
 }
 
-/// The number of blocks, and of phis, in the function.
+/// The numbers of blocks and of phis in the function.
 fn size(module: &Module) -> (usize, usize) {
     let blocks = &module.functions[0].blocks;
     let all = blocks.iter().flat_map(|block| &block.instructions);
@@ -88,7 +89,7 @@ fn a_while_ends_in_its_first_block() {
     assert_eq!(terminator(head).class.opcode, Op::BranchConditional);
 }
 
-/// The condition is turned around, and the body is the other side: `loop { if n >= a { break } .. }`
+/// The condition is inverted, and the body is the other side: `loop { if n >= a { break } .. }`
 #[test]
 fn a_condition_can_be_the_other_way_round() {
     let text = WHILE
@@ -99,7 +100,7 @@ fn a_condition_can_be_the_other_way_round() {
     assert_eq!(size(&after(&text)), (5, 2));
 }
 
-/// The side that ends the loop may give values, and code after the loop may use them.
+/// The side that ends the loop may produce values that code after the loop uses.
 #[test]
 fn what_the_other_side_gives_is_kept() {
     let text = WHILE
@@ -108,7 +109,7 @@ fn what_the_other_side_gives_is_kept() {
     assert_eq!(check(&text), 1);
 }
 
-/// The optimizer makes a selection of a phi whose values are computed before the condition.
+/// The optimizer turns a phi into a selection if its values are computed before the condition.
 #[test]
 fn a_join_may_select_by_the_condition() {
     let text = WHILE
@@ -119,12 +120,12 @@ fn a_join_may_select_by_the_condition() {
         .replace("%undefined %else", "%3 %else")
         .replace("OpReturnValue %sum", "%both = OpIAdd %uint %n_next %n\nOpReturnValue %both");
     assert_eq!(check(&text), 1);
-    // of other values it computes: that stays where it is
+    // a computation from other values stays where it is
     let text = text.replace("OpSelect %uint %more %n_1 %sum_next", "OpIAdd %uint %n %1");
     assert_eq!(check(&text), 0);
 }
 
-/// A value that is a phi after the loop, too
+/// A phi after the loop may also use the value.
 #[test]
 fn a_phi_after_the_loop_gets_the_value_of_the_other_side() {
     let text = WHILE.replace("%undefined %else", "%3 %else").replace(
@@ -188,7 +189,7 @@ fn each_way_out_has_its_own_value() {
     let text = TWO_CONDITIONS
         .replace("OpReturnValue %sum", "%both = OpIAdd %uint %sum %n_next\nOpReturnValue %both");
     assert_eq!(check(&text), 1);
-    // and the value is a phi of the end now
+    // and the value is a phi at the end now
     assert_eq!(size(&after(&text)), (6, 3));
     let text = TWO_CONDITIONS.replace(
         "OpReturnValue %sum",
@@ -248,7 +249,8 @@ fn a_condition_at_the_end_of_the_body_is_decided_there() {
     assert_eq!(check(&text), 1);
 }
 
-/// A way out that is one already: Rust-GPU ends an invocation that divides by zero so, with a flag for what follows.
+/// A loop may already have a way out: Rust-GPU ends an invocation that divides by zero this way, with a flag for the
+/// code after it.
 #[test]
 fn ways_out_that_are_there_stay() {
     let text = WHILE
@@ -259,7 +261,7 @@ fn ways_out_that_are_there_stay() {
     assert_eq!(check(&text), 1);
 }
 
-/// A loop in a loop; what the inner one has computed goes on in the outer one.
+/// In nested loops, the outer loop uses the inner one's results.
 #[test]
 fn loops_in_loops_are_rewritten_too() {
     let inner = WHILE
@@ -295,7 +297,7 @@ fn loops_in_loops_are_rewritten_too() {
     assert_eq!(check(&text), 2);
 }
 
-/// `loop { sum += b; n += 1; if n >= a { break } }` has its condition once, at its end: nothing to do.
+/// `loop { sum += b; n += 1; if n >= a { break } }` has its condition once, at its end: there is nothing to do.
 #[test]
 fn a_loop_that_ends_at_its_end_stays() {
     let text = "
@@ -319,7 +321,7 @@ fn a_loop_that_ends_at_its_end_stays() {
     assert_eq!(bytes(&after(text)), bytes(&module(text)));
 }
 
-/// A `match` that ends the loop in one of its cases: a way out from within would be what naga's reader miscompiles.
+/// A `match` ends the loop in one of its cases: naga's reader would miscompile a way out from there.
 #[test]
 fn a_match_stays() {
     let text = "

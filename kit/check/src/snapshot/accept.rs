@@ -1,4 +1,4 @@
-//! Holds what devices compute to accepted files.
+//! Compares the results of devices with accepted files.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
@@ -15,21 +15,21 @@ use super::tensors::Tensors;
 
 /// A folder of accepted snapshots; [`snapshots`](crate::snapshots!) makes one.
 ///
-/// The CPU's output is the snapshot, and insta's to accept: `INSTA_UPDATE=always cargo test`, or `cargo insta review`. A GPU is
-/// held to the accepted file, within a tolerance, and never offers its own.
+/// The snapshot is the CPU's output. Insta accepts it: `INSTA_UPDATE=always cargo test`, or `cargo insta review`. A
+/// GPU's output is compared with the accepted file, within a tolerance, and is never accepted itself.
 #[derive(Clone, Copy, Debug)]
 pub struct Snapshots {
-    /// The folder, from the package's.
+    /// Path of the folder in the package.
     folder: &'static str,
     package: &'static str,
     text: fn(&str, &str),
     png: fn(&str, Vec<u8>),
 }
 
-/// What is held to a snapshot.
+/// A result that is compared with a snapshot.
 struct Record<'a> {
     name: &'a str,
-    /// What there is to see, for the review.
+    /// A description of the picture, for the review.
     description: &'a str,
     rule: Rule,
     content: Content,
@@ -40,11 +40,11 @@ enum Content {
     Png(Vec<u8>),
 }
 
-/// The [`Snapshots`](crate::snapshot::Snapshots) of a folder of the package, such as `"tests/snapshots"`.
+/// Makes the [`Snapshots`](crate::snapshot::Snapshots) of a folder of the package, such as `"tests/snapshots"`.
 #[macro_export]
 macro_rules! snapshots {
     ($folder:literal) => {
-        // insta's macros take their place from where they stand
+        // insta's macros use the place of their call
         $crate::snapshot::Snapshots::new(
             $folder,
             env!("CARGO_MANIFEST_DIR"),
@@ -68,16 +68,16 @@ impl Snapshots {
         Self { folder, package, text, png }
     }
 
-    /// Where the accepted files are.
+    /// The folder of the accepted files.
     #[must_use]
     pub fn folder(&self) -> PathBuf {
         PathBuf::from(self.package).join(self.folder)
     }
 
-    /// Holds tensors to the snapshot `name`; `device` is one of [`devices`](crate::devices).
+    /// Compares tensors with the snapshot `name`. `device` is one of [`devices`](crate::devices).
     ///
     /// # Panics
-    /// Where they differ by more than the tolerance.
+    /// If they differ by more than the tolerance.
     pub fn assert_tensors(
         &self,
         [name, description]: [&str; 2],
@@ -89,10 +89,10 @@ impl Snapshots {
         self.assert(device, &Record { name, description, rule, content });
     }
 
-    /// Holds `[K, 3, S, S]`, colors of 0 to 1, to the picture `name`.
+    /// Compares tiles `[K, 3, S, S]`, with colors from 0 to 1, with the picture `name`.
     ///
     /// # Panics
-    /// Where a pixel is further off than rounding explains.
+    /// If a pixel differs by more than rounding explains.
     pub fn assert_picture(
         &self,
         [name, description]: [&str; 2],
@@ -121,7 +121,7 @@ impl Snapshots {
                 report::save(&mismatch.panels, &picture);
                 let text = report::message(record.name, device, &mismatch, &picture);
                 match result {
-                    // accepted by INSTA_UPDATE, or left to the review by INSTA_FORCE_PASS
+                    // INSTA_UPDATE has accepted it, or INSTA_FORCE_PASS has left it for review
                     Ok(()) => println!("{text}"),
                     Err(_) => panic!("{text}"),
                 }

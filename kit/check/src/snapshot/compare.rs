@@ -10,33 +10,33 @@ use super::picture::{self, Montage};
 use super::report::{self, Panels};
 use super::tensors::{Tensor, Tensors};
 
-/// How far a value of a tensor may be off: `absolute + relative * |expected|`.
+/// The error allowed for a value of a tensor: `absolute + relative * |expected|`.
 #[derive(Clone, Copy, Debug)]
 pub struct Tolerance {
-    /// In the tensor's own unit.
+    /// Absolute part, in the tensor's own unit.
     pub absolute: f64,
-    /// Of the expected value.
+    /// Part relative to the expected value.
     pub relative: f64,
 }
 
 /// Two records that differ.
 #[derive(Clone, Debug)]
 pub struct Mismatch {
-    /// How much, and where.
+    /// Size and place of the difference.
     pub message: String,
-    /// What to show.
+    /// Pictures to show.
     pub panels: Panels,
 }
 
 impl Tolerance {
     fn allows(&self, tensor: &Tensor, expected: f64, actual: f64) -> bool {
-        // A NaN is never right; an infinity is where it is expected.
+        // NaN is never right. An infinity is right only where it is expected.
         let allowed =
             if tensor.exact { 0.0 } else { self.absolute + self.relative * expected.abs() };
         actual == expected || (expected.is_finite() && (actual - expected).abs() <= allowed)
     }
 
-    /// Holds tensors to those accepted. Names, their order and shapes must be the same.
+    /// Compares tensors with the accepted ones. Names, their order and shapes must be the same.
     pub fn compare(&self, expected: &Tensors, actual: &Tensors) -> Result<(), Mismatch> {
         let heads = |tensors: &Tensors| -> Vec<String> {
             let head = |tensor: &Tensor| format!("{} {:?}", tensor.name, tensor.shape);
@@ -54,7 +54,7 @@ impl Tolerance {
         let pairs = expected.0.iter().zip(&actual.0);
         let differing = pairs.filter_map(|(e, a)| Some((&e.name, self.worst(e, a)?)));
         let mut differing = differing.collect::<Vec<_>>().into_iter();
-        // The first one: tensors stand in the order of the stages, and later ones follow from it.
+        // Report the first one: tensors are in the order of the stages, and later differences follow from it.
         let Some((_, mut mismatch)) = differing.next() else { return Ok(()) };
         let others: Vec<String> = differing.map(|(name, _)| format!("`{name}`")).collect();
         if !others.is_empty() {
@@ -89,7 +89,7 @@ impl Tolerance {
     }
 }
 
-/// An index in words: tile, channel, row and column where the shape is that of tiles.
+/// Describes an index: tile, channel, row and column if the shape is that of tiles.
 fn place(shape: &[usize], mut index: usize) -> String {
     let mut at = vec![0; shape.len()];
     for (place, &size) in at.iter_mut().zip(shape).rev() {
@@ -104,16 +104,16 @@ fn place(shape: &[usize], mut index: usize) -> String {
     }
 }
 
-/// Every channel of a picture may be off by this many of 255 steps: a value beside the middle of two steps is rounded
+/// Allowed difference of every channel of a picture, in steps of 255: a value near the middle of two steps is rounded
 /// to either.
 pub const STEPS: u8 = 1;
 /// At the edge of a Gaussian's support the falloff jumps from 1/255 to 0, and rounding decides on which side a pixel
-/// lies: that is a step more, for at most one in this many pixels.
+/// lies. One pixel among this many may therefore differ by one step more.
 pub const EDGE_PIXELS: usize = 500;
-/// What such a pixel may be off by.
+/// Allowed difference of such a pixel, in steps.
 pub const EDGE_STEPS: u8 = STEPS + 1;
 
-/// Holds a picture to the one accepted.
+/// Compares a picture with the accepted one.
 pub fn compare_pictures(
     montage: &Montage,
     expected: &RgbImage,
@@ -135,7 +135,7 @@ pub fn compare_pictures(
             }
         }
     }
-    // Enlarged pixels count once.
+    // Count each enlarged pixel once.
     let (beyond, pixels) = (beyond / (montage.scale * montage.scale), montage.pixels());
     if largest <= STEPS || (largest <= EDGE_STEPS && beyond * EDGE_PIXELS <= pixels) {
         return Ok(());
@@ -151,12 +151,12 @@ pub fn compare_pictures(
     Err(Mismatch { message, panels: panels() })
 }
 
-/// How a record is compared.
+/// The way in which a record is compared.
 #[derive(Clone, Copy, Debug)]
 pub enum Rule {
     /// Text of [`Tensors`].
     Tensors(Tolerance),
-    /// A PNG.
+    /// A PNG of a montage.
     Picture(Montage),
 }
 
@@ -188,17 +188,17 @@ impl Rule {
     }
 }
 
-/// A [`Rule`] as insta wants it; it keeps what it found for the message.
+/// A [`Rule`] in the form that insta wants. It keeps the mismatch for the message.
 #[derive(Clone, Debug)]
 pub struct Held {
-    /// The rule.
+    /// The rule for the comparison.
     pub rule: Rule,
-    /// What it found.
+    /// The mismatch, if there was one.
     pub found: Arc<Mutex<Option<Mismatch>>>,
 }
 
 impl Held {
-    /// Whether the contents of two snapshots are the same under the rule.
+    /// Whether the rule accepts the content of `test` in place of `reference`.
     pub fn allows(&self, reference: &SnapshotContents, test: &SnapshotContents) -> bool {
         let found = self.rule.compare(reference, test).err();
         let matches = found.is_none();

@@ -1,4 +1,4 @@
-//! Snapshots of tensors and pictures: how they are recorded and compared, and what a failure writes.
+//! Snapshots of tensors and pictures: recording, comparison, and the output of a failure.
 
 mod accept;
 pub mod compare;

@@ -4,24 +4,24 @@ use std::io::Cursor;
 
 use image::{ImageFormat, Rgb, RgbImage};
 
-/// Between tiles.
+/// Color between tiles.
 const GAP: Rgb<u8> = Rgb([128, 128, 128]);
 
-/// Tiles side by side, each pixel enlarged to a square, one enlarged pixel of gray between tiles.
+/// Tiles side by side. Each pixel is enlarged to a square, and there is an enlarged pixel of gray between tiles.
 #[derive(Clone, Copy, Debug)]
 pub struct Montage {
-    /// Tiles.
+    /// Number of tiles.
     pub tiles: usize,
-    /// Their side, in pixels.
+    /// Side of a tile, in pixels.
     pub side: usize,
-    /// Tiles in a row.
+    /// Number of tiles in a row.
     pub columns: usize,
-    /// Side of an enlarged pixel.
+    /// Side of an enlarged pixel, in pixels.
     pub scale: usize,
 }
 
 impl Montage {
-    /// Pixels of all tiles, before they are enlarged.
+    /// Number of pixels of all tiles, before enlarging.
     pub fn pixels(&self) -> usize {
         self.tiles * self.side * self.side
     }
@@ -41,7 +41,7 @@ impl Montage {
         })
     }
 
-    /// Tile, row and column of a pixel of the picture.
+    /// Tile, row and column of a pixel of the picture; `None` between tiles.
     fn locate(&self, place: [u32; 2]) -> Option<[usize; 3]> {
         let pitch = self.side + 1;
         let [x, y] = place.map(|place| place as usize / self.scale);
@@ -50,7 +50,7 @@ impl Montage {
         (tile < self.tiles && row < self.side && column < self.side).then_some([tile, row, column])
     }
 
-    /// A pixel of the picture in words.
+    /// Describes a pixel of the picture in words.
     pub fn describe(&self, place: [u32; 2], channel: usize) -> String {
         let channel = ["red", "green", "blue"][channel];
         match self.locate(place) {
@@ -62,14 +62,14 @@ impl Montage {
     }
 }
 
-/// A picture as PNG.
+/// Encodes a picture as PNG.
 pub fn encode(picture: &RgbImage) -> Vec<u8> {
     let mut bytes = Cursor::new(Vec::new());
     picture.write_to(&mut bytes, ImageFormat::Png).expect("memory can be written");
     bytes.into_inner()
 }
 
-/// The picture of a PNG.
+/// Decodes a PNG.
 pub fn decode(bytes: &[u8]) -> Result<RgbImage, String> {
     let picture = image::load_from_memory_with_format(bytes, ImageFormat::Png);
     picture.map(|picture| picture.to_rgb8()).map_err(|error| format!("no PNG: {error}"))

@@ -1,4 +1,4 @@
-//! What a failure writes: expected, actual and difference as one PNG, in a folder that CI keeps.
+//! The output of a failure: expected, actual and difference as one PNG, in a folder that CI keeps.
 
 use std::path::{Path, PathBuf};
 
@@ -8,26 +8,26 @@ use super::compare::Mismatch;
 use super::picture;
 use super::tensors::Tensor;
 
-/// Between the panels.
+/// Gap between panels, in pixels.
 const GAP: u32 = 8;
-/// Marks NaNs and infinities, and values that only one side has.
+/// Color of NaNs and infinities, and of values that only one side has.
 const MARK: Rgb<u8> = Rgb([255, 0, 255]);
-/// Small panels are enlarged to about this width.
+/// Width to which small panels are enlarged, approximately, in pixels.
 const WIDTH: u32 = 256;
 
-/// Expected, actual, difference.
+/// Three pictures: expected, actual and difference.
 #[derive(Clone, Debug)]
 pub struct Panels {
-    /// Left to right.
+    /// The pictures, left to right.
     pub pictures: Box<[RgbImage; 3]>,
-    /// What the difference was multiplied by.
+    /// Factor of the difference.
     pub amplification: u32,
 }
 
 /// `snapshot-failures` in cargo's target folder.
 ///
 /// # Panics
-/// Where the test is not run by cargo.
+/// If the test is not run by cargo.
 #[must_use]
 pub fn folder() -> PathBuf {
     let test = std::env::current_exe().expect("a test has a program");
@@ -35,7 +35,7 @@ pub fn folder() -> PathBuf {
     test.ancestors().nth(3).expect("it lies in cargo's target folder").join("snapshot-failures")
 }
 
-/// Where the picture of a failure goes.
+/// Path for the picture of a failure.
 pub fn path(name: &str, backend: &str) -> PathBuf {
     let backend = backend.replace(' ', "-");
     folder().join(format!("{name}-{backend}.png"))
@@ -57,7 +57,7 @@ pub fn save(panels: &Panels, path: &Path) {
     written.unwrap_or_else(|error| panic!("{}: {error}", path.display()));
 }
 
-/// What a failing test says.
+/// The message of a failing test.
 pub fn message(name: &str, backend: &str, mismatch: &Mismatch, picture: &Path) -> String {
     let picture = picture.canonicalize().unwrap_or_else(|_| picture.to_owned());
     let (what, path) = (&mismatch.message, picture.display());
@@ -68,13 +68,13 @@ pub fn message(name: &str, backend: &str, mismatch: &Mismatch, picture: &Path) -
     )
 }
 
-/// Panels of nothing, for records that cannot be shown.
+/// Empty panels, for records that cannot be shown.
 pub fn no_panels() -> Panels {
     let panel = RgbImage::from_pixel(16, 16, MARK);
     Panels { pictures: Box::new([panel.clone(), panel.clone(), panel]), amplification: 1 }
 }
 
-/// Panels of two pictures.
+/// The panels for two pictures.
 pub fn picture_panels(expected: &RgbImage, actual: &RgbImage) -> Panels {
     let size = (expected.width().max(actual.width()), expected.height().max(actual.height()));
     let apart = |x, y| {
@@ -92,7 +92,7 @@ pub fn picture_panels(expected: &RgbImage, actual: &RgbImage) -> Panels {
     Panels { pictures: Box::new([expected.clone(), actual.clone(), difference]), amplification }
 }
 
-/// Panels of two tensors: tiles in their colors, others in gray from their least to their largest value.
+/// The panels for two tensors: tiles in their colors, others in gray from the smallest to the largest value.
 pub fn tensor_panels(expected: Option<&Tensor>, actual: Option<&Tensor>) -> Panels {
     let Some(shown) = expected.or(actual) else { return no_panels() };
     let finite = || {
@@ -131,7 +131,7 @@ fn is_tiles(shape: &[usize]) -> bool {
     matches!(shape, [_, 3, height, width] if height == width)
 }
 
-/// Draws a tensor: tiles below each other, other tensors with a row for each of their rows.
+/// Draws a tensor: tiles one below the other, other tensors with a row of pixels for each row.
 fn draw(shape: &[usize], level: impl Fn(usize) -> Option<f64>) -> RgbImage {
     let width = shape.last().copied().unwrap_or(1).max(1);
     let values: usize = shape.iter().product();

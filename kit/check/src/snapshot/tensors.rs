@@ -8,13 +8,13 @@ use std::fmt::{self, Write};
 /// A named tensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tensor {
-    /// Its name, without spaces.
+    /// Name, without spaces.
     pub name: String,
-    /// Its shape, row-major.
+    /// Shape, row-major.
     pub shape: Vec<usize>,
-    /// Whether its values must be equal, as counts must.
+    /// Whether values must be equal, as counts must be.
     pub exact: bool,
-    /// Its values.
+    /// Values, row-major.
     pub values: Vec<f64>,
 }
 
@@ -28,7 +28,7 @@ impl Tensors {
         self.add(name, shape, false, values.iter().map(|&value| f64::from(value)).collect());
     }
 
-    /// Adds a tensor whose values are held to equality.
+    /// Adds a tensor whose values must be equal.
     pub fn push_counts(&mut self, name: &str, shape: &[usize], counts: &[u32]) {
         self.add(name, shape, true, counts.iter().map(|&count| f64::from(count)).collect());
     }
@@ -38,7 +38,7 @@ impl Tensors {
         self.0.push(Tensor { name: name.to_owned(), shape: shape.to_vec(), exact, values });
     }
 
-    /// Reads what [`fmt::Display`] wrote.
+    /// Parses the text that [`fmt::Display`] wrote.
     pub fn parse(text: &str) -> Result<Self, String> {
         let mut tensors = Vec::<Tensor>::new();
         for line in text.lines() {
@@ -87,7 +87,7 @@ impl fmt::Display for Tensors {
     }
 }
 
-/// A number with seven significant digits.
+/// Prints a number with seven significant digits.
 struct Digits(f64);
 
 impl fmt::Display for Digits {

@@ -1,4 +1,4 @@
-//! Wrong records must be refused, with a message that says where, and a picture.
+//! Wrong records must be refused, with a picture and a message that names the place.
 
 use std::sync::{Arc, Mutex};
 
@@ -17,12 +17,12 @@ fn tensors(name: &str, shape: &[usize], values: &[f32]) -> Tensors {
     tensors
 }
 
-/// Two tiles of side 4 with values of 0 to 1.
+/// Two tiles of side 4 with values from 0 to 1.
 fn tiles() -> Vec<f32> {
     (0..2 * 3 * 16).map(|index| index as f32 / 96.0).collect()
 }
 
-/// As a picture has them.
+/// The values as bytes of a picture.
 fn bytes(values: &[f32]) -> Vec<u8> {
     values.iter().map(|value| (value * 255.0).round() as u8).collect()
 }

@@ -1,4 +1,4 @@
-//! What a wrong kernel is tested with, and what the test finds.
+//! The tools to test a wrong kernel, and the results of its test.
 
 use std::fmt::Debug;
 
@@ -32,24 +32,24 @@ pub fn numbers(count: u32) -> Vec<u32> {
     (0..count).collect()
 }
 
-/// One of the corpus.
+/// A wrong kernel of the corpus.
 pub struct Bug {
-    /// Its folder.
+    /// Name of its folder.
     pub kind: &'static str,
-    /// Its file.
+    /// Name of its file.
     pub name: &'static str,
-    /// Its text.
+    /// Text of its file.
     pub source: &'static str,
-    /// Its test, as the kernel's author would write it.
+    /// The test that the kernel's author would write.
     pub test: fn(&Bench) -> Result<(), Found>,
 }
 
-/// What a test finds.
+/// The result of a failed test.
 #[derive(Debug)]
 pub enum Found {
-    /// A message of the kit.
+    /// A message from the kit.
     Message(String),
-    /// A value that is not the expected one, and nothing that says why.
+    /// An unexpected value, without a message that explains it.
     Value(String),
 }
 
@@ -59,19 +59,19 @@ impl From<Error> for Found {
     }
 }
 
-/// A device, and what tests of kernels need.
+/// A device, and the functions that tests of kernels need.
 pub struct Bench {
-    /// The CPU with one thread, so that it finds the same each time.
+    /// The CPU with one thread, so that each run gives the same result.
     pub device: Device,
 }
 
 impl Bench {
-    /// The CPU as programs run it. Eight lanes, whatever this CPU has.
+    /// The CPU as programs use it, with eight lanes on every machine.
     pub fn plain() -> Self {
         Self::open(DeviceOptions::cpu(1).instruction_set(InstructionSet::Plain))
     }
 
-    /// The CPU as tests of kernels should run it.
+    /// The CPU as tests of kernels should use it.
     pub fn checked() -> Self {
         Self::open(DeviceOptions::checked().threads(1))
     }
@@ -85,27 +85,27 @@ impl Bench {
         KernelRunner::new(&self.device, kernel)
     }
 
-    /// A buffer of `values`.
+    /// A buffer that contains `values`.
     pub fn input<T: Pod>(&self, values: &[T]) -> Result<Buffer<T>, Error> {
         self.runner("").upload(values)
     }
 
-    /// An output of `len` elements: canaries, and more of them behind it.
+    /// An output of `len` elements, filled with canaries and followed by more of them.
     pub fn output<T: Canary>(&self, len: usize) -> Result<Buffer<T>, Error> {
         self.runner("").output(len)
     }
 
-    /// A buffer to read and write, canaries behind it.
+    /// A buffer to read and write, followed by canaries.
     pub fn holding<T: Canary>(&self, values: &[T]) -> Result<Buffer<T>, Error> {
         self.runner("").output_of(values)
     }
 
-    /// Zeros to count with, canaries behind them.
+    /// A buffer of zeros for counters, followed by canaries.
     pub fn cleared(&self, len: usize) -> Result<Buffer<u32>, Error> {
         self.holding(&vec![0; len])
     }
 
-    /// A buffer for what one kernel hands to the next.
+    /// A buffer that one kernel writes and the next one reads.
     pub fn scratch<T: Pod>(&self, len: usize) -> Result<Buffer<T>, Error> {
         self.device.unwritten("scratch", len)
     }
@@ -143,12 +143,12 @@ impl Bench {
         self.device.dispatch(kernel, workgroups)
     }
 
-    /// What an output holds: the kernel must have written all of it.
+    /// Reads an output, which the kernel must have written entirely.
     pub fn read<T: Canary>(&self, buffer: &Buffer<T>) -> Result<Vec<T>, Error> {
         self.runner("").read_all(buffer)
     }
 
-    /// Compares an output with what each element should be.
+    /// Compares an output with the expected value of each element.
     pub fn expect<T: Canary + Debug>(
         &self,
         buffer: &Buffer<T>,
@@ -157,7 +157,7 @@ impl Bench {
         self.expect_values(&self.read(buffer)?, expected)
     }
 
-    /// Compares values with what each should be.
+    /// Compares values with the expected ones.
     pub fn expect_values<T: Canary + Debug>(
         &self,
         values: &[T],
@@ -173,7 +173,7 @@ impl Bench {
         }
     }
 
-    /// Fails if a kernel that has nothing to do has written something.
+    /// Fails if a kernel without work has written something.
     pub fn expect_unwritten<T: Canary + Debug>(&self, buffer: &Buffer<T>) -> Result<(), Found> {
         self.expect_values(&self.runner("").read(buffer)?, |_| T::CANARY)
     }

@@ -1,14 +1,15 @@
-//! A corpus of wrong kernels, of the kinds that people write. Each file has one, and its first line says what is wrong.
+//! A corpus of wrong kernels, with mistakes that people make. Each file has one, and its first line describes the
+//! mistake.
 //!
-//! The tests run all of them as the author of a kernel would, and hold the table of `docs/corpus.md` to what they find.
-//! A line that is at fault ends with `//~`.
+//! The tests run them as the author of a kernel would, and compare the table of `docs/corpus.md` with the results. A
+//! line with a mistake ends with `//~`.
 
 mod bug;
 mod page;
 
 use bug::Bug;
 
-/// Declares the modules of all wrong kernels, by kind, and lists them.
+/// Declares the modules of all wrong kernels, by kind, and lists the kernels.
 macro_rules! corpus {
     ($($kind:ident { $($name:ident)* })*) => {
         $(mod $kind { $(pub mod $name;)* })*

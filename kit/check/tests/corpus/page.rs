@@ -1,4 +1,4 @@
-//! Runs the corpus, and holds the page to what is found.
+//! Runs the corpus, and compares the page with the results.
 
 use std::fmt::Write;
 use std::fs;
@@ -7,20 +7,20 @@ use std::path::{Path, PathBuf};
 use crate::BUGS;
 use crate::bug::{Bench, Bug, Found};
 
-/// How a bug is found.
+/// The check that finds a bug.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Check {
-    /// By every CPU run.
+    /// Every run on the CPU.
     Always,
-    /// By every CPU run of a debug build: Rust checks integers, and loops are counted.
+    /// Every run on the CPU in a debug build: Rust checks integers, and loops are counted.
     Debug,
-    /// By a device for tests.
+    /// A device for tests.
     Tests,
-    /// By the canaries in an output and behind it.
+    /// The canaries in an output and after it.
     Canaries,
-    /// By its values.
+    /// The values.
     Values,
-    /// By nothing.
+    /// No check.
     Nothing,
 }
 
@@ -45,11 +45,11 @@ struct Finding {
     bug: &'static Bug,
     check: Check,
     message: String,
-    /// Where the message says that it happens.
+    /// The line that the message names.
     line: Option<usize>,
 }
 
-/// Tests a bug on a CPU as it is, and on one for tests.
+/// Tests a bug on the ordinary CPU and on the CPU for tests.
 fn find(bug: &'static Bug) -> Finding {
     let plain = (bug.test)(&Bench::plain()).err();
     let checked = (bug.test)(&Bench::checked()).err();
@@ -71,9 +71,9 @@ fn find(bug: &'static Bug) -> Finding {
     Finding { bug, check, message, line }
 }
 
-/// The message without the kernel, the place and the invocation; and the line of the place.
+/// The message without the kernel, the place and the invocation; and the line number of the place.
 fn shorten(bug: &Bug, text: &str) -> (String, Option<usize>) {
-    // whatever the machine's separators are
+    // machines differ in their separators
     let text = text.replace('\\', "/");
     let text = text.split_once("`: ").map_or(text.as_str(), |(_, message)| message);
     let file = format!("{}/{}.rs:", bug.kind, bug.name);
@@ -95,7 +95,7 @@ fn shorten(bug: &Bug, text: &str) -> (String, Option<usize>) {
     (message, line)
 }
 
-/// What the first line of a file says.
+/// The first line of a file, which describes the mistake.
 fn what_is_wrong(bug: &Bug) -> &'static str {
     let first = bug.source.lines().next().unwrap_or_default();
     first.strip_prefix("//! ").unwrap_or_else(|| panic!("{} does not say what is wrong", bug.name))
@@ -104,11 +104,11 @@ fn what_is_wrong(bug: &Bug) -> &'static str {
 /// The lines that are marked as wrong.
 fn marked(bug: &Bug) -> Vec<usize> {
     let lines = (1..).zip(bug.source.lines()).filter(|(_, line)| line.ends_with("//~"));
-    // on a line of its own, it marks the next one
+    // a mark on a line of its own belongs to the next line
     lines.map(|(number, line)| number + usize::from(line.trim() == "//~")).collect()
 }
 
-/// The part of the page that the tests write.
+/// The part of the page that the test writes.
 fn table(findings: &[Finding]) -> String {
     let count = |check| findings.iter().filter(|finding| finding.check == check).count();
     let mut text = String::from("| found | bugs |\n| --- | ---: |\n");
@@ -137,20 +137,20 @@ fn table(findings: &[Finding]) -> String {
 /// The corpus in the repository.
 const FOLDER: &str = "kit/check/tests/corpus";
 
-/// What comes before the part that the tests write.
+/// The end of the part that people write.
 const BEGIN: &str = "<!-- The rest of this page is written by a test: see above. -->\n\n";
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// Says so if a message names another line than those that are marked.
+/// A message, if the error names a line that is not marked.
 fn elsewhere(finding: &Finding) -> Option<String> {
     let Finding { bug, check, message, line } = finding;
     let marked = marked(bug);
     let is_there = match line {
         Some(line) => marked.contains(line),
-        // of wrong values nobody knows where they come from
+        // for wrong values, nothing says where they come from
         None => marked.is_empty() || matches!(check, Check::Values | Check::Nothing),
     };
     (!is_there).then(|| format!("{}: {message}: at {line:?}, not {marked:?}", bug.name))

@@ -1,9 +1,9 @@
-//! Kernels that do what no kernel may do.
+//! Kernels that break the rules for kernels.
 
 use organza_kernel::atomic;
 use organza_kernel::prelude::*;
 
-/// Indices past the end of either buffer.
+/// Uses indices past the end of either buffer.
 #[kernel(threads(64))]
 pub fn reaches_too_far(id: Invocation, input: Read<u32>, output: Write<u32>) {
     output.write(id.index(), input.read(id.index()));
@@ -13,19 +13,19 @@ pub fn reaches_too_far(id: Invocation, input: Read<u32>, output: Write<u32>) {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct ArithmeticParams {
-    /// First value.
+    /// The first value.
     pub start: u32,
-    /// Divisor of all.
+    /// The divisor of all values.
     pub divisor: u32,
 }
 
-/// Overflows where `start` is large enough, and divides by zero where it is told to.
+/// Overflows if `start` is large enough, and divides by zero if `divisor` is 0.
 #[kernel(threads(64))]
 pub fn arithmetic(id: Invocation, params: &ArithmeticParams, output: Write<u32>) {
     output.write(id.index(), (params.start + id.index()) / params.divisor);
 }
 
-/// Reads what its neighbor writes.
+/// Reads a value that its neighbor writes.
 #[kernel(threads(64))]
 pub fn missing_barrier(id: Invocation, output: Write<u32>, values: Shared<u32, 64>) {
     let below = if id.local.x > 0 { id.local.x - 1 } else { 0 };
@@ -33,7 +33,7 @@ pub fn missing_barrier(id: Invocation, output: Write<u32>, values: Shared<u32, 6
     output.write(id.index(), values.read(below));
 }
 
-/// Overwrites what its neighbor reads.
+/// Overwrites a value that its neighbor reads.
 #[kernel(threads(64))]
 pub fn missing_second_barrier(id: Invocation, output: Write<u32>, values: Shared<u32, 64>) {
     values.write(id.local.x, id.local.x);
@@ -42,7 +42,7 @@ pub fn missing_second_barrier(id: Invocation, output: Write<u32>, values: Shared
     values.write(id.local.x, 0);
 }
 
-/// All write the same element.
+/// All invocations write the same element.
 #[kernel(threads(64))]
 pub fn one_cell(id: Invocation, output: Write<u32>, values: Shared<u32, 64>) {
     values.write(0, id.local.x);
@@ -50,7 +50,7 @@ pub fn one_cell(id: Invocation, output: Write<u32>, values: Shared<u32, 64>) {
     output.write(id.index(), values.read(0));
 }
 
-/// Reads what only even invocations wrote.
+/// Reads elements that only even invocations have written.
 #[kernel(threads(64))]
 pub fn never_written(id: Invocation, output: Write<u32>, values: Shared<u32, 64>) {
     if id.local.x.is_multiple_of(2) {
@@ -60,7 +60,7 @@ pub fn never_written(id: Invocation, output: Write<u32>, values: Shared<u32, 64>
     output.write(id.index(), values.read(id.local.x));
 }
 
-/// Only 40 invocations come to the barrier.
+/// Only 40 invocations reach the barrier.
 #[kernel(threads(64))]
 pub fn divergent_barrier(id: Invocation, output: Write<u32>, values: Shared<u32, 64>) {
     values.write(id.local.x, id.local.x);
@@ -70,7 +70,7 @@ pub fn divergent_barrier(id: Invocation, output: Write<u32>, values: Shared<u32,
     output.write(id.index(), values.read(id.local.x));
 }
 
-/// All come to a barrier, but not to the same.
+/// All invocations reach a barrier, but not the same one.
 #[kernel(threads(64))]
 pub fn two_barriers(id: Invocation, output: Write<u32>, values: Shared<u32, 64>) {
     values.write(id.local.x, id.local.x);
@@ -89,7 +89,7 @@ pub fn barrier_alone(id: Invocation, output: Write<u32>) {
     output.write(id.index(), 0);
 }
 
-/// Not broken: the next invocation's number, by way of workgroup memory.
+/// Not broken: passes on the next invocation's number through workgroup memory.
 #[kernel(threads(64))]
 pub fn neighbor(id: Invocation, output: Write<u32>, values: Shared<u32, 64>) {
     values.write(id.local.x, id.local.x);
@@ -103,14 +103,14 @@ pub fn same_element(id: Invocation, output: Write<u32>) {
     output.write(id.index() / 2, id.index());
 }
 
-/// Reads what another invocation writes.
+/// Reads a value that another invocation writes.
 #[kernel(threads(64))]
 pub fn reads_neighbor(id: Invocation, output: Write<u32>) {
     let next = output.read((id.index() + 1) % 256);
     output.write(id.index(), next);
 }
 
-/// One writes what the others change atomically.
+/// One invocation writes an element that the others change atomically.
 #[kernel(threads(64))]
 pub fn atomic_and_plain(id: Invocation, output: Write<u32>) {
     if id.index() == 77 {
@@ -120,7 +120,7 @@ pub fn atomic_and_plain(id: Invocation, output: Write<u32>) {
     }
 }
 
-/// Adds as a kernel of `layers` may, and is none.
+/// Adds like a kernel with `layers`, but does not declare it.
 #[kernel(threads(64))]
 pub fn layers_undeclared(id: Invocation, sums: Write<u32>) {
     if id.index() < 128 {
@@ -140,7 +140,7 @@ pub fn layers_apart(id: Invocation, sums: Write<u32>) {
     atomic::add_wide(sums, id.workgroup.z, [u32::MAX, 0]);
 }
 
-/// Waits in the first half, while the second half reads what the first has written: the barrier is what is wrong.
+/// The first half waits at a barrier while the second half reads the first half's values. Only the barrier is wrong.
 #[kernel(threads(64))]
 pub fn skips_the_barrier(id: Invocation, output: Write<u32>, values: Shared<u32, 64>) {
     if id.local.x < 32 {
@@ -154,15 +154,15 @@ pub fn skips_the_barrier(id: Invocation, output: Write<u32>, values: Shared<u32,
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct LoopParams {
-    /// Iterations.
+    /// Number of iterations.
     pub steps: u32,
 }
 
-/// States fewer iterations than it takes.
+/// Declares fewer iterations than it runs.
 #[kernel(threads(64), iterations = 8)]
 pub fn loops_too_long(id: Invocation, params: &LoopParams, output: Write<u32>) {
     let (mut step, mut sum) = (0, 0);
-    // half of them here
+    // the first half of them
     while step < params.steps / 2 {
         sum += step;
         step += 1;
@@ -172,7 +172,7 @@ pub fn loops_too_long(id: Invocation, params: &LoopParams, output: Write<u32>) {
     }
 }
 
-/// The other half.
+/// Runs the second half.
 #[loops]
 fn rest(begin: u32, end: u32) -> u32 {
     let mut sum = 0;
@@ -182,7 +182,7 @@ fn rest(begin: u32, end: u32) -> u32 {
     sum
 }
 
-/// Adds to what nobody has written.
+/// Adds to an unwritten element.
 #[kernel(threads(64))]
 pub fn adds_to_nothing(id: Invocation, input: Read<u32>, output: Write<u32>) {
     if id.index() < 64 {
@@ -190,7 +190,7 @@ pub fn adds_to_nothing(id: Invocation, input: Read<u32>, output: Write<u32>) {
     }
 }
 
-/// Reads in every round what only the first, larger one has written.
+/// Reads in every round elements that only the first, larger round has written.
 #[kernel(threads(64), iterations = 2)]
 pub fn stale_round(id: Invocation, output: Write<u32>, values: Shared<u32, 64>) {
     let (mut round, mut sum) = (0, 0);
@@ -207,7 +207,7 @@ pub fn stale_round(id: Invocation, output: Write<u32>, values: Shared<u32, 64>) 
     output.write(id.index(), sum);
 }
 
-/// Has no test of its index, as if there were always whole workgroups.
+/// Has no test of its index, as if all workgroups were full.
 #[kernel(threads(64))]
 pub fn whole_workgroups(id: Invocation, output: Write<u32>) {
     output.write(id.index(), id.index());
@@ -217,11 +217,11 @@ pub fn whole_workgroups(id: Invocation, output: Write<u32>) {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct HistogramParams {
-    /// Values.
+    /// Number of values.
     pub count: u32,
 }
 
-/// Not broken: how many values of a workgroup fall into each of 8 bins, and the place of each value in its bin.
+/// Not broken: counts the values of a workgroup in each of 8 bins, and gives each value its place in its bin.
 #[kernel(threads(64))]
 pub fn histogram(
     id: Invocation,
@@ -244,7 +244,7 @@ pub fn histogram(
     }
 }
 
-/// Counts in bins that nobody has cleared.
+/// Counts in bins that were never cleared.
 #[kernel(threads(64))]
 pub fn uncleared_bins(id: Invocation, output: Write<u32>, counts: Shared<u32, 8>) {
     counts.atomic_add(id.local.x % 8, 1);
@@ -252,7 +252,7 @@ pub fn uncleared_bins(id: Invocation, output: Write<u32>, counts: Shared<u32, 8>
     output.write(id.index(), counts.read(id.local.x % 8));
 }
 
-/// Reads a bin while others count in it.
+/// Reads a bin while other invocations count in it.
 #[kernel(threads(64))]
 pub fn reads_while_counting(id: Invocation, output: Write<u32>, counts: Shared<u32, 1>) {
     if id.local.x == 0 {

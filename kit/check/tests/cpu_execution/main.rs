@@ -1,7 +1,7 @@
-//! The CPU runs kernels as a GPU does, and says what a GPU would not: which invocation of which kernel does something
-//! that no kernel may do.
+//! The CPU runs kernels like a GPU, and also reports what a GPU would not: the invocation and the kernel that break a
+//! rule.
 //!
-//! The broken kernels are declared here, with the macro of all kernels.
+//! The broken kernels are declared here with `#[kernel]`, like all kernels.
 
 mod broken;
 
@@ -17,7 +17,7 @@ use organza_kernel::workgroup::{SharedMemory, Workgroup};
 
 use broken::*;
 
-/// The message of a kernel that must fail.
+/// The error message of a kernel that must fail.
 fn failure<'a>(
     device: &Device,
     kernel: &impl Dispatch<'a, organza_device::Host>,
@@ -40,7 +40,7 @@ fn checked() -> Device {
     Device::open(&options, Modules::none()).expect("the CPU")
 }
 
-/// The line of this crate's broken kernels that has a text.
+/// The line of the broken kernels that contains a text.
 fn line(text: &str) -> String {
     let source = include_str!("broken.rs");
     let line = source.lines().position(|line| line.contains(text)).expect("a line");
@@ -110,7 +110,7 @@ fn a_missing_barrier_is_found_whoever_comes_first() {
             &line("values.read(below)"),
         ],
     );
-    // an element is read by one invocation, and written by one that comes later
+    // an element is read by one invocation, and written by a later one
     let message = failure(&device, &MissingSecondBarrierKernel { output: &output }, 64);
     assert_contains(
         &message,
@@ -202,7 +202,7 @@ fn memory_that_nobody_has_written_is_not_read() {
     let parts =
         ["reads element ", " of `output`, which nothing has written", &line("output.read(id")];
     assert_contains(&message, &parts);
-    // what was written is there for the next kernel; `clear` and `write` count
+    // the next kernel sees written values; `clear` and `write` count as writing
     device.clear(&output);
     device.run(&AddsToNothingKernel { input: &input, output: &output }, 64, 1).unwrap();
     assert_eq!(device.read(&output).unwrap(), [7; 64]);
@@ -220,7 +220,7 @@ fn memory_that_nobody_has_written_is_not_read() {
             &[" of `input`, which nothing has written", &line("+ input.read(id.index())")],
         );
     }
-    // elsewhere it can hold anything: a debug build sees to it that sums of it overflow
+    // otherwise it can contain anything: debug builds fill it so that sums of it overflow
     #[cfg(debug_assertions)]
     {
         let plain = devices::cpu(None);
@@ -231,7 +231,7 @@ fn memory_that_nobody_has_written_is_not_read() {
     }
 }
 
-/// A kernel that adds to its output gives other numbers from other canaries.
+/// A kernel that adds to its output gives different numbers for different canaries.
 #[test]
 fn canaries_differ() {
     let device = devices::cpu(None);
@@ -286,7 +286,7 @@ fn workgroups_count_with_atomics() {
         let expected = [0, 1, 2, 3, 4, 5, 6, 7]
             .map(|bin| input.iter().filter(|value| *value % 8 == bin).count() as u32);
         assert_eq!(device.read(&bins).unwrap(), expected);
-        // a value's place is the number of those before it, in its workgroup
+        // a value's place is the number of values before it in the same bin and workgroup
         let mut before = [[0; 8]; 2];
         let places = input.iter().enumerate().map(|(i, value)| {
             let count = &mut before[i / 64][(value % 8) as usize];
@@ -375,7 +375,7 @@ fn races_in_storage_are_found() {
     let message = failure(&device, &AtomicAndPlainKernel { output: &output }, 256);
     assert_contains(&message, &["kernel `atomic_and_plain`: ", "element 0 of `output`"]);
     device.run(&NeighborKernel { output: &output }, 256, 1).expect("no race");
-    // without the check none of it is noticed
+    // without the check, nothing is noticed
     let device = devices::cpu(None);
     let output = device.zeros("out", 256).unwrap();
     device.run(&SameElementKernel { output: &output }, 256, 1).expect("not checked");
@@ -408,7 +408,7 @@ fn one_buffer_is_not_bound_twice_where_it_is_written() {
     assert_contains(&message, &["`input` and `output` are one buffer, and it is written"]);
 }
 
-/// What [`a_test_that_calls_a_kernel_says_which_invocation_failed`] runs.
+/// Runs inside [`a_test_that_calls_a_kernel_says_which_invocation_failed`].
 #[test]
 #[ignore = "it fails, and another test looks how"]
 fn calls_a_kernel_that_fails() {

@@ -9,7 +9,7 @@ fn instance() -> wgpu::Instance {
     descriptor.backends = wgpu::Backends::PRIMARY;
     // the validation layers come with WGPU_VALIDATION=1
     descriptor.flags = wgpu::InstanceFlags::empty();
-    // refuse a buffer rather than bring the system down
+    // refuse a buffer before it brings the system down
     descriptor.memory_budget_thresholds.for_resource_creation = Some(95);
     wgpu::Instance::new(wgpu::InstanceDescriptor {
         flags: descriptor.flags.with_env(),
@@ -17,7 +17,7 @@ fn instance() -> wgpu::Instance {
     })
 }
 
-/// The most capable adapter first.
+/// Sort key: the most capable kind of adapter first.
 fn rank(kind: wgpu::DeviceType) -> u32 {
     match kind {
         wgpu::DeviceType::DiscreteGpu => 0,
@@ -31,15 +31,15 @@ fn rank(kind: wgpu::DeviceType) -> u32 {
 /// A GPU that the system offers.
 #[derive(Clone, Debug)]
 pub struct AdapterInfo {
-    /// Its name, by which [`DeviceOptions::adapter`] chooses it.
+    /// Name, which [`DeviceOptions::adapter`] can select.
     pub name: String,
-    /// Interface, driver and version, as far as they are known.
+    /// Interface, driver and version, as far as known.
     pub driver: String,
-    /// Whether it takes SPIR-V as it is.
+    /// Whether it accepts SPIR-V unchanged.
     pub passes_through: bool,
 }
 
-/// Every GPU that the system offers, the most capable first. If several have the same name, only the first of them.
+/// Every GPU that the system offers, the most capable first. Of several with the same name, only the first is listed.
 #[must_use]
 pub fn adapters() -> Vec<AdapterInfo> {
     let mut adapters = enumerate();
@@ -65,13 +65,13 @@ fn enumerate() -> Vec<wgpu::Adapter> {
     adapters
 }
 
-/// Whether an adapter takes SPIR-V as it is.
+/// Whether an adapter accepts SPIR-V unchanged.
 fn can_pass_through(adapter: &wgpu::Adapter) -> bool {
     adapter.get_info().backend == wgpu::Backend::Vulkan
         && adapter.features().contains(wgpu::Features::PASSTHROUGH_SHADERS)
 }
 
-/// The adapter that `options` name, else the most capable, and how it takes SPIR-V.
+/// The adapter that `options` name, or else the most capable one, and the path of SPIR-V.
 pub fn choose(options: &DeviceOptions) -> Result<(wgpu::Adapter, SpirvPath)> {
     let adapters = enumerate();
     if adapters.is_empty() {
@@ -113,7 +113,7 @@ pub fn choose(options: &DeviceOptions) -> Result<(wgpu::Adapter, SpirvPath)> {
     Ok((adapter, spirv))
 }
 
-/// Fails where an adapter has less than kernels may use; `#[kernel]` refuses kernels that use more.
+/// Fails if an adapter has lower limits than kernels may use. `#[kernel]` refuses kernels that use more.
 fn require(limits: &wgpu::Limits) -> std::result::Result<(), String> {
     let needed = [
         ("storage buffers", limits.max_storage_buffers_per_shader_stage, MAX_STORAGE_BUFFERS),
@@ -136,7 +136,7 @@ fn require(limits: &wgpu::Limits) -> std::result::Result<(), String> {
     }
 }
 
-/// Opens an adapter with all that it offers: the default limits end at 128 MiB a binding.
+/// Opens an adapter with its own limits: the default ones end at 128 MiB per binding.
 pub fn request(adapter: &wgpu::Adapter, spirv: SpirvPath) -> Result<(wgpu::Device, wgpu::Queue)> {
     let (required_features, experimental_features) = match spirv {
         SpirvPath::Passthrough => {
@@ -145,7 +145,7 @@ pub fn request(adapter: &wgpu::Adapter, spirv: SpirvPath) -> Result<(wgpu::Devic
         }
         SpirvPath::Naga => (wgpu::Features::empty(), wgpu::ExperimentalFeatures::disabled()),
     };
-    // for who wants to know what kernels take
+    // for users who measure kernels
     let optional = wgpu::Features::TIMESTAMP_QUERY;
     let device = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
         label: Some("organza"),

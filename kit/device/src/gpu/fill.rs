@@ -1,5 +1,5 @@
-//! Parameters that only the device knows: `count_fill` writes them into the uniform buffer, after the dispatches that count and
-//! before those that read.
+//! Parameters that only the device knows. `count_fill` writes them into the uniform buffer, after the dispatches that
+//! count and before those that read.
 
 use std::sync::{Arc, LazyLock};
 
@@ -11,13 +11,13 @@ use super::pipeline::Pipeline;
 use crate::buffer::Memory;
 use crate::count::{Count, Total};
 
-/// The kernel that does it.
+/// The kernel `count_fill`.
 pub static KERNEL: LazyLock<&'static KernelInfo> = LazyLock::new(|| {
     let mut kernels = organza_kernel::kernels_of("organza-kernel");
     kernels.find(|kernel| kernel.name == "count_fill").expect("it is declared")
 });
 
-/// Numbers to fill in, by the buffer that holds them.
+/// Numbers to fill in, grouped by the buffer that holds them.
 #[derive(Debug, Default)]
 pub struct Fills {
     fills: Vec<Fill>,
@@ -27,12 +27,12 @@ pub struct Fills {
 struct Fill {
     counts: wgpu::Buffer,
     pipeline: Arc<Pipeline>,
-    /// As [`organza_kernel::count::count_fill`] reads it, without the first row.
+    /// The placement that [`organza_kernel::count::count_fill`] reads, without the first row.
     placement: Vec<u32>,
 }
 
 impl Fills {
-    /// A number goes to a word of the uniform buffer.
+    /// Registers a number to be written to a word of the uniform buffer.
     pub fn add(&mut self, pipeline: &Arc<Pipeline>, word: u32, count: &Count) {
         let Some(Total { counts, place, first }) = count.total() else { return };
         let Memory::Gpu(buffer) = &counts.raw().memory else {
@@ -50,7 +50,7 @@ impl Fills {
         }
     }
 
-    /// A command buffer that fills in all of them; `None` if there is nothing to fill in.
+    /// A command buffer that fills in all numbers; `None` if there are none.
     pub fn take(
         &mut self,
         device: &wgpu::Device,
@@ -69,7 +69,7 @@ impl Fills {
                 contents: bytemuck::cast_slice(&rows),
                 usage: wgpu::BufferUsages::STORAGE,
             });
-            // the order of its bindings
+            // in the order of its bindings
             let buffers = [&placement, &fill.counts, parameters];
             let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label,

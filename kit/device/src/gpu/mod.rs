@@ -24,7 +24,7 @@ use pipeline::Pipelines;
 use recorder::{Counted, Recorder};
 use variants::Variants;
 
-/// A GPU as a device.
+/// The GPU backend.
 #[derive(Debug)]
 pub struct Gpu {
     device: wgpu::Device,
@@ -36,12 +36,12 @@ pub struct Gpu {
     pipelines: Pipelines,
     recorder: Mutex<Recorder>,
     failures: Arc<Mutex<Failures>>,
-    /// How often someone has waited for what was read.
+    /// Number of times that the host has waited to read.
     waits: AtomicU64,
 }
 
 impl Gpu {
-    /// Takes the adapter that `options` name, else the most capable one.
+    /// Opens the adapter that `options` name, or else the most capable one.
     pub fn open(options: &DeviceOptions, modules: &'static Modules) -> Result<Self> {
         let (adapter, spirv) = adapter::choose(options)?;
         let variants = Variants::of(&adapter, options.variants);
@@ -80,7 +80,7 @@ impl Gpu {
         )
     }
 
-    /// The driver, with its version as far as it is known.
+    /// The driver, with its version if known.
     pub fn driver(&self) -> String {
         format!("{} {}", self.info.driver, self.info.driver_info)
     }
@@ -100,7 +100,7 @@ impl Gpu {
     pub fn allocate(&self, label: &'static str, bytes: u64) -> Result<wgpu::Buffer> {
         self.check()?;
         let what = || format!("the buffer `{label}` on {}", self.info.name);
-        // nothing can be bound that has no bytes, and a copy takes a multiple of four
+        // an empty buffer cannot be bound, and a copy needs a multiple of four bytes
         let size = bytes.max(16).next_multiple_of(4);
         if size > self.max_buffer_bytes() {
             return Err(Error::OutOfMemory {
@@ -130,7 +130,7 @@ impl Gpu {
         }
     }
 
-    /// Waits for everything queued and copies bytes of each buffer, from an offset on.
+    /// Waits for all queued work, and copies bytes of each buffer, starting at an offset.
     pub fn read(&self, ranges: &mut [(&wgpu::Buffer, u64, &mut [u8])]) -> Result<()> {
         self.waits.fetch_add(1, Ordering::Relaxed);
         let size = ranges.iter().map(|(_, _, target)| target.len() as u64).sum();
@@ -194,7 +194,7 @@ impl Gpu {
                 Memory::Gpu(memory) => wgpu::BufferBinding {
                     buffer: memory,
                     offset: buffer.begin,
-                    // one that has no bytes has memory nevertheless
+                    // an empty buffer has memory, too
                     size: std::num::NonZero::new(buffer.bytes.next_multiple_of(4)),
                 },
                 _ => panic!("the buffer `{}` belongs to another device", buffer.label),
@@ -223,12 +223,12 @@ impl Gpu {
         self.recorder().copy(&self.device, from, range, to, begin);
     }
 
-    /// What was dispatched so far has written the numbers that are filled in from here on.
+    /// Declares that earlier dispatches have written the numbers that are filled in from here on.
     pub fn publish_counts(&self) {
         self.recorder().publish_counts(&self.device);
     }
 
-    /// Waits for everything queued.
+    /// Waits for all queued work.
     pub fn wait(&self) -> Result<()> {
         self.recorder().submit(&self.device, &self.queue);
         let polled = self.device.poll(wgpu::PollType::wait_indefinitely());
@@ -236,12 +236,12 @@ impl Gpu {
         polled.map(drop).map_err(|error| Error::DeviceLost { reason: error.to_string() })
     }
 
-    /// From now on, whether dispatches are timed; returns whether this device has timestamps for it.
+    /// Turns the timing of dispatches on or off. Returns whether this device has timestamps for it.
     pub fn time_dispatches(&self, times: bool) -> bool {
         self.recorder().time(times)
     }
 
-    /// Waits for what was timed, and takes what each dispatch took; nothing where the device was lost.
+    /// Waits for timed dispatches, and returns their times; empty if the device is lost.
     pub fn take_times(&self) -> Vec<(&'static str, Duration)> {
         let mut recorder = self.recorder();
         if recorder.timer().is_none_or(|timer| timer.is_empty()) {
@@ -256,7 +256,7 @@ impl Gpu {
         }
     }
 
-    /// How often someone has waited for what was read.
+    /// Number of times that the host has waited to read.
     pub fn waits(&self) -> u64 {
         self.waits.load(Ordering::Relaxed)
     }
@@ -269,12 +269,13 @@ impl Gpu {
         self.recorder.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The first failure that the device reported since the last call; that it was lost, once and for all.
+    /// The first failure that the device reported since the last call. The loss of the device is reported every time.
     fn check(&self) -> Result<()> {
         let failures = || self.failures.lock().unwrap_or_else(PoisonError::into_inner);
         let first = failures().first.take();
         if first.is_some() {
-            // what is made on a lost device is invalid, and using it is what gets reported: polling reports the loss
+            // on a lost device, new objects are invalid, and their use is reported instead of the loss: polling
+            // reports the loss
             let _ = self.device.poll(wgpu::PollType::Poll);
         }
         match (&failures().lost, first) {
@@ -285,20 +286,20 @@ impl Gpu {
     }
 }
 
-/// What a device reported.
+/// Failures that a device reported.
 #[derive(Debug, Default)]
 struct Failures {
-    /// Why it was lost.
+    /// The reason for the loss of the device.
     lost: Option<String>,
     /// The first of all other failures.
     first: Option<Error>,
 }
 
-/// Keeps what a device reports until someone asks: wgpu does it from callbacks.
+/// Stores a device's failures, which wgpu reports through callbacks.
 fn record_failures(device: &wgpu::Device, failures: &Arc<Mutex<Failures>>) {
     let lost = failures.clone();
     device.set_device_lost_callback(move |reason, message| {
-        // a device that is dropped in good order is reported too
+        // the regular end of a device is reported, too
         if !(reason == wgpu::DeviceLostReason::Destroyed && message.contains("Device dropped")) {
             lost.lock().unwrap_or_else(PoisonError::into_inner).lost.get_or_insert(message);
         }

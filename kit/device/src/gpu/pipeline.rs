@@ -11,7 +11,7 @@ use crate::error::{Error, Result};
 use crate::modules::Modules;
 use crate::open::SpirvPath;
 
-/// A kernel's package and name: other packages can have kernels of that name.
+/// A kernel's package and name: different packages can have kernels of the same name.
 type Key = (&'static str, &'static str);
 
 /// The pipelines of a device, by kernel.
@@ -23,7 +23,7 @@ pub struct Pipelines {
     made: Mutex<HashMap<Key, Arc<Pipeline>>>,
 }
 
-/// A kernel, ready to be bound.
+/// A kernel that is ready to be bound.
 #[derive(Debug)]
 pub struct Pipeline {
     pub pipeline: wgpu::ComputePipeline,
@@ -90,7 +90,7 @@ fn make(
         layout: Some(&pipeline_layout),
         module,
         entry_point: Some(point.name),
-        // kernels write workgroup memory before they read it: the CPU run fills it with rubbish to show that
+        // kernels write workgroup memory before they read it, which the CPU run checks
         compilation_options: wgpu::PipelineCompilationOptions {
             zero_initialize_workgroup_memory: false,
             ..Default::default()

@@ -10,34 +10,34 @@ use super::pipeline::Pipeline;
 use super::timer::Timer;
 use crate::count::Count;
 
-/// Bytes of a uniform slot: the largest alignment that an adapter may ask for.
+/// Bytes of a uniform slot: the largest alignment that an adapter may require.
 const SLOT: u64 = 256;
 
-/// Dispatches of one submission: each has its slot until then.  Enough for a training step; and as many timestamps as a
-/// query set takes.
+/// Most dispatches in one submission: each keeps its slot until then. This is enough for a training step, and as many
+/// timestamps as a query set allows.
 pub const SLOTS: u64 = 2048;
 
 /// Parameters of a dispatch that the device fills in.
 #[derive(Clone, Copy, Debug)]
 pub struct Counted<'a> {
-    /// By their offset in the uniform buffer.
+    /// Counts by their offset in the uniform buffer.
     pub counts: &'a [(usize, &'a Count)],
-    /// Of `count_fill`.
+    /// Pipeline of `count_fill`.
     pub fill: &'a Arc<Pipeline>,
 }
 
-/// The command buffers that are being written: they are submitted together.
+/// Command buffers under construction. They are submitted together.
 #[derive(Debug)]
 pub struct Recorder {
-    /// What comes before `encoder`.
+    /// Command buffers before `encoder`.
     finished: Vec<wgpu::CommandBuffer>,
-    /// Parameters that the device fills in between `finished` and `encoder`.
+    /// Parameters that the device fills in, between `finished` and `encoder`.
     fills: Fills,
     encoder: Option<wgpu::CommandEncoder>,
     uniforms: wgpu::Buffer,
-    /// What the slots will hold.
+    /// Content of the slots.
     slots: Vec<u8>,
-    /// None where the device has no timestamps.
+    /// `None` if the device has no timestamps.
     timer: Option<Timer>,
     /// Whether dispatches are timed.
     times: bool,
@@ -118,7 +118,7 @@ impl Recorder {
             layout: &pipeline.layout,
             entries: &entries,
         });
-        // not `self.encoder`, which would borrow the timer as well
+        // not `self.encoder()`, which would also borrow the timer
         let encoder = self.encoder.get_or_insert_with(|| new_encoder(device));
         let timer = self.timer.as_mut().filter(|_| self.times);
         let timestamp_writes = timer.map(|timer| timer.time(kernel.name));
@@ -147,7 +147,7 @@ impl Recorder {
         self.encoder(device).copy_buffer_to_buffer(source, bytes.start, target, to, size);
     }
 
-    /// What is recorded so far writes the numbers that later dispatches have filled in.
+    /// Declares that the commands so far write the numbers that later dispatches have filled in.
     pub fn publish_counts(&mut self, device: &wgpu::Device) {
         if let Some(encoder) = self.encoder.take() {
             self.finished.extend(self.fills.take(device, &self.uniforms));
@@ -155,17 +155,17 @@ impl Recorder {
         }
     }
 
-    /// Hands what is recorded to the device.
+    /// Submits all commands to the device.
     pub fn submit(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) {
         if let Some(timer) = self.timer.as_mut().filter(|timer| timer.has_unresolved()) {
-            // not `self.encoder()`, which would borrow the timer as well
+            // not `self.encoder()`, which would also borrow the timer
             timer.resolve(device, self.encoder.get_or_insert_with(|| new_encoder(device)));
         }
         self.publish_counts(device);
         if self.finished.is_empty() {
             return;
         }
-        // happens before what is submitted next, and after what was submitted before
+        // happens after earlier submissions and before the next one
         if !self.slots.is_empty() {
             queue.write_buffer(&self.uniforms, 0, &self.slots);
             self.slots.clear();
@@ -173,13 +173,13 @@ impl Recorder {
         queue.submit(self.finished.drain(..));
     }
 
-    /// From now on, whether dispatches are timed; returns whether the device can.
+    /// Turns the timing of dispatches on or off. Returns whether the device can time them.
     pub fn time(&mut self, times: bool) -> bool {
         self.times = times;
         self.timer.is_some()
     }
 
-    /// The timestamps of everything that was timed and submitted.
+    /// The timer, with the timestamps of all timed and submitted dispatches.
     pub fn timer(&mut self) -> Option<&mut Timer> {
         self.timer.as_mut()
     }

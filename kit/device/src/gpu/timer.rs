@@ -4,30 +4,30 @@ use std::time::Duration;
 
 use super::recorder::SLOTS;
 
-/// Bytes of a timestamp.
+/// Size of a timestamp, in bytes.
 const STAMP: u64 = size_of::<u64>() as u64;
 
-/// Timestamps of one command buffer, and of submitted ones that have not been read.
+/// Timestamps of one command buffer, and of submitted ones that have not been read yet.
 #[derive(Debug)]
 pub struct Timer {
     /// Begin and end of each dispatch.
     stamps: wgpu::QuerySet,
     resolved: wgpu::Buffer,
-    /// The kernels of the command buffer that is being written.
+    /// The kernels in the current command buffer.
     kernels: Vec<&'static str>,
     submitted: Vec<Submitted>,
 }
 
-/// What was timed in a command buffer.
+/// Timestamps of a submitted command buffer.
 #[derive(Debug)]
 struct Submitted {
     kernels: Vec<&'static str>,
-    /// `[kernels, 2]`
+    /// Timestamps, `[kernels, 2]`: begin and end.
     stamps: wgpu::Buffer,
 }
 
 impl Timer {
-    /// None where the device has no timestamps.
+    /// `None` if the device has no timestamps.
     pub fn new(device: &wgpu::Device) -> Option<Self> {
         device.features().contains(wgpu::Features::TIMESTAMP_QUERY).then(|| Self {
             stamps: device.create_query_set(&wgpu::QuerySetDescriptor {
@@ -56,7 +56,7 @@ impl Timer {
         !self.kernels.is_empty()
     }
 
-    /// What the pass of a kernel's dispatch is to write.
+    /// The timestamps that the pass of a kernel's dispatch must write.
     pub fn time(&mut self, kernel: &'static str) -> wgpu::ComputePassTimestampWrites<'_> {
         let begin = 2 * self.kernels.len() as u32;
         self.kernels.push(kernel);
@@ -67,7 +67,7 @@ impl Timer {
         }
     }
 
-    /// The last commands before a submission: the timestamps go where the host reads them.
+    /// Adds the last commands before a submission, which copy the timestamps to where the host reads them.
     pub fn resolve(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
         if self.kernels.is_empty() {
             return;
@@ -85,15 +85,16 @@ impl Timer {
         self.submitted.push(Submitted { kernels, stamps });
     }
 
-    /// Asks for what was submitted; it is there once the device was waited for.
+    /// Maps the submitted timestamps. They are readable after waiting for the device.
     pub fn map(&self) {
         for submitted in &self.submitted {
-            // whether it succeeds shows when it is read
+            // an error shows up when reading
             submitted.stamps.slice(..).map_async(wgpu::MapMode::Read, |_| {});
         }
     }
 
-    /// What each dispatch has taken; `period` is that of [`wgpu::Queue::get_timestamp_period`].  A lost device has nothing.
+    /// Returns the time of each dispatch. `period` is that of [`wgpu::Queue::get_timestamp_period`]. Empty for a lost
+    /// device.
     pub fn take(&mut self, period: f32) -> Vec<(&'static str, Duration)> {
         let mut times = Vec::new();
         for Submitted { kernels, stamps } in self.submitted.drain(..) {
@@ -101,7 +102,7 @@ impl Timer {
             for (kernel, stamps) in kernels.into_iter().zip(bytes.chunks_exact(2 * STAMP as usize))
             {
                 let [begin, end]: [u64; 2] = bytemuck::pod_read_unaligned(stamps);
-                // some GPUs swap those of an empty pass
+                // some GPUs swap the timestamps of an empty pass
                 let nanoseconds = end.saturating_sub(begin) as f64 * f64::from(period);
                 times.push((kernel, Duration::from_nanos(nanoseconds.round() as u64)));
             }

@@ -1,4 +1,4 @@
-//! Chooses the entry point of a kernel that a GPU runs: the plain one or the variant.
+//! Chooses between a kernel's plain entry point and its variant, on a GPU.
 
 use organza_kernel::kernel::{EntryPoint, KernelInfo};
 
@@ -7,9 +7,9 @@ use organza_kernel::kernel::{EntryPoint, KernelInfo};
 pub struct Variants(bool);
 
 impl Variants {
-    /// For an adapter; `wanted` as [`DeviceOptions::variants`](crate::DeviceOptions::variants).
+    /// The choice for an adapter. `wanted` is [`DeviceOptions::variants`](crate::DeviceOptions::variants).
     pub fn of(adapter: &wgpu::Adapter, wanted: Option<bool>) -> Self {
-        // workgroup memory of a software device is ordinary memory, and slower: docs/performance.md
+        // on a software device, workgroup memory is ordinary memory, and slower: docs/performance.md
         let is_hardware = adapter.get_info().device_type != wgpu::DeviceType::Cpu;
         Self(wanted.unwrap_or(is_hardware))
     }

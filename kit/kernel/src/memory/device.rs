@@ -53,9 +53,9 @@ impl<T: Copy, const N: usize> WriteBuffer<T> for [T; N] {
     }
 }
 
-/// Workgroup memory alone.
+/// Methods that only workgroup memory has.
 pub trait SharedBuffer {
-    /// Says that a new round begins: see the CPU's `Shared::begin_round`. A GPU does nothing.
+    /// Declares that a new round begins: see the CPU's `Shared::begin_round`. A GPU does nothing.
     fn begin_round(&self);
 }
 

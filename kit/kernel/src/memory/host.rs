@@ -11,14 +11,14 @@ pub struct Read<'a, T> {
     data: *const T,
     len: usize,
     name: &'static str,
-    /// Where reads are watched, `len` is 0: every read then takes the way of those that are out of range, and others cost
-    /// nothing.
+    /// If reads are watched, `len` is 0. Then every read takes the path of an index out of range, and unwatched reads
+    /// cost nothing more.
     #[cfg(debug_assertions)]
     watched: Option<Watched<'a>>,
     lifetime: PhantomData<&'a [T]>,
 }
 
-/// A buffer whose reads are watched: who sees them, and its real length.
+/// A buffer whose reads are watched: the monitor, and the real length.
 #[cfg(debug_assertions)]
 #[derive(Clone, Copy)]
 struct Watched<'a> {
@@ -40,7 +40,7 @@ pub struct Write<'a, T> {
 #[derive(Clone, Copy)]
 pub struct Shared<'a, T, const N: usize>(pub(crate) Write<'a, T>);
 
-/// What a buffer is called before a kernel has it.
+/// Name of a buffer without a kernel.
 const UNNAMED: &str = "a buffer";
 
 #[cold]
@@ -59,11 +59,11 @@ fn monitored(monitor: &dyn AccessMonitor, name: &str, index: u32, touch: Touch) 
     }
 }
 
-/// What both views of a buffer have.
+/// Methods of both views of a buffer.
 macro_rules! impl_named {
     ($($view:ident),*) => {$(
         impl<T: Copy> $view<'_, T> {
-            /// The same buffer by the name that a kernel has for it.
+            /// The same buffer, with a kernel's name for it.
             #[inline(always)]
             #[must_use]
             pub const fn named(self, name: &'static str) -> Self {
@@ -77,7 +77,7 @@ impl_named!(Read, Write);
 
 impl<'a, T: Copy> Read<'a, T> {
     /// # Safety
-    /// `data` points to `len` values that nothing writes while the view is in use.
+    /// `data` must point to `len` values that nothing writes while the view is in use.
     pub const unsafe fn from_raw(data: *const T, len: usize) -> Self {
         Self {
             data,
@@ -89,7 +89,7 @@ impl<'a, T: Copy> Read<'a, T> {
         }
     }
 
-    /// The same buffer; in debug builds `monitor` sees every read.
+    /// The same buffer. In debug builds `monitor` sees every read.
     #[inline(always)]
     #[must_use]
     pub const fn monitored(self, monitor: Option<&'a dyn AccessMonitor>) -> Self {
@@ -101,7 +101,7 @@ impl<'a, T: Copy> Read<'a, T> {
         self
     }
 
-    /// The value at `index`; panics out of range.
+    /// The value at `index`. Panics if `index` is out of range.
     #[inline(always)]
     #[track_caller]
     pub fn read(&self, index: u32) -> T {
@@ -112,7 +112,8 @@ impl<'a, T: Copy> Read<'a, T> {
         unsafe { *self.data.add(index as usize) }
     }
 
-    /// Where `largest` of some indices is not below `len`: returns if the buffer is watched and they are in range.
+    /// Called if the `largest` of some indices is not below `len`. Returns if the buffer is watched and the indices
+    /// are in range.
     #[cfg(debug_assertions)]
     #[cold]
     #[inline(never)]
@@ -138,7 +139,7 @@ impl<'a, T: Copy> Read<'a, T> {
 }
 
 impl<T: Copy> Read<'_, T> {
-    /// The `N` values from `first` on; panics out of range.
+    /// The `N` values starting at `first`. Panics if they are out of range.
     #[inline(always)]
     #[track_caller]
     pub fn read_lanes<const N: usize>(&self, first: u32) -> [T; N] {
@@ -150,11 +151,11 @@ impl<T: Copy> Read<'_, T> {
         unsafe { *self.data.add(first as usize).cast::<[T; N]>() }
     }
 
-    /// The values at `N` indices; panics out of range.
+    /// The values at `N` indices. Panics if one is out of range.
     #[inline(always)]
     #[track_caller]
     pub fn gather<const N: usize>(&self, at: [u32; N]) -> [T; N] {
-        // one test for all of them
+        // a single test for all indices
         let mut largest = 0;
         let mut i = 0;
         while i < N {
@@ -174,20 +175,20 @@ impl<T: Copy> Read<'_, T> {
 
 impl<'a, T: Copy> Write<'a, T> {
     /// # Safety
-    /// `data` points to `len` values that are read and written through such views alone, an element
-    /// by one invocation at a time.
+    /// `data` must point to `len` values that are read and written only through such views. Only one invocation at a
+    /// time may use an element.
     pub const unsafe fn from_raw(data: *mut T, len: usize) -> Self {
         Self { data, len, name: UNNAMED, monitor: None, lifetime: PhantomData }
     }
 
-    /// The same buffer; `monitor` sees every access.
+    /// The same buffer. `monitor` sees every access.
     #[inline(always)]
     #[must_use]
     pub const fn monitored(self, monitor: Option<&'a dyn AccessMonitor>) -> Self {
         Self { monitor, ..self }
     }
 
-    /// The value at `index`; panics out of range.
+    /// The value at `index`. Panics if `index` is out of range.
     #[inline(always)]
     #[track_caller]
     pub fn read(&self, index: u32) -> T {
@@ -195,7 +196,7 @@ impl<'a, T: Copy> Write<'a, T> {
         unsafe { *self.address(index, Touch::Read) }
     }
 
-    /// Stores `value` at `index`; panics out of range.
+    /// Stores `value` at `index`. Panics if `index` is out of range.
     #[inline(always)]
     #[track_caller]
     pub fn write(&self, index: u32, value: T) {
@@ -203,7 +204,7 @@ impl<'a, T: Copy> Write<'a, T> {
         unsafe { *self.address(index, Touch::Write) = value }
     }
 
-    /// The `N` values from `first` on; panics out of range.
+    /// The `N` values starting at `first`. Panics if they are out of range.
     #[inline(always)]
     #[track_caller]
     pub fn read_lanes<const N: usize>(&self, first: u32) -> [T; N] {
@@ -211,7 +212,7 @@ impl<'a, T: Copy> Write<'a, T> {
         unsafe { *self.addresses::<N>(first, Touch::Read) }
     }
 
-    /// Stores `N` values from `first` on; panics out of range.
+    /// Stores `N` values, starting at `first`. Panics if they are out of range.
     #[inline(always)]
     #[track_caller]
     pub fn write_lanes<const N: usize>(&self, first: u32, values: [T; N]) {
@@ -219,7 +220,7 @@ impl<'a, T: Copy> Write<'a, T> {
         unsafe { *self.addresses::<N>(first, Touch::Write) = values }
     }
 
-    /// The address of `N` values from `first` on; panics out of range.
+    /// The address of `N` values starting at `first`. Panics if they are out of range.
     #[inline(always)]
     #[track_caller]
     fn addresses<const N: usize>(&self, first: u32, touch: Touch) -> *mut [T; N] {
@@ -227,7 +228,7 @@ impl<'a, T: Copy> Write<'a, T> {
             out_of_range(first + N as u32 - 1, self.len, self.name);
         }
         if let Some(monitor) = self.monitor {
-            // no closure: it would be the place of the message
+            // not a closure, because the message would name its place
             for index in first..first + N as u32 {
                 monitored(monitor, self.name, index, touch);
             }
@@ -236,7 +237,7 @@ impl<'a, T: Copy> Write<'a, T> {
         unsafe { self.data.add(first as usize).cast() }
     }
 
-    /// The address of the value at `index`; panics out of range.
+    /// The address of the value at `index`. Panics if `index` is out of range.
     #[inline(always)]
     #[track_caller]
     pub(crate) fn address(&self, index: u32, touch: Touch) -> *mut T {
@@ -252,7 +253,7 @@ impl<'a, T: Copy> Write<'a, T> {
 }
 
 impl<T: Copy> Write<'_, T> {
-    /// Says that the value at `index` is about to be read and written.
+    /// Hints that the value at `index` is about to be read and written.
     #[inline(always)]
     pub fn prefetch(&self, index: u32) {
         let address = self.data.wrapping_add(index as usize);
@@ -267,7 +268,7 @@ impl<T: Copy> Write<'_, T> {
 }
 
 impl Write<'_, u32> {
-    /// The address of the first element, after a check of all `index`; panics out of range.
+    /// The address of the first element, after a check of all `index`. Panics if one is out of range.
     #[inline(always)]
     #[track_caller]
     pub(crate) fn addresses_of<const N: usize>(&self, index: [u32; N], touch: Touch) -> *mut u32 {
@@ -283,8 +284,8 @@ impl Write<'_, u32> {
         self.data
     }
 
-    /// The address of the first 64-bit integer, after a check of all `index`. The integer at `index` is the elements
-    /// `2 index` and `2 index + 1`; the monitor sees only the latter. Panics out of range.
+    /// The address of the first 64-bit integer, after a check of all `index`. The integer at `index` has the elements
+    /// `2 index` and `2 index + 1`; the monitor only sees the latter. Panics if one is out of range.
     #[inline(always)]
     #[track_caller]
     pub(crate) fn wide_addresses<const N: usize>(&self, index: [u32; N], touch: Touch) -> *mut u64 {
@@ -293,7 +294,7 @@ impl Write<'_, u32> {
         first
     }
 
-    /// As [`Self::wide_addresses`], for the 64-bit integers at `index` and `index + 1`.
+    /// Like [`Self::wide_addresses`], for the 64-bit integers at `index` and `index + 1`.
     #[inline(always)]
     #[track_caller]
     #[cfg(target_endian = "little")]
@@ -311,28 +312,28 @@ impl Write<'_, u32> {
 
 impl<'a, T: Copy, const N: usize> Shared<'a, T, N> {
     /// # Safety
-    /// As [`Write::from_raw`], for `N` values.
+    /// The same as for [`Write::from_raw`], with `N` values.
     pub const unsafe fn from_raw(data: *mut T) -> Self {
         // SAFETY: the caller's
         Self(unsafe { Write::from_raw(data, N) })
     }
 
-    /// As [`Write::named`].
+    /// Like [`Write::named`].
     #[inline(always)]
     #[must_use]
     pub const fn named(self, name: &'static str) -> Self {
         Self(self.0.named(name))
     }
 
-    /// As [`Write::monitored`].
+    /// Like [`Write::monitored`].
     #[inline(always)]
     #[must_use]
     pub const fn monitored(self, monitor: Option<&'a dyn AccessMonitor>) -> Self {
         Self(self.0.monitored(monitor))
     }
 
-    /// Says that a new round begins: what was written to the array before the last barrier counts as unwritten, and the CPU
-    /// run refuses to read it. All invocations call it, after the barrier that ends the last round.
+    /// Declares that a new round begins: everything written to the array before the last barrier counts as unwritten,
+    /// and the CPU run refuses to read it. All invocations call it, after the barrier that ends the last round.
     #[inline(always)]
     pub fn begin_round(&self) {
         if let Some(monitor) = self.0.monitor {
@@ -340,14 +341,14 @@ impl<'a, T: Copy, const N: usize> Shared<'a, T, N> {
         }
     }
 
-    /// The value at `index`; panics out of range.
+    /// The value at `index`. Panics if `index` is out of range.
     #[inline(always)]
     #[track_caller]
     pub fn read(&self, index: u32) -> T {
         self.0.read(index)
     }
 
-    /// Stores `value` at `index`; panics out of range.
+    /// Stores `value` at `index`. Panics if `index` is out of range.
     #[inline(always)]
     #[track_caller]
     pub fn write(&self, index: u32, value: T) {
@@ -357,14 +358,14 @@ impl<'a, T: Copy, const N: usize> Shared<'a, T, N> {
 
 impl<'a, T: Copy> From<&'a [T]> for Read<'a, T> {
     fn from(slice: &'a [T]) -> Self {
-        // SAFETY: a slice that is borrowed as long as the view
+        // SAFETY: a slice that is borrowed as long as the view lives
         unsafe { Self::from_raw(slice.as_ptr(), slice.len()) }
     }
 }
 
 impl<'a, T: Copy> From<&'a mut [T]> for Write<'a, T> {
     fn from(slice: &'a mut [T]) -> Self {
-        // SAFETY: only the view has this slice, as long as it exists
+        // SAFETY: only the view has this slice, as long as it lives
         unsafe { Self::from_raw(slice.as_mut_ptr(), slice.len()) }
     }
 }

@@ -1,11 +1,11 @@
-//! Who sees what invocations do to memory.
+//! Monitors of the accesses to memory.
 
 extern crate std;
 
 use core::panic::Location;
 use std::string::String;
 
-/// What an invocation does to an element.
+/// An access of an invocation to an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Touch {
     /// Reads it.
@@ -14,18 +14,19 @@ pub enum Touch {
     Write,
     /// Changes it atomically, or reads it atomically.
     Atomic,
-    /// Writes it atomically, whatever was there.
+    /// Writes it atomically, independent of the old value.
     Store,
-    /// Changes it atomically on a GPU. On the CPU no workgroup of another z changes it.
+    /// Changes it atomically on a GPU. On the CPU, no workgroup with another z changes it.
     Serial,
 }
 
 /// Sees every access to a binding that several invocations may write.
 pub trait AccessMonitor: Sync {
-    /// The current invocation touches an element of the buffer that the kernel calls `name`, at a place in the source.
+    /// Reports that the current invocation accesses an element of the buffer that the kernel calls `name`, at a place
+    /// in the source.
     ///
     /// # Errors
-    /// What is wrong with that.
+    /// The reason, if the access is wrong.
     fn touch(
         &self,
         name: &str,
@@ -34,6 +35,7 @@ pub trait AccessMonitor: Sync {
         at: &'static Location<'static>,
     ) -> Result<(), String>;
 
-    /// What was written before the last barrier counts as unwritten: see [`Shared::begin_round`](super::Shared::begin_round).
+    /// Everything written before the last barrier counts as unwritten: see
+    /// [`Shared::begin_round`](super::Shared::begin_round).
     fn begin_round(&self) {}
 }

@@ -43,7 +43,7 @@ fn a_path_meets_its_keys() {
     }
 }
 
-/// What is linear stays so, at an even pace, however far the keys are apart: a straight way, a turn by more than a
+/// A linear motion stays linear, at an even pace, for any spacing of the keys: a straight way, a turn by more than a
 /// full circle, a zoom by equal factors.
 #[test]
 fn an_even_motion_is_kept() {
@@ -63,7 +63,7 @@ fn an_even_motion_is_kept() {
     }
 }
 
-/// Cameras that look at one place turn around it, however few they are, and keep it in view.
+/// Cameras that look at one place turn around it and keep it in view, even if they are few.
 #[test]
 fn keys_that_look_at_one_place_make_an_orbit() {
     let angles = [0.0, 0.8, 2.0, 4.3];
@@ -83,7 +83,7 @@ fn outward(angle: f64) -> Camera {
     Camera::look_at([cos, sin, 1.0], [2.0 * cos, 2.0 * sin, 1.0], UP, 1.0, [96, 80]).unwrap()
 }
 
-/// Eight keys on a circle that look at no common place. Halfway between two keys the curve's distance from the center has
+/// Eight keys on a circle look at no common place. Halfway between two keys the curve's distance from the center has
 /// a closed form, and the rotation is the circle's own.
 #[test]
 fn a_closed_path_through_a_circle_stays_near_it() {

@@ -1,12 +1,12 @@
 use super::*;
 use crate::scene::{TensorRef, write_tensors};
 
-/// `count` numbers of 0 to 1, the same in Python: `modf((arange(count) + 1) * 0.618... + seed * 0.37)[0]` in f64.
+/// `count` numbers from 0 to 1. In Python: `modf((arange(count) + 1) * 0.618... + seed * 0.37)[0]` in f64.
 fn numbers(count: usize, seed: f64) -> impl Iterator<Item = f64> {
     (0..count).map(move |i| ((i + 1) as f64 * 0.618_033_988_749_894_9 + seed * 0.37).fract())
 }
 
-/// Weights that a formula makes: those that were trained are too large for a repository.
+/// Weights from a formula: trained weights are too large for the repository.
 fn made(network: &'static str, steps: &'static [Step]) -> Lpips {
     let (mut convolutions, mut weights, mut channels) = (Vec::new(), Vec::new(), 3);
     for step in steps {
@@ -43,7 +43,7 @@ fn images([width, height]: [usize; 2]) -> [Vec<[f32; 3]>; 2] {
     [0, 1].map(|image| (0..width * height).map(|at| colors(at).map(|c| c[image])).collect())
 }
 
-/// The numbers are those of the Python package `lpips` 0.1.4 with torch 2.15, given the same weights and images.
+/// The expected numbers are from the Python package `lpips` 0.1.4 with torch 2.15, for the same weights and images.
 #[test]
 fn distances_are_those_of_the_python_package() {
     let [first, second] = images([70, 53]);
@@ -66,8 +66,9 @@ fn images_may_be_too_small() {
     }
 }
 
-/// The trained weights, where `ORGANZA_LPIPS` names the folder with `lpips-alex.safetensors` and `lpips-vgg.safetensors`
-/// that `scripts/lpips-weights.py` writes. The numbers are those of the Python package `lpips` 0.1.4, too.
+/// Tests the trained weights, if `ORGANZA_LPIPS` names the folder with `lpips-alex.safetensors` and
+/// `lpips-vgg.safetensors` that `scripts/lpips-weights.py` writes. The expected numbers are from the Python package
+/// `lpips` 0.1.4, too.
 #[test]
 fn trained_weights_give_the_numbers_of_the_python_package() {
     let Some(folder) = std::env::var_os("ORGANZA_LPIPS") else { return };

@@ -1,4 +1,4 @@
-//! Every way a scene can be wrong: an error that says so, never a panic.
+//! Every way in which a scene can be wrong gives an error that says so, and never a panic.
 
 use proptest::prelude::*;
 use serde_json::{Value, json};
@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use super::*;
 use crate::input::nasty::{nasty_value, replace_value};
 
-/// Asserts the kind of error and that its message has all the facts.
+/// Asserts the kind of the error, and that its message contains all the facts.
 #[track_caller]
 fn assert_error(result: Result<Scene>, kind: fn(&Error) -> bool, facts: &[&str]) {
     let error = result.unwrap_err();
@@ -15,11 +15,11 @@ fn assert_error(result: Result<Scene>, kind: fn(&Error) -> bool, facts: &[&str])
     for fact in facts {
         assert!(text.contains(fact), "no {fact:?} in: {text}");
     }
-    // A value in memory has no place to name.
+    // A value in memory has no file to name.
     assert!(!text.starts_with(':') && !text.contains("  "), "{text}");
 }
 
-/// Loads a file whose error must name it.
+/// Loads a bad file. Its error must name the file.
 #[track_caller]
 fn load_bad(bytes: &[u8]) -> Result<Scene> {
     let result = load(bytes);
@@ -105,7 +105,7 @@ fn tensor_errors() {
     );
 }
 
-/// Asserts that an edited scene fails, and that nothing of it reaches a file.
+/// Asserts that saving an edited scene fails, and that no file is written.
 #[track_caller]
 fn check(edit: fn(&mut Scene), kind: fn(&Error) -> bool, facts: &[&str]) {
     let mut scene = tiny();
@@ -168,7 +168,7 @@ fn not_safetensors() {
     let bytes = tiny_bytes();
     assert_error(load_bad(&bytes[..bytes.len() - 4]), bad, &["cut short"]);
     assert_error(load_bad(&[bytes.as_slice(), &[0; 12]].concat()), bad, &["12 bytes follow"]);
-    // A shape whose product overflows, and one that is merely enormous.
+    // One shape's product overflows, the other is just enormous.
     for size in [u64::MAX, 1 << 40] {
         let bytes = with_header(|header| header["color.grid"]["shape"] = json!([size, 2]));
         assert_error(load_bad(&bytes), bad, &["header does not parse"]);
@@ -202,7 +202,7 @@ proptest! {
         prop_assert!(load(&bytes[..length]).is_err());
     }
 
-    /// Any one value of the header or the configuration replaced by a nasty one.
+    /// Replaces any one value of the header or the configuration by a nasty one.
     #[test]
     fn nasty_values_load_validly_or_fail(
         place in any::<prop::sample::Index>(),
@@ -229,14 +229,14 @@ proptest! {
         in_header in any::<bool>(),
     ) {
         let mut bytes = tiny_bytes();
-        // The data is most of the file, but the header is where damage is dangerous.
+        // Most of the file is data, but damage is dangerous in the header.
         let length = if in_header { 2600 } else { bytes.len() };
         for (index, flip) in flips {
             bytes[index.index(length)] ^= flip;
         }
         if let Ok(scene) = load(&bytes) {
             prop_assert!(scene.validate().is_ok());
-            // Nothing about a scene that loads may panic.
+            // A scene that loads must not cause a panic.
             let _ = scene.warnings();
         }
     }

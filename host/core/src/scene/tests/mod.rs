@@ -22,7 +22,7 @@ fn tiny() -> Scene {
     Scene::load(case_path("tiny")).unwrap()
 }
 
-/// The tiny case with its header edited; the data stays as it is.
+/// The tiny case with an edited header and the same data.
 fn with_header(edit: impl FnOnce(&mut Map<String, Value>)) -> Vec<u8> {
     let bytes = tiny_bytes();
     let length = u64::from_le_bytes(bytes[..8].try_into().unwrap()) as usize;
@@ -32,7 +32,7 @@ fn with_header(edit: impl FnOnce(&mut Map<String, Value>)) -> Vec<u8> {
     [&(header.len() as u64).to_le_bytes(), header.as_slice(), &bytes[8 + length..]].concat()
 }
 
-/// The tiny case with its configuration edited.
+/// The tiny case with an edited configuration.
 fn with_config(edit: impl FnOnce(&mut Value)) -> Vec<u8> {
     with_header(|header| {
         let text = &mut header["__metadata__"]["config"];
@@ -66,7 +66,7 @@ fn cases_load() {
     }
 }
 
-/// The first values of the case as another reader of safetensors prints them.
+/// The expected numbers are the case's first values, as another reader of safetensors prints them.
 #[test]
 fn values_are_in_their_places() {
     let scene = Scene::load(case_path("basic")).unwrap();
@@ -90,7 +90,7 @@ fn round_trip_is_exact_and_repeatable() {
         let bytes = std::fs::read(&path).unwrap();
         assert_eq!(scene.to_bytes().unwrap(), bytes);
         assert_eq!(load(&bytes).unwrap(), scene);
-        // What other programs read must be a safetensors file too.
+        // Other programs must be able to read the file as safetensors, too.
         let file = safetensors::SafeTensors::deserialize(&bytes).unwrap();
         assert_eq!(file.len(), scene.tensors().len());
     }
@@ -159,7 +159,7 @@ fn suspicious_scenes_are_warned_about() {
     for (warning, fact) in warnings.iter().zip(facts) {
         assert!(warning.contains(fact), "{warning}");
     }
-    // 1.6 away from a box of 3 x 2.4 x 2.4, a scale of 7.4 is too large all the same
+    // 1.6 away from a box of 3 x 2.4 x 2.4, a scale of 7.4 is still too large
     scene.config.contraction = Contraction::Cube;
     let outside = |scene: &Scene| {
         let about = |fact: &str| scene.warnings().iter().any(|warning| warning.contains(fact));

@@ -1,4 +1,4 @@
-//! Reads functions as `spirv-dis` prints them, and runs them.
+//! Parses functions in the form that `spirv-dis` prints, and runs them.
 
 use std::collections::HashMap;
 
@@ -85,8 +85,8 @@ fn read(line: &str, number: &mut impl FnMut(&str) -> Word) -> Instruction {
     Instruction::new(opcode, kind, result, operands)
 }
 
-/// What the first function of a module returns, and every operation on its way there with its arguments. An undefined value is a
-/// number that nothing else gives.
+/// Runs the first function of a module. Returns its result, and every operation in order, with its arguments. An
+/// undefined value is a number that nothing else produces.
 pub fn run(module: &Module, a: u32, b: u32) -> (u32, Vec<(Op, Vec<u32>)>) {
     let function = &module.functions[0];
     let mut values = HashMap::new();

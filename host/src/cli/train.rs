@@ -5,9 +5,12 @@ use std::sync::Arc;
 use std::thread;
 
 use clap::builder::PossibleValuesParser;
+use clap::parser::ValueSource;
+use clap::{Arg, ArgAction, ArgMatches, FromArgMatches};
 use organza::Result;
 use organza::data::Background;
 use organza::error::{self, format_bytes};
+use organza::train::config::{SETTINGS, Setting};
 use organza::train::{
     self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, RunFolder, Session, Split,
     TrainConfig,
@@ -72,9 +75,7 @@ pub struct Args {
     output: Option<PathBuf>,
     /// Continue a run that was stopped, with its own settings; --steps and --max-gaussians extend it,
     /// --evaluate-every, --checkpoint-every and --set run.log_every change what is written
-    #[arg(long, value_name = "RUN", conflicts_with_all = ["output", "data", "preset", "config", "seed",
-        "tiles_per_step", "tile_size", "downscale", "hold_out_every", "allow_outside", "sh_degree", "background",
-        "minutes", "start", "refine_poses"])]
+    #[arg(long, value_name = "RUN", conflicts_with_all = ["output", "data", "preset", "config", "minutes"])]
     resume: Option<PathBuf>,
     #[command(flatten)]
     settings: SettingsArgs,
@@ -117,57 +118,70 @@ pub struct SettingsArgs {
     /// Any setting, such as run.steps=3000; overrides the settings file. Give it once for each setting
     #[arg(long, value_name = "KEY=VALUE")]
     set: Vec<String>,
-    /// Number of training steps
-    #[arg(long, value_name = "N")]
-    steps: Option<u32>,
-    /// Tiles per step
-    #[arg(long, value_name = "K")]
-    tiles_per_step: Option<u32>,
-    /// Side of a tile, in pixels
-    #[arg(long, value_name = "S")]
-    tile_size: Option<u32>,
-    /// Start with the Gaussians of a .ply or .spz file of 3D Gaussian Splatting
-    #[arg(long, value_name = "FILE")]
-    start: Option<PathBuf>,
-    /// Largest number of Gaussians, also at the start
-    #[arg(long, value_name = "N")]
-    max_gaussians: Option<u32>,
-    /// Degree of the spherical harmonics: how much colors change with the view direction
-    #[arg(long, value_name = "N")]
-    sh_degree: Option<u32>,
-    /// Color behind the scene, and behind photographs with an alpha channel: a name such as white, or red,
-    /// green and blue from 0 to 1 such as 1,1,1 [default: white for Blender data with alpha, else black]
-    #[arg(long, value_name = "COLOR")]
-    background: Option<Background>,
-    /// Steps between evaluations on the held-out views; 0 evaluates only at the end
-    #[arg(long, value_name = "N")]
-    evaluate_every: Option<u32>,
-    /// Steps between checkpoints
-    #[arg(long, value_name = "N")]
-    checkpoint_every: Option<u32>,
-    /// Shrink photographs by this factor
-    #[arg(long, value_name = "N")]
-    downscale: Option<u32>,
-    /// Hold out every Nth frame, starting with the first; 0 holds out none
-    #[arg(long, value_name = "N")]
-    hold_out_every: Option<usize>,
-    /// Read what the data set names outside its own folder, by a path or a link
-    #[arg(long)]
-    allow_outside: bool,
-    /// Also learn the pose of each photograph's camera: for poses that are a little off
-    #[arg(long)]
-    refine_poses: bool,
-    /// Seed of all random choices
-    #[arg(long, value_name = "N")]
-    seed: Option<u64>,
+    #[command(flatten)]
+    options: SettingOptions,
     /// Choose the number of steps so that the run takes this many minutes, evaluations included. The number is written
     /// to config.toml
-    #[arg(long, value_name = "M", conflicts_with = "steps")]
+    #[arg(long, value_name = "M", conflicts_with = "run.steps")]
     #[arg(value_parser = minutes)]
     minutes: Option<f64>,
-    /// Also write the log as a TensorBoard event file, in the folder RUN/tensorboard
-    #[arg(long)]
-    tensorboard: bool,
+}
+
+/// The options of single settings, such as `--steps`. [`SETTINGS`] has them.
+#[derive(Debug, Default)]
+struct SettingOptions {
+    /// Names of settings and the values that were given, as `--set` takes them.
+    given: Vec<(&'static str, String)>,
+}
+
+impl SettingOptions {
+    fn get(&self, name: &str) -> Option<&str> {
+        self.given.iter().find(|(given, _)| *given == name).map(|(_, value)| &**value)
+    }
+
+    /// The option of a setting that has one.
+    fn arg(setting: &'static Setting) -> Option<Arg> {
+        let (name, value) = match setting.option.split_once(' ') {
+            Some((name, value)) => (name, Some(value)),
+            None => (setting.option, None),
+        };
+        let arg = Arg::new(setting.name).long(name.strip_prefix("--")?).help(setting.text());
+        let Some(value) = value else { return Some(arg.action(ArgAction::SetTrue)) };
+        let parse = |text: &str| setting.check(text).map(|()| text.to_owned());
+        Some(arg.value_name(value.trim_matches(['<', '>'])).value_parser(parse))
+    }
+}
+
+impl clap::Args for SettingOptions {
+    fn augment_args(command: clap::Command) -> clap::Command {
+        command.args(SETTINGS.iter().filter_map(Self::arg))
+    }
+
+    fn augment_args_for_update(command: clap::Command) -> clap::Command {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for SettingOptions {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let mut options = Self::default();
+        options.update_from_arg_matches(matches)?;
+        Ok(options)
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        for setting in SETTINGS.iter().filter(|setting| !setting.option.is_empty()) {
+            if matches.value_source(setting.name) != Some(ValueSource::CommandLine) {
+                continue;
+            }
+            let value = match setting.option.contains(' ') {
+                true => matches.get_one::<String>(setting.name).cloned(),
+                false => Some("true".to_owned()),
+            };
+            self.given.extend(value.map(|value| (setting.name, value)));
+        }
+        Ok(())
+    }
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
@@ -393,7 +407,7 @@ impl SettingsArgs {
     /// The settings of a resumed run: its own, with the changes that the options make.
     pub fn resumed(&self, folder: &Path) -> Result<TrainConfig> {
         train::changed_settings_of(folder, |config| {
-            self.adjusted(ConfigBuilder::from_config(&config), |_| ())
+            self.adjusted(ConfigBuilder::from_config(&config))?.build()
         })
     }
 
@@ -409,57 +423,33 @@ impl SettingsArgs {
         if let Some(path) = &self.config {
             builder = builder.file(path)?;
         }
-        self.adjusted(builder, |config| {
-            if let Some(data) = data {
-                // absolute, because the run may be resumed from another folder
-                let path = std::path::absolute(data).unwrap_or_else(|_| data.to_owned());
-                config.data.path = Some(path);
-            }
-            if let Some(start) = &self.start {
-                let path = std::path::absolute(start).unwrap_or_else(|_| start.clone());
-                config.start.path = Some(path);
-            }
-            if let Some(most) = self.max_gaussians {
-                config.start.gaussians = config.start.gaussians.min(most);
-            }
-        })
+        builder = self.adjusted(builder)?;
+        if self.options.get("growth.max_gaussians").is_some() {
+            builder = builder.limit_start()?;
+        }
+        let mut config = builder.build()?;
+        if let Some(data) = data {
+            // a run can be resumed from any folder
+            config.data.path = Some(absolute(data));
+        }
+        if let (Some(start), Some(_)) = (&config.start.path, self.options.get("start.path")) {
+            config.start.path = Some(absolute(start));
+        }
+        Ok(config)
     }
 
-    /// Settings with the values given on the command line. `other` makes further changes.
-    fn adjusted(
-        &self,
-        mut builder: ConfigBuilder,
-        other: impl FnOnce(&mut TrainConfig),
-    ) -> Result<TrainConfig> {
+    /// Settings with single values from the command line.
+    fn adjusted(&self, mut builder: ConfigBuilder) -> Result<ConfigBuilder> {
         for assignment in &self.set {
             builder = builder.set(assignment)?;
         }
-        let mut config = builder.build()?;
-        fn set<T: Clone>(target: &mut T, value: &Option<T>) {
-            if let Some(value) = value {
-                *target = value.clone();
-            }
+        if self.options.get("run.steps").is_some() || self.minutes.is_some() {
+            builder = builder.set("run.plan=")?;
         }
-        if self.steps.is_some() || self.minutes.is_some() {
-            config.run.plan.clear();
+        for (name, value) in &self.options.given {
+            builder = builder.set(&format!("{name}={value}"))?;
         }
-        set(&mut config.run.steps, &self.steps);
-        set(&mut config.run.tiles_per_step, &self.tiles_per_step);
-        set(&mut config.run.tile_size, &self.tile_size);
-        set(&mut config.run.evaluate_every, &self.evaluate_every);
-        set(&mut config.run.checkpoint_every, &self.checkpoint_every);
-        set(&mut config.run.seed, &self.seed);
-        set(&mut config.growth.max_gaussians, &self.max_gaussians);
-        set(&mut config.scene.sh_degree, &self.sh_degree);
-        set(&mut config.data.downscale, &self.downscale);
-        set(&mut config.data.hold_out_every, &self.hold_out_every);
-        set(&mut config.data.background, &self.background);
-        config.data.allow_outside |= self.allow_outside;
-        config.run.tensorboard |= self.tensorboard;
-        config.poses.refine |= self.refine_poses;
-        other(&mut config);
-        // options are checked like files
-        TrainConfig::parse(&config.to_toml(), Path::new(""))
+        Ok(builder)
     }
 
     /// Seconds that the run should take, if its number of steps is to be chosen.
@@ -472,4 +462,9 @@ impl SettingsArgs {
 fn minutes(text: &str) -> Result<f64, String> {
     let value = text.parse().ok().filter(|value| (0.01..=500_000.0).contains(value));
     value.ok_or_else(|| "expected a number of minutes, such as 10 or 0.5".to_owned())
+}
+
+/// The path from the root of the file system.
+fn absolute(path: &Path) -> PathBuf {
+    std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }

@@ -1,7 +1,7 @@
 //! Cameras with wrong poses.
 
 use organza::data::{Dataset, Frame, Photograph};
-use organza::train::config::{OptimizerConfig, Rate};
+use organza::train::config::Rate;
 use organza::train::{Checkpoint, Trainer, built_in};
 use organza::{Camera, Renderer, Scene, demo};
 use organza_tests::{cases, devices};
@@ -55,18 +55,20 @@ fn cameras_come_back_to_where_they_were() {
     (config.run.steps, config.run.tiles_per_step, config.run.tile_size) = (30, 4, 32);
     config.growth.end = 0.0;
     let still = Rate { first: 1e-12, last: 1e-12 };
-    config.optimizer = OptimizerConfig {
-        position: still,
-        rotation: still,
-        log_scale: still,
-        opacity: still,
-        material: still,
-        extra: still,
-        grids: still,
-        networks: still,
-        pose: Rate { first: 5e-3, last: 2e-4 },
-        ..config.optimizer
-    };
+    let optimizer = &mut config.optimizer;
+    for rate in [
+        &mut optimizer.position,
+        &mut optimizer.rotation,
+        &mut optimizer.log_scale,
+        &mut optimizer.opacity,
+        &mut optimizer.material,
+        &mut optimizer.extra,
+        &mut optimizer.grids,
+        &mut optimizer.networks,
+    ] {
+        *rate = still;
+    }
+    optimizer.pose = Rate { first: 5e-3, last: 2e-4 };
     let renderer = Renderer::new(devices::cpu(None));
     let scene = cases::thinned(40, 1.2);
     let mut dataset = dataset_of(&renderer, &scene);

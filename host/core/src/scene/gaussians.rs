@@ -17,17 +17,17 @@ macro_rules! gaussian_tensors {
     ($with:ident) => {
         $with! {
             /// Centers in world space.
-            position: [3], "x, y, z of each Gaussian";
+            position: [3], "x, y, z of each Gaussian", [2e-3, 1e-4];
             /// Quaternions w x y z, not normalized.
-            rotation: [4], "a quaternion w, x, y, z for each Gaussian of gaussians.position";
+            rotation: [4], "a quaternion w, x, y, z for each Gaussian of gaussians.position", [4e-3, 4e-3];
             /// Natural logarithms of the scales along the rotated axes, in world units.
-            log_scale: [3], "three scales for each Gaussian of gaussians.position";
+            log_scale: [3], "three scales for each Gaussian of gaussians.position", [2e-2, 2e-2];
             /// Opacity logits.
-            opacity: [], "one logit for each Gaussian of gaussians.position";
+            opacity: [], "one logit for each Gaussian of gaussians.position", [1e-1, 1e-1];
             /// Material vectors, `[N, material]`, row-major.
-            material: [material], "config field `material` values for each Gaussian";
+            material: [material], "config field `material` values for each Gaussian", [2e-2, 2e-2];
             /// Extra vectors, `[N, extra]`, row-major.
-            extra: [extra], "config field `extra` values for each Gaussian";
+            extra: [extra], "config field `extra` values for each Gaussian", [2e-2, 2e-2];
         }
     };
 }
@@ -76,7 +76,7 @@ macro_rules! length {
 }
 
 macro_rules! define {
-    ($($(#[$doc:meta])* $name:ident: $row:tt, $why:literal;)+) => {
+    ($($(#[$doc:meta])* $name:ident: $row:tt, $why:literal, $rate:tt;)+) => {
         /// N Gaussians, with one vector per tensor.
         #[derive(Clone, Debug, Default, PartialEq)]
         pub struct Gaussians {

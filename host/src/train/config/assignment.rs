@@ -13,6 +13,7 @@ const ALIKE: f64 = 0.8;
 fn template() -> Table {
     let mut config = TrainConfig::default();
     config.data.path = Some("the built-in scene".into());
+    config.start.path = Some("the data set's points".into());
     config.data.allow_outside = true;
     // through text, so that an f32 keeps its own digits
     let mut table: Table = toml::from_str(&config.to_toml()).expect("it was just written");
@@ -45,6 +46,21 @@ pub fn defaults() -> Vec<(String, String)> {
     let mut found = Vec::new();
     walk("", &template(), &mut found);
     found
+}
+
+/// Checks that every name in a file's table is that of a setting.
+pub fn check_names(table: &Table) -> Result<(), String> {
+    fn walk(prefix: &str, table: &Table) -> Result<(), String> {
+        for (key, value) in table {
+            let name = if prefix.is_empty() { key.clone() } else { format!("{prefix}.{key}") };
+            match value {
+                Value::Table(table) => walk(&name, table)?,
+                _ => drop(find(&name)?),
+            }
+        }
+        Ok(())
+    }
+    walk("", table)
 }
 
 /// Parses an assignment into a table with one setting.

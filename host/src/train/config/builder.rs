@@ -67,7 +67,7 @@ impl ConfigBuilder {
         };
         let mut table = toml::from_str(text).map_err(|error| invalid(at_line(error)))?;
         retired::replace(&mut table).map_err(invalid)?;
-        merge(&mut self.table, table);
+        merge(&mut self.table, table.clone());
         let config = self.parse().map_err(|reason| {
             let alone = toml::from_str::<TrainConfig>(text).err();
             // a setting that the text leaves out is not missing
@@ -75,6 +75,7 @@ impl ConfigBuilder {
             invalid(alone.map_or(reason, at_line))
         })?;
         config.check().map_err(invalid)?;
+        assignment::check_names(&table).map_err(invalid)?;
         Ok(self)
     }
 
@@ -90,6 +91,18 @@ impl ConfigBuilder {
         let invalid = |reason| Error::Invalid { origin: Path::new("").to_owned(), reason };
         let table = assignment::parse(assignment).map_err(invalid)?;
         merge(&mut self.table, table);
+        Ok(self)
+    }
+
+    /// Lowers `start.gaussians` to `growth.max_gaussians` if it is more.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for a value that is not of its type.
+    pub fn limit_start(mut self) -> Result<Self> {
+        let invalid = |reason| Error::Invalid { origin: Path::new("").to_owned(), reason };
+        let config = self.parse().map_err(invalid)?;
+        let gaussians = config.start.gaussians.min(config.growth.max_gaussians);
+        self = self.set(&format!("start.gaussians={gaussians}"))?;
         Ok(self)
     }
 

@@ -1,46 +1,20 @@
 //! Range checks of the settings.
 
-use std::fmt::Display;
-
 use super::TrainConfig;
+use super::table::within;
 use crate::error::Error;
 use crate::tile::most_tiles;
 
 impl TrainConfig {
     /// Checks all values. The error is a sentence about the first one out of range.
     pub(in crate::train) fn check(&self) -> Result<(), String> {
-        let positive = |name: &str, value: u32| match value {
-            0 => Err(format!("`{name}` is 0, expected 1 or more")),
-            _ => Ok(()),
-        };
-        positive("data.downscale", self.data.downscale)?;
-        positive("run.steps", self.run.steps)?;
-        positive("run.tiles_per_step", self.run.tiles_per_step)?;
-        positive("run.tiles_per_view", self.run.tiles_per_view)?;
-        positive("run.checkpoint_every", self.run.checkpoint_every)?;
-        positive("run.log_every", self.run.log_every)?;
-        positive("start.gaussians", self.start.gaussians)?;
-        positive("growth.every", self.growth.every)?;
-        positive("growth.max_gaussians", self.growth.max_gaussians)?;
-        within("run.tile_size", self.run.tile_size, 1, 512)?;
-        within("run.coarse", self.run.coarse, 0.0, 1.0)?;
-        within("data.built_in_views", self.data.built_in_views, 2, 1000)?;
-        within("data.built_in_side", self.data.built_in_side, 16, 2048)?;
-        within("loss.ssim_weight", self.loss.ssim_weight, 0.0, 1.0)?;
-        within("loss.distortion_weight", self.loss.distortion_weight, 0.0, 1e3)?;
-        within("start.opacity", self.start.opacity, 1e-4, 0.9999)?;
-        within("start.scale", self.start.scale, 1e-4, 1e4)?;
-        within("start.spread", self.start.spread, 0.0, 1e3)?;
-        within("growth.rate", self.growth.rate, 0.0, 1.0)?;
-        within("growth.begin", self.growth.begin, 0.0, 1.0)?;
-        within("growth.end", self.growth.end, 0.0, 1.0)?;
-        within("growth.min_opacity", self.growth.min_opacity, 0.0, 0.5)?;
+        self.check_ranges()?;
         for (name, value) in ["red", "green", "blue"].iter().zip(self.data.background.color()) {
-            within(&format!("data.background, {name},"), value, 0.0, 1.0)?;
+            within(&format!("data.background, {name},"), value, 0.0..=1.0)?;
         }
         self.check_together()?;
         self.check_scene()?;
-        self.optimizer.check()
+        self.optimizer.check_rates()
     }
 
     /// Checks that kernels can address the scene, and that the scene is valid.
@@ -61,7 +35,7 @@ impl TrainConfig {
         let gaussians = self.start.gaussians;
         let widest = self.scene.material.max(self.scene.extra).max(4);
         let most = ((1 << 31) - 1) / widest;
-        within("start.gaussians", gaussians, 1, most)
+        within("start.gaussians", gaussians, 1..=most)
     }
 
     /// Checks values that constrain each other.
@@ -104,18 +78,5 @@ impl TrainConfig {
             )),
             _ => Ok(()),
         }
-    }
-}
-
-/// Checks a value in its own type, so that messages have the file's digits.
-pub(super) fn within<T: Copy + PartialOrd + Display>(
-    name: &str,
-    value: T,
-    low: T,
-    high: T,
-) -> Result<(), String> {
-    match (low..=high).contains(&value) {
-        true => Ok(()),
-        false => Err(format!("`{name}` is {value}, expected {low} to {high}")),
     }
 }

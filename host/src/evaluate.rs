@@ -147,8 +147,10 @@ pub fn evaluate_measures(
     measures: Measures<'_>,
     watch: &mut dyn FnMut(Event<'_>),
 ) -> Result<Evaluation> {
-    let (mut views, mut not_finite) = (Vec::with_capacity(frames.len()), 0);
-    let (total, mut done) = (tiles(frames), 0);
+    let mut views = Vec::with_capacity(frames.len());
+    let mut not_finite = 0;
+    let total = tiles(frames);
+    let mut done = 0;
     for (index, frame) in frames.iter().enumerate() {
         let mut advance = |tiles| {
             done += tiles;
@@ -296,7 +298,8 @@ impl Rendered {
 
 /// Allocates the colors of a frame's pixels.
 fn colors(frame: &Frame, what: &str) -> Result<Vec<[f32; 3]>> {
-    let (width, height) = (frame.image.width(), frame.image.height());
+    let width = frame.image.width();
+    let height = frame.image.height();
     let what = format!("the colors of {what} of {width} x {height} pixels");
     Ok(memory::zeros(frame.image.pixels().len(), &what)?)
 }

@@ -124,7 +124,8 @@ impl Dataset {
                 job::run(py, move || organza::Dataset::load(path, &options))?
             }
             (None, Some(renderer)) => {
-                let (views, side) = (data.built_in_views, data.built_in_side);
+                let views = data.built_in_views;
+                let side = data.built_in_side;
                 let every = data.hold_out_every;
                 let render = move || built_in::dataset(&renderer, views, side, every);
                 job::run(py, render)?

@@ -125,7 +125,8 @@ impl Training {
         let output = output.filter(|_| is_first);
         let folder = output.map(|path| open_folder(&path, resume)).transpose()?;
         let stop = Arc::new(AtomicBool::new(false));
-        let ((messages, receiver), (sender, answers)) = (channel(), channel());
+        let (messages, receiver) = channel();
+        let (sender, answers) = channel();
         let run = Run {
             device: renderer.0.clone(),
             config,

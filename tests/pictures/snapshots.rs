@@ -28,7 +28,8 @@ pub const SNAPSHOTS: Snapshots = organza_check::snapshots!("snapshots");
 
 #[test]
 fn snapshots_stay_small() {
-    let (mut all, mut files) = (0, 0);
+    let mut all = 0;
+    let mut files = 0;
     for entry in std::fs::read_dir(SNAPSHOTS.folder()).expect("tests/snapshots is there") {
         let entry = entry.expect("a folder's entry");
         let name = entry.file_name().to_string_lossy().into_owned();

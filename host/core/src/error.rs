@@ -312,7 +312,8 @@ impl Error {
 
     /// Wraps an error of `serde_json` about `text`, which is `what` of `origin`.
     pub fn json(origin: &Path, what: &'static str, text: &[u8], error: &serde_json::Error) -> Self {
-        let (line, column) = (error.line(), error.column());
+        let line = error.line();
+        let column = error.column();
         let suffix = format!(" at line {line} column {column}");
         let mut reason = error.to_string();
         if let Some(bare) = reason.strip_suffix(&suffix) {

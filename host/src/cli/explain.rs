@@ -110,7 +110,8 @@ struct Place {
 impl Place {
     /// Fails if the pixel is not in the view's image.
     fn check(self, camera: &Camera) -> Result<()> {
-        let ([x, y], [width, height]) = (self.pixel, [camera.width, camera.height]);
+        let [x, y] = self.pixel;
+        let [width, height] = [camera.width, camera.height];
         let is_within = |at: i32, side: u32| (0..i64::from(side)).contains(&i64::from(at));
         if is_within(x, width) && is_within(y, height) {
             return Ok(());
@@ -178,7 +179,8 @@ fn verdict(inspection: &Inspection, hidden: usize) -> String {
         let _ = write!(text, "; {hidden} not shown: falloff is zero (--all shows them)");
     }
     text.push('\n');
-    let (weight, pixel) = (inspection.alpha_sum, inspection.pixel);
+    let weight = inspection.alpha_sum;
+    let pixel = inspection.pixel;
     let _ = writeln!(text, "Eq. 12   C = ({}), S = {weight:.5}", rgb(inspection.color_sum));
     if inspection.is_divided() {
         let _ = writeln!(text, "Eq. 13   S > 1, so I = C / S");

@@ -37,8 +37,11 @@ impl TrainingProgress {
     pub fn new(console: Console, steps: u32, time_limit: Option<f64>) -> Self {
         let bar = console.progress(u64::from(steps), "steps");
         bar.say("training");
-        let (pace, lines) = (Pace::default(), Lines::default());
-        let (step, seconds, gaussians) = (0, 0.0, None);
+        let pace = Pace::default();
+        let lines = Lines::default();
+        let step = 0;
+        let seconds = 0.0;
+        let gaussians = None;
         Self { console, bar, steps, time_limit, pace, lines, step, seconds, gaussians }
     }
 
@@ -131,8 +134,8 @@ impl TrainingProgress {
             _ => "finished",
         };
         let time = FormattedDuration(Duration::from_secs_f64(self.seconds));
-        let (steps, gaussians) =
-            (count(self.step.into(), "step"), count(gaussians as u64, "Gaussian"));
+        let steps = count(self.step.into(), "step");
+        let gaussians = count(gaussians as u64, "Gaussian");
         self.console.note(&format!("{what}: {steps} in {time} of training, {gaussians}"));
     }
 
@@ -165,8 +168,10 @@ impl Pace {
     }
 
     fn steps_per_second(&self) -> Option<f64> {
-        let (first, last) = (self.times.front()?, self.times.back()?);
-        let (steps, seconds) = (last.0.checked_sub(first.0)?, last.1 - first.1);
+        let first = self.times.front()?;
+        let last = self.times.back()?;
+        let steps = last.0.checked_sub(first.0)?;
+        let seconds = last.1 - first.1;
         (steps > 0 && seconds > 0.0).then(|| f64::from(steps) / seconds)
     }
 }

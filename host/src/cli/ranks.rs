@@ -150,7 +150,8 @@ impl Team {
         lead: impl FnOnce(Member<'_>) -> Result<()>,
         follow: impl Fn(Member<'_>) -> Result<()> + Sync,
     ) -> Result<()> {
-        let (places, Self { mine, others, mixed, is_mpi, .. }) = (self.places(), self);
+        let places = self.places();
+        let Self { mine, others, mixed, is_mpi, .. } = self;
         thread::scope(|scope| {
             for ranks in others {
                 let follow = &follow;

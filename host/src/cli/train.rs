@@ -203,7 +203,8 @@ fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
     }
     let signals = Signals::listen()?;
     let (folder, config) = prepare(args)?;
-    let (planned, time_limit) = (args.settings.planned(), args.time_limit.map(f64::from));
+    let planned = args.settings.planned();
+    let time_limit = args.time_limit.map(f64::from);
     let share = f64::from(args.view_share) / 100.0;
     let view = args.view.then_some((&args.server, share));
     let resume = args.resume.is_some();
@@ -262,7 +263,8 @@ impl Ended {
             Outcome::TimeLimit => "time limit",
             _ => "stopped",
         };
-        let (checkpoint, report) = (folder.join(CHECKPOINT), folder.join(REPORT));
+        let checkpoint = folder.join(CHECKPOINT);
+        let report = folder.join(REPORT);
         Self { folder: folder.to_owned(), outcome, checkpoint, report, ..self }
     }
 }
@@ -336,7 +338,8 @@ impl Job<'_> {
             .with_shares(shares);
         let mut view = self.view.zip(server).map(|((args, share), server)| {
             args.announce(&server.url(), console);
-            let (stop, title) = (signals.stop(), title(self.folder));
+            let stop = signals.stop();
+            let title = title(self.folder);
             TrainingView::new(server, &renderer, &dataset, stop, share, title)
         });
         let mut progress = TrainingProgress::new(console, config.run.steps, self.time_limit);

@@ -24,7 +24,8 @@ impl FromStr for ViewList {
         };
         let range = |item: &str| {
             let (first, last) = item.split_once('-').unwrap_or((item, item));
-            let (first, last) = (index(first)?, index(last)?);
+            let first = index(first)?;
+            let last = index(last)?;
             if first > last {
                 return Err(format!("the range {first}-{last} runs backward"));
             }
@@ -93,7 +94,8 @@ impl Shard {
                         give I/N"
                 .to_owned());
         };
-        let (first, step) = (number("MIN").unwrap_or(0), number("STEP").unwrap_or(1).max(1));
+        let first = number("MIN").unwrap_or(0);
+        let step = number("STEP").unwrap_or(1).max(1);
         let place = id.checked_sub(first).filter(|place| place.is_multiple_of(step));
         match place.map(|place| place / step).filter(|&index| index < count) {
             Some(index) => Ok(Self { index, count }),
@@ -112,7 +114,8 @@ impl Shard {
 
 /// The error for a view that does not exist.
 pub fn no_view<T>(view: usize, count: usize, cameras: &Path) -> Result<T> {
-    let (cameras, last) = (cameras.display(), count.saturating_sub(1));
+    let cameras = cameras.display();
+    let last = count.saturating_sub(1);
     refuse(format!("there is no view {view}: {cameras} has views 0 to {last}"))
 }
 

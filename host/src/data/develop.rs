@@ -139,7 +139,8 @@ impl Shot {
             }
         };
         for (index, pixel) in pixels.iter_mut().enumerate() {
-            let (column, row) = (index as u32 % width, index as u32 / width);
+            let column = index as u32 % width;
+            let row = index as u32 / width;
             if let Some(color) = mean([column * factor, row * factor], factor, sample) {
                 let [red, green, blue, opaque] = color.map(to_8_bit);
                 (*pixel, alpha[index]) = ([red, green, blue], opaque);
@@ -172,7 +173,8 @@ pub(super) fn prepared(camera: &Camera, factor: u32, size: [u32; 2]) -> Result<C
         (f64::from(size[axis]) - f64::from(whole[axis]) / f64::from(factor)).abs() < 1.0
     };
     if !(is_near(0) && is_near(1)) {
-        let ([width, height], [w, h]) = (size, whole);
+        let [width, height] = size;
+        let [w, h] = whole;
         return Err(format!(
             "the photograph is {width} x {height} pixels, but one of {w} x {h} should be {factor} times smaller; \
              make it again, or remove its folder"

@@ -297,7 +297,9 @@ impl RunConfig {
     /// Each entry of the plan spreads the rest of the run evenly over the remaining steps.
     #[must_use]
     pub fn share(&self, step: u32) -> f64 {
-        let (mut from, mut done, mut steps) = (0, 0.0, self.steps);
+        let mut from = 0;
+        let mut done = 0.0;
+        let mut steps = self.steps;
         let part = |from: u32, to: u32, steps: u32| {
             f64::from(to - from) / f64::from(steps.saturating_sub(from).max(1))
         };

@@ -83,7 +83,9 @@ impl Planner {
         // the last evaluation measures all views
         let last = self.per_view * self.views as f64;
         let time = (self.seconds - now.elapsed - last).max(0.0);
-        let (mut used, mut steps, mut gaussians) = (0.0, 0_u32, now.gaussians as f64);
+        let mut used = 0.0;
+        let mut steps = 0_u32;
+        let mut gaussians = now.gaussians as f64;
         loop {
             let grown = gaussians / now.gaussians.max(1) as f64;
             let cost = per_step * (1.0 - PER_GAUSSIAN + PER_GAUSSIAN * grown) + per_evaluation;
@@ -109,7 +111,8 @@ mod tests {
     fn run(seconds: f64, cost: impl Fn(f64, f64) -> f64) -> (f64, TrainConfig) {
         let mut config = TrainConfig::default();
         config.run.evaluate_views = 5;
-        let (start, evaluation) = (f64::from(config.start.gaussians), 4.0);
+        let start = f64::from(config.start.gaussians);
+        let evaluation = 4.0;
         let mut planner = Planner::new(seconds, 10);
         // the evaluation of one view before the first step
         planner.evaluated(evaluation / 5.0, 1);

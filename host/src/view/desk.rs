@@ -100,7 +100,8 @@ impl Desk {
     pub(super) fn post(&self, job: Box<FrameJob>) {
         let mut state = self.state();
         state.requests += 1;
-        let (now, id) = (state.requests, job.request.client);
+        let now = state.requests;
+        let id = job.request.client;
         if !state.clients.contains_key(&id) && state.clients.len() >= MAX_CLIENTS {
             let idle = state.clients.iter().filter(|(_, client)| client.job.is_none());
             let oldest = idle.min_by_key(|(_, client)| client.last).map(|(id, _)| *id);

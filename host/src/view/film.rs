@@ -153,7 +153,8 @@ async fn encode(
     files: Vec<PathBuf>,
     folder: Arc<tempfile::TempDir>,
 ) -> Result<PathBuf, End> {
-    let (kind, fps) = (request.kind, request.fps);
+    let kind = request.kind;
+    let fps = request.fps;
     let work = move || {
         let film = folder.path().join("film");
         let frames = Frames { files: &files, fps, scratch: folder.path(), progress: &|| {} };

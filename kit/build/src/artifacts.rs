@@ -121,7 +121,8 @@ fn replace(path: &Path, contents: &[u8]) -> Result<bool> {
 
 fn module_difference(name: &str, found: &[u8], want: &[u8]) -> String {
     let at = found.iter().zip(want).take_while(|(a, b)| a == b).count();
-    let (found, want) = (found.len(), want.len());
+    let found = found.len();
+    let want = want.len();
     format!("{name}: differs from byte {at} on ({found} bytes there, {want} from the sources)")
 }
 

@@ -176,7 +176,8 @@ fn toolchain_exists(name: &str) -> Result<bool> {
 }
 
 fn backend_in(sysroot: &Path) -> Result<PathBuf> {
-    let (prefix, suffix) = (env::consts::DLL_PREFIX, env::consts::DLL_SUFFIX);
+    let prefix = env::consts::DLL_PREFIX;
+    let suffix = env::consts::DLL_SUFFIX;
     let backend = sysroot.join("lib").join(format!("{prefix}rustc_codegen_spirv{suffix}"));
     if !backend.is_file() {
         bail!("this toolchain has no SPIR-V backend: there is no {}", backend.display());

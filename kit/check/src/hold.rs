@@ -24,7 +24,8 @@ pub fn hold<P: Parity>(device: &Device, rounding: Rounding) -> Result<Measure> {
 fn add<P: Parity>(measure: &mut Measure, name: &str, set: &P, output: &Output, rounding: Rounding) {
     let found = output.to_f64();
     let mut exact = set.exact(output.name, found.len());
-    let (given, all) = (exact.len(), found.len());
+    let given = exact.len();
+    let all = found.len();
     assert!(given <= all, "`{}` has {all} values in `{}`, `exact` {given}", P::KERNEL, output.name);
     exact.resize(all, None);
     let is_float = matches!(output.values, Values::Float(_));

@@ -160,7 +160,8 @@ impl<'a> Races<'a> {
             let writer = touched.writer.load(Ordering::SeqCst);
             (writer != 0 && is_nan(bytes)).then_some((index, writer))
         })?;
-        let (name, invocation) = (info.name, unlinear(who(writer) - 1, self.invocations));
+        let name = info.name;
+        let invocation = unlinear(who(writer) - 1, self.invocations);
         Some(format!(
             "writes NaN to element {index} of `{name}`, in invocation {invocation} of the dispatch"
         ))

@@ -29,7 +29,8 @@ fn distance(a: &Camera, b: &Camera) -> f64 {
     let places =
         (0..8).map(|at| [0, 1, 2].map(|axis| if at >> axis & 1 == 1 { 0.6 } else { -0.6 }));
     let distances = places.map(|place| {
-        let ([ax, ay], [bx, by]) = (pixel(a, place), pixel(b, place));
+        let [ax, ay] = pixel(a, place);
+        let [bx, by] = pixel(b, place);
         (ax - bx).hypot(ay - by)
     });
     distances.sum::<f64>() / 8.0
@@ -107,7 +108,8 @@ fn runs_resumed_or_of_ranks_have_the_bits_of_one_that_never_stopped() {
     };
     let cameras =
         |run: &str| Camera::load_all(sandbox.path(run).join("cameras.json")).expect("cameras");
-    let (expected, whole) = (bits(&sandbox, "whole"), cameras("whole"));
+    let expected = bits(&sandbox, "whole");
+    let whole = cameras("whole");
     assert!(expected["train.pose"].1.iter().any(|&bits| bits << 1 != 0));
     for run in ["cut", "of-2"] {
         assert_same(run, &bits(&sandbox, run), &expected);

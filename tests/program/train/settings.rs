@@ -73,7 +73,8 @@ fn is_same(a: &Value, b: &Value) -> bool {
 
 #[test]
 fn the_table_of_settings_is_that_of_the_program() {
-    let (expected, found) = (defaults(), documented());
+    let expected = defaults();
+    let found = documented();
     let names =
         |settings: &BTreeMap<String, Vec<Value>>| settings.keys().cloned().collect::<Vec<_>>();
     assert_eq!(names(&found), names(&expected), "docs/training.md");

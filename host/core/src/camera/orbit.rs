@@ -90,7 +90,8 @@ impl Orbit {
         let up = DVec3::from(self.up).normalize_or_zero();
         let ahead = DVec3::from(self.toward).reject_from(DVec3::from(self.up)).normalize_or_zero();
         if !(up.is_finite() && ahead.is_finite()) || up == DVec3::ZERO || ahead == DVec3::ZERO {
-            let (up, toward) = (self.up, self.toward);
+            let up = self.up;
+            let toward = self.toward;
             let reason =
                 format!("no circle has the axis {up:?} and begins toward {toward:?} of its center");
             return Err(Error::Argument { reason });
@@ -161,7 +162,8 @@ mod tests {
             // counterclockwise, by 30 degrees each
             let next = DVec3::from(cameras[(index + 1) % 12].eye()) - center;
             let [a, b] = [offset, next].map(|offset| offset.reject_from_normalized(up));
-            let (sin, cos) = (a.cross(b).dot(up), a.dot(b));
+            let sin = a.cross(b).dot(up);
+            let cos = a.dot(b);
             assert!((sin.atan2(cos) - TAU / 12.0).abs() < 1e-12);
         }
         let first = DVec3::from(cameras[0].eye()) - center;
@@ -222,7 +224,8 @@ mod tests {
                         DVec3::new(place(0), place(1), place(2)) - DVec3::from(camera.eye());
                     let [x, y, z] =
                         camera.world_to_camera_opencv().map(|row| DVec3::from(row).dot(offset));
-                    let (x, y) = (camera.fl_x * x / z + camera.cx, camera.fl_y * y / z + camera.cy);
+                    let x = camera.fl_x * x / z + camera.cx;
+                    let y = camera.fl_y * y / z + camera.cy;
                     let [width, height] = size.map(f64::from);
                     assert!(z > 0.0 && (0.0..width).contains(&x) && (0.0..height).contains(&y));
                 }

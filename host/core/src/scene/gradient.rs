@@ -107,7 +107,8 @@ impl Gradient {
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         for (spec, values) in self.tensors() {
             if let Some(index) = values.iter().position(|value| !value.is_finite()) {
-                let (name, value) = (spec.name, values[index]);
+                let name = spec.name;
+                let value = values[index];
                 let reason = format!(
                     "the gradient of `{name}` holds {value} at flat index {index}, more than f32 \
                      can hold; nothing was written"

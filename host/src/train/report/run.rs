@@ -121,7 +121,10 @@ impl Run {
     pub(super) fn evaluations<'a>(&'a self) -> Vec<Evaluation<'a>> {
         let evaluation = |record: &'a Record| match record {
             Record::Evaluation { step, seconds, psnr, ssim, views } => {
-                let (step, seconds, psnr, ssim) = (*step, *seconds, *psnr, *ssim);
+                let step = *step;
+                let seconds = *seconds;
+                let psnr = *psnr;
+                let ssim = *ssim;
                 Some(Evaluation { step, seconds, psnr, ssim, views })
             }
             _ => None,

@@ -42,7 +42,8 @@ impl Tolerance {
             let head = |tensor: &Tensor| format!("{} {:?}", tensor.name, tensor.shape);
             tensors.0.iter().map(head).collect()
         };
-        let (accepted, found) = (heads(expected), heads(actual));
+        let accepted = heads(expected);
+        let found = heads(actual);
         if let Some(at) =
             (0..accepted.len().max(found.len())).find(|&i| accepted.get(i) != found.get(i))
         {
@@ -121,11 +122,14 @@ pub fn compare_pictures(
 ) -> Result<(), Mismatch> {
     let panels = || report::picture_panels(expected, actual);
     if expected.dimensions() != actual.dimensions() {
-        let (found, accepted) = (actual.dimensions(), expected.dimensions());
+        let found = actual.dimensions();
+        let accepted = expected.dimensions();
         let message = format!("sizes differ: {found:?} pixels for {accepted:?}");
         return Err(Mismatch { message, panels: panels() });
     }
-    let (mut beyond, mut largest, mut at) = (0, 0, (0, 0, 0));
+    let mut beyond = 0;
+    let mut largest = 0;
+    let mut at = (0, 0, 0);
     for ((x, y, e), a) in expected.enumerate_pixels().zip(actual.pixels()) {
         let apart = [0, 1, 2].map(|channel| e.0[channel].abs_diff(a.0[channel]));
         beyond += usize::from(apart.iter().any(|&steps| steps > STEPS));
@@ -136,7 +140,8 @@ pub fn compare_pictures(
         }
     }
     // Count each enlarged pixel once.
-    let (beyond, pixels) = (beyond / (montage.scale * montage.scale), montage.pixels());
+    let beyond = beyond / (montage.scale * montage.scale);
+    let pixels = montage.pixels();
     if largest <= STEPS || (largest <= EDGE_STEPS && beyond * EDGE_PIXELS <= pixels) {
         return Ok(());
     }

@@ -125,7 +125,9 @@ fn table(findings: &[Finding]) -> String {
             let head = "| wrong kernel | what is wrong | found | message | line |\n| --- | --- | --- | --- | ---: |";
             writeln!(text, "\n### {title}\n\n{head}").expect("a string");
         }
-        let (name, what, check) = (bug.name, what_is_wrong(bug), check.name());
+        let name = bug.name;
+        let what = what_is_wrong(bug);
+        let check = check.name();
         let line = line.map_or(String::new(), |line| line.to_string());
         let file = format!("../{FOLDER}/{kind}/{name}.rs");
         writeln!(text, "| [{name}]({file}) | {what} | {check} | {message} | {line} |")

@@ -203,7 +203,8 @@ fn shares(passes: &[Vec<KernelTime>]) -> Vec<KernelShare> {
     let mut times: BTreeMap<&'static str, (u64, Work, Vec<f64>)> = BTreeMap::new();
     for time in passes.iter().flatten() {
         let (dispatches, work, seconds) = times.entry(time.kernel).or_default();
-        (*dispatches, *work) = (time.dispatches, time.work);
+        *dispatches = time.dispatches;
+        *work = time.work;
         seconds.push(time.seconds);
     }
     let mut shares: Vec<_> = times

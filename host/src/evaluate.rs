@@ -290,7 +290,8 @@ impl Rendered {
             .iter()
             .flat_map(|valid| valid.iter().enumerate().filter(|(_, valid)| !**valid))
         {
-            (colors[at], truth[at]) = ([0.0; 3], [0.0; 3]);
+            colors[at] = [0.0; 3];
+            truth[at] = [0.0; 3];
         }
         Ok(Score { lpips: lpips.distance(size, &colors, &truth)?, ..score })
     }

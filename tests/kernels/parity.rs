@@ -204,7 +204,8 @@ fn sets_reach_every_branch() {
     for (_, set) in ProjectBackward::sets() {
         for (axis, seen) in ratios.iter_mut().enumerate() {
             for place in set.pairs_in_image() {
-                let [x, size] = [place[axis], f64::from(set.forward.cameras[0].size[axis])];
+                let x = place[axis];
+                let size = f64::from(set.forward.cameras[0].size[axis]);
                 seen[usize::from(x >= -0.15 * size) + usize::from(x > 1.15 * size)] += 1;
             }
         }

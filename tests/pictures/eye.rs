@@ -34,7 +34,8 @@ fn images_are_the_same_bits_whatever_was_kept() {
             turned.camera_to_world[row][1] = -right[row];
             turned.camera_to_world[row][2] = back[row];
         }
-        (turned.fl_x, turned.fl_y) = (1.5 * first.fl_x, 1.4 * first.fl_y);
+        turned.fl_x = 1.5 * first.fl_x;
+        turned.fl_y = 1.4 * first.fl_y;
         let larger = first.with_size([first.width * 2, first.height + 7]);
         let all = [first, &turned, &larger, &case.cameras[1], first];
         for (index, camera) in all.into_iter().enumerate() {

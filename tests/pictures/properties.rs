@@ -50,7 +50,8 @@ fn exact_clip(p: Vec3, v: Vec3) -> (f64, f64) {
             true => (f64::INFINITY, f64::NEG_INFINITY),
             false => ((-p / v).min((1.0 - p) / v), (-p / v).max((1.0 - p) / v)),
         };
-        (enter, exit) = (enter.max(low), exit.min(high));
+        enter = enter.max(low);
+        exit = exit.min(high);
     }
     (enter.clamp(0.0, 1.0), exit.clamp(0.0, 1.0))
 }
@@ -239,7 +240,8 @@ fn composites_are_weighted_means() {
                 let mut low = Vec3::splat(f32::INFINITY);
                 let mut high = Vec3::splat(f32::NEG_INFINITY);
                 for color in mixed.chain((sum.w <= 1.0).then_some(background)) {
-                    (low, high) = (low.min(color), high.max(color));
+                    low = low.min(color);
+                    high = high.max(color);
                 }
                 prop_assert!(
                     pixel.cmpge(low - 1e-5).all() && pixel.cmple(high + 1e-5).all(),

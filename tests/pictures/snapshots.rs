@@ -38,7 +38,8 @@ fn snapshots_stay_small() {
         }
         let bytes = entry.metadata().expect("a file").len();
         assert!(bytes <= MAX_FILE_BYTES, "{name} has {bytes} bytes, more than {MAX_FILE_BYTES}");
-        (all, files) = (all + bytes, files + 1);
+        all += bytes;
+        files += 1;
     }
     assert!(all <= MAX_BYTES, "the snapshots have {all} bytes, more than {MAX_BYTES}");
     println!("{files} files, {all} bytes");

@@ -85,7 +85,8 @@ fn sorted_gaussians_are_blended_front_to_back() {
     assert_eq!(both[5 + 2], [0.25, 0.375, 0.375]);
     // one pixel aside: falloff exp(-0.25)
     let fall = (-0.25_f32).exp();
-    let [r, b] = [0.25 * fall, 0.5 * fall];
+    let r = 0.25 * fall;
+    let b = 0.5 * fall;
     let expected = [r, (1.0 - r) * (1.0 - b), (1.0 - r) * b];
     let off = both[5 + 3].iter().zip(expected).map(|(a, b)| (a - b).abs());
     assert!(off.fold(0.0, f32::max) < 1e-6);

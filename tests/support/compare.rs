@@ -28,7 +28,8 @@ pub fn difference(actual: &[f32], expected: &[f32]) -> Difference {
         assert!(!absolute.is_nan(), "NaN at {index}: {a} for {e}");
         squares += absolute * absolute;
         if absolute > found.absolute {
-            (found.absolute, found.index) = (absolute, index);
+            found.absolute = absolute;
+            found.index = index;
         }
     }
     found.relative = squares.sqrt() / norm;

@@ -111,7 +111,8 @@ impl Place {
     /// Fails if the pixel is not in the view's image.
     fn check(self, camera: &Camera) -> Result<()> {
         let [x, y] = self.pixel;
-        let [width, height] = [camera.width, camera.height];
+        let width = camera.width;
+        let height = camera.height;
         let is_within = |at: i32, side: u32| (0..i64::from(side)).contains(&i64::from(at));
         if is_within(x, width) && is_within(y, height) {
             return Ok(());

@@ -92,7 +92,8 @@ pub struct Picture {
 
 impl Picture {
     pub fn new(view: usize, file: &Path, camera: &Camera) -> Self {
-        let [width, height] = [camera.width, camera.height];
+        let width = camera.width;
+        let height = camera.height;
         Self { view, file: file.to_owned(), width, height, channels: BTreeMap::new() }
     }
 

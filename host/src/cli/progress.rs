@@ -58,7 +58,8 @@ impl TrainingProgress {
                 self.bar.set_length(*steps as usize);
             }
             Event::Step { step, seconds, report, gaussians, .. } => {
-                (self.step, self.seconds) = (*step, *seconds);
+                self.step = *step;
+                self.seconds = *seconds;
                 self.gaussians = Some(*gaussians);
                 self.pace.add(*step, *seconds);
                 self.step(report);
@@ -199,7 +200,8 @@ impl Lines {
         let wait = (SHARE * (seconds - begin)).clamp(SHORTEST, LONGEST);
         self.times = Some([begin, seconds + wait]);
         let [loss, squared] = self.sums.map(|sum| sum / self.count);
-        (self.sums, self.count) = ([0.0; 2], 0.0);
+        self.sums = [0.0; 2];
+        self.count = 0.0;
         Some([loss, psnr_of(squared)])
     }
 }

@@ -251,7 +251,8 @@ impl Ended {
                 self.gaussians = Some(*gaussians);
             }
             Event::Evaluated(evaluation) => {
-                (self.psnr, self.ssim) = (evaluation.mean.psnr, evaluation.mean.ssim);
+                self.psnr = evaluation.mean.psnr;
+                self.ssim = evaluation.mean.ssim;
             }
             _ => {}
         }

@@ -143,7 +143,8 @@ impl Shot {
             let row = index as u32 / width;
             if let Some(color) = mean([column * factor, row * factor], factor, sample) {
                 let [red, green, blue, opaque] = color.map(to_8_bit);
-                (*pixel, alpha[index]) = ([red, green, blue], opaque);
+                *pixel = [red, green, blue];
+                alpha[index] = opaque;
                 if let Some(valid) = valid.get_mut(index) {
                     *valid = true;
                 }

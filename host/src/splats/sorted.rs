@@ -227,7 +227,8 @@ pub(super) mod tests {
         let front = ball();
         let mut back = ball();
         back.position = [0.0, 5.0, -0.375];
-        (back.log_scale, back.opacity) = ([1.0; 3], 1.0);
+        back.log_scale = [1.0; 3];
+        back.opacity = 1.0;
         back.color[0] = [-0.5 / FIRST, 0.0, 0.5 / FIRST];
         // the image has no pixel at its center: the falloff at the nearest one is a little below 1
         let image = render(&[back, front], &camera, [0.2, 0.4, 0.6]);

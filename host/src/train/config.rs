@@ -305,7 +305,8 @@ impl RunConfig {
         };
         for &[at, planned] in self.plan.iter().filter(|entry| entry[0] <= step) {
             done += (1.0 - done) * part(from, at, steps);
-            (from, steps) = (at, planned);
+            from = at;
+            steps = planned;
         }
         (done + (1.0 - done) * part(from, step, steps)).min(1.0)
     }

@@ -93,7 +93,8 @@ impl Planner {
             if used + next >= time || steps > MOST {
                 return steps.saturating_add(((time - used) / cost) as u32).max(1);
             }
-            (used, steps) = (used + next, steps.saturating_add(growth.every));
+            used += next;
+            steps = steps.saturating_add(growth.every);
             let share = (now.elapsed + used) / self.seconds;
             if (growth.begin..=growth.end).contains(&share) {
                 let most = f64::from(growth.max_gaussians);
@@ -131,7 +132,8 @@ mod tests {
             let share = config.run.share(now.step);
             let took = cost(share, now.gaussians as f64);
             now.step += 1;
-            (now.training, now.elapsed) = (now.training + took, now.elapsed + took);
+            now.training += took;
+            now.elapsed += took;
             let growth = &config.growth;
             let share = config.run.share(now.step);
             if now.step.is_multiple_of(growth.every) && (growth.begin..=growth.end).contains(&share)

@@ -246,7 +246,8 @@ mod tests {
         let expected: Vec<_> = (0..VALUES)
             .map(|at| {
                 let mut moved = [now; 2];
-                (moved[0][at], moved[1][at]) = (now[at] - 1e-5, now[at] + 1e-5);
+                moved[0][at] = now[at] - 1e-5;
+                moved[1][at] = now[at] + 1e-5;
                 (loss(moved[1]) - loss(moved[0])) / 2e-5
             })
             .collect();

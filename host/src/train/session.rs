@@ -190,7 +190,8 @@ impl<'a> Session<'a> {
     /// of a run without ranks.
     #[must_use]
     pub fn with_ranks(mut self, ranks: Option<Arc<dyn Ranks>>, mixed: bool) -> Self {
-        (self.ranks, self.mixed) = (ranks, mixed);
+        self.ranks = ranks;
+        self.mixed = mixed;
         self
     }
 

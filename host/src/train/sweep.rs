@@ -326,7 +326,8 @@ mod tests {
             let rays = (0..64 * 64).map(|i| {
                 let x = f64::from(i % 64) + 0.5;
                 let y = f64::from(i / 64) + 0.5;
-                let [x, y] = [(x - camera.cx) / camera.fl_x, (y - camera.cy) / camera.fl_y];
+                let x = (x - camera.cx) / camera.fl_x;
+                let y = (y - camera.cy) / camera.fl_y;
                 scene(DVec3::from(camera.eye()), view * DVec3::new(x, y, 1.0))
             });
             let pixel = |hit: Option<(Vec3, DVec3)>| match hit {

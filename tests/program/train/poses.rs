@@ -53,7 +53,9 @@ fn dataset_of(renderer: &Renderer, scene: &Scene) -> Dataset {
 #[test]
 fn cameras_come_back_to_where_they_were() {
     let (mut config, _, _) = begun();
-    (config.run.steps, config.run.tiles_per_step, config.run.tile_size) = (30, 4, 32);
+    config.run.steps = 30;
+    config.run.tiles_per_step = 4;
+    config.run.tile_size = 32;
     config.growth.end = 0.0;
     let still = Rate { first: 1e-12, last: 1e-12 };
     config.optimizer = OptimizerConfig {

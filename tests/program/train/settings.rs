@@ -128,7 +128,8 @@ fn later_settings_override_earlier_ones() {
     fs::write(&grid, "[scene.color_grid]\nlevels = 9\n[optimizer]\ngrids.last = 1e-3\n").unwrap();
     let config = printed(&format!("/data --preset best --config {}", grid.display()));
     let mut expected = best.clone();
-    (expected.scene.color_grid.levels, expected.optimizer.grids.last) = (9, 1e-3);
+    expected.scene.color_grid.levels = 9;
+    expected.optimizer.grids.last = 1e-3;
     assert_eq!(config, expected);
     let config =
         printed(&format!("{words} --set run.steps=12 --set run.steps=13 --set run.seed=6"));

@@ -137,7 +137,8 @@ fn counted(
 fn a_step_of_shares_hands_over_what_the_formulas_say() {
     const RANKS: u64 = 2;
     let (mut config, mut checkpoint, dataset) = begun();
-    (config.run.steps, checkpoint.progress.step) = (40, 9);
+    config.run.steps = 40;
+    checkpoint.progress.step = 9;
     let sizes = Sizes::of(&config);
     let gaussians = checkpoint.scene.gaussians.len() as u64;
     let all = counted(RANKS, |renderer, ranks| {
@@ -177,7 +178,8 @@ fn a_step_of_groups_hands_over_what_the_formulas_say() {
     const SHARES: u64 = 2;
     const GROUPS: u64 = 2;
     let (mut config, mut checkpoint, dataset) = begun();
-    (config.run.steps, checkpoint.progress.step) = (40, 9);
+    config.run.steps = 40;
+    checkpoint.progress.step = 9;
     let sizes = Sizes::of(&config);
     let gaussians = checkpoint.scene.gaussians.len() as u64;
     let all = counted(SHARES * GROUPS, |renderer, ranks| {
@@ -260,7 +262,8 @@ fn a_step_hands_over_what_the_formulas_say() {
         assert_eq!(bytes[5], 4 * sizes.flags(), "flags");
         assert!(bytes[6] > 0 && bytes[6] <= 8 * sizes.grids.iter().sum::<u64>(), "{bytes:?}");
         assert_eq!(bytes[8] % 32, 0, "losses");
-        (units, tiles) = (units + own, tiles + bytes[8] / 32);
+        units += own;
+        tiles += bytes[8] / 32;
     }
     for calls in &all {
         assert_eq!(calls[7].1, 24 * units, "poses");

@@ -180,7 +180,8 @@ fn ten_clients_get_their_images_while_others_are_slow_or_gone() {
     let views = scene["views"].as_array().expect("views");
     let request = |client: u64, camera: &serde_json::Value, quality: &str| {
         let mut camera = camera.clone();
-        (camera["w"], camera["h"]) = (json!(1500), json!(1500));
+        camera["w"] = json!(1500);
+        camera["h"] = json!(1500);
         let body = json!({"client": client, "sequence": 0, "camera": camera, "mode": "color",
             "quality": quality})
         .to_string();
@@ -234,7 +235,8 @@ fn an_image_that_nobody_waits_for_is_dropped() {
     let sandbox = Sandbox::new("crowded");
     let viewer = Viewer::start(&sandbox, VIEW);
     let mut camera = viewer.scene()["views"][0]["camera"].clone();
-    (camera["w"], camera["h"]) = (json!(4000), json!(4000));
+    camera["w"] = json!(4000);
+    camera["h"] = json!(4000);
     thread::scope(|scope| {
         // the first is painted, the second waits, and the third replaces it
         let ask = |sequence: u64| {

@@ -87,7 +87,8 @@ fn assert_same(page: &mut Page, scene: &Scene, camera: &Camera, steps: u16) -> u
     assert_eq!(counts, [report.pairs, report.members, report.samples], "steps x {steps}");
     assert!(report.samples > 1000, "{report:?}");
     let side = SIDE as usize;
-    let [width, height] = [camera.width as usize, camera.height as usize];
+    let width = camera.width as usize;
+    let height = camera.height as usize;
     let mut apart = 0.0_f32;
     for (tile, place) in batch.tiles.iter().enumerate() {
         let [left, top] = place.origin.map(|at| at as usize);
@@ -132,7 +133,8 @@ impl Place {
 
 /// Asserts that mouse, fingers and keys move the camera as the page's help says.
 fn assert_controls(page: &mut Page) {
-    let [middle, right] = [[200.0, 160.0], [260.0, 170.0]];
+    let middle = [200.0, 160.0];
+    let right = [260.0, 170.0];
     // each rotates the scene: the distance stays, and the direction changes
     let orbits: [&dyn Fn(&mut Page); 2] =
         [&|page| page.drag(middle, right), &|page| page.fingers(&[[middle, right]])];

@@ -286,7 +286,8 @@ impl Map {
         let Some(size) = self.windows(side, stride, 0) else { return Ok(None) };
         let mut next = Self::zeros(size, self.channels)?;
         for (at, output) in next.values.chunks_exact_mut(self.channels).enumerate() {
-            let [x, y] = [at % size[0] * stride, at / size[0] * stride];
+            let x = at % size[0] * stride;
+            let y = at / size[0] * stride;
             output.fill(f32::NEG_INFINITY);
             for (row, column) in (0..side).flat_map(|row| (0..side).map(move |c| (row, c))) {
                 let from = ((y + row) * self.width + x + column) * self.channels;
@@ -301,7 +302,8 @@ impl Map {
 /// `c += a b`, of `a [rows, inner]`, `b [inner, columns]` and `c [rows, columns]`.
 fn multiply(a: &[f32], b: &[f32], c: &mut [f32], [rows, inner, columns]: [usize; 3]) {
     assert_eq!([a.len(), b.len(), c.len()], [rows * inner, inner * columns, rows * columns]);
-    let [inner_step, column_step] = [inner as isize, columns as isize];
+    let inner_step = inner as isize;
+    let column_step = columns as isize;
     // SAFETY: the lengths are those of the three matrices, row by row, and only `c` is written to.
     unsafe {
         matrixmultiply::sgemm(

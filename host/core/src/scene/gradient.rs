@@ -54,7 +54,8 @@ impl Gradient {
             }
             begin += len;
         }
-        (whole.color, whole.transmittance) = (self.0.color, self.0.transmittance);
+        whole.color = self.0.color;
+        whole.transmittance = self.0.transmittance;
         Ok(Some(Self(whole)))
     }
 

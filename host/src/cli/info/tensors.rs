@@ -31,7 +31,8 @@ impl TensorInfo {
         let mut sum = 0.0;
         let mut finite = 0;
         for &value in data.iter().filter(|value| value.is_finite()) {
-            (min, max) = (min.min(value), max.max(value));
+            min = min.min(value);
+            max = max.max(value);
             sum += f64::from(value);
             finite += 1;
         }

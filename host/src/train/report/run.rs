@@ -63,11 +63,14 @@ impl Run {
         let mut summary = Summary::default();
         match last {
             Some(Record::Evaluation { step, seconds, psnr, ssim, .. }) => {
-                (summary.psnr, summary.ssim) = (*psnr, *ssim);
-                (summary.step, summary.seconds) = (*step, *seconds);
+                summary.psnr = *psnr;
+                summary.ssim = *ssim;
+                summary.step = *step;
+                summary.seconds = *seconds;
             }
             Some(Record::Step { step, seconds, .. }) => {
-                (summary.step, summary.seconds) = (*step, *seconds);
+                summary.step = *step;
+                summary.seconds = *seconds;
             }
             _ => {}
         }

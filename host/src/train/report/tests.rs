@@ -336,7 +336,8 @@ fn nothing_in_a_run_gets_out_of_its_place() {
     records.insert(0, Record::Session { step: 0, session });
     for record in &mut records {
         if let Record::Step { loss, l1, rates, .. } = record {
-            (*loss, *l1) = (f64::NAN, -1.0);
+            *loss = f64::NAN;
+            *l1 = -1.0;
             *rates = [(nasty(), 0.0), ("b".to_owned(), 1.0)].into();
         }
     }

@@ -94,7 +94,8 @@ impl Tolerance {
 fn place(shape: &[usize], mut index: usize) -> String {
     let mut at = vec![0; shape.len()];
     for (place, &size) in at.iter_mut().zip(shape).rev() {
-        (*place, index) = (index % size, index / size);
+        *place = index % size;
+        index /= size;
     }
     match (shape, at.as_slice()) {
         ([_, 3, height, width], &[tile, channel, row, column]) if height == width => {
@@ -135,7 +136,8 @@ pub fn compare_pictures(
         beyond += usize::from(apart.iter().any(|&steps| steps > STEPS));
         for (channel, steps) in apart.into_iter().enumerate() {
             if steps > largest {
-                (largest, at) = (steps, (x, y, channel));
+                largest = steps;
+                at = (x, y, channel);
             }
         }
     }

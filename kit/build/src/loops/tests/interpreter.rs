@@ -139,7 +139,8 @@ pub fn run(module: &Module, a: u32, b: u32) -> (u32, Vec<(Op, Vec<u32>)>) {
                     continue;
                 }
             };
-            (from, at) = (at, next);
+            from = at;
+            at = next;
         }
     }
     panic!("a loop does not end");

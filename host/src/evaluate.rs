@@ -96,8 +96,12 @@ pub enum Event<'a> {
 
 /// The number of tiles of some frames.
 fn tiles(frames: &[&Frame]) -> usize {
-    let across = |pixels: u32| pixels.div_ceil(TILE_SIDE) as usize;
     frames.iter().map(|frame| across(frame.camera.width) * across(frame.camera.height)).sum()
+}
+
+/// Number of tiles that cover some pixels in a row or a column.
+fn across(pixels: u32) -> usize {
+    pixels.div_ceil(TILE_SIDE) as usize
 }
 
 /// Renders each frame and compares it with its photograph. Only one image is in memory at a time, and the part that

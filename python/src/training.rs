@@ -35,13 +35,6 @@ impl TrainConfig {
         file: Option<PathBuf>,
         assignments: Vec<String>,
     ) -> PyResult<Self> {
-        let named = |name: &str| {
-            let found = Preset::ALL.into_iter().find(|preset| preset.name() == name);
-            found.ok_or_else(|| {
-                let names = Preset::ALL.map(Preset::name).join("`, `");
-                invalid(format!("there is no preset `{name}`; expected `{names}`"))
-            })
-        };
         let preset = preset.map_or(Ok(Preset::Default), named)?;
         let mut builder = ConfigBuilder::new(preset).map_err(raise)?;
         if let Some(file) = file {
@@ -63,6 +56,15 @@ impl TrainConfig {
     fn to_toml(&self) -> String {
         self.0.to_toml()
     }
+}
+
+/// The preset of a name.
+fn named(name: &str) -> PyResult<Preset> {
+    let found = Preset::ALL.into_iter().find(|preset| preset.name() == name);
+    found.ok_or_else(|| {
+        let names = Preset::ALL.map(Preset::name).join("`, `");
+        invalid(format!("there is no preset `{name}`; expected `{names}`"))
+    })
 }
 
 /// A run in progress in a thread.

@@ -149,9 +149,6 @@ fn text(benchmark: &Benchmark) -> String {
     ];
     let mut text = format!("{}\n{}\n\n", benchmark.device, batch.join(", "));
     let mut whole = Table::new(1, ["median", "seconds", "peak memory"]);
-    let memory = |bytes: Option<u64>| {
-        bytes.map_or("-".to_owned(), |bytes| format!("{} MiB", grouped(bytes >> 20)))
-    };
     let mut row = |name: &str, seconds: f64, bytes| {
         whole.row([name.to_owned(), self::seconds(seconds), memory(bytes)]);
     };
@@ -168,6 +165,11 @@ fn text(benchmark: &Benchmark) -> String {
         text += &format!("\nforward and backward\n{}", table(&benchmark.kernels));
     }
     text
+}
+
+/// Bytes as MiB; a dash for `None`.
+fn memory(bytes: Option<u64>) -> String {
+    bytes.map_or("-".to_owned(), |bytes| format!("{} MiB", grouped(bytes >> 20)))
 }
 
 fn table(kernels: &[KernelShare]) -> Table {

@@ -60,9 +60,12 @@ pub struct Args {
 }
 
 fn parse_pixel(text: &str) -> Result<[i32; 2], String> {
-    let number = |text: &str| text.trim().parse::<i32>().ok();
     let pixel = text.split_once(',').and_then(|(x, y)| Some([number(x)?, number(y)?]));
     pixel.ok_or_else(|| "expected two whole numbers X,Y such as 192,96".to_owned())
+}
+
+fn number(text: &str) -> Option<i32> {
+    text.trim().parse().ok()
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
@@ -113,7 +116,6 @@ impl Place {
         let [x, y] = self.pixel;
         let width = camera.width;
         let height = camera.height;
-        let is_within = |at: i32, side: u32| (0..i64::from(side)).contains(&i64::from(at));
         if is_within(x, width) && is_within(y, height) {
             return Ok(());
         }
@@ -125,6 +127,10 @@ impl Place {
             height - 1
         ))
     }
+}
+
+fn is_within(at: i32, side: u32) -> bool {
+    (0..i64::from(side)).contains(&i64::from(at))
 }
 
 fn text(at: Place, camera: &Camera, inspection: &Inspection, hidden: usize) -> String {

@@ -111,9 +111,6 @@ impl TrainingProgress {
     }
 
     fn evaluated(&self, evaluation: &Evaluation) {
-        let shown = |value: Option<f64>, digits: usize| {
-            value.map_or("no".to_owned(), |value| format!("{value:.digits$}"))
-        };
         let text = format!(
             "step {}: {}: PSNR {} dB, SSIM {}",
             grouped(self.step.into()),
@@ -151,6 +148,11 @@ impl TrainingProgress {
         // far longer than anybody waits
         Duration::from_secs_f64(steps.min(limit).min(1e9))
     }
+}
+
+/// A score with some digits after the point, or `no`.
+fn shown(value: Option<f64>, digits: usize) -> String {
+    value.map_or("no".to_owned(), |value| format!("{value:.digits$}"))
 }
 
 /// The speed over the last seconds.

@@ -18,21 +18,24 @@ impl FromStr for ViewList {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let index = |text: &str| {
-            let bad = |_| format!("`{text}` is not a view; expected a list such as 0,8 or 0-3");
-            text.trim().parse::<usize>().map_err(bad)
-        };
-        let range = |item: &str| {
-            let (first, last) = item.split_once('-').unwrap_or((item, item));
-            let first = index(first)?;
-            let last = index(last)?;
-            if first > last {
-                return Err(format!("the range {first}-{last} runs backward"));
-            }
-            Ok(first..=last)
-        };
         text.split(',').map(range).collect::<Result<_, _>>().map(Self)
     }
+}
+
+/// Parses one item of a list: a view, or a range such as `0-3`.
+fn range(item: &str) -> Result<RangeInclusive<usize>, String> {
+    let (first, last) = item.split_once('-').unwrap_or((item, item));
+    let first = index(first)?;
+    let last = index(last)?;
+    if first > last {
+        return Err(format!("the range {first}-{last} runs backward"));
+    }
+    Ok(first..=last)
+}
+
+fn index(text: &str) -> Result<usize, String> {
+    let bad = |_| format!("`{text}` is not a view; expected a list such as 0,8 or 0-3");
+    text.trim().parse::<usize>().map_err(bad)
 }
 
 impl ViewList {

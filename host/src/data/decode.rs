@@ -242,9 +242,6 @@ fn has_whole_palette(bytes: &[u8]) -> bool {
 /// Whether a JPEG has its own end-of-image marker. That of a thumbnail does not count.
 fn has_jpeg_end(bytes: &[u8]) -> bool {
     const END: u8 = 0xd9;
-    // A marker is 0xff and another byte. Exceptions are 0xff, which pads, 0, which escapes, and bytes that occur in
-    // the middle of compressed data.
-    let is_marker = |pair: &[u8]| pair[0] == 0xff && !matches!(pair[1], 0 | 1 | 0xd0..=0xd7 | 0xff);
     let mut rest = bytes.get(2..).unwrap_or_default();
     while let Some(at) = rest.windows(2).position(is_marker) {
         if rest[at + 1] == END {
@@ -258,6 +255,12 @@ fn has_jpeg_end(bytes: &[u8]) -> bool {
         rest = rest.get(at + 2 + length..).unwrap_or_default();
     }
     false
+}
+
+/// Whether two bytes are a JPEG marker: 0xff and another byte. Exceptions are 0xff, which pads, 0, which escapes, and
+/// bytes that occur in the middle of compressed data.
+fn is_marker(pair: &[u8]) -> bool {
+    pair[0] == 0xff && !matches!(pair[1], 0 | 1 | 0xd0..=0xd7 | 0xff)
 }
 
 #[cfg(test)]

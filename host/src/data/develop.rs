@@ -222,10 +222,12 @@ fn bilinear(
         let first = place as u32;
         (first, (first + 1).min(last), (place - f64::from(first)) as f32)
     });
-    let mix = |a: [f32; 4], b: [f32; 4], part: f32| -> [f32; 4] {
-        std::array::from_fn(|i| a[i] + part * (b[i] - a[i]))
-    };
     let upper = mix(texel(x, y)?, texel(x_next, y)?, x_part);
     let lower = mix(texel(x, y_next)?, texel(x_next, y_next)?, x_part);
     Some(mix(upper, lower, y_part))
+}
+
+/// Interpolates linearly: `a` where `part` is 0, and `b` where it is 1.
+fn mix(a: [f32; 4], b: [f32; 4], part: f32) -> [f32; 4] {
+    std::array::from_fn(|i| a[i] + part * (b[i] - a[i]))
 }

@@ -115,11 +115,6 @@ impl Binding {
         let goes_on = now_plan.len() > then_plan.len() && now_plan.starts_with(then_plan);
         let now = config.list();
         let then = then.list();
-        let value = |settings: &[(String, String)], name: &str| {
-            let found = settings.iter().find(|(other, _)| other == name);
-            found.map_or(NOT_SET.to_owned(), |(_, value)| value.clone())
-        };
-        let json = |text: &str| serde_json::from_str(text).unwrap_or_else(|_| text.into());
         let mut changes = Vec::new();
         for (name, _) in now.iter().chain(&then) {
             let now = value(&now, name);
@@ -161,6 +156,17 @@ impl Binding {
             }
         }
     }
+}
+
+/// The value of a setting, or [`NOT_SET`].
+fn value(settings: &[(String, String)], name: &str) -> String {
+    let found = settings.iter().find(|(other, _)| other == name);
+    found.map_or(NOT_SET.to_owned(), |(_, value)| value.clone())
+}
+
+/// A value as JSON. A text that is not JSON becomes a string.
+fn json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or_else(|_| text.into())
 }
 
 /// The settings of the run in a folder, checked against its checkpoint.

@@ -175,7 +175,6 @@ impl Desk {
     /// Whether a request waits that has priority over an exact image.
     pub(super) fn has_urgent(&self) -> bool {
         let state = self.state();
-        let is_urgent = |job: &FrameJob| job.request.quality != Quality::Exact;
         !state.questions.is_empty()
             || state.clients.values().any(|client| client.job.as_deref().is_some_and(is_urgent))
     }
@@ -185,6 +184,10 @@ impl Desk {
     pub fn has_work(&self) -> bool {
         self.state().is_waiting()
     }
+}
+
+fn is_urgent(job: &FrameJob) -> bool {
+    job.request.quality != Quality::Exact
 }
 
 impl Client {

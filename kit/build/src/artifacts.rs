@@ -128,7 +128,6 @@ fn module_difference(name: &str, found: &[u8], want: &[u8]) -> String {
 
 /// Differences between two manifests that are not just differences between modules.
 fn manifest_differences(found: &[u8], want: &[u8]) -> Vec<String> {
-    let parse = |json: &[u8]| Manifest::parse(&String::from_utf8_lossy(json)).ok();
     let (Some(found), Some(want)) = (parse(found), parse(want)) else {
         return vec![format!("{FILE_NAME}: not readable")];
     };
@@ -158,6 +157,10 @@ fn manifest_differences(found: &[u8], want: &[u8]) -> Vec<String> {
         lines.push(format!("{FILE_NAME}: written otherwise"));
     }
     lines
+}
+
+fn parse(json: &[u8]) -> Option<Manifest> {
+    Manifest::parse(&String::from_utf8_lossy(json)).ok()
 }
 
 #[cfg(test)]

@@ -114,9 +114,6 @@ impl Orbit {
 /// horizon level, so an image's direction to the right is horizontal, and directions along it get little weight.
 /// Without cameras the result is z, as in most data sets.
 pub fn upward<'a>(cameras: impl ExactSizeIterator<Item = &'a Camera> + Clone) -> DVec3 {
-    let column = |camera: &Camera, column: usize| {
-        DVec3::from_array(std::array::from_fn(|row| camera.camera_to_world[row][column]))
-    };
     let count = cameras.len() as f64;
     let mean = cameras.clone().map(|camera| column(camera, 1)).sum::<DVec3>() / count.max(1.0);
     let level = cameras.fold(DMat3::from_diagonal(DVec3::splat(SLANT)), |sum, camera| {
@@ -126,6 +123,11 @@ pub fn upward<'a>(cameras: impl ExactSizeIterator<Item = &'a Camera> + Clone) ->
     // cameras that look straight down in all directions define no upward direction
     let up = (level.inverse() * mean).normalize_or_zero();
     if mean.length() < 1e-6 || up == DVec3::ZERO { DVec3::Z } else { up }
+}
+
+/// A column of the camera's pose: one of its axes, in world space.
+fn column(camera: &Camera, column: usize) -> DVec3 {
+    DVec3::from_array(std::array::from_fn(|row| camera.camera_to_world[row][column]))
 }
 
 #[cfg(test)]

@@ -38,10 +38,6 @@ impl Tolerance {
 
     /// Compares tensors with the accepted ones. Names, their order and shapes must be the same.
     pub fn compare(&self, expected: &Tensors, actual: &Tensors) -> Result<(), Mismatch> {
-        let heads = |tensors: &Tensors| -> Vec<String> {
-            let head = |tensor: &Tensor| format!("{} {:?}", tensor.name, tensor.shape);
-            tensors.0.iter().map(head).collect()
-        };
         let accepted = heads(expected);
         let found = heads(actual);
         if let Some(at) =
@@ -70,7 +66,6 @@ impl Tolerance {
         if beyond == 0 {
             return None;
         }
-        let apart = |e: f64, a: f64| if (a - e).is_nan() { f64::INFINITY } else { (a - e).abs() };
         let failing = values().filter(|(_, (e, a))| !self.allows(expected, **e, **a));
         let (index, (&e, &a)) =
             failing.max_by(|x, y| apart(*x.1.0, *x.1.1).total_cmp(&apart(*y.1.0, *y.1.1)))?;
@@ -88,6 +83,17 @@ impl Tolerance {
         );
         Some(Mismatch { message, panels: report::tensor_panels(Some(expected), Some(actual)) })
     }
+}
+
+/// The difference of two values; infinite if it is NaN.
+fn apart(e: f64, a: f64) -> f64 {
+    if (a - e).is_nan() { f64::INFINITY } else { (a - e).abs() }
+}
+
+/// Name and shape of each tensor.
+fn heads(tensors: &Tensors) -> Vec<String> {
+    let head = |tensor: &Tensor| format!("{} {:?}", tensor.name, tensor.shape);
+    tensors.0.iter().map(head).collect()
 }
 
 /// Describes an index: tile, channel, row and column if the shape is that of tiles.

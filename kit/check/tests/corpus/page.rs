@@ -53,10 +53,6 @@ struct Finding {
 fn find(bug: &'static Bug) -> Finding {
     let plain = (bug.test)(&Bench::plain()).err();
     let checked = (bug.test)(&Bench::checked()).err();
-    let is_of_debug_builds = |text: &str| {
-        [": attempt to ", " more iterations than "].iter().any(|part| text.contains(part))
-    };
-    let is_of_canaries = |text: &str| text.ends_with("its output");
     let (check, text) = match (plain, checked) {
         (Some(Found::Message(text)), _) if is_of_debug_builds(&text) => (Check::Debug, text),
         (Some(Found::Message(text)), _) if !is_of_canaries(&text) => (Check::Always, text),
@@ -69,6 +65,16 @@ fn find(bug: &'static Bug) -> Finding {
     };
     let (message, line) = shorten(bug, &text);
     Finding { bug, check, message, line }
+}
+
+/// Whether only debug builds give a message.
+fn is_of_debug_builds(text: &str) -> bool {
+    [": attempt to ", " more iterations than "].iter().any(|part| text.contains(part))
+}
+
+/// Whether a message is about a canary.
+fn is_of_canaries(text: &str) -> bool {
+    text.ends_with("its output")
 }
 
 /// The message without the kernel, the place and the invocation; and the line number of the place.

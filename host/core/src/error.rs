@@ -90,7 +90,7 @@ pub enum Error {
         tensor: String,
         /// The shape it should have.
         expected: Vec<usize>,
-        /// Where that shape comes from.
+        /// The reason for that shape.
         why: &'static str,
     },
 
@@ -123,7 +123,7 @@ pub enum Error {
         found: Vec<usize>,
         /// The shape it should have.
         expected: Vec<usize>,
-        /// Where that shape comes from.
+        /// The reason for that shape.
         why: &'static str,
     },
 
@@ -138,7 +138,7 @@ pub enum Error {
         origin: PathBuf,
         /// The tensor's name.
         tensor: String,
-        /// How many values it has.
+        /// Number of its values.
         values: usize,
     },
 

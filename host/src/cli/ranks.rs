@@ -179,7 +179,7 @@ impl Team {
         Ok(())
     }
 
-    /// How ranks choose their devices.
+    /// The way in which ranks choose their devices.
     pub fn places(&self) -> Places {
         Places { is_mpi: self.is_mpi, size: self.mine.size() }
     }
@@ -204,7 +204,7 @@ impl Team {
     }
 }
 
-/// How ranks choose their devices.
+/// The way in which ranks choose their devices.
 #[derive(Clone, Copy, Debug)]
 pub struct Places {
     is_mpi: bool,

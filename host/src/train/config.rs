@@ -55,7 +55,7 @@ pub struct TrainConfig {
     pub poses: PosesConfig,
     /// The shape of the scene.
     pub scene: ShapeConfig,
-    /// Where training starts.
+    /// The scene before the first step.
     pub start: StartConfig,
     /// Adam and its rates.
     pub optimizer: OptimizerConfig,
@@ -81,7 +81,7 @@ pub struct DataConfig {
     pub background: Background,
     /// Meaning of an alpha channel.
     pub alpha: Alpha,
-    /// Where photographs are kept.
+    /// Storage for the photographs.
     pub keep: Keep,
     /// Number of views of the built-in scene.
     pub built_in_views: u32,
@@ -242,7 +242,7 @@ pub struct GrowthConfig {
 }
 
 impl DataConfig {
-    /// How the data set is read.
+    /// Options for reading the data set.
     #[must_use]
     pub fn options(&self) -> DatasetOptions {
         DatasetOptions {

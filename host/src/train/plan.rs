@@ -1,4 +1,4 @@
-//! How many steps fit into the time of a run: `organza train --minutes`.
+//! Plans the number of steps that fit into the time of a run: `organza train --minutes`.
 
 use super::config::TrainConfig;
 use super::held_out;

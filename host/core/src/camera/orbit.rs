@@ -19,7 +19,7 @@ const SLANT: f64 = 0.01;
 /// A circle of cameras that all look at its center.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Orbit {
-    /// Where the camera looks, in world units.
+    /// Point that the cameras look at, in world units.
     pub center: [f64; 3],
     /// Axis of the circle; upward in the images.
     pub up: [f64; 3],

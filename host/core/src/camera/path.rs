@@ -9,7 +9,7 @@ use crate::error::{Error, Result};
 /// Shortest time between two keys, as a fraction of the mean. With it, two equal keys make the camera stop and not
 /// jump.
 const SHORTEST: f64 = 0.01;
-/// Where a camera looks, by its own axes.
+/// Direction in which a camera looks, in its own axes.
 const FORWARD: DVec3 = DVec3::NEG_Z;
 
 /// A smooth path through keys: cameras of one image size.
@@ -215,7 +215,7 @@ impl State {
         }
     }
 
-    /// How long the way looks: the angle in radians, and the shift divided by the keys' spread. On a circle around
+    /// Apparent length of the way: the angle in radians, and the shift divided by the keys' spread. On a circle around
     /// the target both are the same.
     fn way_to(&self, other: &Self, spread: f64) -> f64 {
         let Motion { turn, lens, .. } = self.motion_to(other);

@@ -47,7 +47,8 @@ mod flops {
     #[divan::bench(args = sets())]
     fn peak(bencher: Bencher, set: InstructionSet) {
         let bench = Bench::new(set);
-        let (count, steps) = (1_024, 512);
+        let count = 1_024;
+        let steps = 512;
         let params = PeakMultiplyAddParams { count, steps, factor: 0.5, addend: 1.0 };
         let kernel = PeakMultiplyAddKernel { params, output: &bench.zeros::<f32>(count) };
         let items = 2 * u64::from(count) * u64::from(steps * MULTIPLY_ADDS);
@@ -178,7 +179,8 @@ mod samples {
     #[divan::bench(args = sets())]
     fn hash_grid(bencher: Bencher, set: InstructionSet) {
         let mut bench = Bench::new(set);
-        let (grid, stride) = (grid(), FORWARD.stride);
+        let grid = grid();
+        let stride = FORWARD.stride;
         let points = points(&mut bench, stride);
         let kernel = HashGridKernel {
             params: params([FORWARD.samples, stride]),
@@ -193,7 +195,8 @@ mod samples {
     #[divan::bench(args = sets())]
     fn hash_grid_backward(bencher: Bencher, set: InstructionSet) {
         let mut bench = Bench::new(set);
-        let (grid, stride) = (grid(), BACKWARD.stride);
+        let grid = grid();
+        let stride = BACKWARD.stride;
         let points = points(&mut bench, stride);
         let values = 2 * grid.entries() as u32;
         // the unit, its inverse and the limit: sums of a million times as many samples still fit
@@ -214,7 +217,8 @@ mod samples {
     #[divan::bench(args = sets())]
     fn transmittance_inputs(bencher: Bencher, set: InstructionSet) {
         let mut bench = Bench::new(set);
-        let (samples, stride) = (FORWARD.samples, FORWARD.stride);
+        let samples = FORWARD.samples;
+        let stride = FORWARD.stride;
         let pairs = samples / PER_PAIR;
         let first_sample: Vec<_> = (0..=pairs).map(|pair| pair * PER_PAIR).collect();
         let pair: Vec<_> = (0..pairs).collect();
@@ -275,7 +279,8 @@ mod member_pixels {
         let tiles = Tiles::new(&mut bench.random);
         let members = tiles.member.len() as u32;
         let sums = tiles.count() * SUM_PLANES * SIDE * SIDE;
-        let (tiles_of, rows) = (tiles.count(), SIDE);
+        let tiles_of = tiles.count();
+        let rows = SIDE;
         let params = CompositeBackwardParams {
             members,
             tiles: tiles_of,

@@ -204,7 +204,8 @@ fn shares(passes: &[Vec<KernelTime>]) -> Vec<KernelShare> {
     let mut times: BTreeMap<&'static str, (u64, Work, Vec<f64>)> = BTreeMap::new();
     for time in passes.iter().flatten() {
         let (dispatches, work, seconds) = times.entry(time.kernel).or_default();
-        (*dispatches, *work) = (time.dispatches, time.work);
+        *dispatches = time.dispatches;
+        *work = time.work;
         seconds.push(time.seconds);
     }
     let mut shares: Vec<_> = times
@@ -212,7 +213,8 @@ fn shares(passes: &[Vec<KernelTime>]) -> Vec<KernelShare> {
         .map(|(name, (dispatches, work, seconds))| {
             let seconds = median(seconds);
             let rate = |of: u64| (of > 0 && seconds > 0.0).then(|| of as f64 / seconds / 1e9);
-            let (gflops, gbs) = (rate(work.flops), rate(work.bytes));
+            let gflops = rate(work.flops);
+            let gbs = rate(work.bytes);
             KernelShare { name, dispatches, seconds, share: 0.0, gflops, gbs, peak_share: None }
         })
         .collect();
@@ -259,7 +261,8 @@ mod tests {
         ];
         let found = shares(&passes);
         let share = |name, dispatches, seconds, share| {
-            let (gflops, gbs) = (None, Some(6.0 / seconds));
+            let gflops = None;
+            let gbs = Some(6.0 / seconds);
             KernelShare { name, dispatches, seconds, share, gflops, gbs, peak_share: None }
         };
         assert_eq!(found, [share("b", 5, 3.0, 0.75), share("a", 2, 1.0, 0.25)]);

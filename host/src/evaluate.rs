@@ -97,8 +97,12 @@ pub enum Event<'a> {
 
 /// The number of tiles of some frames.
 fn tiles(frames: &[&Frame]) -> usize {
-    let across = |pixels: u32| pixels.div_ceil(TILE_SIDE) as usize;
     frames.iter().map(|frame| across(frame.camera.width) * across(frame.camera.height)).sum()
+}
+
+/// Number of tiles that cover some pixels in a row or a column.
+fn across(pixels: u32) -> usize {
+    pixels.div_ceil(TILE_SIDE) as usize
 }
 
 /// Renders each frame and compares it with its photograph. Only one image is in memory at a time, and the part that
@@ -148,8 +152,10 @@ pub fn evaluate_measures(
     measures: Measures<'_>,
     watch: &mut dyn FnMut(Event<'_>),
 ) -> Result<Evaluation> {
-    let (mut views, mut not_finite) = (Vec::with_capacity(frames.len()), 0);
-    let (total, mut done) = (tiles(frames), 0);
+    let mut views = Vec::with_capacity(frames.len());
+    let mut not_finite = 0;
+    let total = tiles(frames);
+    let mut done = 0;
     for (index, frame) in frames.iter().enumerate() {
         let mut advance = |tiles| {
             done += tiles;
@@ -289,7 +295,8 @@ impl Rendered {
             .iter()
             .flat_map(|valid| valid.iter().enumerate().filter(|(_, valid)| !**valid))
         {
-            (colors[at], truth[at]) = ([0.0; 3], [0.0; 3]);
+            colors[at] = [0.0; 3];
+            truth[at] = [0.0; 3];
         }
         Ok(Score { lpips: lpips.distance(size, &colors, &truth)?, ..score })
     }
@@ -297,7 +304,8 @@ impl Rendered {
 
 /// Allocates the colors of a frame's pixels.
 fn colors(frame: &Frame, what: &str) -> Result<Vec<[f32; 3]>> {
-    let (width, height) = (frame.image.width(), frame.image.height());
+    let width = frame.image.width();
+    let height = frame.image.height();
     let what = format!("the colors of {what} of {width} x {height} pixels");
     Ok(memory::zeros(frame.image.pixels().len(), &what)?)
 }

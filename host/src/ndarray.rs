@@ -46,7 +46,8 @@ impl Renderer {
         grad_output: ArrayView4<'_, f32>,
     ) -> Result<Gradient> {
         if grad_output.shape() != batch.output_shape() {
-            let (found, expected) = (grad_output.shape(), batch.output_shape());
+            let found = grad_output.shape();
+            let expected = batch.output_shape();
             let reason = format!("the gradient is {found:?}, but the batch is {expected:?}");
             return Err(Error::Argument { reason });
         }

@@ -39,11 +39,13 @@ impl Cameras {
         width: u32,
         height: u32,
     ) -> PyResult<Self> {
-        let (poses, ks) = (poses.as_array(), ks.as_array());
+        let poses = poses.as_array();
+        let ks = ks.as_array();
         let camera = |(pose, k): (numpy::ndarray::ArrayView2<'_, f64>, _)| {
             let k: numpy::ndarray::ArrayView2<'_, f64> = k;
             let pose = [0, 1, 2, 3].map(|row| [0, 1, 2, 3].map(|at| pose[[row, at]]));
-            let (focal, principal) = ([k[[0, 0]], k[[1, 1]]], [k[[0, 2]], k[[1, 2]]]);
+            let focal = [k[[0, 0]], k[[1, 1]]];
+            let principal = [k[[0, 2]], k[[1, 2]]];
             organza::Camera::pinhole(pose, focal, principal, [width, height])
         };
         Self(poses.outer_iter().zip(ks.outer_iter()).map(camera).collect()).checked()

@@ -38,7 +38,8 @@ impl Dataset {
     ) -> PyResult<Self> {
         let mut data = DataConfig::default();
         data.path = Some(absolute(&path).unwrap_or(path));
-        (data.downscale, data.hold_out_every) = (downscale, hold_out_every);
+        data.downscale = downscale;
+        data.hold_out_every = hold_out_every;
         data.background = background.map_or(Background::Auto, Background::Color);
         data.allow_outside = allow_outside;
         Self::open(py, data, None)
@@ -53,7 +54,8 @@ impl Dataset {
         hold_out_every: usize,
     ) -> PyResult<Self> {
         let mut data = DataConfig::default();
-        (data.built_in_views, data.built_in_side) = (views, side);
+        data.built_in_views = views;
+        data.built_in_side = side;
         data.hold_out_every = hold_out_every;
         Self::open(py, data, Some(&renderer.0))
     }
@@ -124,7 +126,8 @@ impl Dataset {
                 job::run(py, move || organza::Dataset::load(path, &options))?
             }
             (None, Some(renderer)) => {
-                let (views, side) = (data.built_in_views, data.built_in_side);
+                let views = data.built_in_views;
+                let side = data.built_in_side;
                 let every = data.hold_out_every;
                 let render = move || built_in::dataset(&renderer, views, side, every);
                 job::run(py, render)?

@@ -87,7 +87,8 @@ impl Renderer {
     }
 
     fn upload(&self, py: Python<'_>, scene: &Scene) -> PyResult<DeviceScene> {
-        let (renderer, scene) = (self.0.clone(), Arc::clone(&scene.0));
+        let renderer = self.0.clone();
+        let scene = Arc::clone(&scene.0);
         let gaussians = scene.gaussians.len();
         let uploaded = job::run(py, move || renderer.upload(&scene))?;
         let held = Arc::new(Mutex::new(Held { scene: uploaded, gradient: None }));
@@ -103,8 +104,10 @@ impl Renderer {
         tiles: &Tiles,
         channels: Vec<String>,
     ) -> PyResult<(Bound<'py, PyArray4<f32>>, Bound<'py, PyDict>)> {
-        let (held, renderer) = (self.own(scene)?, self.0.clone());
-        let (cameras, batch) = (cameras.0.clone(), tiles.0.clone());
+        let held = self.own(scene)?;
+        let renderer = self.0.clone();
+        let cameras = cameras.0.clone();
+        let batch = tiles.0.clone();
         let channels = channels_of(&channels)?;
         let rendered = job::run(py, move || {
             let scene = &lock(&held).scene;
@@ -121,13 +124,17 @@ impl Renderer {
         tiles: &Tiles,
         channels: Vec<String>,
     ) -> PyResult<Recording> {
-        let (held, renderer) = (self.own(scene)?, self.0.clone());
-        let (cameras, batch) = (cameras.0.clone(), tiles.0.clone());
-        let (shape, channels) = (batch.output_shape(), channels_of(&channels)?);
+        let held = self.own(scene)?;
+        let renderer = self.0.clone();
+        let cameras = cameras.0.clone();
+        let batch = tiles.0.clone();
+        let shape = batch.output_shape();
+        let channels = channels_of(&channels)?;
         let recording = job::run(py, move || {
             renderer.record_channels(&lock(&held).scene, &cameras, &batch, &channels)
         })?;
-        let (renderer, held) = (self.0.clone(), Arc::clone(&scene.held));
+        let renderer = self.0.clone();
+        let held = Arc::clone(&scene.held);
         Ok(Recording { renderer, held, recording: Arc::new(Mutex::new(recording)), shape })
     }
 
@@ -140,7 +147,8 @@ impl Renderer {
         camera: usize,
         pixel: [i32; 2],
     ) -> PyResult<Bound<'py, PyDict>> {
-        let (held, renderer) = (self.own(scene)?, self.0.clone());
+        let held = self.own(scene)?;
+        let renderer = self.0.clone();
         let cameras = cameras.0.clone();
         let found =
             job::run(py, move || renderer.inspect(&lock(&held).scene, &cameras, camera, pixel))?;
@@ -177,8 +185,10 @@ impl Renderer {
         if repeat == 0 {
             return Err(invalid("`repeat` is 0, expected at least 1"));
         }
-        let (held, renderer) = (self.own(scene)?, self.0.clone());
-        let (cameras, batch) = (cameras.0.clone(), tiles.0.clone());
+        let held = self.own(scene)?;
+        let renderer = self.0.clone();
+        let cameras = cameras.0.clone();
+        let batch = tiles.0.clone();
         let options = BenchOptions { repeat, backward };
         let found = job::run(py, move || {
             measure(&renderer, &lock(&held).scene, &cameras, &batch, options, &mut || ())
@@ -220,7 +230,8 @@ impl DeviceScene {
 
     /// Copies the current scene from the device.
     fn download(&self, py: Python<'_>) -> PyResult<Scene> {
-        let (held, renderer) = (Arc::clone(&self.held), self.renderer.clone());
+        let held = Arc::clone(&self.held);
+        let renderer = self.renderer.clone();
         job::run(py, move || lock(&held).scene.download(renderer.device())).map(Scene::new)
     }
 
@@ -256,21 +267,25 @@ impl Recording {
             return Err(invalid(format!("the gradient must be {:?}", self.shape)));
         };
         if grad_output.shape() != self.shape {
-            let (found, expected) = (grad_output.shape(), self.shape);
+            let found = grad_output.shape();
+            let expected = self.shape;
             return Err(invalid(format!("the gradient is {found:?}, expected {expected:?}")));
         }
         let slopes = grad_output.as_slice()?.to_vec();
-        let (held, renderer) = (Arc::clone(&self.held), self.renderer.clone());
+        let held = Arc::clone(&self.held);
+        let renderer = self.renderer.clone();
         let recording = Arc::clone(&self.recording);
         let values = job::run(py, move || {
-            let (held, device) = (&mut *lock(&held), renderer.device());
+            let held = &mut *lock(&held);
+            let device = renderer.device();
             let gradient = match held.gradient.take() {
                 Some(gradient) => gradient,
                 None => SceneGradient::new(device, &held.scene)?,
             };
             let gradient = held.gradient.insert(gradient);
             lock(&recording).backward_into(gradient, &slopes)?;
-            let (config, len) = (held.scene.config(), held.scene.len());
+            let config = held.scene.config();
+            let len = held.scene.len();
             Ok(gradient.download(device, config, len)?.into_values())
         })?;
         into_arrays(py, values)
@@ -302,7 +317,8 @@ fn into_batch(
     py: Python<'_>,
     tiles: RenderedTiles,
 ) -> PyResult<(Bound<'_, PyArray4<f32>>, Bound<'_, PyDict>)> {
-    let (count, side) = (tiles.count, tiles.side as usize);
+    let count = tiles.count;
+    let side = tiles.side as usize;
     let channels = PyDict::new(py);
     for (channel, values) in tiles.channels {
         let shape = [count, channel.planes(), side, side];

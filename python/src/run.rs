@@ -107,13 +107,16 @@ impl Run {
             Event::Warning(text) => self.send(Message::Warning(text.to_owned())),
             Event::Step { step, seconds, report, scene: Some(scene), .. } => {
                 now = step;
-                let (loss, psnr) = (report.loss, report.psnr);
-                let (gaussians, grown) = (scene.len(), report.grown.is_some());
+                let loss = report.loss;
+                let psnr = report.psnr;
+                let gaussians = scene.len();
+                let grown = report.grown.is_some();
                 let seconds = Some(seconds);
                 self.step(StepNumbers { step, seconds, loss, psnr, gaussians, grown }, scene);
             }
             Event::Evaluated(evaluation) => {
-                let (psnr, ssim) = (evaluation.mean.psnr, evaluation.mean.ssim);
+                let psnr = evaluation.mean.psnr;
+                let ssim = evaluation.mean.ssim;
                 self.send(Message::Evaluated { step: now, psnr, ssim });
             }
             _ => {}
@@ -135,7 +138,8 @@ impl Run {
     }
 
     fn without_folder(&self) -> organza::Result<&'static str> {
-        let (config, dataset) = (self.config.clone(), Arc::clone(&self.dataset));
+        let config = self.config.clone();
+        let dataset = Arc::clone(&self.dataset);
         let mut trainer = Trainer::start(&self.device, config, dataset)?;
         self.send(Message::Begin(0));
         let begin = std::time::Instant::now();
@@ -150,8 +154,10 @@ impl Run {
             let report = trainer.step_with(&mut self.hooks())?;
             let step = trainer.steps();
             let scene = trainer.scene().expect("a trainer alone has the whole scene");
-            let (loss, psnr) = (report.loss, report.psnr);
-            let (gaussians, grown) = (scene.len(), report.grown.is_some());
+            let loss = report.loss;
+            let psnr = report.psnr;
+            let gaussians = scene.len();
+            let grown = report.grown.is_some();
             let seconds = Some(begin.elapsed().as_secs_f64());
             self.step(StepNumbers { step, seconds, loss, psnr, gaussians, grown }, scene);
         }

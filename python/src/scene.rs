@@ -55,8 +55,10 @@ impl Scene {
         let mut used = 0;
         for (spec, target) in scene.tensors_mut() {
             let Some(value) = tensors.get_item(&spec.name)? else {
-                let (origin, expected) = (PathBuf::new(), spec.shape);
-                let (tensor, why) = (spec.name, spec.why);
+                let origin = PathBuf::new();
+                let expected = spec.shape;
+                let tensor = spec.name;
+                let why = spec.why;
                 let missing = organza::Error::MissingTensor { origin, tensor, expected, why };
                 return Err(raise(missing));
             };

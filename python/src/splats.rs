@@ -36,8 +36,10 @@ pub fn export<'py>(
         Fit { steps: within("steps", steps, Fit::STEPS)?, side: within("side", side, Fit::SIDES)? };
     let format = Format::of(&path).map_err(raise)?;
     check_writable(&path).map_err(raise)?;
-    let (held, renderer) = (renderer.own(uploaded)?, renderer.0.clone());
-    let (scene, dataset) = (Arc::clone(&scene.0), dataset.map(|data| Arc::clone(&data.dataset)));
+    let held = renderer.own(uploaded)?;
+    let renderer = renderer.0.clone();
+    let scene = Arc::clone(&scene.0);
+    let dataset = dataset.map(|data| Arc::clone(&data.dataset));
     let cameras = cameras.map(|cameras| cameras.0.clone());
     let (found, beside) = job::run_while_awaited(py, move |awaited| {
         let views = match (cameras, &dataset) {
@@ -79,7 +81,8 @@ pub fn import_splats(
     let background = background.parse::<Background>();
     let background =
         background.map_err(|reason| invalid(format!("`background`: {reason}")))?.color();
-    let (renderer, cameras) = (renderer.0.clone(), cameras.map(|cameras| cameras.0.clone()));
+    let renderer = renderer.0.clone();
+    let cameras = cameras.map(|cameras| cameras.0.clone());
     let imported = job::run_while_awaited(py, move |awaited| {
         let splats = splats::load(path)?;
         let views = match cameras {

@@ -35,13 +35,6 @@ impl TrainConfig {
         file: Option<PathBuf>,
         assignments: Vec<String>,
     ) -> PyResult<Self> {
-        let named = |name: &str| {
-            let found = Preset::ALL.into_iter().find(|preset| preset.name() == name);
-            found.ok_or_else(|| {
-                let names = Preset::ALL.map(Preset::name).join("`, `");
-                invalid(format!("there is no preset `{name}`; expected `{names}`"))
-            })
-        };
         let preset = preset.map_or(Ok(Preset::Default), named)?;
         let mut builder = ConfigBuilder::new(preset).map_err(raise)?;
         if let Some(file) = file {
@@ -63,6 +56,15 @@ impl TrainConfig {
     fn to_toml(&self) -> String {
         self.0.to_toml()
     }
+}
+
+/// The preset of a name.
+fn named(name: &str) -> PyResult<Preset> {
+    let found = Preset::ALL.into_iter().find(|preset| preset.name() == name);
+    found.ok_or_else(|| {
+        let names = Preset::ALL.map(Preset::name).join("`, `");
+        invalid(format!("there is no preset `{name}`; expected `{names}`"))
+    })
 }
 
 /// A run in progress in a thread.
@@ -125,7 +127,8 @@ impl Training {
         let output = output.filter(|_| is_first);
         let folder = output.map(|path| open_folder(&path, resume)).transpose()?;
         let stop = Arc::new(AtomicBool::new(false));
-        let ((messages, receiver), (sender, answers)) = (channel(), channel());
+        let (messages, receiver) = channel();
+        let (sender, answers) = channel();
         let run = Run {
             device: renderer.0.clone(),
             config,

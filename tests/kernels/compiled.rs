@@ -64,7 +64,8 @@ fn modules_are_those_of_the_manifest() {
         "modules are missing from host/kernels: {REMEDY}"
     );
     for kernel in MODULES.all() {
-        let (entry, spirv) = (kernel.entry(), kernel.spirv());
+        let entry = kernel.entry();
+        let spirv = kernel.spirv();
         assert_eq!(entry.spirv_bytes, spirv.len() as u64, "{}: {REMEDY}", entry.spirv);
         assert_eq!(entry.spirv_sha256, sha256(spirv), "{}: {REMEDY}", entry.spirv);
         let wgsl = kernel.wgsl().map(|text| sha256(text.as_bytes()));

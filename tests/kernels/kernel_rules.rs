@@ -124,7 +124,8 @@ fn modules_keep_the_rules() {
     const FLOAT16: u32 = 9;
     const STORAGE_16_BIT: u32 = 4433;
     for kernel in MODULES.all() {
-        let (name, words) = (&kernel.entry().name, kernel.spirv_words());
+        let name = &kernel.entry().name;
+        let words = kernel.spirv_words();
         let all: Vec<_> = instructions(&words).collect();
         let count = |opcodes: &[u32]| all.iter().filter(|i| opcodes.contains(&i.opcode)).count();
         let functions = count(&[op::FUNCTION]);

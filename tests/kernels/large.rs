@@ -93,8 +93,8 @@ fn a_block_scan_takes_every_size() {
             let kernel =
                 ScanBlockKernel { params, value: &value, prefix: &prefix, block_sum: &block_sum };
             device.dispatch(&kernel, [blocks, 1, 1]).expect("it runs");
-            let (prefix, block_sum) =
-                (device.read(&prefix).expect("it ran"), device.read(&block_sum).expect("it ran"));
+            let prefix = device.read(&prefix).expect("it ran");
+            let block_sum = device.read(&block_sum).expect("it ran");
             for (block, sum) in block_sum.iter().enumerate() {
                 let begin = block * BLOCK as usize;
                 let end = values.len().min(begin + BLOCK as usize);

@@ -51,7 +51,8 @@ fn every_device_is_within_tolerance_of_the_cpu() {
                 measure.share.value
             );
             if !measure.is_ok() {
-                let (failed, all) = (measure.failures, measure.values);
+                let failed = measure.failures;
+                let all = measure.values;
                 failures.push(format!(
                     "{kernel} on {name}: {failed} of {all}, most {:?}",
                     measure.share
@@ -87,7 +88,8 @@ fn every_device_is_within_tolerance_of_the_equations() {
                 measure.ulp.value
             );
             if !measure.is_ok() {
-                let (failed, worst) = (measure.failures, &measure.share);
+                let failed = measure.failures;
+                let worst = &measure.share;
                 failures.push(format!("{kernel} on {name}: {failed} are off, most {worst:?}"));
             }
             if measure.values == 0 {
@@ -108,7 +110,8 @@ fn every_device_is_within_tolerance_of_the_equations() {
 /// Uses hostile inputs, and compares every invocation's accesses with those of all others.
 #[test]
 fn no_two_invocations_get_in_each_others_way() {
-    let (scalar, checked) = (devices::with(InstructionSet::Scalar), devices::checked());
+    let scalar = devices::with(InstructionSet::Scalar);
+    let checked = devices::checked();
     for case in organza_parity::cases() {
         let measure = case.measure(&scalar, &checked, Rounding::AsWritten).expect("no race");
         assert_eq!(measure.share.value, 0.0, "{}: checking changes the result", case.kernel);
@@ -118,7 +121,8 @@ fn no_two_invocations_get_in_each_others_way() {
 /// Compares variants with plain kernels. Their invocations copy to workgroup memory and wait for each other.
 #[test]
 fn staged_copies_are_right_without_a_gpu() {
-    let (scalar, staged) = (devices::with(InstructionSet::Scalar), devices::checked_variants());
+    let scalar = devices::with(InstructionSet::Scalar);
+    let staged = devices::checked_variants();
     let has_variant = |case: &&Case| case.entry_point(&staged) != case.entry_point(&scalar);
     let cases = organza_parity::cases();
     let cases: Vec<_> = cases.iter().filter(has_variant).collect();
@@ -200,7 +204,8 @@ fn sets_reach_every_branch() {
     for (_, set) in ProjectBackward::sets() {
         for (axis, seen) in ratios.iter_mut().enumerate() {
             for place in set.pairs_in_image() {
-                let [x, size] = [place[axis], f64::from(set.forward.cameras[0].size[axis])];
+                let x = place[axis];
+                let size = f64::from(set.forward.cameras[0].size[axis]);
                 seen[usize::from(x >= -0.15 * size) + usize::from(x > 1.15 * size)] += 1;
             }
         }

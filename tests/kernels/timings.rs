@@ -47,7 +47,8 @@ fn dispatches_are_timed_and_counted_where_asked_for() {
         let timed = device.take_timings();
         assert_eq!(names(&timed), [("peak_read", 300), ("scan_add", 300)], "{name}");
         assert!(timed.iter().all(|time| time.seconds > 0.0), "{name}: {timed:?}");
-        let (flops, bytes) = (COUNT * 4 * STEPS, 4 * COUNT * (4 * STEPS + 1));
+        let flops = COUNT * 4 * STEPS;
+        let bytes = 4 * COUNT * (4 * STEPS + 1);
         let work = timed[0].work;
         assert_eq!(
             [work.flops, work.bytes],

@@ -61,7 +61,8 @@ fn the_page_shows_the_files() {
 fn the_parity_case_runs() {
     use organza_check::{Case, Rounding};
     let case = Case::of::<parity::Blend>();
-    let (one, many) = (organza_tests::devices::cpu(Some(1)), organza_tests::devices::cpu(None));
+    let one = organza_tests::devices::cpu(Some(1));
+    let many = organza_tests::devices::cpu(None);
     let measure = case.measure(&one, &many, Rounding::AsWritten).unwrap();
     assert!(measure.is_ok());
     let measure = case.hold(&many, Rounding::AsWritten).unwrap();

@@ -22,7 +22,8 @@ struct Member {
 }
 
 fn members(case: &Case, camera: usize) -> Vec<Member> {
-    let (scene, view) = (&case.scene, exact::view(&case.cameras[camera]));
+    let scene = &case.scene;
+    let view = exact::view(&case.cameras[camera]);
     let transmittance = case.expected(&format!("stage.{camera}.transmittance"));
     let member = |index: usize| {
         let projected = exact::project(scene, &case.cameras[camera], index)?;
@@ -98,7 +99,8 @@ fn channels_are_those_of_the_equations() {
 
     cases::on_every_device(|backend, renderer, case, scene| {
         let of = cases.iter().position(|other| other.name == case.name).unwrap();
-        let (cameras, batch) = (&case.cameras, &case.tiles);
+        let cameras = &case.cameras;
+        let batch = &case.tiles;
         let tiles = renderer
             .render_channels(scene, cameras, batch, &Channel::ALL, &mut |_, _| {})
             .expect("it renders");

@@ -28,7 +28,8 @@ fn scans_of_many_blocks_are_those_of_one() {
             let scene = renderer.upload(scene).expect("the scene fits");
             renderer.stages(&scene, &case.cameras[0]).expect("the stages run")
         };
-        let (one, many) = (stages(&case.scene), stages(&scene));
+        let one = stages(&case.scene);
+        let many = stages(&scene);
         assert_eq!(many.sample_count, one.sample_count.repeat(times), "K on {backend}");
         assert_eq!(many.transmittance, one.transmittance.repeat(times), "T on {backend}");
     }
@@ -44,7 +45,8 @@ fn members_of_many_blocks_are_those_of_one() {
             let scene = renderer.upload(scene).expect("the scene fits");
             renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders").report
         };
-        let (one, many) = (report(&case.scene), report(&scene));
+        let one = report(&case.scene);
+        let many = report(&scene);
         let times = times as u64;
         assert_eq!(
             [many.pairs, many.members, many.samples],

@@ -64,13 +64,15 @@ impl Extreme {
         let renderer = Renderer::new(devices::cpu(None));
         let scene = renderer.upload(&self.scene).expect("the scene fits");
         let stages = renderer.stages(&scene, &self.camera).expect("the stages run");
-        let (width, height) = (self.camera.width as usize, self.camera.height as usize);
+        let width = self.camera.width as usize;
+        let height = self.camera.height as usize;
         let is_reached = |pixel: usize| {
             let [x, y] = [pixel % width, pixel / width].map(|at| at as f64 + 0.5);
             (0..stages.radius.len()).any(|i| {
                 let [mean_x, mean_y] = stages.mean2d[i].map(f64::from);
                 let [xx, xy, yy] = stages.conic[i].map(f64::from);
-                let (dx, dy) = (x - mean_x, y - mean_y);
+                let dx = x - mean_x;
+                let dy = y - mean_y;
                 let q = xx * dx * dx + 2.0 * xy * dx * dy + yy * dy * dy;
                 stages.radius[i] > 0.0 && q <= f64::from(cutoff)
             })
@@ -80,7 +82,8 @@ impl Extreme {
 
     /// Asserts that pixels outside of all supports show the background.
     fn assert_background(&self, device: &str, image: &[f32], is_reached: &[bool]) {
-        let (name, area) = (self.name, is_reached.len());
+        let name = self.name;
+        let area = is_reached.len();
         let outside: Vec<_> = (0..area).filter(|&pixel| !is_reached[pixel]).collect();
         assert!(outside.len() > 100, "{} pixels lie outside of all supports", outside.len());
         for pixel in outside {

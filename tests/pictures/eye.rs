@@ -34,7 +34,8 @@ fn images_are_the_same_bits_whatever_was_kept() {
             turned.camera_to_world[row][1] = -right[row];
             turned.camera_to_world[row][2] = back[row];
         }
-        (turned.fl_x, turned.fl_y) = (1.5 * first.fl_x, 1.4 * first.fl_y);
+        turned.fl_x = 1.5 * first.fl_x;
+        turned.fl_y = 1.4 * first.fl_y;
         let larger = first.with_size([first.width * 2, first.height + 7]);
         let all = [first, &turned, &larger, &case.cameras[1], first];
         for (index, camera) in all.into_iter().enumerate() {
@@ -70,11 +71,13 @@ fn long_steps_change_little() {
                 renderer.render_from_eye(scene, camera, &whole(camera), &mut cache, &options);
             tiles.expect("an image").expect("nobody has cancelled it")
         };
-        let (exact, coarse) = (render(1), render(4));
+        let exact = render(1);
+        let coarse = render(4);
         let apart = exact.data.iter().zip(&coarse.data).map(|(a, b)| f64::from((a - b).abs()));
         let mean = apart.sum::<f64>() / exact.data.len() as f64;
         assert!(mean < 0.05, "{device}, {}: {mean}", case.name);
-        let (few, many) = (coarse.report.samples, exact.report.samples);
+        let few = coarse.report.samples;
+        let many = exact.report.samples;
         assert!(few < many || many < 8, "{device}, {}: {few} of {many} samples", case.name);
     });
 }
@@ -83,7 +86,8 @@ fn long_steps_change_little() {
 fn a_cancelled_image_keeps_what_was_done() {
     cases::on_every_device(|device, renderer, case, scene| {
         let camera = &case.cameras[0];
-        let (mut cache, batch) = (EyeCache::default(), whole(camera));
+        let mut cache = EyeCache::default();
+        let batch = whole(camera);
         let cancelled = EyeOptions { is_cancelled: &|| true, ..EXACT };
         let tiles = renderer.render_from_eye(scene, camera, &batch, &mut cache, &cancelled);
         let what = format!("{device}, {}", case.name);
@@ -109,10 +113,12 @@ fn another_background_is_where_weights_leave_room() {
         };
         let own = case.scene.config.background;
         assert!(bits(&render(Some(own)).data) == bits(&render(None).data), "{device}");
-        let (black, white) = (render(Some([0.0; 3])), render(Some([1.0; 3])));
+        let black = render(Some([0.0; 3]));
+        let white = render(Some([1.0; 3]));
         let area = 16 * 16;
         for (at, (black_at, white_at)) in black.data.iter().zip(&white.data).enumerate() {
-            let (tile, pixel) = (at / (3 * area), at % area);
+            let tile = at / (3 * area);
+            let pixel = at % area;
             let weight = black.channels[&Channel::Alpha][tile * area + pixel];
             let room = (1.0 - weight).max(0.0);
             let off = (white_at - black_at - room).abs();
@@ -126,7 +132,8 @@ fn members_of_pixels_are_those_that_explain_lists() {
     cases::on_every_device(|device, renderer, case, scene| {
         for (index, camera) in case.cameras.iter().enumerate() {
             let count = renderer.count_members(scene, camera).expect("a count");
-            let (width, height) = (camera.width as usize, camera.height as usize);
+            let width = camera.width as usize;
+            let height = camera.height as usize;
             assert_eq!(count.len(), width * height);
             let most = (0..count.len()).max_by_key(|&at| count[at]).expect("pixels");
             assert!(count[most] > 0, "{device}, {}", case.name);

@@ -30,12 +30,15 @@ enum Look {
 fn batch(side: usize, look: Look) -> Batch {
     let area = side * side;
     let value = |index: usize| {
-        let (tile, channel) = (index / area / 3, index / area % 3);
-        let (row, column) = (index / side % side, index % side);
+        let tile = index / area / 3;
+        let channel = index / area % 3;
+        let row = index / side % side;
+        let column = index % side;
         let wave =
             |period: f32| ((row * (tile + 2) + column * (channel + 1)) as f32 / period).sin();
         let smooth = 0.5 + 0.3 * wave(7.0) + 0.1 * wave(2.5);
-        let (a, b) = (noise(2 * index), noise(2 * index + 1));
+        let a = noise(2 * index);
+        let b = noise(2 * index + 1);
         match look {
             Look::Noise => (a, b),
             Look::Near => (smooth + 0.1 * (a - 0.5), smooth + 0.02 * (b - 0.5)),
@@ -44,7 +47,9 @@ fn batch(side: usize, look: Look) -> Batch {
     };
     let (image, target) = (0..4 * 3 * area).map(value).unzip();
     let valid = (0..4 * area).map(|index| {
-        let (tile, row, column) = (index / area, index / side % side, index % side);
+        let tile = index / area;
+        let row = index / side % side;
+        let column = index % side;
         let is_valid = match tile {
             0 => true,
             1 => row < side.div_ceil(2) && column < side - side / 3,
@@ -74,7 +79,8 @@ fn evaluate(device: &Device, batch: &Batch, ssim_weight: f32) -> Result<(Vec<f32
 fn apart(batch: &Batch, sums: &[TileLoss], ssim_weight: f32) -> f64 {
     let mut worst: f64 = 0.0;
     let relative = |found: f64, exact: f64| (found - exact).abs() / exact.abs().max(1e-9);
-    let (mut absolute, mut dissimilarity) = (0.0, 0.0);
+    let mut absolute = 0.0;
+    let mut dissimilarity = 0.0;
     for (tile, found) in sums.iter().enumerate() {
         let exact = batch.sums(tile);
         assert!((found.valid - exact.valid).abs() < 1e-6, "{} for {}", found.valid, exact.valid);
@@ -134,7 +140,8 @@ fn differences(batch: &Batch) -> Vec<(usize, [f64; 2])> {
 /// Norm of the differences, divided by the norm of the expected values.
 fn relative(found: &[f32], expected: &[(usize, [f64; 2])], ssim_weight: f32) -> f64 {
     let weight = f64::from(ssim_weight);
-    let (mut apart, mut norm) = (0.0, 0.0);
+    let mut apart = 0.0;
+    let mut norm = 0.0;
     for &(at, [absolute, ssim]) in expected {
         let slope = (1.0 - weight) * absolute + weight * ssim;
         apart += (f64::from(found[at]) - slope).powi(2);
@@ -211,13 +218,15 @@ fn windows_inside_are_those_of_the_metric() {
         let pixels = |values: &[f32]| -> Vec<[f32; 3]> {
             (0..area).map(|at| [0, 1, 2].map(|channel| values[channel * area + at])).collect()
         };
-        let (image, truth) = (pixels(&batch.image), pixels(&batch.target));
+        let image = pixels(&batch.image);
+        let truth = pixels(&batch.target);
         let expected = metrics::ssim([SIDE, SIDE], &image, &truth, None).expect("windows");
         let inside = |at: &usize| {
             let range = 5..SIDE - 5;
             range.contains(&(at / SIDE)) && range.contains(&(at % SIDE))
         };
-        let (mut sum, mut count) = (0.0, 0.0);
+        let mut sum = 0.0;
+        let mut count = 0.0;
         for channel in 0..3 {
             let plane = batch.plane(0, channel);
             for at in (0..area).filter(inside) {

@@ -40,7 +40,8 @@ fn vector(of: impl Strategy<Value = f32> + Clone) -> impl Strategy<Value = Vec3>
 
 /// Eq. 4-6 in f64, like the reference.
 fn exact_clip(p: Vec3, v: Vec3) -> (f64, f64) {
-    let (mut enter, mut exit) = (f64::NEG_INFINITY, f64::INFINITY);
+    let mut enter = f64::NEG_INFINITY;
+    let mut exit = f64::INFINITY;
     for (p, v) in p.to_array().map(f64::from).into_iter().zip(v.to_array().map(f64::from)) {
         let inside = (0.0..=1.0).contains(&p);
         // values that a GPU may flush to zero count as zero
@@ -49,7 +50,8 @@ fn exact_clip(p: Vec3, v: Vec3) -> (f64, f64) {
             true => (f64::INFINITY, f64::NEG_INFINITY),
             false => ((-p / v).min((1.0 - p) / v), (-p / v).max((1.0 - p) / v)),
         };
-        (enter, exit) = (enter.max(low), exit.min(high));
+        enter = enter.max(low);
+        exit = exit.min(high);
     }
     (enter.clamp(0.0, 1.0), exit.clamp(0.0, 1.0))
 }
@@ -235,10 +237,11 @@ fn composites_are_weighted_means() {
                     sum.w
                 );
                 let mixed = splats.iter().map(|[_, _, color]| color.truncate());
-                let (mut low, mut high) =
-                    (Vec3::splat(f32::INFINITY), Vec3::splat(f32::NEG_INFINITY));
+                let mut low = Vec3::splat(f32::INFINITY);
+                let mut high = Vec3::splat(f32::NEG_INFINITY);
                 for color in mixed.chain((sum.w <= 1.0).then_some(background)) {
-                    (low, high) = (low.min(color), high.max(color));
+                    low = low.min(color);
+                    high = high.max(color);
                 }
                 prop_assert!(
                     pixel.cmpge(low - 1e-5).all() && pixel.cmple(high + 1e-5).all(),

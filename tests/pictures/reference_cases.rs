@@ -96,7 +96,8 @@ fn gradients_are_those_of_the_reference() {
         let recording = renderer.record(scene, &case.cameras, &case.tiles).expect("it renders");
         let (gradient, poses) =
             recording.backward_with_poses(grad_output).expect("there is a gradient");
-        let (name, expected) = ("grad.poses", case.expected("grad.poses"));
+        let name = "grad.poses";
+        let expected = case.expected("grad.poses");
         let relative = difference(poses.as_flattened(), expected).relative;
         assert!(relative <= GRADIENT, "{}, {name} on {backend}: {relative:.3e}", case.name);
         println!("{}, {name} on {backend}: {relative:.1e} relative", case.name);

@@ -11,10 +11,13 @@ pub fn image(
     camera: usize,
     side: u32,
 ) -> Vec<f32> {
-    let (width, height) = (cameras[camera].width, cameras[camera].height);
+    let width = cameras[camera].width;
+    let height = cameras[camera].height;
     let batch = TileBatch::cover(camera, width, height, side).expect("a batch");
     let tiles = renderer.render(scene, cameras, &batch).expect("it renders").data;
-    let (width, height, side) = (width as usize, height as usize, side as usize);
+    let width = width as usize;
+    let height = height as usize;
+    let side = side as usize;
     let mut image = vec![0.0; 3 * width * height];
     let mut written = 0;
     for (tile, pixels) in batch.tiles.iter().zip(tiles.chunks_exact(3 * side * side)) {

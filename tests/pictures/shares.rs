@@ -78,7 +78,8 @@ fn found(scene: &Scene, cameras: &[Camera], size: usize) -> Found {
 
 #[test]
 fn any_number_of_ranks_gives_the_same_image_and_gradient() {
-    let (scene, cameras) = (scene(), demo::turntable(1, 16));
+    let scene = scene();
+    let cameras = demo::turntable(1, 16);
     let one = found(&scene, &cameras, 1);
     assert_eq!(one.held, [scene.gaussians.len()]);
     for size in [2, 3, 4] {

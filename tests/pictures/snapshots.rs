@@ -28,7 +28,8 @@ pub const SNAPSHOTS: Snapshots = organza_check::snapshots!("snapshots");
 
 #[test]
 fn snapshots_stay_small() {
-    let (mut all, mut files) = (0, 0);
+    let mut all = 0;
+    let mut files = 0;
     for entry in std::fs::read_dir(SNAPSHOTS.folder()).expect("tests/snapshots is there") {
         let entry = entry.expect("a folder's entry");
         let name = entry.file_name().to_string_lossy().into_owned();
@@ -37,7 +38,8 @@ fn snapshots_stay_small() {
         }
         let bytes = entry.metadata().expect("a file").len();
         assert!(bytes <= MAX_FILE_BYTES, "{name} has {bytes} bytes, more than {MAX_FILE_BYTES}");
-        (all, files) = (all + bytes, files + 1);
+        all += bytes;
+        files += 1;
     }
     assert!(all <= MAX_BYTES, "the snapshots have {all} bytes, more than {MAX_BYTES}");
     println!("{files} files, {all} bytes");

@@ -77,14 +77,16 @@ fn sorted_gaussians_are_blended_front_to_back() {
         color,
         transmittance: 1.0,
     };
-    let (red, blue) = ([1.0, 0.0, 0.0], [0.0, 0.0, 1.0]);
+    let red = [1.0, 0.0, 0.0];
+    let blue = [0.0, 0.0, 1.0];
     let image = |splats: &[Splat]| sorted::blend(splats, [5, 4], [0.0, 1.0, 0.0], Footprint::Cut);
     let both = image(&[splat(2.0, 0.5, blue), splat(1.0, 0.25, red)]);
     // red in front: 0.25, then blue 0.75 * 0.5, then the background 0.75 * 0.5
     assert_eq!(both[5 + 2], [0.25, 0.375, 0.375]);
     // one pixel aside: falloff exp(-0.25)
     let fall = (-0.25_f32).exp();
-    let [r, b] = [0.25 * fall, 0.5 * fall];
+    let r = 0.25 * fall;
+    let b = 0.5 * fall;
     let expected = [r, (1.0 - r) * (1.0 - b), (1.0 - r) * b];
     let off = both[5 + 3].iter().zip(expected).map(|(a, b)| (a - b).abs());
     assert!(off.fold(0.0, f32::max) < 1e-6);
@@ -123,7 +125,8 @@ fn crossing() -> (Scene, Vec<Camera>) {
 /// When two Gaussians change their order, a sorted image jumps. Organza's must not.
 #[test]
 fn what_is_not_sorted_does_not_jump() {
-    let (renderer, (scene, cameras)) = (renderer(), crossing());
+    let renderer = renderer();
+    let (scene, cameras) = crossing();
     let uploaded = renderer.upload(&scene).expect("it fits");
     let frames: Vec<_> =
         cameras.iter().map(|camera| images(&renderer, &scene, &uploaded, camera)).collect();

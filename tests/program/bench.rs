@@ -29,7 +29,8 @@ fn assert_peaks(found: &Value) {
     let peak = |key: &str| {
         found[key].as_f64().filter(|&peak| peak > 0.0).unwrap_or_else(|| panic!("{key}: {found}"))
     };
-    let (gflops, gbs) = (peak("peak_gflops"), peak("peak_gbs"));
+    let gflops = peak("peak_gflops");
+    let gbs = peak("peak_gbs");
     let lists = ["forward_kernels", "kernels"].map(|key| found[key].as_array().unwrap());
     for kernel in lists.into_iter().flatten() {
         let keys: Vec<_> = kernel.as_object().unwrap().keys().map(String::as_str).collect();
@@ -39,7 +40,8 @@ fn assert_peaks(found: &Value) {
         let expected = shares.into_iter().flatten().reduce(f64::max);
         let share = kernel["peak_share"].as_f64();
         assert_eq!(share.is_some(), expected.is_some(), "{kernel}");
-        let (share, expected) = (share.unwrap_or(1.0), expected.unwrap_or(1.0));
+        let share = share.unwrap_or(1.0);
+        let expected = expected.unwrap_or(1.0);
         assert!((share / expected - 1.0).abs() < 1e-9, "{kernel}");
     }
 }
@@ -55,7 +57,8 @@ fn assert_shares(kernels: &Value) {
     let values = |key: &str| -> Vec<f64> {
         kernels.as_array().unwrap().iter().map(|kernel| kernel[key].as_f64().unwrap()).collect()
     };
-    let (seconds, shares) = (values("seconds"), values("share"));
+    let seconds = values("seconds");
+    let shares = values("share");
     assert!(seconds.iter().all(|&seconds| seconds > 0.0), "{kernels}");
     assert!(seconds.is_sorted_by(|a, b| a >= b), "{kernels}");
     assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-9, "{kernels}");

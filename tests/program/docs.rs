@@ -97,7 +97,8 @@ fn blocks() -> Vec<Block> {
         assert!(fences.len() % 2 == 1, "{page}: a block has no end");
         for block in fences.iter().skip(1).step_by(2) {
             let (language, text) = block.split_once('\n').unwrap_or((block, ""));
-            let (page, language) = (page.clone(), language.trim().to_owned());
+            let page = page.clone();
+            let language = language.trim().to_owned();
             blocks.push(Block { page, language, text: text.to_owned() });
         }
     }
@@ -158,7 +159,8 @@ fn run(sandbox: &Sandbox, page: &str, words: &[&str]) {
 fn every_command_of_the_pages_runs() {
     let blocks = blocks();
     let pages: BTreeSet<_> = blocks.iter().map(|block| block.page.clone()).collect();
-    let (mut ran, mut unused) = (0, NOT_RUN.iter().collect::<Vec<_>>());
+    let mut ran = 0;
+    let mut unused = NOT_RUN.iter().collect::<Vec<_>>();
     for page in pages {
         let shell = blocks.iter().filter(|block| block.page == page && block.language == "sh");
         let mut sandbox = None;

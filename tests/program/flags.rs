@@ -34,7 +34,8 @@ fn every_command_can_be_quiet_or_verbose() {
     let said = |words: &str| sandbox.run(words).assert_ok().stderr;
     assert_eq!(said(&format!("{render} -q")), "");
     assert_eq!(said(&format!("-q {render}")), "");
-    let (some, all) = (said(render), said(&format!("{render} -v")));
+    let some = said(render);
+    let all = said(&format!("{render} -v"));
     assert!(!some.contains("detail: "), "{some}");
     for detail in [
         "detail: scene scene.safetensors: ",

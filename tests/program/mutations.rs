@@ -213,10 +213,12 @@ fn whatever_is_asked_for_the_program_ends_in_good_order() {
         // none of this depends on Vulkan
         return;
     }
-    let (inputs, seed) = (number("ORGANZA_MUTATIONS", INPUTS), number("ORGANZA_MUTATION_SEED", 1));
+    let inputs = number("ORGANZA_MUTATIONS", INPUTS);
+    let seed = number("ORGANZA_MUTATION_SEED", 1);
     static TEMPLATE: OnceLock<Sandbox> = OnceLock::new();
     let template = TEMPLATE.get_or_init(template);
-    let (next, refused) = (AtomicU64::new(0), AtomicU64::new(0));
+    let next = AtomicU64::new(0);
+    let refused = AtomicU64::new(0);
     let work = || {
         let mut faults = Vec::new();
         loop {

@@ -85,10 +85,12 @@ fn a_pixel_is_explained_as_it_is_rendered() {
         let sandbox = Sandbox::new(&name);
         sandbox.run(&format!("{TILES} -o out.safetensors")).assert_ok();
         let case = Case::load(&cases::folder().join(&name));
-        let (tiles, side) = (&case.tiles.tiles, case.tiles.side as usize);
+        let tiles = &case.tiles.tiles;
+        let side = case.tiles.side as usize;
         let rendered =
             read_tensors(sandbox.path("out.safetensors")).unwrap().remove("tiles").unwrap();
-        let (column, row) = (5, 3);
+        let column = 5;
+        let row = 3;
         for (place, tile) in tiles.iter().enumerate().take(2) {
             let pixel = format!("{},{}", tile.origin[0] + column, tile.origin[1] + row);
             let words = format!(
@@ -121,7 +123,8 @@ fn gaussians_without_effect_are_hidden_unless_asked_for() {
         let words = format!("explain scene.safetensors cameras.json --pixel 48,40 --json {more}");
         serde_json::from_str(&sandbox.run(&words).assert_ok().stdout).unwrap()
     };
-    let (some, all) = (explain(""), explain("--all"));
+    let some = explain("");
+    let all = explain("--all");
     let number = |json: &Value| json["gaussians"].as_array().unwrap().len() as u64;
     assert!(number(&some) > 0 && number(&some) < number(&all));
     assert_eq!(number(&some) + some["hidden"].as_u64().unwrap(), number(&all));
@@ -169,7 +172,8 @@ fn the_demonstration_needs_no_files_and_makes_some() {
     );
     let sheet = image::open(sandbox.path("demo/turntable.png")).unwrap();
     assert_eq!((sheet.width(), sheet.height()), (120, 40));
-    let (scene, cameras) = ("demo/scene.safetensors", "demo/cameras.json");
+    let scene = "demo/scene.safetensors";
+    let cameras = "demo/cameras.json";
     sandbox
         .run(&format!("tiles {scene} {cameras} demo/tiles.json -o out --backend cpu"))
         .assert_ok();

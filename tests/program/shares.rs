@@ -48,7 +48,8 @@ fn any_number_of_ranks_gives_the_same_tiles_and_gradients() {
     sandbox.run(&format!("{tiles} -o whole.safetensors")).assert_ok();
     let read = |name: &str| read_tensors(sandbox.path(name)).expect("tensors");
     let whole = read("whole.safetensors").remove("tiles").expect("tiles");
-    let (shape, data) = (&whole.shape[..], &whole.data[..]);
+    let shape = &whole.shape[..];
+    let data = &whole.data[..];
     let output = TensorRef { name: "grad_output", shape, data };
     write_tensors(sandbox.path("output.safetensors"), &[output], &[]).expect("a file");
     let gradient = "--grad-output output.safetensors --grad";

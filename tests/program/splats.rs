@@ -12,7 +12,8 @@ const SIDE: u32 = 40;
 
 /// A sandbox with a part of the built-in scene's Gaussians, enlarged to cover the scene, and cameras around them.
 fn sandbox() -> Sandbox {
-    let (sandbox, scene) = (Sandbox::new("tiny"), cases::thinned(80, 1.4));
+    let sandbox = Sandbox::new("tiny");
+    let scene = cases::thinned(80, 1.4);
     scene.save(sandbox.path("thin.safetensors")).expect("a scene");
     Camera::save_all(sandbox.path("around.json"), &demo::turntable(16, SIDE)).expect("cameras");
     sandbox
@@ -45,7 +46,8 @@ fn a_scene_goes_out_and_comes_back() {
     let outcome = sandbox.run(words).assert_ok();
     let [close] = decibels(&outcome.stderr)[..] else { panic!("{outcome:?}") };
     assert!(close > 20.0, "{outcome:?}");
-    let (scene, back) = ("thin.safetensors", "back.safetensors");
+    let scene = "thin.safetensors";
+    let back = "back.safetensors";
     let [scene, back] = [scene, back].map(|name| Scene::load(sandbox.path(name)).expect("a scene"));
     assert!(back.gaussians.len() <= scene.gaussians.len());
     // without cameras: with views from all around

@@ -28,7 +28,8 @@ pub fn difference(actual: &[f32], expected: &[f32]) -> Difference {
         assert!(!absolute.is_nan(), "NaN at {index}: {a} for {e}");
         squares += absolute * absolute;
         if absolute > found.absolute {
-            (found.absolute, found.index) = (absolute, index);
+            found.absolute = absolute;
+            found.index = index;
         }
     }
     found.relative = squares.sqrt() / norm;
@@ -42,7 +43,9 @@ pub fn difference(actual: &[f32], expected: &[f32]) -> Difference {
 /// If they differ by more, if their lengths differ, or if one holds a NaN.
 pub fn assert_close(what: &str, actual: &[f32], expected: &[f32], tolerance: f64) {
     let found = difference(actual, expected);
-    let (at, a, e) = (found.index, actual.get(found.index), expected.get(found.index));
+    let at = found.index;
+    let a = actual.get(found.index);
+    let e = expected.get(found.index);
     let apart = found.absolute;
     assert!(
         apart <= tolerance,
@@ -58,8 +61,11 @@ pub fn assert_close(what: &str, actual: &[f32], expected: &[f32], tolerance: f64
 /// If they differ by more, if their lengths differ, or if one holds a NaN.
 pub fn assert_close_relative(what: &str, actual: &[f32], expected: &[f32], tolerance: f64) {
     let found = difference(actual, expected);
-    let (at, a, e) = (found.index, actual.get(found.index), expected.get(found.index));
-    let (relative, largest) = (found.relative, found.largest);
+    let at = found.index;
+    let a = actual.get(found.index);
+    let e = expected.get(found.index);
+    let relative = found.relative;
+    let largest = found.largest;
     assert!(
         relative <= tolerance && largest <= 10.0 * tolerance,
         "{what}: {relative:.3e} relative, most at {at}, {a:?} for {e:?} ({largest:.3e}); allowed is {tolerance:.1e}"

@@ -90,8 +90,8 @@ fn draw<T: Clone>(
         });
         for row in rows {
             for column in columns.clone() {
-                let (x, y) =
-                    (column as f32 + 0.5 - splat.mean[0], row as f32 + 0.5 - splat.mean[1]);
+                let x = column as f32 + 0.5 - splat.mean[0];
+                let y = row as f32 + 0.5 - splat.mean[1];
                 let [xx, xy, yy] = splat.conic;
                 let q = xx * x * x + 2.0 * xy * x * y + yy * y * y;
                 add(&mut pixels[row * width + column], splat, footprint.falloff(q));

@@ -16,7 +16,8 @@ pub fn instructions(words: &[u32]) -> impl Iterator<Item = Instruction<'_>> {
     const HEADER: usize = 5;
     let mut at = HEADER;
     std::iter::from_fn(move || {
-        let (length, opcode) = ((words.get(at)? >> 16) as usize, words[at] & 0xffff);
+        let length = (words.get(at)? >> 16) as usize;
+        let opcode = words[at] & 0xffff;
         let found = Instruction { at, opcode, operands: &words[at + 1..at + length] };
         at += length;
         Some(found)

@@ -109,7 +109,8 @@ impl Tiles {
             let [x, y] = corner(index).map(|value| value as f32);
             for _ in 0..MEMBERS {
                 let side = SIDE as f32;
-                let (dx, dy) = (random.between(0.0, side), random.between(0.0, side));
+                let dx = random.between(0.0, side);
+                let dy = random.between(0.0, side);
                 let [xx, yy] = [0, 1].map(|_| random.between(2.0, 8.0).powi(-2));
                 let xy = random.between(-0.5, 0.5) * (xx * yy).sqrt();
                 let [width, height] = extent([xx, xy, yy]);

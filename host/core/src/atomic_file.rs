@@ -188,7 +188,8 @@ mod tests {
     #[test]
     fn link_is_followed() {
         let folder = tempfile::tempdir().unwrap();
-        let (path, link) = (folder.path().join("real"), folder.path().join("link"));
+        let path = folder.path().join("real");
+        let link = folder.path().join("link");
         fs::write(&path, "old").unwrap();
         std::os::unix::fs::symlink(&path, &link).unwrap();
         write_atomic(&link, |writer| writer.write_all(b"new")).unwrap();
@@ -202,7 +203,8 @@ mod tests {
         use std::os::unix::fs::PermissionsExt;
         let mode = |path: &Path| fs::metadata(path).unwrap().permissions().mode() & 0o777;
         let folder = tempfile::tempdir().unwrap();
-        let (ordinary, path) = (folder.path().join("ordinary"), folder.path().join("path"));
+        let ordinary = folder.path().join("ordinary");
+        let path = folder.path().join("path");
         fs::write(&ordinary, "").unwrap();
         write_atomic(&path, |_| Ok(())).unwrap();
         assert_eq!(mode(&path), mode(&ordinary));

@@ -143,7 +143,8 @@ impl Camera {
         [cx, cy]: [f64; 2],
         [width, height]: [u32; 2],
     ) -> Self {
-        let (file_path, distorted) = (None, false);
+        let file_path = None;
+        let distorted = false;
         Self { camera_to_world, fl_x, fl_y, cx, cy, width, height, file_path, distorted }
     }
 
@@ -174,7 +175,8 @@ impl Camera {
     /// The depth of a place along the camera's axis, in world units; negative behind the camera.
     #[must_use]
     pub fn depth(&self, place: [f64; 3]) -> f64 {
-        let (eye, [.., axis]) = (self.eye(), self.world_to_camera_opencv());
+        let eye = self.eye();
+        let [.., axis] = self.world_to_camera_opencv();
         dot(axis, std::array::from_fn(|at| place[at] - eye[at]))
     }
 
@@ -330,7 +332,8 @@ pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 #[must_use]
 pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        let j = (i + 1) % 3;
+        let k = (i + 2) % 3;
         a[j] * b[k] - a[k] * b[j]
     })
 }

@@ -90,7 +90,7 @@ pub enum Error {
         tensor: String,
         /// The shape it should have.
         expected: Vec<usize>,
-        /// Where that shape comes from.
+        /// The reason for that shape.
         why: &'static str,
     },
 
@@ -123,7 +123,7 @@ pub enum Error {
         found: Vec<usize>,
         /// The shape it should have.
         expected: Vec<usize>,
-        /// Where that shape comes from.
+        /// The reason for that shape.
         why: &'static str,
     },
 
@@ -138,7 +138,7 @@ pub enum Error {
         origin: PathBuf,
         /// The tensor's name.
         tensor: String,
-        /// How many values it has.
+        /// Number of its values.
         values: usize,
     },
 
@@ -312,7 +312,8 @@ impl Error {
 
     /// Wraps an error of `serde_json` about `text`, which is `what` of `origin`.
     pub fn json(origin: &Path, what: &'static str, text: &[u8], error: &serde_json::Error) -> Self {
-        let (line, column) = (error.line(), error.column());
+        let line = error.line();
+        let column = error.column();
         let suffix = format!(" at line {line} column {column}");
         let mut reason = error.to_string();
         if let Some(bare) = reason.strip_suffix(&suffix) {

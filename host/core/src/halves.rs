@@ -26,12 +26,14 @@ pub fn pack_halves(table: &[f32], features: usize, name: &str) -> Result<Vec<u32
         );
         return Err(Error::Invalid { origin: IN_MEMORY.into(), reason });
     }
-    let word = |pair: &[f16]| {
-        let upper = pair.get(1).map_or(0, |half| half.to_bits());
-        u32::from(upper) << 16 | u32::from(pair[0].to_bits())
-    };
     let entries = halves(table);
     Ok(entries.chunks(features).flat_map(|entry| entry.chunks(2).map(word)).collect())
+}
+
+/// One or two halves in a word, the first in the lower bits.
+fn word(pair: &[f16]) -> u32 {
+    let upper = pair.get(1).map_or(0, |half| half.to_bits());
+    u32::from(upper) << 16 | u32::from(pair[0].to_bits())
 }
 
 #[cfg(test)]

@@ -142,9 +142,11 @@ impl Image {
     pub fn shrink(&self, factor: u32) -> Result<Self> {
         let factor = factor.max(1);
         let mut small = Self::new(self.width / factor, self.height / factor)?;
-        let (width, area) = (small.width.max(1) as usize, factor * factor);
+        let width = small.width.max(1) as usize;
+        let area = factor * factor;
         for (index, pixel) in small.pixels.iter_mut().enumerate() {
-            let (left, top) = (index % width * factor as usize, index / width * factor as usize);
+            let left = index % width * factor as usize;
+            let top = index / width * factor as usize;
             let mut sum = [0_u32; 3];
             for row in top..top + factor as usize {
                 let first = row * self.width as usize + left;

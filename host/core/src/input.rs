@@ -46,7 +46,8 @@ pub fn open_regular(path: &Path) -> Result<(File, u64)> {
 pub fn read_file(path: &Path, limit: u64, what: &str) -> Result<Vec<u8>> {
     let (file, length) = open_regular(path)?;
     if length > limit {
-        let (length, limit) = (format_bytes(length), format_bytes(limit));
+        let length = format_bytes(length);
+        let limit = format_bytes(limit);
         let reason = format!(
             "the file has {length}, too large for {what} (limit {limit}): is it the right file?"
         );

@@ -54,7 +54,8 @@ pub fn window() -> [f64; WINDOW] {
 #[must_use]
 pub fn psnr(image: &[[f32; 3]], truth: &[[f32; 3]], valid: Option<&[bool]>) -> Option<f64> {
     check_lengths(image, truth, valid);
-    let (mut sum, mut pixels) = (0.0, 0_u64);
+    let mut sum = 0.0;
+    let mut pixels = 0_u64;
     for (at, (x, y)) in image.iter().zip(truth).enumerate() {
         if valid.is_none_or(|valid| valid[at]) {
             sum +=
@@ -163,7 +164,8 @@ impl Strip<'_> {
         let rows = self.image.chunks_exact(self.width).zip(self.truth.chunks_exact(self.width));
         for ((image, truth), &weight) in rows.zip(weights) {
             for ((column, x), y) in columns.iter_mut().zip(image).zip(truth) {
-                let (x, y) = (f64::from(x[channel]), f64::from(y[channel]));
+                let x = f64::from(x[channel]);
+                let y = f64::from(y[channel]);
                 add(column, &[x, y, x * x, y * y, x * y], weight);
             }
         }
@@ -185,7 +187,8 @@ fn add(sums: &mut Moments, values: &Moments, weight: f64) {
 
 /// SSIM of one window in one channel.
 fn similarity([x, y, xx, yy, xy]: Moments) -> f64 {
-    let (variances, covariance) = (xx - x * x + (yy - y * y), xy - x * y);
+    let variances = xx - x * x + (yy - y * y);
+    let covariance = xy - x * y;
     let luminance = (2.0 * x * y + C1) / (x * x + y * y + C1);
     luminance * (2.0 * covariance + C2) / (variances + C2)
 }

@@ -119,7 +119,8 @@ impl TileBatch {
             return Err(Error::Argument { reason });
         }
         check_side(side, origin)?;
-        let (columns, rows) = (width.div_ceil(side), height.div_ceil(side));
+        let columns = width.div_ceil(side);
+        let rows = height.div_ceil(side);
         // Check before anything is allocated: tiles of one pixel are as many as the pixels.
         check_output(u64::from(columns) * u64::from(rows), side, origin)?;
         let corner =

@@ -60,11 +60,6 @@ impl Similarity {
         if pairs.len() < LEAST {
             return None;
         }
-        let eye = |camera: &Camera| DVec3::from(camera.eye());
-        let to_world = |camera: &Camera| {
-            let [right, down, forward] = camera.world_to_camera_opencv().map(DVec3::from);
-            DMat3::from_cols(right, down, forward)
-        };
         let count = pairs.len() as f64;
         let from = pairs.iter().map(|pair| eye(pair.0)).sum::<DVec3>() / count;
         let to = pairs.iter().map(|pair| eye(pair.1)).sum::<DVec3>() / count;
@@ -82,4 +77,14 @@ impl Similarity {
     fn apply(&self, place: [f64; 3]) -> DVec3 {
         self.to + self.turn * (DVec3::from(place) - self.from) * self.scale
     }
+}
+
+fn eye(camera: &Camera) -> DVec3 {
+    DVec3::from(camera.eye())
+}
+
+/// The rotation from camera axes (OpenCV) to world axes.
+fn to_world(camera: &Camera) -> DMat3 {
+    let [right, down, forward] = camera.world_to_camera_opencv().map(DVec3::from);
+    DMat3::from_cols(right, down, forward)
 }

@@ -41,7 +41,8 @@ impl Budget {
     /// [`DeviceError::OutOfMemory`] for more than the whole budget. `what` describes the purpose.
     pub fn take(&self, bytes: u64, what: impl FnOnce() -> String) -> Result<Share<'_>> {
         if bytes > self.total {
-            let (needed, available) = (bytes, Some(self.total));
+            let needed = bytes;
+            let available = Some(self.total);
             return Err(DeviceError::OutOfMemory { needed, available, what: what() }.into());
         }
         let used = self.used.lock().unwrap_or_else(PoisonError::into_inner);
@@ -78,10 +79,12 @@ mod tests {
 
     #[test]
     fn threads_never_hold_more_than_there_is() {
-        let (budget, held) = (Budget::of(100), AtomicU64::new(0));
+        let budget = Budget::of(100);
+        let held = AtomicU64::new(0);
         thread::scope(|scope| {
             for thread in 0..8 {
-                let (budget, held) = (&budget, &held);
+                let budget = &budget;
+                let held = &held;
                 scope.spawn(move || {
                     for round in 0..200 {
                         let bytes = 1 + (thread * 31 + round * 17) % 100;

@@ -72,7 +72,8 @@ pub(super) fn read<'a>(
     }
     // Taken at once: threads that hold a part while they wait for more would deadlock.
     let share = budget.take(needed, || {
-        let ([width, height], path) = (expected, path.display());
+        let [width, height] = expected;
+        let path = path.display();
         format!("decoding {path} ({width} x {height} pixels)")
     })?;
     Ok((read_file(path, length, "a photograph")?, share))
@@ -119,7 +120,8 @@ pub(super) fn decode(bytes: &[u8], expected: [u32; 2], path: &Path) -> Result<De
     }
     let color = decoder.color_type();
     if !is_read(color) {
-        let (hint, kind) = (ImageFormatHint::Unknown, UnsupportedErrorKind::Color(color.into()));
+        let hint = ImageFormatHint::Unknown;
+        let kind = UnsupportedErrorKind::Color(color.into());
         let error = UnsupportedError::from_format_and_kind(hint, kind);
         return Err(broken(path, &ImageError::Unsupported(error)));
     }
@@ -196,7 +198,8 @@ fn broken(path: &Path, error: &ImageError) -> Error {
 }
 
 fn wrong_size<T>(path: &Path, found: [u32; 2], expected: [u32; 2]) -> Result<T> {
-    let ([width, height], [w, h]) = (found, expected);
+    let [width, height] = found;
+    let [w, h] = expected;
     let [across, down] = [(width, w), (height, h)].map(|(a, b)| f64::from(a) / f64::from(b));
     let hint = if [height, width] == expected {
         "was it rotated?"
@@ -239,9 +242,6 @@ fn has_whole_palette(bytes: &[u8]) -> bool {
 /// Whether a JPEG has its own end-of-image marker. That of a thumbnail does not count.
 fn has_jpeg_end(bytes: &[u8]) -> bool {
     const END: u8 = 0xd9;
-    // A marker is 0xff and another byte. Exceptions are 0xff, which pads, 0, which escapes, and bytes that occur in
-    // the middle of compressed data.
-    let is_marker = |pair: &[u8]| pair[0] == 0xff && !matches!(pair[1], 0 | 1 | 0xd0..=0xd7 | 0xff);
     let mut rest = bytes.get(2..).unwrap_or_default();
     while let Some(at) = rest.windows(2).position(is_marker) {
         if rest[at + 1] == END {
@@ -255,6 +255,12 @@ fn has_jpeg_end(bytes: &[u8]) -> bool {
         rest = rest.get(at + 2 + length..).unwrap_or_default();
     }
     false
+}
+
+/// Whether two bytes are a JPEG marker: 0xff and another byte. Exceptions are 0xff, which pads, 0, which escapes, and
+/// bytes that occur in the middle of compressed data.
+fn is_marker(pair: &[u8]) -> bool {
+    pair[0] == 0xff && !matches!(pair[1], 0 | 1 | 0xd0..=0xd7 | 0xff)
 }
 
 #[cfg(test)]

@@ -139,10 +139,12 @@ impl Shot {
             }
         };
         for (index, pixel) in pixels.iter_mut().enumerate() {
-            let (column, row) = (index as u32 % width, index as u32 / width);
+            let column = index as u32 % width;
+            let row = index as u32 / width;
             if let Some(color) = mean([column * factor, row * factor], factor, sample) {
                 let [red, green, blue, opaque] = color.map(to_8_bit);
-                (*pixel, alpha[index]) = ([red, green, blue], opaque);
+                *pixel = [red, green, blue];
+                alpha[index] = opaque;
                 if let Some(valid) = valid.get_mut(index) {
                     *valid = true;
                 }
@@ -172,7 +174,8 @@ pub(super) fn prepared(camera: &Camera, factor: u32, size: [u32; 2]) -> Result<C
         (f64::from(size[axis]) - f64::from(whole[axis]) / f64::from(factor)).abs() < 1.0
     };
     if !(is_near(0) && is_near(1)) {
-        let ([width, height], [w, h]) = (size, whole);
+        let [width, height] = size;
+        let [w, h] = whole;
         return Err(format!(
             "the photograph is {width} x {height} pixels, but one of {w} x {h} should be {factor} times smaller; \
              make it again, or remove its folder"
@@ -219,10 +222,12 @@ fn bilinear(
         let first = place as u32;
         (first, (first + 1).min(last), (place - f64::from(first)) as f32)
     });
-    let mix = |a: [f32; 4], b: [f32; 4], part: f32| -> [f32; 4] {
-        std::array::from_fn(|i| a[i] + part * (b[i] - a[i]))
-    };
     let upper = mix(texel(x, y)?, texel(x_next, y)?, x_part);
     let lower = mix(texel(x, y_next)?, texel(x_next, y_next)?, x_part);
     Some(mix(upper, lower, y_part))
+}
+
+/// Interpolates linearly: `a` where `part` is 0, and `b` where it is 1.
+fn mix(a: [f32; 4], b: [f32; 4], part: f32) -> [f32; 4] {
+    std::array::from_fn(|i| a[i] + part * (b[i] - a[i]))
 }

@@ -377,11 +377,13 @@ fn hint(path: &Path) -> Option<String> {
 
 /// Most bytes that the photographs will take.
 fn bytes_of(shots: &[Shot]) -> u64 {
-    let pixels = |shot: &Shot| {
-        let side = |side: u32| u64::from(side / shot.factor);
-        side(shot.camera.width) * side(shot.camera.height)
-    };
     shots.iter().map(pixels).sum::<u64>() * size_of::<([u8; 3], bool, u8)>() as u64
+}
+
+/// Number of pixels of the reduced photograph.
+fn pixels(shot: &Shot) -> u64 {
+    let side = |side: u32| u64::from(side / shot.factor);
+    side(shot.camera.width) * side(shot.camera.height)
 }
 
 fn invalid<T>(origin: &Path, reason: String) -> Result<T> {

@@ -34,8 +34,10 @@ pub struct DatasetOptions {
 
 impl Default for DatasetOptions {
     fn default() -> Self {
-        let (background, alpha) = (Background::Auto, Alpha::default());
-        let (allow_outside, keep) = (false, Keep::default());
+        let background = Background::Auto;
+        let alpha = Alpha::default();
+        let allow_outside = false;
+        let keep = Keep::default();
         Self { downscale: 1, hold_out_every: 8, background, alpha, allow_outside, keep }
     }
 }

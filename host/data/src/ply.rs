@@ -47,7 +47,8 @@ pub fn vertices<V: PropertyAccess>(
     path: &Path,
     needed: &[&str],
 ) -> Result<(Vec<V>, Vec<String>)> {
-    let (limit, since) = (Cell::new(Some(Limit::Header)), Cell::new(0));
+    let limit = Cell::new(Some(Limit::Header));
+    let since = Cell::new(0);
     let limited = Limited { source, limit: &limit, since: &since };
     let mut reader = Reader::new(BufReader::new(limited));
     let parser = Parser::<V>::new();
@@ -112,7 +113,8 @@ fn check(
     vertex_bytes: usize,
 ) -> Result<()> {
     for element in header.elements.values() {
-        let (count, name) = (element.count as u64, &element.name);
+        let count = element.count as u64;
+        let name = &element.name;
         if count > 0 && element.properties.is_empty() {
             let reason = format!(
                 "the header has {count} of `{name}`, which has no properties; is the file damaged?"

@@ -53,14 +53,18 @@ impl Poses {
         let mut listing = list(path, options, &mut reach)?;
         let missing = std::mem::take(&mut listing.missing);
         if let ([], [first, ..]) = (&*listing.shots, &*missing) {
-            let (all, first) = (missing.len(), first.display());
+            let all = missing.len();
+            let first = first.display();
             let hint = hint(path).unwrap_or_default();
             let reason =
                 format!("none of the {all} photographs exists; the first should be {first}{hint}");
             return invalid(path, reason);
         }
-        let (outside, path, options) = (reach.outside, path.to_owned(), options.clone());
-        let (kind, background) = (listing.kind, OnceLock::new());
+        let outside = reach.outside;
+        let path = path.to_owned();
+        let options = options.clone();
+        let kind = listing.kind;
+        let background = OnceLock::new();
         let is_part = false;
         Ok(Self { missing, outside, kind, path, listing, options, is_part, background })
     }

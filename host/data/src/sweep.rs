@@ -69,7 +69,8 @@ struct View {
 
 impl View {
     fn of(frame: &Frame) -> Self {
-        let (camera, image) = (&frame.camera, &frame.image);
+        let camera = &frame.camera;
+        let image = &frame.image;
         let factor = image.width().max(image.height()).div_ceil(SIDE).max(1);
         let size = [image.width() / factor, image.height() / factor].map(|side| side.max(1));
         let places = (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| [x, y]));
@@ -132,7 +133,9 @@ fn rotation(camera: &Camera) -> DMat3 {
 /// The mean color of a square, and whether the square is empty.
 fn reduce(image: &Photograph, [x, y]: [u32; 2], factor: u32) -> (Option<Vec3>, bool) {
     let end = |place: u32, length: u32| ((place + 1) * factor).min(length);
-    let (mut sum, mut alpha, mut count) = (Vec3::ZERO, 0.0, 0.0_f32);
+    let mut sum = Vec3::ZERO;
+    let mut alpha = 0.0;
+    let mut count = 0.0_f32;
     for row in y * factor..end(y, image.height()) {
         for column in x * factor..end(x, image.width()) {
             if image.is_valid(column, row) {
@@ -321,8 +324,10 @@ mod tests {
         let frame = |camera: Camera| {
             let view = rotation(&camera).transpose();
             let rays = (0..64 * 64).map(|i| {
-                let (x, y) = (f64::from(i % 64) + 0.5, f64::from(i / 64) + 0.5);
-                let [x, y] = [(x - camera.cx) / camera.fl_x, (y - camera.cy) / camera.fl_y];
+                let x = f64::from(i % 64) + 0.5;
+                let y = f64::from(i / 64) + 0.5;
+                let x = (x - camera.cx) / camera.fl_x;
+                let y = (y - camera.cy) / camera.fl_y;
                 scene(DVec3::from(camera.eye()), view * DVec3::new(x, y, 1.0))
             });
             let pixel = |hit: Option<(Vec3, DVec3)>| match hit {

@@ -148,7 +148,10 @@ fn lens(source: &Source<'_>) -> Result<Lens, String> {
         Some(other) => return Err(format!("`camera_model` is {}, expected a name", kind(other))),
     };
     let value = |key| Ok::<f64, String>(source.number(key)?.unwrap_or_default());
-    let (k3, k4, k5, k6) = (value("k3")?, value("k4")?, value("k5")?, value("k6")?);
+    let k3 = value("k3")?;
+    let k4 = value("k4")?;
+    let k5 = value("k5")?;
+    let k6 = value("k6")?;
     // In OpenCV's model, k4 is a part of a denominator. In nerfstudio's other models, it is one more radial term.
     let is_full = source.get("camera_model").and_then(Value::as_str) == Some("FULL_OPENCV");
     let (k4, denominator) = if is_full { (0.0, [k4, k5, k6]) } else { (k4, [0.0; 3]) };

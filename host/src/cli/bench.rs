@@ -75,7 +75,8 @@ impl Args {
         let (Some(scene), Some(cameras), Some(tiles)) = (&self.scene, &self.cameras, &self.tiles)
         else {
             let synthetic = Synthetic::new()?;
-            let (cameras, batch) = (synthetic.cameras.clone(), synthetic.batch.clone());
+            let cameras = synthetic.cameras.clone();
+            let batch = synthetic.batch.clone();
             return Ok(Workload { scene: Box::new(move || synthetic.scene()), cameras, batch });
         };
         let batch = load_batch(tiles)?;
@@ -100,7 +101,8 @@ impl Args {
         let options = BenchOptions { repeat: self.repeat as usize, backward: !self.forward };
         let progress = console.progress(passes(renderer.device(), options) as u64, "passes");
         progress.say("measuring");
-        let (cameras, batch) = (&workload.cameras, &workload.batch);
+        let cameras = &workload.cameras;
+        let batch = &workload.batch;
         measure(&renderer, &scene, cameras, batch, options, &mut || progress.advance(1))
     }
 
@@ -147,9 +149,6 @@ fn text(benchmark: &Benchmark) -> String {
     ];
     let mut text = format!("{}\n{}\n\n", benchmark.device, batch.join(", "));
     let mut whole = Table::new(1, ["median", "seconds", "peak memory"]);
-    let memory = |bytes: Option<u64>| {
-        bytes.map_or("-".to_owned(), |bytes| format!("{} MiB", grouped(bytes >> 20)))
-    };
     let mut row = |name: &str, seconds: f64, bytes| {
         whole.row([name.to_owned(), self::seconds(seconds), memory(bytes)]);
     };
@@ -158,13 +157,19 @@ fn text(benchmark: &Benchmark) -> String {
         row("forward and backward", seconds, benchmark.peak_memory_bytes);
     }
     text += &whole.to_string();
-    let (gflops, gbs) = (rate(Some(benchmark.peak_gflops)), rate(Some(benchmark.peak_gbs)));
+    let gflops = rate(Some(benchmark.peak_gflops));
+    let gbs = rate(Some(benchmark.peak_gbs));
     text += &format!("\npeaks: {gflops} GFLOP/s, {gbs} GB/s\n");
     text += &format!("\nforward\n{}", table(&benchmark.forward_kernels));
     if benchmark.forward_backward_s.is_some() {
         text += &format!("\nforward and backward\n{}", table(&benchmark.kernels));
     }
     text
+}
+
+/// Bytes as MiB; a dash for `None`.
+fn memory(bytes: Option<u64>) -> String {
+    bytes.map_or("-".to_owned(), |bytes| format!("{} MiB", grouped(bytes >> 20)))
 }
 
 fn table(kernels: &[KernelShare]) -> Table {

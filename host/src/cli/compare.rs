@@ -53,18 +53,6 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 }
 
 fn as_json(args: &Args, runs: &[(String, Run)]) -> serde_json::Value {
-    let result = |(name, run): &(String, Run)| {
-        let summary = run.summary();
-        json!({
-            "run": name,
-            "psnr": summary.psnr,
-            "ssim": summary.ssim,
-            "step": summary.step,
-            "seconds": summary.seconds,
-            "gaussians": summary.gaussians,
-            "tiles_per_second": summary.tiles_per_second,
-        })
-    };
     let settings = differences(runs.iter().map(|(_, run)| run));
     let setting = |found: Difference| json!({ "name": found.setting, "values": found.values });
     json!({
@@ -74,10 +62,20 @@ fn as_json(args: &Args, runs: &[(String, Run)]) -> serde_json::Value {
     })
 }
 
+fn result((name, run): &(String, Run)) -> serde_json::Value {
+    let summary = run.summary();
+    json!({
+        "run": name,
+        "psnr": summary.psnr,
+        "ssim": summary.ssim,
+        "step": summary.step,
+        "seconds": summary.seconds,
+        "gaussians": summary.gaussians,
+        "tiles_per_second": summary.tiles_per_second,
+    })
+}
+
 fn as_text(runs: &[(String, Run)]) -> String {
-    let number = |value: Option<f64>, digits: usize| {
-        value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
-    };
     let mut results = Table::new(1, ["run", "PSNR", "SSIM", "steps", "seconds", "Gaussians"]);
     for (name, run) in runs {
         let summary = run.summary();
@@ -102,4 +100,9 @@ fn as_text(runs: &[(String, Run)]) -> String {
         }
     }
     text
+}
+
+/// A number with some digits after the point; a dash for `None`.
+fn number(value: Option<f64>, digits: usize) -> String {
+    value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
 }

@@ -188,7 +188,8 @@ fn shortened(text: &str, most: usize) -> String {
     if length <= most {
         return text.to_owned();
     }
-    let (begin, end) = (most * 2 / 3, most / 3);
+    let begin = most * 2 / 3;
+    let end = most / 3;
     let first: String = text.chars().take(begin).collect();
     let last: String = text.chars().skip(length - end).collect();
     format!("{first} ... {last}")

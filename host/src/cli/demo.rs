@@ -63,7 +63,9 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let removed = written.finish(console)?;
     console.note(&whats_next(&args.output, &cameras));
     if args.json {
-        let (scene, cameras, tiles) = (scene_file, cameras_file, tiles_file);
+        let scene = scene_file;
+        let cameras = cameras_file;
+        let tiles = tiles_file;
         let folder = args.output.clone();
         return print_json(&Made { folder, scene, cameras, tiles, sheet, images, removed, cost });
     }
@@ -118,7 +120,8 @@ fn render(
     let names = names(cameras);
     let mut sheet = Sheet::new(cameras)?;
     let mut summary = Summary::start();
-    let (mut images, mut not_finite) = (Vec::new(), 0);
+    let mut images = Vec::new();
+    let mut not_finite = 0;
     {
         let progress = console.progress(pictures.tiles(&views), "tiles");
         for view in views {
@@ -151,19 +154,22 @@ struct Sheet {
 
 impl Sheet {
     fn new(cameras: &[Camera]) -> Result<Self> {
-        let (views, side) = (cameras.len() as u32, cameras[0].width);
+        let views = cameras.len() as u32;
+        let side = cameras[0].width;
         let mut columns = (f64::from(views) * 1.5).sqrt().ceil() as u32;
         // This number of rows needs no more columns than this.
         columns = views.div_ceil(views.div_ceil(columns));
         let shrink = (columns * side).div_ceil(SHEET_WIDTH);
-        let (thumb, rows) = (side / shrink, views.div_ceil(columns));
+        let thumb = side / shrink;
+        let rows = views.div_ceil(columns);
         Ok(Self { image: Image::new(columns * thumb, rows * thumb)?, columns, shrink, views: 0 })
     }
 
     fn add(&mut self, view: &Image) -> Result<()> {
         let small = view.shrink(self.shrink)?;
         let [width, height] = small.size();
-        let (column, row) = (self.views % self.columns, self.views / self.columns);
+        let column = self.views % self.columns;
+        let row = self.views / self.columns;
         self.image.paste_image(&small, [column * width, row * height]);
         self.views += 1;
         Ok(())

@@ -162,7 +162,8 @@ fn measure(
 
 /// A row for each view, and their mean.
 fn table(evaluation: &Evaluation) -> String {
-    let (lpips, fitted) = (evaluation.mean.lpips, evaluation.mean.psnr_fitted);
+    let lpips = evaluation.mean.lpips;
+    let fitted = evaluation.mean.psnr_fitted;
     let is_shown = [true, true, true, lpips.is_some(), fitted.is_some()];
     let titles = ["view", "PSNR", "SSIM", "LPIPS", "PSNR, fitted"];
     let titles =

@@ -60,9 +60,12 @@ pub struct Args {
 }
 
 fn parse_pixel(text: &str) -> Result<[i32; 2], String> {
-    let number = |text: &str| text.trim().parse::<i32>().ok();
     let pixel = text.split_once(',').and_then(|(x, y)| Some([number(x)?, number(y)?]));
     pixel.ok_or_else(|| "expected two whole numbers X,Y such as 192,96".to_owned())
+}
+
+fn number(text: &str) -> Option<i32> {
+    text.trim().parse().ok()
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
@@ -110,8 +113,9 @@ struct Place {
 impl Place {
     /// Fails if the pixel is not in the view's image.
     fn check(self, camera: &Camera) -> Result<()> {
-        let ([x, y], [width, height]) = (self.pixel, [camera.width, camera.height]);
-        let is_within = |at: i32, side: u32| (0..i64::from(side)).contains(&i64::from(at));
+        let [x, y] = self.pixel;
+        let width = camera.width;
+        let height = camera.height;
         if is_within(x, width) && is_within(y, height) {
             return Ok(());
         }
@@ -123,6 +127,10 @@ impl Place {
             height - 1
         ))
     }
+}
+
+fn is_within(at: i32, side: u32) -> bool {
+    (0..i64::from(side)).contains(&i64::from(at))
 }
 
 fn text(at: Place, camera: &Camera, inspection: &Inspection, hidden: usize) -> String {
@@ -178,7 +186,8 @@ fn verdict(inspection: &Inspection, hidden: usize) -> String {
         let _ = write!(text, "; {hidden} not shown: falloff is zero (--all shows them)");
     }
     text.push('\n');
-    let (weight, pixel) = (inspection.alpha_sum, inspection.pixel);
+    let weight = inspection.alpha_sum;
+    let pixel = inspection.pixel;
     let _ = writeln!(text, "Eq. 12   C = ({}), S = {weight:.5}", rgb(inspection.color_sum));
     if inspection.is_divided() {
         let _ = writeln!(text, "Eq. 13   S > 1, so I = C / S");

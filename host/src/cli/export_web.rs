@@ -142,7 +142,6 @@ fn folder(path: &Path) -> Result<Folder> {
     let Some(name) = WebPage::FILES.iter().find(|name| has(name)) else {
         return Ok(folder);
     };
-    let is_own = |text: &str| text.contains("<meta name=\"generator\" content=\"organza ");
     match fs::read_to_string(folder.join(WebPage::FILES[0])) {
         Ok(text) if is_own(&text) => Ok(folder),
         _ => refuse(format!(
@@ -150,6 +149,11 @@ fn folder(path: &Path) -> Result<Folder> {
             path.display()
         )),
     }
+}
+
+/// Whether organza wrote a page.
+fn is_own(text: &str) -> bool {
+    text.contains("<meta name=\"generator\" content=\"organza ")
 }
 
 fn write(path: &Path, text: &str) -> Result<()> {

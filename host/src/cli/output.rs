@@ -18,7 +18,8 @@ pub fn check_file(path: &Path, inputs: &[&Path]) -> Result<()> {
 pub fn refuse_inputs(path: &Path, inputs: &[&Path]) -> Result<()> {
     match inputs.iter().find(|input| is_same(path, input)) {
         Some(input) => {
-            let (path, input) = (path.display(), input.display());
+            let path = path.display();
+            let input = input.display();
             refuse(format!("the output {path} would replace the input {input}; choose another"))
         }
         None => Ok(()),

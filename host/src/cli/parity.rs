@@ -57,7 +57,8 @@ enum Backend {
 
 pub fn run(args: &Args, console: Console) -> Result<ExitCode> {
     let cpu = organza::open_device(&DeviceOptions::cpu(None))?;
-    let (mut reports, mut unusable) = (Vec::new(), Vec::new());
+    let mut reports = Vec::new();
+    let mut unusable = Vec::new();
     if args.backend == Backend::Cpu {
         if args.adapter.is_some() {
             return refuse("`--adapter` is for GPUs, but `--backend` is cpu");
@@ -143,7 +144,9 @@ fn tolerances() -> String {
 }
 
 fn markdown(report: &Report) -> String {
-    let (adapter, driver, path) = (&report.adapter, &report.driver, report.path);
+    let adapter = &report.adapter;
+    let driver = &report.driver;
+    let path = report.path;
     let mut text = format!("\n## {adapter}, {path}\n\n{driver}\n\n");
     let titles = TITLES.join(" | ");
     let _ = writeln!(text, "| {titles} |\n|{}", " --- |".repeat(TITLES.len()));
@@ -160,7 +163,9 @@ const TITLES: [&str; 8] =
 fn text(report: &Report) -> String {
     let mut table = Table::new(1, TITLES);
     report.kernels.iter().for_each(|row| table.row(cells(row)));
-    let (adapter, driver, path) = (&report.adapter, &report.driver, report.path);
+    let adapter = &report.adapter;
+    let driver = &report.driver;
+    let path = report.path;
     let mut text = format!("{adapter} ({driver}), {path}\n{table}");
     report.kernels.iter().filter(|row| !row.ok).for_each(|row| explain(&mut text, row));
     text
@@ -193,7 +198,8 @@ fn size(value: f64) -> String {
 /// Describes the place of a kernel's largest difference.
 fn explain(text: &mut String, row: &Row) {
     let Worst { set, output, index, cpu, found, .. } = &row.measure.share;
-    let (failures, values) = (row.measure.failures, row.measure.values);
+    let failures = row.measure.failures;
+    let values = row.measure.values;
     // writing to a String does not fail
     let _ = writeln!(
         text,

@@ -57,7 +57,8 @@ impl Pictures<'_> {
         let mut beside = beside.collect::<Result<Vec<_>>>()?;
         for batch in image::bands(view, [width, height], self.tile_size) {
             let batch = batch?;
-            let (renderer, cameras) = (self.renderer, self.cameras);
+            let renderer = self.renderer;
+            let cameras = self.cameras;
             let advance = &mut progress.part();
             let tiles = match self.shown {
                 Shown::Scene(scene) => {
@@ -91,7 +92,8 @@ pub struct Picture {
 
 impl Picture {
     pub fn new(view: usize, file: &Path, camera: &Camera) -> Self {
-        let [width, height] = [camera.width, camera.height];
+        let width = camera.width;
+        let height = camera.height;
         Self { view, file: file.to_owned(), width, height, channels: BTreeMap::new() }
     }
 

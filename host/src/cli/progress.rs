@@ -37,8 +37,11 @@ impl TrainingProgress {
     pub fn new(console: Console, steps: u32, time_limit: Option<f64>) -> Self {
         let bar = console.progress(u64::from(steps), "steps");
         bar.say("training");
-        let (pace, lines) = (Pace::default(), Lines::default());
-        let (step, seconds, gaussians) = (0, 0.0, None);
+        let pace = Pace::default();
+        let lines = Lines::default();
+        let step = 0;
+        let seconds = 0.0;
+        let gaussians = None;
         Self { console, bar, steps, time_limit, pace, lines, step, seconds, gaussians }
     }
 
@@ -55,7 +58,8 @@ impl TrainingProgress {
                 self.bar.set_length(*steps as usize);
             }
             Event::Step { step, seconds, report, gaussians, .. } => {
-                (self.step, self.seconds) = (*step, *seconds);
+                self.step = *step;
+                self.seconds = *seconds;
                 self.gaussians = Some(*gaussians);
                 self.pace.add(*step, *seconds);
                 self.step(report);
@@ -107,9 +111,6 @@ impl TrainingProgress {
     }
 
     fn evaluated(&self, evaluation: &Evaluation) {
-        let shown = |value: Option<f64>, digits: usize| {
-            value.map_or("no".to_owned(), |value| format!("{value:.digits$}"))
-        };
         let text = format!(
             "step {}: {}: PSNR {} dB, SSIM {}",
             grouped(self.step.into()),
@@ -131,8 +132,8 @@ impl TrainingProgress {
             _ => "finished",
         };
         let time = FormattedDuration(Duration::from_secs_f64(self.seconds));
-        let (steps, gaussians) =
-            (count(self.step.into(), "step"), count(gaussians as u64, "Gaussian"));
+        let steps = count(self.step.into(), "step");
+        let gaussians = count(gaussians as u64, "Gaussian");
         self.console.note(&format!("{what}: {steps} in {time} of training, {gaussians}"));
     }
 
@@ -147,6 +148,11 @@ impl TrainingProgress {
         // far longer than anybody waits
         Duration::from_secs_f64(steps.min(limit).min(1e9))
     }
+}
+
+/// A score with some digits after the point, or `no`.
+fn shown(value: Option<f64>, digits: usize) -> String {
+    value.map_or("no".to_owned(), |value| format!("{value:.digits$}"))
 }
 
 /// The speed over the last seconds.
@@ -165,8 +171,10 @@ impl Pace {
     }
 
     fn steps_per_second(&self) -> Option<f64> {
-        let (first, last) = (self.times.front()?, self.times.back()?);
-        let (steps, seconds) = (last.0.checked_sub(first.0)?, last.1 - first.1);
+        let first = self.times.front()?;
+        let last = self.times.back()?;
+        let steps = last.0.checked_sub(first.0)?;
+        let seconds = last.1 - first.1;
         (steps > 0 && seconds > 0.0).then(|| f64::from(steps) / seconds)
     }
 }
@@ -194,7 +202,8 @@ impl Lines {
         let wait = (SHARE * (seconds - begin)).clamp(SHORTEST, LONGEST);
         self.times = Some([begin, seconds + wait]);
         let [loss, squared] = self.sums.map(|sum| sum / self.count);
-        (self.sums, self.count) = ([0.0; 2], 0.0);
+        self.sums = [0.0; 2];
+        self.count = 0.0;
         Some([loss, psnr_of(squared)])
     }
 }

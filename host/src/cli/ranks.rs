@@ -150,7 +150,8 @@ impl Team {
         lead: impl FnOnce(Member<'_>) -> Result<()>,
         follow: impl Fn(Member<'_>) -> Result<()> + Sync,
     ) -> Result<()> {
-        let (places, Self { mine, others, mixed, is_mpi, .. }) = (self.places(), self);
+        let places = self.places();
+        let Self { mine, others, mixed, is_mpi, .. } = self;
         thread::scope(|scope| {
             for ranks in others {
                 let follow = &follow;
@@ -178,7 +179,7 @@ impl Team {
         Ok(())
     }
 
-    /// How ranks choose their devices.
+    /// The way in which ranks choose their devices.
     pub fn places(&self) -> Places {
         Places { is_mpi: self.is_mpi, size: self.mine.size() }
     }
@@ -203,7 +204,7 @@ impl Team {
     }
 }
 
-/// How ranks choose their devices.
+/// The way in which ranks choose their devices.
 #[derive(Clone, Copy, Debug)]
 pub struct Places {
     is_mpi: bool,

@@ -132,7 +132,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         let renderer = &rank.open(&args.device, console)?;
         let share = job.share(args, rank, renderer)?;
         let todo: Vec<u64> = bytemuck::pod_collect_to_vec(&rank.ranks.broadcast(Vec::new())?);
-        let (shown, cameras) = (Shown::Share(&share, rank.ranks), &job.cameras.list[..]);
+        let shown = Shown::Share(&share, rank.ranks);
+        let cameras = &job.cameras.list[..];
         let pictures = Pictures { renderer, shown, cameras, tile_size: args.tile_size };
         todo.into_iter().try_for_each(|view| {
             pictures.render(view as usize, &mut Summary::start(), &console.hidden()).map(drop)
@@ -146,7 +147,8 @@ fn render(args: &Args, job: Job, rank: Option<Member<'_>>, console: Console) -> 
     let Job { source, cameras, views } = &job;
     let list = &cameras.list[..];
     warn_distorted(console, list, views);
-    let (channels, format) = (args.channels.list(), args.format.format());
+    let channels = args.channels.list();
+    let format = args.format.format();
     for &view in views {
         Image::check_memory(list[view].width, list[view].height)?;
         ChannelImage::check_memory(&channels, list[view].width, list[view].height)?;
@@ -178,7 +180,8 @@ fn render(args: &Args, job: Job, rank: Option<Member<'_>>, console: Console) -> 
         false => (0..views.len()).collect(),
     };
     if todo.len() < views.len() {
-        let (there, all) = (views.len() - todo.len(), count(views.len() as u64, "view"));
+        let there = views.len() - todo.len();
+        let all = count(views.len() as u64, "view");
         console.note(&format!("{there} of {all} are there from an earlier call"));
     }
     let rendered: Vec<_> = todo.iter().map(|&place| (views[place], &files[place])).collect();
@@ -208,7 +211,8 @@ fn render(args: &Args, job: Job, rank: Option<Member<'_>>, console: Console) -> 
             Picture::new(view, &files[0], &list[view]).with_channels(&channels, &files[1..])
         };
         let images = views.iter().zip(&files).map(image).collect();
-        let (folder, rendered) = (&*args.output, rendered.len());
+        let folder = &*args.output;
+        let rendered = rendered.len();
         return print_json(&Rendered { folder, images, rendered, removed, cost });
     }
     Ok(())
@@ -236,7 +240,8 @@ fn write_all(
 ) -> Result<Cost> {
     let mut summary = Summary::start();
     let views: Vec<_> = todo.iter().map(|(view, _)| *view).collect();
-    let (mut not_finite, mut clipped) = (0, 0);
+    let mut not_finite = 0;
+    let mut clipped = 0;
     {
         let progress = console.progress(pictures.tiles(&views), "tiles");
         for &(view, paths) in todo {
@@ -254,7 +259,8 @@ fn write_all(
         }
     }
     if !views.is_empty() {
-        let (number, size) = (count(views.len() as u64, "image"), sizes(pictures.cameras, &views));
+        let number = count(views.len() as u64, "image");
+        let size = sizes(pictures.cameras, &views);
         console.note(&summary.line(&format!("{number} of {size}")));
     }
     warn_not_finite(console, not_finite);
@@ -281,7 +287,8 @@ fn files(
         let path = folder.join(&format!("{}.{ending}", names[view]));
         output::check_file(&path, &[scene.file(), &cameras.origin])?;
         if cameras.is_photograph(&path) {
-            let (path, origin) = (path.display(), cameras.origin.display());
+            let path = path.display();
+            let origin = cameras.origin.display();
             return refuse(format!(
                 "{path} would replace a photograph of {origin}; choose another folder"
             ));

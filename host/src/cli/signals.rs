@@ -34,7 +34,8 @@ impl Signals {
     /// Starts to listen.
     pub fn listen() -> Result<Self> {
         let signals = Self { stop: Arc::default(), begun: Arc::default() };
-        let (stop, begun) = (signals.stop.clone(), signals.begun.clone());
+        let stop = signals.stop.clone();
+        let begun = signals.begun.clone();
         let handler = move || {
             // Held to the end, so that nothing starts while created folders are removed.
             let begun = lock(&begun);

@@ -112,7 +112,8 @@ impl Job {
         }
         // The large file is read last: most mistakes are in the small ones.
         let batch = load_batch(&args.tiles)?;
-        let (named, usage) = (args.cameras.as_deref(), "organza tiles SCENE CAMERAS TILES");
+        let named = args.cameras.as_deref();
+        let usage = "organza tiles SCENE CAMERAS TILES";
         let cameras = Cameras::load(&source, named, &args.data, usage, console)?.list;
         batch.validate(&cameras).map_err(|error| with_origin(error, &args.tiles))?;
         let mut views: Vec<_> = batch.tiles.iter().map(|tile| tile.camera).collect();
@@ -152,14 +153,17 @@ impl Job {
 /// Renders, alone or as rank 0.
 fn tiles(args: &Args, job: &Job, rank: Option<Member<'_>>, console: Console) -> Result<()> {
     let Job { source, batch, cameras, grad_output } = job;
-    let (output, channels) = (args.output.as_deref(), args.channels.list());
-    let (mut cost, mut gradient) = (None, None);
+    let output = args.output.as_deref();
+    let channels = args.channels.list();
+    let mut cost = None;
+    let mut gradient = None;
     if let Some(rank) = rank {
         let renderer = &rank.open(&args.device, console)?;
         let mut summary = Summary::start();
         let found = console.during("rendering", || job.of_ranks(args, rank, renderer))?;
         if let Some(output) = output {
-            let (summary, tiles) = (&mut summary, &found.0);
+            let summary = &mut summary;
+            let tiles = &found.0;
             cost = Some(write_tiles(console, summary, renderer, tiles, batch, output)?);
         }
         gradient = found.1;
@@ -187,7 +191,8 @@ fn tiles(args: &Args, job: &Job, rank: Option<Member<'_>>, console: Console) -> 
         console.note(&format!("wrote {}: grad.<tensor>", output.display()));
     }
     if args.json {
-        let (file, gradient) = (args.output.as_deref(), args.grad.as_deref());
+        let file = args.output.as_deref();
+        let gradient = args.grad.as_deref();
         return print_json(&Rendered { file, shape: batch.output_shape(), gradient, cost });
     }
     Ok(())
@@ -207,7 +212,8 @@ struct Rendered<'a> {
 fn read_grad_output(path: &Path, batch: &TileBatch) -> Result<Vec<f32>> {
     const NAME: &str = "grad_output";
     const WHY: &str = "a value for each of `tiles`, the rendered batch";
-    let (origin, expected) = (path.to_owned(), batch.output_shape().to_vec());
+    let origin = path.to_owned();
+    let expected = batch.output_shape().to_vec();
     let tensor = NAME.to_owned();
     match read_tensors(path)?.remove(NAME) {
         None => Err(Error::MissingTensor { origin, tensor, expected, why: WHY }),
@@ -232,11 +238,13 @@ fn write_tiles(
     output: &Path,
 ) -> Result<Cost> {
     summary.add(&tiles.report);
-    let (number, side) = (count(tiles.count as u64, "tile"), tiles.side);
+    let number = count(tiles.count as u64, "tile");
+    let side = tiles.side;
     console.note(&summary.line(&format!("{number} of {side} x {side}")));
     let not_finite = tiles.data.iter().filter(|value| !value.is_finite()).count();
     if not_finite > 0 {
-        let (found, all) = (grouped(not_finite as u64), count(tiles.data.len() as u64, "value"));
+        let found = grouped(not_finite as u64);
+        let all = count(tiles.data.len() as u64, "value");
         console.warn(&format!("{found} of {all} are NaN or infinite; check the networks' weights"));
     }
 

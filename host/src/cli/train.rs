@@ -57,7 +57,8 @@ fn long_help() -> String {
         "{EXAMPLES}\n\nSettings are overridden in this order: defaults, --preset, --config, --set, other options. \
          Settings for --set and --config, with their defaults (docs/training.md describes them):\n"
     );
-    for (name, value) in train::config::defaults() {
+    let hidden = |name: &str| SETTINGS.iter().any(|row| row.is_hidden() && row.name == name);
+    for (name, value) in train::config::defaults().into_iter().filter(|(name, _)| !hidden(name)) {
         text += &format!("  {name}={value}\n");
     }
     text
@@ -217,7 +218,8 @@ fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
     }
     let signals = Signals::listen()?;
     let (folder, config) = prepare(args)?;
-    let (planned, time_limit) = (args.settings.planned(), args.time_limit.map(f64::from));
+    let planned = args.settings.planned();
+    let time_limit = args.time_limit.map(f64::from);
     let share = f64::from(args.view_share) / 100.0;
     let view = args.view.then_some((&args.server, share));
     let resume = args.resume.is_some();
@@ -264,7 +266,8 @@ impl Ended {
                 self.gaussians = Some(*gaussians);
             }
             Event::Evaluated(evaluation) => {
-                (self.psnr, self.ssim) = (evaluation.mean.psnr, evaluation.mean.ssim);
+                self.psnr = evaluation.mean.psnr;
+                self.ssim = evaluation.mean.ssim;
             }
             _ => {}
         }
@@ -276,7 +279,8 @@ impl Ended {
             Outcome::TimeLimit => "time limit",
             _ => "stopped",
         };
-        let (checkpoint, report) = (folder.join(CHECKPOINT), folder.join(REPORT));
+        let checkpoint = folder.join(CHECKPOINT);
+        let report = folder.join(REPORT);
         Self { folder: folder.to_owned(), outcome, checkpoint, report, ..self }
     }
 }
@@ -350,7 +354,8 @@ impl Job<'_> {
             .with_shares(shares);
         let mut view = self.view.zip(server).map(|((args, share), server)| {
             args.announce(&server.url(), console);
-            let (stop, title) = (signals.stop(), title(self.folder));
+            let stop = signals.stop();
+            let title = title(self.folder);
             TrainingView::new(server, &renderer, &dataset, stop, share, title)
         });
         let mut progress = TrainingProgress::new(console, config.run.steps, self.time_limit);

@@ -18,20 +18,24 @@ impl FromStr for ViewList {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let index = |text: &str| {
-            let bad = |_| format!("`{text}` is not a view; expected a list such as 0,8 or 0-3");
-            text.trim().parse::<usize>().map_err(bad)
-        };
-        let range = |item: &str| {
-            let (first, last) = item.split_once('-').unwrap_or((item, item));
-            let (first, last) = (index(first)?, index(last)?);
-            if first > last {
-                return Err(format!("the range {first}-{last} runs backward"));
-            }
-            Ok(first..=last)
-        };
         text.split(',').map(range).collect::<Result<_, _>>().map(Self)
     }
+}
+
+/// Parses one item of a list: a view, or a range such as `0-3`.
+fn range(item: &str) -> Result<RangeInclusive<usize>, String> {
+    let (first, last) = item.split_once('-').unwrap_or((item, item));
+    let first = index(first)?;
+    let last = index(last)?;
+    if first > last {
+        return Err(format!("the range {first}-{last} runs backward"));
+    }
+    Ok(first..=last)
+}
+
+fn index(text: &str) -> Result<usize, String> {
+    let bad = |_| format!("`{text}` is not a view; expected a list such as 0,8 or 0-3");
+    text.trim().parse::<usize>().map_err(bad)
 }
 
 impl ViewList {
@@ -93,7 +97,8 @@ impl Shard {
                         give I/N"
                 .to_owned());
         };
-        let (first, step) = (number("MIN").unwrap_or(0), number("STEP").unwrap_or(1).max(1));
+        let first = number("MIN").unwrap_or(0);
+        let step = number("STEP").unwrap_or(1).max(1);
         let place = id.checked_sub(first).filter(|place| place.is_multiple_of(step));
         match place.map(|place| place / step).filter(|&index| index < count) {
             Some(index) => Ok(Self { index, count }),
@@ -112,7 +117,8 @@ impl Shard {
 
 /// The error for a view that does not exist.
 pub fn no_view<T>(view: usize, count: usize, cameras: &Path) -> Result<T> {
-    let (cameras, last) = (cameras.display(), count.saturating_sub(1));
+    let cameras = cameras.display();
+    let last = count.saturating_sub(1);
     refuse(format!("there is no view {view}: {cameras} has views 0 to {last}"))
 }
 

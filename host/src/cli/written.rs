@@ -103,8 +103,11 @@ impl Written {
         let files = read(&folder.join(&list)).unwrap_or_default();
         let others = other_lists(folder.path(), &list);
         let others = others.into_iter().filter_map(|path| Some((path.clone(), read(&path)?)));
-        let (others, options) = (others.collect(), String::new());
-        let (folder, now, saved) = (folder.path().to_owned(), BTreeSet::new(), Instant::now());
+        let others = others.collect();
+        let options = String::new();
+        let folder = folder.path().to_owned();
+        let now = BTreeSet::new();
+        let saved = Instant::now();
         Ok(Self { folder, source, options, list, files, others, now, saved })
     }
 
@@ -129,7 +132,8 @@ impl Written {
                     Found::Nothing | Found::Stale if missing.last() == Some(&index) => {}
                     Found::Nothing | Found::Stale => missing.push(index),
                     Found::Foreign => {
-                        let (folder, file) = (self.folder.display(), file.display());
+                        let folder = self.folder.display();
+                        let file = file.display();
                         return refuse(format!(
                             "{file} is not an image that the program wrote, or was changed since; move it away from \
                              {folder}, or choose another place to write to"
@@ -245,7 +249,8 @@ impl Written {
     /// Removes files that are unchanged since they were listed. Returns the number of these, and of others that
     /// exist.
     fn remove(&self, files: BTreeMap<String, Entry>) -> Result<[u64; 2]> {
-        let (mut removed, mut changed) = (0, 0);
+        let mut removed = 0;
+        let mut changed = 0;
         for (name, entry) in files {
             let path = self.folder.join(&name);
             if !is_name(&name) || !fs::symlink_metadata(&path).is_ok_and(|found| found.is_file()) {

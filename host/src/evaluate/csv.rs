@@ -24,7 +24,6 @@ pub(crate) fn save_csv(path: impl AsRef<Path>, rows: &[(Option<u64>, &ViewScore)
     let shown = |cells: [String; 6]| {
         cells.into_iter().zip(is_shown).filter_map(|(cell, is_shown)| is_shown.then_some(cell))
     };
-    let number = |value: Option<f64>| value.map_or(String::new(), |value| value.to_string());
     write_atomic(path, |writer| {
         let mut table = ::csv::Writer::from_writer(writer);
         let head = ["step", "view", "psnr", "ssim", "lpips", "psnr_fitted"].map(str::to_owned);
@@ -38,4 +37,9 @@ pub(crate) fn save_csv(path: impl AsRef<Path>, rows: &[(Option<u64>, &ViewScore)
         }
         table.flush()
     })
+}
+
+/// A number, or an empty cell for `None`.
+fn number(value: Option<f64>) -> String {
+    value.map_or(String::new(), |value| value.to_string())
 }

@@ -56,7 +56,8 @@ impl Sums {
 
     /// Gain and offset with the least squared error. An image of one color has a gain of 1.
     fn fit(&self) -> [f64; 2] {
-        let [x, y] = [self.x / self.count, self.y / self.count];
+        let x = self.x / self.count;
+        let y = self.y / self.count;
         let variance = self.xx / self.count - x * x;
         let gain = if variance > 1e-6 { (self.xy / self.count - x * y) / variance } else { 1.0 };
         [gain, y - gain * x]

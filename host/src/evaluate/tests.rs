@@ -28,7 +28,8 @@ fn a_scene_is_as_close_to_its_own_images_as_rounding_allows() {
     let spoiled = pixels.map(|(at, &pixel)| if at % 75 == 7 { [0, 255, 0] } else { pixel });
     let valid = (0..75 * 75).map(|at| at % 75 != 7).collect();
     frames[1].image = Photograph::new([75, 75], spoiled.collect(), Some(valid)).unwrap();
-    let (mut tiles, mut seen) = (Vec::new(), Vec::new());
+    let mut tiles = Vec::new();
+    let mut seen = Vec::new();
     let frames: Vec<_> = frames.iter().collect();
     let evaluation = evaluate_with(&renderer, &scene, &frames, &mut |event| match event {
         Event::Tiles { done, total } => tiles.push((done, total)),
@@ -43,7 +44,8 @@ fn a_scene_is_as_close_to_its_own_images_as_rounding_allows() {
     assert_eq!(seen[0], frames[0].image);
     // Rounding to 256 levels has a variance of 1/12 of a level, and a little less for large areas of background.
     for view in &evaluation.views {
-        let (psnr, ssim) = (view.score.psnr.unwrap(), view.score.ssim.unwrap());
+        let psnr = view.score.psnr.unwrap();
+        let ssim = view.score.ssim.unwrap();
         assert!((58.0..63.0).contains(&psnr) && ssim > 0.999, "{view:?}");
     }
     let [a, b] = [0, 1].map(|at| evaluation.views[at].score);

@@ -37,14 +37,21 @@ pub fn between(cameras: &[Camera], count: usize) -> Result<Vec<Camera>> {
 
 /// The nearest cameras that look in a similar direction.
 fn nearest(cameras: &[Camera], from: usize) -> Vec<usize> {
-    let eye = |camera: &Camera| DVec3::from(camera.eye());
-    let axis = |camera: &Camera| DVec3::from(camera.world_to_camera_opencv()[2]);
     let distance = |to: &usize| eye(&cameras[*to]).distance_squared(eye(&cameras[from]));
     let is_way = |to: &usize| *to != from && axis(&cameras[*to]).dot(axis(&cameras[from])) > 0.0;
     let mut others: Vec<_> = (0..cameras.len()).filter(is_way).collect();
     others.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
     others.truncate(NEAREST);
     others
+}
+
+fn eye(camera: &Camera) -> DVec3 {
+    DVec3::from(camera.eye())
+}
+
+/// The direction in which a camera looks, a unit vector.
+fn axis(camera: &Camera) -> DVec3 {
+    DVec3::from(camera.world_to_camera_opencv()[2])
 }
 
 #[cfg(test)]
@@ -55,7 +62,8 @@ mod tests {
     #[test]
     fn cameras_on_a_circle_have_others_between_them() {
         let orbit = Orbit::of_box([[-1.0; 3], [1.0; 3]], [40, 30]);
-        let (cameras, radius) = (orbit.cameras(12).unwrap(), orbit.distance);
+        let cameras = orbit.cameras(12).unwrap();
+        let radius = orbit.distance;
         let found = between(&cameras, 100).unwrap();
         assert_eq!(found.len(), 100);
         let angle = |camera: &Camera| {

@@ -174,7 +174,8 @@ pub(super) fn displayed(mut image: Vec<[f32; 3]>) -> Vec<[f32; 3]> {
 /// A number near 0.6 n whose multiples visit all n views, so that successive steps do not compare neighbors.
 fn stride(n: usize) -> usize {
     let has_no_divisor = |&stride: &usize| {
-        let (mut a, mut b) = (n, stride);
+        let mut a = n;
+        let mut b = stride;
         while b > 0 {
             (a, b) = (b, a % b);
         }

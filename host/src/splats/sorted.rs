@@ -50,7 +50,8 @@ pub(super) struct Placed {
 impl Placed {
     fn new(camera: &KernelCamera, gaussian: usize, splat: &Splat) -> Option<Self> {
         let opacity = sigmoid(splat.opacity);
-        let (position, rotation) = (Vec3::from(splat.position), Vec4::from(splat.rotation));
+        let position = Vec3::from(splat.position);
+        let rotation = Vec4::from(splat.rotation);
         let found = project_gaussian(camera, BLUR, position, rotation, splat.log_scale.into());
         if found.radius < 0.0 || opacity < LEAST {
             return None;
@@ -90,7 +91,8 @@ impl View {
             .collect();
         let key = |placed: &Placed| (placed.depth, placed.gaussian);
         placed.par_sort_unstable_by(|a, b| {
-            let ((a, first), (b, second)) = (key(a), key(b));
+            let (a, first) = key(a);
+            let (b, second) = key(b);
             a.total_cmp(&b).then(first.cmp(&second))
         });
         let counts = size.map(|side| side.div_ceil(SIDE));
@@ -98,7 +100,8 @@ impl View {
         for (index, Placed { mean, extent, .. }) in placed.iter().enumerate() {
             let range = |axis: usize| {
                 let tile = |at: f32| (at / SIDE as f32).floor();
-                let (low, high) = (mean[axis] - extent[axis], mean[axis] + extent[axis]);
+                let low = mean[axis] - extent[axis];
+                let high = mean[axis] + extent[axis];
                 // a Gaussian outside on either side is in no tile; casts saturate
                 tile(low).max(0.0) as usize
                     ..((tile(high) + 1.0).max(0.0) as usize).min(counts[axis])
@@ -121,7 +124,8 @@ impl View {
         let members = self.tiles[tile].iter().map(|&index| self.placed[index as usize]).collect();
         let [width, height] = self.size;
         let columns = width.div_ceil(SIDE);
-        let (left, top) = (tile % columns * SIDE, tile / columns * SIDE);
+        let left = tile % columns * SIDE;
+        let top = tile / columns * SIDE;
         let row = move |y: usize| {
             let pixel = move |x: usize| (x as f32 + 0.5, y as f32 + 0.5, y * width + x);
             (left..(left + SIDE).min(width)).map(pixel)
@@ -152,7 +156,8 @@ pub(super) fn blend(
     hits: &mut Vec<Hit>,
 ) -> [f32; 3] {
     hits.clear();
-    let (mut color, mut light) = ([0.0; 3], 1.0);
+    let mut color = [0.0; 3];
+    let mut light = 1.0;
     for (member, placed) in members.iter().enumerate() {
         let Some((alpha, offset)) = placed.alpha(x, y) else { continue };
         hits.push(Hit { member, alpha, offset, light });
@@ -222,7 +227,8 @@ pub(super) mod tests {
         let front = ball();
         let mut back = ball();
         back.position = [0.0, 5.0, -0.375];
-        (back.log_scale, back.opacity) = ([1.0; 3], 1.0);
+        back.log_scale = [1.0; 3];
+        back.opacity = 1.0;
         back.color[0] = [-0.5 / FIRST, 0.0, 0.5 / FIRST];
         // the image has no pixel at its center: the falloff at the nearest one is a little below 1
         let image = render(&[back, front], &camera, [0.2, 0.4, 0.6]);

@@ -84,7 +84,8 @@ fn blend_backward(
     // contribution of everything behind to the loss's derivative, from the last Gaussian to the first
     let mut behind = last.light * (1.0 - last.alpha.min(MOST)) * dot(background);
     for hit in hits.iter().rev() {
-        let (placed, slope) = (&members[hit.member], &mut slopes[hit.member]);
+        let placed = &members[hit.member];
+        let slope = &mut slopes[hit.member];
         let alpha = hit.alpha.min(MOST);
         let shade = dot(placed.color);
         for (sum, by) in slope.color.iter_mut().zip(by_color) {
@@ -96,7 +97,8 @@ fn blend_backward(
             slope.opacity += by_alpha * alpha / placed.opacity;
             // alpha = opacity exp(-q / 2), q = d^T conic d, d the offset from the center
             let by_q = -0.5 * by_alpha * alpha;
-            let (d, conic) = (hit.offset, placed.conic);
+            let d = hit.offset;
+            let conic = placed.conic;
             let by_d = Vec2::new(conic.x * d.x + conic.y * d.y, conic.y * d.x + conic.z * d.y);
             slope.mean -= 2.0 * by_q * by_d;
             slope.conic += by_q * Vec3::new(d.x * d.x, 2.0 * d.x * d.y, d.y * d.y);
@@ -106,7 +108,8 @@ fn blend_backward(
 
 /// The derivative of [`Placed::new`]: turns derivatives in the image into those of a Gaussian's values.
 fn placed_backward(camera: &KernelCamera, splat: &Splat, placed: &Placed, slope: &Slope) -> Splat {
-    let (position, rotation) = (Vec3::from(splat.position), Vec4::from(splat.rotation));
+    let position = Vec3::from(splat.position);
+    let rotation = Vec4::from(splat.rotation);
     let geometry = project_gaussian_backward(
         camera,
         BLUR,
@@ -165,7 +168,9 @@ mod tests {
 
     #[test]
     fn the_gradient_is_that_of_finite_differences() {
-        let (splats, camera, background) = (many(), camera(), [0.9, 0.5, 0.1]);
+        let splats = many();
+        let camera = camera();
+        let background = [0.9, 0.5, 0.1];
         let truth = vec![[0.3, 0.6, 0.2]; (SIZE[0] * SIZE[1]) as usize];
         let gradient = gradient(&splats, &camera, background, &truth);
         let error_of = |splats: &[Splat]| error(splats, &camera, background, &truth);
@@ -199,7 +204,8 @@ mod tests {
     #[test]
     fn a_center_moves_with_its_gradient() {
         // with one color for all directions
-        let (camera, background) = (camera(), [0.0; 3]);
+        let camera = camera();
+        let background = [0.0; 3];
         let mut splat = ball();
         splat.position = [0.1, 0.2, -0.1];
         let truth = render(&[ball()], &camera, background);

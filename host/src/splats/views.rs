@@ -28,7 +28,8 @@ impl Views {
     /// Every eighth camera is only measured. With fewer than eight, none is.
     #[must_use]
     pub fn of_cameras(cameras: Vec<Camera>) -> Self {
-        let [mut fitted, mut judges] = [Vec::new(), Vec::new()];
+        let mut fitted = Vec::new();
+        let mut judges = Vec::new();
         let is_enough = cameras.len() >= JUDGES;
         for (index, camera) in cameras.into_iter().enumerate() {
             let is_judge = is_enough && index % JUDGES == JUDGES / 2;

@@ -109,18 +109,16 @@ impl Binding {
                  all steps of the run, so choose more than that"
             ));
         }
-        let (now_plan, then_plan) = (&config.run.plan, &then.run.plan);
+        let now_plan = &config.run.plan;
+        let then_plan = &then.run.plan;
         // the plan was made after the checkpoint, before the run was killed
         let goes_on = now_plan.len() > then_plan.len() && now_plan.starts_with(then_plan);
-        let (now, then) = (config.list(), then.list());
-        let value = |settings: &[(String, String)], name: &str| {
-            let found = settings.iter().find(|(other, _)| other == name);
-            found.map_or(NOT_SET.to_owned(), |(_, value)| value.clone())
-        };
-        let json = |text: &str| serde_json::from_str(text).unwrap_or_else(|_| text.into());
+        let now = config.list();
+        let then = then.list();
         let mut changes = Vec::new();
         for (name, _) in now.iter().chain(&then) {
-            let (now, then) = (value(&now, name), value(&then, name));
+            let now = value(&now, name);
+            let then = value(&then, name);
             // a data set may move, but the built-in scene is a different data set
             let is_free = FREE.contains(&name.as_str()) && now != NOT_SET && then != NOT_SET;
             let is_planned = goes_on && PLANNED.contains(&name.as_str());
@@ -135,7 +133,8 @@ impl Binding {
                      only {names} may change: put it back, or begin another run with `--config`"
                 ));
             }
-            let (from, to) = (json(&then), json(&now));
+            let from = json(&then);
+            let to = json(&now);
             changes.push(Change { step: u64::from(step), name: name.clone(), from, to });
         }
         Ok(changes)
@@ -159,6 +158,17 @@ impl Binding {
     }
 }
 
+/// The value of a setting, or [`NOT_SET`].
+fn value(settings: &[(String, String)], name: &str) -> String {
+    let found = settings.iter().find(|(other, _)| other == name);
+    found.map_or(NOT_SET.to_owned(), |(_, value)| value.clone())
+}
+
+/// A value as JSON. A text that is not JSON becomes a string.
+fn json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or_else(|_| text.into())
+}
+
 /// The settings of the run in a folder, checked against its checkpoint.
 ///
 /// # Errors
@@ -176,7 +186,8 @@ pub fn changed_settings_of(
     folder: &Path,
     change: impl FnOnce(TrainConfig) -> Result<TrainConfig>,
 ) -> Result<TrainConfig> {
-    let (path, checkpoint) = (folder.join(CONFIG), folder.join(CHECKPOINT));
+    let path = folder.join(CONFIG);
+    let checkpoint = folder.join(CHECKPOINT);
     if !path.exists() {
         let reason = format!(
             "the folder has no {CONFIG}, so it is not a training run's; name the folder that \

@@ -91,8 +91,7 @@ mod tests {
     #[test]
     fn coarse_steps_see_half_the_size_and_have_longer_steps_of_t() {
         let cameras = demo::turntable(3, 40);
-        let mut run = RunConfig::default();
-        (run.steps, run.tile_size, run.coarse) = (20, 16, 0.3);
+        let mut run = RunConfig { steps: 20, tile_size: 16, coarse: 0.3, ..RunConfig::default() };
         let mut batches = Batches::of_cameras(&cameras, &run).unwrap();
         for step in 0..20 {
             let drawn = batches.of_step(&run, step);

@@ -32,7 +32,7 @@ use organza_core::write_atomic;
 const MAX_BYTES: u64 = 1 << 20;
 
 impl DataConfig {
-    /// How the data set is read.
+    /// Options for reading the data set.
     #[must_use]
     pub fn options(&self) -> DatasetOptions {
         DatasetOptions::default()
@@ -51,13 +51,16 @@ impl RunConfig {
     /// Each entry of the plan spreads the rest of the run evenly over the remaining steps.
     #[must_use]
     pub fn share(&self, step: u32) -> f64 {
-        let (mut from, mut done, mut steps) = (0, 0.0, self.steps);
+        let mut from = 0;
+        let mut done = 0.0;
+        let mut steps = self.steps;
         let part = |from: u32, to: u32, steps: u32| {
             f64::from(to - from) / f64::from(steps.saturating_sub(from).max(1))
         };
         for &[at, planned] in self.plan.iter().filter(|entry| entry[0] <= step) {
             done += (1.0 - done) * part(from, at, steps);
-            (from, steps) = (at, planned);
+            from = at;
+            steps = planned;
         }
         (done + (1.0 - done) * part(from, step, steps)).min(1.0)
     }

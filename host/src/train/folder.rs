@@ -159,7 +159,8 @@ fn open(path: &Path) -> io::Result<File> {
 fn is_at(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
     let place = |found: fs::Metadata| (found.dev(), found.ino());
-    let (open, named) = (file.metadata().map(place), fs::metadata(path).map(place));
+    let open = file.metadata().map(place);
+    let named = fs::metadata(path).map(place);
     matches!((open, named), (Ok(open), Ok(named)) if open == named)
 }
 

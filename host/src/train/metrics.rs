@@ -139,7 +139,8 @@ impl Record {
     /// The record of an evaluation after `step` steps and `seconds` of training.
     #[must_use]
     pub fn evaluation(step: u64, seconds: f64, evaluation: &Evaluation) -> Self {
-        let (mean, views) = (evaluation.mean, evaluation.views.clone());
+        let mean = evaluation.mean;
+        let views = evaluation.views.clone();
         Self::Evaluation { step, seconds, psnr: mean.psnr, ssim: mean.ssim, views }
     }
 

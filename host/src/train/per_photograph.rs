@@ -61,9 +61,6 @@ impl PerPhotograph {
             let corrections = [config.beta1, config.beta2].map(|beta| 1.0 - beta.powf(t));
             let [first, second] = &mut self.moments;
             for (at, &g) in gradient.iter().enumerate() {
-                let mix = |before: f32, now: f64, beta: f64| {
-                    (beta * f64::from(before) + (1.0 - beta) * now) as f32
-                };
                 first[photograph][at] = mix(first[photograph][at], g, config.beta1);
                 second[photograph][at] = mix(second[photograph][at], g * g, config.beta2);
                 let m = f64::from(first[photograph][at]) / corrections[0];
@@ -120,6 +117,11 @@ impl PerPhotograph {
         let [values, first, second] = [values, first, second].map(rows);
         Ok(Some(Self { values, moments: [first, second], steps }))
     }
+}
+
+/// One step of a moving average, with decay `beta`.
+fn mix(before: f32, now: f64, beta: f64) -> f32 {
+    (beta * f64::from(before) + (1.0 - beta) * now) as f32
 }
 
 /// Names in a checkpoint: the values, Adam's two moments, and the steps.

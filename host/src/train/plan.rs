@@ -1,4 +1,4 @@
-//! How many steps fit into the time of a run: `organza train --minutes`.
+//! Plans the number of steps that fit into the time of a run: `organza train --minutes`.
 
 use super::config::TrainConfig;
 use super::held_out;
@@ -83,7 +83,9 @@ impl Planner {
         // the last evaluation measures all views
         let last = self.per_view * self.views as f64;
         let time = (self.seconds - now.elapsed - last).max(0.0);
-        let (mut used, mut steps, mut gaussians) = (0.0, 0_u32, now.gaussians as f64);
+        let mut used = 0.0;
+        let mut steps = 0_u32;
+        let mut gaussians = now.gaussians as f64;
         loop {
             let grown = gaussians / now.gaussians.max(1) as f64;
             let cost = per_step * (1.0 - PER_GAUSSIAN + PER_GAUSSIAN * grown) + per_evaluation;
@@ -91,7 +93,8 @@ impl Planner {
             if used + next >= time || steps > MOST {
                 return steps.saturating_add(((time - used) / cost) as u32).max(1);
             }
-            (used, steps) = (used + next, steps.saturating_add(growth.every));
+            used += next;
+            steps = steps.saturating_add(growth.every);
             let share = (now.elapsed + used) / self.seconds;
             if (growth.begin..=growth.end).contains(&share) {
                 let most = f64::from(growth.max_gaussians);
@@ -109,7 +112,8 @@ mod tests {
     fn run(seconds: f64, cost: impl Fn(f64, f64) -> f64) -> (f64, TrainConfig) {
         let mut config = TrainConfig::default();
         config.run.evaluate_views = 5;
-        let (start, evaluation) = (f64::from(config.start.gaussians), 4.0);
+        let start = f64::from(config.start.gaussians);
+        let evaluation = 4.0;
         let mut planner = Planner::new(seconds, 10);
         // the evaluation of one view before the first step
         planner.evaluated(evaluation / 5.0, 1);
@@ -128,7 +132,8 @@ mod tests {
             let share = config.run.share(now.step);
             let took = cost(share, now.gaussians as f64);
             now.step += 1;
-            (now.training, now.elapsed) = (now.training + took, now.elapsed + took);
+            now.training += took;
+            now.elapsed += took;
             let growth = &config.growth;
             let share = config.run.share(now.step);
             if now.step.is_multiple_of(growth.every) && (growth.begin..=growth.end).contains(&share)

@@ -55,7 +55,8 @@ impl PoseSet {
             (photograph, [gx, gy, gz, bx, by, bz])
         };
         let gradients: BTreeMap<_, _> = shown.map(of).collect();
-        let (turn, shift) = (rate, rate * extent);
+        let turn = rate;
+        let shift = rate * extent;
         self.learned.adam(&gradients, config, [turn, turn, turn, shift, shift, shift], "pose")?;
         self.center();
         Ok(())
@@ -82,7 +83,8 @@ impl PoseSet {
         let middle = mean(&|at| self.given[at].eye());
         let arms: Vec<_> =
             self.given.iter().map(|camera| add(camera.eye(), middle, -1.0)).collect();
-        let (turn, shift) = (mean(&|at| motions[at].turn), mean(&|at| motions[at].shift));
+        let turn = mean(&|at| motions[at].turn);
+        let shift = mean(&|at| motions[at].shift);
         let spread: f64 = arms.iter().map(|arm| dot(*arm, *arm)).sum();
         let along: f64 =
             arms.iter().zip(&motions).map(|(arm, motion)| dot(*arm, motion.shift)).sum();
@@ -197,7 +199,9 @@ mod tests {
     #[test]
     fn a_motion_of_the_world_is_taken_out_whole() {
         let mut poses = poses();
-        let (turn, shift, scale) = ([1e-3, -2e-3, 5e-4], [3e-3, 1e-3, -2e-3], 1e-3);
+        let turn = [1e-3, -2e-3, 5e-4];
+        let shift = [3e-3, 1e-3, -2e-3];
+        let scale = 1e-3;
         for (camera, values) in poses.given.iter().zip(&mut poses.learned.values) {
             let eye = camera.eye();
             let shift = add(add(shift, cross(turn, eye), 1.0), eye, scale);
@@ -227,7 +231,8 @@ mod tests {
         }
         poses.learned.values[2] = values;
         // the loss is linear in the place as the camera sees it
-        let (place, slope) = ([0.3, -0.2, 0.5], [0.4, -1.0, 0.7]);
+        let place = [0.3, -0.2, 0.5];
+        let slope = [0.4, -1.0, 0.7];
         let seen = |values: [f64; VALUES]| {
             let camera = poses.given[2].moved(values);
             let offset = add(place, camera.eye(), -1.0);
@@ -241,7 +246,8 @@ mod tests {
         let expected: Vec<_> = (0..VALUES)
             .map(|at| {
                 let mut moved = [now; 2];
-                (moved[0][at], moved[1][at]) = (now[at] - 1e-5, now[at] + 1e-5);
+                moved[0][at] = now[at] - 1e-5;
+                moved[1][at] = now[at] + 1e-5;
                 (loss(moved[1]) - loss(moved[0])) / 2e-5
             })
             .collect();

@@ -65,8 +65,10 @@ impl Session<'_> {
         }
         let records = MetricsLog::read(path)?;
         self.save_scores(&records)?;
-        let (count, measured) = (self.dataset.held_out.len(), self.config.run.evaluate_views);
-        let (mut evaluated, mut best) = (None, None::<f64>);
+        let count = self.dataset.held_out.len();
+        let measured = self.config.run.evaluate_views;
+        let mut evaluated = None;
+        let mut best = None::<f64>;
         for record in &records {
             if let Record::Evaluation { step, views, .. } = record {
                 evaluated = Some((*step, views.len()));

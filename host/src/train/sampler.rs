@@ -42,7 +42,8 @@ impl Sampler {
     /// A sampler for images of these sizes. A tile's camera is the index of its image here.
     #[must_use]
     pub fn new(sizes: Vec<[u32; 2]>, run: &RunConfig) -> Self {
-        let (side, group) = (run.tile_size, run.tiles_per_view as usize);
+        let side = run.tile_size;
+        let group = run.tiles_per_view as usize;
         let cells =
             |&[width, height]: &[u32; 2]| (cells(width, side) * cells(height, side)) as usize;
         let groups = sizes.iter().map(|size| cells(size).div_ceil(group)).sum();
@@ -148,7 +149,8 @@ impl Target {
     /// The target for rendered tiles. `exposure` is that of [`LossTarget`].
     pub fn of_loss<'a>(&'a self, loss: &LossConfig, exposure: Option<&'a [f32]>) -> LossTarget<'a> {
         let Self { image, valid, valid_pixels } = self;
-        let (valid_pixels, ssim_weight) = (*valid_pixels, loss.ssim_weight);
+        let valid_pixels = *valid_pixels;
+        let ssim_weight = loss.ssim_weight;
         let distortion_weight = loss.distortion_weight;
         LossTarget { image, valid, valid_pixels, ssim_weight, distortion_weight, exposure }
     }
@@ -167,7 +169,8 @@ fn fill(
         [photograph.width(), photograph.height()].map(|length| (length / factor) as i32);
     for row in 0..side {
         for column in 0..side {
-            let (x, y) = (tile.origin[0] + column as i32, tile.origin[1] + row as i32);
+            let x = tile.origin[0] + column as i32;
+            let y = tile.origin[1] + row as i32;
             let is_inside = (0..width).contains(&x) && (0..height).contains(&y);
             let texel = |x, y| photograph.is_valid(x, y).then(|| photograph.color(x, y));
             let square = || mean([x, y].map(|at| at as u32 * factor), factor, texel);
@@ -208,7 +211,8 @@ mod tests {
                 let [width, height] = sampler.sizes[tile.camera].map(|length| length as i32);
                 for (row, column) in (0..4).flat_map(|row| (0..4).map(move |column| (row, column)))
                 {
-                    let (x, y) = (tile.origin[0] + column, tile.origin[1] + row);
+                    let x = tile.origin[0] + column;
+                    let y = tile.origin[1] + row;
                     if (0..width).contains(&x) && (0..height).contains(&y) {
                         *visits.entry((tile.camera, x, y)).or_default() += 1;
                     }

@@ -190,7 +190,8 @@ impl<'a> Session<'a> {
     /// of a run without ranks.
     #[must_use]
     pub fn with_ranks(mut self, ranks: Option<Arc<dyn Ranks>>, mixed: bool) -> Self {
-        (self.ranks, self.mixed) = (ranks, mixed);
+        self.ranks = ranks;
+        self.mixed = mixed;
         self
     }
 
@@ -281,11 +282,13 @@ impl<'a> Session<'a> {
     /// Begins with the whole scene: the trainer, the progress of its run, and the settings that have changed.
     fn begin_whole(&self, resume: bool, watch: &mut dyn FnMut(Event<'_>)) -> Result<Begun> {
         let path = self.folder.path().join(CHECKPOINT);
-        let (config, dataset) = (self.config.clone(), Arc::clone(self.dataset));
+        let config = self.config.clone();
+        let dataset = Arc::clone(self.dataset);
         let mut changes = Vec::new();
         let (trainer, progress) = if resume && path.exists() {
             let checkpoint = Checkpoint::load(&path)?;
-            let (gaussians, progress) = (checkpoint.scene.gaussians.len(), checkpoint.progress);
+            let gaussians = checkpoint.scene.gaussians.len();
+            let progress = checkpoint.progress;
             changes = self.check_binding(&path, (gaussians, progress.step), watch)?;
             let trainer = Trainer::resume(self.renderer, config, dataset, &checkpoint)?;
             (trainer, progress)
@@ -319,11 +322,13 @@ impl<'a> Session<'a> {
             None => CheckpointShare::load(&path, index, shares),
         };
         let mine = share(0)?;
-        let (progress, mut changes) = (mine.state.progress, Vec::new());
+        let progress = mine.state.progress;
+        let mut changes = Vec::new();
         if resumes {
             changes = self.check_binding(&path, (mine.gaussians, progress.step), watch)?;
         }
-        let (of, run) = ((ranks, shares), (self.config, self.dataset));
+        let of = (ranks, shares);
+        let run = (self.config, self.dataset);
         let trainer = ranks::lead_shares(of, self.renderer, run, &mine, share, self.mixed)?;
         Ok((trainer, progress, changes))
     }

@@ -40,7 +40,8 @@ pub(super) fn scene_box(
         }
     };
     let least = ((high - low).max_element() * THINNEST).max(1e-6);
-    let (middle, half) = ((low + high) / 2.0, ((high - low) / 2.0).max(DVec3::splat(least / 2.0)));
+    let middle = (low + high) / 2.0;
+    let half = ((high - low) / 2.0).max(DVec3::splat(least / 2.0));
     [(middle - half).to_array(), (middle + half).to_array()]
 }
 
@@ -87,7 +88,8 @@ fn after<'a>(mut points: impl Iterator<Item = &'a (DVec3, f64)>, left_out: f64) 
 pub(crate) fn depth(camera: &Camera, place: DVec3) -> Option<f64> {
     let offset = place - DVec3::from(camera.eye());
     let [x, y, z] = camera.world_to_camera_opencv().map(|row| DVec3::from(row).dot(offset));
-    let (column, row) = (camera.fl_x * x / z + camera.cx, camera.fl_y * y / z + camera.cy);
+    let column = camera.fl_x * x / z + camera.cx;
+    let row = camera.fl_y * y / z + camera.cy;
     let is_seen = z > 0.0
         && (0.0..f64::from(camera.width)).contains(&column)
         && (0.0..f64::from(camera.height)).contains(&row);

@@ -92,7 +92,8 @@ pub fn start_from(
     cameras: &[Camera],
 ) -> Result<Scene> {
     let splats = splats::load(path)?;
-    let (count, most) = (splats.len(), config.growth.max_gaussians);
+    let count = splats.len();
+    let most = config.growth.max_gaussians;
     if count > most as usize {
         let reason = format!(
             "it has {count} Gaussians, more than the {most} of `growth.max_gaussians`: raise that with `--max-gaussians`"
@@ -152,7 +153,8 @@ pub fn points<'p>(
     needs::check_scene(config, u64::from(config.start.gaussians))?;
     let cameras: Vec<_> = frames.iter().map(|frame| frame.camera.clone()).collect();
     let target = Target::of(&cameras);
-    let (count, seed) = (config.start.gaussians as usize, config.run.seed);
+    let count = config.start.gaussians as usize;
+    let seed = config.run.seed;
     let mut found = sweep::points(frames, target.distance, count, seed);
     let rest = spread(&target, &cameras, count - found.len(), &mut random(seed, PLACES, 1));
     let rest = rest.into_iter().map(|place| Point { position: place.to_array(), color: None });
@@ -254,7 +256,8 @@ fn fill_vectors(
     colors: &[Option<[u8; 3]>],
     random: &mut Pcg64,
 ) {
-    let (spread, gaussians) = (config.start.spread, &mut scene.gaussians);
+    let spread = config.start.spread;
+    let gaussians = &mut scene.gaussians;
     let mut uniform = |values: &mut [f32]| {
         values.iter_mut().for_each(|value| *value = spread * (2.0 * random.random::<f32>() - 1.0));
     };

@@ -77,7 +77,8 @@ impl Curve {
         self.step.push(step);
         self.loss.push(loss);
         self.psnr.push(psnr);
-        (self.sum, self.count) = ([0.0; 2], 0);
+        self.sum = [0.0; 2];
+        self.count = 0;
         if self.step.len() > MAX_POINTS {
             self.every = 2 * self.every.max(1);
             self.step = second(&self.step);
@@ -100,7 +101,8 @@ impl Board {
     /// Training begins or continues after `step` steps.
     pub fn begin(&self, step: u64, steps: u64) {
         let mut state = self.state();
-        (state.step, state.steps) = (step, steps);
+        state.step = step;
+        state.steps = steps;
     }
 
     /// The total number of steps was chosen.
@@ -118,7 +120,9 @@ impl Board {
         share: f64,
     ) {
         let mut state = self.state();
-        (state.step, state.seconds, state.gaussians) = (step, seconds, gaussians);
+        state.step = step;
+        state.seconds = seconds;
+        state.gaussians = gaussians;
         state.share = share;
         state.wanted = state.wanted.saturating_sub(1);
         state.curve.push(step, [loss, psnr]);

@@ -100,7 +100,8 @@ impl Desk {
     pub(super) fn post(&self, job: Box<FrameJob>) {
         let mut state = self.state();
         state.requests += 1;
-        let (now, id) = (state.requests, job.request.client);
+        let now = state.requests;
+        let id = job.request.client;
         if !state.clients.contains_key(&id) && state.clients.len() >= MAX_CLIENTS {
             let idle = state.clients.iter().filter(|(_, client)| client.job.is_none());
             let oldest = idle.min_by_key(|(_, client)| client.last).map(|(id, _)| *id);
@@ -174,7 +175,6 @@ impl Desk {
     /// Whether a request waits that has priority over an exact image.
     pub(super) fn has_urgent(&self) -> bool {
         let state = self.state();
-        let is_urgent = |job: &FrameJob| job.request.quality != Quality::Exact;
         !state.questions.is_empty()
             || state.clients.values().any(|client| client.job.as_deref().is_some_and(is_urgent))
     }
@@ -184,6 +184,10 @@ impl Desk {
     pub fn has_work(&self) -> bool {
         self.state().is_waiting()
     }
+}
+
+fn is_urgent(job: &FrameJob) -> bool {
+    job.request.quality != Quality::Exact
 }
 
 impl Client {

@@ -89,7 +89,6 @@ async fn send(
     cameras: Vec<Camera>,
     sender: &mut Sender<Bytes>,
 ) -> Result<(), End> {
-    let failed = |error: std::io::Error| End::Error(format!("the film cannot be written: {error}"));
     let folder = Arc::new(tempfile::tempdir().map_err(failed)?);
     let mut files = Vec::with_capacity(cameras.len());
     // larger than any page's number
@@ -115,6 +114,10 @@ async fn send(
         }
         sender.send_data(part.into()).await.map_err(|_| End::Gone)?;
     }
+}
+
+fn failed(error: std::io::Error) -> End {
+    End::Error(format!("the film cannot be written: {error}"))
 }
 
 async fn say(sender: &mut Sender<Bytes>, line: &Value) -> Result<(), End> {
@@ -153,7 +156,8 @@ async fn encode(
     files: Vec<PathBuf>,
     folder: Arc<tempfile::TempDir>,
 ) -> Result<PathBuf, End> {
-    let (kind, fps) = (request.kind, request.fps);
+    let kind = request.kind;
+    let fps = request.fps;
     let work = move || {
         let film = folder.path().join("film");
         let frames = Frames { files: &files, fps, scratch: folder.path(), progress: &|| {} };

@@ -101,7 +101,8 @@ pub struct PixelRequest {
 pub fn checked(lens: &Lens) -> Result<Camera> {
     let camera = lens.camera()?;
     if camera.width.max(camera.height) > MAX_SIDE {
-        let [width, height] = [camera.width, camera.height];
+        let width = camera.width;
+        let height = camera.height;
         return refuse(format!(
             "an image of {width} x {height} pixels is too large to view: {MAX_SIDE} a side are allowed"
         ));

@@ -159,7 +159,8 @@ impl Painter {
         let new = || Eye { client, version, cache: EyeCache::default(), pace: Pace::default() };
         let mut eye = found.map_or_else(new, |at| self.eyes.remove(at));
         if eye.version != version {
-            (eye.version, eye.cache) = (version, EyeCache::default());
+            eye.version = version;
+            eye.cache = EyeCache::default();
         }
         self.eyes.push(eye);
         self.eyes.last_mut().expect("pushed above")

@@ -73,7 +73,8 @@ pub fn of_channel(
     scene: &DeviceScene,
     camera: &Camera,
 ) -> (Image, Option<Range>) {
-    let (size, values) = (channel.size(), channel.values());
+    let size = channel.size();
+    let values = channel.values();
     if mode == Mode::Normal {
         let area = values.len() / 3;
         let level = |value: f32| (127.5 * value + 127.5).clamp(0.0, 255.0).round() as u8;
@@ -146,7 +147,8 @@ fn depths(scene: &DeviceScene, camera: &Camera) -> Range {
 
 /// The bytes of a JPEG file.
 pub fn encode_jpeg(image: &Image) -> Result<Vec<u8>> {
-    let ([width, height], mut bytes) = (image.size(), Vec::new());
+    let [width, height] = image.size();
+    let mut bytes = Vec::new();
     let pixels = image.pixels().as_flattened();
     let encoded = JpegEncoder::new_with_quality(&mut bytes, QUALITY).encode(
         pixels,

@@ -217,7 +217,8 @@ fn file(
     files: &[(String, &'static str, Bytes)],
     request: &Request<Incoming>,
 ) -> Result<Reply, Refusal> {
-    let (method, path) = (request.method(), request.uri().path());
+    let method = request.method();
+    let path = request.uri().path();
     match files.iter().find(|(address, ..)| address == path) {
         Some((_, kind, content)) if method == Method::GET => {
             Ok(whole(StatusCode::OK, kind, content.clone()))
@@ -236,7 +237,8 @@ fn not_for(method: &Method, path: &str) -> Refusal {
 }
 
 async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Refusal> {
-    let (method, path) = (request.method().clone(), request.uri().path().to_owned());
+    let method = request.method().clone();
+    let path = request.uri().path().to_owned();
     let json = |bytes: &[u8]| Ok(text(StatusCode::OK, "application/json", bytes));
     match (&method, path.as_str()) {
         (&Method::GET, "/scene.json") => json(viewer.about.json().as_bytes()),

@@ -66,7 +66,8 @@ impl<'a> TrainingView<'a> {
         let photographs = Photographs::of_dataset(Arc::clone(dataset));
         let painter = Painter::new(Arc::clone(&desk), photographs);
         let clock = Clock { training: 0.0, images: 0.0, since: Instant::now() };
-        let (server, board) = (Some(server), Arc::default());
+        let server = Some(server);
+        let board = Arc::default();
         Self { renderer, dataset, stop, share, title, server, desk, board, painter, clock }
     }
 

@@ -121,13 +121,13 @@ fn replace(path: &Path, contents: &[u8]) -> Result<bool> {
 
 fn module_difference(name: &str, found: &[u8], want: &[u8]) -> String {
     let at = found.iter().zip(want).take_while(|(a, b)| a == b).count();
-    let (found, want) = (found.len(), want.len());
+    let found = found.len();
+    let want = want.len();
     format!("{name}: differs from byte {at} on ({found} bytes there, {want} from the sources)")
 }
 
 /// Differences between two manifests that are not just differences between modules.
 fn manifest_differences(found: &[u8], want: &[u8]) -> Vec<String> {
-    let parse = |json: &[u8]| Manifest::parse(&String::from_utf8_lossy(json)).ok();
     let (Some(found), Some(want)) = (parse(found), parse(want)) else {
         return vec![format!("{FILE_NAME}: not readable")];
     };
@@ -157,6 +157,10 @@ fn manifest_differences(found: &[u8], want: &[u8]) -> Vec<String> {
         lines.push(format!("{FILE_NAME}: written otherwise"));
     }
     lines
+}
+
+fn parse(json: &[u8]) -> Option<Manifest> {
+    Manifest::parse(&String::from_utf8_lossy(json)).ok()
 }
 
 #[cfg(test)]

@@ -30,7 +30,8 @@ pub fn copy(module: &mut Module) -> Result<()> {
                     match computed.get(argument) {
                         Some(&(place, kind)) if place != at => {
                             let operand = Operand::IdRef(*argument);
-                            let (kind, id) = (Some(kind), Some(bound));
+                            let kind = Some(kind);
+                            let id = Some(bound);
                             instructions.push(Instruction::new(
                                 Op::CopyObject,
                                 kind,
@@ -80,7 +81,9 @@ mod tests {
         b.set_version(1, 5);
         b.capability(Capability::Shader);
         b.memory_model(AddressingModel::Logical, MemoryModel::GLSL450);
-        let (void, uint, bool) = (b.type_void(), b.type_int(32, 0), b.type_bool());
+        let void = b.type_void();
+        let uint = b.type_int(32, 0);
+        let bool = b.type_bool();
         let kind = b.type_function(void, []);
         let block = b.type_struct([uint]);
         let storage = b.type_pointer(None, StorageClass::StorageBuffer, block);
@@ -93,7 +96,8 @@ mod tests {
         let [zero, one, three] = [0, 1, 3].map(|value| b.constant_bit32(uint, value));
         let main = b.begin_function(void, None, FunctionControl::NONE, kind).unwrap();
         let [entry, head, body, next, end] = [(); 5].map(|()| b.id());
-        let (n, more) = (b.id(), b.id());
+        let n = b.id();
+        let more = b.id();
         b.begin_block(Some(entry)).unwrap();
         b.branch(head).unwrap();
         b.begin_block(Some(head)).unwrap();

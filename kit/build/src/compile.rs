@@ -70,7 +70,8 @@ fn refuse_one_name_twice() -> Result<()> {
     let mut found: BTreeMap<_, &KernelInfo> = BTreeMap::new();
     for kernel in organza_kernel::kernels() {
         if let Some(other) = found.insert(kernel.name, kernel) {
-            let (one, other) = (kernel.source(), other.source());
+            let one = kernel.source();
+            let other = other.source();
             bail!("two kernels are named `{}`: in {other} and in {one}", kernel.name);
         }
     }

@@ -59,7 +59,6 @@ enum Origin {
 /// Protects builds of this process from the user's environment. Call it before any thread starts.
 pub fn isolate() {
     for (name, _) in env::vars_os() {
-        let unwanted = |name: &str| UNWANTED.contains(&name) || name.starts_with("CARGO_PROFILE_");
         if name.to_str().is_some_and(unwanted) {
             eprintln!("ignoring the environment variable {}", name.display());
             // SAFETY: this process has one thread.
@@ -70,6 +69,10 @@ pub fn isolate() {
         // SAFETY: this process has one thread.
         unsafe { env::set_var(name, value) };
     }
+}
+
+fn unwanted(name: &str) -> bool {
+    UNWANTED.contains(&name) || name.starts_with("CARGO_PROFILE_")
 }
 
 impl Compiler {
@@ -176,7 +179,8 @@ fn toolchain_exists(name: &str) -> Result<bool> {
 }
 
 fn backend_in(sysroot: &Path) -> Result<PathBuf> {
-    let (prefix, suffix) = (env::consts::DLL_PREFIX, env::consts::DLL_SUFFIX);
+    let prefix = env::consts::DLL_PREFIX;
+    let suffix = env::consts::DLL_SUFFIX;
     let backend = sysroot.join("lib").join(format!("{prefix}rustc_codegen_spirv{suffix}"));
     if !backend.is_file() {
         bail!("this toolchain has no SPIR-V backend: there is no {}", backend.display());

@@ -67,7 +67,8 @@ impl Loop {
     /// The loop with this head, if its last block only branches on a condition.
     fn at(function: &Function, head: Word) -> Option<Self> {
         let merge = find(block(function, head), Op::LoopMerge)?;
-        let (end, next) = (id(merge, 0), id(merge, 1));
+        let end = id(merge, 0);
+        let next = id(merge, 1);
         let [branch] = block(function, next).instructions.as_slice() else { return None };
         if branch.class.opcode != Op::BranchConditional {
             return None;

@@ -132,7 +132,8 @@ mod tests {
         b.capability(Capability::Shader);
         b.capability(Capability::VulkanMemoryModel);
         b.memory_model(AddressingModel::Logical, MemoryModel::Vulkan);
-        let (void, uint) = (b.type_void(), b.type_int(32, 0));
+        let void = b.type_void();
+        let uint = b.type_int(32, 0);
         let function = b.type_function(void, []);
         let pointer = b.type_pointer(None, rspirv::spirv::StorageClass::Workgroup, uint);
         let counter = b.variable(pointer, None, rspirv::spirv::StorageClass::Workgroup, None);

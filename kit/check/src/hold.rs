@@ -24,7 +24,8 @@ pub fn hold<P: Parity>(device: &Device, rounding: Rounding) -> Result<Measure> {
 fn add<P: Parity>(measure: &mut Measure, name: &str, set: &P, output: &Output, rounding: Rounding) {
     let found = output.to_f64();
     let mut exact = set.exact(output.name, found.len());
-    let (given, all) = (exact.len(), found.len());
+    let given = exact.len();
+    let all = found.len();
     assert!(given <= all, "`{}` has {all} values in `{}`, `exact` {given}", P::KERNEL, output.name);
     exact.resize(all, None);
     let is_float = matches!(output.values, Values::Float(_));
@@ -54,6 +55,7 @@ fn add<P: Parity>(measure: &mut Measure, name: &str, set: &P, output: &Output, r
 
 /// Whether a kernel has not written an element. An output that is the sum of two rows has two canaries.
 fn is_canary(found: f64, is_float: bool) -> bool {
-    let [float, integer] = [f64::from(f32::CANARY), f64::from(u32::CANARY)];
+    let float = f64::from(f32::CANARY);
+    let integer = f64::from(u32::CANARY);
     if is_float { found == float || found == 2.0 * float } else { found == integer }
 }

@@ -48,9 +48,9 @@ impl Random {
 pub enum Fill {
     /// Numbers in the kernel's usual range.
     Random,
-    /// 0.
+    /// Zeros.
     Zero,
-    /// -0.
+    /// Negative zeros.
     NegativeZero,
     /// Numbers that a GPU may flush to zero.
     Denormal,

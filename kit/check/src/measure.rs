@@ -124,7 +124,8 @@ impl Measure {
         bound: impl Fn(usize) -> Bound,
     ) {
         let is_exact = matches!(cpu.values, Values::Exact(_));
-        let (expected, actual) = (cpu.to_f64(), found.to_f64());
+        let expected = cpu.to_f64();
+        let actual = found.to_f64();
         assert_eq!(expected.len(), actual.len(), "lengths of `{}` differ", cpu.name);
         self.values += expected.len();
         for (index, (&cpu_value, &value)) in expected.iter().zip(&actual).enumerate() {

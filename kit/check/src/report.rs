@@ -54,7 +54,8 @@ impl Report {
             let options = DeviceOptions::gpu(path).adapter(adapter).variants(variants);
             Device::open(&options, modules)
         };
-        let (plain, variants) = (open(false)?, open(true)?);
+        let plain = open(false)?;
+        let variants = open(true)?;
         let rounding = match path {
             SpirvPath::Passthrough => Rounding::AsWritten,
             SpirvPath::Naga => Rounding::Regrouped,
@@ -71,7 +72,8 @@ impl Report {
     pub fn of_cpu(cases: &[Case], cpu: &Device, done: impl FnMut(&'static str)) -> Result<Self> {
         let one = Device::open(&DeviceOptions::cpu(Some(1)), Modules::none())?;
         let kernels = rows(cases, cpu, &[&one], Rounding::AsWritten, done)?;
-        let (adapter, driver) = ("cpu".into(), std::env::consts::ARCH.into());
+        let adapter = "cpu".into();
+        let driver = std::env::consts::ARCH.into();
         Ok(Self { adapter, driver, path: "one thread", kernels })
     }
 

@@ -60,7 +60,8 @@ impl<T: Pod> Buffer<T> {
     /// If the memory does not hold a whole number of elements.
     #[must_use]
     pub fn view<U: Pod>(&self) -> Buffer<U> {
-        let (label, bytes) = (self.raw.label, self.raw.bytes);
+        let label = self.raw.label;
+        let bytes = self.raw.bytes;
         assert!(
             bytes.is_multiple_of(size_of::<U>() as u64),
             "the buffer `{label}` has {bytes} bytes"

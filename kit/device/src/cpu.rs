@@ -192,7 +192,8 @@ impl Cpu {
         }
         let point = self.entry_point(info);
         let [x, y, z] = workgroups.map(u64::from);
-        let (size, local) = (UVec3::from(workgroups), UVec3::from(info.workgroup_size));
+        let size = UVec3::from(workgroups);
+        let local = UVec3::from(info.workgroup_size);
         let place = |index: u64| match info.z_innermost {
             // z is the fastest axis
             true => unlinear(index, size.zxy()).yzx(),
@@ -344,7 +345,8 @@ fn refuse_swapped(info: &KernelInfo, buffers: &[&RawBuffer]) -> Result<(), Strin
             let are_swapped = buffer.label == other.name && other_buffer.label == info.name;
             // in passes that take turns, one's output is the other's input
             if are_swapped && info.access == other.access {
-                let (first, second) = (other.name, info.name);
+                let first = other.name;
+                let second = info.name;
                 return Err(format!(
                     "`{first}` is the buffer `{second}`, and `{second}` is the buffer `{first}`: they are swapped"
                 ));

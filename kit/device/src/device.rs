@@ -52,7 +52,8 @@ pub(crate) enum Kind {
 impl Device {
     pub(crate) fn new(kind: Kind, choice: String) -> Self {
         let no = || AtomicBool::new(false);
-        let (timings, refused) = (Timings::default(), AtomicU64::new(0));
+        let timings = Timings::default();
+        let refused = AtomicU64::new(0);
         Self { kind, choice, times: no(), waits: no(), timings, refused, extra_workgroup: false }
     }
 
@@ -141,7 +142,8 @@ impl Device {
         }
         let mut buffers = Vec::with_capacity(kernel.info().bindings.len());
         kernel.bind(&mut |buffer| buffers.push(buffer));
-        let (info, counts) = (kernel.info(), kernel.counts());
+        let info = kernel.info();
+        let counts = kernel.counts();
         let uniform = self.fill_in(kernel.uniform(), counts);
         let uniform = &*uniform;
         let times = self.times.load(Ordering::Relaxed);

@@ -133,7 +133,8 @@ impl Modules {
     pub fn of(&'static self, kernel: &KernelInfo, point: &EntryPoint) -> Result<CompiledKernel> {
         let compiled = self.find(point.name)?;
         if compiled.entry.package != kernel.package {
-            let (package, other) = (kernel.package, &compiled.entry.package);
+            let package = kernel.package;
+            let other = &compiled.entry.package;
             return Err(stale(format!(
                 "`{}` of {package} is not among them, but that of {other}",
                 point.name
@@ -165,7 +166,9 @@ impl CodeSize {
         const LOOP_MERGE: u32 = 246;
         // line, no line, parameter, variable, selection merge, label
         const SILENT: [u32; 6] = [8, 317, 55, 59, 247, 248];
-        let (mut size, mut at, mut inside) = (Self::default(), HEADER, false);
+        let mut size = Self::default();
+        let mut at = HEADER;
+        let mut inside = false;
         while let Some(word) = spirv.get(at) {
             match word & 0xffff {
                 FUNCTION => inside = true,

@@ -151,20 +151,23 @@ impl<'a> Races<'a> {
         if !["f32", "Vec2", "Vec3", "Vec4"].contains(&element) {
             return None;
         }
-        let is_nan = |bytes: &[u8]| {
-            let (numbers, _) = bytes.as_chunks::<4>();
-            numbers.iter().any(|number| f32::from_ne_bytes(*number).is_nan())
-        };
         let elements = data.chunks_exact(info.element_bytes as usize).zip(&self.elements);
         let (index, writer) = elements.enumerate().find_map(|(index, (bytes, touched))| {
             let writer = touched.writer.load(Ordering::SeqCst);
             (writer != 0 && is_nan(bytes)).then_some((index, writer))
         })?;
-        let (name, invocation) = (info.name, unlinear(who(writer) - 1, self.invocations));
+        let name = info.name;
+        let invocation = unlinear(who(writer) - 1, self.invocations);
         Some(format!(
             "writes NaN to element {index} of `{name}`, in invocation {invocation} of the dispatch"
         ))
     }
+}
+
+/// Whether one of the `f32` in some bytes is NaN.
+fn is_nan(bytes: &[u8]) -> bool {
+    let (numbers, _) = bytes.as_chunks::<4>();
+    numbers.iter().any(|number| f32::from_ne_bytes(*number).is_nan())
 }
 
 impl AccessMonitor for Races<'_> {

@@ -115,7 +115,8 @@ impl Device {
 
     /// Copies a buffer into another, starting at the element `first`.
     fn copy_to<T: Pod>(&self, from: &Buffer<T>, to: &Buffer<T>, first: usize) {
-        let (from, to) = (from.raw(), to.raw());
+        let from = from.raw();
+        let to = to.raw();
         let range = from.begin..from.begin + from.bytes;
         let begin = to.begin + (first * size_of::<T>()) as u64;
         match (&self.kind, &from.memory, &to.memory) {

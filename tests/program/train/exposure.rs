@@ -28,11 +28,13 @@ fn exposed(image: &Photograph, gains: [f64; 3]) -> Photograph {
 #[test]
 fn exposures_are_learned_and_held_out_views_keep_their_colors() {
     let (mut config, _, _) = begun();
-    (config.run.steps, config.run.tiles_per_step) = (150, 8);
+    config.run.steps = 150;
+    config.run.tiles_per_step = 8;
     config.optimizer.exposure = Rate { first: 0.03, last: 0.003 };
     let renderer = Renderer::new(devices::cpu(None));
     let mut dataset = built_in::dataset(&renderer, 13, 32, 4).expect("views");
-    let (train, held_out) = (dataset.train.clone(), dataset.held_out.clone());
+    let train = dataset.train.clone();
+    let held_out = dataset.held_out.clone();
     let shown = train.iter().enumerate().map(|(index, &frame)| (frame, gains(index)));
     for (frame, gains) in shown.chain(held_out.iter().map(|&frame| (frame, [1.0; 3]))) {
         let image = &mut dataset.frames[frame].image;

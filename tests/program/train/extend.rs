@@ -50,8 +50,8 @@ fn a_finished_run_is_extended_to_the_same_bits_whatever_happens() {
     assert!(records(&sandbox.path("run")).iter().any(is_late));
 
     // killed before its first checkpoint, and between two
-    let (log, checkpoint) =
-        (sandbox.path("killed").join(METRICS), sandbox.path("killed").join(CHECKPOINT));
+    let log = sandbox.path("killed").join(METRICS);
+    let checkpoint = sandbox.path("killed").join(CHECKPOINT);
     let logged =
         || fs::read_to_string(&log).unwrap_or_default().matches("\"kind\":\"step\"").count();
     let saved = || Progress::load(&checkpoint).expect("a checkpoint").step as usize;

@@ -115,7 +115,8 @@ fn a_run_goes_on_whatever_fails_in_writing() {
     }
     let every = if std::env::var_os("ORGANZA_ALL_FAULTS").is_some() { 1 } else { SAMPLE };
     let faults = ["signal=KILL", "error=ENOSPC", "error=EIO"];
-    let (mut killed, mut refused) = (0, 0);
+    let mut killed = 0;
+    let mut refused = 0;
     for (number, (call, count)) in places.iter().enumerate() {
         for (which, fault) in faults.iter().enumerate() {
             // each fault at different places

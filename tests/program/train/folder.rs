@@ -26,8 +26,8 @@ fn stopped(sandbox: &Sandbox) {
 
 /// Reads the checkpoint, and writes it again after `edit`.
 fn edit_checkpoint(sandbox: &Sandbox, edit: impl FnOnce(&mut Metadata, &mut Tensors)) {
-    let (checkpoint, scene) =
-        (sandbox.path("run").join(CHECKPOINT), sandbox.path("scene.safetensors"));
+    let checkpoint = sandbox.path("run").join(CHECKPOINT);
+    let scene = sandbox.path("scene.safetensors");
     fs::copy(&scene, sandbox.path("kept")).unwrap();
     fs::copy(&checkpoint, &scene).unwrap();
     sandbox.edit_scene(edit);

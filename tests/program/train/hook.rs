@@ -46,7 +46,8 @@ fn a_tensor_whose_gradient_is_zeroed_stays_as_it_is() {
                 let (_, tensor) = tensors.find(|(name, _)| *name == zeroed).expect("a tensor");
                 tensor.write(step.device, &vec![0.0; tensor.range.len()])
             });
-            let (mut still, tensors) = (0, found.iter().zip(&moved).zip(bits(&begin.scene)));
+            let mut still = 0;
+            let tensors = found.iter().zip(&moved).zip(bits(&begin.scene));
             for ((found, moved), before) in tensors {
                 let what = format!("{device}: {} without the gradient of {zeroed}", found.0);
                 if found.0.starts_with(zeroed) {
@@ -80,7 +81,8 @@ fn a_gradient_that_is_written_back_or_a_hook_that_failed_changes_nothing() {
             trainer.expect("a trainer")
         };
         let state = |trainer: &Trainer| -> Checkpoint { trainer.checkpoint(0.0).unwrap() };
-        let (mut plain, mut hooked) = (trainer(), trainer());
+        let mut plain = trainer();
+        let mut hooked = trainer();
         let mut fail = StepHooks::new()
             .gradient(|_| Err(Error::Argument { reason: "the hook's own".to_owned() }));
         let mut write_back = StepHooks::new().gradient(write_back);
@@ -100,12 +102,14 @@ fn a_gradient_that_is_written_back_or_a_hook_that_failed_changes_nothing() {
 fn a_run_calls_its_hook_every_step_and_lends_the_scene() {
     let (mut config, _, dataset) = begun();
     config.run.steps = 3;
-    let (sandbox, renderer) = (sandbox(), Renderer::new(devices::cpu(None)));
+    let sandbox = sandbox();
+    let renderer = Renderer::new(devices::cpu(None));
     let folder = sandbox.path("run");
     fs::create_dir(&folder).unwrap();
     let folder = RunFolder::lock(&folder, false).expect("nobody else has it");
     let session = Session::new(&renderer, &config, &dataset, &folder);
-    let (mut hooked, mut scenes) = (Vec::new(), Vec::new());
+    let mut hooked = Vec::new();
+    let mut scenes = Vec::new();
     let mut watch = |event: Event<'_>| {
         if let Event::Step { scene: Some(scene), .. } = event {
             scenes.push(scene.download(renderer.device()).expect("a scene"));

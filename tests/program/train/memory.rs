@@ -10,7 +10,8 @@ use super::runs::{begun, state_bits};
 fn a_step_that_does_not_fit_goes_in_parts() {
     let (config, checkpoint, dataset) = begun();
     let step = |renderer: &Renderer, refuse: &dyn Fn(&Device)| -> Result<Vec<Vec<u32>>> {
-        let (config, dataset) = (config.clone(), dataset.clone());
+        let config = config.clone();
+        let dataset = dataset.clone();
         let mut trainer = Trainer::resume(renderer, config, dataset, &checkpoint)?;
         refuse(renderer.device());
         trainer.step()?;
@@ -19,7 +20,8 @@ fn a_step_that_does_not_fit_goes_in_parts() {
     for (name, device) in devices::all() {
         let renderer = Renderer::new(device);
         let whole = step(&renderer, &|_| {}).expect("a step");
-        let (mut split, mut refused) = (0, 0);
+        let mut split = 0;
+        let mut refused = 0;
         for number in (1..).step_by(4) {
             let renderer = renderer.clone().with_part_bytes(512 << 20);
             let found = step(&renderer, &|device| {

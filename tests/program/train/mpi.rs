@@ -131,7 +131,8 @@ fn processes_that_round_differently_must_be_allowed() {
             "train data --config tiny.toml --backend cpu --steps 2 -o run --instruction-set {set}"
         )
     };
-    let (plain, scalar) = (words("plain"), words("scalar"));
+    let plain = words("plain");
+    let scalar = words("scalar");
     let command = mpirun(&sandbox, &[(1, &plain), (1, &scalar)]);
     assert_fails(command, &["rank 1: it is", "scalar", "`--instruction-set`", "`--mixed`"]);
     let mixed = [plain, scalar].map(|words| words.replace(" run ", " mixed ") + " --mixed");

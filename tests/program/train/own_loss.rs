@@ -16,10 +16,12 @@ fn the_same_loss_on_the_device_gives_the_same_bits() {
     for (name, device) in devices::all() {
         let renderer = Renderer::new(device);
         let trainer = || {
-            let (config, dataset) = (config.clone(), dataset.clone());
+            let config = config.clone();
+            let dataset = dataset.clone();
             Trainer::resume(&renderer, config, dataset, &checkpoint).expect("a trainer")
         };
-        let (mut plain, mut own) = (trainer(), trainer());
+        let mut plain = trainer();
+        let mut own = trainer();
         let mut hooks = StepHooks::new().device_loss(|batch| {
             let pixels = (batch.side * batch.side) as usize;
             let tiles = batch.inputs.valid.len() / pixels;
@@ -30,7 +32,8 @@ fn the_same_loss_on_the_device_gives_the_same_bits() {
         });
         // the number of Gaussians changes at step 10
         for _ in 0..6 {
-            let (expected, found) = (plain.step().unwrap(), own.step_with(&mut hooks).unwrap());
+            let expected = plain.step().unwrap();
+            let found = own.step_with(&mut hooks).unwrap();
             assert_eq!(found.loss.to_bits(), expected.loss.to_bits(), "{name}");
             assert!((found.psnr - expected.psnr).abs() < 1e-3, "{name}: {found:?} {expected:?}");
         }
@@ -56,7 +59,8 @@ fn squares(batch: &LossBatch<'_>) -> LossGradient {
 
 /// Asserts that a batch is compared with its photographs.
 fn assert_shows(batch: &LossBatch<'_>, dataset: &Dataset) {
-    let (side, area) = (batch.rendered.side, (batch.rendered.side * batch.rendered.side) as usize);
+    let side = batch.rendered.side;
+    let area = (batch.rendered.side * batch.rendered.side) as usize;
     for (index, tile) in batch.batch.tiles.iter().enumerate() {
         let photograph = &dataset.frames[dataset.train[tile.camera]].image;
         // the first pixel that is in the photograph
@@ -82,7 +86,8 @@ fn a_loss_on_the_host_sees_the_whole_batch_and_reaches_every_tensor() {
             let what = format!("{name}, parts of {part_bytes} bytes");
             let renderer = renderer.clone().with_part_bytes(part_bytes);
             let trainer = Trainer::resume(&renderer, config.clone(), dataset.clone(), &checkpoint);
-            let (mut seen, mut gradients) = (Vec::new(), Vec::new());
+            let mut seen = Vec::new();
+            let mut gradients = Vec::new();
             let mut hooks = StepHooks::new()
                 .loss(|batch| {
                     assert_shows(batch, &dataset);
@@ -91,7 +96,8 @@ fn a_loss_on_the_host_sees_the_whole_batch_and_reaches_every_tensor() {
                     Ok(found)
                 })
                 .gradient(|step| {
-                    let (config, len) = (step.scene.config(), step.scene.len());
+                    let config = step.scene.config();
+                    let len = step.scene.len();
                     gradients.push(step.gradient.download(step.device, config, len)?);
                     Ok(())
                 });
@@ -120,7 +126,8 @@ fn a_loss_that_fails_or_is_of_another_size_leaves_the_trainer_as_it_was() {
     let (config, checkpoint, dataset) = begun();
     let renderer = Renderer::new(devices::cpu(None));
     let trainer = || Trainer::resume(&renderer, config.clone(), dataset.clone(), &checkpoint);
-    let (mut plain, mut failed) = (trainer().expect("a trainer"), trainer().expect("a trainer"));
+    let mut plain = trainer().expect("a trainer");
+    let mut failed = trainer().expect("a trainer");
     let mut fail = |hooks: &mut StepHooks<'_>| {
         let error = failed.step_with(hooks).expect_err("it fails").to_string();
         assert_eq!(failed.steps(), checkpoint.progress.step, "{error}");

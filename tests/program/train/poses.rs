@@ -29,7 +29,8 @@ fn distance(a: &Camera, b: &Camera) -> f64 {
     let places =
         (0..8).map(|at| [0, 1, 2].map(|axis| if at >> axis & 1 == 1 { 0.6 } else { -0.6 }));
     let distances = places.map(|place| {
-        let ([ax, ay], [bx, by]) = (pixel(a, place), pixel(b, place));
+        let [ax, ay] = pixel(a, place);
+        let [bx, by] = pixel(b, place);
         (ax - bx).hypot(ay - by)
     });
     distances.sum::<f64>() / 8.0
@@ -52,7 +53,9 @@ fn dataset_of(renderer: &Renderer, scene: &Scene) -> Dataset {
 #[test]
 fn cameras_come_back_to_where_they_were() {
     let (mut config, _, _) = begun();
-    (config.run.steps, config.run.tiles_per_step, config.run.tile_size) = (30, 4, 32);
+    config.run.steps = 30;
+    config.run.tiles_per_step = 4;
+    config.run.tile_size = 32;
     config.growth.end = 0.0;
     let still = Rate { first: 1e-12, last: 1e-12 };
     let optimizer = &mut config.optimizer;
@@ -109,7 +112,8 @@ fn runs_resumed_or_of_ranks_have_the_bits_of_one_that_never_stopped() {
     };
     let cameras =
         |run: &str| Camera::load_all(sandbox.path(run).join("cameras.json")).expect("cameras");
-    let (expected, whole) = (bits(&sandbox, "whole"), cameras("whole"));
+    let expected = bits(&sandbox, "whole");
+    let whole = cameras("whole");
     assert!(expected["train.pose"].1.iter().any(|&bits| bits << 1 != 0));
     for run in ["cut", "of-2"] {
         assert_same(run, &bits(&sandbox, run), &expected);

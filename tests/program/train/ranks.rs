@@ -123,7 +123,8 @@ fn a_run_of_ranks_is_one_run() {
 fn a_rank_that_fails_ends_all_with_its_message() {
     let (config, checkpoint, dataset) = begun();
     let mut ranks = ThreadRanks::new(2).into_iter();
-    let (first, second) = (ranks.next().unwrap(), ranks.next().unwrap());
+    let first = ranks.next().unwrap();
+    let second = ranks.next().unwrap();
     let thread = std::thread::spawn(move || second.fail("out of memory"));
     let renderer = Renderer::new(devices::cpu(None));
     let trainer = Trainer::resume(&renderer, config, dataset, &checkpoint).expect("a trainer");

@@ -74,7 +74,8 @@ pub fn add_views(sandbox: &Sandbox, count: u32) {
     for index in VIEWS..count {
         let mut frame = frames[(index % VIEWS) as usize].clone();
         let name = frame["file_path"].as_str().expect("a name").to_owned();
-        let [from, to] = [name, format!("view-{index:03}")];
+        let from = name;
+        let to = format!("view-{index:03}");
         let file = |name: &str| sandbox.path(&format!("views/{name}.png"));
         fs::copy(file(&from), file(&to)).unwrap();
         frame["file_path"] = to.into();

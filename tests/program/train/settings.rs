@@ -1,87 +1,63 @@
 //! The table of settings in `docs/training.md` must match the program.
 
-use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use organza::train::config::{self, SETTINGS};
 use organza::train::{ConfigBuilder, Preset, TrainConfig};
-use serde_json::Value;
 
 use crate::sandbox::Sandbox;
 
-/// The values of every setting: a single one, those of a list, or the first and the last of a rate.
-fn defaults() -> BTreeMap<String, Vec<Value>> {
-    fn walk(name: &str, value: &Value, found: &mut BTreeMap<String, Vec<Value>>) {
-        let dotted =
-            |key: &str| if name.is_empty() { key.to_owned() } else { format!("{name}.{key}") };
-        match value {
-            Value::Object(rate) if rate.len() == 2 && rate.contains_key("first") => {
-                found.insert(name.to_owned(), vec![rate["first"].clone(), rate["last"].clone()]);
-            }
-            Value::Object(table) => {
-                table.iter().for_each(|(key, value)| walk(&dotted(key), value, found));
-            }
-            Value::Array(values) => {
-                found.insert(name.to_owned(), values.clone());
-            }
-            value => {
-                found.insert(name.to_owned(), vec![value.clone()]);
-            }
-        }
-    }
-    // through text, so that an f32 keeps its own digits
-    let text = serde_json::to_string(&TrainConfig::default()).expect("plain values");
-    let mut found = BTreeMap::new();
-    walk("", &serde_json::from_str(&text).expect("JSON"), &mut found);
-    // paths have no default, so they are not in the text
-    found.insert("data.path".to_owned(), Vec::new());
-    found.insert("start.path".to_owned(), Vec::new());
-    // it is only written if it is true
-    found.insert("data.allow_outside".to_owned(), vec![Value::Bool(false)]);
-    found
+fn path() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/training.md")
 }
 
 fn page() -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/training.md");
-    fs::read_to_string(path).expect("the page")
+    fs::read_to_string(path()).expect("the page")
 }
 
-/// The rows of the table: names in backticks in the first cell, values in the second.
-fn documented() -> BTreeMap<String, Vec<Value>> {
-    let text = page();
-    let (_, table) = text.split_once("| setting | default |").expect("a table");
-    let mut found = BTreeMap::new();
-    for row in table.lines().skip(2).take_while(|line| line.starts_with('|')) {
-        let cells: Vec<_> = row.split('|').map(str::trim).collect();
-        let values = serde_json::from_str(&format!("[{}]", cells[2]));
-        let values: Vec<Value> = values.unwrap_or_else(|error| panic!("{row}: {error}"));
-        assert!(!cells[3].is_empty(), "{row}: what is it?");
-        for name in cells[1].split(", ") {
-            let is_new = found.insert(name.trim_matches('`').to_owned(), values.clone()).is_none();
-            assert!(is_new, "{name} comes twice");
+/// The table of settings, from the program.
+fn table() -> String {
+    let defaults = config::defaults();
+    let default = |name: &str| {
+        if let Some((_, value)) = defaults.iter().find(|(other, _)| other == name) {
+            return value.replace(',', ", ");
         }
+        let parts = defaults.iter().filter_map(|(other, value)| {
+            let key = other.strip_prefix(name)?.strip_prefix('.')?;
+            Some(format!("`.{key}` {}", value.replace(',', ", ")))
+        });
+        parts.collect::<Vec<_>>().join(", ")
+    };
+    let mut table = "| setting | default | meaning |\n| --- | --- | --- |\n".to_owned();
+    for setting in SETTINGS.iter().filter(|setting| !setting.is_hidden()) {
+        let option = setting.option.split(' ').next().filter(|option| !option.is_empty());
+        let option = option.map_or(String::new(), |option| format!(" (`{option}`)"));
+        let see = match setting.see {
+            "" => String::new(),
+            link => format!("; [more]({link})"),
+        };
+        let name = setting.name;
+        let text = setting.text();
+        assert!(!text.is_empty(), "{name} has no meaning");
+        table += &format!("| `{name}`{option} | {} | {text}{see} |\n", default(name));
     }
-    found
+    table
 }
 
-fn is_same(a: &Value, b: &Value) -> bool {
-    match (a.as_f64(), b.as_f64()) {
-        (Some(a), Some(b)) => (a - b).abs() <= 1e-9 * a.abs(),
-        _ => a == b,
-    }
-}
-
+/// `INSTA_UPDATE=always` writes the table into the page.
 #[test]
 fn the_table_of_settings_is_that_of_the_program() {
-    let (expected, found) = (defaults(), documented());
-    let names =
-        |settings: &BTreeMap<String, Vec<Value>>| settings.keys().cloned().collect::<Vec<_>>();
-    assert_eq!(names(&found), names(&expected), "docs/training.md");
-    for (name, expected) in &expected {
-        let found = &found[name];
-        let same =
-            found.len() == expected.len() && found.iter().zip(expected).all(|(a, b)| is_same(a, b));
-        assert!(same, "docs/training.md says that `{name}` is {found:?}, but it is {expected:?}");
+    let page = page();
+    let expected = table();
+    let start = page.find("| setting | default |").expect("a table");
+    let length = page[start..].find("\n\n").expect("text behind the table") + 1;
+    if std::env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
+        let text = [&page[..start], &expected, &page[start + length..]].concat();
+        fs::write(path(), text).expect("the page");
+    } else {
+        let found = &page[start..start + length];
+        assert!(found == expected, "docs/training.md: run this test with INSTA_UPDATE=always");
     }
 }
 
@@ -127,7 +103,8 @@ fn later_settings_override_earlier_ones() {
     fs::write(&grid, "[scene.color_grid]\nlevels = 9\n[optimizer]\ngrids.last = 1e-3\n").unwrap();
     let config = printed(&format!("/data --preset best --config {}", grid.display()));
     let mut expected = best.clone();
-    (expected.scene.color_grid.levels, expected.optimizer.grids.last) = (9, 1e-3);
+    expected.scene.color_grid.levels = 9;
+    expected.optimizer.grids.last = 1e-3;
     assert_eq!(config, expected);
     let config =
         printed(&format!("{words} --set run.steps=12 --set run.steps=13 --set run.seed=6"));

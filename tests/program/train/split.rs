@@ -71,7 +71,8 @@ fn trainer(begun: &Begun, name: &str, ranks: Arc<dyn Ranks>, shares: usize) -> T
         _ => renderer,
     };
     let share = CheckpointShare::of(checkpoint, ranks.rank() % shares, shares);
-    let (config, dataset) = (config.clone(), dataset.clone());
+    let config = config.clone();
+    let dataset = dataset.clone();
     let trainer = Trainer::resume_share(&renderer, config, dataset, &share, ranks, shares);
     trainer.expect("a trainer")
 }
@@ -107,7 +108,8 @@ fn train(
 }
 
 fn join(shares: Vec<CheckpointShare>) -> Checkpoint {
-    let (all, mut rest) = (shares[0].gaussians, shares.into_iter());
+    let all = shares[0].gaussians;
+    let mut rest = shares.into_iter();
     let mut whole = rest.next().expect("a rank").state;
     for CheckpointShare { state, range, gaussians } in rest {
         assert_eq!((whole.scene.gaussians.len(), gaussians), (range.start, all));

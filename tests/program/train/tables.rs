@@ -17,7 +17,8 @@ fn rows(path: &Path) -> Vec<Vec<String>> {
 /// The step of each event in a file: the second field, after 8 bytes of time. The first event has the version.
 fn steps(file: &Path) -> Vec<u64> {
     let bytes = fs::read(file).unwrap();
-    let (mut rest, mut steps) = (&bytes[..], Vec::new());
+    let mut rest = &bytes[..];
+    let mut steps = Vec::new();
     while !rest.is_empty() {
         let length = u64::from_le_bytes(rest[..8].try_into().unwrap()) as usize;
         let event = &rest[12..12 + length];

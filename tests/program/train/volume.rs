@@ -28,7 +28,8 @@ struct Sizes {
 impl Sizes {
     pub fn of(config: &TrainConfig) -> Self {
         let scene = &config.scene;
-        let (material, extra) = (u64::from(scene.material), u64::from(scene.extra));
+        let material = u64::from(scene.material);
+        let extra = u64::from(scene.extra);
         let grids = [&scene.color_grid, &scene.transmittance_grid];
         let features = |grid: usize| u64::from(grids[grid].levels * grids[grid].features);
         let sh = u64::from(scene.sh_degree + 1).pow(2);
@@ -136,18 +137,21 @@ fn counted(
 fn a_step_of_shares_hands_over_what_the_formulas_say() {
     const RANKS: u64 = 2;
     let (mut config, mut checkpoint, dataset) = begun();
-    (config.run.steps, checkpoint.progress.step) = (40, 9);
+    config.run.steps = 40;
+    checkpoint.progress.step = 9;
     let sizes = Sizes::of(&config);
     let gaussians = checkpoint.scene.gaussians.len() as u64;
     let all = counted(RANKS, |renderer, ranks| {
         let share = CheckpointShare::of(&checkpoint, ranks.rank(), RANKS as usize);
-        let (config, dataset) = (config.clone(), dataset.clone());
+        let config = config.clone();
+        let dataset = dataset.clone();
         let shares = RANKS as usize;
         let trainer = Trainer::resume_share(renderer, config, dataset, &share, ranks, shares);
         let report = trainer.expect("a trainer").step().expect("a step");
         assert!(report.grown.is_some());
     });
-    let (tiles, side) = (u64::from(config.run.tiles_per_step), u64::from(config.run.tile_size));
+    let tiles = u64::from(config.run.tiles_per_step);
+    let side = u64::from(config.run.tile_size);
     // the scene is a single slice, which the second rank has
     for (calls, held) in all.iter().zip([0, gaussians]) {
         let names: Vec<_> = calls.iter().map(|(name, _)| *name).collect();
@@ -174,13 +178,15 @@ fn a_step_of_groups_hands_over_what_the_formulas_say() {
     const SHARES: u64 = 2;
     const GROUPS: u64 = 2;
     let (mut config, mut checkpoint, dataset) = begun();
-    (config.run.steps, checkpoint.progress.step) = (40, 9);
+    config.run.steps = 40;
+    checkpoint.progress.step = 9;
     let sizes = Sizes::of(&config);
     let gaussians = checkpoint.scene.gaussians.len() as u64;
     let all = counted(SHARES * GROUPS, |renderer, ranks| {
         let share = ranks.rank() % SHARES as usize;
         let share = CheckpointShare::of(&checkpoint, share, SHARES as usize);
-        let (config, dataset) = (config.clone(), dataset.clone());
+        let config = config.clone();
+        let dataset = dataset.clone();
         let shares = SHARES as usize;
         let trainer = Trainer::resume_share(renderer, config, dataset, &share, ranks, shares);
         let report = trainer.expect("a trainer").step().expect("a step");
@@ -196,11 +202,13 @@ fn a_step_of_groups_hands_over_what_the_formulas_say() {
         let added = ["sum", "max", "exchange", "exchange", "max", "sum", "or", "sum", "gather"];
         assert_eq!(names, [&pixels[..], &added, &["exchange"; 2]].concat());
         let bytes: Vec<_> = calls.iter().map(|(_, bytes)| *bytes).collect();
-        let (share, first) = (rank % SHARES, rank / SHARES * SHARES);
+        let share = rank % SHARES;
+        let first = rank / SHARES * SHARES;
         let of_group = all[first as usize][12].1 / 32;
         tiles += of_group;
         assert_eq!(bytes[12], if share == 0 { 32 * of_group } else { 0 }, "losses");
-        let (values, words) = (4 * of_group * side * side + 5, of_group * side * side / 8);
+        let values = 4 * of_group * side * side + 5;
+        let words = of_group * side * side / 8;
         assert_eq!(bytes[..2], [8 * values, 8 * SHARES * told(share, values)]);
         assert_eq!(bytes[2..4], [4 * words, 4 * SHARES * told(share, words)]);
         assert_eq!(bytes[4..6], [16, 4 * (2 + sizes.layers)]);
@@ -234,7 +242,8 @@ fn a_step_hands_over_what_the_formulas_say() {
         let mut trainer = trainer.expect("a trainer").with_ranks(ranks);
         trainer.step().expect("a step");
     });
-    let (mut units, mut tiles) = (0, 0);
+    let mut units = 0;
+    let mut tiles = 0;
     for calls in &all {
         let names: Vec<_> = calls.iter().map(|(name, _)| *name).collect();
         let expected =
@@ -253,7 +262,8 @@ fn a_step_hands_over_what_the_formulas_say() {
         assert_eq!(bytes[5], 4 * sizes.flags(), "flags");
         assert!(bytes[6] > 0 && bytes[6] <= 8 * sizes.grids.iter().sum::<u64>(), "{bytes:?}");
         assert_eq!(bytes[8] % 32, 0, "losses");
-        (units, tiles) = (units + own, tiles + bytes[8] / 32);
+        units += own;
+        tiles += bytes[8] / 32;
     }
     for calls in &all {
         assert_eq!(calls[7].1, 24 * units, "poses");

@@ -46,14 +46,16 @@ fn a_scene_in_a_browser() {
     page.wait(REST);
     let shown = |page: &mut Page| base64(page.eval(SHOWN).as_str().expect("bytes"));
     let camera = |page: &mut Page| page.eval("organza.view.camera");
-    let (before, first) = (shown(&mut page), camera(&mut page));
+    let before = shown(&mut page);
+    let first = camera(&mut page);
     assert!(before == rendered(&sandbox, &viewer, &first), "at rest");
 
     // dragging moves the camera around its target
     let [x, y] = middle(&mut page);
     page.drag([x, y], [x + 60.0, y + 25.0]);
     page.wait(REST);
-    let (after, moved) = (shown(&mut page), camera(&mut page));
+    let after = shown(&mut page);
+    let moved = camera(&mut page);
     assert!(moved["camera_to_world"] != first["camera_to_world"] && after != before);
     assert_eq!(moved["fl_x"], first["fl_x"]);
     assert!(after == rendered(&sandbox, &viewer, &moved), "after a drag");
@@ -154,7 +156,8 @@ fn a_training_in_a_browser() {
     let mean = |values: &[Option<f64>]| -> f64 {
         values.iter().flatten().sum::<f64>() / values.len() as f64
     };
-    let (first, last) = (mean(&psnr[..10]), mean(&psnr[psnr.len() - 10..]));
+    let first = mean(&psnr[..10]);
+    let last = mean(&psnr[psnr.len() - 10..]);
     assert!(last > first + 1.0, "PSNR rises: {first} {last}");
     page.screenshot("viewer-training");
     page.eval("document.getElementById('pause').click()");

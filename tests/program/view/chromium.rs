@@ -78,7 +78,8 @@ impl Page {
             .expect("a shell");
         let input = OpenOptions::new().write(true).open(&pipes[0]).expect("a pipe");
         let output = BufReader::new(File::open(&pipes[1]).expect("a pipe"));
-        let (session, errors) = (String::new(), Vec::new());
+        let session = String::new();
+        let errors = Vec::new();
         let mut page = Self { child, input, output, session, next: 0, errors, _folder: folder };
         let target = page.call("Target.createTarget", json!({"url": "about:blank"}));
         let target = json!({"targetId": target["targetId"], "flatten": true});
@@ -233,7 +234,9 @@ pub fn base64(text: &str) -> Vec<u8> {
         b'/' => Some(63),
         _ => None,
     };
-    let (mut bytes, mut bits, mut count) = (Vec::new(), 0_u32, 0);
+    let mut bytes = Vec::new();
+    let mut bits = 0_u32;
+    let mut count = 0;
     for six in text.bytes().filter_map(value) {
         bits = bits << 6 | u32::from(six);
         count += 6;

@@ -75,7 +75,8 @@ fn another_address_needs_a_token() {
     let sandbox = Sandbox::new("tiny");
     let mut command = sandbox.command(&format!("{VIEW} --bind 0.0.0.0"));
     let mut child = command.stderr(std::process::Stdio::piped()).spawn().expect("it starts");
-    let (mut said, mut byte) = (String::new(), [0]);
+    let mut said = String::new();
+    let mut byte = [0];
     let stderr = child.stderr.as_mut().expect("piped");
     while !said.contains("?token=") || !said.ends_with('\n') {
         assert_eq!(stderr.read(&mut byte).expect("a line"), 1, "{said}");
@@ -179,11 +180,13 @@ fn ten_clients_get_their_images_while_others_are_slow_or_gone() {
     let views = scene["views"].as_array().expect("views");
     let request = |client: u64, camera: &serde_json::Value, quality: &str| {
         let mut camera = camera.clone();
-        (camera["w"], camera["h"]) = (json!(1500), json!(1500));
+        camera["w"] = json!(1500);
+        camera["h"] = json!(1500);
         let body = json!({"client": client, "sequence": 0, "camera": camera, "mode": "color",
             "quality": quality})
         .to_string();
-        let (host, length) = (&viewer.host, body.len());
+        let host = &viewer.host;
+        let length = body.len();
         format!("POST /frame HTTP/1.1\r\nHost: {host}\r\nContent-Length: {length}\r\n\r\n{body}")
     };
     // one client requests megabytes and never reads, one goes away before its image is done, one never finishes its
@@ -198,7 +201,8 @@ fn ten_clients_get_their_images_while_others_are_slow_or_gone() {
     let last = views.len() - 1;
     let images = thread::scope(|scope| {
         let clients = (0..10).map(|client| {
-            let (viewer, views) = (&viewer, &views);
+            let viewer = &viewer;
+            let views = &views;
             scope.spawn(move || {
                 for (sequence, view) in views.iter().enumerate() {
                     let more = json!({"client": client, "sequence": sequence});
@@ -231,11 +235,13 @@ fn an_image_that_nobody_waits_for_is_dropped() {
     let sandbox = Sandbox::new("crowded");
     let viewer = Viewer::start(&sandbox, VIEW);
     let mut camera = viewer.scene()["views"][0]["camera"].clone();
-    (camera["w"], camera["h"]) = (json!(4000), json!(4000));
+    camera["w"] = json!(4000);
+    camera["h"] = json!(4000);
     thread::scope(|scope| {
         // the first is painted, the second waits, and the third replaces it
         let ask = |sequence: u64| {
-            let (viewer, camera) = (&viewer, &camera);
+            let viewer = &viewer;
+            let camera = &camera;
             let ask = move || viewer.frame(camera, "exact", &json!({ "sequence": sequence }));
             let asked = scope.spawn(ask);
             thread::sleep(Duration::from_millis(30));

@@ -33,7 +33,8 @@ fn thinned() -> Scene {
 /// A sandbox with that scene, cameras around it, and cameras far away. `outside` is the same scene, with a box that
 /// contains only half of it.
 fn sandbox() -> (Sandbox, [Scene; 2], Vec<Camera>) {
-    let (sandbox, scene) = (Sandbox::new("tiny"), thinned());
+    let sandbox = Sandbox::new("tiny");
+    let scene = thinned();
     let mut outside = scene.clone();
     outside.config.contraction = Contraction::Cube;
     outside.config.aabb = scene.config.aabb.map(|corner| corner.map(|x| 0.4 * x));
@@ -85,12 +86,15 @@ fn assert_same(page: &mut Page, scene: &Scene, camera: &Camera, steps: u16) -> u
     let report = &rendered.report;
     assert_eq!(counts, [report.pairs, report.members, report.samples], "steps x {steps}");
     assert!(report.samples > 1000, "{report:?}");
-    let (side, [width, height]) = (SIDE as usize, [camera.width as usize, camera.height as usize]);
+    let side = SIDE as usize;
+    let width = camera.width as usize;
+    let height = camera.height as usize;
     let mut apart = 0.0_f32;
     for (tile, place) in batch.tiles.iter().enumerate() {
         let [left, top] = place.origin.map(|at| at as usize);
         for (x, y) in (0..side).flat_map(|y| (0..side).map(move |x| (x, y))) {
-            let (column, row) = (left + x, top + y);
+            let column = left + x;
+            let row = top + y;
             if column < width && row < height {
                 let found = &pixels[3 * (row * width + column)..][..3];
                 for (expected, found) in rendered.rgb(tile, x, y).iter().zip(found) {
@@ -129,7 +133,8 @@ impl Place {
 
 /// Asserts that mouse, fingers and keys move the camera as the page's help says.
 fn assert_controls(page: &mut Page) {
-    let [middle, right] = [[200.0, 160.0], [260.0, 170.0]];
+    let middle = [200.0, 160.0];
+    let right = [260.0, 170.0];
     // each rotates the scene: the distance stays, and the direction changes
     let orbits: [&dyn Fn(&mut Page); 2] =
         [&|page| page.drag(middle, right), &|page| page.fingers(&[[middle, right]])];
@@ -151,7 +156,8 @@ fn assert_controls(page: &mut Page) {
     assert!(after.forward.distance(before.forward) < 1e-6, "{before:?} {after:?}");
     // moving two fingers in parallel moves it
     page.fingers(&[[[180.0, 160.0], [180.0, 200.0]], [[220.0, 160.0], [220.0, 200.0]]]);
-    let (moved, by) = (Place::of(page), Place::of(page).center - after.center);
+    let moved = Place::of(page);
+    let by = Place::of(page).center - after.center;
     assert!((moved.distance() / after.distance() - 1.0).abs() < 1e-6);
     assert!(by.length() > 0.05 * after.distance(), "{by}");
     assert!(by.dot(after.forward).abs() < 1e-6 * by.length(), "{by} {after:?}");

@@ -38,7 +38,8 @@ pub fn color(scene: &Scene, sh: &[f32], features: &[f32], gaussian: usize) -> Ve
 /// Eq. 4-11: K and T.
 pub fn transmittance(scene: &Scene, camera: &Camera, gaussian: usize) -> (u32, f64) {
     let config = &scene.config;
-    let [p, eye] = [wide(scene.gaussians.position[gaussian]), camera.eye()];
+    let p = wide(scene.gaussians.position[gaussian]);
+    let eye = camera.eye();
     let [p, eye] = [p, eye].map(|point| unit(point, config.aabb, false));
     let segment = segment::segment(p, eye, config.step);
     let steps = dot(segment.way, segment.way).sqrt() / config.step;

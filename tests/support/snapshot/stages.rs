@@ -28,7 +28,8 @@ fn near(what: &str, found: f32, exact: f64, tolerance: f64) {
 /// Adds harmonics, features and colors, and compares them with the equations.
 fn record_color(tensors: &mut Tensors, scene: &Scene, camera: &Camera, stages: &Stages) {
     let count = scene.gaussians.len();
-    let (sh, grid) = (scene.config.sh_width(), scene.config.color_grid.width());
+    let sh = scene.config.sh_width();
+    let grid = scene.config.color_grid.width();
     for gaussian in 0..count {
         let features = &stages.color_encoding[gaussian * grid..][..grid];
         for (&found, exact) in features.iter().zip(exact::color_features(scene, gaussian)) {
@@ -51,7 +52,8 @@ fn record_color(tensors: &mut Tensors, scene: &Scene, camera: &Camera, stages: &
 }
 
 fn record_features(tensors: &mut Tensors, scene: &Scene, stages: &Stages) {
-    let (count, grid) = (scene.gaussians.len(), &scene.config.color_grid);
+    let count = scene.gaussians.len();
+    let grid = &scene.config.color_grid;
     tensors.push("features", &[count, grid.width()], &stages.color_encoding);
     tensors.push("color", &[count, 3], &stages.color);
 }
@@ -86,7 +88,8 @@ degrees! {
 #[test]
 fn color_without_material() {
     let recipe = Recipe { seed: 31, gaussians: 6, material: 0, ..Recipe::default() };
-    let (scene, camera) = (recipe.scene(), camera([-1.0, 0.2, -3.0], [64, 48]));
+    let scene = recipe.scene();
+    let camera = camera([-1.0, 0.2, -3.0], [64, 48]);
     for (backend, renderer) in RENDERERS.iter() {
         let mut tensors = Tensors::default();
         record_color(&mut tensors, &scene, &camera, &stages(renderer, &scene, &camera));
@@ -176,7 +179,9 @@ fn projection() {
     let camera = camera_to([0.1, 0.1, 0.1], [0.3, 0.0, 1.4], [64, 48]);
     for (backend, renderer) in RENDERERS.iter() {
         let stages = stages(renderer, &scene, &camera);
-        let (mut mean2d, mut conic, mut visible) = (Vec::new(), Vec::new(), Vec::new());
+        let mut mean2d = Vec::new();
+        let mut conic = Vec::new();
+        let mut visible = Vec::new();
         for gaussian in 0..24 {
             let exact = exact::project(&scene, &camera, gaussian);
             let radius = stages.radius[gaussian];

@@ -321,7 +321,8 @@ fn three_cameras_in_a_batch() {
 
 #[test]
 fn sides_of_tiles() {
-    let (scene, cameras) = (both(), vec![camera([0.2, 0.9, -3.6], [33, 33])]);
+    let scene = both();
+    let cameras = vec![camera([0.2, 0.9, -3.6], [33, 33])];
     for (side, columns) in [(5, 7), (9, 4), (33, 1)] {
         let name = format!("tiles_of_side_{side:02}");
         let shot = Shot {

@@ -81,7 +81,8 @@ mod tests {
 
     #[test]
     fn what_is_seen_turns_and_shifts() {
-        let (camera, place) = (camera(), [0.7, -0.4, 0.2]);
+        let camera = camera();
+        let place = [0.7, -0.4, 0.2];
         for angle in [0.0, 1e-9, 5e-3, 9.99e-3, 1.01e-2, 0.5, 3.0] {
             let w = [0.6, -0.48, 0.64].map(|part| part * angle);
             let moved = camera.moved([w[0], w[1], w[2], 0.1, 0.2, -0.3]);
@@ -104,7 +105,8 @@ mod tests {
     /// The loss is linear in the place as the camera sees it.
     #[test]
     fn a_gradient_is_that_of_the_rotation_vector() {
-        let (t, slope) = ([0.4, -0.3, 3.0], [0.2, 0.7, -0.1]);
+        let t = [0.4, -0.3, 3.0];
+        let slope = [0.2, 0.7, -0.1];
         for w in [[0.0; 3], [1e-3, 2e-3, -1e-3], [0.02, -0.01, 0.03], [0.9, -0.4, 0.3]] {
             let loss = |w: [f64; 3]| dot(slope, turned(w, t));
             let found = to_rotation_vector(w, cross(turned(w, t), slope));

@@ -19,7 +19,7 @@ const SLANT: f64 = 0.01;
 /// A circle of cameras that all look at its center.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Orbit {
-    /// Where the camera looks, in world units.
+    /// Point that the cameras look at, in world units.
     pub center: [f64; 3],
     /// Axis of the circle; upward in the images.
     pub up: [f64; 3],
@@ -90,7 +90,8 @@ impl Orbit {
         let up = DVec3::from(self.up).normalize_or_zero();
         let ahead = DVec3::from(self.toward).reject_from(DVec3::from(self.up)).normalize_or_zero();
         if !(up.is_finite() && ahead.is_finite()) || up == DVec3::ZERO || ahead == DVec3::ZERO {
-            let (up, toward) = (self.up, self.toward);
+            let up = self.up;
+            let toward = self.toward;
             let reason =
                 format!("no circle has the axis {up:?} and begins toward {toward:?} of its center");
             return Err(Error::Argument { reason });
@@ -113,9 +114,6 @@ impl Orbit {
 /// horizon level, so an image's direction to the right is horizontal, and directions along it get little weight.
 /// Without cameras the result is z, as in most data sets.
 pub fn upward<'a>(cameras: impl ExactSizeIterator<Item = &'a Camera> + Clone) -> DVec3 {
-    let column = |camera: &Camera, column: usize| {
-        DVec3::from_array(std::array::from_fn(|row| camera.camera_to_world[row][column]))
-    };
     let count = cameras.len() as f64;
     let mean = cameras.clone().map(|camera| column(camera, 1)).sum::<DVec3>() / count.max(1.0);
     let level = cameras.fold(DMat3::from_diagonal(DVec3::splat(SLANT)), |sum, camera| {
@@ -125,6 +123,11 @@ pub fn upward<'a>(cameras: impl ExactSizeIterator<Item = &'a Camera> + Clone) ->
     // cameras that look straight down in all directions define no upward direction
     let up = (level.inverse() * mean).normalize_or_zero();
     if mean.length() < 1e-6 || up == DVec3::ZERO { DVec3::Z } else { up }
+}
+
+/// A column of the camera's pose: one of its axes, in world space.
+fn column(camera: &Camera, column: usize) -> DVec3 {
+    DVec3::from_array(std::array::from_fn(|row| camera.camera_to_world[row][column]))
 }
 
 #[cfg(test)]
@@ -161,7 +164,8 @@ mod tests {
             // counterclockwise, by 30 degrees each
             let next = DVec3::from(cameras[(index + 1) % 12].eye()) - center;
             let [a, b] = [offset, next].map(|offset| offset.reject_from_normalized(up));
-            let (sin, cos) = (a.cross(b).dot(up), a.dot(b));
+            let sin = a.cross(b).dot(up);
+            let cos = a.dot(b);
             assert!((sin.atan2(cos) - TAU / 12.0).abs() < 1e-12);
         }
         let first = DVec3::from(cameras[0].eye()) - center;
@@ -222,7 +226,8 @@ mod tests {
                         DVec3::new(place(0), place(1), place(2)) - DVec3::from(camera.eye());
                     let [x, y, z] =
                         camera.world_to_camera_opencv().map(|row| DVec3::from(row).dot(offset));
-                    let (x, y) = (camera.fl_x * x / z + camera.cx, camera.fl_y * y / z + camera.cy);
+                    let x = camera.fl_x * x / z + camera.cx;
+                    let y = camera.fl_y * y / z + camera.cy;
                     let [width, height] = size.map(f64::from);
                     assert!(z > 0.0 && (0.0..width).contains(&x) && (0.0..height).contains(&y));
                 }

@@ -74,7 +74,8 @@ impl Source<'_> {
             return Err(format!("is {}, expected an object", kind(self.frame)));
         }
         let camera_to_world = self.pose()?;
-        let (width, height) = (self.side("w")?, self.side("h")?);
+        let width = self.side("w")?;
+        let height = self.side("h")?;
         let [w, h] = [width, height].map(f64::from);
         let angle_x = self.number("camera_angle_x")?;
         let angle_y = self.number("camera_angle_y")?.map(|angle| (h, angle));

@@ -9,7 +9,7 @@ use crate::error::{Error, Result};
 /// Shortest time between two keys, as a fraction of the mean. With it, two equal keys make the camera stop and not
 /// jump.
 const SHORTEST: f64 = 0.01;
-/// Where a camera looks, by its own axes.
+/// Direction in which a camera looks, in its own axes.
 const FORWARD: DVec3 = DVec3::NEG_Z;
 
 /// A smooth path through keys: cameras of one image size.
@@ -108,7 +108,8 @@ impl CameraPath {
         let span = self.times[key + 1] - self.times[key];
         let part = (time - self.times[key]) / span;
         let next = (key + 1) % self.keys.len();
-        let (a, b) = (&self.keys[key], &self.keys[next]);
+        let a = &self.keys[key];
+        let b = &self.keys[next];
         // Bézier's control points, and de Casteljau's construction
         let mut points = vec![
             a.clone(),
@@ -162,7 +163,8 @@ struct Motion {
 impl State {
     /// `center` is the place that all keys look at, if there is one.
     fn of(camera: &Camera, center: Option<DVec3>) -> Self {
-        let (eye, axis) = (DVec3::from(camera.eye()), camera.world_to_camera_opencv()[2]);
+        let eye = DVec3::from(camera.eye());
+        let axis = camera.world_to_camera_opencv()[2];
         let distance = center.map_or(0.0, |center| (center - eye).dot(DVec3::from(axis)).max(0.0));
         let rows: [DVec3; 3] =
             std::array::from_fn(|row| DVec3::from_slice(&camera.camera_to_world[row][..3]));
@@ -213,7 +215,7 @@ impl State {
         }
     }
 
-    /// How long the way looks: the angle in radians, and the shift divided by the keys' spread. On a circle around
+    /// Apparent length of the way: the angle in radians, and the shift divided by the keys' spread. On a circle around
     /// the target both are the same.
     fn way_to(&self, other: &Self, spread: f64) -> f64 {
         let Motion { turn, lens, .. } = self.motion_to(other);
@@ -230,7 +232,8 @@ impl State {
 impl Motion {
     fn times(&self, factor: f64) -> Self {
         let lens = self.lens.map(|value| value * factor);
-        let (shift, turn) = (self.shift * factor, self.turn * factor);
+        let shift = self.shift * factor;
+        let turn = self.turn * factor;
         Self { shift, distance: self.distance * factor, turn, lens }
     }
 
@@ -264,7 +267,8 @@ fn spans(lengths: Vec<f64>) -> Vec<f64> {
 /// of the segments.
 fn tangents(rates: &[Motion], spans: &[f64], is_closed: bool) -> Vec<Motion> {
     let inner = |before: usize, after: usize| {
-        let (a, b) = (spans[before], spans[after]);
+        let a = spans[before];
+        let b = spans[after];
         rates[before].times(b / (a + b)).plus(&rates[after].times(a / (a + b)))
     };
     let last = rates.len() - 1;
@@ -277,7 +281,8 @@ fn tangents(rates: &[Motion], spans: &[f64], is_closed: bool) -> Vec<Motion> {
     // the parabola through the first three keys, and that through the last three
     let end = |rate: &Motion, tangent: &Motion| rate.times(2.0).plus(&tangent.times(-1.0));
     let between: Vec<_> = (1..=last).map(|key| inner(key - 1, key)).collect();
-    let (first, final_one) = (end(&rates[0], &between[0]), end(&rates[last], &between[last - 1]));
+    let first = end(&rates[0], &between[0]);
+    let final_one = end(&rates[last], &between[last - 1]);
     std::iter::once(first).chain(between).chain([final_one]).collect()
 }
 

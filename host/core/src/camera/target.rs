@@ -71,7 +71,8 @@ fn nearest_to_axes(eyes: &[DVec3], axes: &[DVec3], middle: DVec3, spread: f64) -
     for _ in 0..30 {
         // if all axes are parallel, no point is nearest: a small weight on the middle of the eyes decides
         let ridge = 1e-3 * weights.iter().sum::<f64>().max(1e-12);
-        let (mut matrix, mut right) = (DMat3::from_diagonal(DVec3::splat(ridge)), middle * ridge);
+        let mut matrix = DMat3::from_diagonal(DVec3::splat(ridge));
+        let mut right = middle * ridge;
         for ((&eye, &axis), &weight) in eyes.iter().zip(axes).zip(&weights) {
             let along = DMat3::from_cols(axis * axis.x, axis * axis.y, axis * axis.z);
             let across = (DMat3::IDENTITY - along) * weight;

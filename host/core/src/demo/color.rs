@@ -31,7 +31,7 @@ pub const MATERIAL: usize = 8;
 /// Features of the grid: three logits to subtract, and the pearl's shadow.
 pub const FEATURES: usize = 4;
 
-/// Where the network's inputs are: spherical harmonics, grid, material.
+/// Offsets of the network's inputs: spherical harmonics, grid, material.
 const HARMONICS: usize = 0;
 const GRID: usize = HARMONICS + 4;
 const LOGITS: usize = GRID + FEATURES;

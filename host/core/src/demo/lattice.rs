@@ -110,7 +110,8 @@ pub fn logit(probability: f32) -> f32 {
 
 /// Eigenvectors of `a a^T + b b^T` in the tangent plane, and the square roots of their eigenvalues.
 fn principal_axes(cell: &Cell, normal: Vec3) -> ([Vec3; 2], [f32; 2]) {
-    let (a, b) = (cell.along_u, cell.along_v);
+    let a = cell.along_u;
+    let b = cell.along_v;
     let x = a.normalize();
     let y = normal.cross(x);
     let xx = a.dot(x) * a.dot(x) + b.dot(x) * b.dot(x);
@@ -118,7 +119,8 @@ fn principal_axes(cell: &Cell, normal: Vec3) -> ([Vec3; 2], [f32; 2]) {
     let yy = a.dot(y) * a.dot(y) + b.dot(y) * b.dot(y);
     let (sin, cos) = (0.5 * (2.0 * xy).atan2(xx - yy)).sin_cos();
     let first = x * cos + y * sin;
-    let (mean, half_difference) = (0.5 * (xx + yy), 0.5 * (xx - yy));
+    let mean = 0.5 * (xx + yy);
+    let half_difference = 0.5 * (xx - yy);
     let root = half_difference.hypot(xy);
     ([first, normal.cross(first)], [mean + root, (mean - root).max(0.0)].map(f32::sqrt))
 }

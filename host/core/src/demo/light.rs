@@ -1,4 +1,4 @@
-//! How the light comes through the cloth.
+//! The light that comes through the cloth.
 
 use glam::Vec3;
 

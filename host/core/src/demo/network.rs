@@ -84,7 +84,8 @@ impl<'l> Units<'l> {
         let mut sum = Form::constant(knots[0].1);
         let mut slope = 0.0;
         for pair in knots.windows(2) {
-            let ((from, low), (to, high)) = (pair[0], pair[1]);
+            let (from, low) = pair[0];
+            let (to, high) = pair[1];
             let next = (high - low) / (to - from);
             sum = sum.plus(next - slope, &self.take(&x.clone().offset(-from)));
             slope = next;

@@ -39,7 +39,8 @@ fn golden_angle() -> f32 {
 
 /// The pearl: points of a Fibonacci sphere, lit from above, with the cloth's rose in its shade.
 pub fn pearl(splats: &mut Splats) {
-    let (light, shade) = (Vec3::new(0.985, 0.91, 0.80), Vec3::new(0.60, 0.31, 0.33));
+    let light = Vec3::new(0.985, 0.91, 0.80);
+    let shade = Vec3::new(0.60, 0.31, 0.33);
     let spacing = PEARL * (4.0 * PI / PEARL_POINTS as f32).sqrt();
     for point in 0..PEARL_POINTS {
         let z = 1.0 - (2 * point + 1) as f32 / PEARL_POINTS as f32;

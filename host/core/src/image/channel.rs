@@ -96,7 +96,8 @@ impl ChannelImage {
     /// # Errors
     /// [`Error::Argument`] if the tiles are not those of the batch, or do not have the channel.
     pub fn paste(&mut self, batch: &TileBatch, tiles: &RenderedTiles) -> Result<()> {
-        let (area, planes) = ((batch.side * batch.side) as usize, self.channel.planes());
+        let area = (batch.side * batch.side) as usize;
+        let planes = self.channel.planes();
         let rendered = tiles.channels.get(&self.channel);
         let rendered = rendered.filter(|values| values.len() == batch.tiles.len() * planes * area);
         let Some(rendered) = rendered else {

@@ -15,7 +15,8 @@ fn rendered(batch: &TileBatch, value: impl Fn(i32, i32, usize) -> f32) -> Render
             }
         }
     }
-    let (side, count) = (batch.side, batch.tiles.len());
+    let side = batch.side;
+    let count = batch.tiles.len();
     RenderedTiles { side, count, data, ..RenderedTiles::default() }
 }
 
@@ -25,7 +26,8 @@ fn gradient(x: i32, y: i32, channel: usize) -> f32 {
 
 #[test]
 fn an_image_does_not_depend_on_how_it_was_cut() {
-    let (width, height) = (53, 31);
+    let width = 53;
+    let height = 31;
     let mut images = Vec::new();
     for side in [1, 7, 16, 31, 53, 64] {
         let mut image = Image::new(width, height).unwrap();
@@ -140,7 +142,8 @@ fn channels_make_pictures() {
     };
     // 0, 1, 2, 3
     let depth = of(Channel::Depth, |x, _, _| x as f32);
-    let (red, blue) = ([144, 12, 0], [34, 23, 27]);
+    let red = [144, 12, 0];
+    let blue = [34, 23, 27];
     assert_eq!(depth.picture([1.0, 3.0]).pixels()[0], [0; 3]);
     assert_eq!(depth.picture([1.0, 3.0]).pixels()[1], red);
     assert_eq!(depth.picture([1.0, 3.0]).pixels()[3], blue);

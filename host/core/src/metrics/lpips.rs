@@ -128,7 +128,8 @@ impl Lpips {
         let mut tensors = read_tensors(path)?;
         let mut take = |tensor: String, expected: &[usize]| {
             let why = "a layer of the network";
-            let (origin, expected) = (path.to_owned(), expected.to_vec());
+            let origin = path.to_owned();
+            let expected = expected.to_vec();
             match tensors.remove(&tensor) {
                 None => Err(Error::MissingTensor { origin, tensor, expected, why }),
                 Some(Tensor { shape: found, .. }) if found != expected => {
@@ -137,7 +138,9 @@ impl Lpips {
                 Some(Tensor { data, .. }) => Ok(data),
             }
         };
-        let (mut convolutions, mut weights, mut channels) = (Vec::new(), Vec::new(), 3);
+        let mut convolutions = Vec::new();
+        let mut weights = Vec::new();
+        let mut channels = 3;
         for step in steps {
             match *step {
                 Step::Convolve { outputs, side, .. } => {
@@ -177,7 +180,8 @@ impl Lpips {
         second: &[[f32; 3]],
     ) -> Result<Option<f64>> {
         let mut maps = [Map::of_image(size, first)?, Map::of_image(size, second)?];
-        let (mut convolutions, mut weights) = (self.convolutions.iter(), self.weights.iter());
+        let mut convolutions = self.convolutions.iter();
+        let mut weights = self.weights.iter();
         let mut sum = 0.0;
         for step in self.steps {
             match *step {
@@ -246,7 +250,8 @@ impl Map {
         padding: usize,
     ) -> Result<Option<Self>> {
         let Some(size) = self.windows(side, stride, padding) else { return Ok(None) };
-        let (outputs, inputs) = (bias.len(), side * side * self.channels);
+        let outputs = bias.len();
+        let inputs = side * side * self.channels;
         let mut next = Self::zeros(size, outputs)?;
         let row = size[0] * outputs;
         next.values.par_chunks_exact_mut(row).enumerate().for_each(|(y, output)| {
@@ -281,7 +286,8 @@ impl Map {
         let Some(size) = self.windows(side, stride, 0) else { return Ok(None) };
         let mut next = Self::zeros(size, self.channels)?;
         for (at, output) in next.values.chunks_exact_mut(self.channels).enumerate() {
-            let [x, y] = [at % size[0] * stride, at / size[0] * stride];
+            let x = at % size[0] * stride;
+            let y = at / size[0] * stride;
             output.fill(f32::NEG_INFINITY);
             for (row, column) in (0..side).flat_map(|row| (0..side).map(move |c| (row, c))) {
                 let from = ((y + row) * self.width + x + column) * self.channels;
@@ -296,7 +302,8 @@ impl Map {
 /// `c += a b`, of `a [rows, inner]`, `b [inner, columns]` and `c [rows, columns]`.
 fn multiply(a: &[f32], b: &[f32], c: &mut [f32], [rows, inner, columns]: [usize; 3]) {
     assert_eq!([a.len(), b.len(), c.len()], [rows * inner, inner * columns, rows * columns]);
-    let [inner_step, column_step] = [inner as isize, columns as isize];
+    let inner_step = inner as isize;
+    let column_step = columns as isize;
     // SAFETY: the lengths are those of the three matrices, row by row, and only `c` is written to.
     unsafe {
         matrixmultiply::sgemm(
@@ -326,7 +333,8 @@ fn compare([first, second]: &[Map; 2], weights: &[f32]) -> f64 {
         features.iter().map(|&f| f64::from(f).powi(2)).sum::<f64>().sqrt() + LEAST
     };
     let pixel = |(a, b): (&[f32], &[f32])| {
-        let (length_a, length_b) = (length(a), length(b));
+        let length_a = length(a);
+        let length_b = length(b);
         let term = |((&a, &b), &weight): ((&f32, &f32), &f32)| {
             f64::from(weight) * (f64::from(a) / length_a - f64::from(b) / length_b).powi(2)
         };

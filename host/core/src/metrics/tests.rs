@@ -43,7 +43,8 @@ fn images(kind: &str, [width, height]: [usize; 2]) -> (Pixels, Pixels) {
             let size = (1 << 24) as f32;
             return (noise(2 * index) as f32 / size, noise(2 * index + 1) as f32 / size);
         }
-        let (x, y) = ((at % width) as u32, (at / width) as u32);
+        let x = (at % width) as u32;
+        let y = (at / width) as u32;
         let size = (1 << 14) as f32;
         let smooth = 7 * (scene(x, y, channel) + scene(x + 1, y, channel));
         let image = smooth + 300 + noise(index) % 800;
@@ -83,7 +84,8 @@ fn equal_images_are_infinitely_close() {
     assert_eq!(psnr(&image, &image, None), Some(f64::INFINITY));
     let found = ssim(size, &image, &image, None).expect("windows");
     assert!((found - 1.0).abs() < 1e-14, "{found}");
-    let (black, white) = (vec![[0.0; 3]; 4], vec![[1.0; 3]; 4]);
+    let black = vec![[0.0; 3]; 4];
+    let white = vec![[1.0; 3]; 4];
     let found = psnr(&black, &white, None).expect("pixels");
     assert!(found == 0.0 && found.is_sign_positive(), "{found}");
 }

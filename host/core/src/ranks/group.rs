@@ -165,7 +165,8 @@ mod tests {
                 for ranks in ThreadRanks::new(6) {
                     scope.spawn(move || {
                         let grid = Grid::new(&ranks, shares).expect("a grid");
-                        let (rank, first) = (ranks.rank(), ranks.rank() / shares * shares);
+                        let rank = ranks.rank();
+                        let first = ranks.rank() / shares * shares;
                         let row: Vec<_> = (first..first + shares).collect();
                         let column: Vec<_> = (rank % shares..6).step_by(shares).collect();
                         assert_calls(rank, grid.row(), &row);

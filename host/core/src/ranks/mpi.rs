@@ -135,7 +135,8 @@ impl Ranks for MpiRanks {
 
     fn gather(&self, mine: Vec<u8>) -> Result<Vec<Vec<u8>>> {
         self.count(mine.len());
-        let (calls, most) = (self.calls(), self.most());
+        let calls = self.calls();
+        let most = self.most();
         let mut lengths = vec![0_u64; self.size];
         calls.world.all_gather_into(&(mine.len() as u64), &mut lengths[..]);
         let lengths: Vec<_> = lengths.iter().map(|&length| length as usize).collect();
@@ -152,7 +153,8 @@ impl Ranks for MpiRanks {
 
     fn exchange(&self, for_each: Vec<Vec<u8>>) -> Result<Vec<Vec<u8>>> {
         self.count(for_each.iter().map(Vec::len).sum());
-        let (calls, most) = (self.calls(), self.most());
+        let calls = self.calls();
+        let most = self.most();
         let sent: Vec<_> = for_each.iter().map(|bytes| bytes.len() as u64).collect();
         let mut lengths = vec![0_u64; self.size];
         calls.world.all_to_all_into(&sent[..], &mut lengths[..]);

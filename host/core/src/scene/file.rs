@@ -173,7 +173,8 @@ pub(super) fn count_gaussians(
 
 /// Checks that a tensor is in the header, with the right type and shape.
 pub(super) fn check_declared(header: &Header, spec: &TensorSpec, origin: &Path) -> Result<()> {
-    let (tensor, why) = (&spec.name, spec.why);
+    let tensor = &spec.name;
+    let why = spec.why;
     match header.shape(tensor) {
         // A tensor of vectors without elements may be absent.
         None if spec.values() == 0 => Ok(()),

@@ -11,7 +11,7 @@ use organza_device::memory;
 /// A row is `[]` for one number, `[3]` for three, and `[field]` if a field of [`SceneConfig`] gives the length.
 ///
 /// The name appears as a field of [`Gaussians`], as the tensor `gaussians.name` of a scene file, and as the learning
-/// rate `optimizer.name` of a training run. `OptimizerConfig` has the default rate.
+/// rate `optimizer.name` of a training run. The two numbers are the default rate of the first and of the last step.
 #[macro_export]
 macro_rules! gaussian_tensors {
     ($with:ident) => {

@@ -54,7 +54,8 @@ impl Gradient {
             }
             begin += len;
         }
-        (whole.color, whole.transmittance) = (self.0.color, self.0.transmittance);
+        whole.color = self.0.color;
+        whole.transmittance = self.0.transmittance;
         Ok(Some(Self(whole)))
     }
 
@@ -107,7 +108,8 @@ impl Gradient {
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         for (spec, values) in self.tensors() {
             if let Some(index) = values.iter().position(|value| !value.is_finite()) {
-                let (name, value) = (spec.name, values[index]);
+                let name = spec.name;
+                let value = values[index];
                 let reason = format!(
                     "the gradient of `{name}` holds {value} at flat index {index}, more than f32 \
                      can hold; nothing was written"

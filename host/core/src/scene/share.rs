@@ -97,7 +97,8 @@ impl SceneShare {
             }
         }
         if let Some((name, width)) = other {
-            let (shape, why) = (vec![gaussians, width], "a row for each Gaussian");
+            let shape = vec![gaussians, width];
+            let why = "a row for each Gaussian";
             check_declared(&header, &TensorSpec { name: name.to_owned(), shape, why }, path)?;
             targets.insert(name.to_owned(), (width * range.start, &mut rows));
         }
@@ -130,7 +131,8 @@ mod tests {
             assert!(ranges.windows(2).all(|pair| pair[0].end == pair[1].start));
             assert!(ranges.iter().all(|range| range.is_empty() || range.start % SLICE == 0));
             let lengths = ranges.iter().map(|range| range.len().div_ceil(SLICE));
-            let (least, most) = (lengths.clone().min().unwrap(), lengths.max().unwrap());
+            let least = lengths.clone().min().unwrap();
+            let most = lengths.max().unwrap();
             assert!(most - least <= 1, "{gaussians} for {ranks}: {least} to {most} slices");
         }
     }

@@ -171,7 +171,8 @@ impl Header {
         reader.read_exact(&mut text).map_err(|source| Error::read(origin, source))?;
         let header: Metadata = serde_json::from_slice(&text)
             .map_err(|error| bad(format!("its header does not parse: {error}")))?;
-        let (found, expected) = (rest - header_bytes, header.data_len() as u64);
+        let found = rest - header_bytes;
+        let expected = header.data_len() as u64;
         if found < expected {
             return Err(bad(format!(
                 "its header announces {expected} bytes of data and {found} are there: it was cut \

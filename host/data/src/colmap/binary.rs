@@ -91,7 +91,8 @@ impl<'a, R: Read + Seek> Records<'a, R> {
         let reader = BufReader::new(source);
         let mut records = Self { reader, path, what, remaining: length, count: 0, current: 0 };
         records.count = records.u64()?;
-        let (count, remaining) = (records.count, records.remaining);
+        let count = records.count;
+        let remaining = records.remaining;
         if count.checked_mul(smallest).is_none_or(|bytes| bytes > remaining) {
             let reason = format!(
                 "the file has room for fewer than the {count} {what}s it says it holds; it was cut \
@@ -150,7 +151,8 @@ impl<'a, R: Read + Seek> Records<'a, R> {
             return self.cut_short();
         }
         String::from_utf8(bytes).or_else(|_| {
-            let (what, current) = (self.what, self.current);
+            let what = self.what;
+            let current = self.current;
             invalid(self.path, format!("the name of {what} {current} is not UTF-8; rename it"))
         })
     }

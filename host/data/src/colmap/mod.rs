@@ -52,7 +52,9 @@ pub(super) struct Model {
 pub(super) fn find(folder: &Path) -> Option<Model> {
     let model = |(folder, extension): (PathBuf, &str)| {
         let file = |stem: &str| folder.join(format!("{stem}.{extension}"));
-        let (cameras, images, points) = (file("cameras"), file("images"), file("points3D"));
+        let cameras = file("cameras");
+        let images = file("images");
+        let points = file("points3D");
         cameras.is_file().then(|| Model { cameras, images, points, is_binary: extension == "bin" })
     };
     let folders = FOLDERS.iter().map(|name| folder.join(name));
@@ -77,7 +79,9 @@ pub(super) fn list(
     let mut listing = Listing::new(DatasetKind::Colmap);
     for (position, image) in images.into_iter().enumerate() {
         let Some(intrinsics) = cameras.get(&image.camera) else {
-            let (name, id, file) = (&image.name, image.camera, model.cameras.display());
+            let name = &image.name;
+            let id = image.camera;
+            let file = model.cameras.display();
             let reason = format!("image `{name}` has camera {id}, which is not in {file}");
             return invalid(&model.images, reason);
         };
@@ -139,7 +143,8 @@ fn is_finite(point: &Point) -> bool {
 
 /// Reads bytes as each file of a model, for `data::fuzz`.
 pub(super) fn fuzz(bytes: &[u8], path: &Path) {
-    let (source, length) = (|| std::io::Cursor::new(bytes), bytes.len() as u64);
+    let source = || std::io::Cursor::new(bytes);
+    let length = bytes.len() as u64;
     let _ = binary::cameras(source(), length, path);
     let _ = binary::points(source(), length, path);
     let _ = text::cameras(source(), path);

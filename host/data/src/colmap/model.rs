@@ -91,10 +91,12 @@ impl Lenses {
             ));
         };
         if values.len() != self.parameters.len() {
-            let (name, parameters) = (self.name, self.parameters.len());
+            let name = self.name;
+            let parameters = self.parameters.len();
             return Err(format!("{name} has {parameters} parameters, not {}", values.len()));
         }
-        let (mut focal, mut center) = ([0.0; 2], [0.0; 2]);
+        let mut focal = [0.0; 2];
+        let mut center = [0.0; 2];
         let mut lens = Lens { fisheye: self.name.contains("FISHEYE"), ..Lens::default() };
         for (parameter, &value) in self.parameters.iter().zip(values) {
             match *parameter {

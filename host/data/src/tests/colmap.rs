@@ -80,7 +80,8 @@ fn points_are_seen_where_colmap_sees_them() {
 
 #[test]
 fn binary_and_text_are_the_same() {
-    let (binary, text) = (dataset(&sample(), true), dataset(&sample(), false));
+    let binary = dataset(&sample(), true);
+    let text = dataset(&sample(), false);
     assert_eq!(binary, text);
     assert_eq!(binary.kind, DatasetKind::Colmap);
     let names: Vec<_> = binary.frames.iter().map(|frame| frame.name.as_str()).collect();
@@ -118,7 +119,8 @@ fn every_model_that_is_known_is_read() {
         let mut model = sample();
         model.cameras =
             vec![(7, (name, id), [8, 6], values.clone()), (2, (name, id), [8, 6], values)];
-        let (binary, text) = (dataset(&model, true), dataset(&model, false));
+        let binary = dataset(&model, true);
+        let text = dataset(&model, false);
         assert_eq!(binary, text);
         let Camera { fl_x, fl_y, cx, cy, .. } = binary.frames[0].camera;
         assert_eq!([fl_x, fl_y, cx, cy], expected, "{name}");

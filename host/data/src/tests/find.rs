@@ -79,7 +79,8 @@ fn half(path: &Path, [width, height]: [u32; 2]) {
 }
 
 fn assert_half(photograph: &Photograph) {
-    let (width, height) = (photograph.width(), photograph.height());
+    let width = photograph.width();
+    let height = photograph.height();
     for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
         assert_eq!(photograph.is_valid(x, y), x >= width / 2, "{x},{y}");
     }

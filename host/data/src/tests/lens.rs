@@ -5,7 +5,8 @@ use super::*;
 
 fn camera([width, height]: [u32; 2], [fl_x, fl_y, cx, cy]: [f64; 4]) -> Camera {
     let camera_to_world = POSE;
-    let (file_path, distorted) = (None, true);
+    let file_path = None;
+    let distorted = true;
     Camera { camera_to_world, fl_x, fl_y, cx, cy, width, height, file_path, distorted }
 }
 

@@ -83,7 +83,8 @@ fn lenses_are_those_that_the_file_names() {
     let fisheye = Lens { fisheye: true, radial, ..Lens::default() };
     assert_eq!(lens_of(&[("camera_model", json!("OPENCV_FISHEYE"))]), fisheye);
     assert_eq!(lens_of(&[("is_fisheye", json!(true))]), fisheye);
-    let (radial, denominator) = ([0.1, 0.2, 0.3, 0.0], [0.4, 0.5, 0.0]);
+    let radial = [0.1, 0.2, 0.3, 0.0];
+    let denominator = [0.4, 0.5, 0.0];
     let full = Lens { radial, denominator, tangential: [0.6, 0.0], ..Lens::default() };
     assert_eq!(lens_of(&[("camera_model", json!("FULL_OPENCV"))]), full);
     assert_eq!(lens_of(&[("camera_model", json!("PINHOLE"))]), Lens::default());

@@ -24,7 +24,8 @@ fn camera(width: u32, height: u32) -> Camera {
 }
 
 fn shot(path: PathBuf, camera: Camera, lens: Lens) -> Shot {
-    let (name, mask) = ("a".to_owned(), None);
+    let name = "a".to_owned();
+    let mask = None;
     Shot { name, path, mask, camera, lens, factor: 1, held_out: false }
 }
 
@@ -75,7 +76,8 @@ fn undistorted_pixels_come_from_where_the_lens_put_them() {
     let way = Undistortion::new(&camera, &lens);
     let frame = shot(path, camera.clone(), lens).developed().unwrap();
     assert_eq!(frame.camera, Camera { distorted: false, ..camera.clone() });
-    let (mut inside, mut outside) = (0, 0);
+    let mut inside = 0;
+    let mut outside = 0;
     for (x, y) in (0..90).flat_map(|y| (0..120).map(move |x| (x, y))) {
         let source = way.source([f64::from(x) + 0.5, f64::from(y) + 0.5]);
         assert_eq!(frame.image.is_valid(x, y), source.is_some());
@@ -122,7 +124,8 @@ fn downscaled_masks_are_strict() {
     ramp(&path, 60, 40);
     let lens = lens([0.5, 0.0, 0.0], [0.0; 2]);
     let develop = |factor| smaller_shot(path.clone(), camera(60, 40), lens, factor).developed();
-    let (full, half) = (develop(1).unwrap().image, develop(2).unwrap().image);
+    let full = develop(1).unwrap().image;
+    let half = develop(2).unwrap().image;
     assert!(!half.all_valid());
     for (x, y) in (0..20).flat_map(|y| (0..30).map(move |x| (x, y))) {
         let square = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(i, j)| [2 * x + i, 2 * y + j]);

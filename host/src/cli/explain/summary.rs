@@ -52,7 +52,6 @@ fn text(summary: &Summary) -> String {
     let titles = ["view", "image", "pixels", "Gaussians a pixel", "behind", "in front", "S < 0.98"];
     let mut table = Table::new(2, titles);
     let mut row = |view: &str, name: &str, leakage: &Leakage| {
-        let percent = |share: f64| format!("{:.1}%", 100.0 * share);
         table.row([
             view.to_owned(),
             name.to_owned(),
@@ -68,4 +67,8 @@ fn text(summary: &Summary) -> String {
     }
     row("mean", "", &summary.mean);
     table.to_string()
+}
+
+fn percent(share: f64) -> String {
+    format!("{:.1}%", 100.0 * share)
 }

@@ -217,8 +217,9 @@ impl Film<'_> {
         let described = described(self.cameras, args.fps);
         console.note(&format!("wrote {}: {described}", args.output.display()));
         let [Camera { width, height, .. }, ..] = *self.cameras else { unreachable!("a frame") };
-        let (film, frames, rendered) = (&*args.output, files.len(), todo.len());
-        Ok(Made { film, frames, fps: args.fps, width, height, rendered, cost })
+        let frames = files.len();
+        let rendered = todo.len();
+        Ok(Made { film: &args.output, frames, fps: args.fps, width, height, rendered, cost })
     }
 
     /// Renders frames. Returns `None` if a signal asks to stop.
@@ -231,7 +232,8 @@ impl Film<'_> {
         console: Console,
     ) -> Result<Option<Cost>> {
         if todo.len() < files.len() {
-            let (there, all) = (files.len() - todo.len(), files.len());
+            let there = files.len() - todo.len();
+            let all = files.len();
             console.note(&format!("{there} of {all} frames are there from an earlier call"));
         }
         let mut summary = Summary::start();
@@ -276,12 +278,14 @@ impl Film<'_> {
         let probes: BTreeSet<_> = (0..PROBES).map(|probe| probe * last / (PROBES - 1)).collect();
         let small = |&frame: &usize| self.cameras[frame].shrunk(PROBE_SHRINK);
         let cameras: Vec<_> = probes.iter().map(small).collect();
-        let (renderer, shown) = (self.renderer, Shown::Scene(self.scene));
+        let renderer = self.renderer;
+        let shown = Shown::Scene(self.scene);
         let pictures = Pictures { renderer, shown, cameras: &cameras, tile_size: TILE_SIZE };
         let mut depths = Vec::new();
         console.during("looking at depths", || {
             for view in 0..cameras.len() {
-                let (summary, progress) = (&mut Summary::start(), &console.hidden());
+                let summary = &mut Summary::start();
+                let progress = &console.hidden();
                 let (_, beside) =
                     pictures.render_channels(view, &[Channel::Depth], summary, progress)?;
                 depths.extend(beside[0].values().iter().filter(|depth| **depth > 0.0));
@@ -293,7 +297,8 @@ impl Film<'_> {
             let place = part * (depths.len().max(1) - 1) as f64;
             depths.get(place as usize).copied().unwrap_or(1.0)
         };
-        let (near, far) = (at(LEFT_OUT), at(1.0 - LEFT_OUT));
+        let near = at(LEFT_OUT);
+        let far = at(1.0 - LEFT_OUT);
         // a flat scene has a range, too
         let far = far.max(near * 1.001);
         console.note(&format!(
@@ -309,7 +314,8 @@ fn stopped<T>(written: &Written, files: &[PathBuf], folder: &Folder) -> Result<T
     for file in files {
         there += u64::from(written.found(file)? == Found::Image);
     }
-    let (all, folder) = (files.len(), folder.path().display());
+    let all = files.len();
+    let folder = folder.path().display();
     refuse(format!(
         "stopped after {} of {all}, which are kept in {folder}; the same command continues",
         count(there, "frame")

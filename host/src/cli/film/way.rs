@@ -165,7 +165,9 @@ fn default_size(camera: &Camera, is_even: bool) -> [u32; 2] {
 
 /// Length, size and frames of a film: `6.0 s of 640 x 480, 180 frames`
 pub fn described(frames: &[Camera], fps: u32) -> String {
-    let (number, [width, height]) = (frames.len(), [frames[0].width, frames[0].height]);
+    let number = frames.len();
+    let width = frames[0].width;
+    let height = frames[0].height;
     let seconds = number as f64 / f64::from(fps);
     format!("{seconds:.1} s of {width} x {height}, {}", count(number as u64, "frame"))
 }

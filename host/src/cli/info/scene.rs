@@ -79,7 +79,8 @@ impl fmt::Display for SceneInfo {
         writeln!(f, "scene {}, {}\n", self.file, format_bytes(self.file_bytes))?;
         self.write_summary(f)?;
         write!(f, "\n{}", tensors::table(&self.tensors))?;
-        let (color, transmittance) = (&self.config.color_grid, &self.config.transmittance_grid);
+        let color = &self.config.color_grid;
+        let transmittance = &self.config.transmittance_grid;
         write_grid(f, "color grid", color, &self.color_levels)?;
         write_grid(f, "transmittance grid", transmittance, &self.transmittance_levels)?;
         for warning in &self.warnings {

@@ -26,9 +26,13 @@ pub struct TensorInfo {
 
 impl TensorInfo {
     pub fn new(name: &str, shape: &[usize], data: &[f32]) -> Self {
-        let (mut min, mut max, mut sum, mut finite) = (f32::INFINITY, f32::NEG_INFINITY, 0.0, 0);
+        let mut min = f32::INFINITY;
+        let mut max = f32::NEG_INFINITY;
+        let mut sum = 0.0;
+        let mut finite = 0;
         for &value in data.iter().filter(|value| value.is_finite()) {
-            (min, max) = (min.min(value), max.max(value));
+            min = min.min(value);
+            max = max.max(value);
             sum += f64::from(value);
             finite += 1;
         }
@@ -90,7 +94,9 @@ impl TensorFile {
 
 impl fmt::Display for TensorFile {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (kind, file, size) = (self.kind, &self.file, format_bytes(self.file_bytes));
+        let kind = self.kind;
+        let file = &self.file;
+        let size = format_bytes(self.file_bytes);
         writeln!(f, "{kind} {file}, {size}")?;
         let tiles = self.tensors.iter().find(|tensor| tensor.name == "tiles");
         if let (Some(tiles), "rendered batch") = (tiles, kind) {

@@ -39,7 +39,8 @@ impl TileFile {
     pub fn new(path: &Path, batch: &TileBatch) -> Self {
         let mut cameras: BTreeMap<usize, CameraTiles> = BTreeMap::new();
         for tile in &batch.tiles {
-            let (low, high) = (tile.origin, tile.origin.map(|at| at + batch.side as i32));
+            let low = tile.origin;
+            let high = tile.origin.map(|at| at + batch.side as i32);
             let empty = CameraTiles { camera: tile.camera, tiles: 0, low, high };
             let camera = cameras.entry(tile.camera).or_insert(empty);
             camera.tiles += 1;
@@ -65,7 +66,9 @@ impl TileFile {
 impl fmt::Display for TileFile {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "tiles {}, {}\n", self.file, format_bytes(self.file_bytes))?;
-        let (side, shape, bytes) = (self.side, self.output_shape, format_bytes(self.output_bytes));
+        let side = self.side;
+        let shape = self.output_shape;
+        let bytes = format_bytes(self.output_bytes);
         let tiles = count(self.tiles as u64, "tile");
         writeln!(f, "{tiles} of {side} x {side}, rendered as {shape:?} ({bytes})\n")?;
         let mut table = Table::new(0, ["camera", "tiles", "columns", "rows"]);

@@ -131,14 +131,17 @@ impl DataSet {
         };
         let data = &settings;
         if let Some(poses) = &poses {
-            let (path, kind) = (poses.path.display(), poses.kind);
-            let (downscale, every) = (data.downscale, data.hold_out_every);
+            let path = poses.path.display();
+            let kind = poses.kind;
+            let downscale = data.downscale;
+            let every = data.hold_out_every;
             console.detail(&format!(
                 "data set {path}: {kind}, downscale {downscale}, hold-out-every {every}"
             ));
             warn_of_files(console, poses);
         } else {
-            let (views, side) = (data.built_in_views, data.built_in_side);
+            let views = data.built_in_views;
+            let side = data.built_in_side;
             console.detail(&format!("data set: {views} views of the built-in scene, side {side}"));
         }
         Ok(Self { settings, poses, motions: Vec::new() })
@@ -155,7 +158,8 @@ impl DataSet {
             Some(path) => Poses::load(path, &run.data.options())?.cameras()?,
             None => built_in_cameras(&run.data),
         };
-        let (found, trained) = (learned.len(), frames.iter().filter(|pose| !pose.held_out).count());
+        let found = learned.len();
+        let trained = frames.iter().filter(|pose| !pose.held_out).count();
         if found != trained {
             let reason = format!(
                 "it has the poses of {found} photographs, but the data set of the run has {trained} to train on: name the \
@@ -224,8 +228,9 @@ impl DataSet {
             let data = &self.settings;
             let bar = console.progress(u64::from(data.built_in_views), "views");
             bar.say("rendering the built-in scene");
-            let (views, side, every) =
-                (data.built_in_views, data.built_in_side, data.hold_out_every);
+            let views = data.built_in_views;
+            let side = data.built_in_side;
+            let every = data.hold_out_every;
             let progress = &mut |done, all| bar.set_of(done, all);
             let mut dataset =
                 built_in::dataset_with_progress(renderer, views, side, every, progress)?;
@@ -236,7 +241,8 @@ impl DataSet {
         bar.say("reading");
         let dataset = poses.photographs(&mut |done, all| bar.set_of(done, all))?;
         drop(bar);
-        let (all, held_out) = (dataset.frames.len() as u64, dataset.held_out.len());
+        let all = dataset.frames.len() as u64;
+        let held_out = dataset.held_out.len();
         let kind = dataset.kind;
         let mut note = format!("{} ({kind}), {held_out} held out", count(all, "photograph"));
         if dataset.prepared > 0 {
@@ -272,7 +278,8 @@ fn warn_of_files(console: Console, poses: &Poses) {
     ];
     for (files, unit, what) in kinds {
         if let Some(first) = files.first() {
-            let (files, first) = (count(files.len() as u64, unit), first.display());
+            let files = count(files.len() as u64, unit);
+            let first = first.display();
             console.warn(&format!("{what}: {files}, the first is {first}"));
         }
     }

@@ -120,7 +120,8 @@ fn attributes(splats: &[Splat]) -> Vec<Attribute> {
         let [r, g, b] = base_color(splat);
         [r, g, b, sigmoid(splat.opacity)].map(|value| byte(255.0 * value))
     });
-    let (name, bytes) = ("COLOR_0".to_owned(), color.collect());
+    let name = "COLOR_0".to_owned();
+    let bytes = color.collect();
     attributes.push(Attribute { name, kind: "VEC4", component: BYTE, bytes });
     attributes
 }

@@ -180,7 +180,8 @@ mod tests {
 
     #[test]
     fn a_splat_file_has_32_bytes_for_each_of_them() {
-        let (splats, mut bytes) = (splats(), Vec::new());
+        let splats = splats();
+        let mut bytes = Vec::new();
         write_splat(&splats, &mut bytes).unwrap();
         assert_eq!(bytes.len(), 32 * splats.len());
         let float = |at: usize| f32::from_le_bytes(std::array::from_fn(|byte| bytes[at + byte]));

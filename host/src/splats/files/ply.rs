@@ -148,7 +148,8 @@ mod tests {
 
     #[test]
     fn what_was_written_is_read() {
-        let (splats, mut bytes) = (splats(), Vec::new());
+        let splats = splats();
+        let mut bytes = Vec::new();
         write(&splats, &mut bytes).unwrap();
         let again =
             super::super::read_from(&bytes[..], bytes.len() as u64, Path::new("a.ply")).unwrap();
@@ -168,7 +169,8 @@ mod tests {
         assert_refused(with("opacity", "alpha").as_bytes(), &["no property `opacity`", "rot_3"]);
         assert_refused(with("f_rest_8", "other").as_bytes(), &["8 properties `f_rest_*`"]);
         assert_refused(with("-1.5", "nan").as_bytes(), &["does not parse"]);
-        let (mut splats, mut bytes) = (splats(), Vec::new());
+        let mut splats = splats();
+        let mut bytes = Vec::new();
         splats[3].opacity = f32::NAN;
         write(&splats, &mut bytes).unwrap();
         assert_refused(&bytes, &["Gaussian 3", "not finite"]);

@@ -209,7 +209,8 @@ mod tests {
             let opacities = [sigmoid(found.opacity), sigmoid(expected.opacity)];
             assert!((opacities[0] - opacities[1]).abs() < 0.51 / 255.0, "{opacities:?}");
             assert!(largest(&found.color[0], &expected.color[0]) < 0.51 / (0.15 * 255.0));
-            let [found_rest, rest] = [&found.color[1..], &expected.color[1..]];
+            let found_rest = &found.color[1..];
+            let rest = &expected.color[1..];
             assert!(largest(found_rest.as_flattened(), rest.as_flattened()) < 8.1 / 128.0);
             let dot: f32 = found.rotation.iter().zip(turned(expected)).map(|(a, b)| a * b).sum();
             assert!(dot.abs() > 0.999, "{dot}");

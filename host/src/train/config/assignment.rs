@@ -68,7 +68,8 @@ pub fn parse(text: &str) -> Result<Table, String> {
     let Some((key, value)) = text.split_once('=') else {
         return Err(format!("`{text}` sets nothing; write KEY=VALUE, such as run.steps=3000"));
     };
-    let (key, text) = (key.trim(), value.trim());
+    let key = key.trim();
+    let text = value.trim();
     let default = find(key)?;
     let value = read(&default, text)
         .ok_or_else(|| format!("`{key}` is `{text}`, expected {}", kind(&default)))?;

@@ -19,7 +19,8 @@ impl TrainConfig {
 
     /// Checks that kernels can address the scene, and that the scene is valid.
     fn check_scene(&self) -> Result<(), String> {
-        let (tiles, side) = (self.run.tiles_per_step, self.run.tile_size);
+        let tiles = self.run.tiles_per_step;
+        let side = self.run.tile_size;
         let most = most_tiles(side);
         if u64::from(tiles) > most {
             return Err(format!(
@@ -48,7 +49,8 @@ impl TrainConfig {
             );
         }
         self.check_plan()?;
-        let (first, most) = (self.start.gaussians, self.growth.max_gaussians);
+        let first = self.start.gaussians;
+        let most = self.growth.max_gaussians;
         if first > most {
             return Err(format!(
                 "`start.gaussians` is {first}, more than the {most} of `growth.max_gaussians`"

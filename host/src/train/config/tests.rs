@@ -64,7 +64,8 @@ fn a_run_that_cannot_fit_is_refused_with_what_it_takes() {
 
 #[test]
 fn rates_fall_by_the_same_factor() {
-    let (mut config, rate) = (OptimizerConfig::default(), Rate { first: 1e-2, last: 1e-4 });
+    let mut config = OptimizerConfig::default();
+    let rate = Rate { first: 1e-2, last: 1e-4 };
     config.cooldown = 0.0;
     for (share, expected) in [(0.0, 1e-2), (0.5, 1e-3), (1.0, 1e-4), (2.0, 1e-4)] {
         assert!((config.rate_at(rate, share) / expected - 1.0).abs() < 1e-12);
@@ -73,7 +74,8 @@ fn rates_fall_by_the_same_factor() {
 
 #[test]
 fn rates_cool_down_at_the_end() {
-    let (mut config, rate) = (OptimizerConfig::default(), Rate { first: 1e-2, last: 1e-2 });
+    let mut config = OptimizerConfig::default();
+    let rate = Rate { first: 1e-2, last: 1e-2 };
     config.cooldown = 0.5;
     for (share, expected) in [(0.0, 1e-2), (0.5, 1e-2), (0.75, 5e-3), (1.0, 2e-4), (2.0, 2e-4)] {
         assert!((config.rate_at(rate, share) / expected - 1.0).abs() < 1e-12);

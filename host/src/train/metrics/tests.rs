@@ -5,9 +5,13 @@ use crate::error::chain;
 use crate::evaluate::Score;
 
 fn step(step: u64) -> Record {
-    let (seconds, loss) = (step as f64 / 3.0, 1.0 / step as f64);
+    let seconds = step as f64 / 3.0;
+    let loss = 1.0 / step as f64;
     let rates = [("networks".to_owned(), 1e-3), ("position".to_owned(), 2.5e-4)].into();
-    let (l1, ssim, psnr, tiles_per_second) = (0.125, 0.75, 20.5, 1e3);
+    let l1 = 0.125;
+    let ssim = 0.75;
+    let psnr = 20.5;
+    let tiles_per_second = 1e3;
     let gaussians = 10 + step;
     Record::Step { step, seconds, loss, l1, ssim, psnr, tiles_per_second, gaussians, rates }
 }
@@ -28,7 +32,9 @@ fn growth(step: u64) -> Record {
 }
 
 fn change(step: u64) -> Record {
-    let (name, from, to) = ("run.steps".to_owned(), 40.into(), 60.into());
+    let name = "run.steps".to_owned();
+    let from = 40.into();
+    let to = 60.into();
     Record::Change(Change { step, name, from, to })
 }
 

@@ -138,7 +138,8 @@ impl<'a> Source<'a> {
         value: Value,
     ) -> Series {
         let y = self.steps.iter().map(|record| drawn(value(record), scale)).collect();
-        let (name, color) = (name.to_owned(), format!("--{color}"));
+        let name = name.to_owned();
+        let color = format!("--{color}");
         Series { name, color, dash: false, style, table: self.table, y }
     }
 
@@ -151,7 +152,8 @@ impl<'a> Source<'a> {
             _ => Number(None),
         };
         let y = self.evaluations.iter().map(value).collect();
-        let (name, color) = (name.to_owned(), format!("--{color}"));
+        let name = name.to_owned();
+        let color = format!("--{color}");
         Series { name, color, dash: false, style: Style::Marks, table: self.table + 1, y }
     }
 }
@@ -198,7 +200,8 @@ impl Charts {
         let series = vec![source.of_steps("Gaussians", "batch", Style::Steps, zero, gaussians)];
         charts.add(Chart { title: "Gaussians", unit: "", scale: zero, digits: Some(0), series });
         let series = vec![source.of_steps("tiles", "batch", Style::Noise, zero, speed)];
-        let (title, unit) = ("Speed", "tiles per second");
+        let title = "Speed";
+        let unit = "tiles per second";
         charts.add(Chart { title, unit, scale: zero, digits: Some(1), series });
         charts.add_rates(&source.steps);
         charts
@@ -252,7 +255,8 @@ impl Charts {
         };
         let table = self.tables.len();
         self.tables.push(Table::of(&steps));
-        let (scale, style) = (Scale::Log, Style::Line);
+        let scale = Scale::Log;
+        let style = Style::Line;
         let series = names.into_iter().enumerate().map(|(at, name)| {
             let rate = |rates: &std::collections::BTreeMap<String, f32>| {
                 drawn(rates.get(&name).map_or(f64::NAN, |rate| f64::from(*rate)), scale)

@@ -63,11 +63,14 @@ impl Run {
         let mut summary = Summary::default();
         match last {
             Some(Record::Evaluation { step, seconds, psnr, ssim, .. }) => {
-                (summary.psnr, summary.ssim) = (*psnr, *ssim);
-                (summary.step, summary.seconds) = (*step, *seconds);
+                summary.psnr = *psnr;
+                summary.ssim = *ssim;
+                summary.step = *step;
+                summary.seconds = *seconds;
             }
             Some(Record::Step { step, seconds, .. }) => {
-                (summary.step, summary.seconds) = (*step, *seconds);
+                summary.step = *step;
+                summary.seconds = *seconds;
             }
             _ => {}
         }
@@ -121,7 +124,10 @@ impl Run {
     pub(super) fn evaluations<'a>(&'a self) -> Vec<Evaluation<'a>> {
         let evaluation = |record: &'a Record| match record {
             Record::Evaluation { step, seconds, psnr, ssim, views } => {
-                let (step, seconds, psnr, ssim) = (*step, *seconds, *psnr, *ssim);
+                let step = *step;
+                let seconds = *seconds;
+                let psnr = *psnr;
+                let ssim = *ssim;
                 Some(Evaluation { step, seconds, psnr, ssim, views })
             }
             _ => None,

@@ -276,7 +276,8 @@ fn timing_table(rows: &[TimingRow]) -> Markup {
 
 /// The settings as in `config.toml`: first those that differ from the defaults.
 fn settings(run: &Run) -> Markup {
-    let (all, defaults) = (run.config.list(), TrainConfig::default().list());
+    let all = run.config.list();
+    let defaults = TrainConfig::default().list();
     let default = |name: &str| {
         let found = defaults.iter().find(|(other, _)| other == name);
         found.map_or_else(|| "–".to_owned(), |(_, value)| value.clone())

@@ -53,7 +53,8 @@ fn evaluation(step: u64, names: &[&str]) -> Record {
     };
     let view = |name: &&str| ViewScore { name: (*name).to_owned(), score };
     let views = names.iter().map(view).collect();
-    let (psnr, ssim) = (score.psnr, score.ssim);
+    let psnr = score.psnr;
+    let ssim = score.ssim;
     Record::Evaluation { step, seconds: 0.38 * step as f64, psnr, ssim, views }
 }
 
@@ -70,12 +71,15 @@ fn records(names: &[&str]) -> Vec<Record> {
     for at in (10..=1500).step_by(10) {
         records.push(step(at));
         if at % 500 == 0 && at < 1500 {
-            let (split, pruned) = (23_000, 1_500);
+            let split = 23_000;
+            let pruned = 1_500;
             records.push(Record::Growth { step: at, split, pruned, gaussians: 1000 + at });
             records.push(evaluation(at, names));
         }
     }
-    let (name, from, to) = ("run.steps".to_owned(), 1500.into(), 2000.into());
+    let name = "run.steps".to_owned();
+    let from = 1500.into();
+    let to = 2000.into();
     records.push(Record::Change(Change { step: 1000, name, from, to }));
     let row = |stage: &str, seconds| TimingRow { stage: stage.to_owned(), seconds, share: 0.5 };
     let rows = vec![row("composite", 100.0), row("adam", 100.0)];
@@ -125,7 +129,8 @@ fn walk(node: &Handle, found: &mut Vec<Element>) {
         let attributes = attrs.borrow();
         let attributes =
             attributes.iter().map(|one| (one.name.local.to_string(), one.value.to_string()));
-        let (tag, attributes) = (name.local.to_string(), attributes.collect());
+        let tag = name.local.to_string();
+        let attributes = attributes.collect();
         found.push(Element { tag, attributes, text: text(node) });
     }
     node.children.borrow().iter().for_each(|child| walk(child, found));
@@ -331,7 +336,8 @@ fn nothing_in_a_run_gets_out_of_its_place() {
     records.insert(0, Record::Session { step: 0, session });
     for record in &mut records {
         if let Record::Step { loss, l1, rates, .. } = record {
-            (*loss, *l1) = (f64::NAN, -1.0);
+            *loss = f64::NAN;
+            *l1 = -1.0;
             *rates = [(nasty(), 0.0), ("b".to_owned(), 1.0)].into();
         }
     }

@@ -105,7 +105,8 @@ impl State<'_, '_, '_> {
     /// In a run planned by time, updates the number of steps and writes it to the settings.
     fn plan(&mut self) -> Result<()> {
         let Some(planner) = &mut self.planner else { return Ok(()) };
-        let (step, gaussians) = (self.trainer.steps(), self.trainer.gaussians());
+        let step = self.trainer.steps();
+        let gaussians = self.trainer.gaussians();
         let elapsed = self.begin.elapsed().as_secs_f64();
         let now = Now { step, gaussians, training: self.seconds, elapsed };
         if let Some(steps) = planner.plan(self.trainer.config(), now) {
@@ -160,7 +161,8 @@ impl State<'_, '_, '_> {
         let config = self.trainer.config();
         let at = self.trainer.steps().saturating_sub(1);
         let share = config.run.share(at);
-        let (optimizer, rates) = (&config.optimizer, config.optimizer.named_rates());
+        let optimizer = &config.optimizer;
+        let rates = config.optimizer.named_rates();
         rates.map(|(name, rate)| (name.to_owned(), optimizer.rate_at(rate, share) as f32)).collect()
     }
 
@@ -170,7 +172,8 @@ impl State<'_, '_, '_> {
         let seconds = begin.elapsed().as_secs_f64();
         self.seconds += seconds;
         self.add_times(seconds);
-        let (step, gaussians) = (self.trainer.steps(), self.trainer.gaussians());
+        let step = self.trainer.steps();
+        let gaussians = self.trainer.gaussians();
         self.since.0 += report.tiles;
         let numbers = (u64::from(step), gaussians as u64);
         if let Some(grown) = report.grown {
@@ -199,7 +202,9 @@ impl State<'_, '_, '_> {
                 log_step(events, step, &report, gaussians, &rates)?;
             }
         }
-        let (seconds, scene, report) = (self.seconds, self.trainer.scene(), &report);
+        let seconds = self.seconds;
+        let scene = self.trainer.scene();
+        let report = &report;
         (self.watch)(Event::Step { step, seconds, report, gaussians, scene });
         Ok(())
     }
@@ -275,7 +280,8 @@ impl State<'_, '_, '_> {
         (self.watch)(Event::Evaluating);
         let begin = Instant::now();
         let step = u64::from(self.trainer.steps());
-        let (mut parts, mut images) = (Vec::with_capacity(frames.len()), Vec::new());
+        let mut parts = Vec::with_capacity(frames.len());
+        let mut images = Vec::new();
         for first in (0..frames.len()).step_by(self.trainer.views_at_once()) {
             if self.session.stop.load(Ordering::Relaxed) {
                 return Ok(false);

@@ -85,7 +85,9 @@ fn integer(fields: &BTreeMap<u64, Vec<Field>>, number: u64) -> u64 {
 /// Step, tag, and number or picture of every value in a file.
 fn read(run: &Path) -> Vec<(u64, String, Result<f32, Vec<u8>>)> {
     let file = fs::read(run.join(TENSORBOARD).join(FILE)).unwrap();
-    let (mut rest, mut found, mut versions) = (&file[..], Vec::new(), 0);
+    let mut rest = &file[..];
+    let mut found = Vec::new();
+    let mut versions = 0;
     while !rest.is_empty() {
         let length = u64::from_le_bytes(rest[..8].try_into().unwrap()) as usize;
         check(&rest[..8], &rest[8..12]);

@@ -41,7 +41,7 @@ fn value_in(join: &Block, value: Word, taken: bool, from: Word) -> Word {
 
 /// The path of an iteration that does not end the loop, backward.
 pub struct Path {
-    /// Exits on the path, the last join first. Each exit is in the side of the previous one that goes on.
+    /// Exits on the path, the last join first. Each exit is in the side of the previous exit that continues the loop.
     pub exits: Vec<Exit>,
     /// The block before the end of this path.
     pub from: Word,

@@ -85,7 +85,8 @@ impl Snapshots {
         tensors: &Tensors,
         tolerance: Tolerance,
     ) {
-        let (rule, content) = (Rule::Tensors(tolerance), Content::Text(tensors.to_string()));
+        let rule = Rule::Tensors(tolerance);
+        let content = Content::Text(tensors.to_string());
         self.assert(device, &Record { name, description, rule, content });
     }
 

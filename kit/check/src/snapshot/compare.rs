@@ -38,11 +38,8 @@ impl Tolerance {
 
     /// Compares tensors with the accepted ones. Names, their order and shapes must be the same.
     pub fn compare(&self, expected: &Tensors, actual: &Tensors) -> Result<(), Mismatch> {
-        let heads = |tensors: &Tensors| -> Vec<String> {
-            let head = |tensor: &Tensor| format!("{} {:?}", tensor.name, tensor.shape);
-            tensors.0.iter().map(head).collect()
-        };
-        let (accepted, found) = (heads(expected), heads(actual));
+        let accepted = heads(expected);
+        let found = heads(actual);
         if let Some(at) =
             (0..accepted.len().max(found.len())).find(|&i| accepted.get(i) != found.get(i))
         {
@@ -69,7 +66,6 @@ impl Tolerance {
         if beyond == 0 {
             return None;
         }
-        let apart = |e: f64, a: f64| if (a - e).is_nan() { f64::INFINITY } else { (a - e).abs() };
         let failing = values().filter(|(_, (e, a))| !self.allows(expected, **e, **a));
         let (index, (&e, &a)) =
             failing.max_by(|x, y| apart(*x.1.0, *x.1.1).total_cmp(&apart(*y.1.0, *y.1.1)))?;
@@ -89,11 +85,23 @@ impl Tolerance {
     }
 }
 
+/// The difference of two values; infinite if it is NaN.
+fn apart(e: f64, a: f64) -> f64 {
+    if (a - e).is_nan() { f64::INFINITY } else { (a - e).abs() }
+}
+
+/// Name and shape of each tensor.
+fn heads(tensors: &Tensors) -> Vec<String> {
+    let head = |tensor: &Tensor| format!("{} {:?}", tensor.name, tensor.shape);
+    tensors.0.iter().map(head).collect()
+}
+
 /// Describes an index: tile, channel, row and column if the shape is that of tiles.
 fn place(shape: &[usize], mut index: usize) -> String {
     let mut at = vec![0; shape.len()];
     for (place, &size) in at.iter_mut().zip(shape).rev() {
-        (*place, index) = (index % size, index / size);
+        *place = index % size;
+        index /= size;
     }
     match (shape, at.as_slice()) {
         ([_, 3, height, width], &[tile, channel, row, column]) if height == width => {
@@ -121,22 +129,27 @@ pub fn compare_pictures(
 ) -> Result<(), Mismatch> {
     let panels = || report::picture_panels(expected, actual);
     if expected.dimensions() != actual.dimensions() {
-        let (found, accepted) = (actual.dimensions(), expected.dimensions());
+        let found = actual.dimensions();
+        let accepted = expected.dimensions();
         let message = format!("sizes differ: {found:?} pixels for {accepted:?}");
         return Err(Mismatch { message, panels: panels() });
     }
-    let (mut beyond, mut largest, mut at) = (0, 0, (0, 0, 0));
+    let mut beyond = 0;
+    let mut largest = 0;
+    let mut at = (0, 0, 0);
     for ((x, y, e), a) in expected.enumerate_pixels().zip(actual.pixels()) {
         let apart = [0, 1, 2].map(|channel| e.0[channel].abs_diff(a.0[channel]));
         beyond += usize::from(apart.iter().any(|&steps| steps > STEPS));
         for (channel, steps) in apart.into_iter().enumerate() {
             if steps > largest {
-                (largest, at) = (steps, (x, y, channel));
+                largest = steps;
+                at = (x, y, channel);
             }
         }
     }
     // Count each enlarged pixel once.
-    let (beyond, pixels) = (beyond / (montage.scale * montage.scale), montage.pixels());
+    let beyond = beyond / (montage.scale * montage.scale);
+    let pixels = montage.pixels();
     if largest <= STEPS || (largest <= EDGE_STEPS && beyond * EDGE_PIXELS <= pixels) {
         return Ok(());
     }

@@ -29,9 +29,11 @@ impl Montage {
     /// Draws `[K, 3, S, S]`.
     #[must_use]
     pub fn draw(&self, data: &[u8]) -> RgbImage {
-        let (pitch, area) = (self.side + 1, self.side * self.side);
+        let pitch = self.side + 1;
+        let area = self.side * self.side;
         let cells = |tiles: usize| ((tiles * pitch - 1) * self.scale) as u32;
-        let (columns, rows) = (self.columns.min(self.tiles), self.tiles.div_ceil(self.columns));
+        let columns = self.columns.min(self.tiles);
+        let rows = self.tiles.div_ceil(self.columns);
         RgbImage::from_fn(cells(columns), cells(rows), |x, y| match self.locate([x, y]) {
             Some([tile, row, column]) => {
                 let at = tile * 3 * area + row * self.side + column;
@@ -46,7 +48,8 @@ impl Montage {
         let pitch = self.side + 1;
         let [x, y] = place.map(|place| place as usize / self.scale);
         let tile = y / pitch * self.columns + x / pitch;
-        let (row, column) = (y % pitch, x % pitch);
+        let row = y % pitch;
+        let column = x % pitch;
         (tile < self.tiles && row < self.side && column < self.side).then_some([tile, row, column])
     }
 

@@ -60,7 +60,8 @@ pub fn save(panels: &Panels, path: &Path) {
 /// The message of a failing test.
 pub fn message(name: &str, backend: &str, mismatch: &Mismatch, picture: &Path) -> String {
     let picture = picture.canonicalize().unwrap_or_else(|_| picture.to_owned());
-    let (what, path) = (&mismatch.message, picture.display());
+    let what = &mismatch.message;
+    let path = picture.display();
     let amplification = mismatch.panels.amplification;
     format!(
         "snapshot `{name}` on {backend}: {what}\n  expected | actual | difference x {amplification}: {path}\n  \
@@ -78,7 +79,8 @@ pub fn no_panels() -> Panels {
 pub fn picture_panels(expected: &RgbImage, actual: &RgbImage) -> Panels {
     let size = (expected.width().max(actual.width()), expected.height().max(actual.height()));
     let apart = |x, y| {
-        let (e, a) = (expected.get_pixel_checked(x, y)?, actual.get_pixel_checked(x, y)?);
+        let e = expected.get_pixel_checked(x, y)?;
+        let a = actual.get_pixel_checked(x, y)?;
         Some([0, 1, 2].map(|channel| e.0[channel].abs_diff(a.0[channel])))
     };
     let places = || (0..size.1).flat_map(|y| (0..size.0).map(move |x| (x, y)));
@@ -142,7 +144,8 @@ fn draw(shape: &[usize], level: impl Fn(usize) -> Option<f64>) -> RgbImage {
         let [column, row] = [x, y].map(|place| (place / scale) as usize);
         let channels = match planes {
             3 => {
-                let (tile, row) = (row / width, row % width);
+                let tile = row / width;
+                let row = row % width;
                 [0, 1, 2].map(|channel| ((tile * 3 + channel) * width + row) * width + column)
             }
             _ => [row * width + column; 3],

@@ -51,7 +51,9 @@ impl Tensors {
             }
         }
         for tensor in &tensors {
-            let (name, shape, values) = (&tensor.name, &tensor.shape, tensor.values.len());
+            let name = &tensor.name;
+            let shape = &tensor.shape;
+            let values = tensor.values.len();
             if shape.iter().product::<usize>() != values {
                 return Err(format!("`{name}` of shape {shape:?} has {values} values"));
             }

@@ -101,7 +101,8 @@ fn shapes_names_and_counts_are_held_to_equality() {
 
 #[test]
 fn a_wrong_tensor_leaves_a_picture_and_says_where() {
-    let (expected, mut wrong) = (tiles(), tiles());
+    let expected = tiles();
+    let mut wrong = tiles();
     // tile 1, green, row 2, column 3; and a smaller one elsewhere
     wrong[48 + 16 + 2 * 4 + 3] += 0.125;
     wrong[5] += 0.01;

@@ -53,10 +53,6 @@ struct Finding {
 fn find(bug: &'static Bug) -> Finding {
     let plain = (bug.test)(&Bench::plain()).err();
     let checked = (bug.test)(&Bench::checked()).err();
-    let is_of_debug_builds = |text: &str| {
-        [": attempt to ", " more iterations than "].iter().any(|part| text.contains(part))
-    };
-    let is_of_canaries = |text: &str| text.ends_with("its output");
     let (check, text) = match (plain, checked) {
         (Some(Found::Message(text)), _) if is_of_debug_builds(&text) => (Check::Debug, text),
         (Some(Found::Message(text)), _) if !is_of_canaries(&text) => (Check::Always, text),
@@ -69,6 +65,16 @@ fn find(bug: &'static Bug) -> Finding {
     };
     let (message, line) = shorten(bug, &text);
     Finding { bug, check, message, line }
+}
+
+/// Whether only debug builds give a message.
+fn is_of_debug_builds(text: &str) -> bool {
+    [": attempt to ", " more iterations than "].iter().any(|part| text.contains(part))
+}
+
+/// Whether a message is about a canary.
+fn is_of_canaries(text: &str) -> bool {
+    text.ends_with("its output")
 }
 
 /// The message without the kernel, the place and the invocation; and the line number of the place.
@@ -125,7 +131,9 @@ fn table(findings: &[Finding]) -> String {
             let head = "| wrong kernel | what is wrong | found | message | line |\n| --- | --- | --- | --- | ---: |";
             writeln!(text, "\n### {title}\n\n{head}").expect("a string");
         }
-        let (name, what, check) = (bug.name, what_is_wrong(bug), check.name());
+        let name = bug.name;
+        let what = what_is_wrong(bug);
+        let check = check.name();
         let line = line.map_or(String::new(), |line| line.to_string());
         let file = format!("../{FOLDER}/{kind}/{name}.rs");
         writeln!(text, "| [{name}]({file}) | {what} | {check} | {message} | {line} |")

@@ -161,7 +161,8 @@ pub struct LoopParams {
 /// Declares fewer iterations than it runs.
 #[kernel(threads(64), iterations = 8)]
 pub fn loops_too_long(id: Invocation, params: &LoopParams, output: Write<u32>) {
-    let (mut step, mut sum) = (0, 0);
+    let mut step = 0;
+    let mut sum = 0;
     // the first half of them
     while step < params.steps / 2 {
         sum += step;
@@ -193,7 +194,8 @@ pub fn adds_to_nothing(id: Invocation, input: Read<u32>, output: Write<u32>) {
 /// Reads in every round elements that only the first, larger round has written.
 #[kernel(threads(64), iterations = 2)]
 pub fn stale_round(id: Invocation, output: Write<u32>, values: Shared<u32, 64>) {
-    let (mut round, mut sum) = (0, 0);
+    let mut round = 0;
+    let mut sum = 0;
     while round < 2 {
         values.begin_round();
         if id.local.x < 64 - round {

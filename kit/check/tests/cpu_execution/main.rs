@@ -50,7 +50,8 @@ fn line(text: &str) -> String {
 #[test]
 fn an_index_out_of_range_is_told_with_its_invocation() {
     let device = devices::cpu(Some(2));
-    let (input, output) = (device.zeros("in", 100).unwrap(), device.zeros("out", 70).unwrap());
+    let input = device.zeros("in", 100).unwrap();
+    let output = device.zeros("out", 70).unwrap();
     let message = failure(&device, &ReachesTooFarKernel { input: &input, output: &output }, 100);
     assert_contains(
         &message,
@@ -84,8 +85,8 @@ fn arithmetic_that_overflows_is_told_with_its_invocation() {
 #[test]
 fn a_device_works_on_after_a_failure() {
     let device = devices::cpu(Some(2));
-    let (short, long) =
-        (device.zeros::<u32>("short", 1).unwrap(), device.zeros("long", 64).unwrap());
+    let short = device.zeros::<u32>("short", 1).unwrap();
+    let long = device.zeros("long", 64).unwrap();
     for _ in 0..3 {
         failure(&device, &NeverWrittenKernel { output: &long }, 64);
         failure(&device, &MissingBarrierKernel { output: &long }, 64);
@@ -196,7 +197,8 @@ fn loops_are_counted_against_what_is_declared() {
 #[test]
 fn memory_that_nobody_has_written_is_not_read() {
     let device = checked();
-    let (input, output) = (device.upload("in", &[7; 64]).unwrap(), device.unwritten("out", 64));
+    let input = device.upload("in", &[7; 64]).unwrap();
+    let output = device.unwritten("out", 64);
     let output = output.unwrap();
     let message = failure(&device, &AddsToNothingKernel { input: &input, output: &output }, 64);
     let parts =
@@ -224,7 +226,8 @@ fn memory_that_nobody_has_written_is_not_read() {
     #[cfg(debug_assertions)]
     {
         let plain = devices::cpu(None);
-        let (input, output) = (plain.upload("in", &[7; 64]).unwrap(), plain.unwritten("out", 64));
+        let input = plain.upload("in", &[7; 64]).unwrap();
+        let output = plain.unwritten("out", 64);
         let output = output.unwrap();
         let message = failure(&plain, &AddsToNothingKernel { input: &input, output: &output }, 64);
         assert_contains(&message, &["attempt to add with overflow", &line("output.read(id")]);
@@ -236,7 +239,8 @@ fn memory_that_nobody_has_written_is_not_read() {
 fn canaries_differ() {
     let device = devices::cpu(None);
     let run = |runner: KernelRunner<'_>| {
-        let (input, output) = (runner.upload(&[1; 64]).unwrap(), runner.output(64).unwrap());
+        let input = runner.upload(&[1; 64]).unwrap();
+        let output = runner.output(64).unwrap();
         let kernel = AddsToNothingKernel { input: &input, output: &output };
         runner.items(&kernel, 64, 1).unwrap();
         runner.read::<u32>(&output).unwrap()
@@ -274,8 +278,8 @@ fn one_workgroup_more_is_run() {
 fn workgroups_count_with_atomics() {
     let input: Vec<u32> = (0..100).map(|i| i * i).collect();
     for device in [devices::checked(), devices::cpu(Some(1)), devices::cpu(Some(3))] {
-        let (place, bins) =
-            (device.unwritten("place", 100).unwrap(), device.zeros("bins", 8).unwrap());
+        let place = device.unwritten("place", 100).unwrap();
+        let bins = device.zeros("bins", 8).unwrap();
         let kernel = HistogramKernel {
             params: HistogramParams { count: 100 },
             input: &device.upload("input", &input).unwrap(),
@@ -314,17 +318,20 @@ fn workgroups_count_with_atomics() {
 #[test]
 fn a_test_calls_a_kernel_with_barriers() {
     let input: Vec<u32> = (0..64).collect();
-    let (mut place, mut bins) = ([0; 64], [5; 8]);
+    let mut place = [0; 64];
+    let mut bins = [5; 8];
     let counts = SharedMemory::new();
     let params = HistogramParams { count: 60 };
-    let (places, sums) = (Write::from(&mut place[..]), Write::from(&mut bins[..]));
+    let places = Write::from(&mut place[..]);
+    let sums = Write::from(&mut bins[..]);
     let workgroup = Workgroup::new([64, 1, 1]);
     workgroup.run(|id| histogram(id, &params, Read::from(&input[..]), places, sums, counts.view()));
     assert_eq!(bins, [13, 13, 13, 13, 12, 12, 12, 12]);
     assert_eq!((place[8], place[59], place[60]), (1, 7, 0));
     // workgroup memory of another workgroup is unwritten
     let message = std::panic::catch_unwind(|| {
-        let (mut output, counts) = ([0; 64], SharedMemory::new());
+        let mut output = [0; 64];
+        let counts = SharedMemory::new();
         let output = Write::from(&mut output[..]);
         workgroup.run(|id| neighbor(id, output, counts.view()));
         workgroup.run(|id| {
@@ -334,7 +341,8 @@ fn a_test_calls_a_kernel_with_barriers() {
     let message = *message.unwrap_err().downcast::<String>().unwrap();
     assert_contains(&message, &["reads element 0 of `a buffer`, which no invocation has written"]);
     let message = std::panic::catch_unwind(|| {
-        let (mut output, values) = ([0; 64], SharedMemory::new());
+        let mut output = [0; 64];
+        let values = SharedMemory::new();
         let output = Write::from(&mut output[..]);
         workgroup.run(|id| missing_barrier(id, output, values.view()));
     });
@@ -415,7 +423,8 @@ fn calls_a_kernel_that_fails() {
     let input = [1, 2, 3];
     let mut output = [0; 2];
     for x in 0..3 {
-        let (local, size) = (UVec3::new(x, 0, 0), UVec3::new(64, 1, 1));
+        let local = UVec3::new(x, 0, 0);
+        let size = UVec3::new(64, 1, 1);
         let id = Invocation::new(local, UVec3::ZERO, UVec3::ONE, size);
         reaches_too_far(id, Read::from(&input[..]), Write::from(output.as_mut_slice()));
     }

@@ -96,7 +96,8 @@ pub fn choose(options: &DeviceOptions) -> Result<(wgpu::Adapter, SpirvPath)> {
     let can_pass_through = can_pass_through(&adapter);
     let spirv = match options.spirv {
         Some(SpirvPath::Passthrough) if !can_pass_through => {
-            let (name, backend) = (adapter.get_info().name, adapter.get_info().backend);
+            let name = adapter.get_info().name;
+            let backend = adapter.get_info().backend;
             return Err(Error::NoGpu {
                 reason: format!(
                     "{name} ({backend}) does not take SPIR-V as it is; use `--spirv naga`"

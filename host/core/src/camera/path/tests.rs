@@ -48,7 +48,8 @@ fn a_path_meets_its_keys() {
 #[test]
 fn an_even_motion_is_kept() {
     let at = |time: f64| {
-        let (eye, focal) = ([4.0 * time, -2.0 * time, time], 40.0 * 3.0_f64.powf(time));
+        let eye = [4.0 * time, -2.0 * time, time];
+        let focal = 40.0 * 3.0_f64.powf(time);
         turned(eye, 2.5 * PI * time, focal)
     };
     let times = [0.0, 0.1, 0.35, 0.4, 0.7, 1.0];

@@ -8,11 +8,14 @@ fn numbers(count: usize, seed: f64) -> impl Iterator<Item = f64> {
 
 /// Weights from a formula: trained weights are too large for the repository.
 fn made(network: &'static str, steps: &'static [Step]) -> Lpips {
-    let (mut convolutions, mut weights, mut channels) = (Vec::new(), Vec::new(), 3);
+    let mut convolutions = Vec::new();
+    let mut weights = Vec::new();
+    let mut channels = 3;
     for step in steps {
         match *step {
             Step::Convolve { outputs, side, .. } => {
-                let (seed, inputs) = (convolutions.len() as f64, side * side * channels);
+                let seed = convolutions.len() as f64;
+                let inputs = side * side * channels;
                 let bound = (6.0 / inputs as f64).sqrt();
                 let weight =
                     numbers(inputs * outputs, seed).map(|u| ((2.0 * u - 1.0) * bound) as f32);
@@ -33,7 +36,8 @@ fn made(network: &'static str, steps: &'static [Step]) -> Lpips {
 /// Two images that have something in common.
 fn images([width, height]: [usize; 2]) -> [Vec<[f32; 3]>; 2] {
     let colors = |at: usize| {
-        let (x, y) = ((at % width) as f64, (at / width) as f64);
+        let x = (at % width) as f64;
+        let y = (at / width) as f64;
         [0.0, 1.0, 2.0].map(|c| {
             let a = (x * 0.037 + y * 0.061 * (c + 1.0) + 0.11).fract();
             let b = (x * y * 0.0173 + c * 0.21).fract();

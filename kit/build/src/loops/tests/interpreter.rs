@@ -17,7 +17,9 @@ pub fn module(text: &str) -> Module {
     b.set_version(1, 5);
     b.capability(Capability::Shader);
     b.memory_model(AddressingModel::Logical, MemoryModel::GLSL450);
-    let (void, uint, bool) = (b.type_void(), b.type_int(32, 0), b.type_bool());
+    let void = b.type_void();
+    let uint = b.type_int(32, 0);
+    let bool = b.type_bool();
     let mut ids = HashMap::from([("uint".to_owned(), uint), ("bool".to_owned(), bool)]);
     for value in 0..8 {
         ids.insert(value.to_string(), b.constant_bit32(uint, value));
@@ -137,7 +139,8 @@ pub fn run(module: &Module, a: u32, b: u32) -> (u32, Vec<(Op, Vec<u32>)>) {
                     continue;
                 }
             };
-            (from, at) = (at, next);
+            from = at;
+            at = next;
         }
     }
     panic!("a loop does not end");

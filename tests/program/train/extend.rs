@@ -91,7 +91,7 @@ fn what_cannot_be_extended_is_refused() {
         ("--max-gaussians 201", ["`growth.max_gaussians` is 201", "the scene already has"]),
         ("--set run.seed=3", ["`run.seed` is 3", "only run.steps"]),
         ("--set run.stesp=50", ["no setting `run.stesp`", "did you mean `run.steps`?"]),
-        ("--tile-size 8", ["'--resume <RUN>'", "'--tile-size <S>'"]),
+        ("--tile-size 8", ["`run.tile_size` is 8", "only run.steps"]),
     ] {
         let words = format!("train --resume run {words} --backend cpu");
         sandbox.assert_refuses(&words, &facts);

@@ -26,7 +26,7 @@ fn bad_requests() {
         ("-o old", ["old", "already holds a run (config.toml)"]),
         ("--resume absent", ["absent: the folder has no config.toml", "organza train -o"]),
         ("--resume .", ["the folder has no config.toml", "not a training run's"]),
-        ("--resume old --seed 5", ["'--resume <RUN>'", "'--seed <N>'"]),
+        ("--resume old --seed 5", ["old/config.toml", "is missing"]),
         ("-o new --background whitish", ["--background", "a color such as white"]),
         ("-o new --set data.background=whitish", ["`data.background`", "a color such as white"]),
         ("--config absent.toml -o new", ["absent.toml", "no such file"]),

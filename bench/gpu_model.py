@@ -27,7 +27,7 @@ FEATURES = 2
 KERNELS = {
     "dense": (128, None, 0),
     "dense_backward": (256, None, 0),
-    "dense_weight_backward": (33, None, 0),
+    "dense_weight_backward": (132, None, 0),
     "composite": (20, None, 0),
     "composite_backward": (30, None, 0),
     "hash_grid": (42 + 15 * FEATURES, FEATURES, 8),

@@ -41,35 +41,35 @@ var<storage> global_7: type_25;
 var<storage, read_write> global_8: type_9;
 
 fn function_() {
-    var phi_111_: bool;
+    var phi_110_: bool;
+    var phi_162_: f32;
     var phi_163_: f32;
     var phi_164_: f32;
     var phi_165_: f32;
-    var phi_166_: f32;
-    var phi_174_: u32;
-    var phi_183_: u32;
+    var phi_173_: u32;
+    var phi_182_: u32;
+    var phi_196_: f32;
+    var phi_199_: f32;
+    var phi_201_: f32;
+    var phi_203_: f32;
+    var phi_205_: u32;
+    var phi_211_: u32;
     var phi_197_: f32;
     var phi_200_: f32;
     var phi_202_: f32;
     var phi_204_: f32;
-    var phi_206_: u32;
-    var phi_212_: u32;
-    var phi_198_: f32;
-    var phi_201_: f32;
-    var phi_203_: f32;
-    var phi_205_: f32;
-    var phi_253_: f32;
+    var phi_252_: f32;
+    var phi_255_: bool;
     var phi_256_: bool;
     var phi_257_: bool;
-    var phi_258_: bool;
+    var phi_283_: f32;
     var phi_284_: f32;
     var phi_285_: f32;
     var phi_286_: f32;
-    var phi_287_: f32;
+    var phi_214_: f32;
     var phi_215_: f32;
     var phi_216_: f32;
     var phi_217_: f32;
-    var phi_218_: f32;
     var local: f32;
     var local_1: f32;
     var local_2: f32;
@@ -86,190 +86,191 @@ fn function_() {
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e30 = global;
-            let _e31 = global_1;
-            let _e40 = ((_e31.x * 16u) + _e30.x);
-            let _e42 = ((_e31.y * 4u) + _e30.y);
-            let _e45 = global_3.member.member;
-            if (_e40 < _e45) {
-                phi_111_ = (_e42 < _e45);
+            let _e29 = global;
+            let _e30 = global_1;
+            let _e39 = ((_e30.x * 16u) + _e29.x);
+            let _e41 = ((_e30.y * 4u) + _e29.y);
+            let _e44 = global_3.member.member;
+            if (_e39 < _e44) {
+                phi_110_ = (_e41 < _e44);
             } else {
-                phi_111_ = false;
+                phi_110_ = false;
             }
-            let _e49 = phi_111_;
-            if _e49 {
-                let _e50 = select(0u, _e42, _e49);
-                let _e51 = select(0u, _e40, _e49);
-                let _e53 = (_e31.z * 4u);
-                let _e57 = global_2.member[(_e53 + 1u)];
-                let _e61 = global_2.member[(_e53 + 2u)];
-                let _e65 = (f32((_e57 + bitcast<i32>(_e51))) + 0.5f);
-                let _e69 = (f32((_e61 + bitcast<i32>(_e50))) + 0.5f);
-                let _e72 = global_4.member[_e31.z];
-                let _e75 = global_3.member.member_1;
-                let _e76 = (_e72 + _e75);
-                let _e80 = global_4.member[(_e31.z + 1u)];
-                let _e81 = (_e76 + 16384u);
-                let _e83 = select(_e81, _e80, (_e80 < _e81));
-                let _e84 = (_e45 * _e45);
-                let _e88 = (((_e53 * _e84) + (_e50 * _e45)) + _e51);
-                if _e49 {
-                    let _e91 = global_8.member[_e88];
-                    let _e95 = global_8.member[(_e88 + _e84)];
-                    let _e100 = global_8.member[(_e88 + (2u * _e84))];
-                    let _e105 = global_8.member[(_e88 + (3u * _e84))];
-                    phi_163_ = _e105;
-                    phi_164_ = _e100;
-                    phi_165_ = _e95;
-                    phi_166_ = _e91;
+            let _e48 = phi_110_;
+            if _e48 {
+                let _e49 = select(0u, _e41, _e48);
+                let _e50 = select(0u, _e39, _e48);
+                let _e52 = (_e30.z * 4u);
+                let _e56 = global_2.member[(_e52 + 1u)];
+                let _e60 = global_2.member[(_e52 + 2u)];
+                let _e64 = (f32((_e56 + bitcast<i32>(_e50))) + 0.5f);
+                let _e68 = (f32((_e60 + bitcast<i32>(_e49))) + 0.5f);
+                let _e71 = global_4.member[_e30.z];
+                let _e74 = global_3.member.member_1;
+                let _e75 = (_e71 + _e74);
+                let _e79 = global_4.member[(_e30.z + 1u)];
+                let _e80 = (_e75 + 16384u);
+                let _e82 = select(_e80, _e79, (_e79 < _e80));
+                let _e83 = (_e44 * _e44);
+                let _e87 = (((_e52 * _e83) + (_e49 * _e44)) + _e50);
+                if _e48 {
+                    let _e90 = global_8.member[_e87];
+                    let _e94 = global_8.member[(_e87 + _e83)];
+                    let _e99 = global_8.member[(_e87 + (2u * _e83))];
+                    let _e104 = global_8.member[(_e87 + (3u * _e83))];
+                    phi_162_ = _e104;
+                    phi_163_ = _e99;
+                    phi_164_ = _e94;
+                    phi_165_ = _e90;
                 } else {
+                    phi_162_ = 0f;
                     phi_163_ = 0f;
                     phi_164_ = 0f;
                     phi_165_ = 0f;
-                    phi_166_ = 0f;
                 }
-                let _e107 = phi_163_;
-                let _e109 = phi_164_;
-                let _e111 = phi_165_;
-                let _e113 = phi_166_;
-                let _e114 = (_e45 / 64u);
-                if ((_e45 % 64u) > 0u) {
-                    phi_174_ = (_e114 + 1u);
+                let _e106 = phi_162_;
+                let _e108 = phi_163_;
+                let _e110 = phi_164_;
+                let _e112 = phi_165_;
+                let _e113 = (_e44 / 64u);
+                if ((_e44 % 64u) > 0u) {
+                    phi_173_ = (_e113 + 1u);
                 } else {
-                    phi_174_ = _e114;
+                    phi_173_ = _e113;
                 }
-                let _e119 = phi_174_;
-                let _e120 = (_e119 * 16u);
-                let _e121 = (_e45 / 8u);
-                if ((_e45 % 8u) > 0u) {
-                    phi_183_ = (_e121 + 1u);
+                let _e118 = phi_173_;
+                let _e119 = (_e118 * 16u);
+                let _e120 = (_e44 / 8u);
+                if ((_e44 % 8u) > 0u) {
+                    phi_182_ = (_e120 + 1u);
                 } else {
-                    phi_183_ = _e121;
+                    phi_182_ = _e120;
                 }
-                let _e126 = phi_183_;
-                if (_e126 == 0u) {
+                let _e125 = phi_182_;
+                if (_e125 == 0u) {
                     break;
                 }
-                if (_e120 == 0u) {
+                if (_e119 == 0u) {
                     break;
                 }
-                phi_197_ = _e107;
-                phi_200_ = _e109;
-                phi_202_ = _e111;
-                phi_204_ = _e113;
-                phi_206_ = _e76;
+                phi_196_ = _e106;
+                phi_199_ = _e108;
+                phi_201_ = _e110;
+                phi_203_ = _e112;
+                phi_205_ = _e75;
                 loop {
-                    let _e137 = phi_197_;
-                    let _e139 = phi_200_;
-                    let _e141 = phi_202_;
-                    let _e143 = phi_204_;
-                    let _e145 = phi_206_;
-                    local = _e143;
-                    local_1 = _e141;
-                    local_2 = _e139;
-                    local_3 = _e137;
-                    if (_e145 < _e83) {
-                        phi_212_ = 0u;
-                        phi_198_ = _e137;
-                        phi_201_ = _e139;
-                        phi_203_ = _e141;
-                        phi_205_ = _e143;
+                    let _e136 = phi_196_;
+                    let _e138 = phi_199_;
+                    let _e140 = phi_201_;
+                    let _e142 = phi_203_;
+                    let _e144 = phi_205_;
+                    local = _e142;
+                    local_1 = _e140;
+                    local_2 = _e138;
+                    local_3 = _e136;
+                    if (_e144 < _e82) {
+                        phi_211_ = 0u;
+                        phi_197_ = _e136;
+                        phi_200_ = _e138;
+                        phi_202_ = _e140;
+                        phi_204_ = _e142;
                         loop {
-                            let _e149 = phi_212_;
-                            let _e151 = phi_198_;
-                            let _e153 = phi_201_;
-                            let _e155 = phi_203_;
-                            let _e157 = phi_205_;
-                            local_4 = _e151;
-                            local_5 = _e153;
-                            local_6 = _e155;
-                            local_7 = _e157;
-                            if (_e149 < (_e83 - _e145)) {
-                                let _e159 = (_e145 + _e149);
-                                let _e161 = global_6.member[_e159];
-                                if ((_e161 & (1u << bitcast<u32>(((((_e50 / _e126) * 4u) + (_e51 / _e120)) & 31u)))) == 0u) {
-                                    phi_215_ = _e151;
-                                    phi_216_ = _e153;
-                                    phi_217_ = _e155;
-                                    phi_218_ = _e157;
+                            let _e148 = phi_211_;
+                            let _e150 = phi_197_;
+                            let _e152 = phi_200_;
+                            let _e154 = phi_202_;
+                            let _e156 = phi_204_;
+                            local_4 = _e150;
+                            local_5 = _e152;
+                            local_6 = _e154;
+                            local_7 = _e156;
+                            if (_e148 < (_e82 - _e144)) {
+                                let _e158 = (_e144 + _e148);
+                                let _e160 = global_6.member[_e158];
+                                if ((_e160 & (1u << bitcast<u32>(((((_e49 / _e125) * 4u) + (_e50 / _e119)) & 31u)))) == 0u) {
+                                    phi_214_ = _e150;
+                                    phi_215_ = _e152;
+                                    phi_216_ = _e154;
+                                    phi_217_ = _e156;
                                 } else {
-                                    let _e165 = global_5.member[_e159];
-                                    let _e166 = (_e165 * 3u);
-                                    let _e168 = global_7.member[_e166];
-                                    let _e171 = global_7.member[(_e166 + 1u)];
-                                    let _e173 = (_e65 - _e168.x);
-                                    if (_e173 > _e168.w) {
-                                        phi_257_ = bool();
-                                        phi_258_ = true;
+                                    let _e164 = global_5.member[_e158];
+                                    let _e165 = (_e164 * 3u);
+                                    let _e167 = global_7.member[_e165];
+                                    let _e170 = global_7.member[(_e165 + 1u)];
+                                    let _e172 = (_e64 - _e167.x);
+                                    if (_e172 > _e167.w) {
+                                        phi_256_ = bool();
+                                        phi_257_ = true;
                                     } else {
-                                        let _e177 = ((_e168.x - _e65) > _e168.w);
-                                        if _e177 {
-                                            phi_256_ = bool();
+                                        let _e176 = ((_e167.x - _e64) > _e167.w);
+                                        if _e176 {
+                                            phi_255_ = bool();
                                         } else {
-                                            let _e179 = (_e69 - _e168.y);
-                                            if (_e179 < 0f) {
-                                                phi_253_ = -(_e179);
+                                            let _e178 = (_e68 - _e167.y);
+                                            if (_e178 < 0f) {
+                                                phi_252_ = -(_e178);
                                             } else {
-                                                phi_253_ = _e179;
+                                                phi_252_ = _e178;
                                             }
-                                            let _e183 = phi_253_;
-                                            phi_256_ = (_e183 > _e171.w);
+                                            let _e182 = phi_252_;
+                                            phi_255_ = (_e182 > _e170.w);
                                         }
-                                        let _e187 = phi_256_;
-                                        phi_257_ = _e187;
-                                        phi_258_ = _e177;
+                                        let _e186 = phi_255_;
+                                        phi_256_ = _e186;
+                                        phi_257_ = _e176;
                                     }
-                                    let _e189 = phi_257_;
-                                    let _e191 = phi_258_;
-                                    if !(select(_e189, true, _e191)) {
-                                        let _e195 = (_e69 - _e168.y);
-                                        let _e207 = ((((_e171.x * _e173) * _e173) + (((2f * _e171.y) * _e173) * _e195)) + ((_e171.z * _e195) * _e195));
-                                        let _e213 = (_e207 <= 11.082527f);
-                                        let _e215 = (_e168.z * select(0f, exp((-0.5f * select(0f, _e207, (_e207 > 0f)))), _e213));
-                                        let _e218 = global_7.member[(_e166 + 2u)];
-                                        phi_284_ = (_e151 + select(0f, _e215, _e213));
-                                        phi_285_ = (_e153 + select(0f, (_e215 * _e218.z), _e213));
-                                        phi_286_ = (_e155 + select(0f, (_e215 * _e218.y), _e213));
-                                        phi_287_ = (_e157 + select(0f, (_e215 * _e218.x), _e213));
+                                    let _e188 = phi_256_;
+                                    let _e190 = phi_257_;
+                                    if !(select(_e188, true, _e190)) {
+                                        let _e194 = (_e68 - _e167.y);
+                                        let _e199 = ((_e170.y * _e172) * _e194);
+                                        let _e206 = ((((_e170.x * _e172) * _e172) + (_e199 + _e199)) + ((_e170.z * _e194) * _e194));
+                                        let _e212 = (_e206 <= 11.082527f);
+                                        let _e214 = (_e167.z * select(0f, exp((-0.5f * select(0f, _e206, (_e206 > 0f)))), _e212));
+                                        let _e217 = global_7.member[(_e165 + 2u)];
+                                        phi_283_ = (_e150 + select(0f, _e214, _e212));
+                                        phi_284_ = (_e152 + select(0f, (_e214 * _e217.z), _e212));
+                                        phi_285_ = (_e154 + select(0f, (_e214 * _e217.y), _e212));
+                                        phi_286_ = (_e156 + select(0f, (_e214 * _e217.x), _e212));
                                     } else {
-                                        phi_284_ = _e151;
-                                        phi_285_ = _e153;
-                                        phi_286_ = _e155;
-                                        phi_287_ = _e157;
+                                        phi_283_ = _e150;
+                                        phi_284_ = _e152;
+                                        phi_285_ = _e154;
+                                        phi_286_ = _e156;
                                     }
-                                    let _e234 = phi_284_;
-                                    let _e236 = phi_285_;
-                                    let _e238 = phi_286_;
-                                    let _e240 = phi_287_;
-                                    phi_215_ = _e234;
-                                    phi_216_ = _e236;
-                                    phi_217_ = _e238;
-                                    phi_218_ = _e240;
+                                    let _e233 = phi_283_;
+                                    let _e235 = phi_284_;
+                                    let _e237 = phi_285_;
+                                    let _e239 = phi_286_;
+                                    phi_214_ = _e233;
+                                    phi_215_ = _e235;
+                                    phi_216_ = _e237;
+                                    phi_217_ = _e239;
                                 }
-                                let _e242 = phi_215_;
-                                let _e244 = phi_216_;
-                                let _e246 = phi_217_;
-                                let _e248 = phi_218_;
-                                local_8 = (_e149 + 1u);
-                                local_9 = _e242;
-                                local_10 = _e244;
-                                local_11 = _e246;
-                                local_12 = _e248;
+                                let _e241 = phi_214_;
+                                let _e243 = phi_215_;
+                                let _e245 = phi_216_;
+                                let _e247 = phi_217_;
+                                local_8 = (_e148 + 1u);
+                                local_9 = _e241;
+                                local_10 = _e243;
+                                local_11 = _e245;
+                                local_12 = _e247;
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e293 = local_8;
-                                phi_212_ = _e293;
-                                let _e296 = local_9;
-                                phi_198_ = _e296;
-                                let _e299 = local_10;
-                                phi_201_ = _e299;
-                                let _e302 = local_11;
-                                phi_203_ = _e302;
-                                let _e305 = local_12;
-                                phi_205_ = _e305;
+                                let _e292 = local_8;
+                                phi_211_ = _e292;
+                                let _e295 = local_9;
+                                phi_197_ = _e295;
+                                let _e298 = local_10;
+                                phi_200_ = _e298;
+                                let _e301 = local_11;
+                                phi_202_ = _e301;
+                                let _e304 = local_12;
+                                phi_204_ = _e304;
                             }
                         }
                         continue;
@@ -277,26 +278,26 @@ fn function_() {
                         break;
                     }
                     continuing {
-                        let _e280 = local_4;
-                        phi_197_ = _e280;
-                        let _e283 = local_5;
-                        phi_200_ = _e283;
-                        let _e286 = local_6;
-                        phi_202_ = _e286;
-                        let _e289 = local_7;
-                        phi_204_ = _e289;
-                        phi_206_ = _e83;
+                        let _e279 = local_4;
+                        phi_196_ = _e279;
+                        let _e282 = local_5;
+                        phi_199_ = _e282;
+                        let _e285 = local_6;
+                        phi_201_ = _e285;
+                        let _e288 = local_7;
+                        phi_203_ = _e288;
+                        phi_205_ = _e82;
                     }
                 }
-                if _e49 {
-                    let _e253 = local;
-                    global_8.member[_e88] = _e253;
-                    let _e258 = local_1;
-                    global_8.member[(_e88 + _e84)] = _e258;
-                    let _e264 = local_2;
-                    global_8.member[(_e88 + (2u * _e84))] = _e264;
-                    let _e270 = local_3;
-                    global_8.member[(_e88 + (3u * _e84))] = _e270;
+                if _e48 {
+                    let _e252 = local;
+                    global_8.member[_e87] = _e252;
+                    let _e257 = local_1;
+                    global_8.member[(_e87 + _e83)] = _e257;
+                    let _e263 = local_2;
+                    global_8.member[(_e87 + (2u * _e83))] = _e263;
+                    let _e269 = local_3;
+                    global_8.member[(_e87 + (3u * _e83))] = _e269;
                 }
             }
             break;

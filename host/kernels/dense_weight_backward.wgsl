@@ -60,29 +60,45 @@ fn function_() {
     var phi_148_: u32;
     var phi_158_: u32;
     var phi_204_: vec4<f32>;
-    var phi_211_: u32;
-    var phi_214_: type_19;
-    var local_3: type_19;
+    var phi_217_: u32;
+    var phi_221_: u32;
+    var phi_224_: type_19;
+    var local_3: u32;
+    var phi_253_: u32;
+    var phi_256_: type_19;
+    var phi_340_: u32;
+    var phi_343_: type_19;
     var local_4: type_19;
     var local_5: type_19;
     var local_6: type_19;
-    var phi_246_: u32;
-    var phi_249_: type_19;
     var local_7: type_19;
+    var phi_375_: u32;
+    var phi_378_: type_19;
     var local_8: type_19;
     var local_9: type_19;
     var local_10: type_19;
-    var phi_310_: vec4<f32>;
-    var phi_321_: vec4<f32>;
-    var phi_332_: vec4<f32>;
-    var phi_343_: vec4<f32>;
-    var phi_363_: type_19;
-    var phi_366_: type_19;
-    var phi_368_: type_19;
-    var phi_370_: type_19;
-    var phi_372_: u32;
     var local_11: type_19;
-    var local_12: type_19;
+    var phi_439_: vec4<f32>;
+    var phi_450_: vec4<f32>;
+    var phi_461_: vec4<f32>;
+    var phi_472_: vec4<f32>;
+    var phi_498_: u32;
+    var phi_502_: type_19;
+    var phi_505_: type_19;
+    var phi_507_: type_19;
+    var phi_509_: type_19;
+    var phi_511_: u32;
+    var local_12: u32;
+    var phi_598_: u32;
+    var phi_601_: type_19;
+    var phi_603_: type_19;
+    var phi_605_: type_19;
+    var phi_607_: type_19;
+    var phi_865_: type_19;
+    var phi_868_: type_19;
+    var phi_870_: type_19;
+    var phi_872_: type_19;
+    var phi_874_: u32;
     var local_13: type_19;
     var local_14: type_19;
     var local_15: type_19;
@@ -97,13 +113,13 @@ fn function_() {
     var local_24: type_19;
     var local_25: type_19;
     var local_26: type_19;
-    var phi_468_: type_19;
-    var phi_471_: type_19;
-    var phi_473_: type_19;
-    var phi_475_: type_19;
-    var phi_477_: u32;
     var local_27: type_19;
     var local_28: type_19;
+    var phi_970_: type_19;
+    var phi_973_: type_19;
+    var phi_975_: type_19;
+    var phi_977_: type_19;
+    var phi_979_: u32;
     var local_29: type_19;
     var local_30: type_19;
     var local_31: type_19;
@@ -118,22 +134,48 @@ fn function_() {
     var local_40: type_19;
     var local_41: type_19;
     var local_42: type_19;
-    var local_43: u32;
-    var local_44: u32;
+    var local_43: type_19;
+    var local_44: type_19;
     var local_45: u32;
     var local_46: u32;
-    var local_47: type_19;
+    var local_47: u32;
     var local_48: u32;
     var local_49: type_19;
-    var local_50: type_19;
+    var local_50: u32;
     var local_51: type_19;
     var local_52: type_19;
-    var local_53: type_19;
+    var local_53: u32;
     var local_54: type_19;
     var local_55: type_19;
-    var local_56: type_19;
+    var local_56: u32;
     var local_57: type_19;
-    var local_58: u32;
+    var local_58: type_19;
+    var local_59: type_19;
+    var local_60: type_19;
+    var local_61: type_19;
+    var local_62: u32;
+    var local_63: type_19;
+    var local_64: type_19;
+    var local_65: type_19;
+    var local_66: type_19;
+    var local_67: type_19;
+    var local_68: type_19;
+    var local_69: type_19;
+    var local_70: type_19;
+    var local_71: type_19;
+    var local_72: type_19;
+    var local_73: type_19;
+    var local_74: type_19;
+    var local_75: type_19;
+    var local_76: type_19;
+    var local_77: type_19;
+    var local_78: type_19;
+    var local_79: u32;
+    var local_80: type_19;
+    var local_81: type_19;
+    var local_82: type_19;
+    var local_83: type_19;
+    var local_84: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -158,17 +200,17 @@ fn function_() {
                     let _e64 = ((_e58 + _e60) / 2u);
                     let _e68 = global_5.member[(2u * _e64)];
                     let _e69 = (_e68 <= _e50);
-                    local_43 = select(_e58, _e64, _e69);
-                    local_44 = select(_e64, _e60, _e69);
+                    local_45 = select(_e58, _e64, _e69);
+                    local_46 = select(_e64, _e60, _e69);
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e673 = local_43;
-                    phi_82_ = _e673;
-                    let _e676 = local_44;
-                    phi_85_ = _e676;
+                    let _e1233 = local_45;
+                    phi_82_ = _e1233;
+                    let _e1236 = local_46;
+                    phi_85_ = _e1236;
                 }
             }
             let _e73 = local;
@@ -191,17 +233,17 @@ fn function_() {
                     let _e95 = ((_e89 + _e91) / 2u);
                     let _e100 = global_5.member[((2u * _e95) + 1u)];
                     let _e101 = (_e100 <= _e87);
-                    local_45 = select(_e89, _e95, _e101);
-                    local_46 = select(_e95, _e91, _e101);
+                    local_47 = select(_e89, _e95, _e101);
+                    local_48 = select(_e95, _e91, _e101);
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e680 = local_45;
-                    phi_112_ = _e680;
-                    let _e683 = local_46;
-                    phi_115_ = _e683;
+                    let _e1240 = local_47;
+                    phi_112_ = _e1240;
+                    let _e1243 = local_48;
+                    phi_115_ = _e1243;
                 }
             }
             let _e105 = local_1;
@@ -248,207 +290,353 @@ fn function_() {
                     let _e161 = global_6.member.member_2;
                     let _e162 = ((4u * _e145) * _e161);
                     if (_e144 < (_e46 + 1u)) {
-                        let _e275 = (_e144 * 4u);
-                        let _e278 = global_6.member.member_5;
-                        let _e281 = ((_e155 + _e278) + (_e275 * _e41));
-                        let _e282 = (_e45 - _e275);
-                        let _e286 = (_e281 + (select(_e282, 1u, (1u < _e282)) * _e41));
-                        let _e290 = (_e281 + (select(_e282, 2u, (2u < _e282)) * _e41));
-                        let _e294 = (_e281 + (select(_e282, 3u, (3u < _e282)) * _e41));
+                        let _e420 = (_e144 * 4u);
+                        let _e423 = global_6.member.member_5;
+                        let _e426 = ((_e155 + _e423) + (_e420 * _e41));
+                        let _e427 = (_e45 - _e420);
+                        let _e431 = (_e426 + (select(_e427, 1u, (1u < _e427)) * _e41));
+                        let _e435 = (_e426 + (select(_e427, 2u, (2u < _e427)) * _e41));
+                        let _e439 = (_e426 + (select(_e427, 3u, (3u < _e427)) * _e41));
                         if _e157 {
-                            let _e297 = global_7.member[_e281];
-                            phi_310_ = _e297;
+                            let _e442 = global_7.member[_e426];
+                            phi_439_ = _e442;
                         } else {
-                            phi_310_ = vec4<f32>(0f, 0f, 0f, 0f);
+                            phi_439_ = vec4<f32>(0f, 0f, 0f, 0f);
                         }
-                        let _e299 = phi_310_;
+                        let _e444 = phi_439_;
                         if _e157 {
-                            let _e307 = global_7.member[_e286];
-                            phi_321_ = _e307;
+                            let _e452 = global_7.member[_e431];
+                            phi_450_ = _e452;
                         } else {
-                            phi_321_ = vec4<f32>(0f, 0f, 0f, 0f);
+                            phi_450_ = vec4<f32>(0f, 0f, 0f, 0f);
                         }
-                        let _e309 = phi_321_;
+                        let _e454 = phi_450_;
                         if _e157 {
-                            let _e317 = global_7.member[_e290];
-                            phi_332_ = _e317;
+                            let _e462 = global_7.member[_e435];
+                            phi_461_ = _e462;
                         } else {
-                            phi_332_ = vec4<f32>(0f, 0f, 0f, 0f);
+                            phi_461_ = vec4<f32>(0f, 0f, 0f, 0f);
                         }
-                        let _e319 = phi_332_;
+                        let _e464 = phi_461_;
                         if _e157 {
-                            let _e327 = global_7.member[_e294];
-                            phi_343_ = _e327;
+                            let _e472 = global_7.member[_e439];
+                            phi_472_ = _e472;
                         } else {
-                            phi_343_ = vec4<f32>(0f, 0f, 0f, 0f);
+                            phi_472_ = vec4<f32>(0f, 0f, 0f, 0f);
                         }
-                        let _e329 = phi_343_;
-                        let _e335 = (_e275 * _e161);
-                        let _e336 = (_e275 + 1u);
-                        let _e339 = (select(_e45, _e336, (_e336 < _e45)) * _e161);
-                        let _e340 = (_e275 + 2u);
-                        let _e343 = (select(_e45, _e340, (_e340 < _e45)) * _e161);
-                        let _e344 = (_e275 + 3u);
-                        let _e347 = (select(_e45, _e344, (_e344 < _e45)) * _e161);
-                        phi_363_ = type_19(_e329.x, _e329.y, _e329.z, _e329.w);
-                        phi_366_ = type_19(_e319.x, _e319.y, _e319.z, _e319.w);
-                        phi_368_ = type_19(_e309.x, _e309.y, _e309.z, _e309.w);
-                        phi_370_ = type_19(_e299.x, _e299.y, _e299.z, _e299.w);
-                        phi_372_ = _e129;
+                        let _e474 = phi_472_;
+                        let _e480 = (_e420 * _e161);
+                        let _e481 = (_e420 + 1u);
+                        let _e484 = (select(_e45, _e481, (_e481 < _e45)) * _e161);
+                        let _e485 = (_e420 + 2u);
+                        let _e488 = (select(_e45, _e485, (_e485 < _e45)) * _e161);
+                        let _e489 = (_e420 + 3u);
+                        let _e492 = (select(_e45, _e489, (_e489 < _e45)) * _e161);
+                        let _e493 = (_e129 % 4u);
+                        if (_e493 == 0u) {
+                            phi_498_ = _e129;
+                        } else {
+                            phi_498_ = (_e129 + (4u - _e493));
+                        }
+                        let _e498 = phi_498_;
+                        phi_502_ = type_19(_e474.x, _e474.y, _e474.z, _e474.w);
+                        phi_505_ = type_19(_e464.x, _e464.y, _e464.z, _e464.w);
+                        phi_507_ = type_19(_e454.x, _e454.y, _e454.z, _e454.w);
+                        phi_509_ = type_19(_e444.x, _e444.y, _e444.z, _e444.w);
+                        phi_511_ = _e129;
                         loop {
-                            let _e349 = phi_363_;
-                            let _e351 = phi_366_;
-                            let _e353 = phi_368_;
-                            let _e355 = phi_370_;
-                            let _e357 = phi_372_;
-                            let _e358 = (_e357 + 1u);
-                            local_11 = _e355;
-                            local_12 = _e355;
-                            local_13 = _e355;
-                            local_14 = _e355;
-                            local_15 = _e353;
-                            local_16 = _e353;
-                            local_17 = _e353;
-                            local_18 = _e353;
-                            local_19 = _e351;
-                            local_20 = _e351;
-                            local_21 = _e351;
-                            local_22 = _e351;
-                            local_23 = _e349;
-                            local_24 = _e349;
-                            local_25 = _e349;
-                            local_26 = _e349;
-                            local_58 = _e357;
-                            if (_e358 <= _e138) {
-                                let _e360 = (_e162 + _e357);
-                                let _e363 = global_4.member[_e360];
-                                let _e367 = global_4.member[(_e360 + _e161)];
-                                let _e372 = global_4.member[(_e360 + (2u * _e161))];
-                                let _e377 = global_4.member[(_e360 + (3u * _e161))];
-                                let _e381 = global_3.member[(_e335 + _e357)];
-                                let _e398 = global_3.member[(_e339 + _e357)];
-                                let _e415 = global_3.member[(_e343 + _e357)];
-                                let _e432 = global_3.member[(_e347 + _e357)];
-                                local_50 = type_19(((_e432 * _e363) + _e349.member), ((_e432 * _e367) + _e349.member_1), ((_e432 * _e372) + _e349.member_2), ((_e432 * _e377) + _e349.member_3));
-                                local_51 = type_19(((_e415 * _e363) + _e351.member), ((_e415 * _e367) + _e351.member_1), ((_e415 * _e372) + _e351.member_2), ((_e415 * _e377) + _e351.member_3));
-                                local_52 = type_19(((_e398 * _e363) + _e353.member), ((_e398 * _e367) + _e353.member_1), ((_e398 * _e372) + _e353.member_2), ((_e398 * _e377) + _e353.member_3));
-                                local_53 = type_19(((_e381 * _e363) + _e355.member), ((_e381 * _e367) + _e355.member_1), ((_e381 * _e372) + _e355.member_2), ((_e381 * _e377) + _e355.member_3));
+                            let _e502 = phi_502_;
+                            let _e504 = phi_505_;
+                            let _e506 = phi_507_;
+                            let _e508 = phi_509_;
+                            let _e510 = phi_511_;
+                            let _e511 = (_e510 + 1u);
+                            local_12 = _e510;
+                            local_63 = _e502;
+                            local_65 = _e504;
+                            local_67 = _e506;
+                            local_69 = _e508;
+                            if (_e511 <= select(_e138, _e498, (_e498 < _e138))) {
+                                let _e513 = (_e162 + _e510);
+                                let _e516 = global_4.member[_e513];
+                                let _e520 = global_4.member[(_e513 + _e161)];
+                                let _e525 = global_4.member[(_e513 + (2u * _e161))];
+                                let _e530 = global_4.member[(_e513 + (3u * _e161))];
+                                let _e534 = global_3.member[(_e480 + _e510)];
+                                let _e551 = global_3.member[(_e484 + _e510)];
+                                let _e568 = global_3.member[(_e488 + _e510)];
+                                let _e585 = global_3.member[(_e492 + _e510)];
+                                local_58 = type_19(((_e585 * _e516) + _e502.member), ((_e585 * _e520) + _e502.member_1), ((_e585 * _e525) + _e502.member_2), ((_e585 * _e530) + _e502.member_3));
+                                local_59 = type_19(((_e568 * _e516) + _e504.member), ((_e568 * _e520) + _e504.member_1), ((_e568 * _e525) + _e504.member_2), ((_e568 * _e530) + _e504.member_3));
+                                local_60 = type_19(((_e551 * _e516) + _e506.member), ((_e551 * _e520) + _e506.member_1), ((_e551 * _e525) + _e506.member_2), ((_e551 * _e530) + _e506.member_3));
+                                local_61 = type_19(((_e534 * _e516) + _e508.member), ((_e534 * _e520) + _e508.member_1), ((_e534 * _e525) + _e508.member_2), ((_e534 * _e530) + _e508.member_3));
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e713 = local_50;
-                                phi_363_ = _e713;
-                                let _e716 = local_51;
-                                phi_366_ = _e716;
-                                let _e719 = local_52;
-                                phi_368_ = _e719;
-                                let _e722 = local_53;
-                                phi_370_ = _e722;
-                                phi_372_ = _e358;
+                                let _e1292 = local_58;
+                                phi_502_ = _e1292;
+                                let _e1295 = local_59;
+                                phi_505_ = _e1295;
+                                let _e1298 = local_60;
+                                phi_507_ = _e1298;
+                                let _e1301 = local_61;
+                                phi_509_ = _e1301;
+                                phi_511_ = _e511;
                             }
                         }
-                        let _e447 = local_11;
-                        let _e450 = local_12;
-                        let _e453 = local_13;
-                        let _e456 = local_14;
-                        let _e459 = local_15;
-                        let _e462 = local_16;
-                        let _e465 = local_17;
-                        let _e468 = local_18;
-                        let _e471 = local_19;
-                        let _e474 = local_20;
-                        let _e477 = local_21;
-                        let _e480 = local_22;
-                        let _e483 = local_23;
-                        let _e486 = local_24;
-                        let _e489 = local_25;
-                        let _e492 = local_26;
-                        phi_468_ = type_19(0f, 0f, 0f, 0f);
-                        phi_471_ = type_19(0f, 0f, 0f, 0f);
-                        phi_473_ = type_19(0f, 0f, 0f, 0f);
-                        phi_475_ = type_19(0f, 0f, 0f, 0f);
-                        let _e754 = local_58;
-                        phi_477_ = _e754;
+                        let _e604 = (_e161 / 4u);
+                        let _e606 = local_12;
+                        phi_598_ = (_e606 / 4u);
+                        let _e1309 = local_63;
+                        phi_601_ = _e1309;
+                        let _e1314 = local_65;
+                        phi_603_ = _e1314;
+                        let _e1319 = local_67;
+                        phi_605_ = _e1319;
+                        let _e1324 = local_69;
+                        phi_607_ = _e1324;
                         loop {
-                            let _e495 = phi_468_;
-                            let _e497 = phi_471_;
-                            let _e499 = phi_473_;
-                            let _e501 = phi_475_;
-                            let _e503 = phi_477_;
-                            let _e504 = (_e503 + 1u);
-                            local_27 = _e501;
-                            local_28 = _e501;
-                            local_29 = _e501;
-                            local_30 = _e501;
-                            local_31 = _e499;
-                            local_32 = _e499;
-                            local_33 = _e499;
-                            local_34 = _e499;
-                            local_35 = _e497;
-                            local_36 = _e497;
-                            local_37 = _e497;
-                            local_38 = _e497;
-                            local_39 = _e495;
-                            local_40 = _e495;
-                            local_41 = _e495;
-                            local_42 = _e495;
-                            if (_e504 <= _e138) {
-                                let _e506 = (_e162 + _e503);
-                                let _e509 = global_4.member[_e506];
-                                let _e513 = global_4.member[(_e506 + _e161)];
-                                let _e518 = global_4.member[(_e506 + (2u * _e161))];
-                                let _e523 = global_4.member[(_e506 + (3u * _e161))];
-                                let _e527 = global_3.member[(_e335 + _e503)];
-                                let _e544 = global_3.member[(_e339 + _e503)];
-                                let _e561 = global_3.member[(_e343 + _e503)];
-                                let _e578 = global_3.member[(_e347 + _e503)];
-                                local_54 = type_19(((_e578 * _e509) + _e495.member), ((_e578 * _e513) + _e495.member_1), ((_e578 * _e518) + _e495.member_2), ((_e578 * _e523) + _e495.member_3));
-                                local_55 = type_19(((_e561 * _e509) + _e497.member), ((_e561 * _e513) + _e497.member_1), ((_e561 * _e518) + _e497.member_2), ((_e561 * _e523) + _e497.member_3));
-                                local_56 = type_19(((_e544 * _e509) + _e499.member), ((_e544 * _e513) + _e499.member_1), ((_e544 * _e518) + _e499.member_2), ((_e544 * _e523) + _e499.member_3));
-                                local_57 = type_19(((_e527 * _e509) + _e501.member), ((_e527 * _e513) + _e501.member_1), ((_e527 * _e518) + _e501.member_2), ((_e527 * _e523) + _e501.member_3));
+                            let _e609 = phi_598_;
+                            let _e611 = phi_601_;
+                            let _e613 = phi_603_;
+                            let _e615 = phi_605_;
+                            let _e617 = phi_607_;
+                            let _e618 = (4u * _e609);
+                            local_71 = _e611;
+                            local_73 = _e613;
+                            local_75 = _e615;
+                            local_77 = _e617;
+                            local_79 = _e618;
+                            if ((_e618 + 4u) <= _e138) {
+                                let _e621 = ((_e162 / 4u) + _e609);
+                                let _e622 = (4u * _e621);
+                                let _e625 = global_4.member[_e622];
+                                let _e629 = global_4.member[(_e622 + 1u)];
+                                let _e633 = global_4.member[(_e622 + 2u)];
+                                let _e637 = global_4.member[(_e622 + 3u)];
+                                let _e639 = (4u * (_e621 + _e604));
+                                let _e642 = global_4.member[_e639];
+                                let _e646 = global_4.member[(_e639 + 1u)];
+                                let _e650 = global_4.member[(_e639 + 2u)];
+                                let _e654 = global_4.member[(_e639 + 3u)];
+                                let _e657 = (4u * (_e621 + (2u * _e604)));
+                                let _e660 = global_4.member[_e657];
+                                let _e664 = global_4.member[(_e657 + 1u)];
+                                let _e668 = global_4.member[(_e657 + 2u)];
+                                let _e672 = global_4.member[(_e657 + 3u)];
+                                let _e675 = (4u * (_e621 + (3u * _e604)));
+                                let _e678 = global_4.member[_e675];
+                                let _e682 = global_4.member[(_e675 + 1u)];
+                                let _e686 = global_4.member[(_e675 + 2u)];
+                                let _e690 = global_4.member[(_e675 + 3u)];
+                                let _e692 = (4u * ((_e480 / 4u) + _e609));
+                                let _e695 = global_3.member[_e692];
+                                let _e699 = global_3.member[(_e692 + 1u)];
+                                let _e703 = global_3.member[(_e692 + 2u)];
+                                let _e707 = global_3.member[(_e692 + 3u)];
+                                let _e709 = (4u * ((_e484 / 4u) + _e609));
+                                let _e712 = global_3.member[_e709];
+                                let _e716 = global_3.member[(_e709 + 1u)];
+                                let _e720 = global_3.member[(_e709 + 2u)];
+                                let _e724 = global_3.member[(_e709 + 3u)];
+                                let _e726 = (4u * ((_e488 / 4u) + _e609));
+                                let _e729 = global_3.member[_e726];
+                                let _e733 = global_3.member[(_e726 + 1u)];
+                                let _e737 = global_3.member[(_e726 + 2u)];
+                                let _e741 = global_3.member[(_e726 + 3u)];
+                                let _e743 = (4u * ((_e492 / 4u) + _e609));
+                                let _e746 = global_3.member[_e743];
+                                let _e750 = global_3.member[(_e743 + 1u)];
+                                let _e754 = global_3.member[(_e743 + 2u)];
+                                let _e758 = global_3.member[(_e743 + 3u)];
+                                local_62 = (_e609 + 1u);
+                                local_64 = type_19(((_e758 * _e637) + ((_e754 * _e633) + ((_e750 * _e629) + ((_e746 * _e625) + _e611.member)))), ((_e758 * _e654) + ((_e754 * _e650) + ((_e750 * _e646) + ((_e746 * _e642) + _e611.member_1)))), ((_e758 * _e672) + ((_e754 * _e668) + ((_e750 * _e664) + ((_e746 * _e660) + _e611.member_2)))), ((_e758 * _e690) + ((_e754 * _e686) + ((_e750 * _e682) + ((_e746 * _e678) + _e611.member_3)))));
+                                local_66 = type_19(((_e741 * _e637) + ((_e737 * _e633) + ((_e733 * _e629) + ((_e729 * _e625) + _e613.member)))), ((_e741 * _e654) + ((_e737 * _e650) + ((_e733 * _e646) + ((_e729 * _e642) + _e613.member_1)))), ((_e741 * _e672) + ((_e737 * _e668) + ((_e733 * _e664) + ((_e729 * _e660) + _e613.member_2)))), ((_e741 * _e690) + ((_e737 * _e686) + ((_e733 * _e682) + ((_e729 * _e678) + _e613.member_3)))));
+                                local_68 = type_19(((_e724 * _e637) + ((_e720 * _e633) + ((_e716 * _e629) + ((_e712 * _e625) + _e615.member)))), ((_e724 * _e654) + ((_e720 * _e650) + ((_e716 * _e646) + ((_e712 * _e642) + _e615.member_1)))), ((_e724 * _e672) + ((_e720 * _e668) + ((_e716 * _e664) + ((_e712 * _e660) + _e615.member_2)))), ((_e724 * _e690) + ((_e720 * _e686) + ((_e716 * _e682) + ((_e712 * _e678) + _e615.member_3)))));
+                                local_70 = type_19(((_e707 * _e637) + ((_e703 * _e633) + ((_e699 * _e629) + ((_e695 * _e625) + _e617.member)))), ((_e707 * _e654) + ((_e703 * _e650) + ((_e699 * _e646) + ((_e695 * _e642) + _e617.member_1)))), ((_e707 * _e672) + ((_e703 * _e668) + ((_e699 * _e664) + ((_e695 * _e660) + _e617.member_2)))), ((_e707 * _e690) + ((_e703 * _e686) + ((_e699 * _e682) + ((_e695 * _e678) + _e617.member_3)))));
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e742 = local_54;
-                                phi_468_ = _e742;
-                                let _e745 = local_55;
-                                phi_471_ = _e745;
-                                let _e748 = local_56;
-                                phi_473_ = _e748;
-                                let _e751 = local_57;
-                                phi_475_ = _e751;
-                                phi_477_ = _e504;
+                                let _e1306 = local_62;
+                                phi_598_ = _e1306;
+                                let _e1311 = local_64;
+                                phi_601_ = _e1311;
+                                let _e1316 = local_66;
+                                phi_603_ = _e1316;
+                                let _e1321 = local_68;
+                                phi_605_ = _e1321;
+                                let _e1326 = local_70;
+                                phi_607_ = _e1326;
                             }
                         }
-                        let _e593 = local_27;
-                        let _e597 = local_28;
-                        let _e601 = local_29;
-                        let _e605 = local_30;
-                        global_7.member[_e281] = vec4<f32>((_e447.member + _e593.member), (_e450.member_1 + _e597.member_1), (_e453.member_2 + _e601.member_2), (_e456.member_3 + _e605.member_3));
-                        if (_e336 < _e44) {
-                            let _e613 = local_31;
-                            let _e617 = local_32;
-                            let _e621 = local_33;
-                            let _e625 = local_34;
-                            global_7.member[_e286] = vec4<f32>((_e459.member + _e613.member), (_e462.member_1 + _e617.member_1), (_e465.member_2 + _e621.member_2), (_e468.member_3 + _e625.member_3));
+                        let _e1329 = local_71;
+                        phi_865_ = _e1329;
+                        let _e1334 = local_73;
+                        phi_868_ = _e1334;
+                        let _e1339 = local_75;
+                        phi_870_ = _e1339;
+                        let _e1344 = local_77;
+                        phi_872_ = _e1344;
+                        let _e1349 = local_79;
+                        phi_874_ = _e1349;
+                        loop {
+                            let _e909 = phi_865_;
+                            let _e911 = phi_868_;
+                            let _e913 = phi_870_;
+                            let _e915 = phi_872_;
+                            let _e917 = phi_874_;
+                            let _e918 = (_e917 + 1u);
+                            local_13 = _e915;
+                            local_14 = _e915;
+                            local_15 = _e915;
+                            local_16 = _e915;
+                            local_17 = _e913;
+                            local_18 = _e913;
+                            local_19 = _e913;
+                            local_20 = _e913;
+                            local_21 = _e911;
+                            local_22 = _e911;
+                            local_23 = _e911;
+                            local_24 = _e911;
+                            local_25 = _e909;
+                            local_26 = _e909;
+                            local_27 = _e909;
+                            local_28 = _e909;
+                            local_84 = _e917;
+                            if (_e918 <= _e138) {
+                                let _e920 = (_e162 + _e917);
+                                let _e923 = global_4.member[_e920];
+                                let _e927 = global_4.member[(_e920 + _e161)];
+                                let _e932 = global_4.member[(_e920 + (2u * _e161))];
+                                let _e937 = global_4.member[(_e920 + (3u * _e161))];
+                                let _e941 = global_3.member[(_e480 + _e917)];
+                                let _e958 = global_3.member[(_e484 + _e917)];
+                                let _e975 = global_3.member[(_e488 + _e917)];
+                                let _e992 = global_3.member[(_e492 + _e917)];
+                                local_72 = type_19(((_e992 * _e923) + _e909.member), ((_e992 * _e927) + _e909.member_1), ((_e992 * _e932) + _e909.member_2), ((_e992 * _e937) + _e909.member_3));
+                                local_74 = type_19(((_e975 * _e923) + _e911.member), ((_e975 * _e927) + _e911.member_1), ((_e975 * _e932) + _e911.member_2), ((_e975 * _e937) + _e911.member_3));
+                                local_76 = type_19(((_e958 * _e923) + _e913.member), ((_e958 * _e927) + _e913.member_1), ((_e958 * _e932) + _e913.member_2), ((_e958 * _e937) + _e913.member_3));
+                                local_78 = type_19(((_e941 * _e923) + _e915.member), ((_e941 * _e927) + _e915.member_1), ((_e941 * _e932) + _e915.member_2), ((_e941 * _e937) + _e915.member_3));
+                                continue;
+                            } else {
+                                break;
+                            }
+                            continuing {
+                                let _e1331 = local_72;
+                                phi_865_ = _e1331;
+                                let _e1336 = local_74;
+                                phi_868_ = _e1336;
+                                let _e1341 = local_76;
+                                phi_870_ = _e1341;
+                                let _e1346 = local_78;
+                                phi_872_ = _e1346;
+                                phi_874_ = _e918;
+                            }
                         }
-                        if (_e340 < _e44) {
-                            let _e633 = local_35;
-                            let _e637 = local_36;
-                            let _e641 = local_37;
-                            let _e645 = local_38;
-                            global_7.member[_e290] = vec4<f32>((_e471.member + _e633.member), (_e474.member_1 + _e637.member_1), (_e477.member_2 + _e641.member_2), (_e480.member_3 + _e645.member_3));
+                        let _e1007 = local_13;
+                        let _e1010 = local_14;
+                        let _e1013 = local_15;
+                        let _e1016 = local_16;
+                        let _e1019 = local_17;
+                        let _e1022 = local_18;
+                        let _e1025 = local_19;
+                        let _e1028 = local_20;
+                        let _e1031 = local_21;
+                        let _e1034 = local_22;
+                        let _e1037 = local_23;
+                        let _e1040 = local_24;
+                        let _e1043 = local_25;
+                        let _e1046 = local_26;
+                        let _e1049 = local_27;
+                        let _e1052 = local_28;
+                        phi_970_ = type_19(0f, 0f, 0f, 0f);
+                        phi_973_ = type_19(0f, 0f, 0f, 0f);
+                        phi_975_ = type_19(0f, 0f, 0f, 0f);
+                        phi_977_ = type_19(0f, 0f, 0f, 0f);
+                        let _e1380 = local_84;
+                        phi_979_ = _e1380;
+                        loop {
+                            let _e1055 = phi_970_;
+                            let _e1057 = phi_973_;
+                            let _e1059 = phi_975_;
+                            let _e1061 = phi_977_;
+                            let _e1063 = phi_979_;
+                            let _e1064 = (_e1063 + 1u);
+                            local_29 = _e1061;
+                            local_30 = _e1061;
+                            local_31 = _e1061;
+                            local_32 = _e1061;
+                            local_33 = _e1059;
+                            local_34 = _e1059;
+                            local_35 = _e1059;
+                            local_36 = _e1059;
+                            local_37 = _e1057;
+                            local_38 = _e1057;
+                            local_39 = _e1057;
+                            local_40 = _e1057;
+                            local_41 = _e1055;
+                            local_42 = _e1055;
+                            local_43 = _e1055;
+                            local_44 = _e1055;
+                            if (_e1064 <= _e138) {
+                                let _e1066 = (_e162 + _e1063);
+                                let _e1069 = global_4.member[_e1066];
+                                let _e1073 = global_4.member[(_e1066 + _e161)];
+                                let _e1078 = global_4.member[(_e1066 + (2u * _e161))];
+                                let _e1083 = global_4.member[(_e1066 + (3u * _e161))];
+                                let _e1087 = global_3.member[(_e480 + _e1063)];
+                                let _e1104 = global_3.member[(_e484 + _e1063)];
+                                let _e1121 = global_3.member[(_e488 + _e1063)];
+                                let _e1138 = global_3.member[(_e492 + _e1063)];
+                                local_80 = type_19(((_e1138 * _e1069) + _e1055.member), ((_e1138 * _e1073) + _e1055.member_1), ((_e1138 * _e1078) + _e1055.member_2), ((_e1138 * _e1083) + _e1055.member_3));
+                                local_81 = type_19(((_e1121 * _e1069) + _e1057.member), ((_e1121 * _e1073) + _e1057.member_1), ((_e1121 * _e1078) + _e1057.member_2), ((_e1121 * _e1083) + _e1057.member_3));
+                                local_82 = type_19(((_e1104 * _e1069) + _e1059.member), ((_e1104 * _e1073) + _e1059.member_1), ((_e1104 * _e1078) + _e1059.member_2), ((_e1104 * _e1083) + _e1059.member_3));
+                                local_83 = type_19(((_e1087 * _e1069) + _e1061.member), ((_e1087 * _e1073) + _e1061.member_1), ((_e1087 * _e1078) + _e1061.member_2), ((_e1087 * _e1083) + _e1061.member_3));
+                                continue;
+                            } else {
+                                break;
+                            }
+                            continuing {
+                                let _e1368 = local_80;
+                                phi_970_ = _e1368;
+                                let _e1371 = local_81;
+                                phi_973_ = _e1371;
+                                let _e1374 = local_82;
+                                phi_975_ = _e1374;
+                                let _e1377 = local_83;
+                                phi_977_ = _e1377;
+                                phi_979_ = _e1064;
+                            }
                         }
-                        if (_e344 < _e44) {
-                            let _e653 = local_39;
-                            let _e657 = local_40;
-                            let _e661 = local_41;
-                            let _e665 = local_42;
-                            global_7.member[_e294] = vec4<f32>((_e483.member + _e653.member), (_e486.member_1 + _e657.member_1), (_e489.member_2 + _e661.member_2), (_e492.member_3 + _e665.member_3));
+                        let _e1153 = local_29;
+                        let _e1157 = local_30;
+                        let _e1161 = local_31;
+                        let _e1165 = local_32;
+                        global_7.member[_e426] = vec4<f32>((_e1007.member + _e1153.member), (_e1010.member_1 + _e1157.member_1), (_e1013.member_2 + _e1161.member_2), (_e1016.member_3 + _e1165.member_3));
+                        if (_e481 < _e44) {
+                            let _e1173 = local_33;
+                            let _e1177 = local_34;
+                            let _e1181 = local_35;
+                            let _e1185 = local_36;
+                            global_7.member[_e431] = vec4<f32>((_e1019.member + _e1173.member), (_e1022.member_1 + _e1177.member_1), (_e1025.member_2 + _e1181.member_2), (_e1028.member_3 + _e1185.member_3));
+                        }
+                        if (_e485 < _e44) {
+                            let _e1193 = local_37;
+                            let _e1197 = local_38;
+                            let _e1201 = local_39;
+                            let _e1205 = local_40;
+                            global_7.member[_e435] = vec4<f32>((_e1031.member + _e1193.member), (_e1034.member_1 + _e1197.member_1), (_e1037.member_2 + _e1201.member_2), (_e1040.member_3 + _e1205.member_3));
+                        }
+                        if (_e489 < _e44) {
+                            let _e1213 = local_41;
+                            let _e1217 = local_42;
+                            let _e1221 = local_43;
+                            let _e1225 = local_44;
+                            global_7.member[_e439] = vec4<f32>((_e1043.member + _e1213.member), (_e1046.member_1 + _e1217.member_1), (_e1049.member_2 + _e1221.member_2), (_e1052.member_3 + _e1225.member_3));
                         }
                     } else {
                         let _e166 = global_6.member.member_6;
@@ -460,71 +648,151 @@ fn function_() {
                             phi_204_ = vec4<f32>(0f, 0f, 0f, 0f);
                         }
                         let _e172 = phi_204_;
-                        phi_211_ = _e129;
-                        phi_214_ = type_19(_e172.x, _e172.y, _e172.z, _e172.w);
+                        let _e178 = (_e129 % 4u);
+                        if (_e178 == 0u) {
+                            phi_217_ = _e129;
+                        } else {
+                            phi_217_ = (_e129 + (4u - _e178));
+                        }
+                        let _e183 = phi_217_;
+                        phi_221_ = _e129;
+                        phi_224_ = type_19(_e172.x, _e172.y, _e172.z, _e172.w);
                         loop {
-                            let _e179 = phi_211_;
-                            let _e181 = phi_214_;
-                            let _e182 = (_e179 + 1u);
-                            local_3 = _e181;
-                            local_4 = _e181;
-                            local_5 = _e181;
-                            local_6 = _e181;
-                            local_48 = _e179;
-                            if (_e182 <= _e138) {
-                                let _e184 = (_e162 + _e179);
-                                let _e187 = global_4.member[_e184];
-                                let _e191 = global_4.member[(_e184 + _e161)];
-                                let _e196 = global_4.member[(_e184 + (2u * _e161))];
-                                let _e201 = global_4.member[(_e184 + (3u * _e161))];
-                                local_47 = type_19((_e181.member + _e187), (_e181.member_1 + _e191), (_e181.member_2 + _e196), (_e181.member_3 + _e201));
+                            let _e187 = phi_221_;
+                            let _e189 = phi_224_;
+                            let _e190 = (_e187 + 1u);
+                            local_3 = _e187;
+                            local_51 = _e189;
+                            if (_e190 <= select(_e138, _e183, (_e183 < _e138))) {
+                                let _e192 = (_e162 + _e187);
+                                let _e195 = global_4.member[_e192];
+                                let _e199 = global_4.member[(_e192 + _e161)];
+                                let _e204 = global_4.member[(_e192 + (2u * _e161))];
+                                let _e209 = global_4.member[(_e192 + (3u * _e161))];
+                                local_49 = type_19((_e189.member + _e195), (_e189.member_1 + _e199), (_e189.member_2 + _e204), (_e189.member_3 + _e209));
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                phi_211_ = _e182;
-                                let _e692 = local_47;
-                                phi_214_ = _e692;
+                                phi_221_ = _e190;
+                                let _e1253 = local_49;
+                                phi_224_ = _e1253;
                             }
                         }
-                        let _e212 = local_3;
-                        let _e215 = local_4;
-                        let _e218 = local_5;
-                        let _e221 = local_6;
-                        let _e699 = local_48;
-                        phi_246_ = _e699;
-                        phi_249_ = type_19(0f, 0f, 0f, 0f);
+                        let _e220 = local_3;
+                        phi_253_ = (_e220 / 4u);
+                        let _e1260 = local_51;
+                        phi_256_ = _e1260;
                         loop {
-                            let _e224 = phi_246_;
-                            let _e226 = phi_249_;
-                            let _e227 = (_e224 + 1u);
-                            local_7 = _e226;
-                            local_8 = _e226;
-                            local_9 = _e226;
-                            local_10 = _e226;
-                            if (_e227 <= _e138) {
-                                let _e229 = (_e162 + _e224);
-                                let _e232 = global_4.member[_e229];
-                                let _e236 = global_4.member[(_e229 + _e161)];
-                                let _e241 = global_4.member[(_e229 + (2u * _e161))];
-                                let _e246 = global_4.member[(_e229 + (3u * _e161))];
-                                local_49 = type_19((_e226.member + _e232), (_e226.member_1 + _e236), (_e226.member_2 + _e241), (_e226.member_3 + _e246));
+                            let _e223 = phi_253_;
+                            let _e225 = phi_256_;
+                            let _e226 = (4u * _e223);
+                            local_53 = _e226;
+                            local_54 = _e225;
+                            if ((_e226 + 4u) <= _e138) {
+                                let _e230 = ((_e162 / 4u) + _e223);
+                                let _e231 = (_e161 / 4u);
+                                let _e232 = (4u * _e230);
+                                let _e235 = global_4.member[_e232];
+                                let _e239 = global_4.member[(_e232 + 1u)];
+                                let _e243 = global_4.member[(_e232 + 2u)];
+                                let _e247 = global_4.member[(_e232 + 3u)];
+                                let _e249 = (4u * (_e230 + _e231));
+                                let _e252 = global_4.member[_e249];
+                                let _e256 = global_4.member[(_e249 + 1u)];
+                                let _e260 = global_4.member[(_e249 + 2u)];
+                                let _e264 = global_4.member[(_e249 + 3u)];
+                                let _e267 = (4u * (_e230 + (2u * _e231)));
+                                let _e270 = global_4.member[_e267];
+                                let _e274 = global_4.member[(_e267 + 1u)];
+                                let _e278 = global_4.member[(_e267 + 2u)];
+                                let _e282 = global_4.member[(_e267 + 3u)];
+                                let _e285 = (4u * (_e230 + (3u * _e231)));
+                                let _e288 = global_4.member[_e285];
+                                let _e292 = global_4.member[(_e285 + 1u)];
+                                let _e296 = global_4.member[(_e285 + 2u)];
+                                let _e300 = global_4.member[(_e285 + 3u)];
+                                local_50 = (_e223 + 1u);
+                                local_52 = type_19(((((_e225.member + _e235) + _e239) + _e243) + _e247), ((((_e225.member_1 + _e252) + _e256) + _e260) + _e264), ((((_e225.member_2 + _e270) + _e274) + _e278) + _e282), ((((_e225.member_3 + _e288) + _e292) + _e296) + _e300));
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                phi_246_ = _e227;
-                                let _e702 = local_49;
-                                phi_249_ = _e702;
+                                let _e1257 = local_50;
+                                phi_253_ = _e1257;
+                                let _e1262 = local_52;
+                                phi_256_ = _e1262;
                             }
                         }
-                        let _e257 = local_7;
-                        let _e261 = local_8;
-                        let _e265 = local_9;
-                        let _e269 = local_10;
-                        global_7.member[_e167] = vec4<f32>((_e212.member + _e257.member), (_e215.member_1 + _e261.member_1), (_e218.member_2 + _e265.member_2), (_e221.member_3 + _e269.member_3));
+                        let _e1265 = local_53;
+                        phi_340_ = _e1265;
+                        let _e1268 = local_54;
+                        phi_343_ = _e1268;
+                        loop {
+                            let _e324 = phi_340_;
+                            let _e326 = phi_343_;
+                            let _e327 = (_e324 + 1u);
+                            local_4 = _e326;
+                            local_5 = _e326;
+                            local_6 = _e326;
+                            local_7 = _e326;
+                            local_56 = _e324;
+                            if (_e327 <= _e138) {
+                                let _e329 = (_e162 + _e324);
+                                let _e332 = global_4.member[_e329];
+                                let _e336 = global_4.member[(_e329 + _e161)];
+                                let _e341 = global_4.member[(_e329 + (2u * _e161))];
+                                let _e346 = global_4.member[(_e329 + (3u * _e161))];
+                                local_55 = type_19((_e326.member + _e332), (_e326.member_1 + _e336), (_e326.member_2 + _e341), (_e326.member_3 + _e346));
+                                continue;
+                            } else {
+                                break;
+                            }
+                            continuing {
+                                phi_340_ = _e327;
+                                let _e1270 = local_55;
+                                phi_343_ = _e1270;
+                            }
+                        }
+                        let _e357 = local_4;
+                        let _e360 = local_5;
+                        let _e363 = local_6;
+                        let _e366 = local_7;
+                        let _e1277 = local_56;
+                        phi_375_ = _e1277;
+                        phi_378_ = type_19(0f, 0f, 0f, 0f);
+                        loop {
+                            let _e369 = phi_375_;
+                            let _e371 = phi_378_;
+                            let _e372 = (_e369 + 1u);
+                            local_8 = _e371;
+                            local_9 = _e371;
+                            local_10 = _e371;
+                            local_11 = _e371;
+                            if (_e372 <= _e138) {
+                                let _e374 = (_e162 + _e369);
+                                let _e377 = global_4.member[_e374];
+                                let _e381 = global_4.member[(_e374 + _e161)];
+                                let _e386 = global_4.member[(_e374 + (2u * _e161))];
+                                let _e391 = global_4.member[(_e374 + (3u * _e161))];
+                                local_57 = type_19((_e371.member + _e377), (_e371.member_1 + _e381), (_e371.member_2 + _e386), (_e371.member_3 + _e391));
+                                continue;
+                            } else {
+                                break;
+                            }
+                            continuing {
+                                phi_375_ = _e372;
+                                let _e1280 = local_57;
+                                phi_378_ = _e1280;
+                            }
+                        }
+                        let _e402 = local_8;
+                        let _e406 = local_9;
+                        let _e410 = local_10;
+                        let _e414 = local_11;
+                        global_7.member[_e167] = vec4<f32>((_e357.member + _e402.member), (_e360.member_1 + _e406.member_1), (_e363.member_2 + _e410.member_2), (_e366.member_3 + _e414.member_3));
                     }
                 }
             }

@@ -44,11 +44,9 @@ var<storage, read_write> global_6: type_5;
 var<storage> global_7: type_5;
 
 fn function_() {
-    var phi_213_: u32;
-    var phi_219_: u32;
-    var phi_306_: array<u32, 8>;
-    var phi_338_: u32;
-    var phi_341_: u32;
+    var phi_302_: array<u32, 8>;
+    var phi_334_: u32;
+    var phi_337_: u32;
     var local: u32;
     var local_1: u32;
 
@@ -101,6 +99,7 @@ fn function_() {
                 let _e131 = select(0f, _e129, (_e129 > 0f));
                 let _e132 = trunc(_e131);
                 let _e133 = (_e131 - _e132);
+                let _e135 = u32((_e127 + _e132));
                 let _e136 = (_e81 + _e85);
                 let _e139 = select(false, (_e136 < 1f), (0f < _e136));
                 let _e142 = select(select(0f, 1f, (1f <= _e136)), _e81, _e139);
@@ -110,6 +109,7 @@ fn function_() {
                 let _e153 = select(0f, _e151, (_e151 > 0f));
                 let _e154 = trunc(_e153);
                 let _e155 = (_e153 - _e154);
+                let _e157 = u32((_e149 + _e154));
                 let _e158 = (1f - _e111);
                 let _e159 = (1f - _e133);
                 let _e160 = (1f - _e155);
@@ -117,57 +117,50 @@ fn function_() {
                 let _e162 = (_e111 * _e159);
                 let _e163 = (_e158 * _e133);
                 let _e164 = (_e111 * _e133);
-                let _e174 = (_e43.member_5 != 0u);
-                if _e174 {
-                    phi_213_ = 2654435761u;
+                if (_e43.member_5 == 0u) {
+                    let _e178 = (_e43.member_2 * _e43.member_2);
+                    let _e179 = (_e135 * _e43.member_2);
+                    let _e180 = (_e157 * _e178);
+                    let _e181 = (_e113 + 1u);
+                    let _e182 = (_e179 + _e43.member_2);
+                    let _e183 = (_e180 + _e178);
+                    let _e184 = (_e113 + _e179);
+                    let _e185 = (_e184 + _e180);
+                    let _e190 = (_e181 + _e179);
+                    let _e191 = (_e190 + _e180);
+                    let _e196 = (_e113 + _e182);
+                    let _e197 = (_e196 + _e180);
+                    let _e202 = (_e181 + _e182);
+                    let _e203 = (_e202 + _e180);
+                    let _e208 = (_e184 + _e183);
+                    let _e213 = (_e190 + _e183);
+                    let _e218 = (_e196 + _e183);
+                    let _e223 = (_e202 + _e183);
+                    phi_302_ = array<u32, 8>((select((_e185 - _e43.member_4), _e185, (_e185 < _e43.member_4)) + _e43.member_3), (select((_e191 - _e43.member_4), _e191, (_e191 < _e43.member_4)) + _e43.member_3), (select((_e197 - _e43.member_4), _e197, (_e197 < _e43.member_4)) + _e43.member_3), (select((_e203 - _e43.member_4), _e203, (_e203 < _e43.member_4)) + _e43.member_3), (select((_e208 - _e43.member_4), _e208, (_e208 < _e43.member_4)) + _e43.member_3), (select((_e213 - _e43.member_4), _e213, (_e213 < _e43.member_4)) + _e43.member_3), (select((_e218 - _e43.member_4), _e218, (_e218 < _e43.member_4)) + _e43.member_3), (select((_e223 - _e43.member_4), _e223, (_e223 < _e43.member_4)) + _e43.member_3));
                 } else {
-                    phi_213_ = _e43.member_2;
+                    let _e230 = (_e43.member_4 - 1u);
+                    let _e231 = (_e135 * 2654435761u);
+                    let _e232 = (_e157 * 805459861u);
+                    let _e233 = (_e113 + 1u);
+                    let _e234 = (_e231 + 2654435761u);
+                    let _e235 = (_e232 + 805459861u);
+                    let _e236 = (_e113 ^ _e231);
+                    let _e240 = (_e233 ^ _e231);
+                    let _e244 = (_e113 ^ _e234);
+                    let _e248 = (_e233 ^ _e234);
+                    phi_302_ = array<u32, 8>((((_e236 ^ _e232) & _e230) + _e43.member_3), (((_e240 ^ _e232) & _e230) + _e43.member_3), (((_e244 ^ _e232) & _e230) + _e43.member_3), (((_e248 ^ _e232) & _e230) + _e43.member_3), (((_e236 ^ _e235) & _e230) + _e43.member_3), (((_e240 ^ _e235) & _e230) + _e43.member_3), (((_e244 ^ _e235) & _e230) + _e43.member_3), (((_e248 ^ _e235) & _e230) + _e43.member_3));
                 }
-                let _e177 = phi_213_;
-                if _e174 {
-                    phi_219_ = 805459861u;
-                } else {
-                    phi_219_ = (_e43.member_2 * _e43.member_2);
-                }
-                let _e181 = phi_219_;
-                let _e182 = (_e113 + 1u);
-                let _e183 = (u32((_e127 + _e132)) * _e177);
-                let _e184 = (_e183 + _e177);
-                let _e185 = (u32((_e149 + _e154)) * _e181);
-                let _e186 = (_e185 + _e181);
-                if _e174 {
-                    let _e189 = (_e43.member_4 - 1u);
-                    let _e190 = (_e113 ^ _e183);
-                    let _e194 = (_e182 ^ _e183);
-                    let _e198 = (_e113 ^ _e184);
-                    let _e202 = (_e182 ^ _e184);
-                    phi_306_ = array<u32, 8>((((_e190 ^ _e185) & _e189) + _e43.member_3), (((_e194 ^ _e185) & _e189) + _e43.member_3), (((_e198 ^ _e185) & _e189) + _e43.member_3), (((_e202 ^ _e185) & _e189) + _e43.member_3), (((_e190 ^ _e186) & _e189) + _e43.member_3), (((_e194 ^ _e186) & _e189) + _e43.member_3), (((_e198 ^ _e186) & _e189) + _e43.member_3), (((_e202 ^ _e186) & _e189) + _e43.member_3));
-                } else {
-                    let _e220 = (_e113 + _e183);
-                    let _e221 = (_e220 + _e185);
-                    let _e226 = (_e182 + _e183);
-                    let _e227 = (_e226 + _e185);
-                    let _e232 = (_e113 + _e184);
-                    let _e233 = (_e232 + _e185);
-                    let _e238 = (_e182 + _e184);
-                    let _e239 = (_e238 + _e185);
-                    let _e244 = (_e220 + _e186);
-                    let _e249 = (_e226 + _e186);
-                    let _e254 = (_e232 + _e186);
-                    let _e259 = (_e238 + _e186);
-                    phi_306_ = array<u32, 8>((select((_e221 - _e43.member_4), _e221, (_e221 < _e43.member_4)) + _e43.member_3), (select((_e227 - _e43.member_4), _e227, (_e227 < _e43.member_4)) + _e43.member_3), (select((_e233 - _e43.member_4), _e233, (_e233 < _e43.member_4)) + _e43.member_3), (select((_e239 - _e43.member_4), _e239, (_e239 < _e43.member_4)) + _e43.member_3), (select((_e244 - _e43.member_4), _e244, (_e244 < _e43.member_4)) + _e43.member_3), (select((_e249 - _e43.member_4), _e249, (_e249 < _e43.member_4)) + _e43.member_3), (select((_e254 - _e43.member_4), _e254, (_e254 < _e43.member_4)) + _e43.member_3), (select((_e259 - _e43.member_4), _e259, (_e259 < _e43.member_4)) + _e43.member_3));
-                }
-                let _e266 = phi_306_;
+                let _e266 = phi_302_;
                 let _e285 = global_4.member.member_2;
                 let _e290 = global_4.member.member_6;
                 if _e53 {
                     break;
                 }
-                phi_338_ = 0u;
-                phi_341_ = ((((_e54 * (_e290 * _e46)) + _e58) + _e25.x) + ((_e285 + (_e26.z * _e88)) * _e46));
+                phi_334_ = 0u;
+                phi_337_ = ((((_e54 * (_e290 * _e46)) + _e58) + _e25.x) + ((_e285 + (_e26.z * _e88)) * _e46));
                 loop {
-                    let _e298 = phi_338_;
-                    let _e300 = phi_341_;
+                    let _e298 = phi_334_;
+                    let _e300 = phi_337_;
                     if (_e298 < _e88) {
                         let _e305 = global_7.member[((_e266[0] * _e88) + _e298)];
                         let _e310 = global_7.member[((_e266[1] * _e88) + _e298)];
@@ -185,10 +178,10 @@ fn function_() {
                         break;
                     }
                     continuing {
-                        let _e358 = local;
-                        phi_338_ = _e358;
-                        let _e361 = local_1;
-                        phi_341_ = _e361;
+                        let _e356 = local;
+                        phi_334_ = _e356;
+                        let _e359 = local_1;
+                        phi_337_ = _e359;
                     }
                 }
             }

@@ -65,43 +65,41 @@ fn function_() {
     var local: f32;
     var local_1: f32;
     var local_2: f32;
-    var phi_308_: u32;
-    var phi_314_: u32;
-    var phi_401_: array<u32, 8>;
-    var phi_469_: u32;
-    var phi_472_: u32;
-    var phi_491_: f32;
-    var phi_501_: u32;
-    var phi_515_: u32;
-    var phi_517_: array<u32, 2>;
-    var phi_538_: f32;
-    var phi_548_: u32;
-    var phi_562_: u32;
-    var phi_564_: array<u32, 2>;
-    var phi_585_: f32;
-    var phi_595_: u32;
-    var phi_609_: u32;
-    var phi_611_: array<u32, 2>;
-    var phi_632_: f32;
-    var phi_642_: u32;
-    var phi_656_: u32;
-    var phi_658_: array<u32, 2>;
-    var phi_679_: f32;
-    var phi_689_: u32;
-    var phi_703_: u32;
-    var phi_705_: array<u32, 2>;
-    var phi_726_: f32;
-    var phi_736_: u32;
-    var phi_750_: u32;
-    var phi_752_: array<u32, 2>;
-    var phi_773_: f32;
-    var phi_783_: u32;
-    var phi_797_: u32;
-    var phi_799_: array<u32, 2>;
-    var phi_820_: f32;
-    var phi_830_: u32;
-    var phi_844_: u32;
-    var phi_846_: array<u32, 2>;
+    var phi_397_: array<u32, 8>;
+    var phi_465_: u32;
+    var phi_468_: u32;
+    var phi_487_: f32;
+    var phi_497_: u32;
+    var phi_511_: u32;
+    var phi_513_: array<u32, 2>;
+    var phi_534_: f32;
+    var phi_544_: u32;
+    var phi_558_: u32;
+    var phi_560_: array<u32, 2>;
+    var phi_581_: f32;
+    var phi_591_: u32;
+    var phi_605_: u32;
+    var phi_607_: array<u32, 2>;
+    var phi_628_: f32;
+    var phi_638_: u32;
+    var phi_652_: u32;
+    var phi_654_: array<u32, 2>;
+    var phi_675_: f32;
+    var phi_685_: u32;
+    var phi_699_: u32;
+    var phi_701_: array<u32, 2>;
+    var phi_722_: f32;
+    var phi_732_: u32;
+    var phi_746_: u32;
+    var phi_748_: array<u32, 2>;
+    var phi_769_: f32;
+    var phi_779_: u32;
+    var phi_793_: u32;
+    var phi_795_: array<u32, 2>;
+    var phi_816_: f32;
+    var phi_826_: u32;
+    var phi_840_: u32;
+    var phi_842_: array<u32, 2>;
     var local_3: u32;
     var local_4: u32;
     var local_5: f32;
@@ -208,6 +206,7 @@ fn function_() {
                     let _e189 = select(0f, _e187, (_e187 > 0f));
                     let _e190 = trunc(_e189);
                     let _e191 = (_e189 - _e190);
+                    let _e193 = u32((_e185 + _e190));
                     let _e194 = (_e142 + _e146);
                     let _e197 = select(false, (_e194 < 1f), (0f < _e194));
                     let _e200 = select(select(0f, 1f, (1f <= _e194)), _e142, _e197);
@@ -217,6 +216,7 @@ fn function_() {
                     let _e211 = select(0f, _e209, (_e209 > 0f));
                     let _e212 = trunc(_e211);
                     let _e213 = (_e211 - _e212);
+                    let _e215 = u32((_e207 + _e212));
                     let _e216 = (1f - _e169);
                     let _e217 = (1f - _e191);
                     let _e218 = (1f - _e213);
@@ -224,47 +224,40 @@ fn function_() {
                     let _e220 = (_e169 * _e217);
                     let _e221 = (_e216 * _e191);
                     let _e222 = (_e169 * _e191);
-                    let _e232 = (_e114.member_5 != 0u);
-                    if _e232 {
-                        phi_308_ = 2654435761u;
+                    if (_e114.member_5 == 0u) {
+                        let _e272 = (_e114.member_2 * _e114.member_2);
+                        let _e273 = (_e193 * _e114.member_2);
+                        let _e274 = (_e215 * _e272);
+                        let _e275 = (_e171 + 1u);
+                        let _e276 = (_e273 + _e114.member_2);
+                        let _e277 = (_e274 + _e272);
+                        let _e278 = (_e171 + _e273);
+                        let _e279 = (_e278 + _e274);
+                        let _e284 = (_e275 + _e273);
+                        let _e285 = (_e284 + _e274);
+                        let _e290 = (_e171 + _e276);
+                        let _e291 = (_e290 + _e274);
+                        let _e296 = (_e275 + _e276);
+                        let _e297 = (_e296 + _e274);
+                        let _e302 = (_e278 + _e277);
+                        let _e307 = (_e284 + _e277);
+                        let _e312 = (_e290 + _e277);
+                        let _e317 = (_e296 + _e277);
+                        phi_397_ = array<u32, 8>((select((_e279 - _e114.member_4), _e279, (_e279 < _e114.member_4)) + _e114.member_3), (select((_e285 - _e114.member_4), _e285, (_e285 < _e114.member_4)) + _e114.member_3), (select((_e291 - _e114.member_4), _e291, (_e291 < _e114.member_4)) + _e114.member_3), (select((_e297 - _e114.member_4), _e297, (_e297 < _e114.member_4)) + _e114.member_3), (select((_e302 - _e114.member_4), _e302, (_e302 < _e114.member_4)) + _e114.member_3), (select((_e307 - _e114.member_4), _e307, (_e307 < _e114.member_4)) + _e114.member_3), (select((_e312 - _e114.member_4), _e312, (_e312 < _e114.member_4)) + _e114.member_3), (select((_e317 - _e114.member_4), _e317, (_e317 < _e114.member_4)) + _e114.member_3));
                     } else {
-                        phi_308_ = _e114.member_2;
+                        let _e235 = (_e114.member_4 - 1u);
+                        let _e236 = (_e193 * 2654435761u);
+                        let _e237 = (_e215 * 805459861u);
+                        let _e238 = (_e171 + 1u);
+                        let _e239 = (_e236 + 2654435761u);
+                        let _e240 = (_e237 + 805459861u);
+                        let _e241 = (_e171 ^ _e236);
+                        let _e245 = (_e238 ^ _e236);
+                        let _e249 = (_e171 ^ _e239);
+                        let _e253 = (_e238 ^ _e239);
+                        phi_397_ = array<u32, 8>((((_e241 ^ _e237) & _e235) + _e114.member_3), (((_e245 ^ _e237) & _e235) + _e114.member_3), (((_e249 ^ _e237) & _e235) + _e114.member_3), (((_e253 ^ _e237) & _e235) + _e114.member_3), (((_e241 ^ _e240) & _e235) + _e114.member_3), (((_e245 ^ _e240) & _e235) + _e114.member_3), (((_e249 ^ _e240) & _e235) + _e114.member_3), (((_e253 ^ _e240) & _e235) + _e114.member_3));
                     }
-                    let _e235 = phi_308_;
-                    if _e232 {
-                        phi_314_ = 805459861u;
-                    } else {
-                        phi_314_ = (_e114.member_2 * _e114.member_2);
-                    }
-                    let _e239 = phi_314_;
-                    let _e240 = (_e171 + 1u);
-                    let _e241 = (u32((_e185 + _e190)) * _e235);
-                    let _e242 = (_e241 + _e235);
-                    let _e243 = (u32((_e207 + _e212)) * _e239);
-                    let _e244 = (_e243 + _e239);
-                    if _e232 {
-                        let _e293 = (_e114.member_4 - 1u);
-                        let _e294 = (_e171 ^ _e241);
-                        let _e298 = (_e240 ^ _e241);
-                        let _e302 = (_e171 ^ _e242);
-                        let _e306 = (_e240 ^ _e242);
-                        phi_401_ = array<u32, 8>((((_e294 ^ _e243) & _e293) + _e114.member_3), (((_e298 ^ _e243) & _e293) + _e114.member_3), (((_e302 ^ _e243) & _e293) + _e114.member_3), (((_e306 ^ _e243) & _e293) + _e114.member_3), (((_e294 ^ _e244) & _e293) + _e114.member_3), (((_e298 ^ _e244) & _e293) + _e114.member_3), (((_e302 ^ _e244) & _e293) + _e114.member_3), (((_e306 ^ _e244) & _e293) + _e114.member_3));
-                    } else {
-                        let _e247 = (_e171 + _e241);
-                        let _e248 = (_e247 + _e243);
-                        let _e253 = (_e240 + _e241);
-                        let _e254 = (_e253 + _e243);
-                        let _e259 = (_e171 + _e242);
-                        let _e260 = (_e259 + _e243);
-                        let _e265 = (_e240 + _e242);
-                        let _e266 = (_e265 + _e243);
-                        let _e271 = (_e247 + _e244);
-                        let _e276 = (_e253 + _e244);
-                        let _e281 = (_e259 + _e244);
-                        let _e286 = (_e265 + _e244);
-                        phi_401_ = array<u32, 8>((select((_e248 - _e114.member_4), _e248, (_e248 < _e114.member_4)) + _e114.member_3), (select((_e254 - _e114.member_4), _e254, (_e254 < _e114.member_4)) + _e114.member_3), (select((_e260 - _e114.member_4), _e260, (_e260 < _e114.member_4)) + _e114.member_3), (select((_e266 - _e114.member_4), _e266, (_e266 < _e114.member_4)) + _e114.member_3), (select((_e271 - _e114.member_4), _e271, (_e271 < _e114.member_4)) + _e114.member_3), (select((_e276 - _e114.member_4), _e276, (_e276 < _e114.member_4)) + _e114.member_3), (select((_e281 - _e114.member_4), _e281, (_e281 < _e114.member_4)) + _e114.member_3), (select((_e286 - _e114.member_4), _e286, (_e286 < _e114.member_4)) + _e114.member_3));
-                    }
-                    let _e324 = phi_401_;
+                    let _e324 = phi_397_;
                     let _e333 = (_e324[0] * _e49);
                     let _e334 = (_e324[1] * _e49);
                     let _e335 = (_e324[2] * _e49);
@@ -298,11 +291,11 @@ fn function_() {
                         let _e372 = atomicMax((&global_9.member[(_e340 / 64u)]), 1u);
                     }
                     let _e375 = global_7.member[0u];
-                    phi_469_ = 0u;
-                    phi_472_ = _e74;
+                    phi_465_ = 0u;
+                    phi_468_ = _e74;
                     loop {
-                        let _e377 = phi_469_;
-                        let _e379 = phi_472_;
+                        let _e377 = phi_465_;
+                        let _e379 = phi_468_;
                         if (_e377 < _e49) {
                             let _e383 = global_6.member[_e379];
                             let _e384 = -(_e383);
@@ -311,33 +304,33 @@ fn function_() {
                             if _e111 {
                                 let _e392 = (_e390 < 0f);
                                 if _e392 {
-                                    phi_491_ = -(_e390);
+                                    phi_487_ = -(_e390);
                                 } else {
-                                    phi_491_ = _e390;
+                                    phi_487_ = _e390;
                                 }
-                                let _e395 = phi_491_;
+                                let _e395 = phi_487_;
                                 let _e397 = u32((_e395 * 0.00000000023283064f));
                                 let _e400 = (_e395 - (f32(_e397) * 4294967300f));
                                 let _e401 = u32(_e400);
                                 if ((_e400 - f32(_e401)) >= 0.5f) {
-                                    phi_501_ = (_e401 + 1u);
+                                    phi_497_ = (_e401 + 1u);
                                 } else {
-                                    phi_501_ = _e401;
+                                    phi_497_ = _e401;
                                 }
-                                let _e407 = phi_501_;
+                                let _e407 = phi_497_;
                                 if _e392 {
                                     let _e410 = (~(_e407) + 1u);
                                     if (_e410 == 0u) {
-                                        phi_515_ = (~(_e397) + 1u);
+                                        phi_511_ = (~(_e397) + 1u);
                                     } else {
-                                        phi_515_ = ~(_e397);
+                                        phi_511_ = ~(_e397);
                                     }
-                                    let _e416 = phi_515_;
-                                    phi_517_ = array<u32, 2>(_e410, _e416);
+                                    let _e416 = phi_511_;
+                                    phi_513_ = array<u32, 2>(_e410, _e416);
                                 } else {
-                                    phi_517_ = array<u32, 2>(_e407, _e397);
+                                    phi_513_ = array<u32, 2>(_e407, _e397);
                                 }
-                                let _e419 = phi_517_;
+                                let _e419 = phi_513_;
                                 let _e422 = (2u * (_e333 + _e377));
                                 let _e425 = atomicAdd((&global_8.member[_e422]), _e419[0]);
                                 let _e433 = atomicAdd((&global_8.member[(_e422 + 1u)]), (_e419[1] + select(0u, 1u, ((_e425 + _e419[0]) < _e419[0]))));
@@ -346,33 +339,33 @@ fn function_() {
                             if _e111 {
                                 let _e436 = (_e434 < 0f);
                                 if _e436 {
-                                    phi_538_ = -(_e434);
+                                    phi_534_ = -(_e434);
                                 } else {
-                                    phi_538_ = _e434;
+                                    phi_534_ = _e434;
                                 }
-                                let _e439 = phi_538_;
+                                let _e439 = phi_534_;
                                 let _e441 = u32((_e439 * 0.00000000023283064f));
                                 let _e444 = (_e439 - (f32(_e441) * 4294967300f));
                                 let _e445 = u32(_e444);
                                 if ((_e444 - f32(_e445)) >= 0.5f) {
-                                    phi_548_ = (_e445 + 1u);
+                                    phi_544_ = (_e445 + 1u);
                                 } else {
-                                    phi_548_ = _e445;
+                                    phi_544_ = _e445;
                                 }
-                                let _e451 = phi_548_;
+                                let _e451 = phi_544_;
                                 if _e436 {
                                     let _e454 = (~(_e451) + 1u);
                                     if (_e454 == 0u) {
-                                        phi_562_ = (~(_e441) + 1u);
+                                        phi_558_ = (~(_e441) + 1u);
                                     } else {
-                                        phi_562_ = ~(_e441);
+                                        phi_558_ = ~(_e441);
                                     }
-                                    let _e460 = phi_562_;
-                                    phi_564_ = array<u32, 2>(_e454, _e460);
+                                    let _e460 = phi_558_;
+                                    phi_560_ = array<u32, 2>(_e454, _e460);
                                 } else {
-                                    phi_564_ = array<u32, 2>(_e451, _e441);
+                                    phi_560_ = array<u32, 2>(_e451, _e441);
                                 }
-                                let _e463 = phi_564_;
+                                let _e463 = phi_560_;
                                 let _e466 = (2u * (_e334 + _e377));
                                 let _e469 = atomicAdd((&global_8.member[_e466]), _e463[0]);
                                 let _e477 = atomicAdd((&global_8.member[(_e466 + 1u)]), (_e463[1] + select(0u, 1u, ((_e469 + _e463[0]) < _e463[0]))));
@@ -381,33 +374,33 @@ fn function_() {
                             if _e111 {
                                 let _e480 = (_e478 < 0f);
                                 if _e480 {
-                                    phi_585_ = -(_e478);
+                                    phi_581_ = -(_e478);
                                 } else {
-                                    phi_585_ = _e478;
+                                    phi_581_ = _e478;
                                 }
-                                let _e483 = phi_585_;
+                                let _e483 = phi_581_;
                                 let _e485 = u32((_e483 * 0.00000000023283064f));
                                 let _e488 = (_e483 - (f32(_e485) * 4294967300f));
                                 let _e489 = u32(_e488);
                                 if ((_e488 - f32(_e489)) >= 0.5f) {
-                                    phi_595_ = (_e489 + 1u);
+                                    phi_591_ = (_e489 + 1u);
                                 } else {
-                                    phi_595_ = _e489;
+                                    phi_591_ = _e489;
                                 }
-                                let _e495 = phi_595_;
+                                let _e495 = phi_591_;
                                 if _e480 {
                                     let _e498 = (~(_e495) + 1u);
                                     if (_e498 == 0u) {
-                                        phi_609_ = (~(_e485) + 1u);
+                                        phi_605_ = (~(_e485) + 1u);
                                     } else {
-                                        phi_609_ = ~(_e485);
+                                        phi_605_ = ~(_e485);
                                     }
-                                    let _e504 = phi_609_;
-                                    phi_611_ = array<u32, 2>(_e498, _e504);
+                                    let _e504 = phi_605_;
+                                    phi_607_ = array<u32, 2>(_e498, _e504);
                                 } else {
-                                    phi_611_ = array<u32, 2>(_e495, _e485);
+                                    phi_607_ = array<u32, 2>(_e495, _e485);
                                 }
-                                let _e507 = phi_611_;
+                                let _e507 = phi_607_;
                                 let _e510 = (2u * (_e335 + _e377));
                                 let _e513 = atomicAdd((&global_8.member[_e510]), _e507[0]);
                                 let _e521 = atomicAdd((&global_8.member[(_e510 + 1u)]), (_e507[1] + select(0u, 1u, ((_e513 + _e507[0]) < _e507[0]))));
@@ -416,33 +409,33 @@ fn function_() {
                             if _e111 {
                                 let _e524 = (_e522 < 0f);
                                 if _e524 {
-                                    phi_632_ = -(_e522);
+                                    phi_628_ = -(_e522);
                                 } else {
-                                    phi_632_ = _e522;
+                                    phi_628_ = _e522;
                                 }
-                                let _e527 = phi_632_;
+                                let _e527 = phi_628_;
                                 let _e529 = u32((_e527 * 0.00000000023283064f));
                                 let _e532 = (_e527 - (f32(_e529) * 4294967300f));
                                 let _e533 = u32(_e532);
                                 if ((_e532 - f32(_e533)) >= 0.5f) {
-                                    phi_642_ = (_e533 + 1u);
+                                    phi_638_ = (_e533 + 1u);
                                 } else {
-                                    phi_642_ = _e533;
+                                    phi_638_ = _e533;
                                 }
-                                let _e539 = phi_642_;
+                                let _e539 = phi_638_;
                                 if _e524 {
                                     let _e542 = (~(_e539) + 1u);
                                     if (_e542 == 0u) {
-                                        phi_656_ = (~(_e529) + 1u);
+                                        phi_652_ = (~(_e529) + 1u);
                                     } else {
-                                        phi_656_ = ~(_e529);
+                                        phi_652_ = ~(_e529);
                                     }
-                                    let _e548 = phi_656_;
-                                    phi_658_ = array<u32, 2>(_e542, _e548);
+                                    let _e548 = phi_652_;
+                                    phi_654_ = array<u32, 2>(_e542, _e548);
                                 } else {
-                                    phi_658_ = array<u32, 2>(_e539, _e529);
+                                    phi_654_ = array<u32, 2>(_e539, _e529);
                                 }
-                                let _e551 = phi_658_;
+                                let _e551 = phi_654_;
                                 let _e554 = (2u * (_e336 + _e377));
                                 let _e557 = atomicAdd((&global_8.member[_e554]), _e551[0]);
                                 let _e565 = atomicAdd((&global_8.member[(_e554 + 1u)]), (_e551[1] + select(0u, 1u, ((_e557 + _e551[0]) < _e551[0]))));
@@ -451,33 +444,33 @@ fn function_() {
                             if _e111 {
                                 let _e568 = (_e566 < 0f);
                                 if _e568 {
-                                    phi_679_ = -(_e566);
+                                    phi_675_ = -(_e566);
                                 } else {
-                                    phi_679_ = _e566;
+                                    phi_675_ = _e566;
                                 }
-                                let _e571 = phi_679_;
+                                let _e571 = phi_675_;
                                 let _e573 = u32((_e571 * 0.00000000023283064f));
                                 let _e576 = (_e571 - (f32(_e573) * 4294967300f));
                                 let _e577 = u32(_e576);
                                 if ((_e576 - f32(_e577)) >= 0.5f) {
-                                    phi_689_ = (_e577 + 1u);
+                                    phi_685_ = (_e577 + 1u);
                                 } else {
-                                    phi_689_ = _e577;
+                                    phi_685_ = _e577;
                                 }
-                                let _e583 = phi_689_;
+                                let _e583 = phi_685_;
                                 if _e568 {
                                     let _e586 = (~(_e583) + 1u);
                                     if (_e586 == 0u) {
-                                        phi_703_ = (~(_e573) + 1u);
+                                        phi_699_ = (~(_e573) + 1u);
                                     } else {
-                                        phi_703_ = ~(_e573);
+                                        phi_699_ = ~(_e573);
                                     }
-                                    let _e592 = phi_703_;
-                                    phi_705_ = array<u32, 2>(_e586, _e592);
+                                    let _e592 = phi_699_;
+                                    phi_701_ = array<u32, 2>(_e586, _e592);
                                 } else {
-                                    phi_705_ = array<u32, 2>(_e583, _e573);
+                                    phi_701_ = array<u32, 2>(_e583, _e573);
                                 }
-                                let _e595 = phi_705_;
+                                let _e595 = phi_701_;
                                 let _e598 = (2u * (_e337 + _e377));
                                 let _e601 = atomicAdd((&global_8.member[_e598]), _e595[0]);
                                 let _e609 = atomicAdd((&global_8.member[(_e598 + 1u)]), (_e595[1] + select(0u, 1u, ((_e601 + _e595[0]) < _e595[0]))));
@@ -486,33 +479,33 @@ fn function_() {
                             if _e111 {
                                 let _e612 = (_e610 < 0f);
                                 if _e612 {
-                                    phi_726_ = -(_e610);
+                                    phi_722_ = -(_e610);
                                 } else {
-                                    phi_726_ = _e610;
+                                    phi_722_ = _e610;
                                 }
-                                let _e615 = phi_726_;
+                                let _e615 = phi_722_;
                                 let _e617 = u32((_e615 * 0.00000000023283064f));
                                 let _e620 = (_e615 - (f32(_e617) * 4294967300f));
                                 let _e621 = u32(_e620);
                                 if ((_e620 - f32(_e621)) >= 0.5f) {
-                                    phi_736_ = (_e621 + 1u);
+                                    phi_732_ = (_e621 + 1u);
                                 } else {
-                                    phi_736_ = _e621;
+                                    phi_732_ = _e621;
                                 }
-                                let _e627 = phi_736_;
+                                let _e627 = phi_732_;
                                 if _e612 {
                                     let _e630 = (~(_e627) + 1u);
                                     if (_e630 == 0u) {
-                                        phi_750_ = (~(_e617) + 1u);
+                                        phi_746_ = (~(_e617) + 1u);
                                     } else {
-                                        phi_750_ = ~(_e617);
+                                        phi_746_ = ~(_e617);
                                     }
-                                    let _e636 = phi_750_;
-                                    phi_752_ = array<u32, 2>(_e630, _e636);
+                                    let _e636 = phi_746_;
+                                    phi_748_ = array<u32, 2>(_e630, _e636);
                                 } else {
-                                    phi_752_ = array<u32, 2>(_e627, _e617);
+                                    phi_748_ = array<u32, 2>(_e627, _e617);
                                 }
-                                let _e639 = phi_752_;
+                                let _e639 = phi_748_;
                                 let _e642 = (2u * (_e338 + _e377));
                                 let _e645 = atomicAdd((&global_8.member[_e642]), _e639[0]);
                                 let _e653 = atomicAdd((&global_8.member[(_e642 + 1u)]), (_e639[1] + select(0u, 1u, ((_e645 + _e639[0]) < _e639[0]))));
@@ -521,33 +514,33 @@ fn function_() {
                             if _e111 {
                                 let _e656 = (_e654 < 0f);
                                 if _e656 {
-                                    phi_773_ = -(_e654);
+                                    phi_769_ = -(_e654);
                                 } else {
-                                    phi_773_ = _e654;
+                                    phi_769_ = _e654;
                                 }
-                                let _e659 = phi_773_;
+                                let _e659 = phi_769_;
                                 let _e661 = u32((_e659 * 0.00000000023283064f));
                                 let _e664 = (_e659 - (f32(_e661) * 4294967300f));
                                 let _e665 = u32(_e664);
                                 if ((_e664 - f32(_e665)) >= 0.5f) {
-                                    phi_783_ = (_e665 + 1u);
+                                    phi_779_ = (_e665 + 1u);
                                 } else {
-                                    phi_783_ = _e665;
+                                    phi_779_ = _e665;
                                 }
-                                let _e671 = phi_783_;
+                                let _e671 = phi_779_;
                                 if _e656 {
                                     let _e674 = (~(_e671) + 1u);
                                     if (_e674 == 0u) {
-                                        phi_797_ = (~(_e661) + 1u);
+                                        phi_793_ = (~(_e661) + 1u);
                                     } else {
-                                        phi_797_ = ~(_e661);
+                                        phi_793_ = ~(_e661);
                                     }
-                                    let _e680 = phi_797_;
-                                    phi_799_ = array<u32, 2>(_e674, _e680);
+                                    let _e680 = phi_793_;
+                                    phi_795_ = array<u32, 2>(_e674, _e680);
                                 } else {
-                                    phi_799_ = array<u32, 2>(_e671, _e661);
+                                    phi_795_ = array<u32, 2>(_e671, _e661);
                                 }
-                                let _e683 = phi_799_;
+                                let _e683 = phi_795_;
                                 let _e686 = (2u * (_e339 + _e377));
                                 let _e689 = atomicAdd((&global_8.member[_e686]), _e683[0]);
                                 let _e697 = atomicAdd((&global_8.member[(_e686 + 1u)]), (_e683[1] + select(0u, 1u, ((_e689 + _e683[0]) < _e683[0]))));
@@ -556,33 +549,33 @@ fn function_() {
                             if _e111 {
                                 let _e700 = (_e698 < 0f);
                                 if _e700 {
-                                    phi_820_ = -(_e698);
+                                    phi_816_ = -(_e698);
                                 } else {
-                                    phi_820_ = _e698;
+                                    phi_816_ = _e698;
                                 }
-                                let _e703 = phi_820_;
+                                let _e703 = phi_816_;
                                 let _e705 = u32((_e703 * 0.00000000023283064f));
                                 let _e708 = (_e703 - (f32(_e705) * 4294967300f));
                                 let _e709 = u32(_e708);
                                 if ((_e708 - f32(_e709)) >= 0.5f) {
-                                    phi_830_ = (_e709 + 1u);
+                                    phi_826_ = (_e709 + 1u);
                                 } else {
-                                    phi_830_ = _e709;
+                                    phi_826_ = _e709;
                                 }
-                                let _e715 = phi_830_;
+                                let _e715 = phi_826_;
                                 if _e700 {
                                     let _e718 = (~(_e715) + 1u);
                                     if (_e718 == 0u) {
-                                        phi_844_ = (~(_e705) + 1u);
+                                        phi_840_ = (~(_e705) + 1u);
                                     } else {
-                                        phi_844_ = ~(_e705);
+                                        phi_840_ = ~(_e705);
                                     }
-                                    let _e724 = phi_844_;
-                                    phi_846_ = array<u32, 2>(_e718, _e724);
+                                    let _e724 = phi_840_;
+                                    phi_842_ = array<u32, 2>(_e718, _e724);
                                 } else {
-                                    phi_846_ = array<u32, 2>(_e715, _e705);
+                                    phi_842_ = array<u32, 2>(_e715, _e705);
                                 }
-                                let _e727 = phi_846_;
+                                let _e727 = phi_842_;
                                 let _e730 = (2u * (_e340 + _e377));
                                 let _e733 = atomicAdd((&global_8.member[_e730]), _e727[0]);
                                 let _e741 = atomicAdd((&global_8.member[(_e730 + 1u)]), (_e727[1] + select(0u, 1u, ((_e733 + _e727[0]) < _e727[0]))));
@@ -594,10 +587,10 @@ fn function_() {
                             break;
                         }
                         continuing {
-                            let _e764 = local_7;
-                            phi_469_ = _e764;
-                            let _e767 = local_8;
-                            phi_472_ = _e767;
+                            let _e762 = local_7;
+                            phi_465_ = _e762;
+                            let _e765 = local_8;
+                            phi_468_ = _e765;
                         }
                     }
                 }

@@ -49,11 +49,9 @@ var<storage, read_write> global_7: type_6;
 
 fn function_() {
     var phi_218_: u32;
-    var phi_263_: u32;
-    var phi_269_: u32;
-    var phi_356_: array<u32, 8>;
-    var phi_388_: u32;
-    var phi_391_: u32;
+    var phi_352_: array<u32, 8>;
+    var phi_384_: u32;
+    var phi_387_: u32;
     var local: u32;
     var local_1: u32;
 
@@ -114,6 +112,7 @@ fn function_() {
                 let _e143 = select(0f, _e141, (_e141 > 0f));
                 let _e144 = trunc(_e143);
                 let _e145 = (_e143 - _e144);
+                let _e147 = u32((_e139 + _e144));
                 let _e148 = (_e87 + _e91);
                 let _e151 = select(false, (_e148 < 1f), (0f < _e148));
                 let _e154 = select(select(0f, 1f, (1f <= _e148)), _e87, _e151);
@@ -123,6 +122,7 @@ fn function_() {
                 let _e165 = select(0f, _e163, (_e163 > 0f));
                 let _e166 = trunc(_e165);
                 let _e167 = (_e165 - _e166);
+                let _e169 = u32((_e161 + _e166));
                 let _e170 = (1f - _e123);
                 let _e171 = (1f - _e145);
                 let _e172 = (1f - _e167);
@@ -138,57 +138,50 @@ fn function_() {
                 let _e182 = (_e174 * _e167);
                 let _e183 = (_e175 * _e167);
                 let _e184 = (_e176 * _e167);
-                let _e186 = (_e49.member_5 != 0u);
-                if _e186 {
-                    phi_263_ = 2654435761u;
+                if (_e49.member_5 == 0u) {
+                    let _e226 = (_e49.member_2 * _e49.member_2);
+                    let _e227 = (_e147 * _e49.member_2);
+                    let _e228 = (_e169 * _e226);
+                    let _e229 = (_e125 + 1u);
+                    let _e230 = (_e227 + _e49.member_2);
+                    let _e231 = (_e228 + _e226);
+                    let _e232 = (_e125 + _e227);
+                    let _e233 = (_e232 + _e228);
+                    let _e238 = (_e229 + _e227);
+                    let _e239 = (_e238 + _e228);
+                    let _e244 = (_e125 + _e230);
+                    let _e245 = (_e244 + _e228);
+                    let _e250 = (_e229 + _e230);
+                    let _e251 = (_e250 + _e228);
+                    let _e256 = (_e232 + _e231);
+                    let _e261 = (_e238 + _e231);
+                    let _e266 = (_e244 + _e231);
+                    let _e271 = (_e250 + _e231);
+                    phi_352_ = array<u32, 8>((select((_e233 - _e49.member_4), _e233, (_e233 < _e49.member_4)) + _e49.member_3), (select((_e239 - _e49.member_4), _e239, (_e239 < _e49.member_4)) + _e49.member_3), (select((_e245 - _e49.member_4), _e245, (_e245 < _e49.member_4)) + _e49.member_3), (select((_e251 - _e49.member_4), _e251, (_e251 < _e49.member_4)) + _e49.member_3), (select((_e256 - _e49.member_4), _e256, (_e256 < _e49.member_4)) + _e49.member_3), (select((_e261 - _e49.member_4), _e261, (_e261 < _e49.member_4)) + _e49.member_3), (select((_e266 - _e49.member_4), _e266, (_e266 < _e49.member_4)) + _e49.member_3), (select((_e271 - _e49.member_4), _e271, (_e271 < _e49.member_4)) + _e49.member_3));
                 } else {
-                    phi_263_ = _e49.member_2;
+                    let _e189 = (_e49.member_4 - 1u);
+                    let _e190 = (_e147 * 2654435761u);
+                    let _e191 = (_e169 * 805459861u);
+                    let _e192 = (_e125 + 1u);
+                    let _e193 = (_e190 + 2654435761u);
+                    let _e194 = (_e191 + 805459861u);
+                    let _e195 = (_e125 ^ _e190);
+                    let _e199 = (_e192 ^ _e190);
+                    let _e203 = (_e125 ^ _e193);
+                    let _e207 = (_e192 ^ _e193);
+                    phi_352_ = array<u32, 8>((((_e195 ^ _e191) & _e189) + _e49.member_3), (((_e199 ^ _e191) & _e189) + _e49.member_3), (((_e203 ^ _e191) & _e189) + _e49.member_3), (((_e207 ^ _e191) & _e189) + _e49.member_3), (((_e195 ^ _e194) & _e189) + _e49.member_3), (((_e199 ^ _e194) & _e189) + _e49.member_3), (((_e203 ^ _e194) & _e189) + _e49.member_3), (((_e207 ^ _e194) & _e189) + _e49.member_3));
                 }
-                let _e189 = phi_263_;
-                if _e186 {
-                    phi_269_ = 805459861u;
-                } else {
-                    phi_269_ = (_e49.member_2 * _e49.member_2);
-                }
-                let _e193 = phi_269_;
-                let _e194 = (_e125 + 1u);
-                let _e195 = (u32((_e139 + _e144)) * _e189);
-                let _e196 = (_e195 + _e189);
-                let _e197 = (u32((_e161 + _e166)) * _e193);
-                let _e198 = (_e197 + _e193);
-                if _e186 {
-                    let _e247 = (_e49.member_4 - 1u);
-                    let _e248 = (_e125 ^ _e195);
-                    let _e252 = (_e194 ^ _e195);
-                    let _e256 = (_e125 ^ _e196);
-                    let _e260 = (_e194 ^ _e196);
-                    phi_356_ = array<u32, 8>((((_e248 ^ _e197) & _e247) + _e49.member_3), (((_e252 ^ _e197) & _e247) + _e49.member_3), (((_e256 ^ _e197) & _e247) + _e49.member_3), (((_e260 ^ _e197) & _e247) + _e49.member_3), (((_e248 ^ _e198) & _e247) + _e49.member_3), (((_e252 ^ _e198) & _e247) + _e49.member_3), (((_e256 ^ _e198) & _e247) + _e49.member_3), (((_e260 ^ _e198) & _e247) + _e49.member_3));
-                } else {
-                    let _e201 = (_e125 + _e195);
-                    let _e202 = (_e201 + _e197);
-                    let _e207 = (_e194 + _e195);
-                    let _e208 = (_e207 + _e197);
-                    let _e213 = (_e125 + _e196);
-                    let _e214 = (_e213 + _e197);
-                    let _e219 = (_e194 + _e196);
-                    let _e220 = (_e219 + _e197);
-                    let _e225 = (_e201 + _e198);
-                    let _e230 = (_e207 + _e198);
-                    let _e235 = (_e213 + _e198);
-                    let _e240 = (_e219 + _e198);
-                    phi_356_ = array<u32, 8>((select((_e202 - _e49.member_4), _e202, (_e202 < _e49.member_4)) + _e49.member_3), (select((_e208 - _e49.member_4), _e208, (_e208 < _e49.member_4)) + _e49.member_3), (select((_e214 - _e49.member_4), _e214, (_e214 < _e49.member_4)) + _e49.member_3), (select((_e220 - _e49.member_4), _e220, (_e220 < _e49.member_4)) + _e49.member_3), (select((_e225 - _e49.member_4), _e225, (_e225 < _e49.member_4)) + _e49.member_3), (select((_e230 - _e49.member_4), _e230, (_e230 < _e49.member_4)) + _e49.member_3), (select((_e235 - _e49.member_4), _e235, (_e235 < _e49.member_4)) + _e49.member_3), (select((_e240 - _e49.member_4), _e240, (_e240 < _e49.member_4)) + _e49.member_3));
-                }
-                let _e278 = phi_356_;
+                let _e278 = phi_352_;
                 let _e297 = global_4.member.member_2;
                 let _e302 = global_4.member.member_6;
                 if _e59 {
                     break;
                 }
-                phi_388_ = 0u;
-                phi_391_ = ((((_e60 * (_e302 * _e52)) + _e64) + _e31.x) + ((_e297 + (_e32.z * _e94)) * _e52));
+                phi_384_ = 0u;
+                phi_387_ = ((((_e60 * (_e302 * _e52)) + _e64) + _e31.x) + ((_e297 + (_e32.z * _e94)) * _e52));
                 loop {
-                    let _e310 = phi_388_;
-                    let _e312 = phi_391_;
+                    let _e310 = phi_384_;
+                    let _e312 = phi_387_;
                     if (_e310 < _e100) {
                         let _e317 = global_6.member[((_e278[0] * _e100) + _e310)];
                         let _e318 = (_e317 & 65535u);
@@ -225,10 +218,10 @@ fn function_() {
                         break;
                     }
                     continuing {
-                        let _e560 = local;
-                        phi_388_ = _e560;
-                        let _e563 = local_1;
-                        phi_391_ = _e563;
+                        let _e558 = local;
+                        phi_384_ = _e558;
+                        let _e561 = local_1;
+                        phi_387_ = _e561;
                     }
                 }
             }

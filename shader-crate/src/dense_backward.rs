@@ -190,7 +190,7 @@ pub struct DenseWeightBackwardParams {
     pub samples: u32,
     /// The chunk's first sample, of all.
     pub first_sample: u32,
-    /// Distance of two rows in `input` and `output_gradient`.
+    /// Distance of two rows in `input` and `output_gradient`, a multiple of 4.
     pub stride: u32,
     /// Inputs of the layer.
     pub inputs: u32,
@@ -219,6 +219,53 @@ fn add_scaled<L: Lane>(sum: LaneVec4<L>, x: L, g: LaneVec4<L>) -> LaneVec4<L> {
         z: x.mul_add(g.z, sum.z),
         w: x.mul_add(g.w, sum.w),
     }
+}
+
+/// Samples whose values are read together where [`Lane::READS_FOUR`]. Places are then counted in fours: a compiler must know
+/// that they are multiples of four.
+const FEW: u32 = 4;
+
+/// [`read_column`] of a few samples.
+#[inline(always)]
+fn read_few<L: Lane>(rows: Read<f32>, first: u32, stride: u32) -> [LaneVec4<L>; FEW as usize] {
+    let few = [
+        few_of_row::<L>(rows, first),
+        few_of_row::<L>(rows, first + stride),
+        few_of_row::<L>(rows, first + 2 * stride),
+        few_of_row::<L>(rows, first + 3 * stride),
+    ];
+    let [x, y, z, w] = few;
+    [
+        LaneVec4 { x: x[0], y: y[0], z: z[0], w: w[0] },
+        LaneVec4 { x: x[1], y: y[1], z: z[1], w: w[1] },
+        LaneVec4 { x: x[2], y: y[2], z: z[2], w: w[2] },
+        LaneVec4 { x: x[3], y: y[3], z: z[3], w: w[3] },
+    ]
+}
+
+/// A few values of a row.
+#[inline(always)]
+fn few_of_row<L: Lane>(rows: Read<f32>, first: u32) -> [L; FEW as usize] {
+    let first = FEW * first;
+    [
+        L::read(rows, first),
+        L::read(rows, first + 1),
+        L::read(rows, first + 2),
+        L::read(rows, first + 3),
+    ]
+}
+
+/// [`add_scaled`] of a few samples, one after another.
+#[inline(always)]
+fn add_few<L: Lane>(
+    sum: LaneVec4<L>,
+    [x0, x1, x2, x3]: [L; FEW as usize],
+    [g0, g1, g2, g3]: [LaneVec4<L>; FEW as usize],
+) -> LaneVec4<L> {
+    let sum = add_scaled(sum, x0, g0);
+    let sum = add_scaled(sum, x1, g1);
+    let sum = add_scaled(sum, x2, g2);
+    add_scaled(sum, x3, g3)
 }
 
 /// `sum + g`
@@ -306,7 +353,7 @@ pub fn dense_weight_backward<L: Lane>(
             let before = begin_sums::<L::One>(partial, to, of_rest);
             let range = [sample, end];
             let (rests, _) =
-                sum_products::<L::One>(before, input, rows, output_gradient, g, stride, range);
+                sum_each::<L::One>(before, input, rows, output_gradient, g, stride, range);
             let [rest0, rest1, rest2, rest3] = rests;
             partial.write(to[0], total(sum0, rest0));
             if first + 1 < inputs {
@@ -326,7 +373,8 @@ pub fn dense_weight_backward<L: Lane>(
             let sum = settled(sum);
             let before = begin_sum::<L::One>(partial, to, of_rest);
             let range = [sample, end];
-            let (rest, _) = sum_lanes::<L::One>(before, output_gradient, g, params.stride, range);
+            let (rest, _) =
+                sum_each_lane::<L::One>(before, output_gradient, g, params.stride, range);
             partial.write(to, total(sum, rest));
         }
     }
@@ -351,9 +399,31 @@ fn begin_sums<L: Lane>(partial: Write<Vec4>, at: [u32; 4], goes_on: bool) -> [La
 
 /// Sums of the products of four inputs and a column of outputs' gradients, over as many whole lanes of samples as there are;
 /// and the first sample after those.
-#[loops]
 #[inline(always)]
 fn sum_products<L: Lane>(
+    before: [LaneVec4<L>; 4],
+    input: Read<f32>,
+    rows: [u32; 4],
+    output_gradient: Read<f32>,
+    g: u32,
+    stride: u32,
+    [begin, end]: [u32; 2],
+) -> ([LaneVec4<L>; 4], u32) {
+    if L::READS_FOUR {
+        let range = [begin, least(begin.next_multiple_of(FEW), end)];
+        let (sums, sample) = sum_each(before, input, rows, output_gradient, g, stride, range);
+        let range = [sample, end];
+        let (sums, sample) = sum_few(sums, input, rows, output_gradient, g, stride, range);
+        sum_each(sums, input, rows, output_gradient, g, stride, [sample, end])
+    } else {
+        sum_each(before, input, rows, output_gradient, g, stride, [begin, end])
+    }
+}
+
+/// As [`sum_products`], with as many samples at a time as there are lanes.
+#[loops]
+#[inline(always)]
+fn sum_each<L: Lane>(
     before: [LaneVec4<L>; 4],
     input: Read<f32>,
     [row0, row1, row2, row3]: [u32; 4],
@@ -376,10 +446,60 @@ fn sum_products<L: Lane>(
     ([sum0, sum1, sum2, sum3], sample)
 }
 
-/// Sums of a column's four rows, over as many whole lanes of samples as there are; and the first sample after those.
+/// As [`sum_products`], for a single lane, from a multiple of [`FEW`] on and a few samples at a time.
 #[loops]
 #[inline(always)]
+fn sum_few<L: Lane>(
+    before: [LaneVec4<L>; 4],
+    input: Read<f32>,
+    [row0, row1, row2, row3]: [u32; 4],
+    output_gradient: Read<f32>,
+    g: u32,
+    stride: u32,
+    [begin, end]: [u32; 2],
+) -> ([LaneVec4<L>; 4], u32) {
+    let [mut sum0, mut sum1, mut sum2, mut sum3] = before;
+    let [row0, row1, row2, row3] = [row0 / FEW, row1 / FEW, row2 / FEW, row3 / FEW];
+    let (g, stride) = (g / FEW, stride / FEW);
+    let mut few = begin / FEW;
+    while FEW * few + FEW <= end {
+        let g = read_few::<L>(output_gradient, g + few, stride);
+        let x0 = few_of_row::<L>(input, row0 + few);
+        let x1 = few_of_row::<L>(input, row1 + few);
+        let x2 = few_of_row::<L>(input, row2 + few);
+        let x3 = few_of_row::<L>(input, row3 + few);
+        sum0 = add_few(sum0, x0, g);
+        sum1 = add_few(sum1, x1, g);
+        sum2 = add_few(sum2, x2, g);
+        sum3 = add_few(sum3, x3, g);
+        few += 1;
+    }
+    ([sum0, sum1, sum2, sum3], FEW * few)
+}
+
+/// Sums of a column's four rows, over as many whole lanes of samples as there are; and the first sample after those.
+#[inline(always)]
 fn sum_lanes<L: Lane>(
+    before: LaneVec4<L>,
+    rows: Read<f32>,
+    first: u32,
+    stride: u32,
+    [begin, end]: [u32; 2],
+) -> (LaneVec4<L>, u32) {
+    if L::READS_FOUR {
+        let range = [begin, least(begin.next_multiple_of(FEW), end)];
+        let (sum, sample) = sum_each_lane(before, rows, first, stride, range);
+        let (sum, sample) = sum_few_lanes(sum, rows, first, stride, [sample, end]);
+        sum_each_lane(sum, rows, first, stride, [sample, end])
+    } else {
+        sum_each_lane(before, rows, first, stride, [begin, end])
+    }
+}
+
+/// As [`sum_lanes`], with as many samples at a time as there are lanes.
+#[loops]
+#[inline(always)]
+fn sum_each_lane<L: Lane>(
     before: LaneVec4<L>,
     rows: Read<f32>,
     first: u32,
@@ -393,6 +513,26 @@ fn sum_lanes<L: Lane>(
         sample += L::WIDTH;
     }
     (sum, sample)
+}
+
+/// As [`sum_lanes`], for a single lane, from a multiple of [`FEW`] on and a few samples at a time.
+#[loops]
+#[inline(always)]
+fn sum_few_lanes<L: Lane>(
+    before: LaneVec4<L>,
+    rows: Read<f32>,
+    first: u32,
+    stride: u32,
+    [begin, end]: [u32; 2],
+) -> (LaneVec4<L>, u32) {
+    let mut sum = before;
+    let mut few = begin / FEW;
+    while FEW * few + FEW <= end {
+        let [g0, g1, g2, g3] = read_few::<L>(rows, first / FEW + few, stride / FEW);
+        sum = add(add(add(add(sum, g0), g1), g2), g3);
+        few += 1;
+    }
+    (sum, FEW * few)
 }
 
 /// Where the rows of a block's inputs begin; inputs past the last repeat it.
@@ -571,6 +711,57 @@ mod tests {
             assert_eq!(one, four, "{samples} samples");
             assert_eq!(back_one, back_four, "{samples} samples on the way back");
             assert!(four.iter().any(|&value| value > 0.0 && value != 9.0));
+        }
+    }
+
+    /// As above: slices that begin and end anywhere, and what a GPU reads together.
+    #[test]
+    fn weights_are_summed_sample_by_sample() {
+        for (samples, slice) in [(1, 9), (3, 9), (4, 4), (70, 33), (64, 7)] {
+            let (stride, inputs, columns) = ((samples + 3_u32).next_multiple_of(4), 6, 2);
+            let slices = samples.div_ceil(slice);
+            let parameters = (inputs + 1) * columns;
+            let params = DenseWeightBackwardParams {
+                samples,
+                first_sample: 0,
+                stride,
+                inputs,
+                columns,
+                weight: 0,
+                bias: inputs * columns,
+                units: 1,
+                slice,
+                places: slices,
+                parameters,
+            };
+            let (input, gradient) = (numbers(inputs * stride), numbers(4 * columns * stride));
+            let mut partial = vec![Vec4::ZERO; (slices * parameters) as usize];
+            for id in (0..slices).flat_map(invocations) {
+                dense_weight_backward::<f32>(
+                    id,
+                    &params,
+                    Read::from(&[0, 0, samples, slices][..]),
+                    Read::from(&input[..]),
+                    Read::from(&gradient[..]),
+                    Write::from(&mut partial[..]),
+                );
+            }
+            for index in 0..slices * parameters {
+                let (at, place) = (index / parameters, index % parameters);
+                let (row, column) = (place / columns, place % columns);
+                let sum = |output: u32| {
+                    (at * slice..samples.min((at + 1) * slice)).fold(0.0, |sum, sample| {
+                        let g = gradient[((4 * column + output) * stride + sample) as usize];
+                        let x = match row < inputs {
+                            true => input[(row * stride + sample) as usize],
+                            false => 1.0,
+                        };
+                        x * g + sum
+                    })
+                };
+                let expected = Vec4::from_array([0, 1, 2, 3].map(sum));
+                assert_eq!(partial[index as usize], expected, "{samples} samples, {index}");
+            }
         }
     }
 }

@@ -120,24 +120,19 @@ impl GridLevel {
     /// A GPU takes as long for a product as for four sums. So the upper corners of an axis add a factor to the product of the
     /// lower ones.
     #[inline(always)]
-    pub fn entries<I: LaneIndex>(&self, [x, y, z]: [I; 3]) -> [I; 8] {
+    pub fn entries<I: LaneIndex>(&self, corner: [I; 3]) -> [I; 8] {
         let number = I::splat;
-        let hashed = self.hashed != 0;
-        let row = if hashed { 2_654_435_761 } else { self.resolution };
-        let layer =
-            if hashed { 805_459_861 } else { self.resolution.wrapping_mul(self.resolution) };
-        let axis = |lower: I, factor: u32| [lower, lower.wrapping_add(number(factor))];
-        let x = axis(x, 1);
-        let y = axis(y.wrapping_mul(number(row)), row);
-        let z = axis(z.wrapping_mul(number(layer)), layer);
         let first = number(self.first);
-        if hashed {
+        if self.hashed != 0 {
             // modulo a power of two
             let mask = number(self.count - 1);
+            let [x, y, z] = axes(corner, [2_654_435_761, 805_459_861]);
             at_corners(x, y, z, |x, y, z| ((x ^ y ^ z) & mask).wrapping_add(first))
         } else {
             // modulo: a corner is at most `resolution`, so that once is enough
             let count = number(self.count);
+            let row = self.resolution;
+            let [x, y, z] = axes(corner, [row, row.wrapping_mul(row)]);
             at_corners(x, y, z, |x, y, z| {
                 let index = x.wrapping_add(y).wrapping_add(z);
                 let index = I::select(index.less(count), index, index.wrapping_sub(count));
@@ -145,6 +140,15 @@ impl GridLevel {
             })
         }
     }
+}
+
+/// What the lower and the upper corners of a cell have of their entries, for each axis; y and z have factors.
+#[inline(always)]
+fn axes<I: LaneIndex>([x, y, z]: [I; 3], [row, layer]: [u32; 2]) -> [[I; 2]; 3] {
+    let number = I::splat;
+    let axis = |lower: I, factor: u32| [lower, lower.wrapping_add(number(factor))];
+    let (y, z) = (y.wrapping_mul(number(row)), z.wrapping_mul(number(layer)));
+    [axis(x, 1), axis(y, row), axis(z, layer)]
 }
 
 /// A function of the corners of a cell, x fastest.

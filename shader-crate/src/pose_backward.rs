@@ -80,13 +80,13 @@ pub fn pose_backward(
         let mut next = first_pair.read(slot * params.words) + block * BLOCK;
         let end = if next + BLOCK < last { next + BLOCK } else { last };
         let (mut turn, mut shift) = (Vec3::ZERO, Vec3::ZERO);
+        let mut first = VECTORS * next;
         while next < end {
             let gaussian = pair.read(next) - slot * params.gaussians;
             let center = read3(position, 3 * gaussian);
             let quaternion = read_quaternion(rotation, gaussian);
             let footprint =
                 Footprint::new(&view, center, quaternion, read3(log_scale, 3 * gaussian));
-            let first = VECTORS * next;
             let (geometry, conic) = (pair_gradient.read(first), pair_gradient.read(first + 1));
             let [by_turn, by_shift] = project_pose_backward(
                 &view,
@@ -97,6 +97,7 @@ pub fn pose_backward(
             );
             turn += by_turn;
             shift += by_shift;
+            first += VECTORS;
             next += 1;
         }
         let at = VALUES * (slot * params.blocks + block);

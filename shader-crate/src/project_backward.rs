@@ -180,27 +180,50 @@ pub fn project_backward(
                     Vec3::new(conic.x, conic.y, conic.z),
                 );
                 // one camera after the other: the sums do not depend on which of them share a dispatch
-                add(gradient, params.bits, 3 * gaussian, found.position.x);
-                add(gradient, params.bits, 3 * gaussian + 1, found.position.y);
-                add(gradient, params.bits, 3 * gaussian + 2, found.position.z);
-                add(gradient, params.bits, 3 * n + 4 * gaussian, found.rotation.x);
-                add(gradient, params.bits, 3 * n + 4 * gaussian + 1, found.rotation.y);
-                add(gradient, params.bits, 3 * n + 4 * gaussian + 2, found.rotation.z);
-                add(gradient, params.bits, 3 * n + 4 * gaussian + 3, found.rotation.w);
-                add(gradient, params.bits, 7 * n + 3 * gaussian, found.log_scale.x);
-                add(gradient, params.bits, 7 * n + 3 * gaussian + 1, found.log_scale.y);
-                add(gradient, params.bits, 7 * n + 3 * gaussian + 2, found.log_scale.z);
-                add(gradient, params.bits, 10 * n + gaussian, geometry.z);
+                let rows = [3 * gaussian, 3 * n + 4 * gaussian, 7 * n + 3 * gaussian];
+                add(gradient, params.bits, rows, found, 10 * n + gaussian, geometry.z);
             }
             slot += 1;
         }
     }
 }
 
-/// `buffer[at] += value`
+/// Adds to a Gaussian's sums. All of them are read before one is written: a GPU then waits once.
 #[inline(always)]
-fn add(buffer: Write<f32>, bits: u32, at: u32, value: f32) {
-    let value = f32::from_bits(value.to_bits() & bits);
-    let sum = buffer.read(at) + value;
-    buffer.write(at, sum);
+fn add(
+    sums: Write<f32>,
+    bits: u32,
+    [position, rotation, log_scale]: [u32; 3],
+    found: GaussianGradient,
+    opacity: u32,
+    opacity_gradient: f32,
+) {
+    let px = sum(sums.read(position), found.position.x, bits);
+    let py = sum(sums.read(position + 1), found.position.y, bits);
+    let pz = sum(sums.read(position + 2), found.position.z, bits);
+    let rx = sum(sums.read(rotation), found.rotation.x, bits);
+    let ry = sum(sums.read(rotation + 1), found.rotation.y, bits);
+    let rz = sum(sums.read(rotation + 2), found.rotation.z, bits);
+    let rw = sum(sums.read(rotation + 3), found.rotation.w, bits);
+    let sx = sum(sums.read(log_scale), found.log_scale.x, bits);
+    let sy = sum(sums.read(log_scale + 1), found.log_scale.y, bits);
+    let sz = sum(sums.read(log_scale + 2), found.log_scale.z, bits);
+    let o = sum(sums.read(opacity), opacity_gradient, bits);
+    sums.write(position, px);
+    sums.write(position + 1, py);
+    sums.write(position + 2, pz);
+    sums.write(rotation, rx);
+    sums.write(rotation + 1, ry);
+    sums.write(rotation + 2, rz);
+    sums.write(rotation + 3, rw);
+    sums.write(log_scale, sx);
+    sums.write(log_scale + 1, sy);
+    sums.write(log_scale + 2, sz);
+    sums.write(opacity, o);
+}
+
+/// `before + value`
+#[inline(always)]
+fn sum(before: f32, value: f32, bits: u32) -> f32 {
+    before + f32::from_bits(value.to_bits() & bits)
 }

@@ -34,7 +34,18 @@ pub struct Layer {
 impl Layer {
     /// A layer whose weights and inputs are filled; `huge` ones leave their sums finite.
     pub fn new(samples: u32, inputs: u32, columns: u32, fill: Fill, random: &mut Random) -> Self {
-        let stride = samples + 5;
+        Self::with_stride(samples, samples + 5, inputs, columns, fill, random)
+    }
+
+    /// As [`new`](Self::new), with another distance of rows.
+    pub fn with_stride(
+        samples: u32,
+        stride: u32,
+        inputs: u32,
+        columns: u32,
+        fill: Fill,
+        random: &mut Random,
+    ) -> Self {
         let numbers = 4 * (WEIGHT + (inputs + 1) * columns) as usize;
         let parameters = fill.values(random, numbers, [-1.0, 1.0], 1e15);
         let input = fill.values(random, (inputs * stride) as usize, [-1.0, 1.0], 1e15);

@@ -183,6 +183,12 @@ pub struct DenseWeightBackward {
 }
 
 impl DenseWeightBackward {
+    /// A layer whose rows begin at multiples of four.
+    fn layer(samples: u32, inputs: u32, columns: u32, fill: Fill, random: &mut Random) -> Layer {
+        let stride = (samples + 5).next_multiple_of(4);
+        Layer::with_stride(samples, stride, inputs, columns, fill, random)
+    }
+
     fn new(layer: Layer, slice: u32, fill: Fill, random: &mut Random) -> Self {
         let slices = Slices { first: vec![0, layer.samples], slice };
         Self::of_units(layer, slices, 0, fill, random)
@@ -249,12 +255,12 @@ impl Parity for DenseWeightBackward {
 
     fn sets() -> Vec<(String, Self)> {
         let mut sets = inputs::sets(|n, fill, random| {
-            let layer = Layer::new(n, 6, 2, fill, random);
+            let layer = Self::layer(n, 6, 2, fill, random);
             Self::new(layer, 100, fill, random)
         });
         for (inputs, columns, slice) in [(1, 1, 4096), (4, 3, 16), (7, 16, 33), (64, 1, 300)] {
             let mut random = Random::new(11);
-            let layer = Layer::new(300, inputs, columns, Fill::Random, &mut random);
+            let layer = Self::layer(300, inputs, columns, Fill::Random, &mut random);
             let set = Self::new(layer, slice, Fill::Random, &mut random);
             sets.push((
                 format!("random, {inputs} inputs, {columns} columns, slices of {slice}"),
@@ -262,7 +268,7 @@ impl Parity for DenseWeightBackward {
             ));
         }
         let mut random = Random::new(17);
-        let layer = Layer::new(37, 6, 2, Fill::Random, &mut random);
+        let layer = Self::layer(37, 6, 2, Fill::Random, &mut random);
         let mut padded = Self::new(layer, 16, Fill::Random, &mut random);
         padded.gradient[5 * padded.layer.stride as usize..].fill(0.0);
         sets.push(("three of eight outputs are padding".into(), padded));
@@ -270,7 +276,7 @@ impl Parity for DenseWeightBackward {
         for (name, fill) in [("random", Fill::Random), ("mixed", Fill::Mixed)] {
             let slices = Slices { first: vec![0, 50, 131, 131, 200, 420], slice: 33 };
             let mut random = Random::new(19);
-            let layer = Layer::new(300, 6, 2, fill, &mut random);
+            let layer = Self::layer(300, 6, 2, fill, &mut random);
             let set = Self::of_units(layer, slices, 70, fill, &mut random);
             sets.push((format!("{name}, slices of units"), set));
         }

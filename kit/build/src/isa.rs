@@ -3,16 +3,17 @@
 use std::env;
 use std::process::Command;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use clap::Args;
 use organza_isa::{FAMILIES, Report};
+use organza_manifest::FILE_NAME;
 
 use crate::Project;
 
 /// Options for the machine code of kernels.
 #[derive(Args, Clone, Debug)]
 pub struct IsaOptions {
-    /// Show the machine code of this kernel's innermost loops, instead of the table
+    /// Show the machine code of this kernel's innermost loops instead of the table, and all of it where there is no loop
     #[arg(long, value_name = "KERNEL")]
     pub asm: Option<String>,
     /// A family of AMD GPUs, as Mesa's RADV names it; can be given several times
@@ -23,12 +24,17 @@ pub struct IsaOptions {
 /// Prints the machine code that RADV makes of a project's compiled kernels. It needs no GPU.
 ///
 /// # Errors
-/// If there is no RADV, if it does not compile a kernel, or if there is no such kernel.
+/// If there are no compiled kernels, if there is no RADV, if it does not compile a kernel, or if there is no such kernel.
 pub fn isa(project: &Project, options: &IsaOptions) -> Result<()> {
     let folder = project.root.join(&project.kernels);
     if organza_isa::answer(&folder) {
         return Ok(());
     }
+    ensure!(
+        folder.join(FILE_NAME).exists(),
+        "there are no compiled kernels in {}: run `cargo xtask kernels` first",
+        folder.display()
+    );
     for family in &options.family {
         let mut child = Command::new(env::current_exe()?);
         let report = organza_isa::compile(&folder, family, child.arg("isa"))?;
@@ -42,13 +48,14 @@ pub fn isa(project: &Project, options: &IsaOptions) -> Result<()> {
 
 fn print_loops(report: &Report, kernel: &str) -> Result<()> {
     let found = report.kernels.iter().find(|found| found.name == kernel);
-    let found = found.with_context(|| format!("there is no kernel `{kernel}`"))?;
-    println!(
-        "{kernel}, {}, {}: {} innermost loops",
-        report.family,
-        report.driver,
-        found.loops.len()
-    );
+    let found = found.with_context(|| {
+        format!("there is no kernel `{kernel}`: `cargo xtask isa` without `--asm` lists them")
+    })?;
+    let title = format!("{kernel}, {}, {}", report.family, report.driver);
+    match found.loops.len() {
+        0 => println!("{title}: no loop, so all of it\n\n{}", found.text),
+        count => println!("{title}: {count} innermost loops"),
+    }
     for found in &found.loops {
         println!("\n{} instructions\n{}", found.instructions, found.text);
     }

@@ -86,6 +86,7 @@ impl Compiler {
             instructions: value("Instructions")?,
             integer_multiplies: assembly::integer_multiplies(&assembly),
             loops: assembly::loops(&assembly),
+            text: assembly::text(&assembly),
         })
     }
 

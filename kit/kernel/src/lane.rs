@@ -36,6 +36,8 @@ pub trait Lane:
     const COLUMNS: u32;
     /// Whether adding two values to [fixed-point](crate::fixed) sums at once is faster than one after the other.
     const ADDS_TWO: bool;
+    /// Whether four consecutive values are read as fast as one: on a GPU, where they begin at a multiple of four.
+    const READS_FOUR: bool;
     /// One lane of the same arithmetic.
     type One: Lane;
     /// One `bool` for each lane.
@@ -123,6 +125,7 @@ impl Lane for f32 {
     const WIDTH: u32 = 1;
     const COLUMNS: u32 = 4;
     const ADDS_TWO: bool = false;
+    const READS_FOUR: bool = true;
     type One = f32;
     type Mask = bool;
     type Index = u32;

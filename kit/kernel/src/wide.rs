@@ -88,6 +88,7 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     const COLUMNS: u32 = if N == 8 { 2 } else { 4 };
     // only AVX-512 converts whole vectors to 64-bit integers
     const ADDS_TWO: bool = N == 16;
+    const READS_FOUR: bool = false;
     type One = Wide<1, FUSED>;
     type Mask = WideMask<N>;
     type Index = WideIndex<N>;

@@ -17,6 +17,8 @@ mod kernels;
 mod limits;
 mod mutate;
 mod mutations;
+#[cfg(unix)]
+mod outputs;
 mod parity;
 mod results;
 mod sandbox;

@@ -60,6 +60,35 @@ fn write_direct(
     writer.flush()
 }
 
+/// Checks that a file in a folder of outputs can be written: that a regular file or nothing is in its place. The user
+/// has named the folder, not the file, so a link in it may lead to somebody else's file, and a pipe may block forever.
+///
+/// # Errors
+/// [`Error::WriteFile`] for a link, a folder, a pipe or a device.
+pub fn check_inside(path: impl AsRef<Path>) -> Result<()> {
+    let path = path.as_ref();
+    match fs::symlink_metadata(path) {
+        Ok(found) if !found.is_file() => {
+            let reason = "it is a link, a folder, a pipe or a device, expected a file: remove it, or choose another folder";
+            Err(Error::write(path, io::Error::other(reason)))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Writes a file in a folder of outputs, as [`write_atomic`] does. Only a regular file is replaced: see
+/// [`check_inside`].
+///
+/// # Errors
+/// The same errors as [`write_atomic`] and [`check_inside`].
+pub fn write_inside(
+    path: impl AsRef<Path>,
+    fill: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<()> {
+    check_inside(&path)?;
+    write_atomic(path, fill)
+}
+
 /// Checks that [`write_atomic`] can write a file, before hours are spent on its content.
 ///
 /// # Errors

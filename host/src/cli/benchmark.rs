@@ -9,7 +9,7 @@ use organza::metrics::lpips::Lpips;
 use organza::train::report::{Run, Summary};
 use organza::train::{self, CHECKPOINT, CONFIG, Outcome, REPORT};
 use organza::{Result, Scene};
-use organza_core::write_atomic;
+use organza_core::write_inside;
 use serde::Serialize;
 
 use super::console::{Console, print, print_json};
@@ -109,7 +109,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         rows.push(row);
         // after each run, so that finished results are there even if a later run fails
         let write = |name: &str, text: String| {
-            write_atomic(args.output.join(name), |writer| writer.write_all(text.as_bytes()))
+            write_inside(args.output.join(name), |writer| writer.write_all(text.as_bytes()))
         };
         write("results.md", markdown(&rows))?;
         write("results.csv", csv(&rows))?;
@@ -129,7 +129,13 @@ fn names(data: &[PathBuf]) -> Result<Vec<String>> {
             let full = path.canonicalize().unwrap_or_else(|_| path.clone());
             // the folder of a data set's file has a better name than the file
             let full = if full.is_file() { full.parent().unwrap_or(&full) } else { &full };
-            let name = full.file_name().unwrap_or(full.as_os_str()).to_string_lossy().into_owned();
+            let Some(name) = full.file_name() else {
+                return refuse(format!(
+                    "{} has no name for its run; name the data set's own folder",
+                    path.display()
+                ));
+            };
+            let name = name.to_string_lossy().into_owned();
             if taken.insert(name.clone()) {
                 return Ok(name);
             }

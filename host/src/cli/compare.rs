@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use organza::Result;
-use organza::train::REPORT;
 use organza::train::report::{Difference, Run, differences, write_comparison};
 use serde_json::json;
 
@@ -45,8 +44,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         }
         runs.push((name, Run::load(folder)?));
     }
-    let reports: Vec<_> = args.runs.iter().map(|folder| folder.join(REPORT)).collect();
-    check_file(&args.output, &reports.iter().map(PathBuf::as_path).collect::<Vec<&Path>>())?;
+    check_file(&args.output, &args.runs.iter().map(PathBuf::as_path).collect::<Vec<&Path>>())?;
     write_comparison(&args.output, &runs)?;
     console.note(&format!("wrote {}", args.output.display()));
     if args.json { print_json(&as_json(args, &runs)) } else { print(&as_text(&runs)) }

@@ -54,6 +54,9 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let cameras = demo::turntable(usize::from(args.views), args.size);
     refuse_foreign(&folder, &scene, &cameras, &args.output)?;
     let renderer = args.device.open(console)?;
+    for name in FILES {
+        folder.file(name)?;
+    }
     let [scene_file, cameras_file, tiles_file, sheet] = FILES.map(|name| folder.join(name));
     scene.save(&scene_file)?;
     Camera::save_all(&cameras_file, &cameras)?;
@@ -127,7 +130,7 @@ fn render(
         for view in views {
             progress.say(&names[view]);
             let image = pictures.render(view, &mut summary, &progress)?;
-            let file = folder.join(&format!("{}.png", names[view]));
+            let file = folder.file(&format!("{}.png", names[view]))?;
             image.save_png(&file)?;
             written.add(&file)?;
             images.push(Picture::new(view, &file, &cameras[view]));

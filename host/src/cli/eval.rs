@@ -106,7 +106,7 @@ impl Args {
             settings.hold_out_every = 0;
         }
         if let Some(csv) = &self.csv {
-            let inputs = [Some(source.file()), self.data.as_deref(), self.lpips.as_deref()];
+            let inputs = [Some(source.named()), self.data.as_deref(), self.lpips.as_deref()];
             output::check_file(csv, &inputs.into_iter().flatten().collect::<Vec<_>>())?;
         }
         let scene = source.load(console)?;

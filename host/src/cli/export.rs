@@ -59,8 +59,7 @@ pub struct Args {
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let format = Format::of(&args.output)?;
     let source = SceneSource::find(&args.scene)?;
-    let inputs: Vec<_> =
-        [Some(source.file()), args.cameras.as_deref()].into_iter().flatten().collect();
+    let inputs: Vec<_> = [source.named()].into_iter().chain(args.cameras.as_deref()).collect();
     check_file(&args.output, &inputs)?;
     let scene = source.load(console)?;
     let renderer = args.device.open(console)?;

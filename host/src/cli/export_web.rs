@@ -63,8 +63,7 @@ pub struct Args {
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = SceneSource::find(&args.scene)?;
     let cameras = cameras(&source, args.cameras.as_deref(), &args.data, USAGE, console)?;
-    let inputs: Vec<_> =
-        [Some(source.file()), args.cameras.as_deref()].into_iter().flatten().collect();
+    let inputs: Vec<_> = [source.named()].into_iter().chain(args.cameras.as_deref()).collect();
     // checked before anything is computed
     let folder = match args.single_file {
         true => {
@@ -90,7 +89,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         Some(folder) => {
             let files = page.files();
             for (name, text) in &files {
-                write(&folder.join(name), text)?;
+                write(&folder.file(name)?, text)?;
             }
             (folder.join(WebPage::FILES[0]), files.iter().map(|(_, text)| text.len()).sum())
         }

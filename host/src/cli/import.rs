@@ -53,8 +53,7 @@ pub struct Args {
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = SceneSource::find(&args.file)?;
-    let inputs: Vec<_> =
-        [Some(source.file()), args.cameras.as_deref()].into_iter().flatten().collect();
+    let inputs: Vec<_> = [source.named()].into_iter().chain(args.cameras.as_deref()).collect();
     check_file(&args.output, &inputs)?;
     let splats = console.during("reading the Gaussians", || splats::load(source.file()))?;
     console.note(&format!("{} in {}", count(splats.len() as u64, "Gaussian"), args.file.display()));

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Command, CommandFactory};
 use clap_mangen::Man;
 use organza::{Error, Result};
-use organza_core::write_atomic;
+use organza_core::write_inside;
 
 use super::Cli;
 use super::console::Console;
@@ -32,14 +32,15 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let commands: Vec<Command> = program.get_subcommands().cloned().collect();
     let folder = Folder::make(&args.output)?;
     let pages: Vec<Man> = std::iter::once(program).chain(commands).map(Man::new).collect();
-    let files: Vec<PathBuf> = pages.iter().map(|page| folder.join(&page.get_filename())).collect();
+    let files = pages.iter().map(|page| folder.file(&page.get_filename()));
+    let files = files.collect::<Result<Vec<_>>>()?;
     for file in &files {
         check_file(file, &[])?;
     }
     for (page, file) in pages.iter().zip(&files) {
         let mut text = Vec::new();
         page.render(&mut text).map_err(|source| Error::write(file, source))?;
-        write_atomic(file, |writer| writer.write_all(&text))?;
+        write_inside(file, |writer| writer.write_all(&text))?;
         console.detail(&format!("wrote {}", file.display()));
     }
     let pages = count(files.len() as u64, "page");

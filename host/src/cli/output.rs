@@ -1,22 +1,39 @@
 //! Checks the places of results before hours are spent on them.
 
+use std::ffi::OsStr;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use organza::train::{self, CONFIG};
 use organza::{Error, Result};
 
 use super::refuse;
 
-/// Checks that a file can be written, and that it is not one of the inputs.
+/// Checks that a file can be written, and that it replaces nothing that the command reads: see [`refuse_inputs`].
 pub fn check_file(path: &Path, inputs: &[&Path]) -> Result<()> {
     refuse_inputs(path, inputs)?;
     organza_core::check_writable(path)
 }
 
 /// Fails if writing to a path would replace an input.
+///
+/// An input is a file, or the folder of a run or of a data set. All files of a run are inputs, and so is the data set
+/// that it was trained on. In a data set's folder, every file of a kind that data sets have is one.
 pub fn refuse_inputs(path: &Path, inputs: &[&Path]) -> Result<()> {
-    match inputs.iter().find(|input| is_same(path, input)) {
+    let Ok(existing) = fs::canonicalize(path) else { return Ok(()) };
+    for input in inputs {
+        let Some(replaced) = replaced(&existing, input) else { continue };
+        let path = path.display();
+        return refuse(format!("the output {path} would replace {replaced}; choose another"));
+    }
+    Ok(())
+}
+
+/// Fails if writing to a path would replace one of these files.
+pub fn refuse_same(path: &Path, inputs: &[&Path]) -> Result<()> {
+    let is_same = |input: &&&Path| matches!((fs::canonicalize(path), fs::canonicalize(input)), (Ok(a), Ok(b)) if a == b);
+    match inputs.iter().find(is_same) {
         Some(input) => {
             let path = path.display();
             let input = input.display();
@@ -26,9 +43,29 @@ pub fn refuse_inputs(path: &Path, inputs: &[&Path]) -> Result<()> {
     }
 }
 
-/// Whether two paths lead to the same existing file.
-pub fn is_same(a: &Path, b: &Path) -> bool {
-    matches!((fs::canonicalize(a), fs::canonicalize(b)), (Ok(a), Ok(b)) if a == b)
+/// The input that an existing file is or belongs to, in words.
+fn replaced(existing: &Path, input: &Path) -> Option<String> {
+    let full = fs::canonicalize(input).ok()?;
+    if full == existing {
+        return Some(format!("the input {}", input.display()));
+    }
+    let folder = if full.is_dir() { full.as_path() } else { full.parent()? };
+    if folder.join(CONFIG).exists() {
+        if existing.strip_prefix(folder).is_ok_and(train::is_run_file) {
+            return Some(format!("a file of the run {}", folder.display()));
+        }
+        let data = train::settings_of(folder).ok()?.data.path?;
+        return replaced(existing, &data);
+    }
+    let is_of_data = full.is_dir() && existing.starts_with(folder) && is_of_data_sets(existing);
+    is_of_data.then(|| format!("a file of the data set {}", input.display()))
+}
+
+/// Whether data sets have files of this kind.
+fn is_of_data_sets(path: &Path) -> bool {
+    const KINDS: [&str; 7] = ["json", "png", "jpg", "jpeg", "ply", "bin", "txt"];
+    let extension = path.extension().and_then(OsStr::to_str).map(str::to_lowercase);
+    extension.is_some_and(|extension| KINDS.contains(&&*extension))
 }
 
 /// A folder for results. Newly created folders that stay empty are removed again.
@@ -69,6 +106,13 @@ impl Folder {
 
     pub fn join(&self, name: &str) -> PathBuf {
         self.path.join(name)
+    }
+
+    /// Path of a file to write. Fails if a link or something else that is no file is in its place.
+    pub fn file(&self, name: &str) -> Result<PathBuf> {
+        let path = self.path.join(name);
+        organza_core::check_inside(&path)?;
+        Ok(path)
     }
 }
 

@@ -284,8 +284,9 @@ fn files(
 ) -> Result<Vec<Vec<PathBuf>>> {
     let names = names(&cameras.list);
     let path = |view: usize, ending: &str| {
-        let path = folder.join(&format!("{}.{ending}", names[view]));
-        output::check_file(&path, &[scene.file(), &cameras.origin])?;
+        let path = folder.file(&format!("{}.{ending}", names[view]))?;
+        output::refuse_same(&path, &[scene.file(), &cameras.origin])?;
+        organza_core::check_writable(&path)?;
         if cameras.is_photograph(&path) {
             let path = path.display();
             let origin = cameras.origin.display();

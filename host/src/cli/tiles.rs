@@ -97,7 +97,7 @@ struct Job {
 impl Job {
     fn find(args: &Args, console: Console) -> Result<Self> {
         let source = SceneSource::find(&args.scene)?;
-        let mut inputs = vec![source.file(), &args.tiles];
+        let mut inputs = vec![source.named(), &args.tiles];
         inputs.extend(args.cameras.as_deref());
         inputs.extend(args.grad_output.as_deref());
         for output in args.output.iter().chain(&args.grad) {

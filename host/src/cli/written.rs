@@ -19,7 +19,7 @@ use std::path::{Component, Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use organza::{Error, Result};
-use organza_core::write_atomic;
+use organza_core::write_inside;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -147,8 +147,11 @@ impl Written {
 
     /// Compares the file in the place of an image with the list.
     pub fn found(&self, path: &Path) -> Result<Found> {
-        if fs::symlink_metadata(path).is_err_and(|error| error.kind() == io::ErrorKind::NotFound) {
-            return Ok(Found::Nothing);
+        match fs::symlink_metadata(path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Found::Nothing),
+            // A link may lead anywhere, and reading a pipe may block.
+            Ok(found) if !found.is_file() => return Ok(Found::Foreign),
+            _ => {}
         }
         let content = digest(path).map_err(|source| Error::read(path, source))?;
         let is_ours =
@@ -283,7 +286,7 @@ impl Written {
         if self.files.is_empty() || Self::is_taken(&path) {
             return Ok(());
         }
-        write_atomic(path, |writer| {
+        write_inside(path, |writer| {
             serde_json::to_writer_pretty(&mut *writer, &self.files)?;
             writer.write_all(b"\n")
         })

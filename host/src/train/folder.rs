@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::checkpoint::{BEST, CHECKPOINT};
 use super::report::PICTURES;
+use super::tensorboard::TENSORBOARD;
 use crate::error::{Error, Result};
 use organza_core::remove_leftovers;
 
@@ -19,6 +20,17 @@ pub const CAMERAS: &str = "cameras.json";
 pub const REPORT: &str = "report.html";
 /// `evaluations.csv`: the scores of each held-out view in each evaluation.
 pub const EVALUATIONS: &str = "evaluations.csv";
+
+/// Files that a run writes directly into its folder.
+const FILES: [&str; 7] = [CONFIG, CHECKPOINT, BEST, METRICS, CAMERAS, REPORT, EVALUATIONS];
+
+/// Whether a path in a run's folder is that of a file that the run writes.
+#[must_use]
+pub fn is_run_file(path: &Path) -> bool {
+    path.starts_with(PICTURES)
+        || path.starts_with(TENSORBOARD)
+        || FILES.iter().any(|name| path == Path::new(name))
+}
 
 /// The lock file. It is removed when the training ends.
 const LOCK: &str = ".organza-lock";
@@ -52,7 +64,7 @@ impl RunFolder {
         };
         let folder = Self { path: path.to_owned(), _lock: lock };
         remove_leftovers(path);
-        for name in [CONFIG, CHECKPOINT, BEST, METRICS, CAMERAS, REPORT, EVALUATIONS] {
+        for name in FILES {
             // Links are not followed: one may lead to somebody else's file.
             let Ok(found) = fs::symlink_metadata(path.join(name)) else { continue };
             if !found.is_file() {
@@ -68,13 +80,15 @@ impl RunFolder {
                 ));
             }
         }
-        match fs::symlink_metadata(path.join(PICTURES)) {
-            Ok(found) if !found.is_dir() => invalid(format!(
-                "{PICTURES} is a file, a link, a device or a pipe, expected a folder: remove it, or \
-                 name another folder"
-            )),
-            _ => Ok(folder),
+        for name in [PICTURES, TENSORBOARD] {
+            if fs::symlink_metadata(path.join(name)).is_ok_and(|found| !found.is_dir()) {
+                return invalid(format!(
+                    "{name} is a file, a link, a device or a pipe, expected a folder: remove it, or \
+                     name another folder"
+                ));
+            }
         }
+        Ok(folder)
     }
 
     /// Path of the folder.

@@ -14,7 +14,7 @@ use super::binding::Change;
 use crate::error::{Error, Result};
 use crate::evaluate::{Evaluation, ViewScore};
 use crate::input::read_file;
-use organza_core::write_atomic;
+use organza_core::write_inside;
 
 /// Largest log, in bytes. No run logs as much; a larger file is not a log.
 const MAX_BYTES: u64 = 1 << 30;
@@ -229,7 +229,7 @@ impl MetricsLog {
     }
 
     fn begin(path: &Path, lines: &[&[u8]]) -> Result<Self> {
-        write_atomic(path, |writer| {
+        write_inside(path, |writer| {
             for line in lines {
                 writer.write_all(line)?;
                 writer.write_all(b"\n")?;

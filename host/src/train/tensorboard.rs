@@ -16,7 +16,7 @@ use prost::Message;
 use crate::error::{Error, Result};
 use crate::image::Image;
 use crate::input::read_file;
-use organza_core::write_atomic;
+use organza_core::write_inside;
 
 /// Name of the folder in a run's folder.
 pub const TENSORBOARD: &str = "tensorboard";
@@ -108,7 +108,7 @@ impl EventLog {
         let path = folder.join(FILE);
         let file_version = Some("brain.Event:2".to_owned());
         let version = Event { wall_time: now(), file_version, ..Event::default() };
-        write_atomic(&path, |writer| {
+        write_inside(&path, |writer| {
             writer.write_all(&record(&version))?;
             writer.write_all(&kept)
         })?;

@@ -95,7 +95,7 @@ fn runs_are_compared() {
     sandbox.assert_refuses("compare a", &["2 values", "RUN"]);
     sandbox.assert_refuses("compare a a", &["a", "named twice"]);
     sandbox.assert_refuses("compare a nowhere", &["nowhere", "config.toml"]);
-    sandbox.assert_refuses("compare a b -o a/report.html", &["would replace the input"]);
+    sandbox.assert_refuses("compare a b -o a/report.html", &["would replace a file of the run"]);
 }
 
 /// A single photograph, smaller than a tile: nothing is held out, and the tile's other pixels are empty.

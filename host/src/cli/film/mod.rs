@@ -114,7 +114,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     ChannelImage::check_memory(channel.as_slice(), width, height)?;
     if kind != Kind::Frames {
         let origin = way.cameras.iter().map(|cameras| cameras.origin.as_path());
-        let inputs: Vec<_> = origin.chain([source.file()]).collect();
+        let inputs: Vec<_> = origin.chain([source.named(), source.file()]).collect();
         output::check_file(&args.output, &inputs)?;
         if way.cameras.as_ref().is_some_and(|cameras| cameras.is_photograph(&args.output)) {
             let path = args.output.display();
@@ -178,8 +178,8 @@ impl Film<'_> {
         };
         let folder = Folder::make(&folder)?;
         let mut written = Written::open(&folder, source.file(), &(self.cameras, self.look))?;
-        let files: Vec<_> =
-            (0..self.cameras.len()).map(|frame| folder.join(&format!("{frame:05}.png"))).collect();
+        let file = |frame: usize| folder.file(&format!("{frame:05}.png"));
+        let files = (0..self.cameras.len()).map(file).collect::<Result<Vec<_>>>()?;
         let todo = written.missing(files.iter().map(std::slice::from_ref))?;
         // before this, a signal has ended the program, and nothing was changed
         let signals = Signals::listen()?;

@@ -19,7 +19,7 @@ use crate::data::Photograph;
 use crate::error::{Error, Result};
 use crate::image::Image;
 use crate::input::read_file;
-use organza_core::{remove_leftovers, write_atomic};
+use organza_core::{remove_leftovers, write_inside};
 
 /// Name of the folder in a run's folder.
 pub const PICTURES: &str = "pictures";
@@ -124,7 +124,7 @@ impl Pictures {
     }
 
     fn save(&self, name: &str, bytes: &[u8]) -> Result<()> {
-        write_atomic(self.folder.join(name), |writer| writer.write_all(bytes))
+        write_inside(self.folder.join(name), |writer| writer.write_all(bytes))
     }
 
     /// Reads a picture. If it is missing or invalid, the page leaves it out.

@@ -15,7 +15,7 @@ use crate::error::Result;
 use crate::evaluate::ViewScore;
 use crate::train::config::TrainConfig;
 use crate::train::metrics::TimingRow;
-use organza_core::write_atomic;
+use organza_core::write_inside;
 
 /// Largest number of pictures over time.
 const MAX_TIMES: usize = 24;
@@ -28,7 +28,7 @@ const MAX_ROWS: usize = 100;
 /// [`Error::WriteFile`](crate::Error::WriteFile).
 pub fn write_report(path: impl AsRef<Path>, run: &Run) -> Result<()> {
     let html = html_of(run);
-    write_atomic(path, |writer| writer.write_all(html.as_bytes()))
+    write_inside(path, |writer| writer.write_all(html.as_bytes()))
 }
 
 pub(super) fn html_of(run: &Run) -> String {

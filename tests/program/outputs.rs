@@ -1,0 +1,122 @@
+//! Outputs replace no input, and are written through no link.
+
+use std::fs;
+use std::os::unix::fs::symlink;
+use std::process::Command;
+
+use crate::sandbox::Sandbox;
+use crate::train::runs::{self, TINY};
+
+/// A sandbox with a data set in `data`, a run on it in `run`, another in `other`, and Gaussians in `splats.ply`.
+fn sandbox() -> Sandbox {
+    let sandbox = runs::sandbox();
+    fs::rename(sandbox.path("views"), sandbox.path("data")).unwrap();
+    let train = TINY.replace("views", "data");
+    sandbox.run(&format!("{train} run --steps 2 --tensorboard")).assert_ok();
+    sandbox.run(&format!("{train} other --steps 2 --seed 1")).assert_ok();
+    let words = "export run -o splats.ply --steps 0 --side 16 --backend cpu";
+    sandbox.run(words).assert_ok();
+    fs::copy(sandbox.path("splats.ply"), sandbox.path("data/points.ply")).unwrap();
+    fs::copy(sandbox.path("data/view-000.png"), sandbox.path("data/mask.png")).unwrap();
+    sandbox
+}
+
+#[test]
+fn no_file_of_a_run_or_a_data_set_is_replaced() {
+    let sandbox = sandbox();
+    let data = "the data set";
+    let run = "the run";
+    for (words, replaced) in [
+        ("import splats.ply data -o data/transforms.json --steps 1", data),
+        ("tiles run data/transforms.json tiles.json -o data/view-000.png", data),
+        ("tiles run tiles.json -o data/view-000.png", data),
+        ("eval run --csv run/config.toml", run),
+        ("eval run --csv run/evaluations.csv", run),
+        ("eval run/checkpoint.safetensors data --csv run/metrics.jsonl", run),
+        ("compare run other -o run/checkpoint.safetensors", run),
+        ("compare run other -o other/report.html", run),
+        ("export run data -o data/points.ply --steps 0 --side 16", data),
+        ("export run -o data/points.ply --steps 0 --side 16", data),
+        ("film run data -o data/mask.png --frames 2", data),
+        ("film run -o run/tensorboard/events.out.tfevents.organza.png --frames 2", run),
+        ("export-web run --single-file -o data/transforms.json", data),
+        ("export-web run data --single-file -o run/report.html", run),
+    ] {
+        // as it would have been
+        let output = words.split_whitespace().skip_while(|word| !["-o", "--csv"].contains(word));
+        let output = sandbox.path(output.skip(1).next().expect("an output"));
+        if !output.exists() {
+            fs::write(output, "a file of the run").unwrap();
+        }
+        let words = match words.starts_with("compare") {
+            true => words.to_owned(),
+            false => format!("{words} --backend cpu"),
+        };
+        sandbox.assert_refuses(&words, &["would replace", replaced]);
+    }
+    // a file of the user's own in the run's folder is none of the run's
+    for _ in 0..2 {
+        sandbox.run("eval run --csv run/scores.csv --backend cpu").assert_ok();
+    }
+}
+
+#[test]
+fn no_output_goes_through_a_link_or_waits_for_a_pipe() {
+    let sandbox = sandbox();
+    let mine = sandbox.path("mine.txt");
+    fs::write(&mine, "mine").unwrap();
+    let pipe = |name: &str| {
+        let made = Command::new("mkfifo").arg(sandbox.path(name)).status().expect("mkfifo");
+        assert!(made.success());
+    };
+    for folder in ["images", "frames", "film.png.frames", "demo", "page", "bench", "manual"] {
+        fs::create_dir(sandbox.path(folder)).unwrap();
+    }
+    symlink(&mine, sandbox.path("images/view-000.png")).unwrap();
+    symlink("/dev/zero", sandbox.path("frames/00000.png")).unwrap();
+    pipe("film.png.frames/00000.png");
+    symlink(&mine, sandbox.path("demo/turntable.png")).unwrap();
+    symlink(&mine, sandbox.path("page/index.html")).unwrap();
+    symlink(&mine, sandbox.path("bench/results.md")).unwrap();
+    symlink(&mine, sandbox.path("manual/organza.1")).unwrap();
+    for words in [
+        "render run -o images --split all --backend cpu",
+        "render run -o images --split all --missing --backend cpu",
+        "film run -o frames --frames 2 --backend cpu",
+        "film run -o film.png --frames 2 --backend cpu",
+        "demo -o demo --views 2 --size 16 --backend cpu",
+        "export-web run -o page --backend cpu",
+        "man -o manual",
+    ] {
+        let outcome = sandbox.shell(&format!("timeout 60 \"$ORGANZA\" {words}"));
+        outcome.assert_refused(&[]);
+        assert_eq!(fs::read_to_string(&mine).unwrap(), "mine", "{words}");
+    }
+    let words = "benchmark data -o bench --config tiny.toml --steps 1 --backend cpu";
+    sandbox.run(words).assert_refused(&["results.md", "link"]);
+    assert_eq!(fs::read_to_string(&mine).unwrap(), "mine");
+}
+
+/// A run's folder that somebody else has made.
+#[test]
+fn training_writes_no_picture_through_a_link_and_does_not_wait_for_a_pipe() {
+    let sandbox = sandbox();
+    let mine = sandbox.path("mine.txt");
+    fs::write(&mine, "mine").unwrap();
+    let photograph = sandbox.path("run/pictures/view-1-photograph.jpg");
+    let thumbnail = fs::read_dir(sandbox.path("run/pictures")).unwrap();
+    let thumbnail = thumbnail.map(|entry| entry.unwrap().path());
+    let thumbnail = thumbnail.filter(|path| *path != photograph).next().expect("a picture");
+    fs::remove_file(&photograph).unwrap();
+    symlink(&mine, &photograph).unwrap();
+    fs::remove_file(&thumbnail).unwrap();
+    assert!(Command::new("mkfifo").arg(&thumbnail).status().unwrap().success());
+    let resume = "train --resume run --steps 4 --backend cpu";
+    let outcome = sandbox.shell(&format!("timeout 60 \"$ORGANZA\" {resume}"));
+    assert_eq!(fs::read_to_string(&mine).unwrap(), "mine");
+    assert!(outcome.stderr.contains("it is a link, a folder, a pipe"), "{outcome:?}");
+
+    fs::remove_dir_all(sandbox.path("run/tensorboard")).unwrap();
+    symlink(sandbox.path("data"), sandbox.path("run/tensorboard")).unwrap();
+    sandbox.run(resume).assert_refused(&["tensorboard is a file, a link"]);
+}

@@ -21,8 +21,8 @@ LINE = 64
 # 32-bit integer products take four times as long as other instructions.
 PRODUCT = 3
 
-# For each kernel: counted operations of one turn of its largest loop (docs/performance.md), turns of that loop for one item with what is outside
-# of it, or nothing if the loop is all, and random cache lines of an item.
+# For each kernel: counted operations of one turn of its largest loop (its function `_work` in shader-crate/src), turns of that loop for one
+# item with what is outside of it, or nothing if the loop is all, and random cache lines of an item.
 FEATURES = 2
 KERNELS = {
     "dense": (128, None, 0),

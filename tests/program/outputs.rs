@@ -4,6 +4,8 @@ use std::fs;
 use std::os::unix::fs::symlink;
 use std::process::Command;
 
+use organza_core::FolderLock;
+
 use crate::sandbox::Sandbox;
 use crate::train::runs::{self, TINY};
 
@@ -119,4 +121,26 @@ fn training_writes_no_picture_through_a_link_and_does_not_wait_for_a_pipe() {
     fs::remove_dir_all(sandbox.path("run/tensorboard")).unwrap();
     symlink(sandbox.path("data"), sandbox.path("run/tensorboard")).unwrap();
     sandbox.run(resume).assert_refused(&["tensorboard is a file, a link"]);
+}
+
+/// Two commands that write into one folder would mix their images.
+#[test]
+fn one_command_at_a_time_writes_into_a_folder() {
+    let sandbox = Sandbox::new("tiny");
+    let render = "render scene.safetensors cameras.json -o out --backend cpu";
+    let film = "film scene.safetensors cameras.json -o out --frames 2 --backend cpu";
+    fs::create_dir(sandbox.path("out")).unwrap();
+    let lock = FolderLock::exclusive(&sandbox.path("out")).unwrap().expect("it is free");
+    let shard = format!("{render} --shard 1/2");
+    for words in [render, &shard, film, "demo -o out --views 2 --size 16 --backend cpu"] {
+        sandbox.assert_refuses(words, &["out: another command writes to this folder (process "]);
+    }
+    drop(lock);
+    // shards write different images
+    let lock = FolderLock::shared(&sandbox.path("out")).unwrap().expect("it is free");
+    sandbox.assert_refuses(render, &["another command"]);
+    sandbox.run(&shard).assert_ok();
+    drop(lock);
+    sandbox.run(render).assert_ok();
+    assert!(!sandbox.path("out/.organza-lock").exists());
 }

@@ -49,7 +49,8 @@ pub struct Args {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let folder = Folder::make(&args.output)?;
+    let mut folder = Folder::make(&args.output)?;
+    folder.lock(false)?;
     let scene = console.during("building the scene", demo::scene);
     let cameras = demo::turntable(usize::from(args.views), args.size);
     refuse_foreign(&folder, &scene, &cameras, &args.output)?;

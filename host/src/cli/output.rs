@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use organza::train::{self, CONFIG};
 use organza::{Error, Result};
+use organza_core::FolderLock;
 
 use super::refuse;
 
@@ -74,6 +75,7 @@ pub struct Folder {
     path: PathBuf,
     /// Created folders, innermost first.
     made: Vec<PathBuf>,
+    lock: Option<FolderLock>,
 }
 
 impl Folder {
@@ -81,7 +83,8 @@ impl Folder {
     pub fn make(path: &Path) -> Result<Self> {
         let missing =
             path.ancestors().take_while(|above| *above != Path::new("") && !above.exists());
-        let folder = Self { path: path.to_owned(), made: missing.map(Path::to_owned).collect() };
+        let folder =
+            Self { path: path.to_owned(), made: missing.map(Path::to_owned).collect(), lock: None };
         if fs::metadata(path).is_ok_and(|found| !found.is_dir()) {
             return Err(cannot_write(path, io::Error::other("it is a file, expected a folder")));
         }
@@ -93,6 +96,22 @@ impl Folder {
         })?;
         try_writing(path, path)?;
         Ok(folder)
+    }
+
+    /// Locks the folder until this value is dropped, so that no other call mixes its files with those of this one.
+    /// With `shared`, calls that also share the lock may write at the same time.
+    pub fn lock(&mut self, shared: bool) -> Result<()> {
+        let lock = if shared { FolderLock::shared } else { FolderLock::exclusive };
+        match lock(&self.path)? {
+            Ok(lock) => self.lock = Some(lock),
+            Err(holder) => {
+                let path = self.path.display();
+                return refuse(format!(
+                    "{path}: another command writes to this folder ({holder}); wait for it, or choose another folder"
+                ));
+            }
+        }
+        Ok(())
     }
 
     pub fn path(&self) -> &Path {
@@ -118,6 +137,8 @@ impl Folder {
 
 impl Drop for Folder {
     fn drop(&mut self) {
+        // The lock's file is in the folder.
+        self.lock = None;
         for path in &self.made {
             // Fails on purpose if the folder is not empty.
             let _ = fs::remove_dir(path);

@@ -154,7 +154,9 @@ fn render(args: &Args, job: Job, rank: Option<Member<'_>>, console: Console) -> 
         ChannelImage::check_memory(&channels, list[view].width, list[view].height)?;
     }
     let scene = if rank.is_none() { Some(source.load(console)?) } else { None };
-    let folder = Folder::make(&args.output)?;
+    let mut folder = Folder::make(&args.output)?;
+    // shards write different images to one folder
+    folder.lock(args.shard.is_some())?;
     let beside = |channel: &Channel| format!("{}.{}", channel.name(), format.extension());
     let endings: Vec<_> =
         std::iter::once("png".to_owned()).chain(channels.iter().map(beside)).collect();

@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use serde::{Deserialize, Deserializer, Serialize};
 
@@ -115,7 +116,7 @@ impl SessionInfo {
     #[must_use]
     pub fn now(command: Option<String>, device: &str) -> Self {
         Self {
-            date: humantime::format_rfc3339_seconds(std::time::SystemTime::now()).to_string(),
+            date: date(SystemTime::now()),
             command,
             version: env!("CARGO_PKG_VERSION").to_owned(),
             commit: crate::COMMIT.map(str::to_owned),
@@ -240,6 +241,14 @@ impl MetricsLog {
         let file = file.map_err(|source| Error::write(path, source))?;
         Ok(Self { path: path.to_owned(), file })
     }
+}
+
+/// A date in UTC. A clock that is wrong by so much that RFC 3339 has no date for it shows the nearest one.
+fn date(time: SystemTime) -> String {
+    /// The last second of the year 9999, in seconds since 1970.
+    const LAST: u64 = 253_402_300_799;
+    let last = UNIX_EPOCH + Duration::from_secs(LAST);
+    humantime::format_rfc3339_seconds(time.clamp(UNIX_EPOCH, last)).to_string()
 }
 
 fn read(path: &Path) -> Result<Vec<u8>> {

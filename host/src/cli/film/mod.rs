@@ -176,7 +176,8 @@ impl Film<'_> {
                 name.into()
             }
         };
-        let folder = Folder::make(&folder)?;
+        let mut folder = Folder::make(&folder)?;
+        folder.lock(false)?;
         let mut written = Written::open(&folder, source.file(), &(self.cameras, self.look))?;
         let file = |frame: usize| folder.file(&format!("{frame:05}.png"));
         let files = (0..self.cameras.len()).map(file).collect::<Result<Vec<_>>>()?;

@@ -154,3 +154,15 @@ fn a_line_that_is_no_record_is_named() {
     }
     assert_eq!(fs::read_to_string(&path).unwrap(), text);
 }
+
+#[test]
+fn a_wrong_clock_has_a_date() {
+    let day = Duration::from_secs(24 * 60 * 60);
+    for (time, expected) in [
+        (UNIX_EPOCH + 10 * day, "1970-01-11T00:00:00Z"),
+        (UNIX_EPOCH - day, "1970-01-01T00:00:00Z"),
+        (UNIX_EPOCH + 4_000_000 * day, "9999-12-31T23:59:59Z"),
+    ] {
+        assert_eq!(date(time), expected);
+    }
+}

@@ -1,0 +1,161 @@
+//! Locks of folders that the program writes into, so that two calls do not mix their files.
+
+use std::fs::{self, File, TryLockError};
+use std::io::{self, Read, Seek, Write};
+use std::path::{Path, PathBuf};
+
+use crate::error::{Error, Result};
+
+/// The lock file. It is removed at the end.
+const LOCK: &str = ".organza-lock";
+
+/// A locked folder. While this value lives, no other call locks it.
+#[derive(Debug)]
+pub struct FolderLock {
+    path: PathBuf,
+    /// Dropped last, so the lock is released after the file is removed.
+    file: File,
+}
+
+impl FolderLock {
+    /// Locks an existing folder, or returns a name of the process that has locked it.
+    ///
+    /// # Errors
+    /// [`Error::WriteFile`] if the folder cannot be written to, or if something else is in the place of the lock file.
+    pub fn exclusive(folder: &Path) -> Result<Result<Self, String>> {
+        Self::new(folder, File::try_lock)
+    }
+
+    /// Like [`FolderLock::exclusive`], for calls that write different files: any number of them share the lock.
+    ///
+    /// # Errors
+    /// The same errors as [`FolderLock::exclusive`].
+    pub fn shared(folder: &Path) -> Result<Result<Self, String>> {
+        Self::new(folder, File::try_lock_shared)
+    }
+
+    fn new(
+        folder: &Path,
+        try_lock: fn(&File) -> Result<(), TryLockError>,
+    ) -> Result<Result<Self, String>> {
+        let path = folder.join(LOCK);
+        let locked = lock(&path, try_lock).map_err(|source| Error::write(&path, source))?;
+        Ok(locked.map(|file| Self { path, file }))
+    }
+
+    /// Does the work of dropping, for a program that exits at once: removes the lock file if it names this process.
+    /// Returns whether it does.
+    pub fn clear(folder: &Path) -> bool {
+        let path = folder.join(LOCK);
+        let is_own = fs::read_to_string(&path).is_ok_and(|holder| holder == own_name());
+        if is_own {
+            let _ = fs::remove_file(path);
+        }
+        is_own
+    }
+}
+
+impl Drop for FolderLock {
+    fn drop(&mut self) {
+        // Others that share the lock still need the file. The last one can have the lock for itself.
+        if !matches!(self.file.try_lock(), Err(TryLockError::WouldBlock)) {
+            // Whoever has opened it meanwhile finds it removed, and tries again.
+            let _ = fs::remove_file(&self.path);
+        }
+    }
+}
+
+/// Content of the lock file.
+fn own_name() -> String {
+    format!("process {}", std::process::id())
+}
+
+/// Locks the file, or returns who has locked it.
+fn lock(
+    path: &Path,
+    try_lock: fn(&File) -> Result<(), TryLockError>,
+) -> io::Result<Result<File, String>> {
+    loop {
+        let mut file = open(path)?;
+        match try_lock(&file) {
+            Ok(()) => {}
+            Err(TryLockError::WouldBlock) => {
+                let mut holder = String::new();
+                let _ = (&mut file).take(64).read_to_string(&mut holder);
+                let is_named = holder.starts_with("process ");
+                return Ok(Err(if is_named { holder } else { "another process".to_owned() }));
+            }
+            // The file system has no locks: the user must make sure that there is one writer.
+            Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Unsupported => {}
+            Err(TryLockError::Error(error)) => return Err(error),
+        }
+        if is_at(&file, path) {
+            let mut name = || {
+                file.set_len(0)?;
+                file.rewind()?;
+                file.write_all(own_name().as_bytes())
+            };
+            if let Err(error) = name() {
+                let _ = fs::remove_file(path);
+                return Err(error);
+            }
+            return Ok(Ok(file));
+        }
+    }
+}
+
+/// Opens or creates the file, and never what has taken its place. Old content is overwritten.
+fn open(path: &Path) -> io::Result<File> {
+    let mut options = File::options();
+    options.read(true).write(true).create(true).truncate(false);
+    #[cfg(unix)]
+    std::os::unix::fs::OpenOptionsExt::custom_flags(
+        &mut options,
+        libc::O_NOFOLLOW | libc::O_NONBLOCK,
+    );
+    let file = options.open(path)?;
+    match file.metadata()?.is_file() {
+        true => Ok(file),
+        false => Err(io::Error::other("it is no regular file; remove it")),
+    }
+}
+
+/// Whether an open file is still the one at its path.
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let place = |found: fs::Metadata| (found.dev(), found.ino());
+    let open = file.metadata().map(place);
+    let named = fs::metadata(path).map(place);
+    matches!((open, named), (Ok(open), Ok(named)) if open == named)
+}
+
+/// Always true: an open file cannot be removed.
+#[cfg(not(unix))]
+fn is_at(_: &File, _: &Path) -> bool {
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_at_a_time_or_several_that_share() {
+        let folder = tempfile::tempdir().unwrap();
+        let exclusive = || FolderLock::exclusive(folder.path()).unwrap();
+        let shared = || FolderLock::shared(folder.path()).unwrap();
+        let first = exclusive().unwrap();
+        assert_eq!(exclusive().unwrap_err(), own_name());
+        assert_eq!(shared().unwrap_err(), own_name());
+        drop(first);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+        let first = shared().unwrap();
+        let second = shared().unwrap();
+        drop(first);
+        assert!(exclusive().is_err());
+        drop(second);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+        drop(exclusive().unwrap());
+    }
+}

@@ -22,8 +22,9 @@ use organza_device::memory;
 
 /// Side of the tiles that a whole image is cut into, in pixels. No image depends on it.
 pub const TILE_SIDE: u32 = 64;
-/// Pixels of one band: 400 MB of rendered values, enough to keep every device busy.
-const BAND_PIXELS: u64 = 1 << 25;
+/// Pixels of one band: 100 MB of rendered values, enough to keep every device busy. An image of 4K is one band, and a
+/// signal stops a larger one between two.
+const BAND_PIXELS: u64 = 1 << 23;
 
 /// An image of 8-bit red, green and blue.
 ///

@@ -119,7 +119,7 @@ fn render(
 ) -> Result<(Vec<Picture>, Cost)> {
     let scene = renderer.upload(scene)?;
     let shown = Shown::Scene(&scene);
-    let pictures = Pictures { renderer, shown, cameras, tile_size: TILE_SIZE };
+    let pictures = Pictures { renderer, shown, cameras, tile_size: TILE_SIZE, stop: None };
     let views: Vec<_> = (0..cameras.len()).collect();
     let names = names(cameras);
     let mut sheet = Sheet::new(cameras)?;

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use organza::image::{self, ChannelImage};
 use organza::ranks::Ranks;
@@ -9,6 +10,7 @@ use organza::{Camera, Channel, DeviceScene, DeviceShare, Image, Renderer, Result
 use serde::Serialize;
 
 use super::console::{Console, Progress};
+use super::refuse;
 use super::summary::{Summary, grouped};
 
 /// The Gaussians to render.
@@ -26,6 +28,8 @@ pub struct Pictures<'a> {
     pub shown: Shown<'a>,
     pub cameras: &'a [Camera],
     pub tile_size: u32,
+    /// Asks to stop within an image, which is then an error.
+    pub stop: Option<&'a AtomicBool>,
 }
 
 impl Pictures<'_> {
@@ -57,6 +61,9 @@ impl Pictures<'_> {
         let mut beside = beside.collect::<Result<Vec<_>>>()?;
         for batch in image::bands(view, [width, height], self.tile_size) {
             let batch = batch?;
+            if self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) {
+                return refuse("stopped by a signal within an image");
+            }
             let renderer = self.renderer;
             let cameras = self.cameras;
             let advance = &mut progress.part();

@@ -134,7 +134,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         let todo: Vec<u64> = bytemuck::pod_collect_to_vec(&rank.ranks.broadcast(Vec::new())?);
         let shown = Shown::Share(&share, rank.ranks);
         let cameras = &job.cameras.list[..];
-        let pictures = Pictures { renderer, shown, cameras, tile_size: args.tile_size };
+        let pictures = Pictures { renderer, shown, cameras, tile_size: args.tile_size, stop: None };
         todo.into_iter().try_for_each(|view| {
             pictures.render(view as usize, &mut Summary::start(), &console.hidden()).map(drop)
         })
@@ -172,7 +172,8 @@ fn render(args: &Args, job: Job, rank: Option<Member<'_>>, console: Console) -> 
         (_, Some(share), Some(rank)) => Shown::Share(share, rank.ranks),
         (scene, ..) => Shown::Scene(scene.as_ref().expect("it was read")),
     };
-    let pictures = Pictures { renderer, shown, cameras: list, tile_size: args.tile_size };
+    let pictures =
+        Pictures { renderer, shown, cameras: list, tile_size: args.tile_size, stop: None };
     let shard = args.shard.map(|shard| [shard.index, shard.count]);
     let of_ranks = rank.is_some().then_some("added up by ranks");
     let mut written = Written::open_shard(&folder, source.file(), &cameras.all, shard)?

@@ -5,7 +5,7 @@ mod way;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::Ordering;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use organza::film::{Frames, Kind};
 use organza::image::ChannelImage;
@@ -248,7 +248,10 @@ impl Film<'_> {
                 if signals.stop().load(Ordering::Relaxed) {
                     return Ok(None);
                 }
-                let image = self.frame(frame, &mut summary, &silent)?;
+                let image = match self.frame(frame, Some(signals.stop()), &mut summary, &silent) {
+                    Err(_) if signals.stop().load(Ordering::Relaxed) => return Ok(None),
+                    image => image?,
+                };
                 not_finite += image.not_finite();
                 image.save_png(&files[frame])?;
                 written.add(&files[frame])?;
@@ -264,10 +267,16 @@ impl Film<'_> {
 }
 
 impl Film<'_> {
-    fn frame(&self, frame: usize, summary: &mut Summary, progress: &Progress) -> Result<Image> {
+    fn frame(
+        &self,
+        frame: usize,
+        stop: Option<&AtomicBool>,
+        summary: &mut Summary,
+        progress: &Progress,
+    ) -> Result<Image> {
         let Self { renderer, scene, cameras, look } = *self;
         let shown = Shown::Scene(scene);
-        let pictures = Pictures { renderer, shown, cameras, tile_size: TILE_SIZE };
+        let pictures = Pictures { renderer, shown, cameras, tile_size: TILE_SIZE, stop };
         let channels: Vec<_> = look.iter().map(|(channel, _)| *channel).collect();
         let (image, beside) = pictures.render_channels(frame, &channels, summary, progress)?;
         Ok(look.map_or(image, |(_, range)| beside[0].picture(range)))
@@ -281,7 +290,8 @@ impl Film<'_> {
         let cameras: Vec<_> = probes.iter().map(small).collect();
         let renderer = self.renderer;
         let shown = Shown::Scene(self.scene);
-        let pictures = Pictures { renderer, shown, cameras: &cameras, tile_size: TILE_SIZE };
+        let pictures =
+            Pictures { renderer, shown, cameras: &cameras, tile_size: TILE_SIZE, stop: None };
         let mut depths = Vec::new();
         console.during("looking at depths", || {
             for view in 0..cameras.len() {

@@ -45,8 +45,8 @@ fn no_file_of_a_run_or_a_data_set_is_replaced() {
         ("export-web run data --single-file -o run/report.html", run),
     ] {
         // as it would have been
-        let output = words.split_whitespace().skip_while(|word| !["-o", "--csv"].contains(word));
-        let output = sandbox.path(output.skip(1).next().expect("an output"));
+        let mut output = words.split_whitespace().skip_while(|word| !["-o", "--csv"].contains(word));
+        let output = sandbox.path(output.nth(1).expect("an output"));
         if !output.exists() {
             fs::write(output, "a file of the run").unwrap();
         }
@@ -107,8 +107,8 @@ fn training_writes_no_picture_through_a_link_and_does_not_wait_for_a_pipe() {
     fs::write(&mine, "mine").unwrap();
     let photograph = sandbox.path("run/pictures/view-1-photograph.jpg");
     let thumbnail = fs::read_dir(sandbox.path("run/pictures")).unwrap();
-    let thumbnail = thumbnail.map(|entry| entry.unwrap().path());
-    let thumbnail = thumbnail.filter(|path| *path != photograph).next().expect("a picture");
+    let mut thumbnail = thumbnail.map(|entry| entry.unwrap().path());
+    let thumbnail = thumbnail.find(|path| *path != photograph).expect("a picture");
     fs::remove_file(&photograph).unwrap();
     symlink(&mine, &photograph).unwrap();
     fs::remove_file(&thumbnail).unwrap();

@@ -131,12 +131,13 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     at_signals(handler)?;
     let mut painter = Painter::new(Arc::clone(&desk), photographs);
     let url = server.url();
-    server.start(Arc::clone(&desk), about, None)?;
+    let films = server.start(Arc::clone(&desk), about, None)?;
     args.server.announce(&format!("{url} (Ctrl-C ends it)"), console);
     let stage = Stage { renderer: &renderer, scene: &scene, version: 0 };
     while !desk.is_stopped() {
         painter.serve(stage, Duration::from_secs(1));
     }
+    films.wait_for_end(Duration::from_secs(5));
     Ok(())
 }
 

@@ -60,6 +60,8 @@ struct Client {
     sequence: u64,
     /// Time of the last request, counted in requests.
     last: u64,
+    /// Time that its images have taken.
+    spent: Duration,
 }
 
 #[derive(Debug, Default)]
@@ -67,8 +69,6 @@ struct State {
     clients: BTreeMap<u64, Client>,
     questions: VecDeque<(Question, oneshot::Sender<Answer>)>,
     requests: u64,
-    /// The client whose turn it was last.
-    turn: u64,
 }
 
 /// Waiting requests.
@@ -87,7 +87,10 @@ impl Desk {
     /// Ends the waiting for requests forever.
     pub fn stop(&self) {
         self.stopped.store(true, Ordering::Relaxed);
-        let _state = self.state();
+        let mut state = self.state();
+        // whoever waits for an answer gets to know
+        state.clients.clear();
+        state.questions.clear();
         self.wake.notify_all();
     }
 
@@ -99,6 +102,9 @@ impl Desk {
     /// Adds an image request, in place of the client's older one.
     pub(super) fn post(&self, job: Box<FrameJob>) {
         let mut state = self.state();
+        if self.is_stopped() {
+            return;
+        }
         state.requests += 1;
         let now = state.requests;
         let id = job.request.client;
@@ -111,7 +117,13 @@ impl Desk {
                 None => return,
             };
         }
+        // time that a client did not use is not saved up
+        let least = state.clients.values().filter(|client| client.is_waiting());
+        let least = least.map(|client| client.spent).min().unwrap_or_default();
         let client = state.clients.entry(id).or_default();
+        if client.job.is_none() {
+            client.spent = client.spent.max(least);
+        }
         client.last = now;
         // requests may overtake each other on the way
         if job.request.sequence >= client.sequence {
@@ -124,7 +136,7 @@ impl Desk {
     /// Adds a question.
     pub(super) fn ask(&self, question: Question, reply: oneshot::Sender<Answer>) {
         let mut state = self.state();
-        if state.questions.len() < MAX_QUESTIONS {
+        if state.questions.len() < MAX_QUESTIONS && !self.is_stopped() {
             state.questions.push_back((question, reply));
             self.wake.notify_all();
         }
@@ -141,7 +153,15 @@ impl Desk {
         }
     }
 
-    /// Takes the next request, waiting for it for up to `patience`. Clients take turns.
+    /// Notes that a client's image has taken some time.
+    pub(super) fn charge(&self, client: u64, spent: Duration) {
+        if let Some(client) = self.state().clients.get_mut(&client) {
+            client.spent += spent;
+        }
+    }
+
+    /// Takes the next request, waiting for it for up to `patience`. It is that of the client whose images have taken
+    /// the least time.
     pub(super) fn take(&self, patience: Duration) -> Option<Job> {
         let mut state = self.state();
         if !state.is_waiting() && !self.is_stopped() && !patience.is_zero() {
@@ -155,12 +175,8 @@ impl Desk {
         if let Some((question, reply)) = state.questions.pop_front() {
             return Some(Job::Question(question, reply));
         }
-        let turn = state.turn;
-        let waiting = |(id, client): (&u64, &Client)| client.is_waiting().then_some(*id);
-        let mut ids = state.clients.iter().filter_map(waiting);
-        let first = ids.next()?;
-        let next = if first > turn { first } else { ids.find(|id| *id > turn).unwrap_or(first) };
-        state.turn = next;
+        let waiting = state.clients.iter().filter(|(_, client)| client.is_waiting());
+        let next = *waiting.min_by_key(|(id, client)| (client.spent, **id))?.0;
         state.clients.get_mut(&next).and_then(|client| client.job.take()).map(Job::Frame)
     }
 

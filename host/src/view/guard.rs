@@ -7,14 +7,13 @@ use std::net::SocketAddr;
 
 use hyper::header::{COOKIE, HOST, HeaderMap, ORIGIN};
 
-/// Name of the cookie with the token.
-const TOKEN: &str = "organza-token";
-
 /// Decides who may send requests.
 #[derive(Clone, Debug)]
 pub struct Guard {
-    /// The token that every client needs; `None` if the server only listens to this machine.
-    token: Option<String>,
+    /// The token that every client needs. Other users of this machine can reach the server, too.
+    token: String,
+    /// Whether the server only listens to this machine.
+    is_local: bool,
 }
 
 /// The decision about a request.
@@ -27,23 +26,22 @@ pub enum Verdict {
 }
 
 impl Guard {
-    /// A guard for a server at an address. If other machines can reach the address, it requires a token.
+    /// A guard for a server at an address.
     pub fn new(address: SocketAddr) -> Self {
-        let is_local = address.ip().is_loopback();
-        let token = || format!("{:032x}", rand::random::<u128>());
-        Self { token: (!is_local).then(token) }
+        let token = format!("{:032x}", rand::random::<u128>());
+        Self { token, is_local: address.ip().is_loopback() }
     }
 
     /// The token that every client needs.
-    pub fn token(&self) -> Option<&str> {
-        self.token.as_deref()
+    pub fn token(&self) -> &str {
+        &self.token
     }
 
     /// Checks a request's headers, and the part of its address after the `?`.
     pub fn judge(&self, headers: &HeaderMap, query: Option<&str>) -> Verdict {
         let text = |name| headers.get(name).and_then(|value| value.to_str().ok());
         let Some(host) = text(HOST) else { return Verdict::Refused("the request names no host") };
-        if self.token.is_none() && !is_this_machine(host) {
+        if self.is_local && !is_this_machine(host) {
             return Verdict::Refused("the request is for another host");
         }
         if headers.contains_key(ORIGIN) {
@@ -52,26 +50,36 @@ impl Guard {
                 return Verdict::Refused("the request comes from another page");
             }
         }
-        let Some(token) = &self.token else { return Verdict::Welcome { cookie: None } };
+        let token = &self.token;
+        let name = cookie_name(host);
         let cookies = text(COOKIE).unwrap_or_default().split(';');
-        if has(cookies, TOKEN, token) {
+        if has(cookies, &name, token) {
             return Verdict::Welcome { cookie: None };
         }
         if has(query.unwrap_or_default().split('&'), "token", token) {
-            let cookie = format!("{TOKEN}={token}; HttpOnly; SameSite=Strict; Path=/");
+            let cookie = format!("{name}={token}; HttpOnly; SameSite=Strict; Path=/");
             return Verdict::Welcome { cookie: Some(cookie) };
         }
         Verdict::Refused("the address lacks the token that the program has printed")
     }
 }
 
-/// Whether a host name belongs to this machine. The port is ignored, because forwarding changes it.
+/// The name and the port of a `Host` header. Forwarding may have changed the port.
+fn name_and_port(host: &str) -> (&str, &str) {
+    match host.rsplit_once(':') {
+        Some((name, port)) if port.bytes().all(|byte| byte.is_ascii_digit()) => (name, port),
+        _ => (host, "80"),
+    }
+}
+
+/// Whether a host name belongs to this machine.
 fn is_this_machine(host: &str) -> bool {
-    let name = match host.rsplit_once(':') {
-        Some((name, port)) if port.bytes().all(|byte| byte.is_ascii_digit()) => name,
-        _ => host,
-    };
-    ["localhost", "127.0.0.1", "[::1]"].contains(&name)
+    ["localhost", "127.0.0.1", "[::1]"].contains(&name_and_port(host).0)
+}
+
+/// Name of the cookie with the token. A browser sends a cookie to every port of a host, so each port has its own name.
+fn cookie_name(host: &str) -> String {
+    format!("organza-token-{}", name_and_port(host).1)
 }
 
 /// Whether one of the `name=value` pairs is this one. The time does not depend on the place of a difference.
@@ -95,13 +103,18 @@ mod tests {
     }
 
     fn is_welcome(guard: &Guard, pairs: &[(&'static str, &str)]) -> bool {
+        let query = format!("token={}", guard.token());
+        matches!(guard.judge(&headers(pairs), Some(&query)), Verdict::Welcome { .. })
+    }
+
+    /// Whether a client with the token in its cookies only is welcome.
+    fn brings_cookie(guard: &Guard, pairs: &[(&'static str, &str)]) -> bool {
         matches!(guard.judge(&headers(pairs), None), Verdict::Welcome { .. })
     }
 
     #[test]
     fn only_pages_of_this_machine_may_ask() {
         let guard = Guard::new("127.0.0.1:4747".parse().expect("an address"));
-        assert_eq!(guard.token(), None);
         for host in ["localhost", "localhost:4747", "127.0.0.1:9", "[::1]:4747", "[::1]"] {
             assert!(is_welcome(&guard, &[("host", host)]), "{host}");
             let origin = format!("http://{host}");
@@ -120,19 +133,26 @@ mod tests {
     }
 
     #[test]
-    fn others_need_the_token() {
-        let guard = Guard::new("0.0.0.0:4747".parse().expect("an address"));
-        let token = guard.token().expect("a token").to_owned();
+    fn everybody_needs_the_token() {
+        for address in ["0.0.0.0:4747", "127.0.0.1:4747"] {
+            needs_the_token(&Guard::new(address.parse().expect("an address")));
+        }
+    }
+
+    fn needs_the_token(guard: &Guard) {
+        let token = guard.token().to_owned();
         assert_eq!(token.len(), 32);
-        let host = ("host", "machine.example:4747");
+        let host = ("host", if guard.is_local { "localhost:8000" } else { "machine.example:8000" });
         let query = format!("a=b&token={token}");
         let welcome = guard.judge(&headers(&[host]), Some(&query));
         let Verdict::Welcome { cookie: Some(cookie) } = welcome else { panic!("{welcome:?}") };
-        assert!(cookie.starts_with(&format!("organza-token={token};")), "{cookie}");
-        let brought = format!("x=y; organza-token={token}");
-        assert!(is_welcome(&guard, &[host, ("cookie", &brought)]));
+        assert!(cookie.starts_with(&format!("organza-token-8000={token};")), "{cookie}");
+        let brought = format!("x=y; organza-token-8000={token}");
+        assert!(brings_cookie(guard, &[host, ("cookie", &brought)]));
+        let of_other_port = format!("organza-token-8001={token}");
+        assert!(!brings_cookie(guard, &[host, ("cookie", &of_other_port)]));
         let from = ("origin", "http://evil.example");
-        assert!(!is_welcome(&guard, &[host, ("cookie", &brought), from]));
+        assert!(!brings_cookie(guard, &[host, ("cookie", &brought), from]));
         for wrong in ["", "token=", "token=0", &query[..query.len() - 1], "a=b"] {
             let found = guard.judge(&headers(&[host]), Some(wrong));
             assert!(matches!(found, Verdict::Refused(_)), "{wrong}: {found:?}");

@@ -88,15 +88,20 @@ impl Painter {
             Job::Question(question, reply) => {
                 let _ = reply.send(self.answer(stage, &question).map_err(told));
             }
-            Job::Frame(job) => match self.frame(stage, &job) {
-                Ok(Some(painted)) => {
-                    let _ = job.reply.send(Ok(painted));
+            Job::Frame(job) => {
+                let begin = Instant::now();
+                let painted = self.frame(stage, &job);
+                self.desk.charge(job.request.client, begin.elapsed());
+                match painted {
+                    Ok(Some(painted)) => {
+                        let _ = job.reply.send(Ok(painted));
+                    }
+                    Ok(None) => self.desk.put_back(job),
+                    Err(error) => {
+                        let _ = job.reply.send(Err(told(error)));
+                    }
                 }
-                Ok(None) => self.desk.put_back(job),
-                Err(error) => {
-                    let _ = job.reply.send(Err(told(error)));
-                }
-            },
+            }
         }
         // a training measures its own kernels
         let _ = stage.renderer.device().take_timings();

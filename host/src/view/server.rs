@@ -1,11 +1,12 @@
 //! The HTTP server: delivers the page, and puts its requests on the desk.
 
+use std::collections::HashMap;
 use std::convert::Infallible;
 use std::io;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpListener};
 use std::sync::Arc;
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use http_body_util::channel::Channel;
 use http_body_util::{BodyExt, Either, Full, Limited};
@@ -17,6 +18,7 @@ use hyper::{Method, Request, Response, StatusCode};
 use hyper_util::rt::{TokioIo, TokioTimer};
 use serde::de::DeserializeOwned;
 use tokio::sync::{Semaphore, oneshot};
+use tokio_io_timeout::TimeoutStream;
 
 use super::about::About;
 use super::assets;
@@ -31,13 +33,15 @@ use crate::web::WebPage;
 
 /// Default port.
 const PORT: u16 = 4747;
-/// Largest request, in bytes.
-const MAX_BODY: usize = 4 << 20;
+/// Largest request, in bytes: 1,000 keyframes. Parsed, it can take a hundred times as much.
+const MAX_BODY: usize = 1 << 19;
 /// Most connected clients.
 const MAX_CONNECTIONS: usize = 256;
+/// Most connections from one address.
+const MAX_OF_PEER: usize = 64;
 /// Most films in the making.
 const MAX_FILMS: usize = 2;
-/// Longest time until a request has arrived.
+/// Longest time until a request has arrived, and until a client takes a part of an answer.
 const PATIENCE: Duration = Duration::from_secs(20);
 
 /// The address at which a server listens.
@@ -114,17 +118,18 @@ impl Server {
     pub fn url(&self) -> String {
         let address = self.listener.local_addr().map(|address| address.to_string());
         let address = address.unwrap_or_default();
-        let token = self.guard.token().map(|token| format!("?token={token}"));
-        format!("http://{address}/{}", token.unwrap_or_default())
+        format!("http://{address}/?token={}", self.guard.token())
     }
 
     /// Starts to answer requests.
     ///
     /// # Errors
     /// [`Error::Invalid`] if the system cannot start a thread.
-    pub fn start(self, desk: Arc<Desk>, about: About, board: Option<Arc<Board>>) -> Result<()> {
+    pub fn start(self, desk: Arc<Desk>, about: About, board: Option<Arc<Board>>) -> Result<Films> {
         let films = Arc::new(Semaphore::new(MAX_FILMS));
-        self.serve(Site::Viewer(Viewer { desk, about, board, films }))
+        let viewer = Viewer { desk, about, board, films: Arc::clone(&films) };
+        self.serve(Site::Viewer(viewer))?;
+        Ok(Films(films))
     }
 
     /// Starts to serve a page that renders by itself.
@@ -152,6 +157,20 @@ impl Server {
     }
 }
 
+/// The films that a server is making.
+#[derive(Debug)]
+pub struct Films(Arc<Semaphore>);
+
+impl Films {
+    /// Waits until films that have lost their desk have removed their frames, for at most `patience`.
+    pub fn wait_for_end(&self, patience: Duration) {
+        let begin = Instant::now();
+        while self.0.available_permits() < MAX_FILMS && begin.elapsed() < patience {
+            thread::sleep(Duration::from_millis(10));
+        }
+    }
+}
+
 fn broken(error: io::Error) -> Error {
     Error::Invalid { origin: "".into(), reason: format!("the viewer cannot be served: {error}") }
 }
@@ -159,14 +178,25 @@ fn broken(error: io::Error) -> Error {
 async fn accept(listener: TcpListener, shared: Arc<Shared>) {
     let Ok(listener) = tokio::net::TcpListener::from_std(listener) else { return };
     let places = Arc::new(Semaphore::new(MAX_CONNECTIONS));
+    let mut peers: HashMap<IpAddr, Arc<Semaphore>> = HashMap::new();
     loop {
-        let Ok((stream, _)) = listener.accept().await else {
+        let Ok((stream, peer)) = listener.accept().await else {
             // for example, after too many open files
             tokio::time::sleep(Duration::from_millis(100)).await;
             continue;
         };
-        let Ok(place) = Arc::clone(&places).try_acquire_owned() else { continue };
+        let of_peer =
+            peers.entry(peer.ip()).or_insert_with(|| Arc::new(Semaphore::new(MAX_OF_PEER)));
+        let of_peer = Arc::clone(of_peer).try_acquire_owned();
+        let (Ok(place), Ok(of_peer)) = (Arc::clone(&places).try_acquire_owned(), of_peer) else {
+            continue;
+        };
+        peers.retain(|_, places| places.available_permits() < MAX_OF_PEER);
         let _ = stream.set_nodelay(true);
+        // a client that reads nothing would keep its place for ever
+        let mut stream = TimeoutStream::new(stream);
+        stream.set_write_timeout(Some(PATIENCE));
+        let stream = Box::pin(stream);
         let shared = Arc::clone(&shared);
         tokio::spawn(async move {
             let answer = |request| {
@@ -180,7 +210,7 @@ async fn accept(listener: TcpListener, shared: Arc<Shared>) {
                 .max_buf_size(64 << 10)
                 .serve_connection(TokioIo::new(stream), service_fn(answer))
                 .await;
-            drop(place);
+            drop((place, of_peer));
         });
     }
 }

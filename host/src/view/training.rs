@@ -9,7 +9,7 @@ use super::board::Board;
 use super::desk::Desk;
 use super::painter::{Painter, Stage};
 use super::photographs::Photographs;
-use super::server::Server;
+use super::server::{Films, Server};
 use crate::data::{Dataset, Pose};
 use crate::error::Result;
 use crate::render::{DeviceScene, Renderer};
@@ -17,6 +17,8 @@ use crate::train::Event;
 
 /// Longest delay until a signal ends the waiting.
 const PATIENCE: Duration = Duration::from_millis(100);
+/// Longest wait for films that end with the training.
+const END: Duration = Duration::from_secs(5);
 
 /// Shows a training to clients. It reads the scene between steps and changes nothing, so the training's bits do not
 /// depend on it.
@@ -31,6 +33,7 @@ pub struct TrainingView<'a> {
     title: String,
     /// Waits until there is a scene to show, and is started then.
     server: Option<Server>,
+    films: Option<Films>,
     desk: Arc<Desk>,
     board: Arc<Board>,
     painter: Painter,
@@ -68,7 +71,19 @@ impl<'a> TrainingView<'a> {
         let clock = Clock { training: 0.0, images: 0.0, since: Instant::now() };
         let server = Some(server);
         let board = Arc::default();
-        Self { renderer, dataset, stop, share, title, server, desk, board, painter, clock }
+        Self {
+            renderer,
+            dataset,
+            stop,
+            share,
+            title,
+            server,
+            films: None,
+            desk,
+            board,
+            painter,
+            clock,
+        }
     }
 
     /// Handles an event of a training. After a step, answers the page's requests. If the page has paused the
@@ -94,7 +109,7 @@ impl<'a> TrainingView<'a> {
 
     fn serve(&mut self, scene: &DeviceScene, version: u64) -> Result<()> {
         if let Some(server) = self.server.take() {
-            self.start(server, scene)?;
+            self.films = Some(self.start(server, scene)?);
         }
         let stage = Stage { renderer: self.renderer, scene, version };
         let begin = Instant::now();
@@ -112,7 +127,7 @@ impl<'a> TrainingView<'a> {
         Ok(())
     }
 
-    fn start(&self, server: Server, scene: &DeviceScene) -> Result<()> {
+    fn start(&self, server: Server, scene: &DeviceScene) -> Result<Films> {
         let Dataset { frames, held_out, points, .. } = &**self.dataset;
         let pose = |(index, frame): (usize, &crate::data::Frame)| {
             let camera =
@@ -122,5 +137,14 @@ impl<'a> TrainingView<'a> {
         let poses: Vec<_> = frames.iter().enumerate().map(pose).collect();
         let about = About::new(&self.title, self.renderer, scene, &poses, true, points, true);
         server.start(Arc::clone(&self.desk), about, Some(Arc::clone(&self.board)))
+    }
+}
+
+impl Drop for TrainingView<'_> {
+    fn drop(&mut self) {
+        self.desk.stop();
+        if let Some(films) = &self.films {
+            films.wait_for_end(END);
+        }
     }
 }

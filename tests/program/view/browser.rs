@@ -42,7 +42,7 @@ fn a_scene_in_a_browser() {
         &sandbox,
         "view scene.safetensors data/transforms.json --port 0 --backend cpu",
     );
-    let mut page = Page::open(program, &format!("http://{}/", viewer.host), [700, 420]);
+    let mut page = Page::open(program, &viewer.url(), [700, 420]);
     page.wait(REST);
     let shown = |page: &mut Page| base64(page.eval(SHOWN).as_str().expect("bytes"));
     let camera = |page: &mut Page| page.eval("organza.view.camera");
@@ -144,7 +144,7 @@ fn a_training_in_a_browser() {
     let sandbox = sandbox();
     let words = format!("{TINY} run --view --port 0 --view-share 50 --steps 100000");
     let viewer = Viewer::start(&sandbox, &words);
-    let mut page = Page::open(program, &format!("http://{}/", viewer.host), [390, 760]);
+    let mut page = Page::open(program, &viewer.url(), [390, 760]);
     page.wait("document.querySelectorAll('#charts canvas').length === 2");
     page.wait("organza.view.shown?.about.version > 0");
     let version = page.eval("organza.view.shown.about.version");

@@ -17,6 +17,8 @@ pub struct Viewer {
     pub child: Child,
     /// Host and port: `127.0.0.1:port`
     pub host: String,
+    /// The token of the page's address.
+    pub token: String,
     /// The program's output after its address.
     said: Mutex<Receiver<String>>,
 }
@@ -37,21 +39,39 @@ impl Viewer {
             command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().expect("it starts");
         let mut lines = BufReader::new(child.stderr.take().expect("piped")).lines();
         let mut before = String::new();
-        let host = loop {
+        let (host, token) = loop {
             let Some(Ok(line)) = lines.next() else { panic!("it has ended: {before}") };
             if let Some((_, rest)) = line.split_once("the page is at http://") {
-                break rest.split('/').next().expect("a host").to_owned();
+                let url = rest.split_whitespace().next().expect("an address");
+                let (host, token) = url.split_once("/?token=").expect("a token");
+                break (host.to_owned(), token.to_owned());
             }
             before += &(line + "\n");
         };
         let (sender, said) = channel();
         thread::spawn(move || lines.map_while(Result::ok).try_for_each(|line| sender.send(line)));
-        Self { child, host, said: Mutex::new(said) }
+        Self { child, host, token, said: Mutex::new(said) }
     }
 
     /// The lines that the program printed after its address, once it has ended.
     pub fn last_words(&self) -> Vec<String> {
         self.said.lock().expect("nobody panicked").iter().collect()
+    }
+
+    /// The address of the page.
+    pub fn url(&self) -> String {
+        format!("http://{}/?token={}", self.host, self.token)
+    }
+
+    /// The lines of a request that say to whom it goes, and that it may.
+    pub fn lines(&self) -> String {
+        format!("Host: {}\r\n{}", self.host, self.cookie(&self.host))
+    }
+
+    /// The line with the cookie that a browser has for a host.
+    fn cookie(&self, host: &str) -> String {
+        let port = host.rsplit_once(':').map_or("80", |(_, port)| port);
+        format!("Cookie: organza-token-{port}={}\r\n", self.token)
     }
 
     pub fn connect(&self) -> TcpStream {
@@ -75,6 +95,8 @@ impl Viewer {
     /// Sends a request with a head, to which missing lines are added, and a body.
     pub fn ask(&self, head: &str, body: &[u8]) -> Reply {
         let mut stream = self.connect();
+        let host = head.lines().find_map(|line| line.strip_prefix("Host: "));
+        let head = format!("{head}{}", self.cookie(host.expect("a host")));
         let head = format!("{head}Connection: close\r\nContent-Length: {}\r\n\r\n", body.len());
         stream.write_all(&[head.as_bytes(), body].concat()).expect("a request");
         let mut back = Vec::new();

@@ -83,7 +83,7 @@ fn a_page_that_goes_away_ends_its_film() {
     let body = request(&keyframes, 10_000).to_string();
     let begin = || {
         let mut stream = viewer.connect();
-        let head = format!("POST /film HTTP/1.1\r\nHost: {}\r\n", viewer.host);
+        let head = format!("POST /film HTTP/1.1\r\n{}", viewer.lines());
         let head = format!("{head}Content-Length: {}\r\n\r\n", body.len());
         stream.write_all(&[head.as_bytes(), body.as_bytes()].concat()).expect("a request");
         let mut first = [0; 1];

@@ -2,7 +2,8 @@
 
 use std::fs;
 use std::io::{Read, Write};
-use std::net::TcpListener;
+use std::net::{TcpListener, TcpStream, UdpSocket};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -71,8 +72,13 @@ fn a_page_that_renders_by_itself_is_given_out() {
 }
 
 #[test]
-fn another_address_needs_a_token() {
+fn every_address_needs_a_token() {
     let sandbox = Sandbox::new("tiny");
+    let viewer = Viewer::start(&sandbox, VIEW);
+    // another user of this machine
+    let head =
+        format!("GET /scene.json HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", viewer.host);
+    assert!(viewer.send(head.as_bytes()).starts_with(b"HTTP/1.1 403"));
     let mut command = sandbox.command(&format!("{VIEW} --bind 0.0.0.0"));
     let mut child = command.stderr(std::process::Stdio::piped()).spawn().expect("it starts");
     let mut said = String::new();
@@ -96,9 +102,9 @@ fn another_address_needs_a_token() {
         back.split(' ').nth(1).unwrap().to_owned()
     };
     assert_eq!(status("/", ""), "403");
-    assert_eq!(status("/scene.json", "Cookie: organza-token=0\r\n"), "403");
+    assert_eq!(status("/scene.json", &format!("Cookie: organza-token-{port}=0\r\n")), "403");
     assert_eq!(status(&format!("/?token={token}"), ""), "200");
-    assert_eq!(status("/scene.json", &format!("Cookie: organza-token={token}\r\n")), "200");
+    assert_eq!(status("/scene.json", &format!("Cookie: organza-token-{port}={token}\r\n")), "200");
     signal(&child, "INT");
     wait_for_end(&mut child);
 }
@@ -114,9 +120,10 @@ fn garbage_ends_a_connection_and_nothing_else() {
         state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         noise.push((state >> 24) as u8);
     }
-    let long = format!("GET /{} HTTP/1.1\r\nHost: {host}\r\n\r\n", "a".repeat(300_000));
-    let many = format!("GET / HTTP/1.1\r\nHost: {host}\r\n{}\r\n", "a: b\r\n".repeat(50_000));
-    let short = format!("POST /frame HTTP/1.1\r\nHost: {host}\r\nContent-Length: 500\r\n\r\n{{");
+    let lines = viewer.lines();
+    let long = format!("GET /{} HTTP/1.1\r\n{lines}\r\n", "a".repeat(300_000));
+    let many = format!("GET / HTTP/1.1\r\n{lines}{}\r\n", "a: b\r\n".repeat(50_000));
+    let short = format!("POST /frame HTTP/1.1\r\n{lines}Content-Length: 500\r\n\r\n{{");
     let broken: [&[u8]; 7] = [
         b"",
         b"\0\0\0\0",
@@ -153,7 +160,7 @@ fn garbage_ends_a_connection_and_nothing_else() {
         assert_eq!(edit(name, value.clone()), 400, "{name} {value}");
     }
     let large = vec![b' '; 5 << 20];
-    let head = format!("POST /frame HTTP/1.1\r\nHost: {host}\r\n");
+    let head = format!("POST /frame HTTP/1.1\r\n{lines}");
     let mut stream = viewer.connect();
     let head = format!("{head}Connection: close\r\nContent-Length: {}\r\n\r\n", large.len());
     let _ = stream.write_all(head.as_bytes()).and_then(|()| stream.write_all(&large));
@@ -185,9 +192,9 @@ fn ten_clients_get_their_images_while_others_are_slow_or_gone() {
         let body = json!({"client": client, "sequence": 0, "camera": camera, "mode": "color",
             "quality": quality})
         .to_string();
-        let host = &viewer.host;
+        let lines = viewer.lines();
         let length = body.len();
-        format!("POST /frame HTTP/1.1\r\nHost: {host}\r\nContent-Length: {length}\r\n\r\n{body}")
+        format!("POST /frame HTTP/1.1\r\n{lines}Content-Length: {length}\r\n\r\n{body}")
     };
     // one client requests megabytes and never reads, one goes away before its image is done, one never finishes its
     // request
@@ -285,4 +292,64 @@ fn a_signal_ends_it_at_once_and_well() {
         let said = viewer.last_words();
         assert!(said.is_empty(), "{said:?}");
     }
+}
+
+/// A client that opens many connections, or reads nothing, takes only its own places.
+#[test]
+fn a_client_that_keeps_its_connections_locks_nobody_out() {
+    let sandbox = Sandbox::new("tiny");
+    let viewer = Viewer::start(&sandbox, &format!("{VIEW} --bind 0.0.0.0"));
+    let port: u16 = viewer.host.rsplit_once(':').expect("a port").1.parse().expect("a number");
+    // another address of this machine; connecting a UDP socket sends nothing
+    let other = UdpSocket::bind("0.0.0.0:0").and_then(|socket| {
+        socket.connect("192.0.2.1:9")?;
+        Ok(socket.local_addr()?.ip())
+    });
+    let Ok(other) = other else { return println!("skipped: this machine has no other address") };
+    let connect = |_| TcpStream::connect((other, port)).expect("the system accepts it");
+    let greedy: Vec<_> = (0..300).map(connect).collect();
+    thread::sleep(Duration::from_millis(300));
+    let mut stream = TcpStream::connect(format!("127.0.0.1:{port}")).expect("a connection");
+    let head = format!("GET /scene.json HTTP/1.1\r\n{}Connection: close\r\n\r\n", viewer.lines());
+    stream.write_all(head.as_bytes()).expect("a request");
+    let mut back = String::new();
+    stream.read_to_string(&mut back).expect("an answer");
+    assert!(back.starts_with("HTTP/1.1 200"), "{back}");
+    drop(greedy);
+}
+
+/// Small images do not wait behind many large ones of another client.
+#[test]
+fn clients_share_the_time_and_not_the_number_of_images() {
+    let sandbox = Sandbox::new("tiny");
+    let viewer = Viewer::start(&sandbox, VIEW);
+    let small = viewer.scene()["views"][0]["camera"].clone();
+    let mut large = small.clone();
+    large["w"] = json!(500);
+    large["h"] = json!(500);
+    let done = AtomicBool::new(false);
+    let [small_images, large_images] = thread::scope(|scope| {
+        let many = |client: u64, camera: &serde_json::Value| {
+            let viewer = &viewer;
+            let done = &done;
+            let camera = camera.clone();
+            scope.spawn(move || {
+                let mut images = 0;
+                while !done.load(Ordering::Relaxed) {
+                    images += 1;
+                    let more = json!({"client": client, "sequence": images});
+                    viewer.frame(&camera, "still", &more).ok();
+                }
+                images
+            })
+        };
+        let small = many(1, &small);
+        let large: Vec<_> = (2..7).map(|client| many(client, &large)).collect();
+        thread::sleep(Duration::from_secs(2));
+        done.store(true, Ordering::Relaxed);
+        let large = large.into_iter().map(|client| client.join().expect("images")).sum();
+        [small.join().expect("images"), large]
+    });
+    // in turns, there would be a small one for every five large ones
+    assert!(2 * small_images > large_images, "{small_images} small, {large_images} large");
 }

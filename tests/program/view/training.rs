@@ -57,6 +57,7 @@ fn the_bits_do_not_depend_on_who_watches() {
     // training goes on, even if a client always wants an image
     thread::scope(|scope| {
         let host = &viewer.host;
+        let lines = viewer.lines();
         scope.spawn(move || {
             let camera = json!({"camera_to_world": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 4],
                 [0, 0, 0, 1]], "fl_x": 40, "fl_y": 40, "cx": 32, "cy": 32, "w": 64, "h": 64});
@@ -70,7 +71,7 @@ fn the_bits_do_not_depend_on_who_watches() {
                 sequence += 1;
                 let body = body(sequence).to_string();
                 let head = format!(
-                    "POST /frame HTTP/1.1\r\nHost: {host}\r\nContent-Length: {}\r\n\
+                    "POST /frame HTTP/1.1\r\n{lines}Content-Length: {}\r\n\
                     Connection: close\r\n\r\n",
                     body.len()
                 );

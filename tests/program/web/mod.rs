@@ -213,7 +213,7 @@ fn a_page_renders_by_itself() {
         &sandbox,
         "view thin.safetensors near.json --client --half-grids --port 0 --backend cpu",
     );
-    page.go(&format!("http://{}/", viewer.host));
+    page.go(&viewer.url());
     page.wait(AT_REST);
     assert_eq!(page.eval("document.title"), "thin.safetensors \u{b7} organza");
     assert_same(&mut page, &scene, &cameras[0], 1);

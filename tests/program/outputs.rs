@@ -45,7 +45,8 @@ fn no_file_of_a_run_or_a_data_set_is_replaced() {
         ("export-web run data --single-file -o run/report.html", run),
     ] {
         // as it would have been
-        let mut output = words.split_whitespace().skip_while(|word| !["-o", "--csv"].contains(word));
+        let mut output =
+            words.split_whitespace().skip_while(|word| !["-o", "--csv"].contains(word));
         let output = sandbox.path(output.nth(1).expect("an output"));
         if !output.exists() {
             fs::write(output, "a file of the run").unwrap();

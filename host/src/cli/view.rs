@@ -8,7 +8,7 @@ use std::sync::mpsc::channel;
 use std::time::Duration;
 
 use organza::data::{Point, Pose};
-use organza::view::{About, Address, Desk, Painter, Photographs, Server, Stage};
+use organza::view::{About, Address, FrameRenderer, Photographs, Queue, Server, Stage};
 use organza::web::PageOptions;
 use organza::{Camera, Result};
 
@@ -119,23 +119,23 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let title = title(source.named());
     let has_photographs = !photographs.is_empty();
     let about = About::new(&title, &renderer, &scene, &poses, has_photographs, &points, false);
-    let desk = Arc::new(Desk::default());
+    let queue = Arc::new(Queue::default());
     let handler = {
-        let desk = Arc::clone(&desk);
+        let queue = Arc::clone(&queue);
         // the first signal ends the program after the current image, the second at once
-        move || match desk.is_stopped() {
+        move || match queue.is_stopped() {
             true => std::process::exit(0),
-            false => desk.stop(),
+            false => queue.stop(),
         }
     };
     at_signals(handler)?;
-    let mut painter = Painter::new(Arc::clone(&desk), photographs);
+    let mut frame_renderer = FrameRenderer::new(Arc::clone(&queue), photographs);
     let url = server.url();
-    let films = server.start(Arc::clone(&desk), about, None)?;
+    let films = server.start(Arc::clone(&queue), about, None)?;
     args.server.announce(&format!("{url} (Ctrl-C ends it)"), console);
     let stage = Stage { renderer: &renderer, scene: &scene, version: 0 };
-    while !desk.is_stopped() {
-        painter.serve(stage, Duration::from_secs(1));
+    while !queue.is_stopped() {
+        frame_renderer.serve(stage, Duration::from_secs(1));
     }
     films.wait_for_end(Duration::from_secs(5));
     Ok(())

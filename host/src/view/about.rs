@@ -3,7 +3,7 @@
 use glam::DVec3;
 use serde::Serialize;
 
-use super::message::{Lens, Mode};
+use super::message::{CameraMessage, Mode};
 use crate::camera::{Camera, Orbit, upward};
 use crate::data::{Point, Pose};
 use crate::demo;
@@ -36,7 +36,7 @@ struct Told<'a> {
     up: [f64; 3],
     /// Center of the camera's orbit.
     center: [f64; 3],
-    home: Lens,
+    home: CameraMessage,
     views: Vec<View>,
     /// Whether there are photographs of the views.
     photographs: bool,
@@ -51,7 +51,7 @@ struct Told<'a> {
 struct View {
     name: String,
     held_out: bool,
-    camera: Lens,
+    camera: CameraMessage,
 }
 
 impl About {
@@ -75,7 +75,7 @@ impl About {
         let view = |(index, pose): (usize, &Pose)| View {
             name: pose.camera.file_path.clone().unwrap_or_else(|| format!("view {index}")),
             held_out: pose.held_out,
-            camera: Lens::from(&pose.camera),
+            camera: CameraMessage::from(&pose.camera),
         };
         let (positions, colors) = sample(points);
         let told = Told {
@@ -88,7 +88,7 @@ impl About {
             background: config.background,
             up: up.to_array(),
             center: center.to_array(),
-            home: Lens::from(&home),
+            home: CameraMessage::from(&home),
             views: poses.iter().enumerate().map(view).collect(),
             photographs,
             points: colors.len() / 3,

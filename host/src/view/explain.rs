@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
+use super::frame_renderer::Stage;
 use super::message::refuse;
-use super::painter::Stage;
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::image::to_8_bit;

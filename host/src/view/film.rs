@@ -1,4 +1,4 @@
-//! Makes the film of a path while the page waits. Its frames are exact images that wait at the desk like all others,
+//! Makes the film of a path while the page waits. Its frames are exact images that wait in the queue like all others,
 //! so users who look around go first.
 //!
 //! The answer has a line of JSON for each frame, then a line with the film's length in bytes, then the film. If the
@@ -15,9 +15,9 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 use tokio::sync::oneshot;
 
-use super::desk::{Desk, FrameJob};
 use super::keyframes::PathRequest;
-use super::message::{FrameRequest, Lens, Mode, Quality, checked_background, refuse};
+use super::message::{CameraMessage, FrameRequest, Mode, Quality, checked_background, refuse};
+use super::queue::{FrameJob, Queue};
 use crate::camera::Camera;
 use crate::error::{self, Result};
 use crate::film::{Frames, Kind};
@@ -73,18 +73,18 @@ impl From<error::Error> for End {
 
 /// Makes a film and sends it.
 pub async fn make(
-    desk: &Desk,
+    queue: &Queue,
     request: &FilmRequest,
     cameras: Vec<Camera>,
     mut sender: Sender<Bytes>,
 ) {
-    if let Err(End::Error(reason)) = send(desk, request, cameras, &mut sender).await {
+    if let Err(End::Error(reason)) = send(queue, request, cameras, &mut sender).await {
         let _ = say(&mut sender, &json!({ "error": reason })).await;
     }
 }
 
 async fn send(
-    desk: &Desk,
+    queue: &Queue,
     request: &FilmRequest,
     cameras: Vec<Camera>,
     sender: &mut Sender<Bytes>,
@@ -96,7 +96,7 @@ async fn send(
     let all = cameras.len();
     for (frame, camera) in cameras.into_iter().enumerate() {
         say(sender, &json!({ "frame": frame, "frames": all })).await?;
-        let bytes = render(desk, request, client, frame, camera).await?;
+        let bytes = render(queue, request, client, frame, camera).await?;
         let file = folder.path().join(format!("{frame:05}.png"));
         fs::write(&file, bytes).map_err(failed)?;
         files.push(file);
@@ -126,7 +126,7 @@ async fn say(sender: &mut Sender<Bytes>, line: &Value) -> Result<(), End> {
 
 /// Renders one frame like `organza render`.
 async fn render(
-    desk: &Desk,
+    queue: &Queue,
     request: &FilmRequest,
     client: u64,
     frame: usize,
@@ -136,15 +136,15 @@ async fn render(
     let request = FrameRequest {
         client,
         sequence: frame as u64,
-        camera: Lens::from(&camera),
+        camera: CameraMessage::from(&camera),
         mode: request.mode,
         quality: Quality::Exact,
         background: request.background,
         view: None,
     };
-    desk.post(Box::new(FrameJob { request, camera, reply }));
+    queue.post(Box::new(FrameJob { request, camera, reply }));
     match answer.await {
-        Ok(Ok(painted)) => Ok(painted.bytes),
+        Ok(Ok(rendered)) => Ok(rendered.bytes),
         Ok(Err(reason)) => Err(End::Error(reason)),
         Err(_) => Err(End::Error("too many pages are open".to_owned())),
     }

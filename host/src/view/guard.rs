@@ -20,7 +20,7 @@ pub struct Guard {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// The request is answered. The answer sets a cookie if the address had the token.
-    Welcome { cookie: Option<String> },
+    Allowed { cookie: Option<String> },
     /// The request is refused for this reason.
     Refused(&'static str),
 }
@@ -54,11 +54,11 @@ impl Guard {
         let name = cookie_name(host);
         let cookies = text(COOKIE).unwrap_or_default().split(';');
         if has(cookies, &name, token) {
-            return Verdict::Welcome { cookie: None };
+            return Verdict::Allowed { cookie: None };
         }
         if has(query.unwrap_or_default().split('&'), "token", token) {
             let cookie = format!("{name}={token}; HttpOnly; SameSite=Strict; Path=/");
-            return Verdict::Welcome { cookie: Some(cookie) };
+            return Verdict::Allowed { cookie: Some(cookie) };
         }
         Verdict::Refused("the address lacks the token that the program has printed")
     }
@@ -102,32 +102,32 @@ mod tests {
         pairs.iter().map(pair).collect()
     }
 
-    fn is_welcome(guard: &Guard, pairs: &[(&'static str, &str)]) -> bool {
+    fn is_allowed(guard: &Guard, pairs: &[(&'static str, &str)]) -> bool {
         let query = format!("token={}", guard.token());
-        matches!(guard.judge(&headers(pairs), Some(&query)), Verdict::Welcome { .. })
+        matches!(guard.judge(&headers(pairs), Some(&query)), Verdict::Allowed { .. })
     }
 
     /// Whether a client with the token in its cookies only is welcome.
     fn brings_cookie(guard: &Guard, pairs: &[(&'static str, &str)]) -> bool {
-        matches!(guard.judge(&headers(pairs), None), Verdict::Welcome { .. })
+        matches!(guard.judge(&headers(pairs), None), Verdict::Allowed { .. })
     }
 
     #[test]
     fn only_pages_of_this_machine_may_ask() {
         let guard = Guard::new("127.0.0.1:4747".parse().expect("an address"));
         for host in ["localhost", "localhost:4747", "127.0.0.1:9", "[::1]:4747", "[::1]"] {
-            assert!(is_welcome(&guard, &[("host", host)]), "{host}");
+            assert!(is_allowed(&guard, &[("host", host)]), "{host}");
             let origin = format!("http://{host}");
-            assert!(is_welcome(&guard, &[("host", host), ("origin", &origin)]), "{host}");
+            assert!(is_allowed(&guard, &[("host", host), ("origin", &origin)]), "{host}");
         }
         for host in ["example.com", "localhost.example.com:4747", "127.0.0.1.example.com", ""] {
-            assert!(!is_welcome(&guard, &[("host", host)]), "{host}");
+            assert!(!is_allowed(&guard, &[("host", host)]), "{host}");
         }
-        assert!(!is_welcome(&guard, &[]));
+        assert!(!is_allowed(&guard, &[]));
         for origin in
             ["http://example.com", "null", "http://localhost:1", "localhost:4747", "\u{e9}"]
         {
-            let found = is_welcome(&guard, &[("host", "localhost:4747"), ("origin", origin)]);
+            let found = is_allowed(&guard, &[("host", "localhost:4747"), ("origin", origin)]);
             assert!(!found, "{origin}");
         }
     }
@@ -144,8 +144,8 @@ mod tests {
         assert_eq!(token.len(), 32);
         let host = ("host", if guard.is_local { "localhost:8000" } else { "machine.example:8000" });
         let query = format!("a=b&token={token}");
-        let welcome = guard.judge(&headers(&[host]), Some(&query));
-        let Verdict::Welcome { cookie: Some(cookie) } = welcome else { panic!("{welcome:?}") };
+        let allowed = guard.judge(&headers(&[host]), Some(&query));
+        let Verdict::Allowed { cookie: Some(cookie) } = allowed else { panic!("{allowed:?}") };
         assert!(cookie.starts_with(&format!("organza-token-8000={token};")), "{cookie}");
         let brought = format!("x=y; organza-token-8000={token}");
         assert!(brings_cookie(guard, &[host, ("cookie", &brought)]));

@@ -5,7 +5,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::message::{Lens, checked, refuse};
+use super::message::{CameraMessage, checked, refuse};
 use crate::camera::{Camera, CameraPath, file_of, parse};
 use crate::error::Result;
 
@@ -17,14 +17,14 @@ const MAX_FRAMES: usize = 10_000;
 
 #[derive(Serialize)]
 struct Cameras {
-    cameras: Vec<Lens>,
+    cameras: Vec<CameraMessage>,
 }
 
 /// A request for a path.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PathRequest {
-    keyframes: Vec<Lens>,
+    keyframes: Vec<CameraMessage>,
     #[serde(rename = "loop")]
     is_closed: bool,
     frames: usize,
@@ -50,12 +50,12 @@ impl PathRequest {
 
 /// Cameras in the page's form.
 pub fn listed(cameras: &[Camera]) -> Result<Vec<u8>> {
-    let cameras = Cameras { cameras: cameras.iter().map(Lens::from).collect() };
+    let cameras = Cameras { cameras: cameras.iter().map(CameraMessage::from).collect() };
     serde_json::to_vec(&cameras).or_else(|error| refuse(error.to_string()))
 }
 
 /// Writes keyframes as a file.
-pub fn write(keyframes: &[Lens]) -> Result<Vec<u8>> {
+pub fn write(keyframes: &[CameraMessage]) -> Result<Vec<u8>> {
     file_of(&keyframes.iter().map(checked).collect::<Result<Vec<_>>>()?)
 }
 

@@ -13,7 +13,7 @@ pub const MAX_SIDE: u32 = 4096;
 /// A camera in the page's form: see [`Camera`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Lens {
+pub struct CameraMessage {
     pub camera_to_world: [[f64; 4]; 4],
     pub fl_x: f64,
     pub fl_y: f64,
@@ -23,14 +23,14 @@ pub struct Lens {
     pub h: u32,
 }
 
-impl From<&Camera> for Lens {
+impl From<&Camera> for CameraMessage {
     fn from(camera: &Camera) -> Self {
         let Camera { camera_to_world, fl_x, fl_y, cx, cy, width: w, height: h, .. } = *camera;
         Self { camera_to_world, fl_x, fl_y, cx, cy, w, h }
     }
 }
 
-impl Lens {
+impl CameraMessage {
     /// The camera, checked like a camera from a file.
     pub fn camera(&self) -> Result<Camera> {
         let Self { camera_to_world, fl_x, fl_y, cx, cy, w, h } = *self;
@@ -77,7 +77,7 @@ pub struct FrameRequest {
     pub client: u64,
     /// Number of the request on the page: a higher one is newer.
     pub sequence: u64,
-    pub camera: Lens,
+    pub camera: CameraMessage,
     pub mode: Mode,
     pub quality: Quality,
     /// Replaces the scene's background.
@@ -92,14 +92,14 @@ pub struct FrameRequest {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PixelRequest {
-    pub camera: Lens,
+    pub camera: CameraMessage,
     /// Column and row of the pixel.
     pub pixel: [i32; 2],
 }
 
 /// Checks a camera, and its image's size.
-pub fn checked(lens: &Lens) -> Result<Camera> {
-    let camera = lens.camera()?;
+pub fn checked(message: &CameraMessage) -> Result<Camera> {
+    let camera = message.camera()?;
     if camera.width.max(camera.height) > MAX_SIDE {
         let width = camera.width;
         let height = camera.height;

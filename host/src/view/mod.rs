@@ -1,30 +1,30 @@
 //! The viewer of `organza view` and `organza train --view`: a small HTTP server, whose page requests one image at a
 //! time.
 //!
-//! There are two threads. The [server](Server) reads requests and puts them on a [`Desk`]. The thread that owns the
-//! scene takes them from there, one at a time, and [paints](Painter). A client has at most one image on the desk: a
-//! newer request replaces an older one, so the latest camera wins. An image that nobody waits for is not painted.
+//! There are two threads. The [server](Server) reads requests and puts them on a [`Queue`]. The thread that owns the
+//! scene takes them from there, one at a time, and [renders](FrameRenderer). A client has at most one image in the queue: a
+//! newer request replaces an older one, so the latest camera wins. An image that nobody waits for is not rendered.
 
 mod about;
 mod assets;
-mod board;
-mod desk;
 mod explain;
 mod film;
+mod frame_renderer;
 mod guard;
 mod keyframes;
 mod message;
 mod pace;
-mod painter;
 mod photographs;
 mod picture;
+mod queue;
 mod server;
 mod training;
+mod training_status;
 
 pub use about::About;
-pub use desk::Desk;
-pub(crate) use message::Lens;
-pub use painter::{Painter, Stage};
+pub use frame_renderer::{FrameRenderer, Stage};
+pub(crate) use message::CameraMessage;
 pub use photographs::Photographs;
+pub use queue::Queue;
 pub use server::{Address, Server};
 pub use training::TrainingView;

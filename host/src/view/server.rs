@@ -1,4 +1,4 @@
-//! The HTTP server: delivers the page, and puts its requests on the desk.
+//! The HTTP server: delivers the page, and puts its requests in the queue.
 
 use std::collections::HashMap;
 use std::convert::Infallible;
@@ -22,12 +22,12 @@ use tokio_io_timeout::TimeoutStream;
 
 use super::about::About;
 use super::assets;
-use super::board::{Board, Command};
-use super::desk::{Answer, Desk, FrameJob, Painted, Question};
 use super::film::{self, FilmRequest};
 use super::guard::{Guard, Verdict};
 use super::keyframes::{self, PathRequest};
-use super::message::{FrameRequest, Lens, PixelRequest, checked};
+use super::message::{CameraMessage, FrameRequest, PixelRequest, checked};
+use super::queue::{Answer, FrameJob, Question, Queue, Rendered};
+use super::training_status::{Command, TrainingStatus};
 use crate::error::{self, Error, Result};
 use crate::web::WebPage;
 
@@ -95,9 +95,9 @@ enum Site {
 }
 
 struct Viewer {
-    desk: Arc<Desk>,
+    queue: Arc<Queue>,
     about: About,
-    board: Option<Arc<Board>>,
+    training_status: Option<Arc<TrainingStatus>>,
     /// Permits for films in the making.
     films: Arc<Semaphore>,
 }
@@ -125,9 +125,14 @@ impl Server {
     ///
     /// # Errors
     /// [`Error::Invalid`] if the system cannot start a thread.
-    pub fn start(self, desk: Arc<Desk>, about: About, board: Option<Arc<Board>>) -> Result<Films> {
+    pub fn start(
+        self,
+        queue: Arc<Queue>,
+        about: About,
+        training_status: Option<Arc<TrainingStatus>>,
+    ) -> Result<Films> {
         let films = Arc::new(Semaphore::new(MAX_FILMS));
-        let viewer = Viewer { desk, about, board, films: Arc::clone(&films) };
+        let viewer = Viewer { queue, about, training_status, films: Arc::clone(&films) };
         self.serve(Site::Viewer(viewer))?;
         Ok(Films(films))
     }
@@ -162,7 +167,7 @@ impl Server {
 pub struct Films(Arc<Semaphore>);
 
 impl Films {
-    /// Waits until films that have lost their desk have removed their frames, for at most `patience`.
+    /// Waits until films that have lost their place in the queue have removed their frames, for at most `patience`.
     pub fn wait_for_end(&self, patience: Duration) {
         let begin = Instant::now();
         while self.0.available_permits() < MAX_FILMS && begin.elapsed() < patience {
@@ -223,7 +228,7 @@ struct Refusal(StatusCode, String);
 
 async fn answer(shared: &Shared, request: Request<Incoming>) -> Reply {
     let cookie = match shared.guard.judge(request.headers(), request.uri().query()) {
-        Verdict::Welcome { cookie } => cookie,
+        Verdict::Allowed { cookie } => cookie,
         Verdict::Refused(reason) => {
             return text(StatusCode::FORBIDDEN, "text/plain; charset=utf-8", reason.as_bytes());
         }
@@ -275,14 +280,14 @@ async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Ref
         (&Method::GET, "/points") => {
             Ok(text(StatusCode::OK, "application/octet-stream", viewer.about.points()))
         }
-        (&Method::GET, "/training.json") => match &viewer.board {
-            Some(board) => json(board.to_json().as_bytes()),
+        (&Method::GET, "/training.json") => match &viewer.training_status {
+            Some(training_status) => json(training_status.to_json().as_bytes()),
             None => Err(Refusal(StatusCode::NOT_FOUND, "nothing is being trained".to_owned())),
         },
         (&Method::POST, "/training") => {
             let command: Command = parsed(&body(request).await?)?;
-            if let Some(board) = &viewer.board {
-                board.command(command);
+            if let Some(training_status) = &viewer.training_status {
+                training_status.command(command);
             }
             json(b"{}")
         }
@@ -290,8 +295,8 @@ async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Ref
             let request: FrameRequest = parsed(&body(request).await?)?;
             let camera = request.check().map_err(refused)?;
             let (reply, answer) = oneshot::channel();
-            viewer.desk.post(Box::new(FrameJob { request, camera, reply }));
-            painted(answer).await
+            viewer.queue.post(Box::new(FrameJob { request, camera, reply }));
+            rendered(answer).await
         }
         (&Method::POST, "/explain") => {
             let request: PixelRequest = parsed(&body(request).await?)?;
@@ -299,7 +304,7 @@ async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Ref
             ask(viewer, Question::Pixel(request.pixel, Box::new(camera))).await
         }
         (&Method::POST, "/cameras.json") => {
-            let keyframes: Vec<Lens> = parsed(&body(request).await?)?;
+            let keyframes: Vec<CameraMessage> = parsed(&body(request).await?)?;
             json(&keyframes::write(&keyframes).map_err(refused)?)
         }
         (&Method::POST, "/path") => {
@@ -319,9 +324,9 @@ async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Ref
                 return Err(Refusal(StatusCode::SERVICE_UNAVAILABLE, reason));
             };
             let (sender, body) = Channel::new(1);
-            let desk = Arc::clone(&viewer.desk);
+            let queue = Arc::clone(&viewer.queue);
             tokio::spawn(async move {
-                film::make(&desk, &request, cameras, sender).await;
+                film::make(&queue, &request, cameras, sender).await;
                 drop(place);
             });
             Ok(reply(StatusCode::OK, "application/octet-stream", Either::Right(body)))
@@ -341,13 +346,13 @@ async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Ref
 
 async fn ask(viewer: &Viewer, question: Question) -> Result<Reply, Refusal> {
     let (reply, answer) = oneshot::channel();
-    viewer.desk.ask(question, reply);
-    painted(answer).await
+    viewer.queue.ask(question, reply);
+    rendered(answer).await
 }
 
-async fn painted(answer: oneshot::Receiver<Answer>) -> Result<Reply, Refusal> {
+async fn rendered(answer: oneshot::Receiver<Answer>) -> Result<Reply, Refusal> {
     match answer.await {
-        Ok(Ok(Painted { kind, bytes, about })) => {
+        Ok(Ok(Rendered { kind, bytes, about })) => {
             let mut reply = whole(StatusCode::OK, kind, bytes.into());
             if let Ok(about) = HeaderValue::from_str(&about) {
                 reply.headers_mut().insert(HeaderName::from_static("x-organza"), about);

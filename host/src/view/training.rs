@@ -5,11 +5,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use super::about::About;
-use super::board::Board;
-use super::desk::Desk;
-use super::painter::{Painter, Stage};
+use super::frame_renderer::{FrameRenderer, Stage};
 use super::photographs::Photographs;
+use super::queue::Queue;
 use super::server::{Films, Server};
+use super::training_status::TrainingStatus;
 use crate::data::{Dataset, Pose};
 use crate::error::Result;
 use crate::render::{DeviceScene, Renderer};
@@ -34,9 +34,9 @@ pub struct TrainingView<'a> {
     /// Waits until there is a scene to show, and is started then.
     server: Option<Server>,
     films: Option<Films>,
-    desk: Arc<Desk>,
-    board: Arc<Board>,
-    painter: Painter,
+    queue: Arc<Queue>,
+    training_status: Arc<TrainingStatus>,
+    frame_renderer: FrameRenderer,
     clock: Clock,
 }
 
@@ -65,12 +65,12 @@ impl<'a> TrainingView<'a> {
         share: f64,
         title: String,
     ) -> Self {
-        let desk = Arc::new(Desk::default());
+        let queue = Arc::new(Queue::default());
         let photographs = Photographs::of_dataset(Arc::clone(dataset));
-        let painter = Painter::new(Arc::clone(&desk), photographs);
+        let frame_renderer = FrameRenderer::new(Arc::clone(&queue), photographs);
         let clock = Clock { training: 0.0, images: 0.0, since: Instant::now() };
         let server = Some(server);
-        let board = Arc::default();
+        let training_status = Arc::default();
         Self {
             renderer,
             dataset,
@@ -79,9 +79,9 @@ impl<'a> TrainingView<'a> {
             title,
             server,
             films: None,
-            desk,
-            board,
-            painter,
+            queue,
+            training_status,
+            frame_renderer,
             clock,
         }
     }
@@ -93,13 +93,13 @@ impl<'a> TrainingView<'a> {
     /// The same errors as [`Server::start`].
     pub fn see(&mut self, event: &Event<'_>, steps: u32) -> Result<()> {
         match event {
-            Event::Begin(step) => self.board.begin(u64::from(*step), u64::from(steps)),
-            Event::Planned(steps) => self.board.planned(u64::from(*steps)),
-            Event::Evaluated(evaluation) => self.board.evaluated(evaluation.mean.psnr),
+            Event::Begin(step) => self.training_status.begin(u64::from(*step), u64::from(steps)),
+            Event::Planned(steps) => self.training_status.planned(u64::from(*steps)),
+            Event::Evaluated(evaluation) => self.training_status.evaluated(evaluation.mean.psnr),
             Event::Step { step, seconds, report, scene: Some(scene), .. } => {
                 let share = self.clock.share();
                 let losses = [report.loss, report.psnr];
-                self.board.step(u64::from(*step), *seconds, losses, scene.len(), share);
+                self.training_status.step(u64::from(*step), *seconds, losses, scene.len(), share);
                 self.serve(scene, u64::from(*step))?;
             }
             _ => {}
@@ -114,13 +114,13 @@ impl<'a> TrainingView<'a> {
         let stage = Stage { renderer: self.renderer, scene, version };
         let begin = Instant::now();
         self.clock.training += (begin - self.clock.since).as_secs_f64();
-        if self.clock.share() < self.share && self.painter.serve(stage, Duration::ZERO) {
+        if self.clock.share() < self.share && self.frame_renderer.serve(stage, Duration::ZERO) {
             self.clock.images += begin.elapsed().as_secs_f64();
         }
-        while self.board.is_paused() && !self.stop.load(Ordering::Relaxed) {
-            self.painter.serve(stage, PATIENCE);
+        while self.training_status.is_paused() && !self.stop.load(Ordering::Relaxed) {
+            self.frame_renderer.serve(stage, PATIENCE);
         }
-        if self.board.is_stopping() {
+        if self.training_status.is_stopping() {
             self.stop.store(true, Ordering::Relaxed);
         }
         self.clock.since = Instant::now();
@@ -136,13 +136,13 @@ impl<'a> TrainingView<'a> {
         };
         let poses: Vec<_> = frames.iter().enumerate().map(pose).collect();
         let about = About::new(&self.title, self.renderer, scene, &poses, true, points, true);
-        server.start(Arc::clone(&self.desk), about, Some(Arc::clone(&self.board)))
+        server.start(Arc::clone(&self.queue), about, Some(Arc::clone(&self.training_status)))
     }
 }
 
 impl Drop for TrainingView<'_> {
     fn drop(&mut self) {
-        self.desk.stop();
+        self.queue.stop();
         if let Some(films) = &self.films {
             films.wait_for_end(END);
         }

@@ -10,7 +10,7 @@ use crate::camera::{Camera, Orbit};
 use crate::error::Result;
 use crate::render::{Renderer, UploadOptions};
 use crate::scene::Scene;
-use crate::view::Lens;
+use crate::view::CameraMessage;
 use organza_device::Device;
 
 /// Options of a page.
@@ -54,7 +54,7 @@ struct About<'a> {
     aabb: [[f64; 3]; 2],
     up: [f64; 3],
     center: [f64; 3],
-    home: Lens,
+    home: CameraMessage,
 }
 
 /// Number of cameras on an orbit for which capacities are measured.
@@ -104,7 +104,7 @@ impl WebPage {
             aabb: scene.config.aabb,
             up: orbit.up,
             center: orbit.center,
-            home: Lens::from(&home),
+            home: CameraMessage::from(&home),
         };
         let facts = Facts { plans: frames.len(), kernels: kernels.len(), measured: measured.len() };
         let payload = payload::pack(&about, &buffers, &frames, &kernels);

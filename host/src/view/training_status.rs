@@ -23,7 +23,7 @@ pub enum Command {
 
 /// The state of a training that the page shows.
 #[derive(Debug, Default)]
-pub struct Board {
+pub struct TrainingStatus {
     state: Mutex<State>,
 }
 
@@ -93,7 +93,7 @@ fn second<T: Copy>(values: &[T]) -> Vec<T> {
     values.iter().skip(1).step_by(2).copied().collect()
 }
 
-impl Board {
+impl TrainingStatus {
     fn state(&self) -> MutexGuard<'_, State> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }

@@ -1,4 +1,4 @@
-//! The desk where requests wait for the painter.
+//! The queue where requests wait for the frame renderer.
 
 use std::collections::BTreeMap;
 use std::collections::VecDeque;
@@ -17,11 +17,11 @@ const MAX_CLIENTS: usize = 256;
 const MAX_QUESTIONS: usize = 64;
 
 /// An answer: its bytes and the facts for the page, or an error message.
-pub type Answer = Result<Painted, String>;
+pub type Answer = Result<Rendered, String>;
 
 /// An image, or another file.
 #[derive(Debug)]
-pub struct Painted {
+pub struct Rendered {
     pub kind: &'static str,
     pub bytes: Vec<u8>,
     /// Facts for the page, as JSON.
@@ -37,7 +37,7 @@ pub struct FrameJob {
     pub reply: oneshot::Sender<Answer>,
 }
 
-/// Other requests to the painter.
+/// Other requests to the frame renderer.
 #[derive(Debug)]
 pub enum Question {
     /// A pixel's column and row, in an image of the camera.
@@ -73,13 +73,13 @@ struct State {
 
 /// Waiting requests.
 #[derive(Debug, Default)]
-pub struct Desk {
+pub struct Queue {
     state: Mutex<State>,
     wake: Condvar,
     stopped: AtomicBool,
 }
 
-impl Desk {
+impl Queue {
     fn state(&self) -> MutexGuard<'_, State> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -94,7 +94,7 @@ impl Desk {
         self.wake.notify_all();
     }
 
-    /// Whether [`Desk::stop`] was called.
+    /// Whether [`Queue::stop`] was called.
     pub fn is_stopped(&self) -> bool {
         self.stopped.load(Ordering::Relaxed)
     }

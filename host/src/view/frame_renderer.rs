@@ -1,4 +1,4 @@
-//! The painter owns the scene, takes requests from the desk, and answers them.
+//! The frame renderer owns the scene, takes requests from the queue, and answers them.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -7,12 +7,12 @@ use std::time::{Duration, Instant};
 use serde::Serialize;
 use serde_json::json;
 
-use super::desk::{Desk, FrameJob, Job, Painted, Question};
 use super::explain::explain;
 use super::message::{Mode, Quality, refuse};
 use super::pace::Pace;
 use super::photographs::Photographs;
 use super::picture::{self, Range};
+use super::queue::{FrameJob, Job, Question, Queue, Rendered};
 use crate::data::Photograph;
 use crate::error::{self, Result};
 use crate::image::{ChannelImage, Image, TILE_SIDE};
@@ -36,8 +36,8 @@ pub struct Stage<'a> {
 
 /// Answers requests, one at a time.
 #[derive(Debug)]
-pub struct Painter {
-    desk: Arc<Desk>,
+pub struct FrameRenderer {
+    queue: Arc<Queue>,
     photographs: Photographs,
     /// The eye that was used last is at the end.
     eyes: Vec<Eye>,
@@ -74,29 +74,29 @@ struct About {
     range: Option<[f64; 2]>,
 }
 
-impl Painter {
-    /// A painter that takes requests from `desk`.
+impl FrameRenderer {
+    /// A frame renderer that takes requests from `queue`.
     #[must_use]
-    pub fn new(desk: Arc<Desk>, photographs: Photographs) -> Self {
-        Self { desk, photographs, eyes: Vec::new() }
+    pub fn new(queue: Arc<Queue>, photographs: Photographs) -> Self {
+        Self { queue, photographs, eyes: Vec::new() }
     }
 
     /// Answers one request, waiting for it for up to `patience`. Returns whether there was one.
     pub fn serve(&mut self, stage: Stage<'_>, patience: Duration) -> bool {
-        let Some(job) = self.desk.take(patience) else { return false };
+        let Some(job) = self.queue.take(patience) else { return false };
         match job {
             Job::Question(question, reply) => {
                 let _ = reply.send(self.answer(stage, &question).map_err(told));
             }
             Job::Frame(job) => {
                 let begin = Instant::now();
-                let painted = self.frame(stage, &job);
-                self.desk.charge(job.request.client, begin.elapsed());
-                match painted {
-                    Ok(Some(painted)) => {
-                        let _ = job.reply.send(Ok(painted));
+                let rendered = self.frame(stage, &job);
+                self.queue.charge(job.request.client, begin.elapsed());
+                match rendered {
+                    Ok(Some(rendered)) => {
+                        let _ = job.reply.send(Ok(rendered));
                     }
-                    Ok(None) => self.desk.put_back(job),
+                    Ok(None) => self.queue.put_back(job),
                     Err(error) => {
                         let _ = job.reply.send(Err(told(error)));
                     }
@@ -109,20 +109,20 @@ impl Painter {
     }
 
     /// Paints an image; `None` if it was interrupted.
-    fn frame(&mut self, stage: Stage<'_>, job: &FrameJob) -> Result<Option<Painted>> {
+    fn frame(&mut self, stage: Stage<'_>, job: &FrameJob) -> Result<Option<Rendered>> {
         let begin = Instant::now();
         let truth = match (job.request.mode, job.request.view) {
             (Mode::Error, Some(view)) => Some(self.photographs.get(stage.renderer, view)?),
             (Mode::Error, None) => return refuse("an error is that of a photograph".to_owned()),
             _ => None,
         };
-        let desk = Arc::clone(&self.desk);
+        let queue = Arc::clone(&self.queue);
         let eye = self.eye(job.request.client, stage.version);
-        let canvas = paint(stage, job, eye, truth.as_deref(), &|slices| {
+        let canvas = draw(stage, job, eye, truth.as_deref(), &|slices| {
             let quality = job.request.quality;
-            let outdated = quality != Quality::Moving && desk.is_outdated(job);
+            let outdated = quality != Quality::Moving && queue.is_outdated(job);
             // every turn must make progress, or it would never end
-            let urgent = slices > 0 && quality == Quality::Exact && desk.has_urgent();
+            let urgent = slices > 0 && quality == Quality::Exact && queue.has_urgent();
             job.reply.is_closed() || outdated || urgent
         })?;
         let Some(Canvas { image, range, steps, report }) = canvas else { return Ok(None) };
@@ -152,7 +152,7 @@ impl Painter {
             milliseconds: 1000.0 * seconds,
             range: range.map(|Range { low, high }| [low, high]),
         };
-        Ok(Some(painted_as(kind, bytes, &about)))
+        Ok(Some(rendered_as(kind, bytes, &about)))
     }
 
     /// The data kept for a client, for the current version of the scene.
@@ -171,18 +171,18 @@ impl Painter {
         self.eyes.last_mut().expect("pushed above")
     }
 
-    fn answer(&mut self, stage: Stage<'_>, question: &Question) -> Result<Painted> {
+    fn answer(&mut self, stage: Stage<'_>, question: &Question) -> Result<Rendered> {
         match question {
             Question::Photograph(view) => {
                 let photograph = self.photographs.get(stage.renderer, *view)?;
                 let size = [photograph.width(), photograph.height()];
                 let image = Image::of_pixels(size, photograph.pixels());
                 let bytes = picture::encode_jpeg(&image)?;
-                Ok(painted_as("image/jpeg", bytes, &json!({ "size": size })))
+                Ok(rendered_as("image/jpeg", bytes, &json!({ "size": size })))
             }
             Question::Pixel(pixel, camera) => {
                 let bytes = explain(stage, camera, *pixel)?;
-                Ok(painted_as("application/json", bytes, &json!({})))
+                Ok(rendered_as("application/json", bytes, &json!({})))
             }
         }
     }
@@ -193,9 +193,9 @@ fn told(error: error::Error) -> String {
     error::chain(&error)
 }
 
-fn painted_as(kind: &'static str, bytes: Vec<u8>, about: &impl Serialize) -> Painted {
+fn rendered_as(kind: &'static str, bytes: Vec<u8>, about: &impl Serialize) -> Rendered {
     let about = serde_json::to_string(about).expect("numbers and names");
-    Painted { kind, bytes, about }
+    Rendered { kind, bytes, about }
 }
 
 /// The result of drawing.
@@ -207,7 +207,7 @@ struct Canvas {
 }
 
 /// Draws an image. `is_cancelled` is called before each slice of the Gaussians, with the number of finished slices.
-fn paint(
+fn draw(
     Stage { renderer, scene, .. }: Stage<'_>,
     FrameJob { request, camera, .. }: &FrameJob,
     Eye { cache, pace, .. }: &mut Eye,

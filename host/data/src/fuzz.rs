@@ -3,9 +3,9 @@
 use std::io::Cursor;
 use std::path::Path;
 
+use super::access::Access;
 use super::budget::Budget;
 use super::find::Found;
-use super::reach::Reach;
 use super::transforms::{Photographs, add_frames};
 use super::{DatasetKind, DatasetOptions, Listing, colmap, decode, ply};
 use organza_core::input::parse_json;
@@ -22,10 +22,10 @@ pub fn transforms(bytes: &[u8], path: &Path) {
         },
         size: |_| Ok([64, 48]),
     };
-    let Ok(mut reach) = Reach::of(Path::new("/"), false) else { return };
+    let Ok(mut access) = Access::of(Path::new("/"), false) else { return };
     let mut listing = Listing::new(DatasetKind::Nerfstudio);
     let options = DatasetOptions::default();
-    let _ = add_frames(&file, path, &mut listing, |_| false, &options, &mut reach, &photographs);
+    let _ = add_frames(&file, path, &mut listing, |_| false, &options, &mut access, &photographs);
 }
 
 /// Parses each file of a sparse model, binary and text.

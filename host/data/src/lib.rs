@@ -2,10 +2,11 @@
 //!
 //! Reads the data sets of nerfstudio, Blender (NeRF synthetic) and COLMAP: see `docs/data.md`.
 
+mod access;
 mod background;
-mod beside;
 mod budget;
 mod colmap;
+mod colmap_points;
 mod decode;
 mod develop;
 mod find;
@@ -17,7 +18,6 @@ mod options;
 mod photograph;
 pub mod ply;
 mod poses;
-mod reach;
 pub mod sweep;
 #[cfg(test)]
 mod tests;
@@ -30,6 +30,7 @@ use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
+use access::Access;
 pub use background::{Alpha, Background};
 use budget::Budget;
 use develop::Shot;
@@ -43,7 +44,6 @@ use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
 pub use photograph::Photograph;
 pub use poses::{Pose, Poses, kind_of};
-use reach::Reach;
 
 /// The format of a data set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -161,10 +161,10 @@ impl Listing {
         lens: Lens,
         held_out: bool,
         options: &DatasetOptions,
-        reach: &mut Reach,
+        access: &mut Access,
     ) -> Result<()> {
         if let Some(mask) = &mask {
-            reach.check(mask)?;
+            access.check(mask)?;
         }
         let (camera, factor) = match prepared {
             true => {
@@ -330,19 +330,19 @@ impl Layout {
 }
 
 /// Recognizes the format of a data set, and lists its content.
-fn list(path: &Path, options: &DatasetOptions, reach: &mut Reach) -> Result<Listing> {
+fn list(path: &Path, options: &DatasetOptions, access: &mut Access) -> Result<Listing> {
     if !path.is_dir() {
         let is_blender = path.file_name().is_some_and(|name| name == transforms::BLENDER_TRAIN);
         return if is_blender {
-            transforms::blender(path, options, reach)
+            transforms::blender(path, options, access)
         } else {
-            transforms::nerfstudio(path, options, reach)
+            transforms::nerfstudio(path, options, access)
         };
     }
     match Layout::of(path) {
-        Some(Layout::Nerfstudio(file)) => transforms::nerfstudio(&file, options, reach),
-        Some(Layout::Blender(file)) => transforms::blender(&file, options, reach),
-        Some(Layout::Colmap(model)) => colmap::list(path, &model, options, reach),
+        Some(Layout::Nerfstudio(file)) => transforms::nerfstudio(&file, options, access),
+        Some(Layout::Blender(file)) => transforms::blender(&file, options, access),
+        Some(Layout::Colmap(model)) => colmap::list(path, &model, options, access),
         None => {
             let hint = hint(path).unwrap_or_default();
             let reason = format!(

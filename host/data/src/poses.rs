@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use super::{
-    Background, Budget, Dataset, DatasetKind, DatasetOptions, Frame, Layout, Listing, Point, Reach,
-    Shot, hint, invalid, list,
+    Access, Background, Budget, Dataset, DatasetKind, DatasetOptions, Frame, Layout, Listing,
+    Point, Shot, hint, invalid, list,
 };
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
@@ -49,8 +49,8 @@ impl Poses {
     pub fn load(path: &Path, options: &DatasetOptions) -> Result<Self> {
         options.check()?;
         fs::metadata(path).map_err(|source| Error::read(path, source))?;
-        let mut reach = Reach::of(path, options.allow_outside)?;
-        let mut listing = list(path, options, &mut reach)?;
+        let mut access = Access::of(path, options.allow_outside)?;
+        let mut listing = list(path, options, &mut access)?;
         let missing = std::mem::take(&mut listing.missing);
         if let ([], [first, ..]) = (&*listing.shots, &*missing) {
             let all = missing.len();
@@ -60,7 +60,7 @@ impl Poses {
                 format!("none of the {all} photographs exists; the first should be {first}{hint}");
             return invalid(path, reason);
         }
-        let outside = reach.outside;
+        let outside = access.outside;
         let path = path.to_owned();
         let options = options.clone();
         let kind = listing.kind;

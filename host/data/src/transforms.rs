@@ -4,10 +4,12 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
+use super::access::Access;
 use super::find::{self, Found};
 use super::lens::Lens;
-use super::reach::Reach;
-use super::{DatasetKind, DatasetOptions, Listing, beside, decode, invalid, is_held_out, ply};
+use super::{
+    DatasetKind, DatasetOptions, Listing, colmap_points, decode, invalid, is_held_out, ply,
+};
 use organza_core::camera::parse::{PERSPECTIVE_MODELS, PINHOLE_MODELS, Source, frames};
 use organza_core::camera::{Camera, camera_error};
 use organza_core::error::Result;
@@ -35,17 +37,17 @@ const ON_DISK: Photographs = Photographs { find: find::photograph, size: decode:
 pub(super) fn nerfstudio(
     path: &Path,
     options: &DatasetOptions,
-    reach: &mut Reach,
+    access: &mut Access,
 ) -> Result<Listing> {
     let mut listing = Listing::new(DatasetKind::Nerfstudio);
     let file = read_json(path)?;
     let held_out = |position| is_held_out(position, options.hold_out_every);
-    add_frames(&file, path, &mut listing, held_out, options, reach, &ON_DISK)?;
+    add_frames(&file, path, &mut listing, held_out, options, access, &ON_DISK)?;
     listing.points = match file.get("ply_file_path") {
-        None | Some(Value::Null) => beside::points(folder(path), &listing, options, reach)?,
+        None | Some(Value::Null) => colmap_points::points(folder(path), &listing, options, access)?,
         Some(Value::String(points)) => {
             let points = folder(path).join(points);
-            reach.check(&points)?;
+            access.check(&points)?;
             ply::read(&points)?
         }
         Some(other) => {
@@ -60,15 +62,15 @@ pub(super) fn nerfstudio(
 pub(super) fn blender(
     train: &Path,
     options: &DatasetOptions,
-    reach: &mut Reach,
+    access: &mut Access,
 ) -> Result<Listing> {
     let mut listing = Listing::new(DatasetKind::Blender);
     let test = train.with_file_name(BLENDER_TEST);
     let has_test = test.exists();
     let held_out = |position| !has_test && is_held_out(position, options.hold_out_every);
-    add_frames(&read_json(train)?, train, &mut listing, held_out, options, reach, &ON_DISK)?;
+    add_frames(&read_json(train)?, train, &mut listing, held_out, options, access, &ON_DISK)?;
     if has_test {
-        add_frames(&read_json(&test)?, &test, &mut listing, |_| true, options, reach, &ON_DISK)?;
+        add_frames(&read_json(&test)?, &test, &mut listing, |_| true, options, access, &ON_DISK)?;
     }
     Ok(listing)
 }
@@ -80,7 +82,7 @@ pub(super) fn add_frames(
     listing: &mut Listing,
     held_out: impl Fn(usize) -> bool,
     options: &DatasetOptions,
-    reach: &mut Reach,
+    access: &mut Access,
     photographs: &Photographs,
 ) -> Result<()> {
     for (index, frame) in frames(file, path)?.iter().enumerate() {
@@ -97,7 +99,7 @@ pub(super) fn add_frames(
                 continue;
             }
         };
-        reach.check(&found.path)?;
+        access.check(&found.path)?;
         // Blender's files give no image size, so it is read from the photographs.
         if !has_size {
             source.size = Some((photographs.size)(&found.path)?);
@@ -105,7 +107,7 @@ pub(super) fn add_frames(
         let camera = source.valid_camera(index, path)?;
         let lens = lens(&source).map_err(|reason| camera_error(path, index, reason))?;
         let camera = Camera { file_path: Some(name.to_owned()), ..camera };
-        listing.add(found, camera, lens, held_out(index), options, reach)?;
+        listing.add(found, camera, lens, held_out(index), options, access)?;
     }
     Ok(())
 }

@@ -12,7 +12,7 @@ use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 use super::config::TrainConfig;
-use super::needs;
+use super::requirements;
 use super::space::{depth, scene_box};
 use super::trainer::check;
 use crate::camera::{Camera, Target};
@@ -63,7 +63,7 @@ pub fn start(
         0 => u64::from(config.start.gaussians),
         points => u64::from(config.growth.max_gaussians).min(points as u64),
     };
-    needs::check_scene(config, count)?;
+    requirements::check_scene(config, count)?;
     let mut random_places = random(config.run.seed, PLACES, 0);
     let target = Target::of(cameras);
     let (places, colors) = if points.is_empty() {
@@ -113,7 +113,7 @@ pub fn of_splats(
     background: [f64; 3],
     cameras: &[Camera],
 ) -> Result<Scene> {
-    needs::check_scene(config, splats.len() as u64)?;
+    requirements::check_scene(config, splats.len() as u64)?;
     let point = |splat: &Splat| Point { position: splat.position.map(f64::from), color: None };
     let points: Vec<_> = splats.iter().map(point).collect();
     let aabb = scene_box(cameras, &Target::of(cameras), &points, &[]);
@@ -150,7 +150,7 @@ pub fn points<'p>(
     if !known.is_empty() {
         return Ok(Cow::Borrowed(known));
     }
-    needs::check_scene(config, u64::from(config.start.gaussians))?;
+    requirements::check_scene(config, u64::from(config.start.gaussians))?;
     let cameras: Vec<_> = frames.iter().map(|frame| frame.camera.clone()).collect();
     let target = Target::of(&cameras);
     let count = config.start.gaussians as usize;

@@ -7,8 +7,8 @@ mod text;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
+use super::access::Access;
 use super::find;
-use super::reach::Reach;
 use super::{DatasetKind, DatasetOptions, Listing, Point, invalid, is_held_out};
 use model::Intrinsics;
 use organza_core::camera::Camera;
@@ -67,7 +67,7 @@ pub(super) fn list(
     folder: &Path,
     model: &Model,
     options: &DatasetOptions,
-    reach: &mut Reach,
+    access: &mut Access,
 ) -> Result<Listing> {
     let (cameras, mut images, mut points) = read(model)?;
     images.sort_by(|a, b| a.name.cmp(&b.name));
@@ -96,9 +96,9 @@ pub(super) fn list(
         let in_images = photograph(&format!("images/{}", image.name));
         match in_images.or_else(|expected| photograph(&image.name).map_err(|_| expected)) {
             Ok(found) => {
-                reach.check(&found.path)?;
+                access.check(&found.path)?;
                 let held_out = is_held_out(position, options.hold_out_every);
-                listing.add(found, camera, intrinsics.lens, held_out, options, reach)?;
+                listing.add(found, camera, intrinsics.lens, held_out, options, access)?;
             }
             Err(expected) => listing.missing.push(expected),
         }

@@ -9,8 +9,8 @@ use super::colmap_files::{
 use super::*;
 
 fn list_folder(root: &Path) -> Result<usize> {
-    let mut reach = Reach::of(root, false)?;
-    list(root, &find(root).unwrap(), &DatasetOptions::default(), &mut reach)
+    let mut access = Access::of(root, false)?;
+    list(root, &find(root).unwrap(), &DatasetOptions::default(), &mut access)
         .map(|listing| listing.shots.len())
 }
 

@@ -1,6 +1,6 @@
 //! `organza film`: a moving camera.
 
-mod way;
+mod film_path;
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -23,7 +23,7 @@ use super::refuse;
 use super::signals::Signals;
 use super::summary::{Cost, Summary, count};
 use super::written::{Found, Written};
-use way::{Inputs, WayArgs, described};
+use film_path::{Inputs, PathArgs, described};
 
 const TILE_SIZE: u32 = 64;
 /// Number of frames that determine the range of a film's depths, and the divisor of their sides.
@@ -81,7 +81,7 @@ pub struct Args {
     #[arg(long)]
     json: bool,
     #[command(flatten)]
-    way: WayArgs,
+    path: PathArgs,
     #[command(flatten)]
     data: DataArgs,
     #[command(flatten)]
@@ -107,16 +107,16 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let scene = source.load(console)?;
     let inputs =
         Inputs { source: &source, scene: &scene, named: args.cameras.as_deref(), data: &args.data };
-    let way = args.way.frames(&inputs, args.frames as usize, kind == Kind::Mp4, console)?;
-    let size @ [width, height] = [way.frames[0].width, way.frames[0].height];
+    let path = args.path.frames(&inputs, args.frames as usize, kind == Kind::Mp4, console)?;
+    let size @ [width, height] = [path.frames[0].width, path.frames[0].height];
     kind.check(size)?;
     Image::check_memory(width, height)?;
     ChannelImage::check_memory(channel.as_slice(), width, height)?;
     if kind != Kind::Frames {
-        let origin = way.cameras.iter().map(|cameras| cameras.origin.as_path());
+        let origin = path.cameras.iter().map(|cameras| cameras.origin.as_path());
         let inputs: Vec<_> = origin.chain([source.named(), source.file()]).collect();
         output::check_file(&args.output, &inputs)?;
-        if way.cameras.as_ref().is_some_and(|cameras| cameras.is_photograph(&args.output)) {
+        if path.cameras.as_ref().is_some_and(|cameras| cameras.is_photograph(&args.output)) {
             let path = args.output.display();
             return refuse(format!("{path} would replace a photograph; choose another name"));
         }
@@ -124,7 +124,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 
     let renderer = args.device.open(console)?;
     let scene = args.scene_args.upload(&renderer, &scene)?;
-    let mut film = Film { renderer: &renderer, scene: &scene, cameras: &way.frames, look: None };
+    let mut film = Film { renderer: &renderer, scene: &scene, cameras: &path.frames, look: None };
     if let Some(channel) = channel {
         let range = match (channel, args.depth_range) {
             (_, Some(range)) => range,

@@ -20,7 +20,7 @@ const SIZE: [u32; 2] = [640, 480];
 /// Options of the camera's path.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Camera")]
-pub struct WayArgs {
+pub struct PathArgs {
     /// Turn once around the point that the cameras look at [default without CAMERAS]
     #[arg(long, conflicts_with = "between")]
     orbit: bool,
@@ -65,13 +65,13 @@ pub struct Inputs<'a> {
 
 /// The camera of each frame.
 #[derive(Debug)]
-pub struct Way {
+pub struct FilmPath {
     pub frames: Vec<Camera>,
     /// The cameras that the path was made from, if there are any.
     pub cameras: Option<Cameras>,
 }
 
-impl WayArgs {
+impl PathArgs {
     /// The cameras of `count` frames. Without `--size`, width and height are even if `is_even` is true.
     pub fn frames(
         &self,
@@ -79,7 +79,7 @@ impl WayArgs {
         frames: usize,
         is_even: bool,
         console: Console,
-    ) -> Result<Way> {
+    ) -> Result<FilmPath> {
         let Inputs { source, named, data, .. } = *inputs;
         let is_between = self.between || (named.is_some() && !self.orbit);
         let has_cameras = named.is_some() || data.is_given() || source.settings()?.is_some();
@@ -103,7 +103,7 @@ impl WayArgs {
                 self.orbit(Orbit::of_box(aabb, self.size.unwrap_or(SIZE)), frames, size)?
             }
         };
-        Ok(Way { frames, cameras })
+        Ok(FilmPath { frames, cameras })
     }
 
     fn between(

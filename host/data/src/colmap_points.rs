@@ -5,7 +5,7 @@ use std::path::Path;
 
 use glam::{DMat3, DVec3};
 
-use super::reach::Reach;
+use super::access::Access;
 use super::{DatasetOptions, Listing, Point, colmap};
 use organza_core::camera::Camera;
 use organza_core::error::Result;
@@ -24,10 +24,10 @@ pub(super) fn points(
     folder: &Path,
     listing: &Listing,
     options: &DatasetOptions,
-    reach: &mut Reach,
+    access: &mut Access,
 ) -> Result<Vec<Point>> {
     let Some(model) = colmap::find(folder) else { return Ok(Vec::new()) };
-    let Ok(found) = colmap::list(folder, &model, options, reach) else { return Ok(Vec::new()) };
+    let Ok(found) = colmap::list(folder, &model, options, access) else { return Ok(Vec::new()) };
     let by_name: HashMap<&str, &Camera> =
         found.shots.iter().map(|shot| (file_name(&shot.name), &shot.camera)).collect();
     let pairs: Vec<(&Camera, &Camera)> = listing

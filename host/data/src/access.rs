@@ -8,7 +8,7 @@ use organza_core::error::{Error, Result};
 
 /// The allowed places of a data set's files, and the files that were outside its folder.
 #[derive(Debug)]
-pub(super) struct Reach {
+pub(super) struct Access {
     /// Path of the folder, without links.
     folder: PathBuf,
     allow_outside: bool,
@@ -16,7 +16,7 @@ pub(super) struct Reach {
     pub outside: Vec<PathBuf>,
 }
 
-impl Reach {
+impl Access {
     /// For a data set: a folder, or a file in it.
     pub fn of(data: &Path, allow_outside: bool) -> Result<Self> {
         let folder = match data.parent() {

@@ -115,6 +115,40 @@ fn a_glb_has_the_attributes_of_the_extension() {
     assert!((turn[0].as_f64().unwrap() + 0.5_f64.sqrt()).abs() < 1e-3, "{turn}");
 }
 
+/// The box around Gaussians is a point if their centers are.
+#[test]
+fn gaussians_at_one_point_are_imported() {
+    let sandbox = Sandbox::new("tiny");
+    for count in [1, 200] {
+        let mut scene = cases::thinned(80, 1.4);
+        scene.gaussians = scene.gaussians.select(&vec![0; count]);
+        scene.save(sandbox.path("point.safetensors")).expect("a scene");
+        let words = "point.safetensors cameras.json --backend cpu";
+        sandbox.run(&format!("export {words} -o point.ply --steps 0 --side 16")).assert_ok();
+        let words = "import point.ply -o back.safetensors --steps 1 --side 16 --backend cpu";
+        sandbox.run(words).assert_ok();
+        let back = Scene::load(sandbox.path("back.safetensors")).expect("a scene");
+        assert_eq!(back.gaussians.len(), count);
+    }
+}
+
+/// A file that `import` would refuse is not written.
+#[test]
+fn values_that_no_viewer_can_show_are_not_exported() {
+    let sandbox = Sandbox::new("tiny");
+    let mut scene = cases::thinned(80, 1.4);
+    for (index, layer) in scene.color.network.layers.iter_mut().enumerate() {
+        let sign = if index % 2 == 0 { 1.0 } else { -1.0 };
+        layer.weight.iter_mut().enumerate().for_each(|(at, weight)| {
+            *weight = if at % 2 == 0 { 3e38 } else { sign * -3e38 };
+        });
+    }
+    scene.save(sandbox.path("huge.safetensors")).expect("a scene");
+    let words =
+        "export huge.safetensors cameras.json -o huge.ply --steps 0 --side 16 --backend cpu";
+    sandbox.assert_refuses(words, &["huge.ply"]);
+}
+
 #[test]
 fn what_cannot_be_is_refused() {
     let sandbox = sandbox();

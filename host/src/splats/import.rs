@@ -16,6 +16,8 @@ use crate::train::{Checkpoint, TrainConfig, Trainer, of_splats};
 
 /// Part of the centers that [`bounds`] leaves out at each end of an axis.
 const LEFT_OUT: f64 = 0.01;
+/// Standard deviations that a Gaussian reaches.
+const SUPPORT: f64 = 3.0;
 
 /// Settings for turning Gaussians into a scene.
 #[derive(Clone, Copy, Debug)]
@@ -99,7 +101,8 @@ fn config(gaussians: usize, steps: u32) -> TrainConfig {
     config
 }
 
-/// The box of the centers, without the few that are farthest out on each axis.
+/// The box of the centers, without the few that are farthest out on each axis. Where all centers are in one place, the
+/// Gaussians' own size makes the box.
 #[must_use]
 pub fn bounds(splats: &[Splat]) -> [[f64; 3]; 2] {
     let left_out = (LEFT_OUT * splats.len() as f64) as usize;
@@ -110,5 +113,9 @@ pub fn bounds(splats: &[Splat]) -> [[f64; 3]; 2] {
         let places = &places[left_out..places.len() - left_out];
         [end(places.first()), end(places.last())]
     });
-    [ends.map(|[low, _]| low), ends.map(|[_, high]| high)]
+    let longest = ends.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
+    let scales = splats.iter().flat_map(|splat| splat.log_scale);
+    let largest = f64::from(scales.fold(f32::MIN, f32::max)).exp();
+    let margin = if longest < largest { SUPPORT * largest } else { 0.0 };
+    [ends.map(|[low, _]| low - margin), ends.map(|[_, high]| high + margin)]
 }

@@ -52,8 +52,9 @@ impl Format {
 /// Writes a file, atomically. `up` is the world's upward direction, for formats with a fixed one.
 ///
 /// # Errors
-/// [`Error::WriteFile`](crate::Error::WriteFile).
+/// [`Error::Invalid`] for values that [`load`] would refuse; [`Error::WriteFile`](crate::Error::WriteFile).
 pub fn save(splats: &[Splat], path: impl AsRef<Path>, format: Format, up: [f64; 3]) -> Result<()> {
+    check(splats, path.as_ref(), "no viewer can show it; do the scene's networks overflow?")?;
     write_atomic(path, |file| match format {
         Format::Ply => ply::write(splats, file),
         Format::Spz => spz::write(splats, file),
@@ -76,6 +77,28 @@ pub fn load(path: impl AsRef<Path>) -> Result<Vec<Splat>> {
     read_from(BufReader::new(file), length, path)
 }
 
+/// Checks that there are Gaussians, and that each has values of one.
+fn check(splats: &[Splat], path: &Path, hint: &str) -> Result<()> {
+    if splats.is_empty() {
+        return invalid(path, "it has no Gaussians");
+    }
+    for (index, splat) in splats.iter().enumerate() {
+        let values: &[f32; VALUES] = bytemuck::cast_ref(splat);
+        let largest = splat.log_scale.iter().fold(0.0, |most: f32, value| most.max(value.abs()));
+        if values.iter().any(|value| !value.is_finite()) || largest > LARGEST_LOG_SCALE {
+            let Splat { position, log_scale, opacity, .. } = splat;
+            return invalid(
+                path,
+                format!(
+                    "Gaussian {index} has a value that is not finite, or a scale that is no logarithm: position \
+                     {position:?}, scale {log_scale:?}, opacity {opacity}; {hint}"
+                ),
+            );
+        }
+    }
+    Ok(())
+}
+
 /// [`load`] from a reader of `length` bytes. Errors name `path`.
 pub(crate) fn read_from(mut source: impl BufRead, length: u64, path: &Path) -> Result<Vec<Splat>> {
     let begin = source.fill_buf().map_err(|error| Error::read(path, error))?;
@@ -89,23 +112,7 @@ pub(crate) fn read_from(mut source: impl BufRead, length: u64, path: &Path) -> R
             );
         }
     };
-    if splats.is_empty() {
-        return invalid(path, "it has no Gaussians");
-    }
-    for (index, splat) in splats.iter().enumerate() {
-        let values: &[f32; VALUES] = bytemuck::cast_ref(splat);
-        let largest = splat.log_scale.iter().fold(0.0, |most: f32, value| most.max(value.abs()));
-        if values.iter().any(|value| !value.is_finite()) || largest > LARGEST_LOG_SCALE {
-            let Splat { position, log_scale, opacity, .. } = splat;
-            return invalid(
-                path,
-                format!(
-                    "Gaussian {index} has a value that is not finite, or a scale that is no logarithm: position \
-                     {position:?}, scale {log_scale:?}, opacity {opacity}; is the file damaged?"
-                ),
-            );
-        }
-    }
+    check(&splats, path, "is the file damaged?")?;
     Ok(splats)
 }
 

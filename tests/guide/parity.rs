@@ -28,15 +28,13 @@ impl Parity for Blend {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let count = self.first.len() as u32;
-        let output = runner.output(count as usize)?;
         let kernel = BlendKernel {
             params: BlendParams { count, weight: self.weight },
-            first: &runner.upload(&self.first)?,
-            second: &runner.upload(&self.second)?,
-            output: &output,
+            first: &self.first,
+            second: &self.second,
+            output: &runner.unwritten(count as usize),
         };
-        runner.items(&kernel, count, 1)?;
-        Ok(vec![Output::float("output", runner.read(&output)?)])
+        runner.run(&kernel, count, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {

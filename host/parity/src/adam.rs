@@ -83,25 +83,15 @@ impl Parity for Adam {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let gradient = runner.output_of(&self.gradient)?;
-        let first_moment = runner.output_of(&self.first_moment)?;
-        let second_moment = runner.output_of(&self.second_moment)?;
-        let value = runner.output_of(&self.value)?;
         let kernel = AdamKernel {
             params: self.params,
-            touched: &runner.upload(&self.touched)?,
-            gradient: &gradient,
-            first_moment: &first_moment,
-            second_moment: &second_moment,
-            value: &value,
+            touched: &self.touched,
+            gradient: &self.gradient,
+            first_moment: &self.first_moment,
+            second_moment: &self.second_moment,
+            value: &self.value,
         };
-        runner.items(&kernel, self.params.values, 1)?;
-        Ok(vec![
-            Output::float("gradient", runner.read(&gradient)?),
-            Output::float("first_moment", runner.read(&first_moment)?),
-            Output::float("second_moment", runner.read(&second_moment)?),
-            Output::float("value", runner.read(&value)?),
-        ])
+        runner.run(&kernel, self.params.values, 1)
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {

@@ -20,9 +20,6 @@ use super::exact::numeric::{Dual, gradient};
 use super::unit::Slices;
 use organza_device::Result;
 
-/// Nothing may be off.
-const EXACT: Bound = Bound { scale: 0.0, floor: 0.0 };
-
 /// How far a sum of products may be off: a rounding for each, of the terms' sizes, and what denormals may come to.
 fn sum_of_products(terms: impl Iterator<Item = (f64, f64)>) -> Bound {
     let (mut count, mut scale, mut reach) = (0.0, 0.0, 1.0);
@@ -32,11 +29,6 @@ fn sum_of_products(terms: impl Iterator<Item = (f64, f64)>) -> Bound {
         reach += a.abs() + b.abs() + 1.0;
     }
     Bound { scale: scale * (1.0 + count), floor: reach * f64::from(TINY) }
-}
-
-/// Vectors as numbers.
-fn flat(vectors: Vec<Vec4>) -> impl Iterator<Item = f32> {
-    vectors.into_iter().flat_map(|vector| vector.to_array())
 }
 
 /// Vectors of four of the numbers.
@@ -100,7 +92,6 @@ impl Parity for DenseBackward {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
-        let input_gradient = runner.output((self.end * layer.stride) as usize)?;
         let kernel = DenseBackwardKernel {
             params: DenseBackwardParams {
                 samples: layer.samples,
@@ -112,17 +103,12 @@ impl Parity for DenseBackward {
                 end_input: self.end,
                 rectified: u32::from(self.rectified),
             },
-            parameters: &runner.upload(&layer.parameters)?,
-            input: &runner.upload(&layer.input)?,
-            output_gradient: &runner.upload(&self.gradient)?,
-            input_gradient: &input_gradient,
+            parameters: &layer.parameters,
+            input: &layer.input,
+            output_gradient: &self.gradient,
+            input_gradient: &runner.unwritten((self.end * layer.stride) as usize),
         };
-        runner.items(
-            &kernel,
-            layer.samples,
-            (self.end - self.first).div_ceil(INPUTS_PER_INVOCATION),
-        )?;
-        Ok(vec![Output::float("input_gradient", runner.read(&input_gradient)?)])
+        runner.run(&kernel, layer.samples, (self.end - self.first).div_ceil(INPUTS_PER_INVOCATION))
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
@@ -130,7 +116,7 @@ impl Parity for DenseBackward {
         let (row, sample) = (index as u32 / layer.stride, index as u32 % layer.stride);
         let is_written = row >= self.first && row < layer.inputs && sample < layer.samples;
         if !is_written {
-            return EXACT;
+            return Bound::EXACT;
         }
         let outputs = 0..4 * layer.columns;
         let bound = sum_of_products(
@@ -286,7 +272,6 @@ impl Parity for DenseWeightBackward {
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
         let parameters = layer.parameters.len() as u32;
-        let partial = runner.output_of(&self.partial)?;
         let places = layer.params();
         let kernel = DenseWeightBackwardKernel {
             params: DenseWeightBackwardParams {
@@ -302,20 +287,21 @@ impl Parity for DenseWeightBackward {
                 places: self.places(),
                 parameters,
             },
-            unit: &runner.upload(&self.slices.table())?,
-            input: &runner.upload(&layer.input)?,
-            output_gradient: &runner.upload(&self.gradient)?,
-            partial: &partial,
+            unit: &self.slices.table(),
+            input: &layer.input,
+            output_gradient: &self.gradient,
+            partial: &self.partial,
         };
         let blocks = layer.inputs.div_ceil(WEIGHT_ROWS_PER_INVOCATION) + 1;
         // and behind the last slice
-        runner.items(&kernel, blocks * layer.columns, self.in_chunk().len() as u32 + 1)?;
-        Ok(vec![Output::float("partial", flat(runner.read(&partial)?))])
+        runner.run(&kernel, blocks * layer.columns, self.in_chunk().len() as u32 + 1)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let layer = &self.layer;
-        let Some((input, output, samples, goes_on)) = self.place(index) else { return EXACT };
+        let Some((input, output, samples, goes_on)) = self.place(index) else {
+            return Bound::EXACT;
+        };
         let before = (self.before(index, goes_on), 1.0);
         let terms = samples.map(|sample| {
             let is_bias = input == layer.inputs;
@@ -416,7 +402,6 @@ impl Parity for DenseWeightSum {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let parameters = self.parameters() as u32;
-        let unit_sum = runner.output_of(&self.unit_sum)?;
         let kernel = DenseWeightSumKernel {
             params: DenseWeightSumParams {
                 parameters,
@@ -426,16 +411,15 @@ impl Parity for DenseWeightSum {
                 slice: self.slices.slice,
                 places: self.partial.len() as u32 / parameters,
             },
-            unit: &runner.upload(&self.slices.table())?,
-            partial: &runner.upload(&self.partial)?,
-            unit_sum: &unit_sum,
+            unit: &self.slices.table(),
+            partial: &self.partial,
+            unit_sum: &self.unit_sum,
         };
-        runner.items(&kernel, parameters, 1)?;
-        Ok(vec![Output::float("unit_sum", flat(runner.read(&unit_sum)?))])
+        runner.run(&kernel, parameters, 1)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let Some(before) = self.unit_sum.get(index / 4) else { return EXACT };
+        let Some(before) = self.unit_sum.get(index / 4) else { return Bound::EXACT };
         let terms = self.terms(index).chain([f64::from(before[index % 4])]);
         sum_of_products(terms.map(|value| (value, 1.0)))
     }
@@ -479,19 +463,17 @@ impl Parity for DenseUnitSum {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let parameters = self.gradient.len() as u32;
-        let gradient = runner.output_of(&self.gradient)?;
         let units = self.unit_sum.len() as u32 / parameters.max(1);
         let kernel = DenseUnitSumKernel {
             params: DenseUnitSumParams { parameters, units },
-            unit_sum: &runner.upload(&self.unit_sum)?,
-            gradient: &gradient,
+            unit_sum: &self.unit_sum,
+            gradient: &self.gradient,
         };
-        runner.items(&kernel, parameters, 1)?;
-        Ok(vec![Output::float("gradient", flat(runner.read(&gradient)?))])
+        runner.run(&kernel, parameters, 1)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let Some(before) = self.gradient.get(index / 4) else { return EXACT };
+        let Some(before) = self.gradient.get(index / 4) else { return Bound::EXACT };
         let units = self.unit_sum.chunks_exact(self.gradient.len());
         let terms = units.map(|unit| unit[index / 4]).chain([*before]);
         sum_of_products(terms.map(|vector| (f64::from(vector[index % 4]), 1.0)))

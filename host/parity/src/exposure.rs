@@ -56,15 +56,13 @@ impl Parity for Expose {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let exposed = runner.output(self.image.len())?;
         let kernel = ExposeKernel {
             params: self.params(),
-            image: &runner.upload(&self.image)?,
-            exposure: &runner.upload(&self.exposure)?,
-            exposed: &exposed,
+            image: &self.image,
+            exposure: &self.exposure,
+            exposed: &runner.unwritten(self.image.len()),
         };
-        runner.items(&kernel, self.image.len() as u32, 1)?;
-        Ok(vec![Output::float("exposed", runner.read(&exposed)?)])
+        runner.run(&kernel, self.image.len() as u32, 1)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
@@ -120,21 +118,15 @@ impl Parity for ExposeBackward {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let set = &self.forward;
-        let gradient = runner.output_of(&self.gradient)?;
         let rows = 3 * TILES * set.side;
-        let row_sum = runner.output(2 * rows as usize)?;
         let kernel = ExposeBackwardKernel {
             params: set.params(),
-            image: &runner.upload(&set.image)?,
-            exposure: &runner.upload(&set.exposure)?,
-            gradient: &gradient,
-            row_sum: &row_sum,
+            image: &set.image,
+            exposure: &set.exposure,
+            gradient: &self.gradient,
+            row_sum: &runner.unwritten(2 * rows as usize),
         };
-        runner.items(&kernel, rows, 1)?;
-        Ok(vec![
-            Output::float("gradient", runner.read(&gradient)?),
-            Output::float("row_sum", runner.read(&row_sum)?),
-        ])
+        runner.run(&kernel, rows, 1)
     }
 
     fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {

@@ -56,10 +56,12 @@ impl Parity for PeakMultiplyAdd {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let Self { count, steps, factor, addend } = *self;
-        let output = runner.output(count as usize)?;
         let params = PeakMultiplyAddParams { count, steps, factor, addend };
-        runner.items(&PeakMultiplyAddKernel { params, output: &output }, count, 1)?;
-        Ok(vec![Output::float("output", runner.read(&output)?)])
+        runner.run(
+            &PeakMultiplyAddKernel { params, output: &runner.unwritten(count as usize) },
+            count,
+            1,
+        )
     }
 
     /// Twelve sums, which begin with 0 to 11 and a 4,194,304th of the invocation's number.
@@ -75,7 +77,7 @@ impl Parity for PeakMultiplyAdd {
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         if index >= self.count as usize {
-            return Bound { scale: 0.0, floor: 0.0 };
+            return Bound::EXACT;
         }
         // errors are summed as the values are: 1 + f + f^2 + ..
         let grown = 1.0 / (1.0 - f64::from(self.factor.abs()));
@@ -124,14 +126,12 @@ impl Parity for PeakRead {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let output = runner.output(self.count as usize)?;
         let kernel = PeakReadKernel {
             params: PeakReadParams { count: self.count, steps: self.steps },
-            values: &runner.upload(&self.values)?,
-            output: &output,
+            values: &self.values,
+            output: &runner.unwritten(self.count as usize),
         };
-        runner.items(&kernel, self.count, 1)?;
-        Ok(vec![Output::float("output", runner.read(&output)?)])
+        runner.run(&kernel, self.count, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
@@ -141,7 +141,7 @@ impl Parity for PeakRead {
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         if index >= self.count as usize {
-            return Bound { scale: 0.0, floor: 0.0 };
+            return Bound::EXACT;
         }
         let terms = f64::from(self.steps * READS);
         let size: f64 = self.read_by(index as u32).map(f64::abs).sum();

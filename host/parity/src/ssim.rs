@@ -32,16 +32,9 @@ pub fn tap_sum(at: usize, side: usize, value: impl Fn(usize) -> f64) -> f64 {
     taps.map(|tap| f64::from(weights[tap + radius - at]) * value(tap)).sum()
 }
 
-/// Nothing may be different.
-const NOTHING: Bound = Bound { scale: 0.0, floor: 0.0 };
-
 /// Tile's first pixel, row and column of a pixel.
 fn place(pixel: usize, side: usize) -> [usize; 3] {
     [pixel / (side * side) * side * side, pixel / side % side, pixel % side]
-}
-
-fn floats(values: Vec<Vec4>) -> impl Iterator<Item = f32> {
-    values.into_iter().flat_map(|value| value.to_array())
 }
 
 /// What a pixel adds to each sum, in f64.
@@ -68,23 +61,21 @@ impl Parity for SsimRows {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let terms = &self.terms;
-        let moments = runner.output::<Vec4>(MOMENTS as usize * terms.sum.len())?;
         let kernel = SsimRowsKernel {
             params: SsimParams { side: terms.side },
-            window: &runner.upload(&window())?,
-            difference: &runner.upload(&terms.difference)?,
-            sum: &runner.upload(&terms.sum)?,
-            moments: &moments,
+            window: &window().to_vec(),
+            difference: &terms.difference,
+            sum: &terms.sum,
+            moments: &runner.unwritten(MOMENTS as usize * terms.sum.len()),
         };
-        runner.pixels(&kernel, terms.side, TILES)?;
-        Ok(vec![Output::float("moments", floats(runner.read(&moments)?))])
+        runner.run_over(&kernel, terms.side, TILES)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let (pixel, part, channel) = (index / 16, index / 4 % 4, index % 4);
         let side = self.terms.side as usize;
         if pixel >= self.terms.sum.len() {
-            return NOTHING;
+            return Bound::EXACT;
         }
         let [tile, row, column] = place(pixel, side);
         let size = |tap| moment(&self.terms, tile + row * side + tap, part, channel).abs();
@@ -201,21 +192,15 @@ impl Parity for SsimColumns {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pixels = self.terms.sum.len();
-        let dissimilarity = runner.output(pixels)?;
-        let slopes = runner.output::<Vec4>(SLOPES as usize * pixels)?;
         let kernel = SsimColumnsKernel {
             params: SsimParams { side: self.terms.side },
-            window: &runner.upload(&window())?,
-            difference: &runner.upload(&self.terms.difference)?,
-            moments: &runner.upload(&self.moments)?,
-            dissimilarity: &dissimilarity,
-            slopes: &slopes,
+            window: &window().to_vec(),
+            difference: &self.terms.difference,
+            moments: &self.moments,
+            dissimilarity: &runner.unwritten(pixels),
+            slopes: &runner.unwritten(SLOPES as usize * pixels),
         };
-        runner.pixels(&kernel, self.terms.side, TILES)?;
-        Ok(vec![
-            Output::float("dissimilarity", runner.read(&dissimilarity)?),
-            Output::float("slopes", floats(runner.read(&slopes)?)),
-        ])
+        runner.run_over(&kernel, self.terms.side, TILES)
     }
 
     fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {
@@ -223,7 +208,7 @@ impl Parity for SsimColumns {
         let (pixel, channel) = (index / values, index % 4);
         let is_valid = self.terms.difference.get(pixel).is_some_and(|d| d.w > 0.0);
         if !is_valid || values > 1 && channel == 3 {
-            return NOTHING;
+            return Bound::EXACT;
         }
         let of = |channel| conditioned(self.window(pixel, channel));
         let scale = match values {
@@ -282,21 +267,19 @@ impl Parity for SsimRowsBackward {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let row_slopes = runner.output::<Vec4>(self.slopes.len())?;
         let kernel = SsimRowsBackwardKernel {
             params: SsimParams { side: self.side },
-            window: &runner.upload(&window())?,
-            slopes: &runner.upload(&self.slopes)?,
-            row_slopes: &row_slopes,
+            window: &window().to_vec(),
+            slopes: &self.slopes,
+            row_slopes: &runner.unwritten(self.slopes.len()),
         };
-        runner.pixels(&kernel, self.side, TILES)?;
-        Ok(vec![Output::float("row_slopes", floats(runner.read(&row_slopes)?))])
+        runner.run_over(&kernel, self.side, TILES)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let (vector, channel, side) = (index / 4, index % 4, self.side as usize);
         if vector >= self.slopes.len() {
-            return NOTHING;
+            return Bound::EXACT;
         }
         let (pixel, part) = (vector / SLOPES as usize, vector % SLOPES as usize);
         let [tile, row, column] = place(pixel, side);

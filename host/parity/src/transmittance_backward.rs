@@ -17,9 +17,6 @@ use super::exact::transmittance::{log_rho, transmittance};
 use super::transmittance::{counts, head_params, head_sets, points, prefix};
 use organza_device::Result;
 
-/// Nothing may be off.
-const EXACT: Bound = Bound { scale: 0.0, floor: 0.0 };
-
 /// Samples before the chunk.
 const FIRST_SAMPLE: u32 = 3;
 
@@ -129,7 +126,6 @@ impl Parity for SegmentProductBackward {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let chunk = &self.chunk;
-        let log_rho_gradient = runner.output(chunk.samples as usize)?;
         let [first_pair, pairs] = chunk.pairs();
         let kernel = SegmentProductBackwardKernel {
             params: SegmentProductBackwardParams {
@@ -139,18 +135,17 @@ impl Parity for SegmentProductBackward {
                 first_sample: FIRST_SAMPLE,
                 power: self.power,
             },
-            first_sample: &runner.upload(&chunk.first_sample)?,
-            transmittance: &runner.upload(&self.transmittance)?,
-            pair_gradient: &runner.upload(&self.gradient)?,
-            log_rho_gradient: &log_rho_gradient,
+            first_sample: &chunk.first_sample,
+            transmittance: &self.transmittance,
+            pair_gradient: &self.gradient,
+            log_rho_gradient: &runner.unwritten(chunk.samples as usize),
         };
-        runner.items(&kernel, pairs, 1)?;
-        Ok(vec![Output::float("log_rho_gradient", runner.read(&log_rho_gradient)?)])
+        runner.run(&kernel, pairs, 1)
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
         if index >= self.chunk.samples as usize {
-            return EXACT;
+            return Bound::EXACT;
         }
         let gradient = f64::from(self.gradient[3 * self.chunk.owner(index)].w).abs();
         // a transmittance that may be flushed
@@ -206,22 +201,20 @@ impl Parity for TransmittanceHeadBackward {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
-        let logit_gradient = runner.output(layer.samples as usize)?;
         let kernel = TransmittanceHeadBackwardKernel {
             params: head_params(layer),
-            parameters: &runner.upload(&layer.parameters)?,
-            point: &runner.upload(&points(layer, &self.factor))?,
-            input: &runner.upload(&layer.input)?,
-            log_rho_gradient: &runner.upload(&self.gradient)?,
-            logit_gradient: &logit_gradient,
+            parameters: &layer.parameters,
+            point: &points(layer, &self.factor),
+            input: &layer.input,
+            log_rho_gradient: &self.gradient,
+            logit_gradient: &runner.unwritten(layer.samples as usize),
         };
-        runner.items(&kernel, layer.samples, 1)?;
-        Ok(vec![Output::float("logit_gradient", runner.read(&logit_gradient)?)])
+        runner.run(&kernel, layer.samples, 1)
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
         if index >= self.layer.samples as usize {
-            return EXACT;
+            return Bound::EXACT;
         }
         let Bound { scale: terms, floor } = self.layer.bound(index as u32, 0);
         let gradient = f64::from(self.gradient[index]).abs();
@@ -291,7 +284,6 @@ impl Parity for ExtraBackward {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let chunk = &self.chunk;
-        let pair_extra = runner.output_of(&self.pair_extra)?;
         let [first_pair, pairs] = chunk.pairs();
         let kernel = ExtraBackwardKernel {
             params: ExtraBackwardParams {
@@ -303,16 +295,15 @@ impl Parity for ExtraBackward {
                 extra: EXTRA as u32,
                 extra_row: 1,
             },
-            first_sample: &runner.upload(&chunk.first_sample)?,
-            input_gradient: &runner.upload(&self.gradient)?,
-            pair_extra: &pair_extra,
+            first_sample: &chunk.first_sample,
+            input_gradient: &self.gradient,
+            pair_extra: &self.pair_extra,
         };
-        runner.items(&kernel, pairs, EXTRA as u32)?;
-        Ok(vec![Output::float("pair_extra", runner.read(&pair_extra)?)])
+        runner.run(&kernel, pairs, EXTRA as u32)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let Some(before) = self.pair_extra.get(index) else { return EXACT };
+        let Some(before) = self.pair_extra.get(index) else { return Bound::EXACT };
         let row = &self.gradient[(1 + index % EXTRA) * self.stride as usize..];
         let samples = &row[self.chunk.of(index / EXTRA)];
         let sum: f64 = samples.iter().chain([before]).map(|x| f64::from(x.abs())).sum();

@@ -2,8 +2,10 @@
 
 use bytemuck::Pod;
 use glam::Vec4;
-use organza_kernel::kernel::Dispatch;
+use organza_kernel::kernel::{Access, BindingInfo, Dispatch};
 
+use super::given::{self, Given, Uploaded};
+use super::measure::Output;
 use organza_device::{Buffer, Device, Error, Host, Result};
 
 /// Elements after every output that no kernel may touch.
@@ -91,16 +93,24 @@ impl<'d> KernelRunner<'d> {
     /// # Errors
     /// As [`Device::read`], or if the kernel has written after the output.
     pub fn read<T: Canary>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
+        self.read_words(buffer, TAIL, self.canary(), T::CANARY)
+    }
+
+    /// What an output holds, of which the last elements must be as they were; `canary` becomes the usual one.
+    fn read_words<T: Pod + PartialEq>(
+        &self,
+        buffer: &Buffer<T>,
+        tail: usize,
+        canary: T,
+        usual: T,
+    ) -> Result<Vec<T>> {
         let mut values = self.device.read(buffer)?;
-        let canary = self.canary::<T>();
-        if values[values.len() - TAIL..].iter().any(|value| *value != canary) {
+        if values[values.len() - tail..].iter().any(|value| *value != canary) {
             let reason = "it writes behind its output".into();
             return Err(Error::Kernel { kernel: self.kernel.into(), reason });
         }
         // what was not written is the same on all devices
-        for value in values.iter_mut().filter(|value| **value == canary) {
-            *value = T::CANARY;
-        }
+        values.iter_mut().filter(|value| **value == canary).for_each(|value| *value = usual);
         Ok(values)
     }
 
@@ -118,6 +128,75 @@ impl<'d> KernelRunner<'d> {
             }
             None => Ok(values),
         }
+    }
+
+    /// Runs the kernel on buffers that hold what is given, with at least `items` invocations along x, and always with a
+    /// workgroup. Returns what is in those that it writes, canaries behind them included, by the names of the bindings.
+    ///
+    /// # Errors
+    /// As [`Device::run`], or if the kernel has written after an output.
+    pub fn run<'a>(
+        &self,
+        kernel: &impl Dispatch<'a, Given>,
+        items: u32,
+        workgroups_z: u32,
+    ) -> Result<Vec<Output>> {
+        self.run_given(kernel, |kernel| self.items(kernel, items, workgroups_z))
+    }
+
+    /// As [`run`](Self::run), over pixels: `side` x `side`, tiles along z.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn run_over<'a>(
+        &self,
+        kernel: &impl Dispatch<'a, Given>,
+        side: u32,
+        tiles: u32,
+    ) -> Result<Vec<Output>> {
+        self.run_given(kernel, |kernel| self.pixels(kernel, side, tiles))
+    }
+
+    fn run_given<'a>(
+        &self,
+        kernel: &impl Dispatch<'a, Given>,
+        dispatch: impl FnOnce(&Uploaded<'_>) -> Result<()>,
+    ) -> Result<Vec<Output>> {
+        let given = given::words(kernel);
+        let buffers = given.iter().map(|(binding, words)| self.upload_given(binding, words));
+        let buffers = buffers.collect::<Result<Vec<_>>>()?;
+        let (info, uniform) = (kernel.info(), kernel.uniform());
+        dispatch(&Uploaded { info, uniform, buffers: &buffers })?;
+        let outputs = given.iter().zip(&buffers).filter(|((binding, _), _)| is_written(binding));
+        outputs.map(|((binding, _), buffer)| self.output_given(binding, buffer)).collect()
+    }
+
+    /// An output of `len` elements for [`run`](Self::run). A device that checks it fails where the kernel reads what it has not
+    /// written.
+    #[must_use]
+    pub fn unwritten<T: Canary>(&self, len: usize) -> Vec<T> {
+        vec![self.canary(); len]
+    }
+
+    fn upload_given(&self, binding: &BindingInfo, words: &[u32]) -> Result<Buffer<u32>> {
+        if !is_written(binding) {
+            return self.device.upload(binding.name, words);
+        }
+        let canary = given::canaries(binding)[usize::from(self.has_other_canaries)];
+        let is_unwritten = words.iter().all(|word| *word == canary);
+        let words = [words, &vec![canary; tail(binding)]].concat();
+        let buffer = self.device.upload(binding.name, &words)?;
+        if is_unwritten {
+            self.device.forget(&buffer);
+        }
+        Ok(buffer)
+    }
+
+    fn output_given(&self, binding: &BindingInfo, buffer: &Buffer<u32>) -> Result<Output> {
+        let canaries = given::canaries(binding);
+        let canary = canaries[usize::from(self.has_other_canaries)];
+        let words = self.read_words(buffer, tail(binding), canary, canaries[0])?;
+        Ok(given::output(binding, words))
     }
 
     /// Runs the kernel with at least `items` invocations, and always with a workgroup: an empty input must be
@@ -153,4 +232,13 @@ impl<'d> KernelRunner<'d> {
         let name = kernel.info().name;
         assert_eq!(name, self.kernel, "the parity case of `{}` runs `{name}`", self.kernel);
     }
+}
+
+/// Words behind an output.
+fn tail(binding: &BindingInfo) -> usize {
+    TAIL * binding.element_bytes as usize / size_of::<u32>()
+}
+
+fn is_written(binding: &BindingInfo) -> bool {
+    binding.access == Access::Write
 }

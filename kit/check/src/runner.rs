@@ -6,7 +6,7 @@ use organza_kernel::kernel::{Access, BindingInfo, Dispatch};
 
 use super::given::{self, Given, Uploaded};
 use super::measure::Output;
-use organza_device::{Buffer, Device, Error, Host, Result};
+use organza_device::{Buffer, Device, Error, Result};
 
 /// Elements after every output that no kernel may touch.
 const TAIL: usize = 8;
@@ -131,7 +131,7 @@ impl<'d> KernelRunner<'d> {
     }
 
     /// Runs the kernel on buffers that hold what is given, with at least `items` invocations along x, and always with a
-    /// workgroup. Returns what is in those that it writes, canaries behind them included, by the names of the bindings.
+    /// workgroup: an empty input must be left by the kernel's own test. Returns what is in those that it writes, canaries behind them included, by the names of the bindings.
     ///
     /// # Errors
     /// As [`Device::run`], or if the kernel has written after an output.
@@ -141,7 +141,7 @@ impl<'d> KernelRunner<'d> {
         items: u32,
         workgroups_z: u32,
     ) -> Result<Vec<Output>> {
-        self.run_given(kernel, |kernel| self.items(kernel, items, workgroups_z))
+        self.run_given(kernel, |kernel| self.device.run(kernel, items.max(1), workgroups_z.max(1)))
     }
 
     /// As [`run`](Self::run), over pixels: `side` x `side`, tiles along z.
@@ -154,7 +154,7 @@ impl<'d> KernelRunner<'d> {
         side: u32,
         tiles: u32,
     ) -> Result<Vec<Output>> {
-        self.run_given(kernel, |kernel| self.pixels(kernel, side, tiles))
+        self.run_given(kernel, |kernel| self.device.run_over(kernel, [side, side, tiles]))
     }
 
     fn run_given<'a>(
@@ -162,10 +162,11 @@ impl<'d> KernelRunner<'d> {
         kernel: &impl Dispatch<'a, Given>,
         dispatch: impl FnOnce(&Uploaded<'_>) -> Result<()>,
     ) -> Result<Vec<Output>> {
+        let (info, uniform) = (kernel.info(), kernel.uniform());
+        assert_eq!(info.name, self.kernel, "the parity case of `{}` runs another", self.kernel);
         let given = given::words(kernel);
         let buffers = given.iter().map(|(binding, words)| self.upload_given(binding, words));
         let buffers = buffers.collect::<Result<Vec<_>>>()?;
-        let (info, uniform) = (kernel.info(), kernel.uniform());
         dispatch(&Uploaded { info, uniform, buffers: &buffers })?;
         let outputs = given.iter().zip(&buffers).filter(|((binding, _), _)| is_written(binding));
         outputs.map(|((binding, _), buffer)| self.output_given(binding, buffer)).collect()
@@ -197,40 +198,6 @@ impl<'d> KernelRunner<'d> {
         let canary = canaries[usize::from(self.has_other_canaries)];
         let words = self.read_words(buffer, tail(binding), canary, canaries[0])?;
         Ok(given::output(binding, words))
-    }
-
-    /// Runs the kernel with at least `items` invocations, and always with a workgroup: an empty input must be
-    /// left by the kernel's own test.
-    ///
-    /// # Errors
-    /// As [`Device::run`].
-    pub fn items<'a>(
-        &self,
-        kernel: &impl Dispatch<'a, Host>,
-        items: u32,
-        workgroups_z: u32,
-    ) -> Result<()> {
-        self.check(kernel);
-        self.device.run(kernel, items.max(1), workgroups_z.max(1))
-    }
-
-    /// Runs the kernel over pixels: `side` x `side`, tiles along z.
-    ///
-    /// # Errors
-    /// As [`Device::dispatch`].
-    pub fn pixels<'a>(
-        &self,
-        kernel: &impl Dispatch<'a, Host>,
-        side: u32,
-        tiles: u32,
-    ) -> Result<()> {
-        self.check(kernel);
-        self.device.run_over(kernel, [side, side, tiles])
-    }
-
-    fn check<'a>(&self, kernel: &impl Dispatch<'a, Host>) {
-        let name = kernel.info().name;
-        assert_eq!(name, self.kernel, "the parity case of `{}` runs `{name}`", self.kernel);
     }
 }
 

@@ -29,18 +29,18 @@ pub const BOXES: [[[f64; 3]; 2]; 3] = [
 /// Pairs before the chunk.
 const FIRST_PAIR: u32 = 2;
 
-/// Adds the coarse and the fine parts of the first output, points of `[6, stride]`. What is behind them becomes an output of its own.
-pub fn joined(outputs: &mut Vec<Output>, stride: usize, behind: &'static str) {
-    let point = outputs[0].floats();
+/// Adds the coarse and the fine parts of an output, points of `[6, stride]`. Returns the rows behind them.
+pub fn joined(output: &mut Output, stride: usize) -> Vec<f64> {
+    let point = output.floats();
     let parts = |axis: usize| {
         let (coarse, fine) =
             (&point[axis * stride..][..stride], &point[(axis + 3) * stride..][..stride]);
         coarse.iter().zip(fine).map(|(coarse, fine)| coarse + fine)
     };
     let sums = Values::Float((0..3).flat_map(parts).collect());
-    let rest = Values::Float(point[POINT_ROWS as usize * stride..].to_vec());
-    outputs[0].values = sums;
-    outputs.push(Output { name: behind, values: rest });
+    let rest = point[POINT_ROWS as usize * stride..].to_vec();
+    output.values = sums;
+    rest
 }
 
 /// Inputs of `color_inputs`.
@@ -165,14 +165,14 @@ impl Parity for ColorInputs {
             input: &runner.unwritten((self.sh_rows() + 4) * stride),
         };
         let mut outputs = runner.run(&kernel, self.pairs, 1)?;
-        joined(&mut outputs, stride, "behind point");
+        joined(&mut outputs[0], stride);
         Ok(outputs)
     }
 
     fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
         let (row, column) = (index / self.stride as usize, index % self.stride as usize);
         let is_of_grid = cpu.name == "input" && row == self.sh_rows();
-        if column >= self.pairs as usize || cpu.name == "behind point" || is_of_grid {
+        if column >= self.pairs as usize || is_of_grid {
             return Bound::EXACT;
         }
         if cpu.name == "input" {
@@ -283,9 +283,6 @@ impl Parity for ColorHead {
             return Bound::EXACT;
         };
         let (sample, channel) = ((at / 3) as u32, (at % 3) as u32);
-        if sample >= self.layer.samples {
-            return Bound::EXACT;
-        }
         let Bound { scale: terms, floor } = self.layer.bound(sample, channel);
         let color = cpu.floats()[index];
         // where the logit itself is lost, so is the color

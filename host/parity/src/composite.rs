@@ -206,9 +206,6 @@ impl Parity for Composite {
 
     fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {
         let (at, channel) = (index / 4, index % 4);
-        if at >= self.sum.len() {
-            return Bound::EXACT;
-        }
         let (tile, pixel) = self.pixel(at);
         let members = self.members(tile);
         let mut scale = f64::from(self.sum[at][channel].abs());

@@ -185,9 +185,7 @@ impl Parity for CompositeBackward {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let Some(before) = self.member_gradient.get(index / 4) else {
-            return Bound::EXACT;
-        };
+        let before = self.member_gradient[index / 4];
         let [scale, floor] = self.sizes(index / 12).map(|size| size[index / 4 % 3][index % 4]);
         let pixels = f64::from(self.rows * self.forward.side);
         let scale = f64::from(before[index % 4].abs()) + scale * (1.0 + 0.03 * pixels);

@@ -419,7 +419,7 @@ impl Parity for DenseWeightSum {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let Some(before) = self.unit_sum.get(index / 4) else { return Bound::EXACT };
+        let before = self.unit_sum[index / 4];
         let terms = self.terms(index).chain([f64::from(before[index % 4])]);
         sum_of_products(terms.map(|value| (value, 1.0)))
     }
@@ -473,9 +473,9 @@ impl Parity for DenseUnitSum {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let Some(before) = self.gradient.get(index / 4) else { return Bound::EXACT };
+        let before = self.gradient[index / 4];
         let units = self.unit_sum.chunks_exact(self.gradient.len());
-        let terms = units.map(|unit| unit[index / 4]).chain([*before]);
+        let terms = units.map(|unit| unit[index / 4]).chain([before]);
         sum_of_products(terms.map(|vector| (f64::from(vector[index % 4]), 1.0)))
     }
 

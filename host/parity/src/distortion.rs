@@ -85,7 +85,7 @@ impl Parity for PairInverseDistance {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        if index / 3 >= self.pair.len() || index % 3 == 2 {
+        if index % 3 == 2 {
             return Bound::EXACT;
         }
         let [distance, sizes] = self.distance(index / 3);
@@ -191,7 +191,7 @@ impl Parity for DistortionBackward {
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let (pixel, plane) = (index / 4, index % 4);
-        let sum = self.sum.get(pixel).map_or(Vec4::ZERO, |sum| *sum).as_dvec4();
+        let sum = self.sum[pixel].as_dvec4();
         if sum.w <= 0.0 || plane == 2 {
             return Bound::EXACT;
         }

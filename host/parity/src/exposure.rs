@@ -66,7 +66,7 @@ impl Parity for Expose {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let Some(&x) = self.image.get(index) else { return Bound::of(0.0) };
+        let x = self.image[index];
         let [gain, offset] = self.of_plane(index / self.area());
         let scale = (gain * f64::from(x)).abs() + offset.abs();
         Bound { scale, floor: f64::from(TINY) * (1.0 + gain.abs() + f64::from(x.abs())) }
@@ -132,7 +132,7 @@ impl Parity for ExposeBackward {
     fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {
         let tiny = f64::from(TINY);
         if output.name == "gradient" {
-            let Some(&slope) = self.gradient.get(index) else { return Bound::of(0.0) };
+            let slope = self.gradient[index];
             let [gain, _] = self.forward.of_plane(index / self.forward.area());
             let slope = f64::from(slope.abs());
             return Bound { scale: gain.abs() * slope, floor: tiny * (1.0 + gain.abs() + slope) };

@@ -239,7 +239,7 @@ impl Parity for HashGridBackward {
             status: &vec![0],
         };
         let mut outputs = runner.run(&kernel, count as u32, levels.len() as u32)?;
-        let words = outputs[0].words()[..2 * self.values()].chunks_exact(2);
+        let words = outputs[0].words().chunks_exact(2);
         let integers = words.map(|w| (u64::from(w[1]) << 32 | u64::from(w[0])) as i64);
         outputs[0].values = Values::Float(integers.map(|integer| integer as f64).collect());
         Ok(outputs)
@@ -324,8 +324,8 @@ impl Parity for HashGridGradient {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let sum = self.sum.get(index).map_or(0.0, |&sum| sum as f64 / f64::from(self.scale));
-        let before = self.gradient.get(index).map_or(0.0, |&value| f64::from(value));
+        let sum = self.sum[index] as f64 / f64::from(self.scale);
+        let before = f64::from(self.gradient[index]);
         Bound::of(sum.abs() + before.abs())
     }
 

@@ -22,12 +22,12 @@ fn vectors(fill: Fill, random: &mut Random, len: usize, huge: f32) -> Vec<Vec4> 
 }
 
 /// The first `count` bounds as numbers; NaN counts as infinite.
-fn numbers(mut found: Vec<Output>, count: usize) -> Vec<Output> {
+fn numbers(mut found: Vec<Output>) -> Vec<Output> {
     let number = |&bits| {
         let number = f32::from_bits(bits);
         if number.is_nan() { f32::INFINITY } else { number }
     };
-    found[0] = Output::float("bound", found[0].words()[..count].iter().map(number));
+    found[0] = Output::float("bound", found[0].words().iter().map(number));
     found
 }
 
@@ -83,7 +83,7 @@ impl Parity for HashGridPeak {
             transmittance: &self.transmittance,
             bound: &vec![0],
         };
-        Ok(numbers(runner.run(&kernel, pairs, 1)?, 1))
+        Ok(numbers(runner.run(&kernel, pairs, 1)?))
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
@@ -141,7 +141,7 @@ impl Parity for HashGridNorm {
         };
         let bound = vec![0; SLOT as usize + 1];
         let kernel = HashGridNormKernel { params, parameters: &self.parameters, bound: &bound };
-        Ok(numbers(runner.run(&kernel, self.inputs, 1)?, bound.len()))
+        Ok(numbers(runner.run(&kernel, self.inputs, 1)?))
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
@@ -208,7 +208,7 @@ impl Parity for HashGridScale {
             status: &vec![0],
         };
         let mut outputs = runner.run(&kernel, 1, 1)?;
-        let scale = &outputs[1].floats()[..SCALE_VALUES as usize];
+        let scale = outputs[1].floats();
         let bits = scale.iter().map(|&value| (value as f32).to_bits());
         outputs[1] = Output::exact("scale", bits.collect());
         Ok(outputs)

@@ -242,12 +242,10 @@ impl Parity for PairSum {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let Some(before) = self.vector.get(index) else {
-            return Bound::EXACT;
-        };
+        let before = self.vector[index];
         let (gaussian, value) = (index / self.width as usize, index % self.width as usize);
         let terms = self.of(gaussian as u32).into_iter().map(|vector| vector[value]);
-        let sum: f64 = terms.chain([*before]).map(|x| f64::from(x.abs())).sum();
+        let sum: f64 = terms.chain([before]).map(|x| f64::from(x.abs())).sum();
         Bound { scale: 4.0 * sum, floor: 4.0 * f64::from(TINY) }
     }
 }

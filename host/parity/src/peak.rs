@@ -75,10 +75,7 @@ impl Parity for PeakMultiplyAdd {
         exact.collect()
     }
 
-    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        if index >= self.count as usize {
-            return Bound::EXACT;
-        }
+    fn bound(&self, _: &Output, _: usize, _: Rounding) -> Bound {
         // errors are summed as the values are: 1 + f + f^2 + ..
         let grown = 1.0 / (1.0 - f64::from(self.factor.abs()));
         let largest = f64::from(SUMS) + f64::from(self.addend.abs()) * grown;
@@ -140,9 +137,6 @@ impl Parity for PeakRead {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        if index >= self.count as usize {
-            return Bound::EXACT;
-        }
         let terms = f64::from(self.steps * READS);
         let size: f64 = self.read_by(index as u32).map(f64::abs).sum();
         Bound { scale: terms * size, floor: terms * f64::from(TINY) }

@@ -162,9 +162,7 @@ impl Parity for PoseBackward {
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let blocks = self.pairs();
-        let Some(pairs) = blocks.get(index / POSE) else {
-            return Bound::EXACT;
-        };
+        let pairs = &blocks[index / POSE];
         let part = index % POSE / 3;
         let size: f64 = pairs.iter().map(|&pair| self.sizes(pair)[part]).sum();
         if size == 0.0 {
@@ -240,14 +238,13 @@ impl Parity for PoseSum {
     }
 
     fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let is_place = |at: usize| at < self.gradient.len();
-        (0..len).map(|at| is_place(at).then(|| self.terms(at).sum())).collect()
+        (0..len).map(|at| Some(self.terms(at).sum())).collect()
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let terms: Vec<_> = self.terms(index).collect();
         if terms.len() < 2 {
-            // a place without a camera, or behind the end
+            // a place without a camera
             return Bound::EXACT;
         }
         let roundings = terms.len() as f64;

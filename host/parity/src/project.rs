@@ -235,8 +235,7 @@ impl Parity for Project {
             radius if radius >= 0.0 => 0,
             _ => 4,
         };
-        let (places, behind) = projection.split_at(2 * slots);
-        let places = places.as_chunks::<2>().0;
+        let places = projection.as_chunks::<2>().0;
         // a negative one is a class
         let radius = places.iter().map(|p| p[0].z.max(0.0));
         let mean2d = places.iter().flat_map(|p| [p[0].x, p[0].y]);
@@ -248,7 +247,6 @@ impl Parity for Project {
             Output::float("radius", radius),
             Output::float("conic", conic),
             Output::float("extent", extent),
-            Output::float("behind", behind.iter().flat_map(|v| v.to_array())),
         ]);
         Ok(outputs)
     }
@@ -289,9 +287,6 @@ impl Parity for Project {
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        if cpu.name == "behind" {
-            return Bound::EXACT;
-        }
         let width = width(cpu.name);
         let (slot, part) = (index / width, index % width);
         let gaussians = self.gaussians as usize;

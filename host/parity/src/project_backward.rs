@@ -239,8 +239,7 @@ impl Parity for ProjectBackward {
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let count = self.forward.gaussians as usize;
-        let exact = Bound::EXACT;
-        let Some(before) = self.gradient.get(index) else { return exact };
+        let before = self.gradient[index];
         let (gaussian, part) = match index / count {
             0..3 => (index / 3, 0),
             3..7 => ((index - 3 * count) / 4, 1),
@@ -249,7 +248,7 @@ impl Parity for ProjectBackward {
         };
         let size = self.all_sizes(gaussian)[part];
         if size == 0.0 {
-            return exact;
+            return Bound::EXACT;
         }
         // what is flushed on the way may be multiplied by focal lengths
         Bound { scale: f64::from(before.abs()) + size, floor: f64::from(TINY) * 1e6 }

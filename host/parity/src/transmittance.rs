@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec4};
 use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding,
+    Bound, KernelRunner, Output, Parity, Rounding, Values,
     inputs::{self, Fill, Random},
 };
 use organza_kernel::math::TINY;
@@ -199,7 +199,8 @@ impl Parity for TransmittanceInputs {
             input: &runner.unwritten(4 * stride),
         };
         let mut outputs = runner.run(&kernel, self.samples, 1)?;
-        joined(&mut outputs, stride, "s_factor");
+        let factor = Values::Float(joined(&mut outputs[0], stride));
+        outputs.push(Output { name: "s_factor", values: factor });
         Ok(outputs)
     }
 
@@ -311,9 +312,7 @@ impl Parity for TransmittanceHead {
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
         let sample = index.checked_sub(FIRST_SAMPLE as usize);
-        let Some(sample) = sample.filter(|&sample| sample < self.layer.samples as usize) else {
-            return Bound::EXACT;
-        };
+        let Some(sample) = sample else { return Bound::EXACT };
         let Bound { scale: terms, floor } = self.layer.bound(sample as u32, 0);
         let (log_rho, factor) = (cpu.floats()[index].abs(), f64::from(self.factor[sample]));
         // the slope of log sigmoid is at most 1, and at most its own size where that is small
@@ -326,9 +325,8 @@ impl Parity for TransmittanceHead {
     fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
         let exact = |index: usize| {
             let sample = index.checked_sub(FIRST_SAMPLE as usize)?;
-            let is_sample = sample < self.layer.samples as usize;
-            let a = || self.layer.exact(sample as u32, 0);
-            is_sample.then(|| log_rho(a(), f64::from(self.factor[sample])))
+            let a = self.layer.exact(sample as u32, 0);
+            Some(log_rho(a, f64::from(self.factor[sample])))
         };
         (0..len).map(exact).collect()
     }
@@ -390,9 +388,6 @@ impl Parity for SegmentProduct {
     }
 
     fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
-        if index + 1 >= self.first_sample.len() {
-            return Bound::EXACT;
-        }
         let terms = self.of(index);
         let sum: f64 = terms.iter().map(|&x| f64::from(self.power * x.abs())).sum();
         let roundings = match rounding {
@@ -405,7 +400,7 @@ impl Parity for SegmentProduct {
     fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
         let product =
             |pair| transmittance(self.of(pair).iter().map(|&x| f64::from(self.power * x)).sum());
-        (0..len).map(|pair| (pair + 1 < self.first_sample.len()).then(|| product(pair))).collect()
+        (0..len).map(|pair| Some(product(pair))).collect()
     }
 
     /// Wider than between devices: all of them round a sum of 16,384 logarithms in the same way, and f64 does not.

@@ -144,9 +144,6 @@ impl Parity for SegmentProductBackward {
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        if index >= self.chunk.samples as usize {
-            return Bound::EXACT;
-        }
         let gradient = f64::from(self.gradient[3 * self.chunk.owner(index)].w).abs();
         // a transmittance that may be flushed
         Bound { scale: cpu.floats()[index].abs(), floor: f64::from(TINY) * (1.0 + gradient) }
@@ -213,9 +210,6 @@ impl Parity for TransmittanceHeadBackward {
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        if index >= self.layer.samples as usize {
-            return Bound::EXACT;
-        }
         let Bound { scale: terms, floor } = self.layer.bound(index as u32, 0);
         let gradient = f64::from(self.gradient[index]).abs();
         let most = gradient * f64::from(self.factor[index]);
@@ -303,10 +297,10 @@ impl Parity for ExtraBackward {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let Some(before) = self.pair_extra.get(index) else { return Bound::EXACT };
+        let before = self.pair_extra[index];
         let row = &self.gradient[(1 + index % EXTRA) * self.stride as usize..];
         let samples = &row[self.chunk.of(index / EXTRA)];
-        let sum: f64 = samples.iter().chain([before]).map(|x| f64::from(x.abs())).sum();
+        let sum: f64 = samples.iter().chain([&before]).map(|x| f64::from(x.abs())).sum();
         let terms = 1.0 + samples.len() as f64;
         Bound { scale: sum * terms, floor: f64::from(TINY) * terms }
     }

@@ -88,7 +88,7 @@ impl<'d> KernelRunner<'d> {
         self.upload(&[values, &[self.canary::<T>(); TAIL]].concat())
     }
 
-    /// What an output holds, canaries included.
+    /// What an output holds: the canary where nothing was written.
     ///
     /// # Errors
     /// As [`Device::read`], or if the kernel has written after the output.
@@ -96,7 +96,7 @@ impl<'d> KernelRunner<'d> {
         self.read_words(buffer, TAIL, self.canary(), T::CANARY)
     }
 
-    /// What an output holds, of which the last elements must be as they were; `canary` becomes the usual one.
+    /// What an output holds, without `tail` elements that must be as they were; `canary` becomes the usual one.
     fn read_words<T: Pod + PartialEq>(
         &self,
         buffer: &Buffer<T>,
@@ -105,7 +105,8 @@ impl<'d> KernelRunner<'d> {
         usual: T,
     ) -> Result<Vec<T>> {
         let mut values = self.device.read(buffer)?;
-        if values[values.len() - tail..].iter().any(|value| *value != canary) {
+        let behind = values.split_off(values.len() - tail);
+        if behind.iter().any(|value| *value != canary) {
             let reason = "it writes behind its output".into();
             return Err(Error::Kernel { kernel: self.kernel.into(), reason });
         }
@@ -114,13 +115,12 @@ impl<'d> KernelRunner<'d> {
         Ok(values)
     }
 
-    /// What an output holds, without the canaries behind it. The kernel must have written all of it.
+    /// What an output holds. The kernel must have written all of it.
     ///
     /// # Errors
     /// As [`KernelRunner::read`], or if an element still holds its canary.
     pub fn read_all<T: Canary>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
-        let mut values = self.read(buffer)?;
-        values.truncate(values.len() - TAIL);
+        let values = self.read(buffer)?;
         match values.iter().position(|value| *value == T::CANARY) {
             Some(index) => {
                 let reason = format!("it has not written element {index} of its output");
@@ -131,7 +131,7 @@ impl<'d> KernelRunner<'d> {
     }
 
     /// Runs the kernel on buffers that hold what is given, with at least `items` invocations along x, and always with a
-    /// workgroup: an empty input must be left by the kernel's own test. Returns what is in those that it writes, canaries behind them included, by the names of the bindings.
+    /// workgroup: an empty input must be left by the kernel's own test. Returns what is in those that it writes, by the names of the bindings.
     ///
     /// # Errors
     /// As [`Device::run`], or if the kernel has written after an output.

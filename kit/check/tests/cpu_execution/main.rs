@@ -236,7 +236,7 @@ fn memory_that_nobody_has_written_is_not_read() {
 fn canaries_differ() {
     let device = devices::cpu(None);
     let run = |runner: KernelRunner<'_>| {
-        let output = runner.unwritten(64);
+        let output = runner.unwritten(72);
         let kernel = AddsToNothingKernel { input: &vec![1; 64], output: &output };
         runner.run(&kernel, 64, 1).unwrap().remove(0)
     };

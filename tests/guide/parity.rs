@@ -37,10 +37,10 @@ impl Parity for Blend {
         runner.run(&kernel, count, 1)
     }
 
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        let [a, b] = [self.first[index], self.second[index]].map(f64::from);
         let weight = f64::from(self.weight);
-        let blend = |(&a, &b): (&f32, &f32)| (1.0 - weight) * f64::from(a) + weight * f64::from(b);
-        self.first.iter().zip(&self.second).map(|values| Some(blend(values))).collect()
+        Some((1.0 - weight) * a + weight * b)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

@@ -113,27 +113,24 @@ impl Parity for Adam {
         })
     }
 
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
         let first = self.params.first_gradient as usize;
-        let exact = |index: usize| {
-            if output == "gradient" {
-                // the kernel leaves the gradients of other groups alone
-                let is_own = index.checked_sub(first).is_some_and(|own| self.is_touched(own));
-                let before = f64::from(*self.gradient.get(index)?);
-                return Some(if is_own { 0.0 } else { before });
-            }
-            let before = [&self.first_moment, &self.second_moment, &self.value];
-            let before = before.map(|values| values.get(index).copied().map(f64::from));
-            let before = [before[0]?, before[1]?, before[2]?];
-            let gradient = f64::from(self.gradient[index + first]);
-            let after = self.step().take(gradient, before);
-            let [m, v, value] = if self.is_touched(index) { after } else { before };
-            Some(match output {
-                "first_moment" => m,
-                "second_moment" => v,
-                _ => value,
-            })
-        };
-        (0..len).map(exact).collect()
+        if output == "gradient" {
+            // the kernel leaves the gradients of other groups alone
+            let is_own = index.checked_sub(first).is_some_and(|own| self.is_touched(own));
+            let before = f64::from(*self.gradient.get(index)?);
+            return Some(if is_own { 0.0 } else { before });
+        }
+        let before = [&self.first_moment, &self.second_moment, &self.value];
+        let before = before.map(|values| values.get(index).copied().map(f64::from));
+        let before = [before[0]?, before[1]?, before[2]?];
+        let gradient = f64::from(self.gradient[index + first]);
+        let after = self.step().take(gradient, before);
+        let [m, v, value] = if self.is_touched(index) { after } else { before };
+        Some(match output {
+            "first_moment" => m,
+            "second_moment" => v,
+            _ => value,
+        })
     }
 }

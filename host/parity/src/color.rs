@@ -291,13 +291,9 @@ impl Parity for ColorHead {
         Bound { scale, floor }
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let exact = |index: usize| {
-            let at = index.checked_sub(3 * FIRST_PAIR as usize)? as u32;
-            let is_color = at / 3 < self.layer.samples;
-            is_color.then(|| sigmoid(self.layer.exact(at / 3, at % 3)))
-        };
-        (0..len).map(exact).collect()
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        let at = index.checked_sub(3 * FIRST_PAIR as usize)? as u32;
+        Some(sigmoid(self.layer.exact(at / 3, at % 3)))
     }
 }
 

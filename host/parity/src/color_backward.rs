@@ -65,7 +65,7 @@ impl Parity for ColorHeadBackward {
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let (channel, sample) = (index / self.stride as usize, index % self.stride as usize);
-        if channel >= 3 || sample >= self.samples as usize {
+        if sample >= self.samples as usize {
             return Bound::EXACT;
         }
         let pair = sample + FIRST_PAIR as usize;
@@ -75,18 +75,15 @@ impl Parity for ColorHeadBackward {
         Bound { floor: bound.floor * (1.0 + gradient), ..bound }
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let exact = |index: usize| {
-            let (channel, sample) = (index / self.stride as usize, index % self.stride as usize);
-            (channel < 3 && sample < self.samples as usize).then(|| {
-                let pair = sample + FIRST_PAIR as usize;
-                let of_color = Dual::from(f64::from(self.gradient[3 * pair + 2][channel]));
-                let before = logit(f64::from(self.color[3 * pair + channel]));
-                let [slope] = gradient([before], |[x]| of_color * sigmoid(x));
-                slope
-            })
-        };
-        (0..len).map(exact).collect()
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        let (channel, sample) = (index / self.stride as usize, index % self.stride as usize);
+        (sample < self.samples as usize).then(|| {
+            let pair = sample + FIRST_PAIR as usize;
+            let of_color = Dual::from(f64::from(self.gradient[3 * pair + 2][channel]));
+            let before = logit(f64::from(self.color[3 * pair + channel]));
+            let [slope] = gradient([before], |[x]| of_color * sigmoid(x));
+            slope
+        })
     }
 }
 
@@ -156,7 +153,7 @@ impl Parity for MaterialBackward {
         self.of(index).map_or(Bound::EXACT, |_| Bound::of(0.0))
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        (0..len).map(|index| self.of(index)).collect()
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        self.of(index)
     }
 }

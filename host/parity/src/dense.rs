@@ -164,9 +164,8 @@ impl Parity for Dense {
         Bound { scale: scale * f64::from(self.layer.inputs + 1), floor }
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let layer = &self.layer;
-        let output = |(row, sample)| relu(layer.exact(sample, row));
-        (0..len).map(|index| layer.output(index).map(output)).collect()
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        let (row, sample) = self.layer.output(index)?;
+        Some(relu(self.layer.exact(sample, row)))
     }
 }

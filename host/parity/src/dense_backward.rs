@@ -127,7 +127,7 @@ impl Parity for DenseBackward {
         Bound { floor: bound.floor + if is_denormal { bound.scale } else { 0.0 }, ..bound }
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let layer = &self.layer;
         // the other inputs only add a constant
         let loss = |input: u32, sample: u32, [x]: [Dual; 1]| {
@@ -137,19 +137,16 @@ impl Parity for DenseBackward {
                 loss + Dual::from(self.output_gradient(output, sample)) * y
             })
         };
-        let exact = |index| {
-            let (row, sample) = layer.place(index)?;
-            let is_written = row >= self.first && row < self.end;
-            is_written.then(|| {
-                if row >= layer.inputs {
-                    return 0.0;
-                }
-                // ReLU made an activation of 0 from 0 or less, where its slope is 0
-                let [slope] = gradient([layer.value(row, sample)], |x| loss(row, sample, x));
-                slope
-            })
-        };
-        (0..len).map(exact).collect()
+        let (row, sample) = layer.place(index)?;
+        let is_written = row >= self.first && row < self.end;
+        is_written.then(|| {
+            if row >= layer.inputs {
+                return 0.0;
+            }
+            // ReLU made an activation of 0 from 0 or less, where its slope is 0
+            let [slope] = gradient([layer.value(row, sample)], |x| loss(row, sample, x));
+            slope
+        })
     }
 }
 
@@ -311,27 +308,24 @@ impl Parity for DenseWeightBackward {
         sum_of_products(terms.chain([before]))
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let layer = &self.layer;
         // the other parameters only add a constant
         let output = |input: u32, sample: u32, parameter: Dual| match input == layer.inputs {
             true => affine(&[], parameter, &[]),
             false => affine(&[parameter], Dual::from(0.0), &[layer.value(input, sample).into()]),
         };
-        let exact = |index| {
-            let Some((input, row, samples, goes_on)) = self.place(index) else {
-                return self.partial.get(index / 4).map(|v| f64::from(v[index % 4]));
-            };
-            // the layer is linear: any value of the parameter gives the same slope
-            let [slope] = gradient([0.0], |[parameter]| {
-                samples.clone().fold(Dual::from(0.0), |loss, sample| {
-                    let g = Dual::from(self.output_gradient(row, sample));
-                    loss + g * output(input, sample, parameter)
-                })
-            });
-            Some(self.before(index, goes_on) + slope)
+        let Some((input, row, samples, goes_on)) = self.place(index) else {
+            return self.partial.get(index / 4).map(|v| f64::from(v[index % 4]));
         };
-        (0..len).map(exact).collect()
+        // the layer is linear: any value of the parameter gives the same slope
+        let [slope] = gradient([0.0], |[parameter]| {
+            samples.clone().fold(Dual::from(0.0), |loss, sample| {
+                let g = Dual::from(self.output_gradient(row, sample));
+                loss + g * output(input, sample, parameter)
+            })
+        });
+        Some(self.before(index, goes_on) + slope)
     }
 }
 
@@ -424,12 +418,9 @@ impl Parity for DenseWeightSum {
         sum_of_products(terms.map(|value| (value, 1.0)))
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let exact = |index: usize| {
-            let before = f64::from(self.unit_sum.get(index / 4)?[index % 4]);
-            Some(before + self.terms(index).sum::<f64>())
-        };
-        (0..len).map(exact).collect()
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        let before = f64::from(self.unit_sum[index / 4][index % 4]);
+        Some(before + self.terms(index).sum::<f64>())
     }
 }
 
@@ -479,13 +470,9 @@ impl Parity for DenseUnitSum {
         sum_of_products(terms.map(|vector| (f64::from(vector[index % 4]), 1.0)))
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let exact = |index: usize| {
-            let at = |vectors: &[Vec4]| f64::from(vectors[index / 4][index % 4]);
-            let units = self.unit_sum.chunks_exact(self.gradient.len().max(1));
-            self.gradient.get(index / 4)?;
-            Some(at(&self.gradient) + units.map(at).sum::<f64>())
-        };
-        (0..len).map(exact).collect()
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        let at = |vectors: &[Vec4]| f64::from(vectors[index / 4][index % 4]);
+        let units = self.unit_sum.chunks_exact(self.gradient.len());
+        Some(at(&self.gradient) + units.map(at).sum::<f64>())
     }
 }

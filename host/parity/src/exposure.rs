@@ -72,13 +72,10 @@ impl Parity for Expose {
         Bound { scale, floor: f64::from(TINY) * (1.0 + gain.abs() + f64::from(x.abs())) }
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let exact = |index: usize| {
-            let x = f64::from(*self.image.get(index)?);
-            let [gain, offset] = self.of_plane(index / self.area());
-            Some(gain * x + offset)
-        };
-        (0..len).map(exact).collect()
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        let x = f64::from(self.image[index]);
+        let [gain, offset] = self.of_plane(index / self.area());
+        Some(gain * x + offset)
     }
 }
 
@@ -149,15 +146,12 @@ impl Parity for ExposeBackward {
     }
 
     /// `x' = gain x + offset`, so `dx'/dx = gain`, `dx'/dgain = x` and `dx'/doffset = 1`.
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
-        let exact = |index: usize| {
-            if output == "gradient" {
-                let slope = f64::from(*self.gradient.get(index)?);
-                return Some(slope * self.forward.of_plane(index / self.forward.area())[0]);
-            }
-            let by = |[x, slope]: [f64; 2]| if index.is_multiple_of(2) { slope * x } else { slope };
-            Some(self.row(index / 2)?.map(by).sum::<f64>())
-        };
-        (0..len).map(exact).collect()
+    fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
+        if output == "gradient" {
+            let slope = f64::from(self.gradient[index]);
+            return Some(slope * self.forward.of_plane(index / self.forward.area())[0]);
+        }
+        let by = |[x, slope]: [f64; 2]| if index.is_multiple_of(2) { slope * x } else { slope };
+        Some(self.row(index / 2)?.map(by).sum::<f64>())
     }
 }

@@ -329,21 +329,18 @@ impl Parity for HashGridGradient {
         Bound::of(sum.abs() + before.abs())
     }
 
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
         let is_touched = |index: usize| self.touched[index / 64] != 0;
-        let exact = |index: usize| {
-            let value = if output == "gradient" { index } else { index / 2 };
-            let sum = *self.sum.get(value)?;
-            Some(match (output, is_touched(value)) {
-                ("gradient", true) => {
-                    f64::from(self.gradient[value]) + sum as f64 / f64::from(self.scale)
-                }
-                ("gradient", false) => f64::from(self.gradient[value]),
-                // the kernel clears the sums
-                (_, true) => 0.0,
-                (_, false) => f64::from((sum >> (32 * (index % 2))) as u32),
-            })
-        };
-        (0..len).map(exact).collect()
+        let value = if output == "gradient" { index } else { index / 2 };
+        let sum = self.sum[value];
+        Some(match (output, is_touched(value)) {
+            ("gradient", true) => {
+                f64::from(self.gradient[value]) + sum as f64 / f64::from(self.scale)
+            }
+            ("gradient", false) => f64::from(self.gradient[value]),
+            // the kernel clears the sums
+            (_, true) => 0.0,
+            (_, false) => f64::from((sum >> (32 * (index % 2))) as u32),
+        })
     }
 }

@@ -140,20 +140,17 @@ impl Parity for LossTerms {
         Bound { scale: size + half, floor: 4.0 * f64::from(TINY) }
     }
 
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
         let area = (self.side * self.side) as usize;
-        let exact = |index: usize| {
-            let (pixel, channel) = (index / 4, index % 4);
-            let is_valid = self.valid[pixel] > 0.0;
-            let is_difference = output == "difference";
-            if !is_valid || channel == 3 {
-                return Some(f64::from(u8::from(is_valid && is_difference)));
-            }
-            let at = (pixel / area * 3 + channel) * area + pixel % area;
-            let [x, y] = [&self.image, &self.target].map(|image| f64::from(image[at]));
-            Some(if is_difference { x - y } else { x + y - 1.0 })
-        };
-        (0..len).map(exact).collect()
+        let (pixel, channel) = (index / 4, index % 4);
+        let is_valid = self.valid[pixel] > 0.0;
+        let is_difference = output == "difference";
+        if !is_valid || channel == 3 {
+            return Some(f64::from(u8::from(is_valid && is_difference)));
+        }
+        let at = (pixel / area * 3 + channel) * area + pixel % area;
+        let [x, y] = [&self.image, &self.target].map(|image| f64::from(image[at]));
+        Some(if is_difference { x - y } else { x + y - 1.0 })
     }
 }
 
@@ -221,18 +218,15 @@ impl Parity for LossRows {
         Bound { scale: roundings * sizes.sum::<f64>(), floor }
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let side = self.side as usize;
-        let exact = |index: usize| {
-            let (row, part) = (index / 4, index % 4);
-            let pixels = row * side..(row + 1) * side;
-            let of = |at: usize| {
-                let d = self.difference[at].as_dvec4();
-                sums(d.truncate().to_array(), f64::from(self.dissimilarity[at]), d.w)[part]
-            };
-            Some(pixels.map(of).sum::<f64>())
+        let (row, part) = (index / 4, index % 4);
+        let pixels = row * side..(row + 1) * side;
+        let of = |at: usize| {
+            let d = self.difference[at].as_dvec4();
+            sums(d.truncate().to_array(), f64::from(self.dissimilarity[at]), d.w)[part]
         };
-        (0..len).map(exact).collect()
+        Some(pixels.map(of).sum::<f64>())
     }
 }
 
@@ -304,22 +298,19 @@ impl Parity for LossGradient {
     }
 
     /// A pixel adds w (1, d, s) to the windows around it, and the slopes belong to those sums.
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let side = self.terms.side as usize;
         let area = side * side;
-        let exact = |index: usize| {
-            let (tile, channel, at) = (index / 3 / area, index / area % 3, index % area);
-            let pixel = tile * area + at;
-            let Some([d, s]) = self.terms.of(pixel, channel) else { return Some(0.0) };
-            let (row, column) = (at / side, at % side);
-            let slope = |part: usize| {
-                let vector = |tap: usize| SLOPES as usize * (tile * area + tap * side + column);
-                let value = |tap| f64::from(self.row_slopes[vector(tap) + part][channel]);
-                weighted_sum(row, (0..side).map(value))
-            };
-            let [absolute, ssim] = self.scales.map(f64::from);
-            Some(absolute * sign(d) + ssim * (slope(0) + d * slope(1) + s * slope(2)))
+        let (tile, channel, at) = (index / 3 / area, index / area % 3, index % area);
+        let pixel = tile * area + at;
+        let Some([d, s]) = self.terms.of(pixel, channel) else { return Some(0.0) };
+        let (row, column) = (at / side, at % side);
+        let slope = |part: usize| {
+            let vector = |tap: usize| SLOPES as usize * (tile * area + tap * side + column);
+            let value = |tap| f64::from(self.row_slopes[vector(tap) + part][channel]);
+            weighted_sum(row, (0..side).map(value))
         };
-        (0..len).map(exact).collect()
+        let [absolute, ssim] = self.scales.map(f64::from);
+        Some(absolute * sign(d) + ssim * (slope(0) + d * slope(1) + s * slope(2)))
     }
 }

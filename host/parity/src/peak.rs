@@ -65,14 +65,10 @@ impl Parity for PeakMultiplyAdd {
     }
 
     /// Twelve sums, which begin with 0 to 11 and a 4,194,304th of the invocation's number.
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let next = |x: f64| x * f64::from(self.factor) + f64::from(self.addend);
-        let sum = |index: u32| {
-            let begins = (0..12).map(|sum| f64::from(sum) + f64::from(index) / 4_194_304.0);
-            begins.map(|first| (0..self.rounds()).fold(first, |x, _| next(x))).sum()
-        };
-        let exact = (0..self.count).map(|index| Some(sum(index)));
-        exact.collect()
+        let begins = (0..12).map(|sum| f64::from(sum) + index as f64 / 4_194_304.0);
+        Some(begins.map(|first| (0..self.rounds()).fold(first, |x, _| next(x))).sum())
     }
 
     fn bound(&self, _: &Output, _: usize, _: Rounding) -> Bound {
@@ -131,9 +127,8 @@ impl Parity for PeakRead {
         runner.run(&kernel, self.count, 1)
     }
 
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let exact = (0..self.count).map(|index| Some(self.read_by(index).sum()));
-        exact.collect()
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        Some(self.read_by(index as u32).sum())
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

@@ -274,16 +274,14 @@ impl Parity for Project {
                 values.into_iter().map(Some).collect()
             }
         };
-        let exact: Vec<_> = match output {
-            "behind" => Vec::new(),
+        match output {
             "degenerate" => {
                 let told: Option<Vec<_>> = slots.collect();
                 let is_culled = |fate: &&Fate| matches!(fate, Fate::Degenerate);
                 vec![told.map(|fates| fates.iter().filter(is_culled).count() as f64)]
             }
             _ => slots.flat_map(|fate| of(&fate)).collect(),
-        };
-        exact
+        }
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {

@@ -82,16 +82,13 @@ impl Parity for Resolve {
         runner.run_over(&kernel, side, self.tiles.len() as u32)
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let area = (self.side * self.side) as usize;
         // Y [K, 3, S, S], each tile at its own place of the batch
-        let of = |index: usize| {
-            let (place, channel, at) = (index / (3 * area), index / area % 3, index % area);
-            let tile = self.tiles.iter().position(|tile| tile.output as usize == place)?;
-            let sum = self.sum[tile * area + at].as_dvec4();
-            Some(pixel(sum[channel], sum.w, f64::from(self.background[channel])))
-        };
-        (0..len).map(of).collect()
+        let (place, channel, at) = (index / (3 * area), index / area % 3, index % area);
+        let tile = self.tiles.iter().position(|tile| tile.output as usize == place)?;
+        let sum = self.sum[tile * area + at].as_dvec4();
+        Some(pixel(sum[channel], sum.w, f64::from(self.background[channel])))
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

@@ -80,16 +80,12 @@ impl Parity for SsimRows {
         Bound { scale: tap_sum(column, side, size), floor }
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let side = self.terms.side as usize;
-        let exact = |index: usize| {
-            let (pixel, part, channel) = (index / 16, index / 4 % 4, index % 4);
-            self.terms.sum.get(pixel)?;
-            let [tile, row, column] = place(pixel, side);
-            let value = |tap| moment(&self.terms, tile + row * side + tap, part, channel);
-            Some(weighted_sum(column, (0..side).map(value)))
-        };
-        (0..len).map(exact).collect()
+        let (pixel, part, channel) = (index / 16, index / 4 % 4, index % 4);
+        let [tile, row, column] = place(pixel, side);
+        let value = |tap| moment(&self.terms, tile + row * side + tap, part, channel);
+        Some(weighted_sum(column, (0..side).map(value)))
     }
 }
 
@@ -217,23 +213,20 @@ impl Parity for SsimColumns {
     }
 
     /// A pixel of a window adds w (1, d, s, d^2, s^2) to its sums, and x enters d and s alike.
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
         let values = if output == "slopes" { 4 * SLOPES as usize } else { 1 };
-        let exact = |index: usize| {
-            let (pixel, channel) = (index / values, index % 4);
-            let is_valid = self.terms.difference.get(pixel)?.w > 0.0;
-            if !is_valid || values > 1 && channel == 3 {
-                return Some(0.0);
-            }
-            if values == 1 {
-                let of = |channel| dissimilarity(self.window(pixel, channel)[0]);
-                return Some([0, 1, 2].map(of).iter().sum());
-            }
-            let [by_d, by_s, by_dd, by_ss, _] =
-                gradient(self.window(pixel, channel)[0], dissimilarity::<Dual>);
-            Some([by_d + by_s, 2.0 * by_dd, 2.0 * by_ss][index / 4 % SLOPES as usize])
-        };
-        (0..len).map(exact).collect()
+        let (pixel, channel) = (index / values, index % 4);
+        let is_valid = self.terms.difference[pixel].w > 0.0;
+        if !is_valid || values > 1 && channel == 3 {
+            return Some(0.0);
+        }
+        if values == 1 {
+            let of = |channel| dissimilarity(self.window(pixel, channel)[0]);
+            return Some([0, 1, 2].map(of).iter().sum());
+        }
+        let [by_d, by_s, by_dd, by_ss, _] =
+            gradient(self.window(pixel, channel)[0], dissimilarity::<Dual>);
+        Some([by_d + by_s, 2.0 * by_dd, 2.0 * by_ss][index / 4 % SLOPES as usize])
     }
 }
 
@@ -286,17 +279,13 @@ impl Parity for SsimRowsBackward {
     }
 
     /// The transpose of a symmetric window is the window itself.
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let side = self.side as usize;
-        let exact = |index: usize| {
-            let (vector, channel) = (index / 4, index % 4);
-            self.slopes.get(vector)?;
-            let (pixel, part) = (vector / SLOPES as usize, vector % SLOPES as usize);
-            let [tile, row, column] = place(pixel, side);
-            let at = |tap: usize| (tile + row * side + tap) * SLOPES as usize + part;
-            let value = |tap| f64::from(self.slopes[at(tap)][channel]);
-            Some(weighted_sum(column, (0..side).map(value)))
-        };
-        (0..len).map(exact).collect()
+        let (vector, channel) = (index / 4, index % 4);
+        let (pixel, part) = (vector / SLOPES as usize, vector % SLOPES as usize);
+        let [tile, row, column] = place(pixel, side);
+        let at = |tap: usize| (tile + row * side + tap) * SLOPES as usize + part;
+        let value = |tap| f64::from(self.slopes[at(tap)][channel]);
+        Some(weighted_sum(column, (0..side).map(value)))
     }
 }

@@ -322,13 +322,10 @@ impl Parity for TransmittanceHead {
         Bound { scale, floor: floor + f64::from(TINY) * (1.0 + log_rho) }
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let exact = |index: usize| {
-            let sample = index.checked_sub(FIRST_SAMPLE as usize)?;
-            let a = self.layer.exact(sample as u32, 0);
-            Some(log_rho(a, f64::from(self.factor[sample])))
-        };
-        (0..len).map(exact).collect()
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        let sample = index.checked_sub(FIRST_SAMPLE as usize)?;
+        let a = self.layer.exact(sample as u32, 0);
+        Some(log_rho(a, f64::from(self.factor[sample])))
     }
 }
 
@@ -397,10 +394,9 @@ impl Parity for SegmentProduct {
         Bound::of(cpu.floats()[index] * (1.0 + sum * roundings))
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let product =
-            |pair| transmittance(self.of(pair).iter().map(|&x| f64::from(self.power * x)).sum());
-        (0..len).map(|pair| Some(product(pair))).collect()
+    fn exact_at(&self, _: &str, pair: usize) -> Option<f64> {
+        let logarithms = self.of(pair).iter().map(|&x| f64::from(self.power * x));
+        Some(transmittance(logarithms.sum()))
     }
 
     /// Wider than between devices: all of them round a sum of 16,384 logarithms in the same way, and f64 does not.

@@ -149,20 +149,14 @@ impl Parity for SegmentProductBackward {
         Bound { scale: cpu.floats()[index].abs(), floor: f64::from(TINY) * (1.0 + gradient) }
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let exact = |sample: usize| {
-            (sample < self.chunk.samples as usize).then(|| {
-                let pair = self.chunk.owner(sample);
-                let of_pair = Dual::from(f64::from(self.gradient[3 * pair].w));
-                // a sample's logarithm is a term of the sum
-                let power = f64::from(self.power);
-                let sum = f64::from(self.transmittance[pair]).ln().max(-745.0) / power;
-                let [slope] =
-                    gradient([sum], |[sum]| of_pair * transmittance(Dual::from(power) * sum));
-                slope
-            })
-        };
-        (0..len).map(exact).collect()
+    fn exact_at(&self, _: &str, sample: usize) -> Option<f64> {
+        let pair = self.chunk.owner(sample);
+        let of_pair = Dual::from(f64::from(self.gradient[3 * pair].w));
+        // a sample's logarithm is a term of the sum
+        let power = f64::from(self.power);
+        let sum = f64::from(self.transmittance[pair]).ln().max(-745.0) / power;
+        let [slope] = gradient([sum], |[sum]| of_pair * transmittance(Dual::from(power) * sum));
+        Some(slope)
     }
 }
 
@@ -222,15 +216,10 @@ impl Parity for TransmittanceHeadBackward {
         Bound { scale, floor: (floor + f64::from(TINY)) * (1.0 + gradient) }
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let exact = |sample: usize| {
-            (sample < self.layer.samples as usize).then(|| {
-                let [g, factor] = [&self.gradient, &self.factor].map(|of| f64::from(of[sample]));
-                let a = self.layer.exact(sample as u32, 0);
-                gradient([a], |[a]| Dual::from(g) * log_rho(a, factor))[0]
-            })
-        };
-        (0..len).map(exact).collect()
+    fn exact_at(&self, _: &str, sample: usize) -> Option<f64> {
+        let [g, factor] = [&self.gradient, &self.factor].map(|of| f64::from(of[sample]));
+        let a = self.layer.exact(sample as u32, 0);
+        Some(gradient([a], |[a]| Dual::from(g) * log_rho(a, factor))[0])
     }
 }
 
@@ -306,13 +295,10 @@ impl Parity for ExtraBackward {
     }
 
     /// Every sample of a pair has a copy of its extra vector.
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let exact = |index: usize| {
-            let before = f64::from(*self.pair_extra.get(index)?);
-            let row = &self.gradient[(1 + index % EXTRA) * self.stride as usize..];
-            let samples = &row[self.chunk.of(index / EXTRA)];
-            Some(before + samples.iter().map(|&g| f64::from(g)).sum::<f64>())
-        };
-        (0..len).map(exact).collect()
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        let before = f64::from(self.pair_extra[index]);
+        let row = &self.gradient[(1 + index % EXTRA) * self.stride as usize..];
+        let samples = &row[self.chunk.of(index / EXTRA)];
+        Some(before + samples.iter().map(|&g| f64::from(g)).sum::<f64>())
     }
 }

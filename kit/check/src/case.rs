@@ -14,7 +14,7 @@ pub trait Parity: Sized + 'static {
     const TOLERANCE: f64 = 0.0;
     /// Where the tolerance comes from, and what the inputs stay away from.
     const WHY: &'static str = "integers";
-    /// The part of each output's written elements that [`Parity::exact`] must give, over all sets.
+    /// The part of each output's written elements that [`Parity::exact_at`] must give, over all sets.
     ///
     /// If a case lowers it, a comment says why.
     const COMPARED: f64 = 0.9;
@@ -34,9 +34,18 @@ pub trait Parity: Sized + 'static {
         Bound::of(cpu.floats()[index].abs())
     }
 
-    /// The equations in f64, for the `len` elements of an output. `None` for padding, for elements that the kernel does not
-    /// write, and if rounding decides. Missing elements at the end count as `None`.
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>>;
+    /// The equation in f64, for an element of an output. `None` for padding, for elements that the kernel does not write, and if
+    /// rounding decides.
+    fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
+        let _ = (output, index);
+        None
+    }
+
+    /// As [`exact_at`](Self::exact_at), for all `len` elements of an output at once: for equations that compute them together.
+    /// Missing elements at the end count as `None`.
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+        (0..len).map(|index| self.exact_at(output, index)).collect()
+    }
 
     /// How far a device's element may be from `exact`: usually as far as from the CPU's.
     ///

@@ -37,8 +37,8 @@
 //!         runner.run(&SquareKernel { params, input: &self.0, output: &output }, params.count, 1)
 //!     }
 //!
-//!     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-//!         self.0.iter().map(|&x| Some(f64::from(x) * f64::from(x))).collect()
+//!     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+//!         Some(f64::from(self.0[index]).powi(2))
 //!     }
 //! }
 //!

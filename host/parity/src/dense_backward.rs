@@ -241,7 +241,9 @@ impl Parity for DenseWeightBackward {
             let layer = Self::layer(n, 6, 2, fill, random);
             Self::new(layer, 100, fill, random)
         });
-        for (inputs, columns, slice) in [(1, 1, 4096), (4, 3, 16), (7, 16, 33), (64, 1, 300)] {
+        for (inputs, columns, slice) in
+            [(1, 1, 4096), (4, 3, 16), (5, 2, 1), (7, 16, 33), (64, 1, 300)]
+        {
             let mut random = Random::new(11);
             let layer = Self::layer(300, inputs, columns, Fill::Random, &mut random);
             let set = Self::new(layer, slice, Fill::Random, &mut random);

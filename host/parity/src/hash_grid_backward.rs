@@ -316,7 +316,7 @@ impl Parity for HashGridGradient {
             params: HashGridGradientParams { values },
             scale: &vec![self.scale, 1.0 / self.scale, 0.0],
             // nothing is bound as nothing
-            touched: &vec![&self.touched[..], &[0]].concat(),
+            touched: &[&self.touched[..], &[0]].concat(),
             sum: &self.sum.iter().flat_map(words).collect::<Vec<_>>(),
             gradient: &self.gradient,
         };

@@ -410,9 +410,10 @@ fn sum_products<L: Lane>(
     [begin, end]: [u32; 2],
 ) -> ([LaneVec4<L>; 4], u32) {
     if L::READS_FOUR {
-        let range = [begin, least(begin.next_multiple_of(FEW), end)];
-        let (sums, sample) = sum_each(before, input, rows, output_gradient, g, stride, range);
-        let range = [sample, end];
+        let first = begin.next_multiple_of(FEW);
+        let range = [begin, least(first, end)];
+        let (sums, _) = sum_each(before, input, rows, output_gradient, g, stride, range);
+        let range = [first, end];
         let (sums, sample) = sum_few(sums, input, rows, output_gradient, g, stride, range);
         sum_each(sums, input, rows, output_gradient, g, stride, [sample, end])
     } else {
@@ -487,9 +488,9 @@ fn sum_lanes<L: Lane>(
     [begin, end]: [u32; 2],
 ) -> (LaneVec4<L>, u32) {
     if L::READS_FOUR {
-        let range = [begin, least(begin.next_multiple_of(FEW), end)];
-        let (sum, sample) = sum_each_lane(before, rows, first, stride, range);
-        let (sum, sample) = sum_few_lanes(sum, rows, first, stride, [sample, end]);
+        let few = begin.next_multiple_of(FEW);
+        let (sum, _) = sum_each_lane(before, rows, first, stride, [begin, least(few, end)]);
+        let (sum, sample) = sum_few_lanes(sum, rows, first, stride, [few, end]);
         sum_each_lane(sum, rows, first, stride, [sample, end])
     } else {
         sum_each_lane(before, rows, first, stride, [begin, end])
@@ -717,7 +718,7 @@ mod tests {
     /// As above: slices that begin and end anywhere, and what a GPU reads together.
     #[test]
     fn weights_are_summed_sample_by_sample() {
-        for (samples, slice) in [(1, 9), (3, 9), (4, 4), (70, 33), (64, 7)] {
+        for (samples, slice) in [(1, 9), (3, 9), (4, 4), (70, 33), (64, 7), (12, 1), (11, 3)] {
             let (stride, inputs, columns) = ((samples + 3_u32).next_multiple_of(4), 6, 2);
             let slices = samples.div_ceil(slice);
             let parameters = (inputs + 1) * columns;

@@ -83,25 +83,15 @@ impl Parity for Adam {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let gradient = runner.output_of(&self.gradient)?;
-        let first_moment = runner.output_of(&self.first_moment)?;
-        let second_moment = runner.output_of(&self.second_moment)?;
-        let value = runner.output_of(&self.value)?;
         let kernel = AdamKernel {
             params: self.params,
-            touched: &runner.upload(&self.touched)?,
-            gradient: &gradient,
-            first_moment: &first_moment,
-            second_moment: &second_moment,
-            value: &value,
+            touched: &self.touched,
+            gradient: &self.gradient,
+            first_moment: &self.first_moment,
+            second_moment: &self.second_moment,
+            value: &self.value,
         };
-        runner.items(&kernel, self.params.values, 1)?;
-        Ok(vec![
-            Output::float("gradient", runner.read(&gradient)?),
-            Output::float("first_moment", runner.read(&first_moment)?),
-            Output::float("second_moment", runner.read(&second_moment)?),
-            Output::float("value", runner.read(&value)?),
-        ])
+        runner.run(&kernel, self.params.values, 1)
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
@@ -123,27 +113,24 @@ impl Parity for Adam {
         })
     }
 
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
         let first = self.params.first_gradient as usize;
-        let exact = |index: usize| {
-            if output == "gradient" {
-                // the kernel leaves the gradients of other groups alone
-                let is_own = index.checked_sub(first).is_some_and(|own| self.is_touched(own));
-                let before = f64::from(*self.gradient.get(index)?);
-                return Some(if is_own { 0.0 } else { before });
-            }
-            let before = [&self.first_moment, &self.second_moment, &self.value];
-            let before = before.map(|values| values.get(index).copied().map(f64::from));
-            let before = [before[0]?, before[1]?, before[2]?];
-            let gradient = f64::from(self.gradient[index + first]);
-            let after = self.step().take(gradient, before);
-            let [m, v, value] = if self.is_touched(index) { after } else { before };
-            Some(match output {
-                "first_moment" => m,
-                "second_moment" => v,
-                _ => value,
-            })
-        };
-        (0..len).map(exact).collect()
+        if output == "gradient" {
+            // the kernel leaves the gradients of other groups alone
+            let is_own = index.checked_sub(first).is_some_and(|own| self.is_touched(own));
+            let before = f64::from(*self.gradient.get(index)?);
+            return Some(if is_own { 0.0 } else { before });
+        }
+        let before = [&self.first_moment, &self.second_moment, &self.value];
+        let before = before.map(|values| values.get(index).copied().map(f64::from));
+        let before = [before[0]?, before[1]?, before[2]?];
+        let gradient = f64::from(self.gradient[index + first]);
+        let after = self.step().take(gradient, before);
+        let [m, v, value] = if self.is_touched(index) { after } else { before };
+        Some(match output {
+            "first_moment" => m,
+            "second_moment" => v,
+            _ => value,
+        })
     }
 }

@@ -1,6 +1,6 @@
 //! The case of `pair_channels`.
 
-use organza_check::{Bound, KernelRunner, Output, Parity, Rounding, inputs::Random};
+use organza_check::{Bound, KernelRunner, Output, Parity, Rounding, Values, inputs::Random};
 use organza_shaders::camera::Camera;
 use organza_shaders::channels::{PairChannelsKernel, PairChannelsParams};
 
@@ -54,28 +54,28 @@ impl Parity for PairChannels {
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let packed: Vec<_> = self.scene.cameras.iter().flat_map(Camera::pack).collect();
         let pairs = self.pair.len();
-        let (measure, normals) = (runner.output(3 * pairs)?, runner.output(3 * pairs)?);
         let kernel = PairChannelsKernel {
             params: PairChannelsParams { pairs: pairs as u32, gaussians: self.scene.gaussians },
-            pair: &runner.upload(&self.pair)?,
-            camera: &runner.upload(&packed)?,
-            position: &runner.upload(&self.scene.position)?,
-            rotation: &runner.upload(&self.scene.rotation)?,
-            log_scale: &runner.upload(&self.scene.log_scale)?,
-            transmittance: &runner.upload(&self.transmittance)?,
-            measure: &measure,
-            normals: &normals,
+            pair: &self.pair,
+            camera: &packed,
+            position: &self.scene.position,
+            rotation: &self.scene.rotation,
+            log_scale: &self.scene.log_scale,
+            transmittance: &self.transmittance,
+            measure: &runner.unwritten(3 * pairs),
+            normals: &runner.unwritten(3 * pairs),
         };
-        runner.items(&kernel, pairs as u32, 1)?;
+        let mut outputs = runner.run(&kernel, pairs as u32, 1)?;
         // a normal across the ray has two sides
-        let mut found: Vec<f32> = runner.read(&normals)?;
+        let mut found = outputs[1].floats().to_vec();
         for pair in 0..pairs {
             let (view, gaussian) = self.of(pair);
             if normal(&view, &self.scene.gaussian(gaussian)).1 < 1e-5 {
                 found[3 * pair..][..3].fill(0.0);
             }
         }
-        Ok(vec![Output::float("measure", runner.read(&measure)?), Output::float("normals", found)])
+        outputs[1].values = Values::Float(found);
+        Ok(outputs)
     }
 
     fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
@@ -94,8 +94,8 @@ impl Parity for PairChannels {
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
         let pair = index / 3;
-        if pair >= self.pair.len() || (cpu.name == "measure" && !index.is_multiple_of(3)) {
-            return Bound { scale: 0.0, floor: 0.0 };
+        if cpu.name == "measure" && !index.is_multiple_of(3) {
+            return Bound::EXACT;
         }
         if cpu.name == "normals" {
             return Bound::of(1.0);

@@ -29,14 +29,18 @@ pub const BOXES: [[[f64; 3]; 2]; 3] = [
 /// Pairs before the chunk.
 const FIRST_PAIR: u32 = 2;
 
-/// Coarse and fine parts of `[6, stride]` points, added.
-pub fn joined(point: &[f32], stride: usize) -> Vec<f64> {
+/// Adds the coarse and the fine parts of an output, points of `[6, stride]`. Returns the rows behind them.
+pub fn joined(output: &mut Output, stride: usize) -> Vec<f64> {
+    let point = output.floats();
     let parts = |axis: usize| {
         let (coarse, fine) =
             (&point[axis * stride..][..stride], &point[(axis + 3) * stride..][..stride]);
-        coarse.iter().zip(fine).map(|(&coarse, &fine)| f64::from(coarse) + f64::from(fine))
+        coarse.iter().zip(fine).map(|(coarse, fine)| coarse + fine)
     };
-    (0..3).flat_map(parts).collect()
+    let sums = Values::Float((0..3).flat_map(parts).collect());
+    let rest = point[POINT_ROWS as usize * stride..].to_vec();
+    output.values = sums;
+    rest
 }
 
 /// Inputs of `color_inputs`.
@@ -140,8 +144,6 @@ impl Parity for ColorInputs {
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let stride = self.stride as usize;
         let cameras: Vec<_> = self.cameras.iter().flat_map(Camera::pack).collect();
-        let point = runner.output(POINT_ROWS as usize * stride)?;
-        let input = runner.output((self.sh_rows() + 4) * stride)?;
         let kernel = ColorInputsKernel {
             params: ColorInputsParams {
                 pairs: self.pairs,
@@ -154,29 +156,24 @@ impl Parity for ColorInputs {
                 material_row: self.sh_rows() as u32 + 1,
                 contracted: u32::from(self.is_contracted),
             },
-            pair: &runner.upload(&self.pair)?,
-            camera: &runner.upload(&cameras)?,
-            scene_box: &runner.upload(&SceneBox::new(self.aabb, self.is_contracted).pack())?,
-            position: &runner.upload(&self.position)?,
-            material: &runner.upload(&self.material)?,
-            point: &point,
-            input: &input,
+            pair: &self.pair,
+            camera: &cameras,
+            scene_box: &SceneBox::new(self.aabb, self.is_contracted).pack().to_vec(),
+            position: &self.position,
+            material: &self.material,
+            point: &runner.unwritten(POINT_ROWS as usize * stride),
+            input: &runner.unwritten((self.sh_rows() + 4) * stride),
         };
-        runner.items(&kernel, self.pairs, 1)?;
-        let point = runner.read(&point)?;
-        let behind = point[POINT_ROWS as usize * stride..].iter().copied();
-        Ok(vec![
-            Output { name: "point", values: Values::Float(joined(&point, stride)) },
-            Output::float("behind point", behind),
-            Output::float("input", runner.read(&input)?),
-        ])
+        let mut outputs = runner.run(&kernel, self.pairs, 1)?;
+        joined(&mut outputs[0], stride);
+        Ok(outputs)
     }
 
     fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
         let (row, column) = (index / self.stride as usize, index % self.stride as usize);
         let is_of_grid = cpu.name == "input" && row == self.sh_rows();
-        if column >= self.pairs as usize || cpu.name == "behind point" || is_of_grid {
-            return Bound { scale: 0.0, floor: 0.0 };
+        if column >= self.pairs as usize || is_of_grid {
+            return Bound::EXACT;
         }
         if cpu.name == "input" {
             // a material is copied, but a GPU may flush it; band 0 is a constant
@@ -265,7 +262,6 @@ impl Parity for ColorHead {
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
         let params = layer.params();
-        let color = runner.output(3 * (FIRST_PAIR + layer.samples) as usize)?;
         let kernel = ColorHeadKernel {
             params: ColorHeadParams {
                 samples: layer.samples,
@@ -275,22 +271,18 @@ impl Parity for ColorHead {
                 weight: params.weight,
                 bias: params.bias,
             },
-            parameters: &runner.upload(&layer.parameters)?,
-            input: &runner.upload(&layer.input)?,
-            color: &color,
+            parameters: &layer.parameters,
+            input: &layer.input,
+            color: &runner.unwritten(3 * (FIRST_PAIR + layer.samples) as usize),
         };
-        runner.items(&kernel, layer.samples, 1)?;
-        Ok(vec![Output::float("color", runner.read(&color)?)])
+        runner.run(&kernel, layer.samples, 1)
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
         let Some(at) = index.checked_sub(3 * FIRST_PAIR as usize) else {
-            return Bound { scale: 0.0, floor: 0.0 };
+            return Bound::EXACT;
         };
         let (sample, channel) = ((at / 3) as u32, (at % 3) as u32);
-        if sample >= self.layer.samples {
-            return Bound { scale: 0.0, floor: 0.0 };
-        }
         let Bound { scale: terms, floor } = self.layer.bound(sample, channel);
         let color = cpu.floats()[index];
         // where the logit itself is lost, so is the color
@@ -299,13 +291,9 @@ impl Parity for ColorHead {
         Bound { scale, floor }
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let exact = |index: usize| {
-            let at = index.checked_sub(3 * FIRST_PAIR as usize)? as u32;
-            let is_color = at / 3 < self.layer.samples;
-            is_color.then(|| sigmoid(self.layer.exact(at / 3, at % 3)))
-        };
-        (0..len).map(exact).collect()
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        let at = index.checked_sub(3 * FIRST_PAIR as usize)? as u32;
+        Some(sigmoid(self.layer.exact(at / 3, at % 3)))
     }
 }
 

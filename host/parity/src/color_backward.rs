@@ -50,25 +50,23 @@ impl Parity for ColorHeadBackward {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let logit_gradient = runner.output(3 * self.stride as usize)?;
         let kernel = ColorHeadBackwardKernel {
             params: ColorHeadBackwardParams {
                 samples: self.samples,
                 first_pair: FIRST_PAIR,
                 stride: self.stride,
             },
-            color: &runner.upload(&self.color)?,
-            pair_gradient: &runner.upload(&self.gradient)?,
-            logit_gradient: &logit_gradient,
+            color: &self.color,
+            pair_gradient: &self.gradient,
+            logit_gradient: &runner.unwritten(3 * self.stride as usize),
         };
-        runner.items(&kernel, self.samples, 1)?;
-        Ok(vec![Output::float("logit_gradient", runner.read(&logit_gradient)?)])
+        runner.run(&kernel, self.samples, 1)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let (channel, sample) = (index / self.stride as usize, index % self.stride as usize);
-        if channel >= 3 || sample >= self.samples as usize {
-            return Bound { scale: 0.0, floor: 0.0 };
+        if sample >= self.samples as usize {
+            return Bound::EXACT;
         }
         let pair = sample + FIRST_PAIR as usize;
         let gradient = f64::from(self.gradient[3 * pair + 2][channel]).abs();
@@ -77,18 +75,15 @@ impl Parity for ColorHeadBackward {
         Bound { floor: bound.floor * (1.0 + gradient), ..bound }
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let exact = |index: usize| {
-            let (channel, sample) = (index / self.stride as usize, index % self.stride as usize);
-            (channel < 3 && sample < self.samples as usize).then(|| {
-                let pair = sample + FIRST_PAIR as usize;
-                let of_color = Dual::from(f64::from(self.gradient[3 * pair + 2][channel]));
-                let before = logit(f64::from(self.color[3 * pair + channel]));
-                let [slope] = gradient([before], |[x]| of_color * sigmoid(x));
-                slope
-            })
-        };
-        (0..len).map(exact).collect()
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        let (channel, sample) = (index / self.stride as usize, index % self.stride as usize);
+        (sample < self.samples as usize).then(|| {
+            let pair = sample + FIRST_PAIR as usize;
+            let of_color = Dual::from(f64::from(self.gradient[3 * pair + 2][channel]));
+            let before = logit(f64::from(self.color[3 * pair + channel]));
+            let [slope] = gradient([before], |[x]| of_color * sigmoid(x));
+            slope
+        })
     }
 }
 
@@ -139,7 +134,6 @@ impl Parity for MaterialBackward {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pairs = self.samples + FIRST_PAIR;
-        let pair_material = runner.output((pairs * self.material) as usize)?;
         let kernel = MaterialBackwardKernel {
             params: MaterialBackwardParams {
                 samples: self.samples,
@@ -148,19 +142,18 @@ impl Parity for MaterialBackward {
                 material: self.material,
                 material_row: 1,
             },
-            input_gradient: &runner.upload(&self.gradient)?,
-            pair_material: &pair_material,
+            input_gradient: &self.gradient,
+            pair_material: &runner.unwritten((pairs * self.material) as usize),
         };
-        runner.items(&kernel, self.samples, 1)?;
-        Ok(vec![Output::float("pair_material", runner.read(&pair_material)?)])
+        runner.run(&kernel, self.samples, 1)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         // a GPU may flush it
-        self.of(index).map_or(Bound { scale: 0.0, floor: 0.0 }, |_| Bound::of(0.0))
+        self.of(index).map_or(Bound::EXACT, |_| Bound::of(0.0))
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        (0..len).map(|index| self.of(index)).collect()
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        self.of(index)
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::Vec4;
 use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding,
+    Bound, KernelRunner, Output, Parity, Rounding, Values,
     inputs::{Fill, Random},
 };
 use organza_kernel::math::TINY;
@@ -130,14 +130,16 @@ pub(super) fn planes(sum: &[Vec4], area: usize) -> Vec<f32> {
 }
 
 /// What [`planes`] has taken apart.
-pub(super) fn pixels(planes: &[f32], area: usize) -> Vec<f32> {
+pub(super) fn pixels(mut outputs: Vec<Output>, area: usize) -> Vec<Output> {
+    let planes = outputs[0].floats();
     let (tiles, tail) = planes.split_at(planes.len() / (4 * area) * (4 * area));
-    let pixel = |tile: &[f32], at: usize| -> Vec<f32> {
+    let pixel = |tile: &[f64], at: usize| -> Vec<f64> {
         (0..4).map(|channel| tile[channel * area + at]).collect()
     };
     let tiles = tiles.chunks(4 * area);
     let pixels = tiles.flat_map(|tile| (0..area).flat_map(move |at| pixel(tile, at)));
-    pixels.chain(tail.iter().copied()).collect()
+    outputs[0].values = Values::Float(pixels.chain(tail.iter().copied()).collect());
+    outputs
 }
 
 impl Parity for Composite {
@@ -170,19 +172,17 @@ impl Parity for Composite {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let area = (self.side * self.side) as usize;
-        let sum = runner.output_of(&planes(&self.sum, area))?;
         let kernel = CompositeKernel {
             params: CompositeParams { side: self.side, skip: self.skip },
-            tile: &runner.upload(&pack(&self.tiles))?,
-            tile_first: &runner.upload(&self.tile_first)?,
-            member: &runner.upload(&self.member)?,
+            tile: &pack(&self.tiles),
+            tile_first: &self.tile_first,
+            member: &self.member,
             // everywhere
-            cells: &runner.upload(&vec![u32::MAX; self.member.len()])?,
-            splat: &runner.upload(self.splat.as_flattened())?,
-            sum: &sum,
+            cells: &vec![u32::MAX; self.member.len()],
+            splat: &self.splat.as_flattened().to_vec(),
+            sum: &planes(&self.sum, area),
         };
-        runner.pixels(&kernel, self.side, self.tiles.len() as u32)?;
-        Ok(vec![Output::float("sum", pixels(&runner.read(&sum)?, area))])
+        Ok(pixels(runner.run_over(&kernel, self.side, self.tiles.len() as u32)?, area))
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
@@ -206,9 +206,6 @@ impl Parity for Composite {
 
     fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {
         let (at, channel) = (index / 4, index % 4);
-        if at >= self.sum.len() {
-            return Bound { scale: 0.0, floor: 0.0 };
-        }
         let (tile, pixel) = self.pixel(at);
         let members = self.members(tile);
         let mut scale = f64::from(self.sum[at][channel].abs());

@@ -152,7 +152,6 @@ impl Parity for CompositeBackward {
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let set = &self.forward;
         let members = set.member.len() as u32;
-        let member_gradient = runner.output_of(&self.member_gradient)?;
         let kernel = CompositeBackwardKernel {
             params: CompositeBackwardParams {
                 members,
@@ -162,16 +161,14 @@ impl Parity for CompositeBackward {
                 rows: self.rows,
                 colors: self.colors.into(),
             },
-            tile: &runner.upload(&pack(&set.tiles))?,
-            tile_first: &runner.upload(&set.tile_first)?,
-            member: &runner.upload(&set.member)?,
-            splat: &runner.upload(set.splat.as_flattened())?,
-            sum_gradient: &runner.upload(&self.sum_gradient)?,
-            member_gradient: &member_gradient,
+            tile: &pack(&set.tiles),
+            tile_first: &set.tile_first,
+            member: &set.member,
+            splat: &set.splat.as_flattened().to_vec(),
+            sum_gradient: &self.sum_gradient,
+            member_gradient: &self.member_gradient,
         };
-        runner.items(&kernel, members, 1)?;
-        let values = runner.read(&member_gradient)?.into_iter().flat_map(|v| v.to_array());
-        Ok(vec![Output::float("member_gradient", values)])
+        runner.run(&kernel, members, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
@@ -188,9 +185,7 @@ impl Parity for CompositeBackward {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let Some(before) = self.member_gradient.get(index / 4) else {
-            return Bound { scale: 0.0, floor: 0.0 };
-        };
+        let before = self.member_gradient[index / 4];
         let [scale, floor] = self.sizes(index / 12).map(|size| size[index / 4 % 3][index % 4]);
         let pixels = f64::from(self.rows * self.forward.side);
         let scale = f64::from(before[index % 4].abs()) + scale * (1.0 + 0.03 * pixels);

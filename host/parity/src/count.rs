@@ -40,15 +40,13 @@ impl Parity for RecordTotal {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let counts = runner.output_of(&self.counts)?;
         let (last, capacity) = (self.first.len() as u32 - 1, self.capacity);
         let kernel = RecordTotalKernel {
             params: RecordTotalParams { slot: MEMBERS, last, capacity },
-            first: &runner.upload(&self.first)?,
-            counts: &counts,
+            first: &self.first,
+            counts: &self.counts.to_vec(),
         };
-        runner.items(&kernel, 2, 1)?;
-        Ok(vec![Output::exact("counts", runner.read(&counts)?)])
+        runner.run(&kernel, 2, 1)
     }
 
     /// misfit, pairs, members, samples: the total of the members, and whether it fits.
@@ -83,16 +81,14 @@ impl Parity for ClearOnOverflow {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let len = self.table.len() as u32;
-        let table = runner.output_of(&self.table)?;
-        let mut counts = [3; COUNTS as usize];
+        let mut counts = vec![3; COUNTS as usize];
         counts[OVERFLOW as usize] = self.misfit;
         let kernel = ClearOnOverflowKernel {
             params: ClearOnOverflowParams { len },
-            counts: &runner.upload(&counts)?,
-            table: &table,
+            counts: &counts,
+            table: &self.table,
         };
-        runner.items(&kernel, len, 1)?;
-        Ok(vec![Output::exact("table", runner.read(&table)?)])
+        runner.run(&kernel, len, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
@@ -105,7 +101,7 @@ impl Parity for ClearOnOverflow {
 #[derive(Clone, Debug)]
 pub struct CountFill {
     /// What `counts` has.
-    pub counts: [u32; COUNTS as usize],
+    pub counts: Vec<u32>,
     /// A slot in `counts`, `first` and `most`, for every other word.
     pub numbers: Vec<[u32; 3]>,
 }
@@ -120,7 +116,7 @@ impl Parity for CountFill {
                 let slot = [PAIRS, MEMBERS, SAMPLES][random.below(3) as usize];
                 [slot, random.below(3000), random.below(1000)]
             });
-            let set = Self { counts: [misfit, 0, 1000, 2000], numbers: numbers.collect() };
+            let set = Self { counts: vec![misfit, 0, 1000, 2000], numbers: numbers.collect() };
             (format!("{size} numbers, misfit {misfit}"), set)
         };
         SIZES.into_iter().flat_map(|size| [0, 1].map(|misfit| of(size, misfit))).collect()
@@ -133,20 +129,18 @@ impl Parity for CountFill {
             placement.extend([word, slot, first, most]);
         }
         assert_eq!(placement.len() as u32, (1 + numbers) * PLACEMENT_VALUES);
-        let parameters = runner.output::<u32>(2 * self.numbers.len())?;
         let kernel = CountFillKernel {
-            placement: &runner.upload(&placement)?,
-            counts: &runner.upload(&self.counts)?,
-            parameters: &parameters,
+            placement: &placement,
+            counts: &self.counts,
+            parameters: &runner.unwritten(2 * self.numbers.len()),
         };
-        runner.items(&kernel, numbers, 1)?;
-        Ok(vec![Output::exact("parameters", runner.read(&parameters)?)])
+        runner.run(&kernel, numbers, 1)
     }
 
     /// What is left of each total behind `first`, at most `most`; nothing where something did not fit.
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let number = |&[slot, first, most]: &[u32; 3]| match self.counts {
-            [0, counts @ ..] => {
+        let number = |&[slot, first, most]: &[u32; 3]| match self.counts[..] {
+            [0, ref counts @ ..] => {
                 let rest = i64::from(counts[slot as usize - 1]) - i64::from(first);
                 rest.clamp(0, i64::from(most)) as f64
             }

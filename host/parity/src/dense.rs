@@ -147,28 +147,25 @@ impl Parity for Dense {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
-        let output = runner.output((4 * layer.columns * layer.stride) as usize)?;
         let kernel = DenseKernel {
             params: layer.params(),
-            parameters: &runner.upload(&layer.parameters)?,
-            input: &runner.upload(&layer.input)?,
-            output: &output,
+            parameters: &layer.parameters,
+            input: &layer.input,
+            output: &runner.unwritten((4 * layer.columns * layer.stride) as usize),
         };
-        runner.items(&kernel, layer.samples, layer.columns * 4 / OUTPUTS_PER_INVOCATION)?;
-        Ok(vec![Output::float("output", runner.read(&output)?)])
+        runner.run(&kernel, layer.samples, layer.columns * 4 / OUTPUTS_PER_INVOCATION)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let Some((row, sample)) = self.layer.output(index) else {
-            return Bound { scale: 0.0, floor: 0.0 };
+            return Bound::EXACT;
         };
         let Bound { scale, floor } = self.layer.bound(sample, row);
         Bound { scale: scale * f64::from(self.layer.inputs + 1), floor }
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let layer = &self.layer;
-        let output = |(row, sample)| relu(layer.exact(sample, row));
-        (0..len).map(|index| layer.output(index).map(output)).collect()
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        let (row, sample) = self.layer.output(index)?;
+        Some(relu(self.layer.exact(sample, row)))
     }
 }

@@ -63,19 +63,17 @@ impl Parity for PairInverseDistance {
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let packed: Vec<_> = self.scene.cameras.iter().flat_map(Camera::pack).collect();
         let pairs = self.pair.len();
-        let power = runner.output(3 * pairs)?;
         let kernel = PairInverseDistanceKernel {
             params: PairInverseDistanceParams {
                 pairs: pairs as u32,
                 gaussians: self.scene.gaussians,
             },
-            pair: &runner.upload(&self.pair)?,
-            camera: &runner.upload(&packed)?,
-            position: &runner.upload(&self.scene.position)?,
-            power: &power,
+            pair: &self.pair,
+            camera: &packed,
+            position: &self.scene.position,
+            power: &runner.unwritten(3 * pairs),
         };
-        runner.items(&kernel, pairs as u32, 1)?;
-        Ok(vec![Output::float("power", runner.read(&power)?)])
+        runner.run(&kernel, pairs as u32, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
@@ -87,8 +85,8 @@ impl Parity for PairInverseDistance {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        if index / 3 >= self.pair.len() || index % 3 == 2 {
-            return Bound { scale: 0.0, floor: 0.0 };
+        if index % 3 == 2 {
+            return Bound::EXACT;
         }
         let [distance, sizes] = self.distance(index / 3);
         let (u, error) = (1.0 / distance, 1.0 + sizes / distance);
@@ -164,17 +162,14 @@ impl Parity for DistortionBackward {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let sum_gradient = runner.output(4 * self.sum.len())?;
         let kernel = DistortionBackwardKernel {
             params: DistortionParams { side: self.side, scale: self.scale },
-            tile: &runner.upload(&pack(&self.tiles))?,
-            sum: &runner.upload(&planes(&self.sum, self.area()))?,
-            valid: &runner.upload(&self.valid)?,
-            sum_gradient: &sum_gradient,
+            tile: &pack(&self.tiles),
+            sum: &planes(&self.sum, self.area()),
+            valid: &self.valid,
+            sum_gradient: &runner.unwritten(4 * self.sum.len()),
         };
-        runner.pixels(&kernel, self.side, self.tiles.len() as u32)?;
-        let found = runner.read(&sum_gradient)?;
-        Ok(vec![Output::float("sum_gradient", pixels(&found, self.area()))])
+        Ok(pixels(runner.run_over(&kernel, self.side, self.tiles.len() as u32)?, self.area()))
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
@@ -196,9 +191,9 @@ impl Parity for DistortionBackward {
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let (pixel, plane) = (index / 4, index % 4);
-        let sum = self.sum.get(pixel).map_or(Vec4::ZERO, |sum| *sum).as_dvec4();
+        let sum = self.sum[pixel].as_dvec4();
         if sum.w <= 0.0 || plane == 2 {
-            return Bound { scale: 0.0, floor: 0.0 };
+            return Bound::EXACT;
         }
         let (mean, spread) = (sum.x / sum.w, sum.w * sum.y / (sum.x * sum.x));
         let share = if sum.w > 1.0 { 1.0 / sum.w } else { sum.w };

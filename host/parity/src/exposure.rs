@@ -56,31 +56,26 @@ impl Parity for Expose {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let exposed = runner.output(self.image.len())?;
         let kernel = ExposeKernel {
             params: self.params(),
-            image: &runner.upload(&self.image)?,
-            exposure: &runner.upload(&self.exposure)?,
-            exposed: &exposed,
+            image: &self.image,
+            exposure: &self.exposure,
+            exposed: &runner.unwritten(self.image.len()),
         };
-        runner.items(&kernel, self.image.len() as u32, 1)?;
-        Ok(vec![Output::float("exposed", runner.read(&exposed)?)])
+        runner.run(&kernel, self.image.len() as u32, 1)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let Some(&x) = self.image.get(index) else { return Bound::of(0.0) };
+        let x = self.image[index];
         let [gain, offset] = self.of_plane(index / self.area());
         let scale = (gain * f64::from(x)).abs() + offset.abs();
         Bound { scale, floor: f64::from(TINY) * (1.0 + gain.abs() + f64::from(x.abs())) }
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let exact = |index: usize| {
-            let x = f64::from(*self.image.get(index)?);
-            let [gain, offset] = self.of_plane(index / self.area());
-            Some(gain * x + offset)
-        };
-        (0..len).map(exact).collect()
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        let x = f64::from(self.image[index]);
+        let [gain, offset] = self.of_plane(index / self.area());
+        Some(gain * x + offset)
     }
 }
 
@@ -120,27 +115,21 @@ impl Parity for ExposeBackward {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let set = &self.forward;
-        let gradient = runner.output_of(&self.gradient)?;
         let rows = 3 * TILES * set.side;
-        let row_sum = runner.output(2 * rows as usize)?;
         let kernel = ExposeBackwardKernel {
             params: set.params(),
-            image: &runner.upload(&set.image)?,
-            exposure: &runner.upload(&set.exposure)?,
-            gradient: &gradient,
-            row_sum: &row_sum,
+            image: &set.image,
+            exposure: &set.exposure,
+            gradient: &self.gradient,
+            row_sum: &runner.unwritten(2 * rows as usize),
         };
-        runner.items(&kernel, rows, 1)?;
-        Ok(vec![
-            Output::float("gradient", runner.read(&gradient)?),
-            Output::float("row_sum", runner.read(&row_sum)?),
-        ])
+        runner.run(&kernel, rows, 1)
     }
 
     fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {
         let tiny = f64::from(TINY);
         if output.name == "gradient" {
-            let Some(&slope) = self.gradient.get(index) else { return Bound::of(0.0) };
+            let slope = self.gradient[index];
             let [gain, _] = self.forward.of_plane(index / self.forward.area());
             let slope = f64::from(slope.abs());
             return Bound { scale: gain.abs() * slope, floor: tiny * (1.0 + gain.abs() + slope) };
@@ -157,15 +146,12 @@ impl Parity for ExposeBackward {
     }
 
     /// `x' = gain x + offset`, so `dx'/dx = gain`, `dx'/dgain = x` and `dx'/doffset = 1`.
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
-        let exact = |index: usize| {
-            if output == "gradient" {
-                let slope = f64::from(*self.gradient.get(index)?);
-                return Some(slope * self.forward.of_plane(index / self.forward.area())[0]);
-            }
-            let by = |[x, slope]: [f64; 2]| if index.is_multiple_of(2) { slope * x } else { slope };
-            Some(self.row(index / 2)?.map(by).sum::<f64>())
-        };
-        (0..len).map(exact).collect()
+    fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
+        if output == "gradient" {
+            let slope = f64::from(self.gradient[index]);
+            return Some(slope * self.forward.of_plane(index / self.forward.area())[0]);
+        }
+        let by = |[x, slope]: [f64; 2]| if index.is_multiple_of(2) { slope * x } else { slope };
+        Some(self.row(index / 2)?.map(by).sum::<f64>())
     }
 }

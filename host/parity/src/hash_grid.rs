@@ -225,21 +225,19 @@ impl Parity for HashGrid {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let levels = self.levels();
-        let output = runner.output(self.output_len())?;
         let kernel = HashGridKernel {
             params: self.params(),
-            levels: &runner.upload(&levels)?,
-            table: &runner.upload(&self.table)?,
-            position: &runner.upload(&self.positions())?,
-            output: &output,
+            levels: &levels,
+            table: &self.table,
+            position: &self.positions(),
+            output: &runner.unwritten(self.output_len()),
         };
-        runner.items(&kernel, kernel.params.points, levels.len() as u32)?;
-        Ok(vec![Output::float("output", runner.read(&output)?)])
+        runner.run(&kernel, kernel.params.points, levels.len() as u32)
     }
 
     fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {
         let Some((level, feature, point)) = self.place(index) else {
-            return Bound { scale: 0.0, floor: 0.0 };
+            return Bound::EXACT;
         };
         let level = self.levels()[level];
         let entries = level.entries(level.cell::<f32>(self.points[point]).corner);

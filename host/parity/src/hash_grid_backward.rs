@@ -228,37 +228,26 @@ impl Parity for HashGridBackward {
         let count = self.points.len();
         let gradient = features(&self.grid, count, &self.gradient);
         let levels = self.grid.levels_for_kernels();
-        let sum = runner.output_of(&vec![0_u32; 2 * self.values()])?;
-        let blocks = self.values().div_ceil(VALUES_PER_FLAG as usize);
-        let touched = runner.output_of(&vec![0_u32; blocks])?;
-        let status = runner.output_of(&[0_u32])?;
         let kernel = HashGridBackwardKernel {
             params: params(&self.grid, count),
-            levels: &runner.upload(&levels)?,
-            position: &runner.upload(&positions(&self.points))?,
-            feature_gradient: &runner.upload(&gradient)?,
-            scale: &runner.upload(&[self.scale, 1.0 / self.scale, self.limit])?,
-            sum: &sum,
-            touched: &touched,
-            status: &status,
+            levels: &levels,
+            position: &positions(&self.points),
+            feature_gradient: &gradient,
+            scale: &vec![self.scale, 1.0 / self.scale, self.limit],
+            sum: &vec![0; 2 * self.values()],
+            touched: &vec![0; self.values().div_ceil(VALUES_PER_FLAG as usize)],
+            status: &vec![0],
         };
-        runner.items(&kernel, count as u32, levels.len() as u32)?;
-        let words = runner.read(&sum)?;
-        let words = words[..2 * self.values()].chunks_exact(2);
+        let mut outputs = runner.run(&kernel, count as u32, levels.len() as u32)?;
+        let words = outputs[0].words().chunks_exact(2);
         let integers = words.map(|w| (u64::from(w[1]) << 32 | u64::from(w[0])) as i64);
-        Ok(vec![
-            Output {
-                name: "sum",
-                values: Values::Float(integers.map(|integer| integer as f64).collect()),
-            },
-            Output::exact("touched", runner.read(&touched)?),
-            Output::exact("status", runner.read(&status)?),
-        ])
+        outputs[0].values = Values::Float(integers.map(|integer| integer as f64).collect());
+        Ok(outputs)
     }
 
     fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {
         if self.is_unrounded {
-            return Bound { scale: 0.0, floor: 0.0 };
+            return Bound::EXACT;
         }
         let size = self.sizes[index];
         let regrouped = match rounding {
@@ -322,45 +311,36 @@ impl Parity for HashGridGradient {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let words = |&sum: &i64| [sum as u32, (sum >> 32) as u32];
-        let sum = runner.output_of(&self.sum.iter().flat_map(words).collect::<Vec<_>>())?;
-        let gradient = runner.output_of(&self.gradient)?;
         let values = self.sum.len() as u32;
         let kernel = HashGridGradientKernel {
             params: HashGridGradientParams { values },
-            scale: &runner.upload(&[self.scale, 1.0 / self.scale, 0.0])?,
+            scale: &vec![self.scale, 1.0 / self.scale, 0.0],
             // nothing is bound as nothing
-            touched: &runner.upload(&[&self.touched[..], &[0]].concat())?,
-            sum: &sum,
-            gradient: &gradient,
+            touched: &[&self.touched[..], &[0]].concat(),
+            sum: &self.sum.iter().flat_map(words).collect::<Vec<_>>(),
+            gradient: &self.gradient,
         };
-        runner.items(&kernel, values, 1)?;
-        Ok(vec![
-            Output::float("gradient", runner.read(&gradient)?),
-            Output::exact("sum", runner.read(&sum)?),
-        ])
+        runner.run(&kernel, values, 1)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let sum = self.sum.get(index).map_or(0.0, |&sum| sum as f64 / f64::from(self.scale));
-        let before = self.gradient.get(index).map_or(0.0, |&value| f64::from(value));
+        let sum = self.sum[index] as f64 / f64::from(self.scale);
+        let before = f64::from(self.gradient[index]);
         Bound::of(sum.abs() + before.abs())
     }
 
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
         let is_touched = |index: usize| self.touched[index / 64] != 0;
-        let exact = |index: usize| {
-            let value = if output == "gradient" { index } else { index / 2 };
-            let sum = *self.sum.get(value)?;
-            Some(match (output, is_touched(value)) {
-                ("gradient", true) => {
-                    f64::from(self.gradient[value]) + sum as f64 / f64::from(self.scale)
-                }
-                ("gradient", false) => f64::from(self.gradient[value]),
-                // the kernel clears the sums
-                (_, true) => 0.0,
-                (_, false) => f64::from((sum >> (32 * (index % 2))) as u32),
-            })
-        };
-        (0..len).map(exact).collect()
+        let value = if output == "gradient" { index } else { index / 2 };
+        let sum = self.sum[value];
+        Some(match (output, is_touched(value)) {
+            ("gradient", true) => {
+                f64::from(self.gradient[value]) + sum as f64 / f64::from(self.scale)
+            }
+            ("gradient", false) => f64::from(self.gradient[value]),
+            // the kernel clears the sums
+            (_, true) => 0.0,
+            (_, false) => f64::from((sum >> (32 * (index % 2))) as u32),
+        })
     }
 }

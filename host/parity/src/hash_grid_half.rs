@@ -43,16 +43,14 @@ impl Parity for HashGridHalf {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let levels = self.full.levels();
-        let output = runner.output(self.full.output_len())?;
         let kernel = HashGridHalfKernel {
             params: self.full.params(),
-            levels: &runner.upload(&levels)?,
-            table: &runner.upload(&self.table)?,
-            position: &runner.upload(&self.full.positions())?,
-            output: &output,
+            levels: &levels,
+            table: &self.table,
+            position: &self.full.positions(),
+            output: &runner.unwritten(self.full.output_len()),
         };
-        runner.items(&kernel, kernel.params.points, levels.len() as u32)?;
-        Ok(vec![Output::float("output", runner.read(&output)?)])
+        runner.run(&kernel, kernel.params.points, levels.len() as u32)
     }
 
     fn bound(&self, output: &Output, index: usize, rounding: Rounding) -> Bound {

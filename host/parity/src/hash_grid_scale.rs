@@ -22,12 +22,13 @@ fn vectors(fill: Fill, random: &mut Random, len: usize, huge: f32) -> Vec<Vec4> 
 }
 
 /// The first `count` bounds as numbers; NaN counts as infinite.
-fn numbers(bounds: &[u32], count: usize) -> Output {
+fn numbers(mut found: Vec<Output>) -> Vec<Output> {
     let number = |&bits| {
         let number = f32::from_bits(bits);
         if number.is_nan() { f32::INFINITY } else { number }
     };
-    Output::float("bound", bounds[..count].iter().map(number))
+    found[0] = Output::float("bound", found[0].words().iter().map(number));
+    found
 }
 
 /// Values that must not get lost.
@@ -76,15 +77,13 @@ impl Parity for HashGridPeak {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pairs = self.transmittance.len() as u32;
-        let bound = runner.output_of(&[0_u32])?;
         let kernel = HashGridPeakKernel {
             params: HashGridPeakParams { pairs, color: u32::from(self.color), power: self.power },
-            pair_gradient: &runner.upload(&self.pair_gradient)?,
-            transmittance: &runner.upload(&self.transmittance)?,
-            bound: &bound,
+            pair_gradient: &self.pair_gradient,
+            transmittance: &self.transmittance,
+            bound: &vec![0],
         };
-        runner.items(&kernel, pairs, 1)?;
-        Ok(vec![numbers(&runner.read(&bound)?, 1)])
+        Ok(numbers(runner.run(&kernel, pairs, 1)?))
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
@@ -134,17 +133,15 @@ impl Parity for HashGridNorm {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let bound = runner.output_of(&[0_u32; SLOT as usize + 1])?;
         let params = HashGridNormParams {
             inputs: self.inputs,
             columns: self.columns,
             weight: BEFORE,
             slot: SLOT,
         };
-        let parameters = &runner.upload(&self.parameters)?;
-        let kernel = HashGridNormKernel { params, parameters, bound: &bound };
-        runner.items(&kernel, self.inputs, 1)?;
-        Ok(vec![numbers(&runner.read(&bound)?, SLOT as usize + 1)])
+        let bound = vec![0; SLOT as usize + 1];
+        let kernel = HashGridNormKernel { params, parameters: &self.parameters, bound: &bound };
+        Ok(numbers(runner.run(&kernel, self.inputs, 1)?))
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
@@ -203,25 +200,18 @@ impl Parity for HashGridScale {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let bits: Vec<_> = self.bound.iter().map(|value| value.to_bits()).collect();
-        let bound = runner.output_of(&bits)?;
-        let scale = runner.output::<f32>(SCALE_VALUES as usize)?;
-        let status = runner.output_of(&[0_u32])?;
         let layers = self.bound.len() as u32 - 1;
         let kernel = HashGridScaleKernel {
             params: HashGridScaleParams { layers, samples: self.samples },
-            bound: &bound,
-            scale: &scale,
-            status: &status,
+            bound: &self.bound.iter().map(|value| value.to_bits()).collect(),
+            scale: &runner.unwritten(SCALE_VALUES as usize),
+            status: &vec![0],
         };
-        runner.items(&kernel, 1, 1)?;
-        let scale = &runner.read(&scale)?[..SCALE_VALUES as usize];
-        let scale = scale.iter().map(|value| value.to_bits()).collect();
-        Ok(vec![
-            Output::exact("scale", scale),
-            Output::exact("bound", runner.read(&bound)?),
-            Output::exact("status", runner.read(&status)?),
-        ])
+        let mut outputs = runner.run(&kernel, 1, 1)?;
+        let scale = outputs[1].floats();
+        let bits = scale.iter().map(|&value| (value as f32).to_bits());
+        outputs[1] = Output::exact("scale", bits.collect());
+        Ok(outputs)
     }
 
     /// The bits of the unit, its inverse and the limit.  If a bound is not finite, the limit is 0 and the unit is not used.

@@ -39,9 +39,6 @@ fn mask(side: u32, random: &mut Random) -> Vec<bool> {
     (0..TILES * area).map(|at| at < area || at < 2 * area && random.below(3) > 0).collect()
 }
 
-/// Nothing may be different.
-const NOTHING: Bound = Bound { scale: 0.0, floor: 0.0 };
-
 /// What `loss_terms` leaves: inputs of the other kernels.
 #[derive(Clone, Debug)]
 pub struct Terms {
@@ -119,29 +116,22 @@ impl Parity for LossTerms {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let difference = runner.output::<Vec4>(self.valid.len())?;
-        let sum = runner.output::<Vec4>(self.valid.len())?;
         let kernel = LossTermsKernel {
             params: LossParams { side: self.side, tiles: TILES },
-            image: &runner.upload(&self.image)?,
-            target: &runner.upload(&self.target)?,
-            valid: &runner.upload(&self.valid)?,
-            difference: &difference,
-            sum: &sum,
+            image: &self.image,
+            target: &self.target,
+            valid: &self.valid,
+            difference: &runner.unwritten(self.valid.len()),
+            sum: &runner.unwritten(self.valid.len()),
         };
-        runner.pixels(&kernel, self.side, TILES)?;
-        let floats = |values: Vec<Vec4>| values.into_iter().flat_map(|value| value.to_array());
-        Ok(vec![
-            Output::float("difference", floats(runner.read(&difference)?)),
-            Output::float("sum", floats(runner.read(&sum)?)),
-        ])
+        runner.run_over(&kernel, self.side, TILES)
     }
 
     fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {
         let (at, channel) = (index / 4, index % 4);
-        let is_valid = self.valid.get(at).is_some_and(|&valid| valid > 0.0);
+        let is_valid = self.valid[at] > 0.0;
         if !is_valid || channel == 3 {
-            return NOTHING;
+            return Bound::EXACT;
         }
         let area = (self.side * self.side) as usize;
         let place = (at / area * 3 + channel) * area + at % area;
@@ -150,20 +140,17 @@ impl Parity for LossTerms {
         Bound { scale: size + half, floor: 4.0 * f64::from(TINY) }
     }
 
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
         let area = (self.side * self.side) as usize;
-        let exact = |index: usize| {
-            let (pixel, channel) = (index / 4, index % 4);
-            let is_valid = *self.valid.get(pixel)? > 0.0;
-            let is_difference = output == "difference";
-            if !is_valid || channel == 3 {
-                return Some(f64::from(u8::from(is_valid && is_difference)));
-            }
-            let at = (pixel / area * 3 + channel) * area + pixel % area;
-            let [x, y] = [&self.image, &self.target].map(|image| f64::from(image[at]));
-            Some(if is_difference { x - y } else { x + y - 1.0 })
-        };
-        (0..len).map(exact).collect()
+        let (pixel, channel) = (index / 4, index % 4);
+        let is_valid = self.valid[pixel] > 0.0;
+        let is_difference = output == "difference";
+        if !is_valid || channel == 3 {
+            return Some(f64::from(u8::from(is_valid && is_difference)));
+        }
+        let at = (pixel / area * 3 + channel) * area + pixel % area;
+        let [x, y] = [&self.image, &self.target].map(|image| f64::from(image[at]));
+        Some(if is_difference { x - y } else { x + y - 1.0 })
     }
 }
 
@@ -205,23 +192,17 @@ impl Parity for LossRows {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let rows = TILES * self.side;
-        let row_sum = runner.output::<Vec4>(rows as usize)?;
         let kernel = LossRowsKernel {
             params: LossParams { side: self.side, tiles: TILES },
-            difference: &runner.upload(&self.difference)?,
-            dissimilarity: &runner.upload(&self.dissimilarity)?,
-            row_sum: &row_sum,
+            difference: &self.difference,
+            dissimilarity: &self.dissimilarity,
+            row_sum: &runner.unwritten(rows as usize),
         };
-        runner.items(&kernel, rows, 1)?;
-        let sums = runner.read(&row_sum)?;
-        Ok(vec![Output::float("row_sum", sums.iter().flat_map(|sum| sum.to_array()))])
+        runner.run(&kernel, rows, 1)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let (row, part, side) = (index / 4, index % 4, self.side as usize);
-        if row >= (TILES * self.side) as usize {
-            return NOTHING;
-        }
         let sizes = (row * side..(row + 1) * side).map(|at| {
             let d = self.difference[at].as_dvec4().truncate().abs();
             match part {
@@ -237,19 +218,15 @@ impl Parity for LossRows {
         Bound { scale: roundings * sizes.sum::<f64>(), floor }
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let side = self.side as usize;
-        let exact = |index: usize| {
-            let (row, part) = (index / 4, index % 4);
-            let pixels = row * side..(row + 1) * side;
-            let of = |at: usize| {
-                let d = self.difference[at].as_dvec4();
-                sums(d.truncate().to_array(), f64::from(self.dissimilarity[at]), d.w)[part]
-            };
-            self.difference.get(pixels.clone())?;
-            Some(pixels.map(of).sum::<f64>())
+        let (row, part) = (index / 4, index % 4);
+        let pixels = row * side..(row + 1) * side;
+        let of = |at: usize| {
+            let d = self.difference[at].as_dvec4();
+            sums(d.truncate().to_array(), f64::from(self.dissimilarity[at]), d.w)[part]
         };
-        (0..len).map(exact).collect()
+        Some(pixels.map(of).sum::<f64>())
     }
 }
 
@@ -286,18 +263,16 @@ impl Parity for LossGradient {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let terms = &self.terms;
-        let grad_image = runner.output(3 * terms.sum.len())?;
         let [absolute_scale, ssim_scale] = self.scales;
         let kernel = LossGradientKernel {
             params: LossGradientParams { side: terms.side, absolute_scale, ssim_scale },
-            window: &runner.upload(&window())?,
-            difference: &runner.upload(&terms.difference)?,
-            sum: &runner.upload(&terms.sum)?,
-            row_slopes: &runner.upload(&self.row_slopes)?,
-            grad_image: &grad_image,
+            window: &window().to_vec(),
+            difference: &terms.difference,
+            sum: &terms.sum,
+            row_slopes: &self.row_slopes,
+            grad_image: &runner.unwritten(3 * terms.sum.len()),
         };
-        runner.pixels(&kernel, terms.side, TILES)?;
-        Ok(vec![Output::float("grad_image", runner.read(&grad_image)?)])
+        runner.run_over(&kernel, terms.side, TILES)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
@@ -305,8 +280,8 @@ impl Parity for LossGradient {
         let area = side * side;
         let (tile, channel, at) = (index / 3 / area, index / area % 3, index % area);
         let pixel = tile * area + at;
-        if pixel >= self.terms.sum.len() || self.terms.difference[pixel].w == 0.0 {
-            return NOTHING;
+        if self.terms.difference[pixel].w == 0.0 {
+            return Bound::EXACT;
         }
         let slope = |part: usize| {
             let value = |row: usize| {
@@ -323,23 +298,19 @@ impl Parity for LossGradient {
     }
 
     /// A pixel adds w (1, d, s) to the windows around it, and the slopes belong to those sums.
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let side = self.terms.side as usize;
         let area = side * side;
-        let exact = |index: usize| {
-            let (tile, channel, at) = (index / 3 / area, index / area % 3, index % area);
-            let pixel = tile * area + at;
-            self.terms.sum.get(pixel)?;
-            let Some([d, s]) = self.terms.of(pixel, channel) else { return Some(0.0) };
-            let (row, column) = (at / side, at % side);
-            let slope = |part: usize| {
-                let vector = |tap: usize| SLOPES as usize * (tile * area + tap * side + column);
-                let value = |tap| f64::from(self.row_slopes[vector(tap) + part][channel]);
-                weighted_sum(row, (0..side).map(value))
-            };
-            let [absolute, ssim] = self.scales.map(f64::from);
-            Some(absolute * sign(d) + ssim * (slope(0) + d * slope(1) + s * slope(2)))
+        let (tile, channel, at) = (index / 3 / area, index / area % 3, index % area);
+        let pixel = tile * area + at;
+        let Some([d, s]) = self.terms.of(pixel, channel) else { return Some(0.0) };
+        let (row, column) = (at / side, at % side);
+        let slope = |part: usize| {
+            let vector = |tap: usize| SLOPES as usize * (tile * area + tap * side + column);
+            let value = |tap| f64::from(self.row_slopes[vector(tap) + part][channel]);
+            weighted_sum(row, (0..side).map(value))
         };
-        (0..len).map(exact).collect()
+        let [absolute, ssim] = self.scales.map(f64::from);
+        Some(absolute * sign(d) + ssim * (slope(0) + d * slope(1) + s * slope(2)))
     }
 }

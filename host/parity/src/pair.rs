@@ -89,20 +89,15 @@ impl Parity for PairMask {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let cameras = self.first_tile.len() as u32 - 1;
-        let [mask, count] = [(); 2].map(|()| runner.output((cameras * self.words) as usize));
-        let (mask, count) = (mask?, count?);
+        let len = (cameras * self.words) as usize;
         let kernel = PairMaskKernel {
             params: PairMaskParams { words: self.words },
-            first_tile: &runner.upload(&self.first_tile)?,
-            tile_mask: &runner.upload(&self.tile_mask)?,
-            mask: &mask,
-            count: &count,
+            first_tile: &self.first_tile,
+            tile_mask: &self.tile_mask,
+            mask: &runner.unwritten(len),
+            count: &runner.unwritten(len),
         };
-        runner.items(&kernel, self.words, cameras)?;
-        Ok(vec![
-            Output::exact("mask", runner.read(&mask)?),
-            Output::exact("count", runner.read(&count)?),
-        ])
+        runner.run(&kernel, self.words, cameras)
     }
 
     /// The union of a camera's tiles.
@@ -137,15 +132,13 @@ impl Parity for PairFill {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let first_pair = scanned(&self.mask);
-        let pair = runner.output(*first_pair.last().unwrap_or(&0) as usize)?;
         let kernel = PairFillKernel {
             params: PairFillParams { words: self.words, gaussians: self.words * 32 },
-            mask: &runner.upload(&self.mask)?,
-            first_pair: &runner.upload(&first_pair)?,
-            pair: &pair,
+            mask: &self.mask,
+            first_pair: &first_pair,
+            pair: &runner.unwritten(*first_pair.last().unwrap_or(&0) as usize),
         };
-        runner.items(&kernel, self.words, 2)?;
-        Ok(vec![Output::exact("pair", runner.read(&pair)?)])
+        runner.run(&kernel, self.words, 2)
     }
 
     /// The words of both cameras follow each other, and so do their pairs.
@@ -218,7 +211,6 @@ impl Parity for PairSum {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let vector = runner.output_of(&self.vector)?;
         let kernel = PairSumKernel {
             params: PairSumParams {
                 words: self.words,
@@ -227,13 +219,12 @@ impl Parity for PairSum {
                 gaussians: self.gaussians(),
                 width: self.width,
             },
-            mask: &runner.upload(&self.mask)?,
-            first_pair: &runner.upload(&scanned(&self.mask))?,
-            pair_vector: &runner.upload(&self.pair_vector)?,
-            vector: &vector,
+            mask: &self.mask,
+            first_pair: &scanned(&self.mask),
+            pair_vector: &self.pair_vector,
+            vector: &self.vector,
         };
-        runner.items(&kernel, self.gaussians() * self.width.div_ceil(SUMMED), 1)?;
-        Ok(vec![Output::float("vector", runner.read(&vector)?)])
+        runner.run(&kernel, self.gaussians() * self.width.div_ceil(SUMMED), 1)
     }
 
     /// What was there, and the vectors of the pairs, which lie in the order of the masks' bits.
@@ -251,12 +242,10 @@ impl Parity for PairSum {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let Some(before) = self.vector.get(index) else {
-            return Bound { scale: 0.0, floor: 0.0 };
-        };
+        let before = self.vector[index];
         let (gaussian, value) = (index / self.width as usize, index % self.width as usize);
         let terms = self.of(gaussian as u32).into_iter().map(|vector| vector[value]);
-        let sum: f64 = terms.chain([*before]).map(|x| f64::from(x.abs())).sum();
+        let sum: f64 = terms.chain([before]).map(|x| f64::from(x.abs())).sum();
         Bound { scale: 4.0 * sum, floor: 4.0 * f64::from(TINY) }
     }
 }

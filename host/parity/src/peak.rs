@@ -56,27 +56,22 @@ impl Parity for PeakMultiplyAdd {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let Self { count, steps, factor, addend } = *self;
-        let output = runner.output(count as usize)?;
         let params = PeakMultiplyAddParams { count, steps, factor, addend };
-        runner.items(&PeakMultiplyAddKernel { params, output: &output }, count, 1)?;
-        Ok(vec![Output::float("output", runner.read(&output)?)])
+        runner.run(
+            &PeakMultiplyAddKernel { params, output: &runner.unwritten(count as usize) },
+            count,
+            1,
+        )
     }
 
     /// Twelve sums, which begin with 0 to 11 and a 4,194,304th of the invocation's number.
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let next = |x: f64| x * f64::from(self.factor) + f64::from(self.addend);
-        let sum = |index: u32| {
-            let begins = (0..12).map(|sum| f64::from(sum) + f64::from(index) / 4_194_304.0);
-            begins.map(|first| (0..self.rounds()).fold(first, |x, _| next(x))).sum()
-        };
-        let exact = (0..self.count).map(|index| Some(sum(index)));
-        exact.collect()
+        let begins = (0..12).map(|sum| f64::from(sum) + index as f64 / 4_194_304.0);
+        Some(begins.map(|first| (0..self.rounds()).fold(first, |x, _| next(x))).sum())
     }
 
-    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        if index >= self.count as usize {
-            return Bound { scale: 0.0, floor: 0.0 };
-        }
+    fn bound(&self, _: &Output, _: usize, _: Rounding) -> Bound {
         // errors are summed as the values are: 1 + f + f^2 + ..
         let grown = 1.0 / (1.0 - f64::from(self.factor.abs()));
         let largest = f64::from(SUMS) + f64::from(self.addend.abs()) * grown;
@@ -124,25 +119,19 @@ impl Parity for PeakRead {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let output = runner.output(self.count as usize)?;
         let kernel = PeakReadKernel {
             params: PeakReadParams { count: self.count, steps: self.steps },
-            values: &runner.upload(&self.values)?,
-            output: &output,
+            values: &self.values,
+            output: &runner.unwritten(self.count as usize),
         };
-        runner.items(&kernel, self.count, 1)?;
-        Ok(vec![Output::float("output", runner.read(&output)?)])
+        runner.run(&kernel, self.count, 1)
     }
 
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let exact = (0..self.count).map(|index| Some(self.read_by(index).sum()));
-        exact.collect()
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        Some(self.read_by(index as u32).sum())
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        if index >= self.count as usize {
-            return Bound { scale: 0.0, floor: 0.0 };
-        }
         let terms = f64::from(self.steps * READS);
         let size: f64 = self.read_by(index as u32).map(f64::abs).sum();
         Bound { scale: terms * size, floor: terms * f64::from(TINY) }

@@ -131,7 +131,6 @@ impl Parity for PoseBackward {
         pairs.sort_by_key(|&[.., pair]| pair);
         let slots =
             pairs.iter().map(|[camera, gaussian, _]| (camera * gaussians + gaussian) as u32);
-        let partial = runner.output::<f32>(POSE * cameras as usize * self.blocks())?;
         let kernel = PoseBackwardKernel {
             params: PoseBackwardParams {
                 gaussians: forward.gaussians,
@@ -139,17 +138,16 @@ impl Parity for PoseBackward {
                 blocks: self.blocks() as u32,
                 blur: forward.blur,
             },
-            camera: &runner.upload(&packed)?,
-            position: &runner.upload(&forward.position)?,
-            rotation: &runner.upload(&forward.rotation)?,
-            log_scale: &runner.upload(&forward.log_scale)?,
-            first_pair: &runner.upload(&first_pair)?,
-            pair: &runner.upload(&slots.collect::<Vec<_>>())?,
-            pair_gradient: &runner.upload(set.pair_gradient.as_flattened())?,
-            partial: &partial,
+            camera: &packed,
+            position: &forward.position,
+            rotation: &forward.rotation,
+            log_scale: &forward.log_scale,
+            first_pair: &first_pair,
+            pair: &slots.collect::<Vec<_>>(),
+            pair_gradient: &set.pair_gradient.as_flattened().to_vec(),
+            partial: &runner.unwritten(POSE * cameras as usize * self.blocks()),
         };
-        runner.items(&kernel, self.blocks() as u32, cameras)?;
-        Ok(vec![Output::float("partial", runner.read(&partial)?)])
+        runner.run(&kernel, self.blocks() as u32, cameras)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
@@ -164,13 +162,11 @@ impl Parity for PoseBackward {
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let blocks = self.pairs();
-        let Some(pairs) = blocks.get(index / POSE) else {
-            return Bound { scale: 0.0, floor: 0.0 };
-        };
+        let pairs = &blocks[index / POSE];
         let part = index % POSE / 3;
         let size: f64 = pairs.iter().map(|&pair| self.sizes(pair)[part]).sum();
         if size == 0.0 {
-            return Bound { scale: 0.0, floor: 0.0 };
+            return Bound::EXACT;
         }
         // 6e-8 for each sum
         let sums = 1.0 + pairs.len() as f64 / 16.0;
@@ -231,28 +227,25 @@ impl Parity for PoseSum {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let gradient = runner.output_of(&self.gradient)?;
         let (cameras, [first, end]) = (self.index.len() as u32, self.range);
         let kernel = PoseSumKernel {
             params: PoseSumParams { cameras, blocks: self.blocks, first, end },
-            index: &runner.upload(&self.index)?,
-            partial: &runner.upload(&self.partial)?,
-            gradient: &gradient,
+            index: &self.index,
+            partial: &self.partial,
+            gradient: &self.gradient,
         };
-        runner.items(&kernel, cameras * VALUES, 1)?;
-        Ok(vec![Output::float("gradient", runner.read(&gradient)?)])
+        runner.run(&kernel, cameras * VALUES, 1)
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let is_place = |at: usize| at < self.gradient.len();
-        (0..len).map(|at| is_place(at).then(|| self.terms(at).sum())).collect()
+    fn exact_at(&self, _: &str, at: usize) -> Option<f64> {
+        Some(self.terms(at).sum())
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let terms: Vec<_> = self.terms(index).collect();
         if terms.len() < 2 {
-            // a place without a camera, or behind the end
-            return Bound { scale: 0.0, floor: 0.0 };
+            // a place without a camera
+            return Bound::EXACT;
         }
         let roundings = terms.len() as f64;
         let size: f64 = terms.iter().map(|term| term.abs()).sum();

@@ -214,20 +214,20 @@ impl Parity for Project {
         let packed: Vec<_> = self.cameras.iter().flat_map(Camera::pack).collect();
         let windows = self.window.repeat(self.cameras.len());
         let slots = self.cameras.len() * self.gaussians as usize;
-        let projection = runner.output::<Vec4>(2 * slots)?;
-        let degenerate = runner.output_of(&[0_u32])?;
         let kernel = ProjectKernel {
             params: ProjectParams { gaussians: self.gaussians, blur: self.blur },
-            camera: &runner.upload(&packed)?,
-            window: &runner.upload(&windows)?,
-            position: &runner.upload(&self.position)?,
-            rotation: &runner.upload(&self.rotation)?,
-            log_scale: &runner.upload(&self.log_scale)?,
-            projection: &projection,
-            degenerate: &degenerate,
+            camera: &packed,
+            window: &windows,
+            position: &self.position,
+            rotation: &self.rotation,
+            log_scale: &self.log_scale,
+            projection: &runner.unwritten(2 * slots),
+            degenerate: &vec![0],
         };
-        runner.items(&kernel, self.gaussians, self.cameras.len() as u32)?;
-        let projection = runner.read(&projection)?;
+        let mut outputs = runner.run(&kernel, self.gaussians, self.cameras.len() as u32)?;
+        let projection: Vec<_> = outputs.remove(0).floats().iter().map(|&x| x as f32).collect();
+        let (projection, _) = projection.as_chunks::<4>();
+        let projection: Vec<_> = projection.iter().copied().map(Vec4::from_array).collect();
         let class = |p: &[Vec4; 2]| match p[0].z {
             BEHIND => 1,
             DEGENERATE => 2,
@@ -235,22 +235,20 @@ impl Parity for Project {
             radius if radius >= 0.0 => 0,
             _ => 4,
         };
-        let (places, behind) = projection.split_at(2 * slots);
-        let places = places.as_chunks::<2>().0;
+        let places = projection.as_chunks::<2>().0;
         // a negative one is a class
         let radius = places.iter().map(|p| p[0].z.max(0.0));
         let mean2d = places.iter().flat_map(|p| [p[0].x, p[0].y]);
         let conic = places.iter().flat_map(|p| [p[1].x, p[1].y, p[1].z]);
         let extent = places.iter().flat_map(|p| [p[0].w, p[1].w]);
-        Ok(vec![
+        outputs.extend([
             Output::exact("class", places.iter().map(class).collect()),
-            Output::exact("degenerate", runner.read(&degenerate)?),
             Output::float("mean2d", mean2d),
             Output::float("radius", radius),
             Output::float("conic", conic),
             Output::float("extent", extent),
-            Output::float("behind", behind.iter().flat_map(|v| v.to_array())),
-        ])
+        ]);
+        Ok(outputs)
     }
 
     fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
@@ -276,22 +274,17 @@ impl Parity for Project {
                 values.into_iter().map(Some).collect()
             }
         };
-        let exact: Vec<_> = match output {
-            "behind" => Vec::new(),
+        match output {
             "degenerate" => {
                 let told: Option<Vec<_>> = slots.collect();
                 let is_culled = |fate: &&Fate| matches!(fate, Fate::Degenerate);
                 vec![told.map(|fates| fates.iter().filter(is_culled).count() as f64)]
             }
             _ => slots.flat_map(|fate| of(&fate)).collect(),
-        };
-        exact
+        }
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        if cpu.name == "behind" {
-            return Bound { scale: 0.0, floor: 0.0 };
-        }
         let width = width(cpu.name);
         let (slot, part) = (index / width, index % width);
         let gaussians = self.gaussians as usize;

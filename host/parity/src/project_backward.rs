@@ -198,7 +198,6 @@ impl Parity for ProjectBackward {
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let set = &self.forward;
         let packed: Vec<_> = set.cameras.iter().flat_map(Camera::pack).collect();
-        let gradient = runner.output_of(&self.gradient)?;
         let kernel = ProjectBackwardKernel {
             params: ProjectBackwardParams {
                 gaussians: set.gaussians,
@@ -208,17 +207,16 @@ impl Parity for ProjectBackward {
                 blur: set.blur,
                 bits: ALL_BITS,
             },
-            camera: &runner.upload(&packed)?,
-            position: &runner.upload(&set.position)?,
-            rotation: &runner.upload(&set.rotation)?,
-            log_scale: &runner.upload(&set.log_scale)?,
-            pair_mask: &runner.upload(&self.pair_mask)?,
-            first_pair: &runner.upload(&self.first_pair)?,
-            pair_gradient: &runner.upload(self.pair_gradient.as_flattened())?,
-            gradient: &gradient,
+            camera: &packed,
+            position: &set.position,
+            rotation: &set.rotation,
+            log_scale: &set.log_scale,
+            pair_mask: &self.pair_mask,
+            first_pair: &self.first_pair,
+            pair_gradient: &self.pair_gradient.as_flattened().to_vec(),
+            gradient: &self.gradient,
         };
-        runner.items(&kernel, set.gaussians, 1)?;
-        Ok(vec![Output::float("gradient", runner.read(&gradient)?)])
+        runner.run(&kernel, set.gaussians, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
@@ -241,8 +239,7 @@ impl Parity for ProjectBackward {
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let count = self.forward.gaussians as usize;
-        let exact = Bound { scale: 0.0, floor: 0.0 };
-        let Some(before) = self.gradient.get(index) else { return exact };
+        let before = self.gradient[index];
         let (gaussian, part) = match index / count {
             0..3 => (index / 3, 0),
             3..7 => ((index - 3 * count) / 4, 1),
@@ -251,7 +248,7 @@ impl Parity for ProjectBackward {
         };
         let size = self.all_sizes(gaussian)[part];
         if size == 0.0 {
-            return exact;
+            return Bound::EXACT;
         }
         // what is flushed on the way may be multiplied by focal lengths
         Bound { scale: f64::from(before.abs()) + size, floor: f64::from(TINY) * 1e6 }

@@ -65,7 +65,6 @@ impl Parity for Resolve {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let image = runner.output(3 * self.sum.len())?;
         let [background_r, background_g, background_b] = self.background;
         let side = self.side;
         let kernel = ResolveKernel {
@@ -76,31 +75,27 @@ impl Parity for Resolve {
                 background_b,
                 divide_above: DIVIDE_ABOVE,
             },
-            tile: &runner.upload(&pack(&self.tiles))?,
-            sum: &runner.upload(&planes(&self.sum, (side * side) as usize))?,
-            image: &image,
+            tile: &pack(&self.tiles),
+            sum: &planes(&self.sum, (side * side) as usize),
+            image: &runner.unwritten(3 * self.sum.len()),
         };
-        runner.pixels(&kernel, side, self.tiles.len() as u32)?;
-        Ok(vec![Output::float("image", runner.read(&image)?)])
+        runner.run_over(&kernel, side, self.tiles.len() as u32)
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let area = (self.side * self.side) as usize;
         // Y [K, 3, S, S], each tile at its own place of the batch
-        let of = |index: usize| {
-            let (place, channel, at) = (index / (3 * area), index / area % 3, index % area);
-            let tile = self.tiles.iter().position(|tile| tile.output as usize == place)?;
-            let sum = self.sum[tile * area + at].as_dvec4();
-            Some(pixel(sum[channel], sum.w, f64::from(self.background[channel])))
-        };
-        (0..len).map(of).collect()
+        let (place, channel, at) = (index / (3 * area), index / area % 3, index % area);
+        let tile = self.tiles.iter().position(|tile| tile.output as usize == place)?;
+        let sum = self.sum[tile * area + at].as_dvec4();
+        Some(pixel(sum[channel], sum.w, f64::from(self.background[channel])))
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let area = (self.side * self.side) as usize;
         let (output, channel, at) = (index / 3 / area, index / area % 3, index % area);
         let Some(tile) = self.tiles.iter().position(|tile| tile.output as usize == output) else {
-            return Bound { scale: 0.0, floor: 0.0 };
+            return Bound::EXACT;
         };
         let sum = self.sum[tile * area + at].as_dvec4();
         let color = sum[channel].abs();
@@ -142,7 +137,6 @@ impl Parity for ResolveBackward {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let set = &self.forward;
-        let sum_gradient = runner.output(4 * set.sum.len())?;
         let [background_r, background_g, background_b] = set.background;
         let side = set.side;
         let kernel = ResolveBackwardKernel {
@@ -153,14 +147,12 @@ impl Parity for ResolveBackward {
                 background_b,
                 divide_above: DIVIDE_ABOVE,
             },
-            tile: &runner.upload(&pack(&set.tiles))?,
-            sum: &runner.upload(&planes(&set.sum, self.area()))?,
-            image_gradient: &runner.upload(&self.image_gradient)?,
-            sum_gradient: &sum_gradient,
+            tile: &pack(&set.tiles),
+            sum: &planes(&set.sum, self.area()),
+            image_gradient: &self.image_gradient,
+            sum_gradient: &runner.unwritten(4 * set.sum.len()),
         };
-        runner.pixels(&kernel, side, set.tiles.len() as u32)?;
-        let found = runner.read(&sum_gradient)?;
-        Ok(vec![Output::float("sum_gradient", pixels(&found, self.area()))])
+        Ok(pixels(runner.run_over(&kernel, side, set.tiles.len() as u32)?, self.area()))
     }
 
     /// Of the branch that was taken.
@@ -183,9 +175,7 @@ impl Parity for ResolveBackward {
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let (at, channel) = (index / 4, index % 4);
-        let Some(sum) = self.forward.sum.get(at).map(|sum| sum.as_dvec4()) else {
-            return Bound { scale: 0.0, floor: 0.0 };
-        };
+        let sum = self.forward.sum[at].as_dvec4();
         let area = self.area();
         let output = self.forward.tiles[at / area].output as usize;
         let gradient = |channel: usize| {

@@ -42,20 +42,14 @@ impl Parity for ScanBlock {
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let count = self.values.len() as u32;
         let blocks = (count + 1).div_ceil(BLOCK);
-        let prefix = runner.output(count as usize + 1)?;
-        let block_sum = runner.output(blocks as usize)?;
         let kernel = ScanBlockKernel {
             params: ScanParams { count },
-            value: &runner.upload(&self.values)?,
-            prefix: &prefix,
-            block_sum: &block_sum,
+            value: &self.values,
+            prefix: &runner.unwritten(count as usize + 1),
+            block_sum: &runner.unwritten(blocks as usize),
         };
         // a workgroup more than there are blocks: it must leave everything alone
-        runner.items(&kernel, (blocks + 1) * 64, 1)?;
-        Ok(vec![
-            Output::exact("prefix", runner.read(&prefix)?),
-            Output::exact("block_sum", runner.read(&block_sum)?),
-        ])
+        runner.run(&kernel, (blocks + 1) * 64, 1)
     }
 
     /// Sums from a block's begin on, one of them behind the last value; and those of whole blocks.
@@ -96,14 +90,12 @@ impl Parity for ScanAdd {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let count = self.prefix.len() as u32 - 1;
-        let prefix = runner.output_of(&self.prefix)?;
         let kernel = ScanAddKernel {
             params: ScanParams { count },
-            block_prefix: &runner.upload(&self.block_prefix)?,
-            prefix: &prefix,
+            block_prefix: &self.block_prefix,
+            prefix: &self.prefix,
         };
-        runner.items(&kernel, count + 1, 1)?;
-        Ok(vec![Output::exact("prefix", runner.read(&prefix)?)])
+        runner.run(&kernel, count + 1, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {

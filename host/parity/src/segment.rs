@@ -1,6 +1,6 @@
 //! The case of `segment`.
 
-use glam::{DVec3, Vec3, Vec4};
+use glam::{DVec3, Vec3};
 use organza_check::{
     Bound, KernelRunner, Output, Parity, Rounding, Values,
     inputs::{self, Fill, ITEMS, Random},
@@ -174,13 +174,13 @@ impl Segment {
 }
 
 /// Coarse and fine parts of `[pairs, 4]` segments, added: s and `s_factor`, w and 0.
-fn joined(segment: &[Vec4]) -> Vec<f64> {
-    let (segments, _) = segment.as_chunks::<{ SEGMENT_VECTORS as usize }>();
+fn joined(segment: &[f64]) -> Vec<f64> {
+    let (segments, _) = segment.as_chunks::<{ 4 * SEGMENT_VECTORS as usize }>();
     let added = segments.iter().flat_map(|segment| {
-        let [start, w, start_fine, w_fine] = segment.map(|vector| vector.as_dvec4());
-        [start + start_fine, w + w_fine]
+        let (coarse, fine) = segment.split_at(segment.len() / 2);
+        coarse.iter().zip(fine).map(|(coarse, fine)| coarse + fine)
     });
-    added.flat_map(|vector| vector.to_array()).collect()
+    added.collect()
 }
 
 impl Parity for Segment {
@@ -218,8 +218,6 @@ impl Parity for Segment {
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pairs = self.pair.len() as u32;
         let cameras: Vec<_> = self.cameras.iter().flat_map(Camera::pack).collect();
-        let segment = runner.output::<Vec4>((SEGMENT_VECTORS * pairs) as usize)?;
-        let count = runner.output(pairs as usize)?;
         let kernel = SegmentKernel {
             params: SegmentParams {
                 pairs,
@@ -227,24 +225,18 @@ impl Parity for Segment {
                 step: self.step,
                 contracted: u32::from(self.is_contracted),
             },
-            pair: &runner.upload(&self.pair)?,
-            camera: &runner.upload(&cameras)?,
-            scene_box: &runner.upload(&SceneBox::new(self.aabb, self.is_contracted).pack())?,
-            position: &runner.upload(&self.position)?,
-            segment: &segment,
-            count: &count,
+            pair: &self.pair,
+            camera: &cameras,
+            scene_box: &SceneBox::new(self.aabb, self.is_contracted).pack().to_vec(),
+            position: &self.position,
+            segment: &runner.unwritten((SEGMENT_VECTORS * pairs) as usize),
+            count: &runner.unwritten(pairs as usize),
         };
-        runner.items(&kernel, pairs, 1)?;
-        let segment = runner.read(&segment)?;
-        let values = if self.is_contracted {
-            segment.iter().flat_map(|vector| vector.as_dvec4().to_array()).collect()
-        } else {
-            joined(&segment)
-        };
-        Ok(vec![
-            Output { name: "segment", values: Values::Float(values) },
-            Output::exact("count", runner.read(&count)?),
-        ])
+        let mut outputs = runner.run(&kernel, pairs, 1)?;
+        if !self.is_contracted {
+            outputs[0].values = Values::Float(joined(outputs[0].floats()));
+        }
+        Ok(outputs)
     }
 
     fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
@@ -273,9 +265,7 @@ impl Parity for Segment {
 
     fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {
         let values = if self.is_contracted { 16 } else { 8 };
-        let Some(&slot) = self.pair.get(index / values) else {
-            return Bound { scale: 0.0, floor: 0.0 };
-        };
+        let slot = self.pair[index / values];
         if self.is_contracted {
             let scale = self.contracted_size(slot) + self.world(slot);
             let [p, eye] = self.ends(slot);

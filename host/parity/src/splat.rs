@@ -75,19 +75,16 @@ impl Parity for Splat {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pairs = self.pair.len() as u32;
-        let splat = runner.output::<Vec4>((VECTORS * pairs) as usize)?;
         let kernel = SplatKernel {
             params: SplatParams { pairs, gaussians: self.gaussians },
-            pair: &runner.upload(&self.pair)?,
-            projection: &runner.upload(&self.projection)?,
-            opacity: &runner.upload(&self.opacity)?,
-            transmittance: &runner.upload(&self.transmittance)?,
-            color: &runner.upload(&self.color)?,
-            splat: &splat,
+            pair: &self.pair,
+            projection: &self.projection,
+            opacity: &self.opacity,
+            transmittance: &self.transmittance,
+            color: &self.color,
+            splat: &runner.unwritten((VECTORS * pairs) as usize),
         };
-        runner.items(&kernel, pairs, 1)?;
-        let splat = runner.read(&splat)?;
-        Ok(vec![Output::float("splat", splat.iter().flat_map(|v| v.to_array()))])
+        runner.run(&kernel, pairs, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
@@ -106,8 +103,7 @@ impl Parity for Splat {
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
         let vectors = (4 * VECTORS) as usize;
-        let is_weight = index % vectors == 2 && index / vectors < self.pair.len();
-        if !is_weight {
+        if index % vectors != 2 {
             return Bound::of(0.0);
         }
         let gaussian = self.pair[index / vectors] % self.gaussians;
@@ -226,22 +222,19 @@ impl Parity for SplatBackward {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pairs = self.pair.len() as u32;
-        let pair_gradient = runner.output::<Vec4>((VECTORS * pairs) as usize)?;
         let words = self.gaussians.div_ceil(32);
         let kernel = SplatBackwardKernel {
             params: SplatBackwardParams { pairs, gaussians: self.gaussians, words },
-            pair: &runner.upload(&self.pair)?,
-            first_tile: &runner.upload(&FIRST_TILE)?,
-            tile_mask: &runner.upload(&self.tile_mask)?,
-            first_member: &runner.upload(&self.first_member)?,
-            opacity: &runner.upload(&self.opacity)?,
-            transmittance: &runner.upload(&self.transmittance)?,
-            member_gradient: &runner.upload(self.member_gradient.as_flattened())?,
-            pair_gradient: &pair_gradient,
+            pair: &self.pair,
+            first_tile: &FIRST_TILE.to_vec(),
+            tile_mask: &self.tile_mask,
+            first_member: &self.first_member,
+            opacity: &self.opacity,
+            transmittance: &self.transmittance,
+            member_gradient: &self.member_gradient.as_flattened().to_vec(),
+            pair_gradient: &runner.unwritten((VECTORS * pairs) as usize),
         };
-        runner.items(&kernel, pairs, 1)?;
-        let values = runner.read(&pair_gradient)?.into_iter().flat_map(|v| v.to_array());
-        Ok(vec![Output::float("pair_gradient", values)])
+        runner.run(&kernel, pairs, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
@@ -261,9 +254,7 @@ impl Parity for SplatBackward {
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let (pair, part) = (index / 12, index % 12);
-        let Some(&slot) = self.pair.get(pair) else {
-            return Bound { scale: 0.0, floor: 0.0 };
-        };
+        let slot = self.pair[pair];
         let sum = |part: usize| -> f64 {
             let terms = self.members(slot).into_iter();
             let term = |member: usize| self.member_gradient[member][part / 4][part % 4];

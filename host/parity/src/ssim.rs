@@ -32,16 +32,9 @@ pub fn tap_sum(at: usize, side: usize, value: impl Fn(usize) -> f64) -> f64 {
     taps.map(|tap| f64::from(weights[tap + radius - at]) * value(tap)).sum()
 }
 
-/// Nothing may be different.
-const NOTHING: Bound = Bound { scale: 0.0, floor: 0.0 };
-
 /// Tile's first pixel, row and column of a pixel.
 fn place(pixel: usize, side: usize) -> [usize; 3] {
     [pixel / (side * side) * side * side, pixel / side % side, pixel % side]
-}
-
-fn floats(values: Vec<Vec4>) -> impl Iterator<Item = f32> {
-    values.into_iter().flat_map(|value| value.to_array())
 }
 
 /// What a pixel adds to each sum, in f64.
@@ -68,40 +61,31 @@ impl Parity for SsimRows {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let terms = &self.terms;
-        let moments = runner.output::<Vec4>(MOMENTS as usize * terms.sum.len())?;
         let kernel = SsimRowsKernel {
             params: SsimParams { side: terms.side },
-            window: &runner.upload(&window())?,
-            difference: &runner.upload(&terms.difference)?,
-            sum: &runner.upload(&terms.sum)?,
-            moments: &moments,
+            window: &window().to_vec(),
+            difference: &terms.difference,
+            sum: &terms.sum,
+            moments: &runner.unwritten(MOMENTS as usize * terms.sum.len()),
         };
-        runner.pixels(&kernel, terms.side, TILES)?;
-        Ok(vec![Output::float("moments", floats(runner.read(&moments)?))])
+        runner.run_over(&kernel, terms.side, TILES)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let (pixel, part, channel) = (index / 16, index / 4 % 4, index % 4);
         let side = self.terms.side as usize;
-        if pixel >= self.terms.sum.len() {
-            return NOTHING;
-        }
         let [tile, row, column] = place(pixel, side);
         let size = |tap| moment(&self.terms, tile + row * side + tap, part, channel).abs();
         let floor = 2.0 * f64::from(WINDOW) * f64::from(TINY);
         Bound { scale: tap_sum(column, side, size), floor }
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let side = self.terms.side as usize;
-        let exact = |index: usize| {
-            let (pixel, part, channel) = (index / 16, index / 4 % 4, index % 4);
-            self.terms.sum.get(pixel)?;
-            let [tile, row, column] = place(pixel, side);
-            let value = |tap| moment(&self.terms, tile + row * side + tap, part, channel);
-            Some(weighted_sum(column, (0..side).map(value)))
-        };
-        (0..len).map(exact).collect()
+        let (pixel, part, channel) = (index / 16, index / 4 % 4, index % 4);
+        let [tile, row, column] = place(pixel, side);
+        let value = |tap| moment(&self.terms, tile + row * side + tap, part, channel);
+        Some(weighted_sum(column, (0..side).map(value)))
     }
 }
 
@@ -201,29 +185,23 @@ impl Parity for SsimColumns {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pixels = self.terms.sum.len();
-        let dissimilarity = runner.output(pixels)?;
-        let slopes = runner.output::<Vec4>(SLOPES as usize * pixels)?;
         let kernel = SsimColumnsKernel {
             params: SsimParams { side: self.terms.side },
-            window: &runner.upload(&window())?,
-            difference: &runner.upload(&self.terms.difference)?,
-            moments: &runner.upload(&self.moments)?,
-            dissimilarity: &dissimilarity,
-            slopes: &slopes,
+            window: &window().to_vec(),
+            difference: &self.terms.difference,
+            moments: &self.moments,
+            dissimilarity: &runner.unwritten(pixels),
+            slopes: &runner.unwritten(SLOPES as usize * pixels),
         };
-        runner.pixels(&kernel, self.terms.side, TILES)?;
-        Ok(vec![
-            Output::float("dissimilarity", runner.read(&dissimilarity)?),
-            Output::float("slopes", floats(runner.read(&slopes)?)),
-        ])
+        runner.run_over(&kernel, self.terms.side, TILES)
     }
 
     fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {
         let values = if output.name == "slopes" { 4 * SLOPES as usize } else { 1 };
         let (pixel, channel) = (index / values, index % 4);
-        let is_valid = self.terms.difference.get(pixel).is_some_and(|d| d.w > 0.0);
+        let is_valid = self.terms.difference[pixel].w > 0.0;
         if !is_valid || values > 1 && channel == 3 {
-            return NOTHING;
+            return Bound::EXACT;
         }
         let of = |channel| conditioned(self.window(pixel, channel));
         let scale = match values {
@@ -235,23 +213,20 @@ impl Parity for SsimColumns {
     }
 
     /// A pixel of a window adds w (1, d, s, d^2, s^2) to its sums, and x enters d and s alike.
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
         let values = if output == "slopes" { 4 * SLOPES as usize } else { 1 };
-        let exact = |index: usize| {
-            let (pixel, channel) = (index / values, index % 4);
-            let is_valid = self.terms.difference.get(pixel)?.w > 0.0;
-            if !is_valid || values > 1 && channel == 3 {
-                return Some(0.0);
-            }
-            if values == 1 {
-                let of = |channel| dissimilarity(self.window(pixel, channel)[0]);
-                return Some([0, 1, 2].map(of).iter().sum());
-            }
-            let [by_d, by_s, by_dd, by_ss, _] =
-                gradient(self.window(pixel, channel)[0], dissimilarity::<Dual>);
-            Some([by_d + by_s, 2.0 * by_dd, 2.0 * by_ss][index / 4 % SLOPES as usize])
-        };
-        (0..len).map(exact).collect()
+        let (pixel, channel) = (index / values, index % 4);
+        let is_valid = self.terms.difference[pixel].w > 0.0;
+        if !is_valid || values > 1 && channel == 3 {
+            return Some(0.0);
+        }
+        if values == 1 {
+            let of = |channel| dissimilarity(self.window(pixel, channel)[0]);
+            return Some([0, 1, 2].map(of).iter().sum());
+        }
+        let [by_d, by_s, by_dd, by_ss, _] =
+            gradient(self.window(pixel, channel)[0], dissimilarity::<Dual>);
+        Some([by_d + by_s, 2.0 * by_dd, 2.0 * by_ss][index / 4 % SLOPES as usize])
     }
 }
 
@@ -282,22 +257,17 @@ impl Parity for SsimRowsBackward {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let row_slopes = runner.output::<Vec4>(self.slopes.len())?;
         let kernel = SsimRowsBackwardKernel {
             params: SsimParams { side: self.side },
-            window: &runner.upload(&window())?,
-            slopes: &runner.upload(&self.slopes)?,
-            row_slopes: &row_slopes,
+            window: &window().to_vec(),
+            slopes: &self.slopes,
+            row_slopes: &runner.unwritten(self.slopes.len()),
         };
-        runner.pixels(&kernel, self.side, TILES)?;
-        Ok(vec![Output::float("row_slopes", floats(runner.read(&row_slopes)?))])
+        runner.run_over(&kernel, self.side, TILES)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let (vector, channel, side) = (index / 4, index % 4, self.side as usize);
-        if vector >= self.slopes.len() {
-            return NOTHING;
-        }
         let (pixel, part) = (vector / SLOPES as usize, vector % SLOPES as usize);
         let [tile, row, column] = place(pixel, side);
         let size = |tap: usize| {
@@ -309,17 +279,13 @@ impl Parity for SsimRowsBackward {
     }
 
     /// The transpose of a symmetric window is the window itself.
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let side = self.side as usize;
-        let exact = |index: usize| {
-            let (vector, channel) = (index / 4, index % 4);
-            self.slopes.get(vector)?;
-            let (pixel, part) = (vector / SLOPES as usize, vector % SLOPES as usize);
-            let [tile, row, column] = place(pixel, side);
-            let at = |tap: usize| (tile + row * side + tap) * SLOPES as usize + part;
-            let value = |tap| f64::from(self.slopes[at(tap)][channel]);
-            Some(weighted_sum(column, (0..side).map(value)))
-        };
-        (0..len).map(exact).collect()
+        let (vector, channel) = (index / 4, index % 4);
+        let (pixel, part) = (vector / SLOPES as usize, vector % SLOPES as usize);
+        let [tile, row, column] = place(pixel, side);
+        let at = |tap: usize| (tile + row * side + tap) * SLOPES as usize + part;
+        let value = |tap| f64::from(self.slopes[at(tap)][channel]);
+        Some(weighted_sum(column, (0..side).map(value)))
     }
 }

@@ -51,7 +51,6 @@ impl Parity for Statistics {
         let set = &self.pairs.forward;
         let radii = self.pairs.radius.iter();
         let projection = radii.flat_map(|&radius| [Vec4::ONE.with_z(radius), Vec4::ONE]);
-        let statistics = runner.output_of(&self.statistics)?;
         let kernel = StatisticsKernel {
             params: StatisticsParams {
                 gaussians: set.gaussians,
@@ -59,15 +58,13 @@ impl Parity for Statistics {
                 first_camera: 0,
                 cameras: set.cameras.len() as u32,
             },
-            projection: &runner.upload(&projection.collect::<Vec<_>>())?,
-            pair_mask: &runner.upload(&self.pairs.pair_mask)?,
-            first_pair: &runner.upload(&self.pairs.first_pair)?,
-            pair_gradient: &runner.upload(self.pairs.pair_gradient.as_flattened())?,
-            statistics: &statistics,
+            projection: &projection.collect::<Vec<_>>(),
+            pair_mask: &self.pairs.pair_mask,
+            first_pair: &self.pairs.first_pair,
+            pair_gradient: &self.pairs.pair_gradient.as_flattened().to_vec(),
+            statistics: &self.statistics,
         };
-        runner.items(&kernel, set.gaussians, 1)?;
-        let values = runner.read(&statistics)?.into_iter().flat_map(|v| v.to_array());
-        Ok(vec![Output::float("statistics", values)])
+        runner.run(&kernel, set.gaussians, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
@@ -77,16 +74,16 @@ impl Parity for Statistics {
 
     /// The number of cameras is added to what other parts have left: one rounding, the same on every device.
     fn exact_bound(&self, exact: &Output, index: usize, rounding: Rounding) -> Bound {
-        match self.statistics.get(index / 4) {
-            Some(_) if index % 4 == 1 => Bound::of(exact.floats()[index]),
+        match index % 4 {
+            1 => Bound::of(exact.floats()[index]),
             _ => self.bound(exact, index, rounding),
         }
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        if index.is_multiple_of(4) && index / 4 < self.statistics.len() {
+        if index.is_multiple_of(4) {
             return Bound::of(self.exact_of(index / 4)[0]);
         }
-        Bound { scale: 0.0, floor: 0.0 }
+        Bound::EXACT
     }
 }

@@ -115,19 +115,14 @@ impl Parity for TileMask {
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let words = self.gaussians.div_ceil(32);
         let len = self.tiles.len() * words as usize;
-        let (mask, count) = (runner.output(len)?, runner.output(len)?);
         let kernel = TileMaskKernel {
             params: TileMaskParams { gaussians: self.gaussians, words, side: self.side },
-            tile: &runner.upload(&pack(&self.tiles))?,
-            projection: &runner.upload(&self.projection)?,
-            mask: &mask,
-            count: &count,
+            tile: &pack(&self.tiles),
+            projection: &self.projection,
+            mask: &runner.unwritten(len),
+            count: &runner.unwritten(len),
         };
-        runner.items(&kernel, words, self.tiles.len() as u32)?;
-        Ok(vec![
-            Output::exact("mask", runner.read(&mask)?),
-            Output::exact("count", runner.read(&count)?),
-        ])
+        runner.run(&kernel, words, self.tiles.len() as u32)
     }
 
     /// The Gaussians within reach.
@@ -184,18 +179,16 @@ impl Parity for TileFill {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let first_member = scanned(&self.tile_mask);
-        let member = runner.output(*first_member.last().unwrap_or(&0) as usize)?;
         let kernel = TileFillKernel {
             params: TileFillParams { words: self.words },
-            tile: &runner.upload(&pack(&self.tiles))?,
-            tile_mask: &runner.upload(&self.tile_mask)?,
-            first_member: &runner.upload(&first_member)?,
-            pair_mask: &runner.upload(&self.pair_mask)?,
-            first_pair: &runner.upload(&scanned(&self.pair_mask))?,
-            member: &member,
+            tile: &pack(&self.tiles),
+            tile_mask: &self.tile_mask,
+            first_member: &first_member,
+            pair_mask: &self.pair_mask,
+            first_pair: &scanned(&self.pair_mask),
+            member: &runner.unwritten(*first_member.last().unwrap_or(&0) as usize),
         };
-        runner.items(&kernel, self.words, self.tiles.len() as u32)?;
-        Ok(vec![Output::exact("member", runner.read(&member)?)])
+        runner.run(&kernel, self.words, self.tiles.len() as u32)
     }
 
     /// A pair's number is its place among those of its camera, behind those of the cameras before.
@@ -236,14 +229,12 @@ impl Parity for TileRange {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let tile_first = runner.output(self.tiles as usize + 1)?;
         let kernel = TileRangeKernel {
             params: TileRangeParams { tiles: self.tiles, words: self.words },
-            first_member: &runner.upload(&self.first_member)?,
-            tile_first: &tile_first,
+            first_member: &self.first_member,
+            tile_first: &runner.unwritten(self.tiles as usize + 1),
         };
-        runner.items(&kernel, self.tiles + 1, 1)?;
-        Ok(vec![Output::exact("tile_first", runner.read(&tile_first)?)])
+        runner.run(&kernel, self.tiles + 1, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {

@@ -51,17 +51,15 @@ impl Parity for TileCells {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let members = self.member.len() as u32;
-        let cells = runner.output(self.member.len())?;
         let kernel = TileCellsKernel {
             params: TileCellsParams { members, tiles: self.tiles.len() as u32, side: self.side },
-            tile: &runner.upload(&pack(&self.tiles))?,
-            tile_first: &runner.upload(&self.tile_first)?,
-            member: &runner.upload(&self.member)?,
-            splat: &runner.upload(self.splat.as_flattened())?,
-            cells: &cells,
+            tile: &pack(&self.tiles),
+            tile_first: &self.tile_first,
+            member: &self.member,
+            splat: &self.splat.as_flattened().to_vec(),
+            cells: &runner.unwritten(self.member.len()),
         };
-        runner.items(&kernel, members, 1)?;
-        Ok(vec![Output::exact("cells", runner.read(&cells)?)])
+        runner.run(&kernel, members, 1)
     }
 
     /// The cells that have pixel centers within a splat's extent.

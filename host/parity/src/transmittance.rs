@@ -180,8 +180,6 @@ impl Parity for TransmittanceInputs {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let stride = self.stride as usize;
-        let point = runner.output((POINT_ROWS as usize + 1) * stride)?;
-        let input = runner.output(4 * stride)?;
         let kernel = TransmittanceInputsKernel {
             params: TransmittanceInputsParams {
                 samples: self.samples,
@@ -193,21 +191,17 @@ impl Parity for TransmittanceInputs {
                 extra_row: 1,
                 contracted: u32::from(self.is_contracted),
             },
-            pair: &runner.upload(&self.pair)?,
-            first_sample: &runner.upload(&self.first_sample)?,
-            segment: &runner.upload(&self.segment)?,
-            extra: &runner.upload(&self.extra)?,
-            point: &point,
-            input: &input,
+            pair: &self.pair,
+            first_sample: &self.first_sample,
+            segment: &self.segment,
+            extra: &self.extra,
+            point: &runner.unwritten((POINT_ROWS as usize + 1) * stride),
+            input: &runner.unwritten(4 * stride),
         };
-        runner.items(&kernel, self.samples, 1)?;
-        let point = runner.read(&point)?;
-        let factor = point[POINT_ROWS as usize * stride..].iter().copied();
-        Ok(vec![
-            Output { name: "point", values: Values::Float(joined(&point, stride)) },
-            Output::float("s_factor", factor),
-            Output::float("input", runner.read(&input)?),
-        ])
+        let mut outputs = runner.run(&kernel, self.samples, 1)?;
+        let factor = Values::Float(joined(&mut outputs[0], stride));
+        outputs.push(Output { name: "s_factor", values: factor });
+        Ok(outputs)
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
@@ -215,7 +209,7 @@ impl Parity for TransmittanceInputs {
         // the rows before and after the extra vector belong to others
         let is_written = cpu.name != "input" || (1..3).contains(&row);
         if column >= self.samples as usize || !is_written {
-            return Bound { scale: 0.0, floor: 0.0 };
+            return Bound::EXACT;
         }
         // all but the points are copies; contracted ones are known as one f32 knows them
         let point = if self.is_contracted { 1e3 } else { 1.0 };
@@ -306,23 +300,19 @@ impl Parity for TransmittanceHead {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
-        let log_rho = runner.output((FIRST_SAMPLE + layer.samples) as usize)?;
         let kernel = TransmittanceHeadKernel {
             params: head_params(layer),
-            parameters: &runner.upload(&layer.parameters)?,
-            point: &runner.upload(&points(layer, &self.factor))?,
-            input: &runner.upload(&layer.input)?,
-            log_rho: &log_rho,
+            parameters: &layer.parameters,
+            point: &points(layer, &self.factor),
+            input: &layer.input,
+            log_rho: &runner.unwritten((FIRST_SAMPLE + layer.samples) as usize),
         };
-        runner.items(&kernel, layer.samples, 1)?;
-        Ok(vec![Output::float("log_rho", runner.read(&log_rho)?)])
+        runner.run(&kernel, layer.samples, 1)
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
         let sample = index.checked_sub(FIRST_SAMPLE as usize);
-        let Some(sample) = sample.filter(|&sample| sample < self.layer.samples as usize) else {
-            return Bound { scale: 0.0, floor: 0.0 };
-        };
+        let Some(sample) = sample else { return Bound::EXACT };
         let Bound { scale: terms, floor } = self.layer.bound(sample as u32, 0);
         let (log_rho, factor) = (cpu.floats()[index].abs(), f64::from(self.factor[sample]));
         // the slope of log sigmoid is at most 1, and at most its own size where that is small
@@ -332,14 +322,10 @@ impl Parity for TransmittanceHead {
         Bound { scale, floor: floor + f64::from(TINY) * (1.0 + log_rho) }
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let exact = |index: usize| {
-            let sample = index.checked_sub(FIRST_SAMPLE as usize)?;
-            let is_sample = sample < self.layer.samples as usize;
-            let a = || self.layer.exact(sample as u32, 0);
-            is_sample.then(|| log_rho(a(), f64::from(self.factor[sample])))
-        };
-        (0..len).map(exact).collect()
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        let sample = index.checked_sub(FIRST_SAMPLE as usize)?;
+        let a = self.layer.exact(sample as u32, 0);
+        Some(log_rho(a, f64::from(self.factor[sample])))
     }
 }
 
@@ -389,21 +375,16 @@ impl Parity for SegmentProduct {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let pairs = self.first_sample.len() as u32 - 1;
-        let transmittance = runner.output(pairs as usize)?;
         let kernel = SegmentProductKernel {
             params: SegmentProductParams { pairs, power: self.power },
-            first_sample: &runner.upload(&self.first_sample)?,
-            log_rho: &runner.upload(&self.log_rho)?,
-            transmittance: &transmittance,
+            first_sample: &self.first_sample,
+            log_rho: &self.log_rho,
+            transmittance: &runner.unwritten(pairs as usize),
         };
-        runner.items(&kernel, pairs, 1)?;
-        Ok(vec![Output::float("transmittance", runner.read(&transmittance)?)])
+        runner.run(&kernel, pairs, 1)
     }
 
     fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
-        if index + 1 >= self.first_sample.len() {
-            return Bound { scale: 0.0, floor: 0.0 };
-        }
         let terms = self.of(index);
         let sum: f64 = terms.iter().map(|&x| f64::from(self.power * x.abs())).sum();
         let roundings = match rounding {
@@ -413,10 +394,9 @@ impl Parity for SegmentProduct {
         Bound::of(cpu.floats()[index] * (1.0 + sum * roundings))
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let product =
-            |pair| transmittance(self.of(pair).iter().map(|&x| f64::from(self.power * x)).sum());
-        (0..len).map(|pair| (pair + 1 < self.first_sample.len()).then(|| product(pair))).collect()
+    fn exact_at(&self, _: &str, pair: usize) -> Option<f64> {
+        let logarithms = self.of(pair).iter().map(|&x| f64::from(self.power * x));
+        Some(transmittance(logarithms.sum()))
     }
 
     /// Wider than between devices: all of them round a sum of 16,384 logarithms in the same way, and f64 does not.

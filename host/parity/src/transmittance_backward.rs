@@ -17,9 +17,6 @@ use super::exact::transmittance::{log_rho, transmittance};
 use super::transmittance::{counts, head_params, head_sets, points, prefix};
 use organza_device::Result;
 
-/// Nothing may be off.
-const EXACT: Bound = Bound { scale: 0.0, floor: 0.0 };
-
 /// Samples before the chunk.
 const FIRST_SAMPLE: u32 = 3;
 
@@ -129,7 +126,6 @@ impl Parity for SegmentProductBackward {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let chunk = &self.chunk;
-        let log_rho_gradient = runner.output(chunk.samples as usize)?;
         let [first_pair, pairs] = chunk.pairs();
         let kernel = SegmentProductBackwardKernel {
             params: SegmentProductBackwardParams {
@@ -139,38 +135,28 @@ impl Parity for SegmentProductBackward {
                 first_sample: FIRST_SAMPLE,
                 power: self.power,
             },
-            first_sample: &runner.upload(&chunk.first_sample)?,
-            transmittance: &runner.upload(&self.transmittance)?,
-            pair_gradient: &runner.upload(&self.gradient)?,
-            log_rho_gradient: &log_rho_gradient,
+            first_sample: &chunk.first_sample,
+            transmittance: &self.transmittance,
+            pair_gradient: &self.gradient,
+            log_rho_gradient: &runner.unwritten(chunk.samples as usize),
         };
-        runner.items(&kernel, pairs, 1)?;
-        Ok(vec![Output::float("log_rho_gradient", runner.read(&log_rho_gradient)?)])
+        runner.run(&kernel, pairs, 1)
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        if index >= self.chunk.samples as usize {
-            return EXACT;
-        }
         let gradient = f64::from(self.gradient[3 * self.chunk.owner(index)].w).abs();
         // a transmittance that may be flushed
         Bound { scale: cpu.floats()[index].abs(), floor: f64::from(TINY) * (1.0 + gradient) }
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let exact = |sample: usize| {
-            (sample < self.chunk.samples as usize).then(|| {
-                let pair = self.chunk.owner(sample);
-                let of_pair = Dual::from(f64::from(self.gradient[3 * pair].w));
-                // a sample's logarithm is a term of the sum
-                let power = f64::from(self.power);
-                let sum = f64::from(self.transmittance[pair]).ln().max(-745.0) / power;
-                let [slope] =
-                    gradient([sum], |[sum]| of_pair * transmittance(Dual::from(power) * sum));
-                slope
-            })
-        };
-        (0..len).map(exact).collect()
+    fn exact_at(&self, _: &str, sample: usize) -> Option<f64> {
+        let pair = self.chunk.owner(sample);
+        let of_pair = Dual::from(f64::from(self.gradient[3 * pair].w));
+        // a sample's logarithm is a term of the sum
+        let power = f64::from(self.power);
+        let sum = f64::from(self.transmittance[pair]).ln().max(-745.0) / power;
+        let [slope] = gradient([sum], |[sum]| of_pair * transmittance(Dual::from(power) * sum));
+        Some(slope)
     }
 }
 
@@ -206,23 +192,18 @@ impl Parity for TransmittanceHeadBackward {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
-        let logit_gradient = runner.output(layer.samples as usize)?;
         let kernel = TransmittanceHeadBackwardKernel {
             params: head_params(layer),
-            parameters: &runner.upload(&layer.parameters)?,
-            point: &runner.upload(&points(layer, &self.factor))?,
-            input: &runner.upload(&layer.input)?,
-            log_rho_gradient: &runner.upload(&self.gradient)?,
-            logit_gradient: &logit_gradient,
+            parameters: &layer.parameters,
+            point: &points(layer, &self.factor),
+            input: &layer.input,
+            log_rho_gradient: &self.gradient,
+            logit_gradient: &runner.unwritten(layer.samples as usize),
         };
-        runner.items(&kernel, layer.samples, 1)?;
-        Ok(vec![Output::float("logit_gradient", runner.read(&logit_gradient)?)])
+        runner.run(&kernel, layer.samples, 1)
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        if index >= self.layer.samples as usize {
-            return EXACT;
-        }
         let Bound { scale: terms, floor } = self.layer.bound(index as u32, 0);
         let gradient = f64::from(self.gradient[index]).abs();
         let most = gradient * f64::from(self.factor[index]);
@@ -235,15 +216,10 @@ impl Parity for TransmittanceHeadBackward {
         Bound { scale, floor: (floor + f64::from(TINY)) * (1.0 + gradient) }
     }
 
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let exact = |sample: usize| {
-            (sample < self.layer.samples as usize).then(|| {
-                let [g, factor] = [&self.gradient, &self.factor].map(|of| f64::from(of[sample]));
-                let a = self.layer.exact(sample as u32, 0);
-                gradient([a], |[a]| Dual::from(g) * log_rho(a, factor))[0]
-            })
-        };
-        (0..len).map(exact).collect()
+    fn exact_at(&self, _: &str, sample: usize) -> Option<f64> {
+        let [g, factor] = [&self.gradient, &self.factor].map(|of| f64::from(of[sample]));
+        let a = self.layer.exact(sample as u32, 0);
+        Some(gradient([a], |[a]| Dual::from(g) * log_rho(a, factor))[0])
     }
 }
 
@@ -291,7 +267,6 @@ impl Parity for ExtraBackward {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let chunk = &self.chunk;
-        let pair_extra = runner.output_of(&self.pair_extra)?;
         let [first_pair, pairs] = chunk.pairs();
         let kernel = ExtraBackwardKernel {
             params: ExtraBackwardParams {
@@ -303,31 +278,27 @@ impl Parity for ExtraBackward {
                 extra: EXTRA as u32,
                 extra_row: 1,
             },
-            first_sample: &runner.upload(&chunk.first_sample)?,
-            input_gradient: &runner.upload(&self.gradient)?,
-            pair_extra: &pair_extra,
+            first_sample: &chunk.first_sample,
+            input_gradient: &self.gradient,
+            pair_extra: &self.pair_extra,
         };
-        runner.items(&kernel, pairs, EXTRA as u32)?;
-        Ok(vec![Output::float("pair_extra", runner.read(&pair_extra)?)])
+        runner.run(&kernel, pairs, EXTRA as u32)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let Some(before) = self.pair_extra.get(index) else { return EXACT };
+        let before = self.pair_extra[index];
         let row = &self.gradient[(1 + index % EXTRA) * self.stride as usize..];
         let samples = &row[self.chunk.of(index / EXTRA)];
-        let sum: f64 = samples.iter().chain([before]).map(|x| f64::from(x.abs())).sum();
+        let sum: f64 = samples.iter().chain([&before]).map(|x| f64::from(x.abs())).sum();
         let terms = 1.0 + samples.len() as f64;
         Bound { scale: sum * terms, floor: f64::from(TINY) * terms }
     }
 
     /// Every sample of a pair has a copy of its extra vector.
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let exact = |index: usize| {
-            let before = f64::from(*self.pair_extra.get(index)?);
-            let row = &self.gradient[(1 + index % EXTRA) * self.stride as usize..];
-            let samples = &row[self.chunk.of(index / EXTRA)];
-            Some(before + samples.iter().map(|&g| f64::from(g)).sum::<f64>())
-        };
-        (0..len).map(exact).collect()
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        let before = f64::from(self.pair_extra[index]);
+        let row = &self.gradient[(1 + index % EXTRA) * self.stride as usize..];
+        let samples = &row[self.chunk.of(index / EXTRA)];
+        Some(before + samples.iter().map(|&g| f64::from(g)).sum::<f64>())
     }
 }

@@ -101,8 +101,6 @@ impl Parity for UnitBegin {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let unit = runner.output(((UNITS + 1) * UNIT_VALUES) as usize)?;
-        let first_pair = runner.upload(&scanned(&self.mask))?;
         let first_sample = self.first_sample.as_deref().unwrap_or(&[0]);
         let kernel = UnitBeginKernel {
             params: UnitBeginParams {
@@ -111,12 +109,11 @@ impl Parity for UnitBegin {
                 slice: self.slice,
                 of_rays: u32::from(self.first_sample.is_some()),
             },
-            first_pair: &first_pair,
-            first_sample: &runner.upload(first_sample)?,
-            unit: &unit,
+            first_pair: &scanned(&self.mask),
+            first_sample: &first_sample.to_vec(),
+            unit: &runner.unwritten(((UNITS + 1) * UNIT_VALUES) as usize),
         };
-        runner.items(&kernel, 1, 1)?;
-        Ok(vec![Output::exact("unit", runner.read(&unit)?)])
+        runner.run(&kernel, 1, 1)
     }
 
     /// The slices are counted one by one.

@@ -14,7 +14,7 @@ pub trait Parity: Sized + 'static {
     const TOLERANCE: f64 = 0.0;
     /// The reason for the tolerance, and the values that the inputs avoid.
     const WHY: &'static str = "integers";
-    /// The fraction of each output's written elements for which [`Parity::exact`] must have a value, over all sets.
+    /// The part of each output's written elements that [`Parity::exact_at`] must give, over all sets.
     ///
     /// If a case lowers it, a comment says why.
     const COMPARED: f64 = 0.9;
@@ -34,9 +34,18 @@ pub trait Parity: Sized + 'static {
         Bound::of(cpu.floats()[index].abs())
     }
 
-    /// The equations in f64, for the `len` elements of an output. `None` for padding, for elements that the kernel
-    /// does not write, and where rounding decides. Missing elements at the end count as `None`.
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>>;
+    /// The equation in f64, for an element of an output. `None` for padding, for elements that the kernel does not write, and if
+    /// rounding decides.
+    fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
+        let _ = (output, index);
+        None
+    }
+
+    /// Like [`exact_at`](Self::exact_at), for all `len` elements of an output: for equations that compute them together.
+    /// Missing elements at the end count as `None`.
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+        (0..len).map(|index| self.exact_at(output, index)).collect()
+    }
 
     /// The error allowed between a device's element and `exact`. By default it is the same as between the device and
     /// the CPU.

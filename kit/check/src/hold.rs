@@ -6,9 +6,6 @@ use super::case::{Parity, Rounding};
 use super::measure::{Bound, Measure, Output, Values};
 use super::runner::{Canary, KernelRunner};
 
-/// The bound for elements that must be equal.
-const EQUAL: Bound = Bound { scale: 0.0, floor: 0.0 };
-
 /// Runs all sets and compares them with [`Parity::exact`].
 pub fn hold<P: Parity>(device: &Device, rounding: Rounding) -> Result<Measure> {
     let mut measure = Measure::default();
@@ -30,7 +27,7 @@ fn add<P: Parity>(measure: &mut Measure, name: &str, set: &P, output: &Output, r
     exact.resize(all, None);
     let is_float = matches!(output.values, Values::Float(_));
     let bound = |expected: &Output, index| {
-        if is_float { set.exact_bound(expected, index, rounding) } else { EQUAL }
+        if is_float { set.exact_bound(expected, index, rounding) } else { Bound::EXACT }
     };
     let compared = exact.iter().flatten().count();
     let written = (0..found.len())
@@ -39,7 +36,10 @@ fn add<P: Parity>(measure: &mut Measure, name: &str, set: &P, output: &Output, r
     // an element without a value in the equations is not checked, but padding must stay unwritten
     let expected = (0..found.len()).map(|index| match exact[index] {
         Some(exact) => exact,
-        None if is_float && bound(output, index) == EQUAL && !is_canary(found[index], true) => {
+        None if is_float
+            && bound(output, index) == Bound::EXACT
+            && !is_canary(found[index], true) =>
+        {
             f64::from(f32::CANARY)
         }
         None => found[index],

@@ -33,13 +33,12 @@
 //!
 //!     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
 //!         let params = SquareParams { count: self.0.len() as u32 };
-//!         let (input, output) = (runner.upload(&self.0)?, runner.output(self.0.len())?);
-//!         runner.items(&SquareKernel { params, input: &input, output: &output }, params.count, 1)?;
-//!         Ok(vec![Output::float("output", runner.read(&output)?)])
+//!         let output = runner.unwritten(self.0.len());
+//!         runner.run(&SquareKernel { params, input: &self.0, output: &output }, params.count, 1)
 //!     }
 //!
-//!     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-//!         self.0.iter().map(|&x| Some(f64::from(x) * f64::from(x))).collect()
+//!     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+//!         Some(f64::from(self.0[index]).powi(2))
 //!     }
 //! }
 //!
@@ -69,6 +68,7 @@
 mod assert;
 pub mod case;
 pub mod devices;
+mod given;
 mod hold;
 pub mod inputs;
 pub mod measure;
@@ -80,6 +80,7 @@ pub mod snapshot;
 
 pub use assert::assert_parity;
 pub use case::{Case, Parity, Rounding, missing};
+pub use given::Given;
 // the result type of cases
 pub use organza_device::Result;
 

@@ -44,6 +44,15 @@ impl Output {
         }
     }
 
+    /// The numbers of an output that must be equal to the bit; none otherwise.
+    #[must_use]
+    pub fn words(&self) -> &[u32] {
+        match &self.values {
+            Values::Float(_) => &[],
+            Values::Exact(values) => values,
+        }
+    }
+
     /// The values as f64.
     #[must_use]
     pub fn to_f64(&self) -> Vec<f64> {
@@ -64,6 +73,9 @@ pub struct Bound {
 }
 
 impl Bound {
+    /// The bound for elements that must be equal.
+    pub const EXACT: Self = Self { scale: 0.0, floor: 0.0 };
+
     /// A bound relative to `scale`. Denormals may be flushed to zero.
     #[must_use]
     pub fn of(scale: f64) -> Self {
@@ -134,8 +146,7 @@ impl Measure {
                 continue;
             }
             let difference = nan_is_infinite((cpu_value - value).abs());
-            let Bound { scale, floor } =
-                if is_exact { Bound { scale: 0.0, floor: 0.0 } } else { bound(index) };
+            let Bound { scale, floor } = if is_exact { Bound::EXACT } else { bound(index) };
             let allowed = tolerance * scale + floor;
             let share = if allowed > 0.0 { difference / allowed } else { f64::INFINITY };
             let share = nan_is_infinite(share);

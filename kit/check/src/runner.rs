@@ -2,9 +2,11 @@
 
 use bytemuck::Pod;
 use glam::Vec4;
-use organza_kernel::kernel::Dispatch;
+use organza_kernel::kernel::{Access, BindingInfo, Dispatch};
 
-use organza_device::{Buffer, Device, Error, Host, Result};
+use super::given::{self, Given, Uploaded};
+use super::measure::Output;
+use organza_device::{Buffer, Device, Error, Result};
 
 /// Number of elements after every output that no kernel may touch.
 const TAIL: usize = 8;
@@ -92,16 +94,25 @@ impl<'d> KernelRunner<'d> {
     /// # Errors
     /// The same errors as [`Device::read`], or an error if the kernel has written after the output's end.
     pub fn read<T: Canary>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
+        self.read_words(buffer, TAIL, self.canary(), T::CANARY)
+    }
+
+    /// Reads an output without its last `tail` elements, which must be canaries. Other canaries become `usual`.
+    fn read_words<T: Pod + PartialEq>(
+        &self,
+        buffer: &Buffer<T>,
+        tail: usize,
+        canary: T,
+        usual: T,
+    ) -> Result<Vec<T>> {
         let mut values = self.device.read(buffer)?;
-        let canary = self.canary::<T>();
-        if values[values.len() - TAIL..].iter().any(|value| *value != canary) {
+        let behind = values.split_off(values.len() - tail);
+        if behind.iter().any(|value| *value != canary) {
             let reason = "it writes behind its output".into();
             return Err(Error::Kernel { kernel: self.kernel.into(), reason });
         }
-        // unwritten elements must be the same on all devices
-        for value in values.iter_mut().filter(|value| **value == canary) {
-            *value = T::CANARY;
-        }
+        // what was not written is the same on all devices
+        values.iter_mut().filter(|value| **value == canary).for_each(|value| *value = usual);
         Ok(values)
     }
 
@@ -110,8 +121,7 @@ impl<'d> KernelRunner<'d> {
     /// # Errors
     /// The same errors as [`KernelRunner::read`], or an error if an element still is a canary.
     pub fn read_all<T: Canary>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
-        let mut values = self.read(buffer)?;
-        values.truncate(values.len() - TAIL);
+        let values = self.read(buffer)?;
         match values.iter().position(|value| *value == T::CANARY) {
             Some(index) => {
                 let reason = format!("it has not written element {index} of its output");
@@ -121,37 +131,82 @@ impl<'d> KernelRunner<'d> {
         }
     }
 
-    /// Runs the kernel with at least `items` invocations, and with at least one workgroup. The kernel itself must
-    /// test for an empty input.
+    /// Uploads what is given, and runs the kernel with at least `items` invocations along x, and with at least one
+    /// workgroup. The kernel itself must test for an empty input. Returns the outputs, by the names of the bindings.
     ///
     /// # Errors
-    /// The same errors as [`Device::run`].
-    pub fn items<'a>(
+    /// The same errors as [`Device::run`], or an error if the kernel has written after an output's end.
+    pub fn run<'a>(
         &self,
-        kernel: &impl Dispatch<'a, Host>,
+        kernel: &impl Dispatch<'a, Given>,
         items: u32,
         workgroups_z: u32,
-    ) -> Result<()> {
-        self.check(kernel);
-        self.device.run(kernel, items.max(1), workgroups_z.max(1))
+    ) -> Result<Vec<Output>> {
+        self.run_given(kernel, |kernel| self.device.run(kernel, items.max(1), workgroups_z.max(1)))
     }
 
-    /// Runs the kernel over the pixels of tiles: `side` x `side` invocations, with tiles along z.
+    /// Like [`run`](Self::run), over the pixels of tiles: `side` x `side` invocations, with tiles along z.
     ///
     /// # Errors
-    /// The same errors as [`Device::dispatch`].
-    pub fn pixels<'a>(
+    /// The same errors as [`run`](Self::run).
+    pub fn run_over<'a>(
         &self,
-        kernel: &impl Dispatch<'a, Host>,
+        kernel: &impl Dispatch<'a, Given>,
         side: u32,
         tiles: u32,
-    ) -> Result<()> {
-        self.check(kernel);
-        self.device.run_over(kernel, [side, side, tiles])
+    ) -> Result<Vec<Output>> {
+        self.run_given(kernel, |kernel| self.device.run_over(kernel, [side, side, tiles]))
     }
 
-    fn check<'a>(&self, kernel: &impl Dispatch<'a, Host>) {
-        let name = kernel.info().name;
-        assert_eq!(name, self.kernel, "the parity case of `{}` runs `{name}`", self.kernel);
+    fn run_given<'a>(
+        &self,
+        kernel: &impl Dispatch<'a, Given>,
+        dispatch: impl FnOnce(&Uploaded<'_>) -> Result<()>,
+    ) -> Result<Vec<Output>> {
+        let (info, uniform) = (kernel.info(), kernel.uniform());
+        assert_eq!(info.name, self.kernel, "the parity case of `{}` runs another", self.kernel);
+        let given = given::words(kernel);
+        let buffers = given.iter().map(|(binding, words)| self.upload_given(binding, words));
+        let buffers = buffers.collect::<Result<Vec<_>>>()?;
+        dispatch(&Uploaded { info, uniform, buffers: &buffers })?;
+        let outputs = given.iter().zip(&buffers).filter(|((binding, _), _)| is_written(binding));
+        outputs.map(|((binding, _), buffer)| self.output_given(binding, buffer)).collect()
     }
+
+    /// An output of `len` elements for [`run`](Self::run). If the kernel reads an element before it writes it, a device
+    /// with checks reports that.
+    #[must_use]
+    pub fn unwritten<T: Canary>(&self, len: usize) -> Vec<T> {
+        vec![self.canary(); len]
+    }
+
+    fn upload_given(&self, binding: &BindingInfo, words: &[u32]) -> Result<Buffer<u32>> {
+        if !is_written(binding) {
+            return self.device.upload(binding.name, words);
+        }
+        let canary = given::canaries(binding)[usize::from(self.has_other_canaries)];
+        let is_unwritten = words.iter().all(|word| *word == canary);
+        let words = [words, &vec![canary; tail(binding)]].concat();
+        let buffer = self.device.upload(binding.name, &words)?;
+        if is_unwritten {
+            self.device.forget(&buffer);
+        }
+        Ok(buffer)
+    }
+
+    fn output_given(&self, binding: &BindingInfo, buffer: &Buffer<u32>) -> Result<Output> {
+        let canaries = given::canaries(binding);
+        let canary = canaries[usize::from(self.has_other_canaries)];
+        let words = self.read_words(buffer, tail(binding), canary, canaries[0])?;
+        Ok(given::output(binding, words))
+    }
+}
+
+/// Words behind an output.
+fn tail(binding: &BindingInfo) -> usize {
+    TAIL * binding.element_bytes as usize / size_of::<u32>()
+}
+
+fn is_written(binding: &BindingInfo) -> bool {
+    binding.access == Access::Write
 }

@@ -21,9 +21,8 @@ impl Parity for Ripples {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let params = Picture { side: self.0, pixels: self.0 * self.0 };
-        let gray = runner.output(params.pixels as usize)?;
-        runner.pixels(&RipplesKernel { params, gray: &gray }, self.0, 1)?;
-        Ok(vec![Output::float("gray", runner.read(&gray)?)])
+        let gray = runner.unwritten(params.pixels as usize);
+        runner.run_over(&RipplesKernel { params, gray: &gray }, self.0, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
@@ -45,9 +44,8 @@ impl Parity for Histogram {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let params = Picture { side: 0, pixels: self.0.len() as u32 };
-        let (gray, bins) = (runner.upload(&self.0)?, runner.output_of(&[0; BINS])?);
-        runner.items(&HistogramKernel { params, gray: &gray, bins: &bins }, params.pixels, 1)?;
-        Ok(vec![Output::exact("bins", runner.read(&bins)?)])
+        let kernel = HistogramKernel { params, gray: &self.0, bins: &vec![0; BINS] };
+        runner.run(&kernel, params.pixels, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
@@ -70,9 +68,8 @@ impl Parity for Tint {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let params = Picture { side: 0, pixels: self.0.len() as u32 };
-        let (gray, color) = (runner.upload(&self.0)?, runner.output(3 * self.0.len())?);
-        runner.items(&TintKernel { params, gray: &gray, color: &color }, params.pixels, 1)?;
-        Ok(vec![Output::float("color", runner.read(&color)?)])
+        let color = runner.unwritten(3 * self.0.len());
+        runner.run(&TintKernel { params, gray: &self.0, color: &color }, params.pixels, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {

@@ -1,0 +1,82 @@
+//! A kernel's buffers as a case gives them: in the host's memory.
+
+use bytemuck::Pod;
+use organza_device::{Buffer, Host};
+use organza_kernel::KernelInfo;
+use organza_kernel::kernel::{Access, BindingInfo, Dispatch, Storage};
+
+use super::measure::{Output, Values};
+use super::runner::Canary;
+
+/// Where a case's buffers are: a kernel's struct takes a `&Vec` for each of them.
+#[derive(Debug)]
+pub struct Given;
+
+impl Storage for Given {
+    type Buffer<T: Pod> = Vec<T>;
+    type Binding<'a> = &'a [u8];
+    type Count = u32;
+
+    fn bind<T: Pod>(buffer: &Vec<T>) -> &[u8] {
+        bytemuck::cast_slice(buffer)
+    }
+
+    fn at_most(count: &u32) -> u32 {
+        *count
+    }
+}
+
+/// What a kernel's storage buffers hold, as words.
+pub(super) fn words<'a>(
+    kernel: &impl Dispatch<'a, Given>,
+) -> Vec<(&'static BindingInfo, Vec<u32>)> {
+    let mut given = Vec::new();
+    kernel.bind(&mut |bytes| given.push(bytemuck::pod_collect_to_vec(bytes)));
+    let bindings = kernel.info().bindings.iter();
+    bindings.filter(|binding| binding.access != Access::Uniform).zip(given).collect()
+}
+
+/// Whether a binding has numbers that may differ by rounding.
+fn is_float(binding: &BindingInfo) -> bool {
+    let name = binding.element.rsplit(':').next().unwrap_or_default();
+    ["f32", "Vec2", "Vec4"].contains(&name.trim())
+}
+
+/// A word that no kernel computes, and another one.
+pub(super) fn canaries(binding: &BindingInfo) -> [u32; 2] {
+    match is_float(binding) {
+        true => [f32::CANARY.to_bits(), f32::OTHER_CANARY.to_bits()],
+        false => [u32::CANARY, u32::OTHER_CANARY],
+    }
+}
+
+/// What a kernel has written, by the name of its binding.
+pub(super) fn output(binding: &BindingInfo, words: Vec<u32>) -> Output {
+    let float = |word| f64::from(f32::from_bits(word));
+    let values = match is_float(binding) {
+        true => Values::Float(words.into_iter().map(float).collect()),
+        false => Values::Exact(words),
+    };
+    Output { name: binding.name, values }
+}
+
+/// A kernel with buffers of a device.
+pub(super) struct Uploaded<'a> {
+    pub info: &'static KernelInfo,
+    pub uniform: &'a [u8],
+    pub buffers: &'a [Buffer<u32>],
+}
+
+impl<'a> Dispatch<'a, Host> for Uploaded<'a> {
+    fn info(&self) -> &'static KernelInfo {
+        self.info
+    }
+
+    fn uniform(&self) -> &[u8] {
+        self.uniform
+    }
+
+    fn bind(&self, visit: &mut dyn FnMut(<Host as Storage>::Binding<'a>)) {
+        self.buffers.iter().for_each(|buffer| visit(Host::bind(buffer)));
+    }
+}

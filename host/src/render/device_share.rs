@@ -17,19 +17,16 @@ pub struct DeviceShare {
     pub(super) fields: DeviceScene,
     pub(super) slices: Vec<DeviceScene>,
     is_whole: bool,
-    /// Slices of the whole scene.
-    pub(super) slices_of_all: usize,
 }
 
 impl DeviceShare {
-    /// The Gaussians of `scene`, which are a share of so many, and its fields.
+    /// The Gaussians of `scene`, which are a share, and its fields.
     ///
     /// # Errors
     /// As [`Renderer::upload_with`].
     pub(crate) fn upload(
         renderer: &Renderer,
         scene: &Scene,
-        of_all: usize,
         options: UploadOptions,
     ) -> Result<Self> {
         let Scene { config, gaussians, color, transmittance } = scene;
@@ -39,14 +36,14 @@ impl DeviceShare {
         let mut fields = Scene::zeros(config.clone(), 1)?;
         (fields.color, fields.transmittance) = (color.clone(), transmittance.clone());
         let fields = renderer.upload_with(&fields, options)?;
-        let mut uploaded = Self { fields, slices: Vec::new(), is_whole: false, slices_of_all: 0 };
-        uploaded.replace_gaussians(renderer.device(), gaussians, of_all)?;
+        let mut uploaded = Self { fields, slices: Vec::new(), is_whole: false };
+        uploaded.replace_gaussians(renderer.device(), gaussians)?;
         Ok(uploaded)
     }
 
     /// A whole scene.
     pub(crate) fn of_whole(scene: DeviceScene) -> Self {
-        Self { fields: scene, slices: Vec::new(), is_whole: true, slices_of_all: 1 }
+        Self { fields: scene, slices: Vec::new(), is_whole: true }
     }
 
     /// The scene, if it is whole.
@@ -78,7 +75,7 @@ impl DeviceShare {
         self.blocks().is_empty()
     }
 
-    /// The share has these Gaussians from now on, of so many of the whole scene.
+    /// The share has these Gaussians from now on.
     ///
     /// # Errors
     /// As [`Device::upload`]. Some Gaussians are missing then.
@@ -86,7 +83,6 @@ impl DeviceShare {
         &mut self,
         device: &Device,
         gaussians: &Gaussians,
-        of_all: usize,
     ) -> Result<()> {
         if self.is_whole {
             self.fields = self.fields.with_gaussians(device, gaussians)?;
@@ -94,7 +90,6 @@ impl DeviceShare {
         }
         // not both at once
         self.slices.clear();
-        self.slices_of_all = of_all.div_ceil(SLICE);
         for slice in in_slices(gaussians) {
             self.slices.push(self.fields.with_gaussians(device, &slice)?);
         }
@@ -179,6 +174,6 @@ impl Renderer {
     /// # Errors
     /// As [`Renderer::upload_with`].
     pub fn upload_share(&self, share: &SceneShare, options: UploadOptions) -> Result<DeviceShare> {
-        DeviceShare::upload(self, &share.scene, share.gaussians, options)
+        DeviceShare::upload(self, &share.scene, options)
     }
 }

@@ -5,10 +5,11 @@ use std::ops::Range;
 use glam::Vec4;
 use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 
+use super::binned::BinnedGradient;
 use super::field::DeviceField;
 use super::hash_grid::HashGridGradient;
 use super::packed::unpack;
-use super::pose::{POSE, PoseGradient};
+use super::pose::POSE;
 use super::scene::DeviceScene;
 use crate::error::{Error, Result};
 use crate::scene::{FieldTensors, Gradient, SceneConfig, Tensors};
@@ -33,7 +34,7 @@ pub struct SceneGradient {
     /// Whether the transmittance field and the extra vectors are wanted at all.
     pub(crate) has_transmittance: bool,
     /// Those of the cameras' poses, where they are wanted.
-    pub(super) poses: Option<PoseGradient>,
+    pub(super) poses: Option<BinnedGradient>,
 }
 
 /// The gradient of one tensor, in the order of the tensor's values: a range of a buffer.
@@ -51,7 +52,7 @@ pub struct TensorGradient {
 #[derive(Debug)]
 pub struct FieldGradient {
     /// Packed as [`DeviceField::parameters`].
-    pub parameters: Buffer<Vec4>,
+    pub network: BinnedGradient,
     /// Of the hash grid's table.
     pub table: HashGridGradient,
 }
@@ -74,7 +75,7 @@ impl SceneGradient {
         let [color, transmittance] = fields;
         let mut gradient = Self::of_fields(device, slice, color, transmittance)?;
         gradient.has_transmittance = self.has_transmittance;
-        gradient.poses = self.poses.as_ref().map(PoseGradient::view);
+        gradient.poses = self.poses.as_ref().map(BinnedGradient::view);
         Ok(gradient)
     }
 
@@ -118,7 +119,8 @@ impl SceneGradient {
     /// # Errors
     /// As [`Device::zeros`].
     pub(crate) fn with_poses(mut self, device: &Device, cameras: usize) -> Result<Self> {
-        self.poses = Some(PoseGradient::new(device, cameras)?);
+        let label = "gradients of poses";
+        self.poses = Some(BinnedGradient::new(device, label, POSE * cameras)?);
         Ok(self)
     }
 
@@ -127,7 +129,8 @@ impl SceneGradient {
     /// # Errors
     /// As [`Device::read`].
     pub(crate) fn read_poses(&self, device: &Device) -> Result<Vec<[f32; POSE]>> {
-        Ok(self.poses.as_ref().map(|poses| poses.read(device)).transpose()?.unwrap_or_default())
+        let Some(poses) = &self.poses else { return Ok(Vec::new()) };
+        Ok(device.read(&poses.values)?.as_chunks().0.to_vec())
     }
 
     /// Every tensor's gradient.
@@ -160,6 +163,15 @@ impl SceneGradient {
         }
     }
 
+    /// Makes gradients of all sums, and clears these.
+    pub(super) fn finish(&self, device: &Device) -> Result<()> {
+        for field in [&self.color, &self.transmittance] {
+            field.table.finish(device)?;
+            field.network.finish(device)?;
+        }
+        Ok(self.poses.iter().try_for_each(|poses| poses.finish(device))?)
+    }
+
     /// A step begins.
     pub(crate) fn begin(&self, device: &Device) {
         device.copy(&self.statistics, &self.statistics_before);
@@ -169,7 +181,10 @@ impl SceneGradient {
     pub(crate) fn restart(&self, device: &Device) {
         device.copy(&self.statistics_before, &self.statistics);
         self.tensors.iter().for_each(|(_, tensor)| device.clear(&tensor.buffer));
-        [&self.color, &self.transmittance].into_iter().for_each(|field| field.table.clear(device));
+        for field in [&self.color, &self.transmittance] {
+            field.table.clear(device);
+            field.network.clear(device);
+        }
         self.clear_poses(device);
     }
 
@@ -246,22 +261,23 @@ impl TensorGradient {
 
 impl FieldGradient {
     fn new(device: &Device, field: &DeviceField) -> Result<Self> {
+        let values = 4 * field.parameters.len();
         Ok(Self {
-            parameters: device.zeros("gradient of a network", field.parameters.len())?,
+            network: BinnedGradient::new(device, "gradient of a network", values)?,
             table: HashGridGradient::new(device, field)?,
         })
     }
 
     /// The same gradient, on the same memory.
     fn view(&self) -> Self {
-        Self { parameters: self.parameters.view(), table: self.table.view() }
+        Self { network: self.network.view(), table: self.table.view() }
     }
 
     fn tensors(&self) -> FieldTensors<TensorGradient> {
         let touched = Some(self.table.touched.view());
         FieldTensors {
             grid: TensorGradient::whole(self.table.gradient.view(), touched),
-            network: TensorGradient::whole(self.parameters.view(), None),
+            network: TensorGradient::whole(self.network.values.view(), None),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 mod backward;
 mod bin;
+mod binned;
 mod block;
 mod capacity;
 mod channels;
@@ -43,7 +44,6 @@ mod share_step;
 #[cfg(test)]
 mod tests;
 mod transmittance;
-mod unit;
 mod units;
 mod upload;
 

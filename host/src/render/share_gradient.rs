@@ -5,9 +5,7 @@
 //! ranks, either:
 //!
 //! - **hash grids** are 64-bit integers of one scale for all ranks, as in [a step over views](super::units).
-//! - **networks** are 64-bit integers, too: those of each slice and camera are rounded. Their unit follows from the largest
-//!   value of all.
-//! - **poses** likewise, those of each part of a slice.
+//! - **networks and poses** are [binned](organza_kernel::binned) sums, which are exact.
 //!
 //! In a [grid](Grid) of ranks, each group renders the tiles of some cameras. The ranks that have the same share add up its
 //! Gaussians' gradients camera by camera, as [`Rows`].
@@ -16,7 +14,7 @@ use glam::Vec4;
 
 use super::backward::of_tiles;
 use super::device_share::DeviceShare;
-use super::field_sums::{add_grids, set_scales, write_networks};
+use super::field_sums::{finish, set_scales};
 use super::gradient::SceneGradient;
 use super::part::Part;
 use super::part_counts::Capacity;
@@ -39,8 +37,8 @@ pub struct ShareRecording<'a> {
     share: &'a DeviceShare,
     cameras: &'a [Camera],
     grid: Grid<'a>,
-    /// Cameras and tiles of all groups.
-    of_step: (usize, usize),
+    /// Cameras of all groups.
+    units: usize,
     forward: ShareForward,
 }
 
@@ -57,21 +55,20 @@ impl Renderer {
         ranks: &'a dyn Ranks,
     ) -> Result<ShareRecording<'a>> {
         batch.validate(cameras)?;
-        let (grid, tiles) = (Grid::of_one_group(ranks), batch.tiles.len());
-        self.record_group((share, grid), cameras, batch, (tiles, tiles))
+        self.record_group((share, Grid::of_one_group(ranks)), cameras, batch, batch.tiles.len())
     }
 
-    /// What a group renders of a step with so many cameras and tiles.
+    /// What a group renders of a step with so many cameras.
     pub(super) fn record_group<'a>(
         &'a self,
         (share, grid): (&'a DeviceShare, Grid<'a>),
         cameras: &'a [Camera],
         batch: &TileBatch,
-        of_step: (usize, usize),
+        units: usize,
     ) -> Result<ShareRecording<'a>> {
         share.fields.require_gradients()?;
         let forward = self.share_forward(share, cameras, batch, &grid.row(), true)?;
-        Ok(ShareRecording { renderer: self, share, cameras, grid, of_step, forward })
+        Ok(ShareRecording { renderer: self, share, cameras, grid, units, forward })
     }
 }
 
@@ -107,42 +104,39 @@ impl ShareRecording<'_> {
     pub(super) fn add(&self, grad_output: &[f32], gradient: &ShareGradient) -> Result<()> {
         let (device, fields) = (self.renderer.device(), &gradient.fields);
         let kept = self.raise_bounds(grad_output, gradient)?;
-        let ((units, tiles), column) = (self.of_step, self.grid.column());
+        let (units, column) = (self.units, self.grid.column());
         let has_groups = self.grid.groups() > 1;
         let mut rows =
             has_groups.then(|| Rows::new(device, &column, &gradient.slices)).transpose()?;
-        let (mut networks, mut poses, mut kept) = (Vec::new(), Vec::new(), kept.into_iter());
+        let mut kept = kept.into_iter();
         for (index, (scene, parts)) in self.parts().enumerate() {
             let gradient = &gradient.slices[index];
             for (at, part) in parts.iter().enumerate() {
                 let rendered = self.part(scene, part)?;
                 let pairs = kept.next().expect("one for each part");
-                let goes_on = parts.get(at + 1).is_some_and(|next| next.begins_in(part));
+                let continues = parts.get(at + 1).is_some_and(|next| next.begins_in(part));
                 device.run_in_pool(|| {
                     let pairs = match pairs {
                         Some(pairs) => pairs,
                         None => self.pair_gradient(scene, part, rendered.get(), grad_output)?,
                     };
                     let part = rendered.get();
-                    let spread = part.spread(device, scene, &pairs, gradient)?;
-                    poses.push(gradient.read_poses(device)?.concat());
-                    gradient.clear_poses(device);
+                    let vectors = part.backward_fields(device, scene, &pairs, gradient)?;
                     let count = part.bins.cameras.len() as u32;
-                    networks.push(spread.read_networks(device, count, gradient)?);
                     let Some(rows) = &mut rows else {
                         return part.add_gaussians(
                             device,
                             scene,
                             &pairs,
-                            &spread,
+                            &vectors,
                             0..count,
                             gradient,
                         );
                     };
                     for unit in 0..count {
                         let cameras = unit..unit + 1;
-                        part.add_gaussians(device, scene, &pairs, &spread, cameras, gradient)?;
-                        if unit + 1 < count || !goes_on {
+                        part.add_gaussians(device, scene, &pairs, &vectors, cameras, gradient)?;
+                        if unit + 1 < count || !continues {
                             rows.take(index)?;
                         }
                     }
@@ -151,14 +145,7 @@ impl ShareRecording<'_> {
             }
         }
         rows.map_or(Ok(()), |rows| rows.add(units))?;
-        let (ranks, most) = (self.grid.all, self.share.slices_of_all * tiles);
-        let len = 4 * (fields.color.parameters.len() + fields.transmittance.parameters.len());
-        write_networks(device, fields, &sum_in_fixed_point(ranks, &networks, len, most)?)?;
-        if let Some(gradient) = &fields.poses {
-            let sum = sum_in_fixed_point(ranks, &poses, gradient.len(), most)?;
-            gradient.write(device, &sum)?;
-        }
-        add_grids(device, Some(ranks), fields)
+        finish(device, Some(self.grid.all), fields)
     }
 
     /// Finds the one scale of all ranks' hash grids. Returns the gradient of the pairs of each part, `[pairs, 3]`, if the part
@@ -316,33 +303,4 @@ impl Rendered<'_> {
             Self::Again(part) => part,
         }
     }
-}
-
-/// The sum of the vectors of all ranks, at most `count` of them, one after the other. Its unit is 2^-60 of the largest value,
-/// times `count`: for 1,024 slices and 64 cameras, it is exact for values down to 2^-20 of the largest.
-fn sum_in_fixed_point(
-    ranks: &dyn Ranks,
-    mine: &[Vec<f32>],
-    len: usize,
-    count: usize,
-) -> Result<Vec<f32>> {
-    let largest = mine.iter().flatten().map(|value| value.abs().to_bits()).max().unwrap_or(0);
-    let mut largest = [largest];
-    ranks.max(&mut largest)?;
-    if !f32::from_bits(largest[0]).is_finite() {
-        let reason = "a gradient of a network or of a pose is NaN or infinite".to_owned();
-        return Err(Error::Diverged { reason });
-    }
-    // every value is less than 2^exponent, and all of them less than 2^61 units
-    let exponent = (largest[0] >> 23) as i32 - 126;
-    let bits = 60 - count.next_power_of_two().trailing_zeros() as i32;
-    let unit = 2.0_f64.powi(exponent - bits);
-    let mut sums = vec![0_i64; len];
-    for values in mine.iter().flat_map(|values| values.chunks_exact(len)) {
-        for (sum, &value) in sums.iter_mut().zip(values) {
-            *sum += (f64::from(value) / unit).round_ties_even() as i64;
-        }
-    }
-    ranks.sum(&mut sums)?;
-    Ok(sums.iter().map(|&sum| (sum as f64 * unit) as f32).collect())
 }

@@ -62,8 +62,7 @@ impl Renderer {
         let mine = &deal.tiles[grid.group()];
         let tiles = mine.iter().map(|planned| planned.tile).collect();
         let of_group = TileBatch { side: batch.side, tiles };
-        let of_step = (deal.units, batch.tiles.len());
-        let recording = self.record_group((share, grid), cameras, &of_group, of_step)?;
+        let recording = self.record_group((share, grid), cameras, &of_group, deal.units)?;
         let (found, grad_output) = self.compare(recording.tiles(), mine, loss, target)?;
         let device = self.device();
         gradient.begin(device);

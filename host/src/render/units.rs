@@ -14,7 +14,7 @@ use glam::Vec4;
 
 use super::backward::{LossTarget, of_tiles};
 use super::exposure::{self, Exposed, ExposureGradient};
-use super::field_sums::{add_grids, set_scales, write_networks};
+use super::field_sums::{finish, set_scales};
 use super::gradient::SceneGradient;
 use super::loss::{Loss, LossInputs, LossOutput, TileLoss};
 use super::part::Part;
@@ -120,10 +120,11 @@ impl Step<'_> {
         let parts = Parts::render(self, plans.iter().rev().collect(), loss)?;
         set_scales(device, None, self.scene, gradient, parts.samples)?;
         let found = parts.back(self, loss, &mut |part, pair_gradient| {
-            let units = part.spread(device, self.scene, pair_gradient, gradient)?;
-            part.add_units(device, self.scene, pair_gradient, &units, gradient)
+            let vectors = part.backward_fields(device, self.scene, pair_gradient, gradient)?;
+            let all = 0..part.bins.cameras.len() as u32;
+            part.add_gaussians(device, self.scene, pair_gradient, &vectors, all, gradient)
         })?;
-        add_grids(device, None, gradient)?;
+        finish(device, None, gradient)?;
         Ok(found)
     }
 
@@ -140,26 +141,18 @@ impl Step<'_> {
         let plans = limits.join(&mine);
         let parts = Parts::render(self, plans.iter().collect(), loss)?;
         set_scales(device, Some(ranks), scene, gradient, parts.samples)?;
-        let (mut networks, mut rows) = (Vec::new(), Rows::new(device, ranks, [gradient])?);
+        let mut rows = Rows::new(device, ranks, [gradient])?;
         let found = parts.back(self, loss, &mut |part, pair_gradient| {
-            let spread = part.spread(device, scene, pair_gradient, gradient)?;
-            let units_of_part = part.bins.cameras.len() as u32;
-            for unit in 0..units_of_part {
+            let vectors = part.backward_fields(device, scene, pair_gradient, gradient)?;
+            for unit in 0..part.bins.cameras.len() as u32 {
                 let cameras = unit..unit + 1;
-                part.add_gaussians(device, scene, pair_gradient, &spread, cameras, gradient)?;
+                part.add_gaussians(device, scene, pair_gradient, &vectors, cameras, gradient)?;
                 rows.take(0)?;
             }
-            networks.push(spread.read_networks(device, units_of_part, gradient)?);
             Ok(())
         })?;
-        self.add_networks(networks.concat(), units.len(), ranks)?;
         rows.add(units.len())?;
-        add_grids(device, Some(ranks), gradient)?;
-        if let Some(poses) = &gradient.poses {
-            let mut cameras: Vec<_> = units.iter().map(|unit| unit.tiles[0].tile.camera).collect();
-            cameras.dedup();
-            poses.add_ranks(device, &cameras, ranks)?;
-        }
+        finish(device, Some(ranks), gradient)?;
         self.all_found(&found, &units, ranks)
     }
 
@@ -188,23 +181,6 @@ impl Step<'_> {
         let back = |exposed: &Exposed| exposed.backward(device, rendered, &output.grad_image);
         let row_sum = exposed.as_ref().map(back).transpose()?;
         Ok(Rendered { part, output, row_sum })
-    }
-
-    /// Adds the networks' gradients of all units, in their order.
-    fn add_networks(&self, mine: Vec<f32>, units: usize, ranks: &dyn Ranks) -> Result<()> {
-        let all = ranks.gather(bytemuck::cast_slice(&mine).to_vec())?;
-        let fields = [&self.gradient.color, &self.gradient.transmittance];
-        let len: usize = fields.map(|field| 4 * field.parameters.len()).iter().sum();
-        let mut sum = vec![0.0_f32; len];
-        let mut places = vec![0; ranks.size()];
-        for unit in 0..units {
-            let rank = unit % ranks.size();
-            let begin = places[rank];
-            places[rank] += len * 4;
-            let values: Vec<f32> = bytemuck::pod_collect_to_vec(&all[rank][begin..begin + len * 4]);
-            sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
-        }
-        write_networks(self.device(), self.gradient, &sum)
     }
 
     /// What all ranks have found, by camera.

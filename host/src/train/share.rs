@@ -68,7 +68,7 @@ impl Trainer {
         let CheckpointShare { state, gaussians, .. } = checkpoint;
         let upload = |config: &TrainConfig, photographs: usize| {
             let options = UploadOptions::default();
-            let share = DeviceShare::upload(renderer, &state.scene, *gaussians, options)?;
+            let share = DeviceShare::upload(renderer, &state.scene, options)?;
             State::new(renderer, config, share, (state, *gaussians), photographs)
         };
         let mut trainer = Self::with_state(renderer, config, dataset.into(), state, upload)?;

@@ -52,7 +52,7 @@ impl State {
         (checkpoint, gaussians): (&Checkpoint, usize),
     ) -> Result<()> {
         self.gaussians = gaussians;
-        self.share.replace_gaussians(device, &checkpoint.scene.gaussians, gaussians)?;
+        self.share.replace_gaussians(device, &checkpoint.scene.gaussians)?;
         self.optimizer.replace_gaussians(device, &checkpoint.moments)?;
         self.gradient.replace_gaussians(device, &self.share)?;
         self.write_statistics(device, &checkpoint.statistics)

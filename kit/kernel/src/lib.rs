@@ -107,8 +107,8 @@
 //!
 //! # The crate
 //!
-//! Start with the [`prelude`], [`memory`] (buffers) and [`invocation`]. [`shared_tile`] is workgroup memory as a cache, [`fixed`] are
-//! sums that do not depend on the order, and [`count`] has numbers that stay on the device.
+//! Start with the [`prelude`], [`memory`] (buffers) and [`invocation`]. [`shared_tile`] is workgroup memory as a cache, [`fixed`] and
+//! [`binned`] are sums that do not depend on the order, and [`count`] has numbers that stay on the device.
 //!
 //! The crate is compiled twice. Rust-GPU compiles it to SPIR-V, where [`memory::Read`] and [`memory::Write`] are storage
 //! buffers. For the CPU they are views of slices, and every access is checked.
@@ -121,6 +121,7 @@
 extern crate self as organza_kernel;
 
 pub mod atomic;
+pub mod binned;
 pub mod count;
 pub mod fixed;
 pub mod half;

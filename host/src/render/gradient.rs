@@ -70,10 +70,10 @@ impl SceneGradient {
     }
 
     /// Zeros, for other Gaussians of the same fields and cameras, whose gradients are those of this.
-    pub(super) fn of_slice(&self, device: &Device, slice: &DeviceScene) -> Result<Self> {
+    pub(super) fn of_block(&self, device: &Device, block: &DeviceScene) -> Result<Self> {
         let fields = [&self.color, &self.transmittance].map(FieldGradient::view);
         let [color, transmittance] = fields;
-        let mut gradient = Self::of_fields(device, slice, color, transmittance)?;
+        let mut gradient = Self::of_fields(device, block, color, transmittance)?;
         gradient.has_transmittance = self.has_transmittance;
         gradient.poses = self.poses.as_ref().map(BinnedGradient::view);
         Ok(gradient)
@@ -156,8 +156,8 @@ impl SceneGradient {
     /// Zeros, as [`SceneGradient::new`] makes them.
     pub fn clear(&self, device: &Device) {
         device.clear(&self.statistics);
-        self.begin(device);
-        self.restart(device);
+        self.snapshot(device);
+        self.rollback(device);
         for field in [&self.color, &self.transmittance] {
             device.clear(&field.table.status);
         }
@@ -173,12 +173,12 @@ impl SceneGradient {
     }
 
     /// A step begins.
-    pub(crate) fn begin(&self, device: &Device) {
+    pub(crate) fn snapshot(&self, device: &Device) {
         device.copy(&self.statistics, &self.statistics_before);
     }
 
     /// As it was when the step began.
-    pub(crate) fn restart(&self, device: &Device) {
+    pub(crate) fn rollback(&self, device: &Device) {
         device.copy(&self.statistics_before, &self.statistics);
         self.tensors.iter().for_each(|(_, tensor)| device.clear(&tensor.buffer));
         for field in [&self.color, &self.transmittance] {

@@ -51,7 +51,7 @@ pub use backward::LossTarget;
 pub(crate) use bin::kernel_camera;
 pub use channels::Channel;
 pub use device_share::DeviceShare;
-pub(crate) use device_share::{in_slices, read_slices};
+pub(crate) use device_share::{in_blocks, read_blocks};
 pub(crate) use exposure::ExposureGradient;
 pub use eye::{EyeCache, EyeOptions};
 pub(crate) use frame::{Frame, FrameShape};

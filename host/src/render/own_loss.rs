@@ -93,14 +93,14 @@ impl Renderer {
         let (loss, squared) = match own {
             OwnLoss::Host(own) => self.host(step, batch, own)?,
             OwnLoss::Device(own) => {
-                gradient.begin(self.device());
+                gradient.snapshot(self.device());
                 self.in_parts(scene, batch, |plans| {
                     let add = |sum: (f64, f64), plan| {
                         let (loss, squared) = self.part(step, own, plan)?;
                         Ok((sum.0 + loss, sum.1 + squared))
                     };
                     let sum = plans.iter().try_fold((0.0, 0.0), add);
-                    sum.inspect_err(|_| gradient.restart(self.device()))
+                    sum.inspect_err(|_| gradient.rollback(self.device()))
                 })?
             }
         };

@@ -179,7 +179,7 @@ impl Recording {
     /// As [`Recording::backward`], but for [`Error::Diverged`]. The gradient is then as it was before.
     pub(crate) fn add_to(&self, gradient: &SceneGradient, grad_output: &[f32]) -> Result<()> {
         let device = self.renderer.device();
-        gradient.begin(device);
+        gradient.snapshot(device);
         let add = || {
             self.parts.iter().try_for_each(|(plan, part)| match part {
                 Some(part) => self.add_part(plan, part, grad_output, gradient),
@@ -188,14 +188,14 @@ impl Recording {
         };
         match add() {
             Err(error) if error.is_out_of_memory() => {
-                gradient.restart(device);
+                gradient.rollback(device);
                 let again = |plans: &[Plan]| {
                     let added = self.add_again(plans, grad_output, gradient);
-                    added.inspect_err(|_| gradient.restart(device))
+                    added.inspect_err(|_| gradient.rollback(device))
                 };
                 self.renderer.in_parts(&self.scene, &self.batch, again)
             }
-            result => result.inspect_err(|_| gradient.restart(device)),
+            result => result.inspect_err(|_| gradient.rollback(device)),
         }
     }
 

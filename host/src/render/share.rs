@@ -63,9 +63,9 @@ impl Renderer {
     ) -> Result<ShareForward> {
         let mut all = FixedSums::new(batch)?;
         let mut report = RenderReport::default();
-        let mut parts = Vec::with_capacity(share.slices.len());
+        let mut parts = Vec::with_capacity(share.blocks().len());
         let mut room = if keep { KEPT_SAMPLES } else { 0 };
-        for slice in &share.slices {
+        for slice in share.blocks() {
             let render = |room: &mut u64| self.slice_sums(slice, cameras, batch, keep, room);
             let (sums, found, of_slice) = match render(&mut room) {
                 Err(error) if error.is_out_of_memory() && room < KEPT_SAMPLES && keep => {

@@ -96,7 +96,7 @@ impl ShareRecording<'_> {
         let fields = SceneGradient::new(device, &self.share.fields)?;
         let gradient = ShareGradient::new(device, self.share, fields)?;
         self.add(grad_output, &gradient)?;
-        gradient.check(device)?;
+        gradient.fields.check(device)?;
         self.download(&gradient)
     }
 
@@ -107,10 +107,10 @@ impl ShareRecording<'_> {
         let (units, column) = (self.units, self.grid.column());
         let has_groups = self.grid.groups() > 1;
         let mut rows =
-            has_groups.then(|| Rows::new(device, &column, &gradient.slices)).transpose()?;
+            has_groups.then(|| Rows::new(device, &column, &gradient.blocks)).transpose()?;
         let mut kept = kept.into_iter();
         for (index, (scene, parts)) in self.parts().enumerate() {
-            let gradient = &gradient.slices[index];
+            let gradient = &gradient.blocks[index];
             for (at, part) in parts.iter().enumerate() {
                 let rendered = self.part(scene, part)?;
                 let pairs = kept.next().expect("one for each part");
@@ -157,7 +157,7 @@ impl ShareRecording<'_> {
     ) -> Result<Vec<Option<Buffer<Vec4>>>> {
         let device = self.renderer.device();
         let (mut samples, mut kept) = ([0; 2], Vec::new());
-        for ((scene, parts), gradient) in self.parts().zip(&gradient.slices) {
+        for ((scene, parts), gradient) in self.parts().zip(&gradient.blocks) {
             for part in parts {
                 let rendered = self.part(scene, part)?;
                 let pairs = device.run_in_pool(|| {
@@ -174,7 +174,7 @@ impl ShareRecording<'_> {
     }
 
     fn parts(&self) -> impl Iterator<Item = (&DeviceScene, &[SharePart])> {
-        self.share.slices.iter().zip(self.forward.parts.iter().map(Vec::as_slice))
+        self.share.blocks().iter().zip(self.forward.parts.iter().map(Vec::as_slice))
     }
 
     /// A part that was kept, or rendered again.
@@ -210,13 +210,13 @@ impl ShareRecording<'_> {
     }
 
     fn download(&self, gradient: &ShareGradient) -> Result<Gradient> {
-        let ShareGradient { fields, slices, .. } = gradient;
+        let ShareGradient { fields, blocks } = gradient;
         let (device, config) = (self.renderer.device(), self.share.config());
         let mut values = Scene::zeros(config.clone(), self.share.len())?;
         let of_fields = fields.download(device, config, 1)?.into_values();
         (values.color, values.transmittance) = (of_fields.color, of_fields.transmittance);
         let mut begin = 0;
-        for (slice, gradient) in self.share.slices.iter().zip(slices) {
+        for (slice, gradient) in self.share.blocks().iter().zip(blocks) {
             let targets = values.gaussians.tensors_mut().zip(gradient.tensors.gaussians.as_ref());
             for (target, source) in targets.into_vec() {
                 let source = source.read(device)?;
@@ -232,61 +232,38 @@ impl ShareRecording<'_> {
 /// Gradients of the tensors of a share, or of a whole scene; kernels add to them.
 #[derive(Debug)]
 pub(crate) struct ShareGradient {
-    /// Those of the fields, and of a whole scene's Gaussians.
+    /// Those of the fields.
     pub fields: SceneGradient,
-    /// Those of each slice's Gaussians; those of the fields are the same.
-    pub slices: Vec<SceneGradient>,
-    is_whole: bool,
+    /// Those of each block's Gaussians; those of the fields are the same, on the same memory.
+    pub blocks: Vec<SceneGradient>,
 }
 
 impl ShareGradient {
     /// Zeros for a share's Gaussians; `fields` are the gradients of [`DeviceShare::fields`].
     pub fn new(device: &Device, share: &DeviceShare, fields: SceneGradient) -> Result<Self> {
-        let is_whole = share.whole().is_some();
-        let mut gradient = Self { fields, slices: Vec::new(), is_whole };
-        gradient.add_slices(device, share)?;
+        let mut gradient = Self { fields, blocks: Vec::new() };
+        gradient.replace_gaussians(device, share)?;
         Ok(gradient)
     }
 
     /// Zeros for the Gaussians that a share has now.
     pub fn replace_gaussians(&mut self, device: &Device, share: &DeviceShare) -> Result<()> {
-        if let Some(scene) = share.whole() {
-            self.fields = self.fields.of_slice(device, scene)?;
-        }
-        self.slices.clear();
-        self.add_slices(device, share)
-    }
-
-    fn add_slices(&mut self, device: &Device, share: &DeviceShare) -> Result<()> {
-        for slice in &share.slices {
-            self.slices.push(self.fields.of_slice(device, slice)?);
+        // not both at once
+        self.blocks.clear();
+        for block in share.blocks() {
+            self.blocks.push(self.fields.of_block(device, block)?);
         }
         Ok(())
     }
 
-    /// Those of each of [`DeviceShare::blocks`].
-    pub fn blocks(&self) -> &[SceneGradient] {
-        if self.is_whole { std::slice::from_ref(&self.fields) } else { &self.slices }
+    /// As [`SceneGradient::snapshot`].
+    pub fn snapshot(&self, device: &Device) {
+        self.blocks.iter().for_each(|block| block.snapshot(device));
     }
 
-    /// As [`SceneGradient::check`].
-    pub fn check(&self, device: &Device) -> Result<()> {
-        self.fields.check(device)
-    }
-
-    /// A step begins.
-    pub fn begin(&self, device: &Device) {
-        self.slices.iter().for_each(|slice| slice.begin(device));
-    }
-
-    /// As it was when the step began.
-    pub fn restart(&self, device: &Device) {
-        self.slices.iter().chain([&self.fields]).for_each(|gradient| gradient.restart(device));
-    }
-
-    /// As [`SceneGradient::clear_touched`].
-    pub fn clear_touched(&self, device: &Device) {
-        self.fields.clear_touched(device);
+    /// As [`SceneGradient::rollback`].
+    pub fn rollback(&self, device: &Device) {
+        self.blocks.iter().chain([&self.fields]).for_each(|gradient| gradient.rollback(device));
     }
 }
 

@@ -65,9 +65,9 @@ impl Renderer {
         let recording = self.record_group((share, grid), cameras, &of_group, deal.units)?;
         let (found, grad_output) = self.compare(recording.tiles(), mine, loss, target)?;
         let device = self.device();
-        gradient.begin(device);
+        gradient.snapshot(device);
         let added = recording.add(&grad_output, gradient).and_then(|()| deal.all(found, grid));
-        added.inspect_err(|_| gradient.restart(device))
+        added.inspect_err(|_| gradient.rollback(device))
     }
 
     /// The losses of rendered tiles, the gradients of their exposures, and dLoss/dY.

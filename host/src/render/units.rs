@@ -79,8 +79,8 @@ impl Renderer {
     ) -> Result<Compared> {
         let ranks = ranks.filter(|ranks| ranks.size() > 1);
         let step = Step { renderer: self, scene, cameras, target, gradient };
-        gradient.begin(self.device());
-        let restart = |_: &_| gradient.restart(self.device());
+        gradient.snapshot(self.device());
+        let restart = |_: &_| gradient.rollback(self.device());
         let (losses, mut exposures) = match ranks {
             None => self.in_parts(scene, batch, |plans| {
                 let added = match plans {

@@ -14,6 +14,7 @@ use super::plan::{Plan, PlannedTile};
 use super::pose::pose_backward;
 use super::project::project_backward;
 use super::renderer::Renderer;
+use super::rows::Rows;
 use super::scene::DeviceScene;
 use crate::camera::Camera;
 use crate::error::Result;
@@ -41,9 +42,7 @@ impl Part {
         if gradient.has_transmittance && samples.at_most() > 0 {
             gradient.transmittance.table.set_scale(device, &scene.transmittance, samples)?;
         }
-        let vectors = self.backward_fields(device, scene, &pair_gradient, gradient)?;
-        let cameras = 0..self.bins.cameras.len() as u32;
-        self.add_gaussians(device, scene, &pair_gradient, &vectors, cameras, gradient)?;
+        self.add_pairs(device, scene, &pair_gradient, gradient, None, false)?;
         gradient.finish(device)
     }
 
@@ -86,9 +85,35 @@ impl Part {
         Ok(())
     }
 
+    /// The other stages, after the scale of the hash grids' sums is set. With the `rows` of a block, takes what each camera
+    /// has of the Gaussians. The last camera of a part may continue in the next one.
+    pub fn add_pairs(
+        &self,
+        device: &Device,
+        scene: &DeviceScene,
+        pair_gradient: &Buffer<Vec4>,
+        gradient: &SceneGradient,
+        rows: Option<(&mut Rows<'_>, usize)>,
+        continues: bool,
+    ) -> Result<()> {
+        let vectors = self.backward_fields(device, scene, pair_gradient, gradient)?;
+        let add = |cameras: Range<u32>| {
+            self.add_gaussians(device, scene, pair_gradient, &vectors, cameras, gradient)
+        };
+        let cameras = self.bins.cameras.len() as u32;
+        let Some((rows, block)) = rows else { return add(0..cameras) };
+        for camera in 0..cameras {
+            add(camera..camera + 1)?;
+            if camera + 1 < cameras || !continues {
+                rows.take(block)?;
+            }
+        }
+        Ok(())
+    }
+
     /// The stages of the fields and of the poses: adds the gradients of the fields to their sums, those of the poses, and
     /// returns those of the pairs' vectors.
-    pub fn backward_fields(
+    fn backward_fields(
         &self,
         device: &Device,
         scene: &DeviceScene,
@@ -108,7 +133,7 @@ impl Part {
     }
 
     /// Adds what some cameras have of the Gaussians, and of their statistics.
-    pub fn add_gaussians(
+    fn add_gaussians(
         &self,
         device: &Device,
         scene: &DeviceScene,
@@ -132,7 +157,7 @@ impl Part {
 
 /// Gradients of the pairs' material and extra vectors; nothing of a field without samples.
 #[derive(Debug)]
-pub struct FieldVectors {
+struct FieldVectors {
     color: Option<PairVectors>,
     transmittance: Option<PairVectors>,
 }

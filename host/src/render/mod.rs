@@ -7,6 +7,7 @@ mod block;
 mod capacity;
 mod channels;
 mod color;
+mod compare;
 mod composite;
 mod device_share;
 mod distortion;
@@ -40,11 +41,10 @@ mod scan;
 mod scene;
 mod share;
 mod share_gradient;
-mod share_step;
+mod step;
 #[cfg(test)]
 mod tests;
 mod transmittance;
-mod units;
 mod upload;
 
 pub use backward::LossTarget;

@@ -4,7 +4,7 @@
 //! the gradients of its own Gaussians. The gradients of the fields are added up. Their bits do not depend on the number of
 //! ranks, either:
 //!
-//! - **hash grids** are 64-bit integers of one scale for all ranks, as in [a step over views](super::units).
+//! - **hash grids** are 64-bit integers of one scale for all ranks, as in [a step over views](super::step).
 //! - **networks and poses** are [binned](organza_kernel::binned) sums, which are exact.
 //!
 //! In a [grid](Grid) of ranks, each group renders the tiles of some cameras. The ranks that have the same share add up its
@@ -121,26 +121,8 @@ impl ShareRecording<'_> {
                         None => self.pair_gradient(scene, part, rendered.get(), grad_output)?,
                     };
                     let part = rendered.get();
-                    let vectors = part.backward_fields(device, scene, &pairs, gradient)?;
-                    let count = part.bins.cameras.len() as u32;
-                    let Some(rows) = &mut rows else {
-                        return part.add_gaussians(
-                            device,
-                            scene,
-                            &pairs,
-                            &vectors,
-                            0..count,
-                            gradient,
-                        );
-                    };
-                    for unit in 0..count {
-                        let cameras = unit..unit + 1;
-                        part.add_gaussians(device, scene, &pairs, &vectors, cameras, gradient)?;
-                        if unit + 1 < count || !continues {
-                            rows.take(index)?;
-                        }
-                    }
-                    Ok(())
+                    let rows = rows.as_mut().map(|rows| (rows, index));
+                    part.add_pairs(device, scene, &pairs, gradient, rows, continues)
                 })?;
             }
         }

@@ -205,9 +205,9 @@ fn a_step_of_groups_hands_over_what_the_formulas_say() {
         assert_eq!(names, [&pixels[..], &added, &["exchange"; 2]].concat());
         let bytes: Vec<_> = calls.iter().map(|(_, bytes)| *bytes).collect();
         let (share, first) = (rank % SHARES, rank / SHARES * SHARES);
-        let of_group = all[first as usize][10].1 / 32;
+        let of_group = all[first as usize][10].1 / 40;
         tiles += of_group;
-        assert_eq!(bytes[10], if share == 0 { 32 * of_group } else { 0 }, "losses");
+        assert_eq!(bytes[10], if share == 0 { 40 * of_group } else { 0 }, "losses");
         let (values, words) = (4 * of_group * side * side + 5, of_group * side * side / 8);
         assert_eq!(bytes[..2], [8 * values, 8 * SHARES * told(share, values)]);
         assert_eq!(bytes[2..4], [4 * words, 4 * SHARES * told(share, words)]);
@@ -259,8 +259,8 @@ fn a_step_hands_over_what_the_formulas_say() {
         assert_eq!(bytes[4], 4 * sizes.flags(photographs), "flags");
         let poses = 8 * 17 * 6 * photographs;
         assert!(bytes[5] > 0 && bytes[5] <= sizes.sums() + poses, "{bytes:?}");
-        assert_eq!(bytes[6] % 32, 0, "losses");
-        (units, tiles) = (units + own, tiles + bytes[6] / 32);
+        assert_eq!(bytes[6] % 40, 0, "losses");
+        (units, tiles) = (units + own, tiles + bytes[6] / 40);
     }
     assert_eq!(all[0][5], all[1][5], "all ranks add the same blocks");
     assert_eq!(tiles, u64::from(config.run.tiles_per_step));

@@ -71,7 +71,7 @@ pub use organza_device::{
 pub use render::Stages;
 pub use render::{
     Channel, DeviceScene, DeviceShare, Inspection, Recording, RenderReport, RenderedTiles,
-    Renderer, ShareRecording, UploadOptions,
+    Renderer, UploadOptions,
 };
 pub use train::{TrainConfig, Trainer};
 

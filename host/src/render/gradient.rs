@@ -6,6 +6,7 @@ use glam::Vec4;
 use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 
 use super::binned::BinnedGradient;
+use super::device_share::DeviceShare;
 use super::field::DeviceField;
 use super::hash_grid::HashGridGradient;
 use super::packed::unpack;
@@ -208,6 +209,39 @@ impl SceneGradient {
             device.read_into(&tensor.buffer, tensor.range.start, values)
         };
         Ok(Gradient::of(unpack(config, len, self.tensors.as_ref(), read)?))
+    }
+}
+
+/// Gradients of the tensors of a share, or of a whole scene; kernels add to them.
+#[derive(Debug)]
+pub(crate) struct ShareGradient {
+    /// Those of the fields.
+    pub fields: SceneGradient,
+    /// Those of each block's Gaussians; those of the fields are the same, on the same memory.
+    pub blocks: Vec<SceneGradient>,
+}
+
+impl ShareGradient {
+    /// Zeros for a share's Gaussians; `fields` are the gradients of [`DeviceShare::fields`].
+    pub fn new(device: &Device, share: &DeviceShare, fields: SceneGradient) -> Result<Self> {
+        let mut gradient = Self { fields, blocks: Vec::new() };
+        gradient.replace_gaussians(device, share)?;
+        Ok(gradient)
+    }
+
+    /// Zeros for the Gaussians that a share has now.
+    pub fn replace_gaussians(&mut self, device: &Device, share: &DeviceShare) -> Result<()> {
+        // not both at once
+        self.blocks.clear();
+        for block in share.blocks() {
+            self.blocks.push(self.fields.of_block(device, block)?);
+        }
+        Ok(())
+    }
+
+    /// As [`SceneGradient::rollback`].
+    pub fn rollback(&self, device: &Device) {
+        self.blocks.iter().chain([&self.fields]).for_each(|gradient| gradient.rollback(device));
     }
 }
 

@@ -1,5 +1,7 @@
 //! Losses that a caller computes, on the host or on the device.
 
+use std::slice::from_ref;
+
 use super::backward::{LossTarget, of_tiles};
 use super::gradient::SceneGradient;
 use super::loss::LossInputs;
@@ -120,7 +122,7 @@ impl Renderer {
         let LossGradient { loss, grad_output } =
             own(&LossBatch { batch, rendered, target: *target })?;
         check_len(grad_output.len(), rendered.data.len())?;
-        recording.add_to(gradient, &grad_output)?;
+        recording.add_to(&grad_output, gradient, from_ref(gradient))?;
         let area = (batch.side * batch.side) as usize;
         Ok((loss, squared_error(&rendered.data, target.image, target.valid, area)))
     }

@@ -17,7 +17,7 @@ use super::backward::LossTarget;
 use super::compare::{Compared, Comparison, Found};
 use super::device_share::DeviceShare;
 use super::field_sums::{finish, set_scales};
-use super::gradient::SceneGradient;
+use super::gradient::{SceneGradient, ShareGradient};
 use super::loss::Loss;
 use super::part::Part;
 use super::part_counts::{Capacity, Needed};
@@ -26,7 +26,6 @@ use super::renderer::Renderer;
 use super::results::RenderedTiles;
 use super::rows::Rows;
 use super::scene::DeviceScene;
-use super::share_gradient::ShareGradient;
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::ranks::{Grid, Ranks};
@@ -115,15 +114,12 @@ impl Renderer {
         let of_group = TileBatch { side: batch.side, tiles };
         let recording = self.record_group((share, grid), cameras, &of_group, views)?;
         let (mut found, grad_output) = self.compare(recording.tiles(), &mine, loss, target)?;
-        let device = self.device();
-        gradient.snapshot(device);
-        let added = recording.add(&grad_output, gradient);
-        added.inspect_err(|_| gradient.rollback(device))?;
+        recording.add_to(&grad_output, &gradient.fields, &gradient.blocks)?;
         if grid.groups() > 1 {
             // all ranks of a group have the same: one tells it
             let mine = if grid.share() == 0 { found } else { Found::default() };
             let all = mine.gather(batch, target, grid.all);
-            found = all.inspect_err(|_| gradient.rollback(device))?;
+            found = all.inspect_err(|_| gradient.rollback(self.device()))?;
         }
         Ok(found.in_order())
     }
